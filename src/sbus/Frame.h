@@ -1,0 +1,68 @@
+// The S.Bus frame: what its 25 bytes mean, and nothing about how they are found.
+//
+// Sources: J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", chapter 2, for the layout; captures of real
+// receivers for the end bytes other than 0x00.
+//
+// Plain C++11 without Arduino.h, heap or library calls. Every function may be called from any context.
+#pragma once
+
+#include <stdint.h>
+
+namespace sbus {
+
+// The line: 8 data bits, even parity, 2 stop bits, inverted (idle LOW). 12 bits of 10 us make a character of 120 us.
+constexpr unsigned long Baud = 100000;
+
+// The frame: header, 16 channels of 11 bits, flags, end byte.
+constexpr uint8_t FrameSize = 25;
+constexpr uint8_t HeaderByte = 0x0F;
+constexpr uint8_t PayloadIndex = 1;
+constexpr uint8_t FlagsIndex = 23;
+constexpr uint8_t EndIndex = 24;
+
+// The channels: 16 proportional ones, 0..2047, then the switches CH17 and CH18, 0 or 1.
+constexpr uint8_t ProportionalCount = 16;
+constexpr uint8_t ChannelCount = 18;
+constexpr uint16_t ChannelMax = 2047;
+
+// The bits of the flags byte.
+constexpr uint8_t FlagChannel17 = 0x01;
+constexpr uint8_t FlagChannel18 = 0x02;
+constexpr uint8_t FlagLostFrame = 0x04;
+constexpr uint8_t FlagFailsafe = 0x08;
+constexpr uint8_t FlagsUnused = 0xF0;
+
+// True if a frame may end with this byte: 00 (Futaba S.BUS, FrSky), 04, 14, 24, 34 (S.BUS2; the high nibble counts the
+// telemetry slots), 08 (Futaba R7003SB and FASSTest 12CH, which send five more bytes behind the frame).
+constexpr bool isEndByte(uint8_t byte) {
+  return byte == 0x00 || byte == 0x08 || (byte & 0xCF) == 0x04;
+}
+
+// True if the unused bits of this flags byte are 0, as they are on every receiver known.
+constexpr bool isFlagsByte(uint8_t byte) {
+  return (byte & FlagsUnused) == 0;
+}
+
+// True if `frame`, 25 bytes, begins and ends as a frame does. There is no checksum: the payload cannot be checked.
+constexpr bool isFrame(const uint8_t *frame) {
+  return frame[0] == HeaderByte && isFlagsByte(frame[FlagsIndex]) && isEndByte(frame[EndIndex]);
+}
+
+// `lostFrame`: this radio frame did not arrive, the channels are old ones. It comes and goes in flight.
+constexpr bool lostFrame(const uint8_t *frame) {
+  return (frame[FlagsIndex] & FlagLostFrame) != 0;
+}
+
+// `failsafe`: the receiver has given the link up, the channels are its failsafe setting.
+constexpr bool failsafe(const uint8_t *frame) {
+  return (frame[FlagsIndex] & FlagFailsafe) != 0;
+}
+
+// Writes all 18 channels of `frame` (25 bytes; header and end byte are not looked at) to `channels` (18 values).
+void unpack(const uint8_t *frame, uint16_t *channels);
+
+// Writes a whole frame, 25 bytes with end byte 00: the exact inverse of unpack(). Any value is well defined: channels
+// 1..16 above 2047 are sent as 2047, CH17 and CH18 other than 0 as 1.
+void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame);
+
+}  // namespace sbus
