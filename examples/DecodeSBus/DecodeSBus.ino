@@ -1,0 +1,54 @@
+/*
+  DecodeSBus: the first four channels of an S.Bus receiver as curves.
+
+  Wiring (Tlera Grasshopper, FrSky R-XSR):
+    R-XSR S-BUS_OUT -> D0 (RX1)
+    R-XSR +5V       -> 5V
+    R-XSR GND       -> GND
+
+  Sends a line "CH1,CH2,CH3,CH4,failsafe,lostFrame" over USB five times a second, for Serial Oscilloscope
+  (http://x-io.co.uk/serial-oscilloscope/) and for the Serial Plotter of the Arduino IDE. The channels are 0..2047, the
+  two flags 0 or 1. Nothing is sent before the first frame.
+
+  After J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper".
+*/
+
+#include <DecodeSBus.h>
+#include <elapsedMillis.h>
+
+const unsigned long PERIOD_DISPLAY = 200;  // ms
+
+uint16_t channels[18];
+bool failsafe;
+bool lostFrame;
+
+elapsedMillis timerDisplay;
+DecodeSBus dSBus(Serial1);
+
+// Called after every loop() while bytes wait on Serial1; not an interrupt.
+void serialEvent1() {
+  dSBus.parseSBusFrame();
+}
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+}
+
+void loop() {
+  if (timerDisplay < PERIOD_DISPLAY) {
+    return;
+  }
+  timerDisplay = 0;
+
+  if (dSBus.SBusFrameOk()) {
+    dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
+    for (int i = 0; i < 4; i++) {
+      Serial.print(channels[i]);
+      Serial.print(',');
+    }
+    Serial.print(failsafe);
+    Serial.print(',');
+    Serial.println(lostFrame);
+  }
+}
