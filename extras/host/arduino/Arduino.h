@@ -1,0 +1,74 @@
+// Arduino.h for the host: what a sketch and a library may expect of the board's core, made of what a PC has.
+//
+// With HOST_PLAIN_CORE defined it is a plainer core, such as the AVR's: no SERIAL_SBUS, no read(buffer, size).
+#pragma once
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "HardwareSerial.h"
+#include "Uart.h"
+#include "UsbSerial.h"
+#include "avr/pgmspace.h"
+
+typedef bool boolean;
+typedef uint8_t byte;
+typedef uint16_t word;
+
+// The sketch.
+void setup();
+void loop();
+
+// Time. The board's unsigned long has 32 bits, the host's has 64: with uint32_t these wrap where the board's do, and so
+// does the difference of two of them as long as the sketch keeps them in uint32_t.
+uint32_t millis();
+uint32_t micros();
+void delay(unsigned long ms);
+void delayMicroseconds(unsigned int us);
+void yield();
+
+// Holds back, and lets through again, the callbacks of Uart::onReceive().
+void noInterrupts();
+void interrupts();
+
+// Pins. There are none: writing does nothing, reading finds LOW.
+#define LOW 0x0
+#define HIGH 0x1
+#define INPUT 0x0
+#define OUTPUT 0x1
+#define INPUT_PULLUP 0x2
+#define INPUT_PULLDOWN 0x3
+#define LED_BUILTIN 13
+inline void pinMode(uint32_t, uint32_t) {}
+inline void digitalWrite(uint32_t, uint32_t) {}
+inline int digitalRead(uint32_t) {
+  return LOW;
+}
+
+#define PI 3.14159265358979323846
+#define HALF_PI (PI / 2)
+#define TWO_PI (PI * 2)
+#define DEG_TO_RAD (PI / 180)
+#define RAD_TO_DEG (180 / PI)
+
+// Macros, as on the board: code that trips over them is to trip here too. They come last, because the headers of the
+// C++ library do not survive them.
+#undef abs
+#define min(a, b) ((a) < (b) ? (a) : (b))
+#define max(a, b) ((a) > (b) ? (a) : (b))
+#define abs(x) ((x) > 0 ? (x) : -(x))
+#define constrain(x, low, high) ((x) < (low) ? (low) : (x) > (high) ? (high) : (x))
+#define round(x) ((x) >= 0 ? static_cast<long>((x) + 0.5) : static_cast<long>((x)-0.5))
+#define radians(deg) ((deg)*DEG_TO_RAD)
+#define degrees(rad) ((rad)*RAD_TO_DEG)
+#define sq(x) ((x) * (x))
+#define lowByte(w) (static_cast<uint8_t>((w)&0xFF))
+#define highByte(w) (static_cast<uint8_t>((w) >> 8))
+#define bit(b) (1UL << (b))
+#define bitRead(value, b) (((value) >> (b)) & 1)
+#define bitSet(value, b) ((value) |= bit(b))
+#define bitClear(value, b) ((value) &= ~bit(b))
+#define bitWrite(value, b, x) ((x) ? bitSet(value, b) : bitClear(value, b))

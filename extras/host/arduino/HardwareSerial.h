@@ -1,0 +1,22 @@
+// HardwareSerial: a serial port as a library sees it. Abstract, as on the board, so a test can put its own in.
+#pragma once
+
+#include "SerialConfig.h"
+#include "Stream.h"
+
+class HardwareSerial : public Stream {
+ public:
+  virtual void begin(unsigned long /*baud*/) {}
+  virtual void begin(unsigned long /*baud*/, uint32_t /*config*/) {}
+  virtual void end() {}
+  virtual int available() = 0;
+  virtual int peek() = 0;
+  virtual int read() = 0;
+#if !defined(HOST_PLAIN_CORE)
+  virtual int read(uint8_t *buffer, size_t size) = 0;
+#endif
+  virtual void flush() = 0;
+  virtual size_t write(uint8_t byte) = 0;
+  using Print::write;
+  virtual operator bool() = 0;
+};

@@ -1,0 +1,36 @@
+// The clock of the simulated board, in microseconds since the program's start.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace host {
+
+// The sketch's time goes on only when something spends it: a pass of loop(), a delay, a look at the clock. With
+// Pace::Real it is then held back until the PC's clock has come as far. So both paces give the sketch the same passes,
+// and a PC that stops for 50 ms to do something else costs no bytes: the sketch catches up pass by pass.
+class Clock {
+ public:
+  enum class Pace { Simulated, Real };
+
+  explicit Clock(Pace pace = Pace::Simulated, uint32_t startMs = 0);
+
+  // Time goes on by `us`.
+  void spend(uint64_t us);
+
+  // Since the program's start.
+  uint64_t nowUs() const { return _nowUs; }
+
+  // What the sketch is told: counted from `startMs`, and wrapping at 32 bits.
+  uint32_t millis() const { return static_cast<uint32_t>((_startUs + _nowUs) / 1000); }
+  uint32_t micros() const { return static_cast<uint32_t>(_startUs + _nowUs); }
+
+ private:
+  Pace _pace;
+  uint64_t _startUs;
+  uint64_t _nowUs = 0;
+  uint64_t _nextSleepUs = 0;
+  std::chrono::steady_clock::time_point _start = std::chrono::steady_clock::now();
+};
+
+}  // namespace host

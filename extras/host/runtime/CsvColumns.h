@@ -1,0 +1,35 @@
+// The lines that a sketch prints, and the range of the numbers in their columns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace host {
+
+class CsvColumns {
+ public:
+  struct Range {
+    bool any = false;  // false: no number stood in this column
+    double low = 0;
+    double high = 0;
+    std::string lowText;  // as the sketch printed them
+    std::string highText;
+  };
+
+  void look(const uint8_t *bytes, size_t size);
+
+  unsigned long lines() const { return _lines; }
+  const std::vector<Range> &columns() const { return _columns; }
+
+ private:
+  void endLine();
+  void lookAt(size_t column, const std::string &field);
+
+  std::string _line;
+  unsigned long _lines = 0;
+  std::vector<Range> _columns;
+};
+
+}  // namespace host

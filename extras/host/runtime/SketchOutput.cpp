@@ -1,0 +1,52 @@
+#include "SketchOutput.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace host {
+
+namespace {
+
+constexpr size_t TerminalLineMax = 256;  // a longer line goes to the pseudo-terminal in pieces
+
+// Standard output has gone. A reader that has seen enough, such as head, is no reason to talk.
+[[noreturn]] void leave() {
+  if (errno != EPIPE) {
+    std::fprintf(stderr, "standard output: %s\n", std::strerror(errno));
+  }
+  std::_Exit(EXIT_FAILURE);
+}
+
+}  // namespace
+
+size_t SketchOutput::write(const uint8_t *bytes, size_t size) {
+  if (!_begun) {
+    _lostBeforeBegin += size;
+    return 0;
+  }
+  _columns.look(bytes, size);
+  if (std::fwrite(bytes, 1, size, stdout) != size) {
+    leave();
+  }
+  if (_lineByLine && std::memchr(bytes, '\n', size) != nullptr) {
+    flush();
+  }
+  for (size_t i = 0; _terminal != nullptr && i < size; i++) {
+    _terminalLine += static_cast<char>(bytes[i]);
+    if (bytes[i] == '\n' || _terminalLine.size() == TerminalLineMax) {
+      _terminal->write(reinterpret_cast<const uint8_t *>(_terminalLine.data()), _terminalLine.size());
+      _terminalLine.clear();
+    }
+  }
+  return size;
+}
+
+void SketchOutput::flush() {
+  if (std::fflush(stdout) != 0) {
+    leave();
+  }
+}
+
+}  // namespace host
