@@ -1,0 +1,13 @@
+# Adds up doctest's summaries and the lines "ok ..." and "FAILED ...". Fails if any failed, or if nothing ran.
+#   [doctest] test cases:  7 |  6 passed | 1 failed | 0 skipped
+/^\[doctest\] test cases:/ {
+  split($0, part, "|")
+  passed += part[2]
+  failed += part[3]
+}
+/^ok / { passed++ }
+/^FAILED / { failed++; failures = failures $0 "\n" }
+END {
+  printf "\n%s%d passed, %d failed\n", failures, passed, failed
+  exit failed > 0 || passed == 0
+}

@@ -1,0 +1,76 @@
+#!/bin/sh
+# Runs every example, built for this PC by extras/host with the compiler named, and says "ok ..." or "FAILED ..." of:
+#   golden/EXAMPLE.csv             what it prints with the simulated receiver, 15 s
+#   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt
+#   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
+#   golden/README.csv              what README.md's ten lines print, four seconds
+# "golden.sh COMPILER update" writes the golden files anew instead.
+set -u
+cd "$(dirname "$0")" || exit 1
+compiler=$1
+build="${BUILD:-$PWD/../build/test}/golden/$compiler"
+sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+examples=$(cd ../examples && ls)
+recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')
+update="${2:-}"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok $2"; else echo "FAILED $2"; fi
+}
+
+# golden NAME PROGRAM OPTIONS...
+golden() {
+  name=$1
+  shift
+  timeout 60 "$@" --simulated-time >"$build/$name.csv" 2>"$build/$name.err"
+  status=$?
+  if [ "$status" -ne 0 ]; then
+    cat "$build/$name.err"
+  elif [ "$update" = update ]; then
+    cp "$build/$name.csv" "golden/$name.csv"
+  else
+    cmp "$build/$name.csv" "golden/$name.csv"
+    status=$?
+  fi
+  verdict "$status" "golden/$name.csv"
+}
+
+# program SKETCH: builds it
+program() {
+  rm -f "$build/$(basename "$1")"
+  "${MAKE:-make}" --no-print-directory -C ../extras/host SKETCH="$1" BUILD="$build" CXX="$compiler" CXXFLAGS="$sanitize"
+}
+
+bad_recording() {  # PROGRAM MESSAGE
+  file=${2%%:*}
+  (cd recordings/bad && timeout 60 "$1" --simulated-time --recording "$file") >"$build/out" 2>"$build/err"
+  status=$?
+  printf '%s\n' "$2" | cmp - "$build/err" && [ "$status" -ne 0 ] && [ ! -s "$build/out" ]
+  verdict $? "recordings/bad/$file"
+}
+
+printf '\n%s, examples: golden files and bad recordings\n' "$compiler"
+mkdir -p "$build" golden
+for example in $examples; do
+  program "examples/$example"
+  golden "$example" "$build/$example"
+  for recording in $recordings; do
+    golden "$example-$recording" "$build/$example" --recording "recordings/$recording.txt"
+  done
+done
+
+mkdir -p "$build/sketch/README"
+sed -n '/^```cpp$/,/^```$/{/^```/!p}' ../README.md >"$build/sketch/README/README.ino"
+program "$build/sketch/README"
+golden README "$build/README" --seconds 4
+[ "$update" = update ] && exit
+
+while IFS= read -r message; do
+  bad_recording "$build/DecodeSBus" "$message"
+done <recordings/bad/MESSAGES
+for file in recordings/bad/*.txt; do
+  grep -q "^${file##*/}:" recordings/bad/MESSAGES || verdict 1 "$file is not in MESSAGES"
+done
+for file in golden/*.csv; do
+  [ -f "$build/${file##*/}" ] || verdict 1 "$file belongs to no example or recording"
+done

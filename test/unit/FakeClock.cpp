@@ -1,0 +1,15 @@
+#include "FakeClock.h"
+
+#include <Arduino.h>
+
+uint64_t fakeMicros = 0;
+
+uint32_t millis() {
+  return static_cast<uint32_t>(fakeMicros / 1000);
+}
+
+uint32_t micros() {
+  return static_cast<uint32_t>(fakeMicros);
+}
+
+void yield() {}

@@ -1,0 +1,81 @@
+// A serial port whose receive buffer the test fills, and which notes how it was opened. As on the board, bytes that
+// find the buffer full, or the port closed, are lost: of a burst that does not fit it is the newest that go missing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+// Last: its macros min and max break the standard headers behind it.
+#include <Arduino.h>
+
+class FakeSerial : public HardwareSerial {
+ public:
+  struct Opening {
+    unsigned long baud;
+    uint32_t config;
+  };
+
+  // 64 on the board; 63 on an AVR, whose ring keeps one of its 64 places free.
+  explicit FakeSerial(size_t capacity = 64) : _capacity(capacity) {}
+
+  std::vector<Opening> openings;
+  unsigned closings = 0;
+  unsigned singleReads = 0;
+
+  // The wire: `bytes` come in from outside. Returns how many were kept.
+  template <typename Container>
+  size_t arrive(const Container &bytes) {
+    const size_t before = _waiting.size();
+    for (const uint8_t newest : bytes) {
+      if (_isOpen && _waiting.size() < _capacity) {
+        _waiting.push_back(newest);
+      }
+    }
+    return _waiting.size() - before;
+  }
+
+  void begin(unsigned long baud) override { begin(baud, 0); }
+  void begin(unsigned long baud, uint32_t config) override {
+    openings.push_back({baud, config});
+    _isOpen = true;
+  }
+  void end() override {
+    closings++;
+    _isOpen = false;
+    _waiting.clear();
+  }
+  int available() override { return static_cast<int>(_waiting.size()); }
+  int peek() override { return _waiting.empty() ? -1 : _waiting.front(); }
+  int read() override {
+    singleReads++;
+    return next();
+  }
+#if !defined(HOST_PLAIN_CORE)
+  int read(uint8_t *buffer, size_t size) override {
+    size_t count = 0;
+    while (count < size && !_waiting.empty()) {
+      buffer[count++] = static_cast<uint8_t>(next());
+    }
+    return static_cast<int>(count);
+  }
+#endif
+  void flush() override {}
+  size_t write(uint8_t) override { return 0; }
+  operator bool() override { return _isOpen; }
+
+ private:
+  int next() {
+    if (_waiting.empty()) {
+      return -1;
+    }
+    const int oldest = _waiting.front();
+    _waiting.pop_front();
+    return oldest;
+  }
+
+  const size_t _capacity;
+  bool _isOpen = false;
+  std::deque<uint8_t> _waiting;
+};

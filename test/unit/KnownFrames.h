@@ -1,0 +1,43 @@
+// Frames whose channels are known from elsewhere than this repository, each with its source.
+#pragma once
+
+#include "BitByBit.h"
+
+struct KnownFrame {
+  const char *source;
+  Frame bytes;
+  Channels channels;
+};
+
+// J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", chapters 4.1 and 4.2: an R-XSR, throttle low. The paper
+// prints the first eight bytes and CH1..CH5. The rest is ours: CH6..CH16 at FrSky's centre 992, flags 0, end byte 00.
+constexpr KnownFrame PaperLow = {
+    "paper, chapter 4.1, throttle low",
+    {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A, 0xF0, 0x81, 0x0F, 0x7C, 0xE0,
+     0x03, 0x1F, 0xF8, 0xC0, 0x07, 0x3E, 0xF0, 0x81, 0x0F, 0x7C, 0x00, 0x00},
+    {995, 992, 172, 992, 172, 992, 992, 992, 992, 992, 992, 992, 992, 992, 992, 992, 0, 0}};
+
+// The same receiver, chapter 4.2, throttle high; completed in the same way.
+constexpr KnownFrame PaperHigh = {
+    "paper, chapter 4.2, throttle high",
+    {0x0F, 0xE3, 0x0B, 0xDF, 0xC4, 0xC1, 0xC7, 0x0A, 0xF0, 0x81, 0x0F, 0x7C, 0xE0,
+     0x03, 0x1F, 0xF8, 0xC0, 0x07, 0x3E, 0xF0, 0x81, 0x0F, 0x7C, 0x00, 0x00},
+    {995, 993, 1811, 992, 172, 992, 992, 992, 992, 992, 992, 992, 992, 992, 992, 992, 0, 0}};
+
+// A whole frame of a FrSky receiver with neutral sticks: github.com/Cleric-K/vJoySerialFeeder, issue 3. Its payload
+// holds the header byte 0F twice.
+constexpr KnownFrame Neutral = {
+    "FrSky, neutral sticks, vJoySerialFeeder issue 3",
+    {0x0F, 0xE5, 0x03, 0x1F, 0xF8, 0xC0, 0x07, 0x3E, 0xF0, 0x81, 0x0F, 0x7C, 0xE0,
+     0x03, 0x06, 0xF8, 0x80, 0x91, 0x3D, 0xF0, 0x81, 0x0F, 0x7C, 0x00, 0x00},
+    {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}};
+
+// A frame of a Futaba R7008SB on S.BUS2, telemetry slot 3: PX4-Autopilot, src/lib/rc/rc_tests/test_data/
+// sbus2_r7008SB.txt (BSD-3-Clause).
+constexpr KnownFrame Sbus2 = {
+    "Futaba R7008SB, S.BUS2, PX4-Autopilot sbus2_r7008SB.txt",
+    {0x0F, 0x11, 0x04, 0x20, 0xA8, 0x01, 0x08, 0x16, 0x50, 0x03, 0x10, 0x80, 0x00,
+     0x04, 0x20, 0x00, 0x01, 0x08, 0x40, 0x00, 0x02, 0x10, 0x80, 0x00, 0x34},
+    {1041, 1024, 1696, 1024, 352, 1696, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 0, 0}};
+
+constexpr KnownFrame KnownFrames[] = {PaperLow, PaperHigh, Neutral, Sbus2};
