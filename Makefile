@@ -1,0 +1,27 @@
+# `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
+
+.PHONY: help demo test clean
+help:
+	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
+	@echo "            SKETCH=examples/NAME  another sketch"
+	@echo "            RECORDING=file        a recorded line"
+	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
+	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
+	@echo "make test   builds and runs all tests; installs what it lacks"
+	@echo "make clean  removes build/"
+
+SKETCH ?= examples/DecodeSBus
+
+demo:
+	@sh extras/setup/need.sh g++ libcli11-dev libserialport-dev
+	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/host SKETCH='$(SKETCH)' 1>&2
+	@build/host/$(notdir $(SKETCH:/=)) $(if $(RECORDING),--recording '$(RECORDING)') $(if $(PORT),--port '$(PORT)') \
+	  $(if $(PTY),--pty)
+
+test:
+	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
+	  gcc-arm-none-eabi libnewlib-arm-none-eabi
+	@$(MAKE) --no-print-directory -j$$(nproc) -C test
+
+clean:
+	rm -rf build
