@@ -16,61 +16,113 @@ constexpr auto PortConfig = SERIAL_8E2;
 
 // A look that finds this many bytes may have found a full buffer, and then the core has dropped the newest bytes: the
 // break lies behind the last byte read. 63, because a core may keep one of its 64 places free, as the AVR's does.
-constexpr uint8_t BufferFull = 63;
+constexpr int BufferFull = 63;
 
 // Reads what waits, up to `size` bytes: in one call where the core has read(buffer, size), else byte by byte.
 template <typename Port>
-auto readWaiting(Port &port, uint8_t *buffer, uint8_t size, int) -> decltype(port.read(buffer, size_t(size))) {
-  return port.read(buffer, size_t(size));
+auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port.read(buffer, size)) {
+  return port.read(buffer, size);
 }
 
 template <typename Port>
-int readWaiting(Port &port, uint8_t *buffer, uint8_t size, long) {
+int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   int count = 0;
-  while (count < size && port.available() > 0) {
+  while (count < static_cast<int>(size) && port.available() > 0) {
     buffer[count++] = static_cast<uint8_t>(port.read());
   }
   return count;
 }
 
+// Between two of these the compiler keeps its reads: what parseSBusFrame() writes may change at any instruction. (A macro,
+// because -Os makes a call of an inline function.)
+#define READ_ANEW() __atomic_signal_fence(__ATOMIC_SEQ_CST)
+
 }  // namespace
 
 void DecodeSBus::begin() {
-  _receiver.reset();
-  _serial.begin(sbus::Baud, PortConfig);
+  begin(sbus::Baud, PortConfig);
+}
+
+void DecodeSBus::begin(unsigned long baud, uint32_t config) {
+  _receiver.reset(micros(), static_cast<uint8_t>(sbus::BitsPerCharacter * 1000000UL / baud));
+  _link.reset();
+  _decoded = 0;
+  _serial.begin(baud, config);
 }
 
 void DecodeSBus::end() {
   _serial.end();
 }
 
-bool DecodeSBus::SBusFrameOk() const {
-  return _receiver.frame() != nullptr;
-}
-
 void DecodeSBus::parseSBusFrame() {
-  unsigned total = 0;
-  for (;;) {
-    const int count = readWaiting(_serial, _receiver.space(), _receiver.room(), 0);
-    if (count <= 0) {
-      break;
+  const uint32_t now = micros();
+  int total = 0;
+  int room;
+  int count;
+  do {
+    room = _receiver.room();
+    count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(room), 0);
+    total += count;
+    const int waiting = count == room ? _serial.available() : 0;
+    if (const uint8_t *const frame = _receiver.received(count, waiting, now)) {
+      _link.frame(frame[sbus::FlagsIndex]);
     }
-    total += static_cast<unsigned>(count);
-    _receiver.received(static_cast<uint8_t>(count));
-  }
+  } while (count == room);
   if (total >= BufferFull) {
     _receiver.broken();
   }
 }
 
-void DecodeSBus::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) const {
-  const uint8_t *const frame = _receiver.frame();
-  if (frame == nullptr) {
+// A frame that comes in between is younger than the clock that was read: then everything is read again.
+sbus::LinkState DecodeSBus::linkState() {
+  for (;;) {
+    const uint32_t time = _receiver.frameTime();
+    READ_ANEW();
+    const sbus::LinkState state = _link.state(time, micros());
+    READ_ANEW();
+    if (time == _receiver.frameTime()) {
+      return state;
+    }
+  }
+}
+
+bool DecodeSBus::SBusFrameOk() {
+  const sbus::LinkState state = linkState();
+  return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
+}
+
+unsigned long DecodeSBus::frameAge() const {
+  if (!_link.seen()) {
+    return ULONG_MAX;
+  }
+  for (;;) {
+    READ_ANEW();
+    const uint32_t time = _receiver.frameTime();
+    const uint32_t age = micros() - time;
+    READ_ANEW();
+    if (time == _receiver.frameTime()) {
+      return age / 1000;
+    }
+  }
+}
+
+void DecodeSBus::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
+  const sbus::LinkState state = linkState();
+  if (state == sbus::LinkState::NeverSeen || state == sbus::LinkState::Stale) {
     failsafe = true;
     lostFrame = true;
     return;
   }
-  sbus::unpack(frame, channels);
-  failsafe = sbus::failsafe(frame);
-  lostFrame = sbus::lostFrame(frame);
+  // A frame that completes meanwhile moves the one being read to where the next comes in: then read the newer one.
+  uint32_t number;
+  do {
+    number = _receiver.counters().frames;
+    READ_ANEW();
+    const uint8_t *const frame = _receiver.newest();
+    sbus::unpackAligned(frame, channels);
+    lostFrame = sbus::lostFrame(frame);
+    failsafe = _link.givenUp();
+    READ_ANEW();
+  } while (number != _receiver.counters().frames);
+  _decoded = number;
 }

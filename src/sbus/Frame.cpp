@@ -8,7 +8,7 @@ constexpr uint8_t GroupChannels = 8;
 constexpr uint8_t GroupBytes = 11;
 
 // Eight channels fill eleven bytes exactly, so the same bit positions come twice in a frame. Written out, because a
-// shift by a constant is one instruction on a Cortex-M0+ and a loop over bits some thousand.
+// shift by a constant is one instruction on a Cortex-M0+ and a loop over bits takes some thousand.
 void unpackGroup(const uint8_t *in, uint16_t *out) {
   const unsigned mask = ChannelMax;
   const auto byte = [in](uint8_t index) -> unsigned { return in[index]; };
@@ -22,14 +22,43 @@ void unpackGroup(const uint8_t *in, uint16_t *out) {
   out[7] = (byte(9) >> 5 | byte(10) << 3) & mask;
 }
 
+inline void unpackSwitches(uint8_t flags, uint16_t *channels) {
+  channels[16] = flags & FlagChannel17;
+  channels[17] = (flags & FlagChannel18) / FlagChannel18;
+}
+
 }  // namespace
 
 void unpack(const uint8_t *frame, uint16_t *channels) {
   unpackGroup(frame + PayloadIndex, channels);
   unpackGroup(frame + PayloadIndex + GroupBytes, channels + GroupChannels);
-  const uint8_t flags = frame[FlagsIndex];
-  channels[16] = (flags & FlagChannel17) != 0;
-  channels[17] = (flags & FlagChannel18) != 0;
+  unpackSwitches(frame[FlagsIndex], channels);
+}
+
+void unpackAligned(const uint8_t *frame, uint16_t *channels) {
+  if (sizeof(int) < sizeof(uint32_t)) {
+    return unpack(frame, channels);  // words are no quicker here
+  }
+  const uint32_t *const words = reinterpret_cast<const uint32_t *>(__builtin_assume_aligned(frame + PayloadIndex, 4));
+  const uint32_t w0 = words[0], w1 = words[1], w2 = words[2];
+  channels[0] = w0 & ChannelMax;
+  channels[1] = (w0 >> 11) & ChannelMax;
+  channels[2] = (w0 >> 22 | w1 << 10) & ChannelMax;
+  channels[3] = (w1 >> 1) & ChannelMax;
+  channels[4] = (w1 >> 12) & ChannelMax;
+  channels[5] = (w1 >> 23 | w2 << 9) & ChannelMax;
+  channels[6] = (w2 >> 2) & ChannelMax;
+  channels[7] = (w2 >> 13) & ChannelMax;
+  const uint32_t w3 = words[3], w4 = words[4], w5 = words[5];
+  channels[8] = (w2 >> 24 | w3 << 8) & ChannelMax;
+  channels[9] = (w3 >> 3) & ChannelMax;
+  channels[10] = (w3 >> 14) & ChannelMax;
+  channels[11] = (w3 >> 25 | w4 << 7) & ChannelMax;
+  channels[12] = (w4 >> 4) & ChannelMax;
+  channels[13] = (w4 >> 15) & ChannelMax;
+  channels[14] = (w4 >> 26 | w5 << 6) & ChannelMax;
+  channels[15] = (w5 >> 5) & ChannelMax;
+  unpackSwitches(static_cast<uint8_t>(w5 >> 16), channels);
 }
 
 void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {

@@ -4,39 +4,261 @@
 
 namespace sbus {
 
-void Receiver::reset() {
-  _filled = 0;
+namespace {
+
+// How far from the place where it is due a header still counts as the one: characters that the frame before it may have
+// lost (of 25, at 1 of 50 lost, more than five are in one frame of 100000), or gained.
+constexpr int Early = 5;
+constexpr int Late = 3;
+constexpr int LaterEachTime = 2;  // if one did not come, the place where it was due was perhaps wrong
+
+// After so many headers that did not come where they were due, nothing is known of where they are due.
+constexpr uint8_t Lost = 6;
+
+// The first so many, or the last so many bytes of 25 are rather noise before, or the beginning of, another frame.
+constexpr uint8_t FewAhead = 4;
+constexpr uint8_t FewBehind = 4;
+
+// So many more characters straight behind a frame are no noise: they are the rest of a longer one.
+constexpr uint8_t ManyMore = 4;
+
+// Frames with further channels begin with 2F (FASSTest 26): such a header, too, ends what stands before it.
+constexpr uint8_t HeaderMask = 0xDF;
+
+constexpr uint8_t PeriodShift = 3;  // the measured period moves by an eighth of what is new
+
+}  // namespace
+
+void Receiver::reset(uint32_t now, uint8_t characterTime) {
+  _pauses.reset(now, characterTime);
+  _shortened = FrameSize - 1;
   _hasFrame = false;
+  _disputed = 0;
+  _due = 0;
+  _filled = 0;
+  broken();
+  _counters = Counters();
+  _pauseAt = 0;  // what was before is unknown, and the first frame may begin at once
 }
 
-bool Receiver::received(uint8_t count) {
+void Receiver::broken() {
+  _counters.overflows++;
+  _counters.skippedBytes += _filled;
+  _filled = 0;
+  _pauseAt = Nowhere;
+  _misses = Lost;
+  _aligned = false;
+}
+
+const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
+  const uint32_t quiet = _pauses.quiet(now);
+  if (count == 0) {
+    return _filled == FrameSize && _pauses.isSilence(quiet) ? deliver() : nullptr;
+  }
+  if (quiet != 0) {
+    _lookAt = _filled;
+    if (_pauses.before(static_cast<unsigned>(count + waiting), quiet)) {
+      _pauseAt = _filled;
+    }
+  }
+  _waiting = static_cast<uint8_t>(waiting);
   _filled = static_cast<uint8_t>(_filled + count);
-  if (_filled != 0 && _incoming[0] != HeaderByte) {
-    discardToHeader(0);
+  if (!_aligned || !headerAt(0)) {
+    align(0);
   }
   if (_filled < FrameSize) {
-    return false;
+    return nullptr;
   }
-  if (!isFrame(_incoming)) {
-    discardToHeader(1);
-    return false;
-  }
-  uint8_t *const newest = _incoming;
-  _incoming = _complete;
-  _complete = newest;
-  _filled = 0;
-  _hasFrame = true;
-  return true;
+  return likeTheLast() ? deliver() : search();
 }
 
-// Lets the incoming frame begin at the first header at or behind `from`. Nothing that may be a frame is thrown away:
-// a payload may hold 0F, and the true header may stand behind it.
-void Receiver::discardToHeader(uint8_t from) {
-  while (from < _filled && _incoming[from] != HeaderByte) {
-    from++;
+// The usual case, made quick: alone, behind the last frame, with the same flags and end byte, and not mayBeShifted().
+bool Receiver::likeTheLast() const {
+  const uint8_t *const frame = _incoming;
+  const uint8_t *const last = _complete;
+  return _filled == FrameSize && _place == Place::BehindFrame && !pauseInside() &&
+         frame[EndIndex] == last[EndIndex] && frame[FlagsIndex] == last[FlagsIndex] &&
+         !isFlagsByte(last[FlagsIndex - 1]);
+}
+
+const uint8_t *Receiver::search() {
+  while (_filled >= FrameSize) {
+    const Verdict verdict = judge();
+    if (verdict == Verdict::Wait) {
+      break;
+    }
+    if (verdict == Verdict::Deliver) {
+      return deliver();
+    }
+    if (_place >= Place::BehindPause) {
+      _due = static_cast<int8_t>(_shortened);  // most often the refused frame has lost one character
+      if (_misses < Lost) {
+        _misses++;
+      }
+    }
+    align(1);
   }
-  _filled = static_cast<uint8_t>(_filled - from);
-  memmove(_incoming, _incoming + from, _filled);
+  return nullptr;
+}
+
+// At least 25 bytes are there, and a header is the first of them.
+Receiver::Verdict Receiver::judge() {
+  const uint8_t *const frame = _incoming;
+  const bool nextKnown = _filled > FrameSize;
+  if (!isEndByte(frame[EndIndex])) {
+    _counters.refusedByEnd++;
+    return Verdict::Refuse;
+  }
+  if (!isFlagsByte(frame[FlagsIndex])) {
+    _counters.refusedByFlags++;
+    return Verdict::Refuse;
+  }
+  if (!pauseSpeaksAgainst()) {
+    if (nextKnown && ((frame[FrameSize] & HeaderMask) == HeaderByte || _pauseAt == FrameSize)) {
+      return Verdict::Deliver;
+    }
+    if (_place != Place::Any && !mayBeShifted(nextKnown)) {
+      return Verdict::Deliver;
+    }
+    if (!nextKnown) {
+      return Verdict::Wait;
+    }
+  }
+  _counters.refusedByExtra++;
+  return Verdict::Refuse;
+}
+
+// A frame has no pause within it, but it seems to have one if loop() was blocked while it came in. Then all that came
+// behind the pause was read in one look. That can happen to a frame behind the last one at any of its bytes, but hardly
+// at the same one twice.
+bool Receiver::pauseSpeaksAgainst() {
+  if (!pauseInside()) {
+    return false;
+  }
+  if (_place != Place::BehindFrame || _pauseAt >= FrameSize - FewBehind ||
+      (_lookAt != _pauseAt && _lookAt != FrameSize)) {
+    return true;
+  }
+  if (!headerAt(_pauseAt)) {
+    return false;
+  }
+  const uint8_t number = static_cast<uint8_t>(_counters.frames);
+  const bool again = _disputed == number;  // then true frames begin there
+  _disputed = static_cast<uint8_t>(number + 1);
+  return _pauseAt <= FewAhead || again;
+}
+
+// Could these 25 bytes be the beginning of a frame into which a character was inserted? Then its own flags stand where the
+// end byte is looked for, CH16 where the flags are, and its own end byte is `next`. Or could they be of a frame that has
+// lost one? Then a byte from behind it stands where the end byte is looked for. Both are told by the last frame, from
+// which this one should not differ in all of these at once.
+bool Receiver::mayBeShifted(bool nextKnown) const {
+  const uint8_t *const frame = _incoming;
+  const uint8_t *const last = _complete;
+  const uint8_t flags = frame[FlagsIndex];
+  const uint8_t end = frame[EndIndex];
+  const uint8_t next = frame[FrameSize];
+  const bool newFlags = flags != last[FlagsIndex];
+  const bool inserted = isFlagsByte(end) && (!nextKnown || (isEndByte(next) && sameKindOfEnd(next, end)));
+  if (!_hasFrame || _misses == Lost) {
+    return nextKnown && end != LongEndByte && inserted;
+  }
+  if (!sameKindOfEnd(end, last[EndIndex]) || (newFlags && flags == HeaderByte && _lookAt == FlagsIndex)) {
+    return true;
+  }
+  if (end == LongEndByte) {
+    return false;
+  }
+  if (nextKnown && _lookAt != FrameSize) {  // and it was read together with these
+    return inserted || (end != TelemetryEndByte && (newFlags || (_filled - FrameSize + _waiting > ManyMore && _pauses.shortPasses())));
+  }
+  return inserted && (isFlagsByte(last[FlagsIndex - 1]) ||
+                      (newFlags && (nextKnown || frame[FlagsIndex - 1] != last[FlagsIndex - 1])));
+}
+
+const uint8_t *Receiver::deliver() {
+  uint8_t *const frame = _incoming;
+  _incoming = _complete;
+  _complete = frame;
+  _filled = static_cast<uint8_t>(_filled - FrameSize);
+  for (uint8_t i = 0; i < _filled; i++) {
+    _incoming[i] = frame[FrameSize + i];
+  }
+  _lookAt = static_cast<uint8_t>(_lookAt - FrameSize);
+  _pauseAt = _pauseAt == FrameSize ? 0 : Nowhere;
+
+  const uint8_t tail = frame[EndIndex] == LongEndByte ? LongTailSize : 0;
+  _due = static_cast<int8_t>(tail);
+  _shortened = static_cast<uint8_t>(FrameSize - 1 + tail);
+  _place = Place::BehindFrame;
+  _aligned = tail == 0;  // if the next byte is a header
+  if (_misses != 0) {
+    _misses = 0;
+    if (_hasFrame) {
+      _counters.resyncs++;
+    }
+  }
+  const uint32_t interval = _pauses.lastLook() - _frameTime;
+  _frameTime += interval;
+  if (_counters.frames > 1) {
+    _counters.period += static_cast<uint32_t>(static_cast<int32_t>(interval - _counters.period) >> PeriodShift);
+  } else if (_hasFrame) {
+    _counters.period = interval;
+  }
+  _hasFrame = true;
+  _counters.frames++;
+  if ((frame[FlagsIndex] & (FlagLostFrame | FlagFailsafe)) != 0) {
+    _counters.lostFrames += lostFrame(frame);
+    _counters.failsafeFrames += failsafe(frame);
+  }
+  return frame;
+}
+
+// Lets the incoming frame begin with the likeliest header at or behind `from`; forgets what stands before it.
+void Receiver::align(uint8_t from) {
+  uint8_t start = from;
+  _place = Place::Any;
+  for (; start < _filled; start++) {
+    if (_misses < Lost && start > _due + Late + LaterEachTime * _misses) {
+      _due = static_cast<int8_t>(_due + _shortened);
+      _misses++;
+    }
+    if (!headerAt(start)) {
+      continue;
+    }
+    if (start + EndIndex < _filled && (_incoming[start + EndIndex] & EndUnused) != 0) {
+      _counters.refusedByEnd++;  // nothing need be moved to see that
+      continue;
+    }
+    if (_misses == 0 && start == _due) {
+      _place = Place::BehindFrame;
+      break;
+    }
+    if (_pauseAt >= start && _pauseAt < _filled && headerAt(_pauseAt)) {
+      start = _pauseAt;
+      _place = Place::BehindPause;
+      break;
+    }
+    if (_misses == Lost) {
+      break;
+    }
+    if (start + Early >= _due) {
+      if (_due > start && _due < _filled && headerAt(_due)) {
+        start = static_cast<uint8_t>(_due);
+      }
+      _place = Place::NearDue;
+      break;
+    }
+  }
+  _aligned = start < _filled;
+  if (start != 0) {
+    _counters.skippedBytes += start;
+    _filled = static_cast<uint8_t>(_filled - start);
+    memmove(_incoming, _incoming + start, _filled);
+    _due = static_cast<int8_t>(_due - start);
+    _lookAt = static_cast<uint8_t>(_lookAt - start);
+    _pauseAt = _pauseAt < start || !_aligned || _pauseAt == Nowhere ? Nowhere : static_cast<uint8_t>(_pauseAt - start);
+  }
 }
 
 }  // namespace sbus

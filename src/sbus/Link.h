@@ -1,0 +1,60 @@
+// Judges the link from the frames that came: may the numbers still be trusted?
+#pragma once
+
+#include <stdint.h>
+
+namespace sbus {
+
+enum class LinkState : uint8_t {
+  NeverSeen,  // no frame yet
+  Ok,         // the newest frame is young, and its radio frame has arrived
+  Lossy,      // the newest frame is young, but repeats old values (lost-frame flag); comes and goes in flight
+  Failsafe,   // the receiver has given the link up, or has reported lost frames for too long
+  Stale,      // no frame for as long as the timeout, or longer: wire, receiver or power
+};
+
+// Times are in us and wrap after 71 minutes. frame() may interrupt the other methods.
+class Link {
+ public:
+  static constexpr uint16_t DefaultTimeout = 100;    // ms: six frames of the slowest receiver known (15 ms)
+  static constexpr uint16_t DefaultLossLimit = 100;  // frames: 0.6 to 1.5 s
+
+  // Forgets all frames; the settings stay.
+  void reset();
+
+  // A link without a frame for so many ms is stale; 0: never.
+  void setTimeout(uint16_t ms) { _timeout = ms; }
+
+  // So many frames with the lost-frame flag in a row are a failsafe: some receivers never raise that flag. 0: never.
+  void setLossLimit(uint16_t frames) { _lossLimit = frames; }
+
+  // A frame with these flags (Frame.h) has come.
+  void frame(uint8_t flags);
+
+  bool seen() const { return _state != LinkState::NeverSeen; }
+
+  // Of the newest frame: the receiver has given the link up, or has reported lost frames for too long.
+  bool givenUp() const { return _state == LinkState::Failsafe; }
+
+  // The link's state at `now`, if its newest frame came at `time`. Not const: what was found stale stays so until the
+  // next frame, even if the clock wraps. So a sketch that asks once an hour is never told wrong.
+  LinkState state(uint32_t time, uint32_t now) {
+    const bool old = now - time >= _timeout * 1000UL || (_stale && time == _staleTime);
+    if (!old || _timeout == 0 || !seen()) {
+      return _state;
+    }
+    _staleTime = time;
+    _stale = true;
+    return LinkState::Stale;
+  }
+
+ private:
+  uint32_t _staleTime = 0;  // time of the frame that was found stale, if _stale
+  uint16_t _timeout = DefaultTimeout;
+  uint16_t _lossLimit = DefaultLossLimit;
+  uint16_t _losses = 0;  // lost frames in a row
+  bool _stale = false;
+  LinkState _state = LinkState::NeverSeen;  // of the newest frame, when it came
+};
+
+}  // namespace sbus
