@@ -2,10 +2,11 @@
 
 namespace host {
 
-void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size) {
+void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t characterUs) {
   _open = buffer != nullptr && size >= BufferMinimum;
   _openedUs = nowUs;
   _lastEndUs = nowUs;
+  _characterUs = characterUs;
   _ringWrite = 0;
   _ringRead = 0;
   _buffer = buffer;
@@ -17,10 +18,10 @@ void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size) {
 }
 
 void BoardUart::receive(const Character &character) {
-  if (!_open || character.endUs < _openedUs + CharacterUs) {
+  if (!_open || character.endUs < _openedUs + _characterUs) {
     return;
   }
-  advance(character.endUs - CharacterUs);
+  advance(character.endUs - _characterUs);
   _lastEndUs = character.endUs;
   if (character.bad) {
     _droppedBad++;
@@ -36,7 +37,7 @@ void BoardUart::receive(const Character &character) {
 }
 
 void BoardUart::advance(uint64_t nowUs) {
-  if (_open && nowUs >= _lastEndUs + CharacterUs) {
+  if (_open && nowUs >= _lastEndUs + _characterUs) {
     handOver();
   }
 }

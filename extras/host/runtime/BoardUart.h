@@ -24,9 +24,10 @@ class BoardUart {
   BoardUart(const BoardUart &) = delete;  // it may point into itself
   BoardUart &operator=(const BoardUart &) = delete;
 
-  // Opens with an empty ring and an empty buffer, own or given. A character that has begun before is not received.
-  void open(uint64_t nowUs) { open(nowUs, _ownBuffer, BufferSize); }
-  void open(uint64_t nowUs, uint8_t *buffer, size_t size);
+  // Opens with an empty ring and an empty buffer, own or given, for characters that take so long. One that has begun
+  // before is not received.
+  void open(uint64_t nowUs, uint32_t characterUs = CharacterUs) { open(nowUs, _ownBuffer, BufferSize, characterUs); }
+  void open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t characterUs = CharacterUs);
   void close() { _open = false; }
   bool isOpen() const { return _open; }
 
@@ -55,6 +56,7 @@ class BoardUart {
   bool _open = false;
   uint64_t _openedUs = 0;
   uint64_t _lastEndUs = 0;
+  uint32_t _characterUs = CharacterUs;
 
   uint8_t _ring[RingSize] = {};
   size_t _ringWrite = 0;

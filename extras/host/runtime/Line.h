@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <string>
 
+#include "sbus/Frame.h"
+
 namespace host {
 
-constexpr uint32_t CharacterUs = 120;  // 12 bits of 10 us: start, eight data bits, parity, two stop bits
+constexpr uint32_t CharacterUs = sbus::CharacterTime;  // unless the wire is a fast one, see Wire
 
 struct Character {
   uint64_t endUs = 0;  // when its last bit was through, in microseconds since the program's start
@@ -29,10 +31,6 @@ class Line {
 
   // Why the line broke down; empty if it did not.
   virtual std::string failure() const { return {}; }
-
-  // True if the levels on the wire are those of S.Bus, so that the port must be told to invert them; false if something
-  // in between may have inverted them already.
-  virtual bool inverted() const { return true; }
 };
 
 }  // namespace host

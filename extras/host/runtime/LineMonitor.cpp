@@ -1,21 +1,25 @@
 #include "LineMonitor.h"
 
-#include "sbus/Frame.h"
-
 namespace host {
+
+void LineMonitor::reset(uint64_t nowUs, uint32_t characterUs) {
+  _receiver.reset(static_cast<uint32_t>(nowUs), static_cast<uint8_t>(characterUs));
+  _characters = 0;
+  _badCharacters = 0;
+}
 
 void LineMonitor::look(const Character &character) {
   _characters++;
   if (character.bad) {
+    _badCharacters++;
     return;
   }
   *_receiver.space() = character.value;
-  if (!_receiver.received(1)) {
-    return;
-  }
-  _frames++;
-  _lostFrames += sbus::lostFrame(_receiver.frame());
-  _failsafeFrames += sbus::failsafe(_receiver.frame());
+  _receiver.received(1, 0, static_cast<uint32_t>(character.endUs));
+}
+
+void LineMonitor::settle(uint64_t nowUs) {
+  _receiver.received(0, 0, static_cast<uint32_t>(nowUs));
 }
 
 }  // namespace host

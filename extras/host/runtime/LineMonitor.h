@@ -8,19 +8,22 @@ namespace host {
 
 class LineMonitor {
  public:
+  // Begins anew on a wire whose characters take so long.
+  void reset(uint64_t nowUs, uint32_t characterUs);
+
   void look(const Character &character);
 
+  // Nothing else has come up to now: a frame that waits for what follows it comes.
+  void settle(uint64_t nowUs);
+
   unsigned long characters() const { return _characters; }
-  unsigned long frames() const { return _frames; }
-  unsigned long lostFrames() const { return _lostFrames; }
-  unsigned long failsafeFrames() const { return _failsafeFrames; }
+  unsigned long badCharacters() const { return _badCharacters; }
+  const sbus::Counters &counters() const { return _receiver.counters(); }
 
  private:
   sbus::Receiver _receiver;
   unsigned long _characters = 0;
-  unsigned long _frames = 0;
-  unsigned long _lostFrames = 0;
-  unsigned long _failsafeFrames = 0;
+  unsigned long _badCharacters = 0;
 };
 
 }  // namespace host

@@ -25,6 +25,19 @@ Options parseOptions(int argc, char **argv) {
   recording->type_name("FILE");
   auto *port = app.add_option("--port", options.port, "listen to a receiver at this serial port, until Ctrl-C");
   port->type_name("DEVICE")->excludes(recording);
+  app.add_option("--line-baud", options.lineBaud, "the line's baud rate (100000; Fast S.Bus: 200000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("N")
+      ->excludes(port);
+  app.add_flag("--uninverted", options.uninverted, "the line is not inverted, as on a receiver's uninverted pad")
+      ->excludes(port);
+  app.add_option("--noise", options.noise, "so many disturbances per second are on the line, 1..100000 (none)")
+      ->check(CLI::Range(1, 100000).description(""))
+      ->type_name("R")
+      ->excludes(port);
+  app.add_flag("--silent", options.silent, "nothing comes from the simulated receiver")
+      ->excludes(port)
+      ->excludes(recording);
   app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)")
       ->check(CLI::Range(1, 3).description(""))
       ->type_name("1|2|3");

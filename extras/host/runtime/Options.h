@@ -4,11 +4,17 @@
 #include <cstdint>
 #include <string>
 
+#include "sbus/Frame.h"
+
 namespace host {
 
 struct Options {
   std::string recording;  // a file's name, or empty
   std::string port;       // a device's name, or empty
+  unsigned long lineBaud = sbus::Baud;
+  bool uninverted = false;
+  unsigned noise = 0;  // disturbances per second
+  bool silent = false;
   int on = 1;
   double seconds = 0;  // 0: as long as there is something to come
   bool simulatedTime = false;

@@ -1,18 +1,34 @@
 #include "Port.h"
 
+#include <algorithm>
+
 namespace host {
 
+void Port::attach(Line &line, const Wire &wire) {
+  _line = &line;
+  _wire = wire;
+  _monitor.reset(0, wire.characterUs());
+}
+
 void Port::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, size_t size) {
-  _settings = settings;
   if (buffer == nullptr) {
-    _uart.open(nowUs);
+    _uart.open(nowUs, settings.characterUs());
   } else {
-    _uart.open(nowUs, buffer, size);
+    _uart.open(nowUs, buffer, size, settings.characterUs());
   }
-  if (!_everOpened && _line != nullptr) {
+  _agrees = mismatch(settings, _wire).empty();
+  _sampler.open(nowUs, settings, _wire);
+  if (!everOpened() && _line != nullptr) {
     _line->opened(nowUs);
   }
-  _everOpened = true;
+  const auto same = std::find_if(_receptions.begin(), _receptions.end(), [&settings](const Reception &reception) {
+    return reception.settings.baud == settings.baud && reception.settings.config == settings.config;
+  });
+  _reception = static_cast<size_t>(same - _receptions.begin());
+  if (same == _receptions.end()) {
+    _receptions.emplace_back();
+    _receptions.back().settings = settings;
+  }
 }
 
 void Port::receive(uint64_t nowUs) {
@@ -21,17 +37,37 @@ void Port::receive(uint64_t nowUs) {
     _monitor.look(character);
     if (!_uart.isOpen()) {
       _missedClosed++;
-    } else if (!understandsSBus(_settings, _line->inverted())) {
-      _missedSettings++;
+      continue;
+    }
+    _receptions[_reception].sent++;
+    if (_agrees) {
+      take(character);
     } else {
-      _uart.receive(character);
+      _sampler.put(character);
     }
   }
-  _uart.advance(nowUs);
+  if (!_uart.isOpen()) {
+    return;
+  }
+  if (_agrees) {
+    _uart.advance(nowUs);
+    return;
+  }
+  while (_sampler.next(nowUs, character)) {
+    take(character);
+  }
+  _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
+}
+
+void Port::take(const Character &character) {
+  Reception &reception = _receptions[_reception];
+  (character.bad ? reception.bad : reception.good)++;
+  _uart.receive(character);
 }
 
 void Port::callBack() {
-  if (_callback != nullptr && _uart.takeReceiveEvent()) {
+  // As on the board, an event that finds no callback is gone, and the next one comes only after a read.
+  if (_uart.takeReceiveEvent() && _callback != nullptr) {
     _callback();
   }
 }

@@ -1,16 +1,28 @@
 // One of Serial1, Serial2, Serial3: the UART, what the sketch has set it to, and the line at its RX pin, if any.
 #pragma once
 
+#include <vector>
+
 #include "BoardUart.h"
 #include "Line.h"
 #include "LineMonitor.h"
 #include "PortSettings.h"
+#include "UartSampler.h"
+#include "Wire.h"
 
 namespace host {
 
+// What came of the characters on the wire while the port had certain settings.
+struct Reception {
+  PortSettings settings;
+  unsigned long sent = 0;
+  unsigned long good = 0;
+  unsigned long bad = 0;  // a wrong parity or stop bit, as the port saw it
+};
+
 class Port {
  public:
-  void attach(Line &line) { _line = &line; }
+  void attach(Line &line, const Wire &wire);
 
   // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
@@ -27,22 +39,25 @@ class Port {
   const BoardUart &uart() const { return _uart; }
 
   // For the report.
-  bool lineInverted() const { return _line != nullptr && _line->inverted(); }
-  const LineMonitor &monitor() const { return _monitor; }
-  const PortSettings &settings() const { return _settings; }  // of the last open()
-  bool everOpened() const { return _everOpened; }
-  unsigned long missedClosed() const { return _missedClosed; }      // characters that found the port closed
-  unsigned long missedSettings() const { return _missedSettings; }  // characters that found it set to something else
+  LineMonitor &monitor() { return _monitor; }
+  const Wire &wire() const { return _wire; }
+  const std::vector<Reception> &receptions() const { return _receptions; }  // one for each of the settings used
+  bool everOpened() const { return !_receptions.empty(); }
+  unsigned long missedClosed() const { return _missedClosed; }  // characters that found the port closed
 
  private:
+  void take(const Character &character);
+
   Line *_line = nullptr;
+  Wire _wire;
   BoardUart _uart;
   LineMonitor _monitor;
-  PortSettings _settings;
+  UartSampler _sampler;
+  bool _agrees = false;  // the port is set as the wire wants it: then nothing has to be sampled
+  std::vector<Reception> _receptions;
+  size_t _reception = 0;  // the one with the present settings
   void (*_callback)() = nullptr;
-  bool _everOpened = false;
   unsigned long _missedClosed = 0;
-  unsigned long _missedSettings = 0;
 };
 
 }  // namespace host

@@ -88,7 +88,7 @@ bool readLine(std::istream &in, std::string &line) {
 }
 
 // Appends the characters of a line. Returns what is wrong with it, or nothing.
-std::string parseLine(std::string_view line, std::vector<Character> &characters) {
+std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<Character> &characters) {
   const std::string_view timeWord = takeWord(line);
   if (timeWord.empty() || timeWord.front() == '#') {
     return {};
@@ -97,9 +97,9 @@ std::string parseLine(std::string_view line, std::vector<Character> &characters)
   if (!parseTime(timeWord, character.endUs)) {
     return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
   }
-  if (!characters.empty() && character.endUs < characters.back().endUs + CharacterUs) {
+  if (!characters.empty() && character.endUs < characters.back().endUs + characterUs) {
     return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
-           std::to_string(characters.back().endUs) + " us, and each takes " + std::to_string(CharacterUs) + " us";
+           std::to_string(characters.back().endUs) + " us, and each takes " + std::to_string(characterUs) + " us";
   }
   std::string_view word = takeWord(line);
   if (word.empty()) {
@@ -110,21 +110,21 @@ std::string parseLine(std::string_view line, std::vector<Character> &characters)
       return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
     }
     characters.push_back(character);
-    character.endUs += CharacterUs;
+    character.endUs += characterUs;
   }
   return {};
 }
 
 }  // namespace
 
-Recording parseRecording(std::istream &in) {
+Recording parseRecording(std::istream &in, uint32_t characterUs) {
   Recording recording;
   std::string line;
   for (unsigned number = 1; recording.error.empty() && readLine(in, line); number++) {
     if (line.size() > RecordingLineMax) {
       recording.error = "line is too long: at most " + std::to_string(RecordingLineMax) + " characters are expected";
     } else {
-      recording.error = parseLine(line, recording.characters);
+      recording.error = parseLine(line, characterUs, recording.characters);
     }
     if (!recording.error.empty()) {
       recording.errorLine = number;

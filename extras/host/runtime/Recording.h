@@ -22,6 +22,7 @@ constexpr size_t RecordingLineMax = 4096;                                     //
 constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  // a year: what is later is a mistake
 
 // Reads to the end of `in`, or to the first mistake: then `error` is set, and `characters` holds what came before it.
-Recording parseRecording(std::istream &in);
+// `characterUs`: what a character takes on the wire.
+Recording parseRecording(std::istream &in, uint32_t characterUs = CharacterUs);
 
 }  // namespace host

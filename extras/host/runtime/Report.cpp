@@ -6,16 +6,36 @@ namespace host {
 
 namespace {
 
-void reportLine(const LineMonitor &line, uint64_t nowUs) {
-  std::fprintf(stderr,
-               "%.3f s; on the line: %lu characters, %lu frames, of them %lu with lost frame, %lu with failsafe\n",
-               static_cast<double>(nowUs) / 1e6, line.characters(), line.frames(), line.lostFrames(),
-               line.failsafeFrames());
+using Number = unsigned long;
+
+void reportLine(LineMonitor &line, uint64_t nowUs) {
+  line.settle(nowUs);
+  const sbus::Counters &counters = line.counters();
+  std::fprintf(stderr, "%.3f s; on the line: %lu characters", static_cast<double>(nowUs) / 1e6, line.characters());
+  if (line.badCharacters() > 0) {
+    std::fprintf(stderr, " (%lu bad)", line.badCharacters());
+  }
+  std::fprintf(stderr, ", %lu frames, of them %lu with lost frame, %lu with failsafe\n", Number{counters.frames},
+               Number{counters.lostFrames}, Number{counters.failsafeFrames});
+}
+
+// What the port made of the line with each of the settings that it had.
+void reportReceptions(const Port &port, int on) {
+  for (const Reception &reception : port.receptions()) {
+    std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu bad", on, text(reception.settings).c_str(),
+                 reception.sent, reception.good, reception.bad);
+    const std::string wrong = mismatch(reception.settings, port.wire());
+    if (!wrong.empty()) {
+      std::fprintf(stderr, "; wrong %s: the line is %s", wrong.c_str(),
+                   text(port.wire()).c_str());
+    }
+    std::fputc('\n', stderr);
+  }
 }
 
 // Why the port did not receive all there was.
 void reportPort(Board &board, int on) {
-  const Port &port = board.port(on);
+  Port &port = board.port(on);
   if (!port.everOpened()) {
     std::fprintf(stderr, "Serial%d received nothing: the sketch never opened it\n", on);
     for (int other = 1; other <= Board::PortCount; other++) {
@@ -25,10 +45,7 @@ void reportPort(Board &board, int on) {
     }
     return;
   }
-  if (port.missedSettings() > 0) {
-    std::fprintf(stderr, "Serial%d missed %lu characters: the sketch set it to %s; the line is 100000 baud, 8E2%s\n",
-                 on, port.missedSettings(), text(port.settings()).c_str(), port.lineInverted() ? ", inverted" : "");
-  }
+  reportReceptions(port, on);
   if (port.missedClosed() > 0) {
     std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", on, port.missedClosed());
   }

@@ -17,7 +17,6 @@ class SerialPort : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
   std::string failure() const override { return _failure; }
-  bool inverted() const override { return false; }
 
  private:
   // An adapter marks a bad character as FF 00 character, and sends FF as FF FF.

@@ -67,13 +67,13 @@ bool isLostInFlight(uint32_t frameNumber) {
 
 }  // namespace
 
-SimulatedReceiver::SimulatedReceiver() {
+SimulatedReceiver::SimulatedReceiver(uint32_t characterUs) : _characterUs(characterUs) {
   makeFrame();
 }
 
 bool SimulatedReceiver::next(uint64_t nowUs, Character &character) {
   const uint64_t beginUs = FirstUs + uint64_t{_frameNumber} * FrameMs * 1000;
-  const uint64_t endUs = beginUs + (_index + 1u) * CharacterUs;
+  const uint64_t endUs = beginUs + (_index + 1u) * _characterUs;
   if (endUs > nowUs) {
     return false;
   }

@@ -11,12 +11,13 @@ namespace host {
 // machine sends the same bytes.
 class SimulatedReceiver : public Line {
  public:
-  SimulatedReceiver();
+  explicit SimulatedReceiver(uint32_t characterUs = CharacterUs);
   bool next(uint64_t nowUs, Character &character) override;
 
  private:
   void makeFrame();
 
+  uint32_t _characterUs;
   uint32_t _frameNumber = 0;
   uint8_t _index = 0;  // of the next character in `_frame`
   uint8_t _frame[sbus::FrameSize];

@@ -7,12 +7,15 @@
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "Board.h"
+#include "NoisyLine.h"
 #include "Options.h"
 #include "RecordedLine.h"
 #include "Report.h"
 #include "SerialPort.h"
+#include "SilentLine.h"
 #include "SimulatedReceiver.h"
 #include "Uart.h"
 
@@ -36,12 +39,12 @@ void requestStop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-RecordedLine openRecording(const std::string &file) {
+RecordedLine openRecording(const std::string &file, uint32_t characterUs) {
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     throw std::runtime_error(file + ": cannot be opened; the name of a recording is expected");
   }
-  Recording recording = parseRecording(in);
+  Recording recording = parseRecording(in, characterUs);
   if (!recording.error.empty()) {
     const std::string place = recording.errorLine > 0 ? ":" + std::to_string(recording.errorLine) : "";
     throw std::runtime_error(file + place + ": " + recording.error);
@@ -49,8 +52,17 @@ RecordedLine openRecording(const std::string &file) {
   return RecordedLine(std::move(recording));
 }
 
+Wire makeWire(const Options &options) {
+  Wire wire;
+  wire.baud = options.lineBaud;
+  wire.polarity = !options.port.empty()  ? Polarity::Either
+                  : options.uninverted   ? Polarity::Uninverted
+                                         : Polarity::Inverted;
+  return wire;
+}
+
 // Makes the line that the options ask for, and says which one it is.
-std::unique_ptr<Line> makeLine(const Options &options) {
+std::unique_ptr<Line> makeQuietLine(const Options &options, const Wire &wire) {
   const char *const until = options.seconds > 0 ? "" : ", until Ctrl-C";
   if (!options.port.empty()) {
     auto line = std::make_unique<SerialPort>(options.port);
@@ -58,15 +70,27 @@ std::unique_ptr<Line> makeLine(const Options &options) {
     return line;
   }
   if (!options.recording.empty()) {
-    auto line = std::make_unique<RecordedLine>(openRecording(options.recording));
+    auto line = std::make_unique<RecordedLine>(openRecording(options.recording, wire.characterUs()));
     std::fprintf(stderr, "Serial%d: recording %s, once; Ctrl-C stops it\n", options.on, options.recording.c_str());
     return line;
+  }
+  if (options.silent) {
+    std::fprintf(stderr, "Serial%d: a wire with nothing on it, %g s; Ctrl-C stops it\n", options.on, options.seconds);
+    return std::make_unique<SilentLine>();
   }
   std::fprintf(stderr,
                "Serial%d: simulated FrSky R-XSR, %g s; Ctrl-C stops it\n"
                "  every 15 s: the sticks move, at 9.5 s the radio goes off, at 10.0 s failsafe, at 12.5 s it is back\n",
                options.on, options.seconds);
-  return std::make_unique<SimulatedReceiver>();
+  return std::make_unique<SimulatedReceiver>(wire.characterUs());
+}
+
+std::unique_ptr<Line> makeLine(const Options &options, const Wire &wire) {
+  std::unique_ptr<Line> line = makeQuietLine(options, wire);
+  if (options.noise > 0) {
+    line = std::make_unique<NoisyLine>(std::move(line), options.noise, wire.characterUs());
+  }
+  return line;
 }
 
 // Decides when the run is over, and sees to it that it ends even if the sketch does not come back from loop().
@@ -120,7 +144,8 @@ void runSerialEvents() {
 }
 
 [[noreturn]] void run(const Options &options) {
-  const std::unique_ptr<Line> line = makeLine(options);
+  const Wire wire = makeWire(options);
+  const std::unique_ptr<Line> line = makeLine(options, wire);
   Board &board = Board::instance();
   board.output().setLineByLine(!options.simulatedTime);
   if (options.pty) {
@@ -128,7 +153,7 @@ void runSerialEvents() {
     std::fprintf(stderr, "Serial (USB) is on %s as well\n", terminal->name().c_str());
     board.output().attach(std::move(terminal));
   }
-  board.port(options.on).attach(*line);
+  board.port(options.on).attach(*line, wire);
   Ending ending(options, *line);
   board.onTime([&ending](uint64_t nowUs) { ending.look(nowUs); });
   board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real, options.startMs));
