@@ -1,0 +1,54 @@
+/*
+  Background: no frame is lost, however long loop() takes.
+
+  Wiring (Tlera Grasshopper, FrSky R-XSR):
+    R-XSR S-BUS_OUT -> D0 (RX1)
+    R-XSR +5V       -> 5V
+    R-XSR GND       -> GND
+
+  The port calls parseSBusFrame() itself when bytes have come, in the middle of whatever loop() does, and the newest
+  frame is always at hand. Sends a line "frames,age,CH3" over USB twice a second: the frames received since the last
+  line (55 or 56 from an R-XSR, one every 9 ms), the age of the newest in ms (4294967295 before the first), and the
+  throttle, 0..2047.
+
+  Serial1.onReceive() is the STM32L0 core's. It runs at PendSV level: above loop(), below all interrupts.
+*/
+
+#include <DecodeSBus.h>
+
+#if !defined(SERIAL_SBUS)
+#error "Background needs Serial1.onReceive(), which only the STM32L0 core has. Elsewhere keep loop() short instead."
+#endif
+
+const unsigned long WORK = 500;  // ms
+
+uint16_t channels[18];
+bool failsafe;
+bool lostFrame;
+uint32_t framesBefore = 0;
+
+DecodeSBus dSBus(Serial1);
+
+// From now on nobody else may call parseSBusFrame().
+void received() {
+  dSBus.parseSBusFrame();
+}
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+  Serial1.onReceive(received);  // at once: the port tells of new bytes only when the last ones have been read
+}
+
+void loop() {
+  delay(WORK);  // stands for slow work: a display, a file, a sensor
+
+  const uint32_t frames = dSBus.counters().frames;
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
+  Serial.print(frames - framesBefore);
+  Serial.print(',');
+  Serial.print(dSBus.frameAge());
+  Serial.print(',');
+  Serial.println(channels[2]);
+  framesBefore = frames;
+}
