@@ -46,11 +46,45 @@ run_compile() {
   done
 }
 
+# The torture bench: its bounds, built for speed; then the whole table once, short, under the sanitizers.
+run_line() {
+  line="$BUILD/$1/line"
+  build "$1" -k "$line/TortureTest" "$line-sanitized/Torture"
+  printf '\n%s, line: %s\n' "$1" "$(sed -n '1s,^// ,,p' line/TortureTest.cpp)"
+  if ! build "$1" -q "$line/TortureTest" >/dev/null 2>&1; then
+    echo "FAILED TortureTest does not build with $1"
+  else
+    timeout 300 "$line/TortureTest" --no-version --no-intro >"$line.log" 2>&1
+    cat "$line.log"
+    grep -q '^\[doctest\] test cases: *[1-9]' "$line.log" || echo "FAILED TortureTest ended before its end"
+  fi
+  if build "$1" -q "$line-sanitized/Torture" >/dev/null 2>&1 &&
+    FRAMES=200 timeout 120 "$line-sanitized/Torture" >"$line.table"; then
+    echo "ok line/Torture under the sanitizers"
+  else
+    echo "FAILED line/Torture under the sanitizers"
+  fi
+}
+
+# Recordings of real receivers, if the caller has any: CAPTURES=folder.
+run_captures() {
+  printf '\n%s, captures/Replay: %s\n' "$1" "$(sed -n '1s,^// ,,p' captures/Replay.cpp)"
+  if ! build "$1" captures; then
+    echo "FAILED captures/Replay does not build with $1"
+  elif ! timeout 120 "$BUILD/$1/captures/Replay" "$CAPTURES" >"$BUILD/$1/captures/log"; then
+    grep -q '^FAILED ' "$BUILD/$1/captures/log" || echo "FAILED captures/Replay ended before its end"
+  fi
+  cat "$BUILD/$1/captures/log"
+}
+
 mkdir -p "$BUILD"
 {
   run_unit g++
   run_unit clang++
+  run_line g++
   run_compile g++
+  if [ -n "${CAPTURES:-}" ]; then run_captures g++; fi
+  ./fuzz.sh
   ./golden.sh g++
   ./golden.sh clang++
 } 2>&1 | tee "$BUILD/log"

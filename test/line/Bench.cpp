@@ -1,0 +1,178 @@
+#include "Bench.h"
+
+#include <algorithm>
+#include <memory>
+
+// Last: Arduino.h's macros min and max break the standard headers behind it.
+#include "PaperReceiver.h"
+#include "UartPort.h"
+
+#include <DecodeSBus.h>
+
+#undef min
+#undef max
+
+namespace {
+
+constexpr uint64_t BlockEveryUs = 500000;
+constexpr uint64_t ClockWrapUs = uint64_t(1) << 32;
+constexpr uint64_t LongestRunUs = ClockWrapUs / 2;  // before the wrap
+
+class Receiver {
+ public:
+  virtual ~Receiver() = default;
+  virtual void begin() = 0;
+  virtual void parse() = 0;
+  virtual bool newFrame(Frame &frame) = 0;  // since the last call
+};
+
+class Ours : public Receiver {
+ public:
+  explicit Ours(HardwareSerial &port) : _sbus(port) { _sbus.setLossLimit(0); }  // so that failsafe is the frame's own
+  void begin() override { _sbus.begin(); }
+  void parse() override { _sbus.parseSBusFrame(); }
+  bool newFrame(Frame &frame) override {
+    if (!_sbus.newFrame()) {
+      return false;
+    }
+    Channels channels{};
+    bool failsafe = false;
+    bool lostFrame = false;
+    _sbus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
+    sbus::pack(frame.data(), channels.data(), failsafe, lostFrame);
+    return true;
+  }
+
+ private:
+  DecodeSBus _sbus;
+};
+
+class Papers : public Receiver {
+ public:
+  explicit Papers(HardwareSerial &port) : _paper(port) {}
+  void begin() override { _paper.begin(); }
+  void parse() override { _paper.parseSBusFrame(); }
+  bool newFrame(Frame &frame) override {
+    if (_paper.frames() == _seen) {
+      return false;
+    }
+    _seen = _paper.frames();
+    frame = _paper.frame();
+    return true;
+  }
+
+ private:
+  PaperReceiver _paper;
+  uint32_t _seen = 0;
+};
+
+class Bench : private ReadObserver {
+ public:
+  Bench(const Run &run, Way way, uint64_t seed)
+      : _run(run),
+        _random(seed),
+        _beginUs(ClockWrapUs - _random.below(static_cast<uint32_t>(std::min(run.frames * run.periodUs, LongestRunUs)))),
+        _wire(run.impairments, run.kind, run.sticks, run.periodUs, run.frames,
+              run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + _random.below(9000), _random),
+        _port(*this) {
+    if (way == Way::Ours) {
+      _receiver = std::make_unique<Ours>(_port);
+    } else {
+      _receiver = std::make_unique<Papers>(_port);
+    }
+  }
+
+  Tally run() {
+    fakeMicros = _beginUs;
+    _receiver->begin();
+    _nextBlockUs = _run.blockUs != 0 ? fakeMicros + BlockEveryUs : UINT64_MAX;
+    do {
+      passOfLoop();
+      receive();
+      if (_port.available() > 0) {
+        look();
+      }
+    } while (!_wire.finished(fakeMicros) || fakeMicros < _lastEndUs + 20000);
+    Tally tally = _judge.finish();
+    tally.noise = _wire.noiseCharacters();
+    return tally;
+  }
+
+ private:
+  void beforeRead() override { takeFrame(); }
+
+  void passOfLoop() {
+    _blocked = fakeMicros >= _nextBlockUs;
+    if (_blocked) {
+      _nextBlockUs = fakeMicros + BlockEveryUs - _random.below(_run.periodUs);
+      fakeMicros += _run.blockUs;
+      return;
+    }
+    fakeMicros += _run.loopUs * 9 / 10 + _random.below(_run.loopUs / 5 + 1);
+    // Passes in which nothing can come are not worth the time.
+    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 2 * host::CharacterUs + 2 * _run.loopUs) {
+      const uint64_t nextUs = std::min(_wire.nextUs(), _nextBlockUs);
+      if (nextUs > fakeMicros + _run.loopUs) {
+        fakeMicros += (nextUs - fakeMicros) / _run.loopUs * _run.loopUs;
+      }
+    }
+  }
+
+  void receive() {
+    host::Character character;
+    while (_wire.next(fakeMicros, character)) {
+      for (SentFrame frame; _wire.nextSent(frame);) {
+        _judge.sent(frame);
+      }
+      if (character.endUs < _beginUs + host::CharacterUs && !character.bad) {
+        _judge.lost(_position, _position + 1);
+        _position++;
+      }
+      _port.uart.receive(character);
+      _lastEndUs = character.endUs;
+    }
+    _port.uart.advance(fakeMicros);
+  }
+
+  void look() {
+    _judge.lookBegins(_position);
+    _readBefore = _port.bytesRead;
+    _receiver->parse();
+    takeFrame();
+    _position += _port.bytesRead - _readBefore;
+    _readBefore = _port.bytesRead;
+    _judge.lookEnds(_position, _blocked);
+    // What the full buffer had no place for stood behind all that was in it.
+    const uint64_t dropped = _port.uart.droppedFull() - _dropped;
+    _judge.lost(_position, _position + dropped);
+    _position += dropped;
+    _dropped += dropped;
+  }
+
+  void takeFrame() {
+    Frame frame;
+    if (_receiver->newFrame(frame)) {
+      _judge.given(frame, _position + _port.bytesRead - _readBefore);
+    }
+  }
+
+  const Run _run;
+  Random _random;
+  const uint64_t _beginUs;  // such that micros() wraps during the run
+  WireLine _wire;
+  UartPort _port;
+  std::unique_ptr<Receiver> _receiver;
+  Judge _judge;
+  bool _blocked = false;
+  uint64_t _nextBlockUs = 0;
+  uint64_t _lastEndUs = 0;
+  uint64_t _position = 0;    // characters that have been read or lost
+  uint64_t _readBefore = 0;  // bytesRead before this look
+  uint64_t _dropped = 0;
+};
+
+}  // namespace
+
+Tally simulate(const Run &run, Way way, uint64_t seed) {
+  return Bench(run, way, seed).run();
+}

@@ -1,0 +1,180 @@
+#include "Conditions.h"
+
+namespace {
+
+constexpr uint32_t Short = 50;   // us, a pass of loop()
+constexpr uint32_t Long = 3000;  // us, the longest with which issue 3 sets bounds
+
+// A pause is seen as such if it is longer than a pass of loop() and what the driver holds back.
+const std::vector<Timing> PausesSeen = {{6000, Short},  {7000, Short}, {9000, Short},  {9000, Long},
+                                        {14000, Short}, {14000, Long}, {15000, Short}, {15000, Long}};
+const std::vector<Timing> PausesHidden = {{4000, Short}, {4000, Long}, {6000, Long}, {7000, Long}};
+const std::vector<Timing> JoinSeen = {{7000, Short}, {9000, Short}, {9000, Long}, {15000, Long}};
+const std::vector<Timing> JoinHidden = {{4000, Short}, {4000, Long}, {7000, Long}};
+const std::vector<Timing> WithTelemetry = {{9000, Short}, {9000, Long}, {15000, Short}, {15000, Long}};
+const std::vector<Timing> WithLongTail = {{6000, Short}, {9000, Short}, {9000, Long}, {15000, Long}};
+const std::vector<Timing> WithFurther = {{14000, Short}, {14000, Long}, {15000, Short}};
+const std::vector<Timing> Blocked = {{6000, Short}, {9000, Short}, {14000, Short}};
+const std::vector<Timing> Slow = {{4000, 20000}, {6000, 20000},  {7000, 20000},
+                                  {9000, 20000}, {14000, 20000}, {15000, 20000}};
+
+// What issue 3 asks for, per damaged frame.
+constexpr double Missed = 1e-3;
+constexpr double Deceived = 1e-4;  // wrong frames under adversarial sticks
+constexpr double Unsafe = 1e-3;    // wrong frames with insertions or 1/50 dropped
+constexpr double None = 0;
+
+constexpr const char *Hidden =
+    "without visible pauses nothing tells a header from a payload that looks like one: once misled, it stays so";
+constexpr const char *Standing =
+    "now and then a standing payload looks like a whole frame at another alignment; see the adversarial sticks";
+constexpr const char *LikeInserted =
+    "a noise character that could be an end byte, straight behind a frame, cannot be told from an inserted one";
+constexpr const char *LowChannel =
+    "with a CH16 below 128 a frame with an inserted character looks whole up to the character behind it";
+constexpr const char *FrameLike = "measured; one 36-byte frame of any content in 700 begins like a whole frame";
+constexpr const char *Measured = "measured";
+
+Impairments dropped(double probability) {
+  Impairments impairments;
+  impairments.dropped = probability;
+  return impairments;
+}
+
+Impairments inserted(double probability) {
+  Impairments impairments;
+  impairments.inserted = probability;
+  return impairments;
+}
+
+Impairments flipped(double probability) {
+  Impairments impairments;
+  impairments.flipped = probability;
+  return impairments;
+}
+
+Impairments noise(double probability) {
+  Impairments impairments;
+  impairments.noise = probability;
+  return impairments;
+}
+
+struct Limit {
+  double missed;
+  double wrong;
+  const char *reason = "";
+};
+
+std::vector<Bound> bounds(const Limit &gentle, const Limit &standing, const Limit &adversarial) {
+  return {{gentleSticks(), gentle.missed, gentle.wrong, gentle.reason},
+          {standingSticks(), standing.missed, standing.wrong, standing.reason},
+          {adversarialSticks(), adversarial.missed, adversarial.wrong, adversarial.reason}};
+}
+
+std::vector<Bound> bounds(const Limit &all) {
+  return bounds(all, all, all);
+}
+
+// Does not change when the list does.
+uint64_t ownSeed(const Condition &condition, const Timing &timing, Sticks sticks, uint64_t seed) {
+  uint64_t mixed = seed;
+  for (const char c : condition.name) {
+    mixed = Random(mixed + static_cast<unsigned char>(c)).next();
+  }
+  for (const uint32_t value : {timing.periodUs, timing.loopUs, static_cast<uint32_t>(sticks)}) {
+    mixed = Random(mixed + value).next();
+  }
+  return mixed;
+}
+
+}  // namespace
+
+const std::vector<Condition> &conditions() {
+  static const std::vector<Condition> list = {
+      {"clean", {}, Kind::Plain, PausesSeen,
+       bounds({None, None})},
+      {"clean, short pauses", {}, Kind::Plain, PausesHidden,
+       bounds({None, None})},
+      {"dropped 1/500", dropped(1 / 500.), Kind::Plain, PausesSeen,
+       bounds({Missed, None}, {Missed, None}, {Missed, Deceived})},
+      {"dropped 1/500, short pauses", dropped(1 / 500.), Kind::Plain, PausesHidden,
+       bounds({Missed, 1e-4, Hidden}, {0.05, 0.05, Standing}, {0.5, 0.5, Hidden})},
+      {"dropped 1/300", dropped(1 / 300.), Kind::Plain, PausesSeen,
+       bounds({Missed, None}, {Missed, None}, {Missed, Deceived})},
+      {"dropped 1/300, short pauses", dropped(1 / 300.), Kind::Plain, PausesHidden,
+       bounds({Missed, 1e-4, Hidden}, {0.05, 0.05, Standing}, {0.5, 0.5, Hidden})},
+      {"dropped 1/50", dropped(1 / 50.), Kind::Plain, PausesSeen,
+       bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, Unsafe})},
+      {"dropped 1/50, short pauses", dropped(1 / 50.), Kind::Plain, PausesHidden,
+       bounds({Missed, Unsafe}, {0.002, Unsafe, Standing}, {0.25, 0.2, Hidden})},
+      {"inserted 1/500", inserted(1 / 500.), Kind::Plain, PausesSeen,
+       bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, 0.002, LowChannel})},
+      {"inserted 1/500, short pauses", inserted(1 / 500.), Kind::Plain, PausesHidden,
+       bounds({0.1, Unsafe, Hidden}, {0.1, Unsafe, Hidden}, {2.5, 2, Hidden})},
+      {"two bits flipped 1/300", flipped(1 / 300.), Kind::Plain, PausesSeen,
+       bounds({Missed, None}, {Missed, None}, {Missed, 5e-4, Measured})},
+      {"two bits flipped 1/300, short pauses", flipped(1 / 300.), Kind::Plain, PausesHidden,
+       bounds({0.004, None, Hidden}, {0.004, None, Hidden}, {5, 5, Hidden})},
+      {"noise in 1/10 of the pauses", noise(0.1), Kind::Plain, PausesSeen,
+       bounds({0.005, None, LikeInserted}, {0.003, None, LikeInserted}, {0.005, 2e-4, LikeInserted})},
+      {"noise in 1/10, short pauses", noise(0.1), Kind::Plain, PausesHidden,
+       bounds({0.025, 1e-4, LikeInserted}, {0.01, 5e-4, Standing}, {0.08, 0.06, Hidden})},
+      {"joined midway", {}, Kind::Plain, JoinSeen,
+       bounds({None, None}), 0, true},
+      {"joined midway, short pauses", {}, Kind::Plain, JoinHidden,
+       bounds({None, None}, {0.005, 0.005, Standing}, {2, 2, Hidden}), 0, true},
+      {"S.BUS2 with telemetry", {}, Kind::Sbus2, WithTelemetry,
+       bounds({None, None})},
+      {"S.BUS2, dropped 1/300", dropped(1 / 300.), Kind::Sbus2, WithTelemetry,
+       bounds({Missed, None}, {Missed, None}, {0.003, 0.003, Hidden})},
+      {"R7003SB", {}, Kind::R7003SB, WithLongTail,
+       bounds({None, None})},
+      {"R7003SB, dropped 1/300", dropped(1 / 300.), Kind::R7003SB, WithLongTail,
+       bounds({Missed, 1e-4, Hidden}, {Missed, 1e-4, Standing}, {Missed, Deceived})},
+      {"2F and 36-byte frames between", {}, Kind::Further, WithFurther,
+       bounds({3e-4, 2e-5, FrameLike}, {3e-4, 2e-5, FrameLike}, {3e-4, 2e-5, FrameLike})},
+      {"loop() of 20 ms", {}, Kind::Plain, Slow,
+       bounds({0.05, 2e-5, Hidden}, {0.05, 0.003, Standing}, {0.3, 0.25, Hidden})},
+      {"blocked 12 ms every 500 ms", {}, Kind::Plain, Blocked,
+       bounds({5e-4, None}, {5e-4, None}, {5e-4, 5e-5, Hidden}), 12000},
+      {"blocked 20 ms every 500 ms", {}, Kind::Plain, Blocked,
+       bounds({0.07, None}, {0.07, None}, {0.1, None}), 20000},
+      {"blocked 60 ms every 500 ms", {}, Kind::Plain, Blocked,
+       bounds({0.001, None}, {0.001, None}, {0.003, None}), 60000},
+      {"blocked 200 ms every 500 ms", {}, Kind::Plain, Blocked,
+       bounds({0.001, None}, {0.001, None}, {0.001, None}), 200000},
+  };
+  return list;
+}
+
+Tally torture(const Condition &condition, const Timing &timing, Sticks sticks, Way way, uint64_t frames,
+              uint64_t seed) {
+  Run run;
+  run.impairments = condition.impairments;
+  run.kind = condition.kind;
+  run.sticks = sticks;
+  run.periodUs = timing.periodUs;
+  run.loopUs = timing.loopUs;
+  run.blockUs = condition.blockUs;
+  run.frames = frames;
+  Random seeds(ownSeed(condition, timing, sticks, seed));
+  if (!condition.joining) {
+    return simulate(run, way, seeds.next());
+  }
+  // At every character of a frame, and anywhere within it, over and over.
+  constexpr uint64_t FramesOfAJoin = 12;
+  run.joining = true;
+  run.frames = FramesOfAJoin;
+  Tally sum;
+  for (uint64_t i = 0; i < frames; i += FramesOfAJoin) {
+    run.joinUs = static_cast<uint32_t>(i / FramesOfAJoin % 25 * host::CharacterUs + seeds.below(host::CharacterUs));
+    sum += simulate(run, way, seeds.next());
+  }
+  return sum;
+}
+
+std::string name(const Timing &timing) {
+  const std::string loop =
+      timing.loopUs < 1000 ? std::to_string(timing.loopUs) + " us" : std::to_string(timing.loopUs / 1000) + " ms";
+  return "T = " + std::to_string(timing.periodUs / 1000) + " ms, loop() " + loop;
+}
