@@ -2,6 +2,7 @@
 # Runs every example, built for this PC by extras/host with the compiler named, and says "ok ..." or "FAILED ..." of:
 #   golden/EXAMPLE.csv             what it prints with the simulated receiver, 15 s
 #   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt
+#   golden/EXAMPLE-LINE.csv        what it prints on a line that golden/LINES describes
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 #   golden/README.csv              what README.md's ten lines print, four seconds
 # "golden.sh COMPILER update" writes the golden files anew instead.
@@ -58,6 +59,11 @@ for example in $examples; do
     golden "$example-$recording" "$build/$example" --recording "recordings/$recording.txt"
   done
 done
+grep -v '^#' golden/LINES >"$build/lines"
+while read -r example line options; do
+  # shellcheck disable=SC2086  # the options are words
+  golden "$example-$line" "$build/$example" $options
+done <"$build/lines"
 
 mkdir -p "$build/sketch/README"
 sed -n '/^```cpp$/,/^```$/{/^```/!p}' ../README.md >"$build/sketch/README/README.ino"
@@ -72,5 +78,5 @@ for file in recordings/bad/*.txt; do
   grep -q "^${file##*/}:" recordings/bad/MESSAGES || verdict 1 "$file is not in MESSAGES"
 done
 for file in golden/*.csv; do
-  [ -f "$build/${file##*/}" ] || verdict 1 "$file belongs to no example or recording"
+  [ -f "$build/${file##*/}" ] || verdict 1 "$file belongs to no example, recording or line"
 done

@@ -1,6 +1,6 @@
-// The receiver on a damaged line: what is refused, and that one damage costs one frame.
+// The receiver on a damaged line: one damage costs one frame, and what is delivered was on the wire.
 //
-// Every expectation holds for any good way of finding frames: the frames are such that no other 25 bytes look like one.
+// Lines without any pause are harder than any wire: they are what a loop() that was blocked reads.
 #include "sbus/Receiver.h"
 
 #include <doctest/doctest.h>
@@ -14,25 +14,50 @@ namespace {
 
 const Frames Two = {Neutral.bytes, PaperHigh.bytes};
 
-Bytes bytesOf(const Frame &frame) {
-  return Bytes(frame.begin(), frame.end());
+constexpr unsigned LineFrames = 8;  // of the lines below; frame Damaged is the one with a byte too few or too many
+constexpr unsigned Damaged = 3;
+constexpr uint32_t PauseUs = 4000;  // T = 7 ms
+
+Frames neutralFrames() {
+  Frames frames;
+  for (unsigned number = 0; number < LineFrames; number++) {
+    frames.push_back(neutralFrame(number));
+  }
+  return frames;
 }
 
-Bytes without(const Frame &frame, unsigned index) {
-  Bytes bytes = bytesOf(frame);
-  bytes.erase(bytes.begin() + index);
-  return bytes;
+Frames allBut(Frames frames, unsigned index) {
+  frames.erase(frames.begin() + index);
+  return frames;
 }
 
-Bytes with(const Frame &frame, unsigned index, uint8_t inserted) {
-  Bytes bytes = bytesOf(frame);
-  bytes.insert(bytes.begin() + index, inserted);
-  return bytes;
+// What a line of neutralFrames() gives, `burst` coming instead of one of them, in lumps and with pauses or without.
+Frames withBurst(const Bytes &burst, size_t lump, uint32_t pauseUs) {
+  Feeder feeder;
+  Frames found;
+  const auto add = [&found](const Frames &frames) { found.insert(found.end(), frames.begin(), frames.end()); };
+  Bytes solid;
+  for (unsigned number = 0; number < LineFrames; number++) {
+    const Bytes bytes = number == Damaged ? burst : bytesOf(neutralFrame(number));
+    if (pauseUs != 0) {
+      add(feeder.feed(bytes, lump));
+      feeder.wait(pauseUs);
+    } else {
+      solid = solid + bytes;
+    }
+  }
+  add(feeder.feed(solid, lump));
+  add(feeder.idle());
+  return found;
 }
 
-Frame withByte(Frame frame, unsigned index, unsigned byte) {
-  frame[index] = static_cast<uint8_t>(byte);
-  return frame;
+// And through the board's driver.
+Frames withBurstOnBoard(const Bytes &burst, uint32_t loopUs, uint64_t pauseUs) {
+  Wire wire;
+  for (unsigned number = 0; number < LineFrames; number++) {
+    wire.send(number == Damaged ? burst : bytesOf(neutralFrame(number))).pause(pauseUs);
+  }
+  return wire.frames(loopUs);
 }
 
 // Bytes as a bad line gives them: more than half of them mean something to a receiver.
@@ -61,35 +86,125 @@ TEST_CASE("garbage in front of the first frame costs no frame") {
 }
 
 TEST_CASE("joining the line in the middle of a frame costs that frame only") {
-  for (unsigned missing = 1; missing < 25; missing++) {
-    CAPTURE(missing);
-    const Bytes rest(Neutral.bytes.begin() + missing, Neutral.bytes.end());
-    CHECK(feedNew(rest + join(Two)) == Two);
-  }
-}
-
-TEST_CASE("a frame that lost one byte is not delivered and costs no other frame") {
-  for (const Frame &damaged : {PaperLow.bytes, Neutral.bytes}) {
-    for (unsigned index = 0; index < 25; index++) {
-      CAPTURE(index);
-      CHECK(feedNew(bytesOf(Neutral.bytes) + without(damaged, index) + join(Two)) ==
-            Frames{Neutral.bytes, Neutral.bytes, PaperHigh.bytes});
+  for (const size_t lump : {1u, 16u, 64u}) {
+    for (size_t missing = 1; missing < 25; missing++) {
+      CAPTURE(lump);
+      CAPTURE(missing);
+      CHECK(feedNew(part(Neutral.bytes, missing) + join(Two), lump) == Two);
     }
   }
 }
 
-TEST_CASE("a frame with one byte too many is not delivered and costs no other frame") {
-  for (const unsigned inserted : {0xA5u, 0xFFu}) {
-    for (unsigned index = 1; index < 25; index++) {
-      CAPTURE(inserted);
-      CAPTURE(index);
-      CHECK(feedNew(with(PaperLow.bytes, index, static_cast<uint8_t>(inserted)) + join(Two)) == Two);
+TEST_CASE("joining neutral sticks on the board, at any offset, costs one frame, and the next is there before its end") {
+  for (const uint32_t loopUs : {50u, 1000u, 3000u}) {
+    for (const uint64_t pauseUs : {1000u, 4000u, 11000u}) {
+      for (size_t missing = 1; missing < 25; missing++) {
+        CAPTURE(loopUs);
+        CAPTURE(pauseUs);
+        CAPTURE(missing);
+        Wire wire;
+        wire.send(part(neutralFrame(0), missing)).pause(pauseUs);
+        for (unsigned number = 1; number < 4; number++) {
+          wire.send(neutralFrame(number)).pause(pauseUs);
+        }
+        CHECK(wire.frames(loopUs) == Frames{neutralFrame(1), neutralFrame(2), neutralFrame(3)});
+      }
     }
   }
 }
 
-TEST_CASE("a 0F too many inside the payload is not delivered and costs no other frame") {
-  for (unsigned index = 2; index <= 22; index++) {
+TEST_CASE("a byte lost at any place of a neutral frame costs that frame and no other, with pauses between the frames") {
+  const Frames expected = allBut(neutralFrames(), Damaged);
+  for (size_t index = 0; index < 25; index++) {
+    CAPTURE(index);
+    const Bytes burst = without(neutralFrame(Damaged), index);
+    for (const size_t lump : {1u, 5u, 16u, 25u, 64u}) {
+      CAPTURE(lump);
+      CHECK(withBurst(burst, lump, PauseUs) == expected);
+    }
+    for (const uint32_t loopUs : {50u, 1000u, 3000u}) {
+      CAPTURE(loopUs);
+      CHECK(withBurstOnBoard(burst, loopUs, PauseUs) == expected);
+    }
+  }
+}
+
+TEST_CASE("a byte lost at any place of a neutral frame costs that frame and no other, without any pause") {
+  const Frames expected = allBut(neutralFrames(), Damaged);
+  for (size_t index = 0; index < 25; index++) {
+    const Bytes burst = without(neutralFrame(Damaged), index);
+    for (const size_t lump : {1u, 5u, 16u, 25u, 64u}) {
+      CAPTURE(index);
+      CAPTURE(lump);
+      const Frames found = withBurst(burst, lump, 0);
+      // The frame before the lost header is followed by 24 bytes at once: to a fast loop() it is the beginning of a
+      // longer frame. There is no such wire.
+      const bool looksLonger = index == 0 && lump == 16;
+      CHECK(found == (looksLonger ? allBut(expected, Damaged - 1) : expected));
+    }
+  }
+}
+
+TEST_CASE("any byte inserted at any place of a neutral frame costs at most that frame, with pauses, and none is wrong") {
+  const Frames all = neutralFrames();
+  const Frames expected = allBut(all, Damaged);
+  for (size_t index = 0; index < 25; index++) {
+    for (unsigned byte = 0; byte < 256; byte++) {
+      CAPTURE(index);
+      CAPTURE(byte);
+      const Bytes burst = with(neutralFrame(Damaged), index, static_cast<uint8_t>(byte));
+      const bool mayCome = std::search(burst.begin(), burst.end(), all[Damaged].begin(), all[Damaged].end()) != burst.end();
+      for (const size_t lump : {16u, 64u}) {
+        CAPTURE(lump);
+        const Frames found = withBurst(burst, lump, PauseUs);
+        CHECK((found == expected || (mayCome && found == all)));
+      }
+      for (const uint32_t loopUs : {50u, 3000u}) {
+        CAPTURE(loopUs);
+        const Frames found = withBurstOnBoard(burst, loopUs, PauseUs);
+        CHECK((found == expected || (mayCome && found == all)));
+      }
+    }
+  }
+}
+
+TEST_CASE("any byte inserted at any place of a neutral frame, without any pause, costs one frame and none is wrong") {
+  const Frames all = neutralFrames();
+  for (size_t index = 0; index < 25; index++) {
+    for (unsigned byte = 0; byte < 256; byte++) {
+      CAPTURE(index);
+      CAPTURE(byte);
+      const Bytes burst = with(neutralFrame(Damaged), index, static_cast<uint8_t>(byte));
+      const bool mayCome = std::search(burst.begin(), burst.end(), all[Damaged].begin(), all[Damaged].end()) != burst.end();
+      for (const size_t lump : {16u, 64u}) {
+        CAPTURE(lump);
+        const Frames found = withBurst(burst, lump, 0);
+        // A byte in front of the header may as well have been behind the end of the frame before.
+        const bool before = index == 0 && found == allBut(all, Damaged - 1);
+        CHECK((found == allBut(all, Damaged) || (mayCome && found == all) || before));
+      }
+    }
+  }
+}
+
+TEST_CASE("a port that hands over byte by byte: an inserted byte can change the flags, but never a channel") {
+  const Frames all = neutralFrames();
+  for (size_t index = 0; index < 25; index++) {
+    for (unsigned byte = 0; byte < 256; byte++) {
+      CAPTURE(index);
+      CAPTURE(byte);
+      Frames found = withBurst(with(neutralFrame(Damaged), index, static_cast<uint8_t>(byte)), 1, PauseUs);
+      const bool atFlags = index == 23 && byte < 0x10;
+      for (Frame &frame : found) {
+        frame[23] = atFlags ? 0 : frame[23];
+      }
+      CHECK((found == allBut(all, Damaged) || (found == all && (atFlags || index == 0 || index == 24))));
+    }
+  }
+}
+
+TEST_CASE("a frame with a 0F too many inside the payload is not delivered and costs no other frame") {
+  for (size_t index = 2; index <= 22; index++) {
     CAPTURE(index);
     CHECK(feedNew(with(PaperLow.bytes, index, 0x0F) + join(Two)) == Two);
   }
@@ -114,32 +229,59 @@ TEST_CASE("only frames with unused flags bits 0 are delivered, and the next fram
   }
 }
 
-TEST_CASE("what real receivers send behind a frame is no frame and costs none") {
-  const struct {
-    const char *source;
-    Bytes behind;
-  } rows[] = {
-      {"S.BUS2 telemetry, PX4-Autopilot sbus2_r7008SB.txt", {0x03, 0xC0, 0x2E}},
-      {"S.BUS2 telemetry, PX4-Autopilot sbus2_r7008SB.txt", {0x03, 0xC4, 0x00}},
-      {"Futaba R7003SB", {0x00, 0x03, 0xC0, 0x33, 0x00}},
-  };
-  for (const auto &row : rows) {
-    CAPTURE(row.source);
-    CHECK(feedNew(bytesOf(Neutral.bytes) + row.behind + bytesOf(PaperLow.bytes) + row.behind + join(Two)) ==
-          Frames{Neutral.bytes, PaperLow.bytes, Neutral.bytes, PaperHigh.bytes});
+TEST_CASE("of a refused frame nothing reaches the last complete one") {
+  Feeder feeder;
+  feeder.feed(bytesOf(PaperHigh.bytes));
+  feeder.feed(bytesOf(withByte(PaperLow.bytes, 24, 0xFF)));
+  CHECK(lastFrame(feeder.receiver) == PaperHigh.bytes);
+}
+
+TEST_CASE("any number of 0F that are no headers cost at most six frames that follow them without a pause") {
+  Frames all;
+  for (unsigned number = 0; number < 16; number++) {
+    all.push_back(neutralFrame(number));
+  }
+  const Frames before(all.begin(), all.begin() + 2);
+  for (size_t candidates = 1; candidates <= 150; candidates++) {
+    for (const size_t lump : {1u, 16u, 64u}) {
+      CAPTURE(candidates);
+      CAPTURE(lump);
+      const Frames found =
+          feedNew(join(before) + Bytes(candidates, 0x0F) + join(Frames(all.begin() + 2, all.end())), lump);
+      CHECK(std::includes(all.begin(), all.end(), found.begin(), found.end()));
+      CHECK(found.size() >= all.size() - 6);
+    }
   }
 }
 
-TEST_CASE("a frame with header 2F, FASSTest 26's further channels, is not delivered") {
-  const Frame further = withByte(PaperLow.bytes, 0, 0x2F);
-  CHECK(feedNew(join({further, PaperHigh.bytes, further, Neutral.bytes})) == Frames{PaperHigh.bytes, Neutral.bytes});
+TEST_CASE("any number of 0F that are no headers cost no frame that follows them behind a pause") {
+  const Frames all = {PaperHigh.bytes, PaperLow.bytes, Neutral.bytes, PaperHigh.bytes};
+  for (size_t candidates = 1; candidates <= 120; candidates++) {
+    for (const uint32_t loopUs : {50u, 1000u}) {
+      CAPTURE(candidates);
+      CAPTURE(loopUs);
+      Wire wire;
+      wire.send(all[0]).pause(PauseUs).send(all[1]).pause(PauseUs).send(Bytes(candidates, 0x0F)).pause(PauseUs);
+      CHECK(wire.send(all[2]).pause(PauseUs).send(all[3]).frames(loopUs) == all);
+    }
+  }
 }
 
-TEST_CASE("of a refused frame nothing reaches the last complete one") {
-  sbus::Receiver receiver;
-  feed(receiver, bytesOf(PaperHigh.bytes));
-  feed(receiver, bytesOf(withByte(PaperLow.bytes, 24, 0xFF)));
-  CHECK(lastFrame(receiver) == PaperHigh.bytes);
+// Fewer than 17 bytes behind the break come in one lump, as they do behind a loop() that was blocked: that is a frame.
+TEST_CASE("a wire that breaks within a frame and is whole again at the same place of the next makes no frame of the two") {
+  for (const uint32_t loopUs : {50u, 1000u}) {
+    for (size_t cut = 1; cut <= 25 - 17; cut++) {
+      CAPTURE(loopUs);
+      CAPTURE(cut);
+      Wire wire;
+      wire.send(PaperLow.bytes).pause(PauseUs).send(PaperLow.bytes).pause(PauseUs);
+      wire.send(part(PaperLow.bytes, 0, cut)).pause(25 * 120 + PauseUs).send(part(Neutral.bytes, cut)).pause(PauseUs);
+      wire.send(PaperHigh.bytes).pause(PauseUs).send(PaperHigh.bytes);
+      for (const Frame &frame : wire.frames(loopUs)) {
+        CHECK((frame == PaperLow.bytes || frame == Neutral.bytes || frame == PaperHigh.bytes));
+      }
+    }
+  }
 }
 
 TEST_CASE("whatever comes, only pieces of it that are frames are delivered, in order and without overlap") {
@@ -156,22 +298,17 @@ TEST_CASE("whatever comes, only pieces of it that are frames are delivered, in o
   }));
 }
 
-TEST_CASE("whatever comes, the cuts between lumps make no difference") {
-  CHECK(rc::check("lumps == one byte at a time", [] {
-    const Bytes bytes = anyBytes() + bytesOf(PaperLow.bytes) + anyBytes() + bytesOf(PaperHigh.bytes);
-    RC_ASSERT(feedNew(bytes, *rc::gen::inRange<size_t>(2, 70)) == feedNew(bytes));
-  }));
-}
-
-TEST_CASE("any frames sent without damage are delivered, all and in order") {
+TEST_CASE("any frames that one receiver sends without damage are delivered, all and in order") {
   CHECK(rc::check("clean stream in == frames out", [] {
+    const auto kind = *rc::gen::element<unsigned>(0x00, 0x04, 0x08);
     Frames frames = *rc::gen::container<Frames>(rc::gen::arbitrary<Frame>());
-    const uint8_t endBytes[] = {0x00, 0x04, 0x08, 0x14, 0x24, 0x34};
+    Bytes bytes;
     for (Frame &frame : frames) {
       frame[0] = 0x0F;
-      frame[23] &= 0x0F;
-      frame[24] = endBytes[frame[24] % 6];
+      frame[23] = static_cast<uint8_t>(frame[23] & 0x0F) == 0x0F ? 0 : frame[23] & 0x0F;  // 0F: MakesTest
+      frame[24] = static_cast<uint8_t>(kind == 0x04 ? kind | (frame[24] & 0x30) : kind);
+      bytes = bytes + bytesOf(frame) + (kind == 0x08 ? Bytes{0x00, 0x03, 0xC0, 0x33, 0x00} : Bytes{});
     }
-    RC_ASSERT(feedNew(join(frames), *rc::gen::inRange<size_t>(1, 70)) == frames);
+    RC_ASSERT(feedNew(bytes, *rc::gen::inRange<size_t>(1, 70)) == frames);
   }));
 }

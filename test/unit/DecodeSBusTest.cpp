@@ -1,6 +1,10 @@
 // The class DecodeSBus on a fake port of the board's core: which frame it gives when, and what a full buffer does.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <iterator>
+#include <new>
+
 #include "KnownFrames.h"
 #include "ShowArrays.h"
 
@@ -33,9 +37,9 @@ TEST_CASE("byte by byte a frame is there with its 25th byte") {
 }
 
 TEST_CASE("in lumps of 16 bytes, the board's half ring, each frame is there as soon as its last byte is") {
-  const Bytes bytes = bytesOf({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, Sbus2.bytes});
+  const Bytes bytes = bytesOf({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, PaperLow.bytes});
   const Channels *const expected[] = {nullptr,            &PaperLow.channels, &PaperLow.channels, &PaperHigh.channels,
-                                      &Neutral.channels, &Neutral.channels,  &Sbus2.channels};
+                                      &Neutral.channels, &Neutral.channels,  &PaperLow.channels};
   OpenBoard board;
   for (size_t lump = 0; lump < 7; lump++) {
     CAPTURE(lump);
@@ -65,9 +69,9 @@ TEST_CASE("of a full buffer the two whole frames count, and the torn third is no
   CHECK(board.take(bytes) == 64);
   CHECK(board.channels() == PaperHigh.channels);
   // Behind the break the line goes on with the 11 bytes that the torn frame is short of, but of another frame.
-  board.take(part(Sbus2.bytes, 14));
+  board.take(part(PaperLow.bytes, 14));
   CHECK(board.channels() == PaperHigh.channels);
-  board.take(bytesOf({Neutral.bytes}));
+  board.take(bytesOf({Neutral.bytes}) + Bytes{0x0F});  // behind a break a frame may wait for the next header
   CHECK(board.channels() == Neutral.channels);
 }
 
@@ -81,10 +85,12 @@ TEST_CASE("the break of a full buffer lies behind it: a frame begun before is co
   CHECK(board.channels() == PaperLow.channels);
 }
 
-TEST_CASE("the last frame stays, however long nothing comes") {
+TEST_CASE("with timeout 0, as in the paper, the last frame stays, however long nothing comes") {
   OpenBoard board;
+  board.sbus.setTimeout(0);
   board.take(bytesOf({PaperHigh.bytes}));
   for (unsigned look = 0; look < 1000; look++) {
+    board.wait(1000000);
     board.take({});
   }
   CHECK(board.sbus.SBusFrameOk());
@@ -127,4 +133,20 @@ TEST_CASE("two objects side by side do not disturb each other") {
   right.take(part(PaperHigh.bytes, 24));
   CHECK(right.channels() == PaperHigh.channels);
   CHECK(left.channels() == PaperLow.channels);
+}
+
+TEST_CASE("before begin, wherever the object stands, there is no frame, none is new, and a look finds nothing") {
+  alignas(FakeBoard) unsigned char memory[sizeof(FakeBoard)];
+  for (const int garbage : {0x00, 0x0F, 0xFF}) {
+    CAPTURE(garbage);
+    std::fill(std::begin(memory), std::end(memory), static_cast<unsigned char>(garbage));
+    FakeBoard *const board = new (memory) FakeBoard;
+    CHECK_FALSE(board->sbus.newFrame());
+    CHECK_FALSE(board->sbus.SBusFrameOk());
+    CHECK(board->sbus.linkState() == sbus::LinkState::NeverSeen);
+    CHECK(board->sbus.counters().frames == 0);
+    board->sbus.parseSBusFrame();
+    CHECK(board->decode().failsafe);
+    board->~FakeBoard();
+  }
 }

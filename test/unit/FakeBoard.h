@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "BitByBit.h"
+#include "FakeClock.h"
 #include "FakeSerial.h"
 
 #include <DecodeSBus.h>
@@ -21,6 +22,11 @@ inline Bytes bytesOf(std::initializer_list<Frame> frames) {
 
 inline Bytes part(const Frame &frame, unsigned from, unsigned to = 25) {
   return Bytes(frame.begin() + from, frame.begin() + to);
+}
+
+inline Bytes operator+(Bytes left, const Bytes &right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
 }
 
 struct Decoded {
@@ -40,6 +46,15 @@ struct FakeBoard {
     const size_t kept = port.arrive(bytes);
     sbus.parseSBusFrame();
     return kept;
+  }
+
+  // Time goes on, and the sketch does nothing.
+  void wait(uint64_t us) { fakeMicros += us; }
+
+  // A frame comes in, back to back, and the sketch looks when it is there.
+  void frame(const Frame &frame) {
+    wait(25 * 120);
+    take(bytesOf({frame}));
   }
 
   // The sketch asks for everything; `before` is what its channels hold until then.

@@ -41,3 +41,27 @@ constexpr KnownFrame Sbus2 = {
     {1041, 1024, 1696, 1024, 352, 1696, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 0, 0}};
 
 constexpr KnownFrame KnownFrames[] = {PaperLow, PaperHigh, Neutral, Sbus2};
+
+// Frame number `number` of a line with neutral FrSky sticks: all channels 992, but CH1 counts. 0F twice in the payload.
+inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) {
+  Channels channels{};
+  for (unsigned channel = 0; channel < 16; channel++) {
+    channels[channel] = 992;
+  }
+  channels[0] = static_cast<uint16_t>(900 + number);
+  Frame frame = writeBitByBit(channels);
+  frame[24] = end;
+  return frame;
+}
+
+// The same with Futaba's centre 1024: no 0F in the payload at all.
+inline Frame plainFrame(unsigned number, uint8_t end = 0x00) {
+  Channels channels{};
+  for (unsigned channel = 0; channel < 16; channel++) {
+    channels[channel] = 1024;
+  }
+  channels[0] = static_cast<uint16_t>(1024 + number);
+  Frame frame = writeBitByBit(channels);
+  frame[24] = end;
+  return frame;
+}

@@ -24,6 +24,19 @@ TEST_CASE("begin opens the port once, at 100000 baud, 8E2, inverted both ways") 
   CHECK(board.port.closings == 0);
 }
 
+TEST_CASE("begin(baud, config) opens the port with exactly these") {
+  const FakeSerial::Opening rows[] = {{200000, SERIAL_8E2}, {100000, SERIAL_8E2}, {200000, SERIAL_SBUS}, {115200, SERIAL_8N1}};
+  for (const FakeSerial::Opening &row : rows) {
+    FakeBoard board;
+    board.sbus.begin(row.baud, row.config);
+    REQUIRE(board.port.openings.size() == 1);
+    CHECK(board.port.openings[0].baud == row.baud);
+    CHECK(board.port.openings[0].config == row.config);
+    board.take(bytesOf({PaperHigh.bytes}));
+    CHECK(board.channels() == PaperHigh.channels);
+  }
+}
+
 TEST_CASE("end closes the port once, and the last frame can still be decoded") {
   FakeBoard board;
   board.sbus.begin();
@@ -46,7 +59,7 @@ TEST_CASE("begin after end starts clean: no frame, and no half of one") {
   CHECK(board.decode().failsafe);
   board.take(part(PaperLow.bytes, 12));
   CHECK_FALSE(board.sbus.SBusFrameOk());
-  board.take(bytesOf({Neutral.bytes}));
+  board.take(bytesOf({Neutral.bytes}) + Bytes{0x0F});  // out of lock a frame may wait for the next header
   CHECK(board.channels() == Neutral.channels);
 }
 

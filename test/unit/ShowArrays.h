@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <sstream>
+#include <vector>
 
 namespace doctest {
 
@@ -17,6 +18,18 @@ struct StringMaker<std::array<T, Size>> {
       out << unsigned{value} << ' ';
     }
     return out.str().c_str();
+  }
+};
+
+template <typename T, size_t Size>
+struct StringMaker<std::vector<std::array<T, Size>>> {
+  static String convert(const std::vector<std::array<T, Size>> &arrays) {
+    String text;
+    for (const auto &array : arrays) {
+      text += "\n    ";
+      text += StringMaker<std::array<T, Size>>::convert(array);
+    }
+    return text;
   }
 };
 

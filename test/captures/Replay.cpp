@@ -1,0 +1,184 @@
+// Replays recordings of real receivers through DecodeSBus on the board's driver, and says "ok ..." or "FAILED ...".
+//
+//   Replay FOLDER
+//
+// Of the files below it is known what a right decoder finds (../shared/captures/INDEX.md of this project); of any other
+// file the counts are printed, and it is checked that every frame delivered stands in the recording.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "BitByBit.h"
+#include "FakeClock.h"
+#include "runtime/BoardUart.h"
+#include "runtime/Recording.h"
+
+#include <DecodeSBus.h>
+
+namespace {
+
+using Frames = std::vector<Frame>;
+
+// The board's port: its driver, and characters that come when the clock says so.
+class CapturePort : public HardwareSerial {
+ public:
+  explicit CapturePort(const std::vector<host::Character> &characters) : _characters(characters) {}
+
+  void begin(unsigned long baud) override { begin(baud, 0); }
+  void begin(unsigned long, uint32_t) override { _uart.open(fakeMicros); }
+  void end() override { _uart.close(); }
+  void receive() {
+    for (; _next < _characters.size() && _start + _characters[_next].endUs <= fakeMicros; _next++) {
+      host::Character character = _characters[_next];
+      character.endUs += _start;
+      _uart.receive(character);
+    }
+    _uart.advance(fakeMicros);
+  }
+  bool finished() const { return _next == _characters.size(); }
+  int available() override { return _uart.available(); }
+  int peek() override { return _uart.peek(); }
+  int read() override { return _uart.read(); }
+  int read(uint8_t *buffer, size_t size) override { return _uart.read(buffer, size); }
+  void flush() override {}
+  size_t write(uint8_t) override { return 0; }
+  operator bool() override { return true; }
+
+ private:
+  const std::vector<host::Character> &_characters;
+  const uint64_t _start = fakeMicros + 1000;
+  size_t _next = 0;
+  host::BoardUart _uart;
+};
+
+// What the sketch got of a frame, and where the recording has it.
+struct Found {
+  Channels channels;
+  bool failsafe;
+  bool lostFrame;
+  int end;  // byte; -1: no such frame in the recording
+};
+
+struct Expected {
+  std::map<int, unsigned> ends;  // end byte -> how many frames
+  Channels channels;             // of every frame; flags are 0
+};
+
+const std::map<std::string, Expected> Known = {
+    {"r7008sb-sbus2.txt",
+     {{{0x14, 21}, {0x34, 21}, {0x24, 20}, {0x04, 20}},
+      {1041, 1024, 1696, 1024, 352, 1696, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 1024, 0, 0}}},
+    {"frsky-neutral.txt",
+     {{{0x00, 1}}, {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}}},
+};
+
+// The end byte of the first frame in `characters` from `from` on that has these values; `from` is then behind it.
+int endOf(const std::vector<host::Character> &characters, size_t &from, const Found &found) {
+  for (size_t at = from; at + 25 <= characters.size(); at++) {
+    Frame frame;
+    for (size_t i = 0; i < 25; i++) {
+      frame[i] = characters[at + i].value;
+    }
+    if (sbus::isFrame(frame.data()) && readBitByBit(frame) == found.channels &&
+        sbus::lostFrame(frame.data()) == found.lostFrame && sbus::failsafe(frame.data()) == found.failsafe) {
+      from = at + 25;
+      return frame[24];
+    }
+  }
+  return -1;
+}
+
+std::vector<Found> replay(const std::vector<host::Character> &characters, uint32_t loopUs) {
+  CapturePort port(characters);
+  DecodeSBus dSBus(port);
+  dSBus.begin();
+  std::vector<Found> all;
+  size_t from = 0;
+  for (uint64_t behind = 0; behind < 20000; behind += port.finished() ? loopUs : 0) {
+    fakeMicros += loopUs;
+    port.receive();
+    const uint32_t before = dSBus.counters().frames;
+    dSBus.parseSBusFrame();
+    // Two frames in one look would be one to the sketch.
+    if (dSBus.counters().frames > before + 1) {
+      std::printf("two frames in one look\n");
+    }
+    if (dSBus.newFrame()) {
+      Found found = {};
+      dSBus.decodeSBusFrame(found.channels.data(), found.failsafe, found.lostFrame);
+      found.end = endOf(characters, from, found);
+      all.push_back(found);
+    }
+  }
+  const sbus::Counters counters = dSBus.counters();
+  std::printf("%u frames, refused by end %u, by flags %u, by extra %u, bytes skipped %u, resynchronised %u, T = %u us\n",
+              counters.frames, counters.refusedByEnd, counters.refusedByFlags, counters.refusedByExtra,
+              counters.skippedBytes, counters.resyncs, counters.period);
+  return all;
+}
+
+// Says what is wrong, or nothing.
+std::string judge(const std::vector<Found> &all, const Expected *expected) {
+  std::map<int, unsigned> ends;
+  for (const Found &found : all) {
+    if (found.end < 0) {
+      return "a frame that is not in the recording, or not there, was delivered";
+    }
+    if (expected != nullptr && (found.channels != expected->channels || found.failsafe || found.lostFrame)) {
+      return "a frame with other values than known was delivered";
+    }
+    ends[found.end]++;
+  }
+  if (expected == nullptr || ends == expected->ends) {
+    return {};
+  }
+  std::string text = "end bytes";
+  for (const auto &end : ends) {
+    text += " " + std::to_string(end.first) + " x" + std::to_string(end.second);
+  }
+  return text + " are not what is known";
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  if (argc != 2 || !std::filesystem::is_directory(argv[1])) {
+    std::printf("FAILED captures: a folder with recordings is expected, there is no %s\n", argc == 2 ? argv[1] : "argument");
+    return 1;
+  }
+  std::set<std::filesystem::path> files;
+  for (const auto &entry : std::filesystem::directory_iterator(argv[1])) {
+    if (entry.path().extension() == ".txt") {
+      files.insert(entry.path());
+    }
+  }
+  bool failed = files.empty();
+  if (failed) {
+    std::printf("FAILED captures: there is no *.txt in %s\n", argv[1]);
+  }
+  for (const std::filesystem::path &file : files) {
+    const std::string name = file.filename().string();
+    std::ifstream in(file);
+    const host::Recording recording = host::parseRecording(in);
+    if (!recording.error.empty()) {
+      std::printf("FAILED captures/%s:%u: %s\n", name.c_str(), recording.errorLine, recording.error.c_str());
+      failed = true;
+      continue;
+    }
+    const auto known = Known.find(name);
+    for (const uint32_t loopUs : {50u, 3000u}) {
+      std::printf("%s, loop() of %u us: ", name.c_str(), loopUs);
+      const std::string wrong =
+          judge(replay(recording.characters, loopUs), known == Known.end() ? nullptr : &known->second);
+      std::printf("%s captures/%s, loop() of %u us%s%s\n", wrong.empty() ? "ok" : "FAILED", name.c_str(), loopUs,
+                  wrong.empty() ? (known == Known.end() ? ", of which nothing is known" : "") : ": ", wrong.c_str());
+      failed = failed || !wrong.empty();
+    }
+  }
+  return failed;
+}

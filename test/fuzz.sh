@@ -1,0 +1,42 @@
+#!/bin/sh
+# Builds the libFuzzer programs of fuzz/ and runs each for some seconds, from our own corpus; says "ok ..." or "FAILED ...".
+# An input that fails is written to build/test/fuzz/PROGRAM/, and running the program on it shows it again.
+#
+#   fuzz.sh            ten seconds each, or SECONDS=n
+#
+# The same seed each time, so that a failure comes again; FUZZ_SEED=n is another.
+set -u
+cd "$(dirname "$0")" || exit 1
+export BUILD="${BUILD:-$PWD/../build/test}"
+seconds="${SECONDS_EACH:-10}"
+seed="${FUZZ_SEED:-20181}"
+most=3000000 # runs: enough for ten seconds of a quick machine
+
+build() {
+  "${MAKE:-make}" --no-print-directory -f build.mk CXX=clang++ OUT="$BUILD/clang++" "$@"
+}
+
+build -k fuzz
+failed=0
+for program in $(build list-fuzz); do
+  name=$(basename "$program")
+  folder="$BUILD/fuzz/$name"
+  printf '\nclang++, fuzz/%s: %s (%s s, seed %s)\n' "$name" "$(sed -n '1s,^// ,,p' "fuzz/$name.cpp")" "$seconds" "$seed"
+  if ! build -q "$program" >/dev/null 2>&1; then
+    echo "FAILED fuzz/$name does not build"
+    failed=1
+    continue
+  fi
+  rm -rf "$folder/corpus"
+  mkdir -p "$folder/corpus"
+  if timeout $((seconds + 60)) "$program" -max_total_time="$seconds" -runs="$most" -seed="$seed" -max_len=1024 \
+    -timeout=5 -artifact_prefix="$folder/" "$folder/corpus" "fuzz/corpus/$name" >"$folder/log" 2>&1; then
+    tail -n 1 "$folder/log"
+    echo "ok fuzz/$name"
+  else
+    tail -n 30 "$folder/log"
+    echo "FAILED fuzz/$name, see $folder"
+    failed=1
+  fi
+done
+exit "$failed"

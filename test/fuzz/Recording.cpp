@@ -1,0 +1,62 @@
+// The recording reader on any text: characters in order and not closer than a wire allows, or one clear error.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "runtime/Recording.h"
+
+namespace {
+
+void require(bool condition, const char *what) {
+  if (!condition) {
+    std::fprintf(stderr, "violated: %s\n", what);
+    std::abort();
+  }
+}
+
+host::Recording parse(const std::string &text) {
+  std::istringstream in(text);
+  return host::parseRecording(in);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  const std::string text(data, data + size);
+  const host::Recording recording = parse(text);
+  require(recording.error.empty() || recording.error.size() < 300, "errors are short");
+  for (const char c : recording.error) {
+    require(c >= ' ' && c <= '~', "errors can be shown on a terminal");
+  }
+  require(!recording.error.empty() || !recording.characters.empty(), "without an error there are characters");
+  require(recording.error.empty() || recording.errorLine <= 1 + size, "the line of an error is in the text");
+  require(recording.characters.size() <= size / 2 + 1, "no more characters than words");
+  uint64_t earliest = 0;
+  for (const host::Character &character : recording.characters) {
+    require(character.endUs >= earliest, "characters do not overlap");
+    require(character.endUs <= host::RecordingTimeMaxUs + host::RecordingLineMax * host::CharacterUs, "none is too late");
+    earliest = character.endUs + host::CharacterUs;
+  }
+  if (!recording.error.empty()) {
+    return 0;
+  }
+  // Written down and read again it is the same.
+  std::string written;
+  for (const host::Character &character : recording.characters) {
+    char line[40];
+    std::snprintf(line, sizeof(line), "%llu %02X\n", static_cast<unsigned long long>(character.endUs), character.value);
+    written += line;
+  }
+  if (recording.characters.back().endUs <= host::RecordingTimeMaxUs) {
+    const host::Recording again = parse(written);
+    require(again.error.empty() && again.characters.size() == recording.characters.size(), "it can be written down");
+    for (size_t i = 0; i < again.characters.size(); i++) {
+      require(again.characters[i].endUs == recording.characters[i].endUs, "times are kept");
+      require(again.characters[i].value == recording.characters[i].value, "bytes are kept");
+    }
+  }
+  return 0;
+}

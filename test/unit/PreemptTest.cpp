@@ -1,0 +1,356 @@
+// parseSBusFrame() at PendSV level while loop() reads: every reader, interrupted behind every one of its instructions.
+//
+// On an x86-64 Linux the trap flag makes the processor stop behind each instruction of the reader. The n-th stop is the
+// interrupt: it takes in whole frames, as Serial1.onReceive() would, and lets the reader go on. For every n, until the
+// reader is through without having met it. The library is compiled here as for the board: -Os, no sanitizers.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <vector>
+
+#include "FakeClock.h"
+#include "KnownFrames.h"
+#include "ShowArrays.h"
+
+#include "FakeBoard.h"
+
+#if defined(__x86_64__) && defined(__linux__)
+
+#include <signal.h>
+#include <ucontext.h>
+
+namespace {
+
+constexpr greg_t TrapFlag = 0x100;
+
+void (*interrupt)();             // what interrupts the reader
+unsigned long instructionsLeft;  // until it does; 0: it has
+
+void onTrap(int, siginfo_t *, void *context) {
+  if (instructionsLeft == 0 || --instructionsLeft > 0) {
+    return;
+  }
+  interrupt();
+  static_cast<ucontext_t *>(context)->uc_mcontext.gregs[REG_EFL] &= ~TrapFlag;  // the rest at full speed
+}
+
+// Runs `reader`, interrupted behind its instruction number `instruction` (from 1). False if it has not that many.
+template <typename Reader>
+__attribute__((noinline)) bool interrupted(unsigned long instruction, const Reader &reader) {
+  instructionsLeft = instruction;
+  // 128 bytes below the stack pointer may be in use: the red zone.
+  asm volatile("sub $128, %%rsp\n pushfq\n orq $0x100, (%%rsp)\n popfq\n add $128, %%rsp" ::: "memory", "cc");
+  reader();
+  asm volatile("sub $128, %%rsp\n pushfq\n andq $~0x100, (%%rsp)\n popfq\n add $128, %%rsp" ::: "memory", "cc");
+  const bool happened = instructionsLeft == 0;
+  instructionsLeft = 0;
+  return happened;
+}
+
+// Frame `number`: every channel and every flag tells which frame it is from. CH18 stays off: flags 0F may be a header.
+constexpr unsigned FrameKinds = 16;
+Channels channelsOf(unsigned number) {
+  Channels channels{};
+  for (unsigned channel = 0; channel < 16; channel++) {
+    channels[channel] = static_cast<uint16_t>(1024 + 16 * channel + number % FrameKinds);
+  }
+  channels[16] = number & 1;
+  return channels;
+}
+bool lostOf(unsigned number) {
+  return (number & 1) != 0;
+}
+bool failsafeOf(unsigned number) {
+  return (number & 2) != 0;
+}
+Frame frameOf(unsigned number) {
+  Frame frame = writeBitByBit(channelsOf(number));
+  frame[23] = static_cast<uint8_t>(frame[23] | (lostOf(number) ? 4 : 0) | (failsafeOf(number) ? 8 : 0));
+  return frame;
+}
+
+struct Situation {
+  doctest::String what;
+  unsigned framesBefore;   // have come when the reader begins
+  uint32_t ageMs;          // of the newest of them
+  unsigned framesDuring;   // come in during the interrupt
+  uint32_t interruptMs;    // how long that takes, behind the frames
+  bool stale;              // the link, without the interrupt
+};
+
+using Situations = std::vector<Situation>;
+
+Situations operator+(Situations left, const Situations &right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+const Situations Usual = {
+    {"one frame comes", 3, 9, 1, 0, false},
+    {"two frames come", 3, 9, 2, 0, false},
+    {"three frames come", 3, 9, 3, 0, false},
+    {"two frames come, and the clock goes on by 20 ms", 3, 9, 2, 20, false},
+    {"the link is stale, one frame comes", 3, 150, 1, 0, true},
+    {"the link is stale, three frames come", 3, 150, 3, 1, true},
+};
+const Situations Aging = {
+    {"the link is about to become stale, two frames come", 3, 99, 2, 5, false},
+};
+const Situations First = {
+    {"the very first frame comes", 0, 150, 1, 0, true},
+    {"the first three frames come", 0, 150, 3, 7, true},
+};
+
+// What the readers run on, made anew for each instruction.
+struct Scene {
+  FakeBoard board;
+  unsigned next = 0;  // frame
+
+  explicit Scene(const Situation &situation) {
+    board.sbus.begin();
+    for (unsigned i = 0; i < situation.framesBefore; i++) {
+      fakeMicros += 9000;
+      receive();
+    }
+    fakeMicros += uint64_t{situation.ageMs} * 1000;
+  }
+  void receive() {
+    REQUIRE(board.take(bytesOf({frameOf(next++)})) == 25);
+  }
+};
+
+Scene *scene;
+const Situation *situation;
+
+void framesComeIn() {
+  for (unsigned i = 0; i < situation->framesDuring; i++) {
+    fakeMicros += 3000;
+    scene->receive();
+  }
+  fakeMicros += uint64_t{situation->interruptMs} * 1000;
+}
+
+// For every instruction of `reader(board)`, in every situation: `check(scene)` behind it. Says how many there were.
+template <typename Reader, typename Check>
+void everyInstruction(const Reader &reader, const Check &check, const Situations &situations) {
+  struct sigaction action = {};
+  action.sa_sigaction = onTrap;
+  action.sa_flags = SA_SIGINFO;
+  REQUIRE(sigaction(SIGTRAP, &action, nullptr) == 0);
+  interrupt = framesComeIn;
+  for (const Situation &row : situations) {
+    CAPTURE(row.what);
+    situation = &row;
+    unsigned long instruction = 0;
+    bool happened = true;
+    while (happened) {
+      instruction++;
+      CAPTURE(instruction);
+      fakeMicros = 1000000 + instruction * 131;  // at any time within a millisecond
+      Scene now(row);
+      scene = &now;
+      happened = interrupted(instruction, [&] { reader(now.board); });
+      if (!happened) {
+        CHECK(instruction > 3);  // or nothing was proved
+        framesComeIn();
+      }
+      check(now, happened);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if it was the newest") {
+  Decoded decoded;
+  everyInstruction(
+      [&](FakeBoard &board) {
+        decoded.channels.fill(4711);
+        board.sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
+      },
+      [&](Scene &now, bool) {
+        unsigned given = UINT32_MAX;  // the number of the frame
+        for (unsigned number = 0; number < now.next; number++) {
+          if (decoded.channels == channelsOf(number)) {
+            given = number;
+          }
+        }
+        if (given == UINT32_MAX) {
+          Channels untouched;
+          untouched.fill(4711);
+          REQUIRE(decoded.channels == untouched);
+          REQUIRE(situation->stale);  // when the reader began
+          REQUIRE(decoded.failsafe);
+          REQUIRE(decoded.lostFrame);
+          REQUIRE(now.board.sbus.newFrame());
+        } else {
+          REQUIRE(given + 1 >= situation->framesBefore);
+          REQUIRE(decoded.failsafe == failsafeOf(given));
+          REQUIRE(decoded.lostFrame == lostOf(given));
+          REQUIRE(now.board.sbus.newFrame() == (given + 1 != now.next));
+        }
+        // The next look is undisturbed, and gives the newest.
+        const Decoded again = now.board.decode();
+        REQUIRE(again.channels == channelsOf(now.next - 1));
+        REQUIRE_FALSE(now.board.sbus.newFrame());
+        REQUIRE(now.board.sbus.counters().frames == now.next);
+      },
+      Usual + Aging + First);
+}
+
+TEST_CASE("an interrupt so long that the link is stale behind it leaves one whole frame, or the channels as they were") {
+  Decoded decoded;
+  everyInstruction(
+      [&](FakeBoard &board) {
+        decoded.channels.fill(4711);
+        board.sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
+      },
+      [&](Scene &now, bool) {
+        Channels untouched;
+        untouched.fill(4711);
+        bool whole = decoded.channels == untouched;
+        for (unsigned number = 0; number < now.next; number++) {
+          whole = whole || decoded.channels == channelsOf(number);
+        }
+        CHECK(whole);
+        // The frames are old when the reader is through: whatever flags it gives must be those of what it read, or both.
+        const bool youngFlags = !decoded.failsafe || !decoded.lostFrame;
+        CHECK((whole || !youngFlags));
+        CHECK((!youngFlags || decoded.channels != untouched));
+      },
+      {{"two frames come, then 200 ms", 3, 9, 2, 200, false},
+       {"one frame comes, then 200 ms", 3, 9, 1, 200, false}});
+}
+
+namespace {
+
+void checkFrameOk(const Situations &situations) {
+  bool ok = false;
+  everyInstruction([&](FakeBoard &board) { ok = board.sbus.SBusFrameOk(); },
+                   [&](Scene &now, bool happened) {
+                     REQUIRE((ok || situation->stale));
+                     REQUIRE((happened || ok == !situation->stale));
+                     REQUIRE(now.board.sbus.SBusFrameOk());
+                   },
+                   situations);
+}
+
+void checkLinkState(const Situations &situations) {
+  sbus::LinkState state{};
+  everyInstruction(
+      [&](FakeBoard &board) { state = board.sbus.linkState(); },
+      [&](Scene &now, bool) {
+        const auto expected = [](unsigned number) {
+          return failsafeOf(number) ? sbus::LinkState::Failsafe
+                 : lostOf(number)   ? sbus::LinkState::Lossy
+                                    : sbus::LinkState::Ok;
+        };
+        bool right = situation->stale &&
+                     state == (situation->framesBefore == 0 ? sbus::LinkState::NeverSeen : sbus::LinkState::Stale);
+        for (unsigned number = situation->framesBefore == 0 ? 0 : situation->framesBefore - 1; number < now.next; number++) {
+          right = right || state == expected(number);
+        }
+        REQUIRE(right);
+        REQUIRE(now.board.sbus.linkState() == expected(now.next - 1));
+      },
+      situations);
+}
+
+void checkFrameAge(const Situations &situations) {
+  unsigned long age = 0;
+  everyInstruction([&](FakeBoard &board) { age = board.sbus.frameAge(); },
+                   [&](Scene &, bool) {
+                     const bool never = situation->framesBefore == 0 && age == ULONG_MAX;
+                     const unsigned long longest = situation->ageMs + 3 * situation->framesDuring + situation->interruptMs;
+                     REQUIRE((never || age <= longest + 1));
+                   },
+                   situations);
+}
+
+}  // namespace
+
+TEST_CASE("SBusFrameOk is false only if the link was stale when it was asked") {
+  checkFrameOk(Usual + First);
+}
+
+TEST_CASE("SBusFrameOk is never false if a new frame comes while the old one grows too old") {
+  checkFrameOk(Aging);
+}
+
+TEST_CASE("linkState is that of one of the frames, and stale only if it was so when it was asked") {
+  checkLinkState(Usual);
+}
+
+TEST_CASE("linkState is never stale if a new frame comes while the old one grows too old") {
+  checkLinkState(Aging);
+}
+
+TEST_CASE("linkState is never stale while the very first frame comes") {
+  checkLinkState(First);
+}
+
+TEST_CASE("frameAge is the age of one of the frames, never below zero") {
+  checkFrameAge(Usual + Aging);
+}
+
+TEST_CASE("frameAge is no nonsense while the very first frame comes") {
+  checkFrameAge(First);
+}
+
+TEST_CASE("newFrame and counters count the frames before, those during the interrupt, or some of them") {
+  bool fresh = false;
+  uint32_t frames = 0;
+  everyInstruction(
+      [&](FakeBoard &board) {
+        fresh = board.sbus.newFrame();
+        frames = board.sbus.counters().frames;
+      },
+      [&](Scene &now, bool) {
+        REQUIRE((fresh || situation->framesBefore == 0));
+        REQUIRE(frames >= situation->framesBefore);
+        REQUIRE(frames <= now.next);
+        REQUIRE(now.board.sbus.newFrame());
+      },
+      Usual + Aging + First);
+}
+
+TEST_CASE("this proof finds the fault of a reader that does not look again") {
+  unsigned mixtures = 0;
+  Channels channels;
+  sbus::Receiver receiver;
+  static sbus::Receiver *interrupting;
+  interrupting = &receiver;
+  static const auto receive = [](unsigned number) {
+    const Frame frame = frameOf(number);
+    for (const uint8_t next : frame) {
+      *interrupting->space() = next;
+      fakeMicros += 120;
+      interrupting->received(1, 0, static_cast<uint32_t>(fakeMicros));
+    }
+  };
+  struct sigaction action = {};
+  action.sa_sigaction = onTrap;
+  action.sa_flags = SA_SIGINFO;
+  REQUIRE(sigaction(SIGTRAP, &action, nullptr) == 0);
+  interrupt = [] {
+    receive(1);
+    receive(2);
+  };
+  for (unsigned long instruction = 1;; instruction++) {
+    receiver.reset(static_cast<uint32_t>(fakeMicros), sbus::CharacterTime);
+    receive(0);
+    if (!interrupted(instruction, [&] { sbus::unpack(receiver.frame(), channels.data()); })) {
+      break;
+    }
+    mixtures += channels != channelsOf(0) && channels != channelsOf(1) && channels != channelsOf(2);
+  }
+  CHECK(mixtures > 20);
+}
+
+#else
+
+TEST_CASE("skipped: this processor is no x86-64 under Linux, which the proof single-steps") {
+  MESSAGE("the readers were not interrupted behind each instruction");
+}
+
+#endif
