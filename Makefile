@@ -1,6 +1,6 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
 
-.PHONY: help demo test clean
+.PHONY: help demo test torture fuzz clean
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
 	@echo "            SKETCH=examples/NAME  another sketch"
@@ -8,6 +8,10 @@ help:
 	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
 	@echo "make test   builds and runs all tests; installs what it lacks"
+	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
+	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
+	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
+	@echo "make fuzz   libFuzzer on receiver, packer and recording reader, SECONDS=n each"
 	@echo "make clean  removes build/"
 
 SKETCH ?= examples/DecodeSBus
@@ -18,10 +22,20 @@ demo:
 	@build/host/$(notdir $(SKETCH:/=)) $(if $(RECORDING),--recording '$(RECORDING)') $(if $(PORT),--port '$(PORT)') \
 	  $(if $(PTY),--pty)
 
+CAPTURES ?=
+
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
 	  gcc-arm-none-eabi libnewlib-arm-none-eabi
-	@$(MAKE) --no-print-directory -j$$(nproc) -C test
+	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(abspath $(CAPTURES))'
+
+torture:
+	@sh extras/setup/need.sh g++
+	@$(MAKE) --no-print-directory -s -C test torture
+
+fuzz:
+	@sh extras/setup/need.sh clang clang-sanitizers
+	@$(MAKE) --no-print-directory -C test fuzz
 
 clean:
 	rm -rf build
