@@ -54,7 +54,7 @@ class Pauses {
 
  private:
   static constexpr unsigned LumpSize = 17;        // characters: 16 of the driver's half ring, and the idle one
-  static constexpr unsigned Tolerance = 4;        // passes may differ by a quarter, and some characters may be missing
+  static constexpr unsigned Tolerance = 8;        // passes may differ by an eighth, and some characters may be missing
   static constexpr unsigned FirstPass = 4000;     // us, until a shorter one was seen
   static constexpr unsigned LongestPass = 16384;  // us
   static constexpr unsigned Forgetting = 32;      // loop() may become slower: the shortest pass grows by 3 % a look

@@ -215,49 +215,59 @@ const uint8_t *Receiver::deliver() {
 }
 
 // Lets the incoming frame begin with the likeliest header at or behind `from`; forgets what stands before it.
-void Receiver::align(uint8_t from) {
-  uint8_t start = from;
-  _place = Place::Any;
-  for (; start < _filled; start++) {
-    if (_misses < Lost && start > _due + Late + LaterEachTime * _misses) {
-      _due = static_cast<int8_t>(_due + _shortened);
-      _misses++;
+void Receiver::align(int from) {
+  const uint8_t *const bytes = _incoming;
+  const int filled = _filled;
+  const int pause = _pauseAt;
+  const bool headerBehindPause = pause < filled && bytes[pause] == HeaderByte;
+  int due = _due;
+  int misses = _misses;
+  int start = from;
+  Place place = Place::Any;
+  for (; start < filled; start++) {
+    if (misses < Lost && start > due + Late + LaterEachTime * misses) {
+      due += _shortened;
+      misses++;
     }
-    if (!headerAt(start)) {
+    if (bytes[start] != HeaderByte) {
       continue;
     }
-    if (start + EndIndex < _filled && (_incoming[start + EndIndex] & EndUnused) != 0) {
+    if (start + EndIndex < filled && (bytes[start + EndIndex] & EndUnused) != 0) {
       _counters.refusedByEnd++;  // nothing need be moved to see that
       continue;
     }
-    if (_misses == 0 && start == _due) {
-      _place = Place::BehindFrame;
+    if (misses == 0 && start == due) {
+      place = Place::BehindFrame;
       break;
     }
-    if (_pauseAt >= start && _pauseAt < _filled && headerAt(_pauseAt)) {
-      start = _pauseAt;
-      _place = Place::BehindPause;
+    if (headerBehindPause && pause >= start) {
+      start = pause;
+      place = Place::BehindPause;
       break;
     }
-    if (_misses == Lost) {
+    if (misses == Lost) {
       break;
     }
-    if (start + Early >= _due) {
-      if (_due > start && _due < _filled && headerAt(_due)) {
-        start = static_cast<uint8_t>(_due);
+    const int early = due - start;
+    // If it is more than a character early, it must at least stand behind an end byte.
+    if (early <= Early && (early <= 1 || start == 0 || (bytes[start - 1] & EndUnused) == 0)) {
+      if (early > 0 && due < filled && bytes[due] == HeaderByte) {
+        start = due;
       }
-      _place = Place::NearDue;
+      place = Place::NearDue;
       break;
     }
   }
-  _aligned = start < _filled;
+  _place = place;
+  _misses = static_cast<uint8_t>(misses);
+  _due = static_cast<int8_t>(due - start);
+  _aligned = start < filled;
   if (start != 0) {
-    _counters.skippedBytes += start;
-    _filled = static_cast<uint8_t>(_filled - start);
+    _counters.skippedBytes += static_cast<unsigned>(start);
+    _filled = static_cast<uint8_t>(filled - start);
     memmove(_incoming, _incoming + start, _filled);
-    _due = static_cast<int8_t>(_due - start);
     _lookAt = static_cast<uint8_t>(_lookAt - start);
-    _pauseAt = _pauseAt < start || !_aligned || _pauseAt == Nowhere ? Nowhere : static_cast<uint8_t>(_pauseAt - start);
+    _pauseAt = pause >= start && pause < filled ? static_cast<uint8_t>(pause - start) : Nowhere;
   }
 }
 

@@ -85,7 +85,7 @@ class Receiver {
   bool pauseSpeaksAgainst();
   bool mayBeShifted(bool nextKnown) const;
   const uint8_t *deliver();
-  void align(uint8_t from);
+  void align(int from);
   bool pauseInside() const { return _pauseAt - 1u < FrameSize - 1u; }  // Nowhere is none
   bool headerAt(int index) const { return _incoming[index] == HeaderByte; }
 
