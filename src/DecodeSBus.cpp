@@ -33,8 +33,8 @@ int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   return count;
 }
 
-// Between two of these the compiler keeps its reads: what parseSBusFrame() writes may change at any instruction. (A macro,
-// because -Os makes a call of an inline function.)
+// Between two of these the compiler keeps its reads: what parseSBusFrame() writes may change at any instruction. (A
+// macro, because -Os makes a call of an inline function.)
 #define READ_ANEW() __atomic_signal_fence(__ATOMIC_SEQ_CST)
 
 }  // namespace

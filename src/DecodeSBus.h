@@ -14,19 +14,19 @@
 
 // One receiver on one serial port; several objects may live side by side on different ports.
 //
-// Call the methods from setup(), loop() or serialEventN(). One exception: on the STM32L0 parseSBusFrame() may be called
-// from Serial1.onReceive(), that is at PendSV level, while loop() calls the others. Nobody then gets half of one frame and
-// half of another, even if two frames complete while loop() reads, and no interrupt is ever disabled. What breaks this:
-// calling parseSBusFrame() from both contexts, calling begin(), end() or a setter while frames come in, and a core that
-// does not read 32 bits at once (AVR). Call onReceive() before begin() or straight behind it: the port tells of new bytes
-// only once until somebody reads them.
+// Call the methods from setup(), loop() or serialEventN(). One exception: on the STM32L0 parseSBusFrame() may be
+// called from Serial1.onReceive(), that is at PendSV level, while loop() calls the others. Nobody then gets half of
+// one frame and half of another, even if two frames complete while loop() reads, and no interrupt is ever disabled.
+// What breaks this: calling parseSBusFrame() from both contexts, calling begin(), end() or a setter while frames come
+// in, and a core that does not read 32 bits at once (AVR). Call onReceive() before begin() or straight behind it: the
+// port tells of new bytes only once until somebody reads them.
 class DecodeSBus {
  public:
   // `serial` must outlive the object. Nothing is opened yet.
   explicit DecodeSBus(HardwareSerial &serial) : _serial(serial) {}
 
-  // Opens the port: 100000 baud, SERIAL_SBUS (8E2, inverted). On a core that has no SERIAL_SBUS it opens SERIAL_8E2, and
-  // the line then needs an inverter. Forgets all frames seen so far, and the counters.
+  // Opens the port: 100000 baud, SERIAL_SBUS (8E2, inverted). On a core that has no SERIAL_SBUS it opens SERIAL_8E2,
+  // and the line then needs an inverter. Forgets all frames seen so far, and the counters.
   void begin();
 
   // The same with another baud rate or format: begin(100000, SERIAL_8E2) for a receiver's uninverted pad.
@@ -44,26 +44,27 @@ class DecodeSBus {
   // How many lost frames in a row count as failsafe: 100 unless told; 0: any number is none.
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
-  // Takes in the bytes that wait on the port; never waits itself. Call it from serialEventN(), or from loop(), at least
-  // every 5 ms: the core's buffer of 64 bytes takes 7.7 ms of a line without pauses. After a longer wait frames are lost,
-  // but none is mixed up. A frame is there at the first call after its last byte came in. Only one that might be the
-  // beginning of a longer, damaged one waits for what follows, until the next frame's first byte at the most: behind a
-  // frame with CH16 below 128, or if the flags change together with CH16. A call without bytes lets it come sooner.
-  // Cost: see README.md. It is linear in the bytes read, whatever they are.
+  // Takes in the bytes that wait on the port; never waits itself. Call it from serialEventN(), or from loop(), at
+  // least every 5 ms: the core's buffer of 64 bytes takes 7.7 ms of a line without pauses. After a longer wait frames
+  // are lost, but none is mixed up. A frame is there at the first call after its last byte came in. Only one that
+  // might be the beginning of a longer, damaged one waits for what follows, until the next frame's first byte at the
+  // most: behind a frame with CH16 below 128, or if the flags change together with CH16. A call without bytes lets it
+  // come sooner. Cost: see README.md. It is linear in the bytes read, whatever they are.
   void parseSBusFrame();
 
   // The newest whole frame: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1.
   //   lostFrame  this radio frame did not arrive, the channels are old ones; comes and goes in flight
   //   failsafe   the receiver has given the link up, the channels are its failsafe setting; or it has reported lost
   //              frames for too long (setLossLimit)
-  // Before the first frame, and when the newest is older than the timeout, both are true and `channels` is left as it is.
+  // Before the first frame, and when the newest is older than the timeout, both are true and `channels` is left as it
+  // is.
   void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame);
 
   // True if a frame has come that decodeSBusFrame() has not been asked for yet.
   bool newFrame() const { return _receiver.counters().frames != _decoded; }
 
-  // Age of the newest frame in ms; ULONG_MAX before the first. Wraps after 71 minutes, as micros() does: ask linkState(),
-  // which does not forget that the link is stale, if it is asked once an hour.
+  // Age of the newest frame in ms; ULONG_MAX before the first. Wraps after 71 minutes, as micros() does: ask
+  // linkState(), which does not forget that the link is stale, if it is asked once an hour.
   unsigned long frameAge() const;
 
   // The one answer to "may I still trust these numbers?": NeverSeen, Ok, Lossy, Failsafe or Stale (sbus/Link.h).

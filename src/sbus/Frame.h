@@ -3,7 +3,7 @@
 // Sources: J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", chapter 2, for the layout; captures of real
 // receivers for the end bytes other than 0x00.
 //
-// Plain C++11 without Arduino.h, heap or library calls. Every function may be called from any context.
+// Plain C++11: no Arduino, no heap, no library calls. Every function may be called from any context.
 #pragma once
 
 #include <stdint.h>
@@ -73,8 +73,8 @@ constexpr bool failsafe(const uint8_t *frame) {
 // Writes all 18 channels of `frame` (25 bytes; header and end byte are not looked at) to `channels` (18 values).
 void unpack(const uint8_t *frame, uint16_t *channels);
 
-// The same for a frame whose payload, byte 1, stands at a multiple of four, on a machine that has the low byte of a word
-// first: 113 cycles instead of 231 on a Cortex-M0+, and 18 bytes less.
+// The same for a frame whose payload, byte 1, stands at a multiple of four, on a machine that has the low byte of a
+// word first: 113 cycles instead of 231 on a Cortex-M0+, and 18 bytes less.
 void unpackAligned(const uint8_t *frame, uint16_t *channels);
 
 // Writes a whole frame, 25 bytes with end byte 00: the exact inverse of unpack(). Any value is well defined: channels

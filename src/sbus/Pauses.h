@@ -5,13 +5,13 @@
 
 namespace sbus {
 
-// Bytes come late and in lumps: the board's core hands them over when 16 have come, or when the line has been idle for one
-// character; a loop() fetches them once a pass. Between two looks that find bytes, a line without a pause is silent no
-// longer than
+// Bytes come late and in lumps: the board's core hands them over when 16 have come, or when the line has been idle
+// for one character; a loop() fetches them once a pass. Between two looks that find bytes, a line without a pause is
+// silent no longer than
 //   a lump takes  +  a pass of loop()      so what lasts longer was a pause, and
 //   its own bytes +  a pass of loop()      so was this, if fewer bytes came than a lump.
-// Nobody tells how long a pass is, and it differs from sketch to sketch. The shortest time between two looks is not less,
-// and not much more.
+// Nobody tells how long a pass is, and it differs from sketch to sketch. The shortest time between two looks is not
+// less, and not much more.
 class Pauses {
  public:
   // `characterTime` in us: 120 at 100000 baud.

@@ -148,10 +148,10 @@ bool Receiver::pauseSpeaksAgainst() {
   return _pauseAt <= FewAhead || again;
 }
 
-// Could these 25 bytes be the beginning of a frame into which a character was inserted? Then its own flags stand where the
-// end byte is looked for, CH16 where the flags are, and its own end byte is `next`. Or could they be of a frame that has
-// lost one? Then a byte from behind it stands where the end byte is looked for. Both are told by the last frame, from
-// which this one should not differ in all of these at once.
+// Could these 25 bytes be the beginning of a frame into which a character was inserted? Then its own flags stand
+// where the end byte is looked for, CH16 where the flags are, and its own end byte is `next`. Or could they be of a
+// frame that has lost one? Then a byte from behind it stands where the end byte is looked for. Both are told by the
+// last frame, from which this one should not differ in all of these at once.
 bool Receiver::mayBeShifted(bool nextKnown) const {
   const uint8_t *const frame = _incoming;
   const uint8_t *const last = _complete;
@@ -170,7 +170,8 @@ bool Receiver::mayBeShifted(bool nextKnown) const {
     return false;
   }
   if (nextKnown && _lookAt != FrameSize) {  // and it was read together with these
-    return inserted || (end != TelemetryEndByte && (newFlags || (_filled - FrameSize + _waiting > ManyMore && _pauses.shortPasses())));
+    const bool manyMore = _filled - FrameSize + _waiting > ManyMore && _pauses.shortPasses();
+    return inserted || (end != TelemetryEndByte && (newFlags || manyMore));
   }
   return inserted && (isFlagsByte(last[FlagsIndex - 1]) ||
                       (newFlags && (nextKnown || frame[FlagsIndex - 1] != last[FlagsIndex - 1])));

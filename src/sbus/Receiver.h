@@ -9,8 +9,8 @@
 
 namespace sbus {
 
-// Two buffers: one holds the last complete frame, the other the frame that is coming in. Their roles are swapped when a
-// frame is complete; no frame is ever copied. Bytes are read straight into the incoming frame:
+// Two buffers: one holds the last complete frame, the other the frame that is coming in. Their roles are swapped when
+// a frame is complete; no frame is ever copied. Bytes are read straight into the incoming frame:
 //
 //   do {
 //     room = receiver.room();
@@ -23,8 +23,8 @@ namespace sbus {
 // There is no checksum, and 0F is a frequent payload byte: neutral FrSky sticks send it twice a frame. So a frame is
 // delivered only if nothing speaks against it:
 //   - header, end byte and the flags' unused bits are right;
-//   - it begins where a frame has to: behind the last frame or behind a pause, or, when a character was lost or inserted,
-//     near the place where the next header is due. Without any such clue a header must follow it;
+//   - it begins where a frame has to: behind the last frame or behind a pause, or, when a character was lost or
+//     inserted, near the place where the next header is due. Without any such clue a header must follow it;
 //   - no pause lies within it;
 //   - no further character belongs to it, and it does not look like a frame that has lost or gained one. If that
 //     cannot be known yet the frame waits, until the next frame's header at the most.
@@ -44,16 +44,16 @@ class Receiver {
   uint8_t *space() { return _incoming + _filled; }
   int room() const { return Capacity - _filled; }
 
-  // `count` bytes, at most room(), were written to space() at `now` (us, wraps), and `waiting` more wait to be read. All
-  // with the same `now` is one look at the port. Returns the frame that they completed, or nullptr. A call without bytes
-  // lets a frame that waits for what follows know that nothing does.
+  // `count` bytes, at most room(), were written to space() at `now` (us, wraps), and `waiting` more wait to be read.
+  // All with the same `now` is one look at the port. Returns the frame that they completed, or nullptr. A call
+  // without bytes lets a frame that waits for what follows know that nothing does.
   const uint8_t *received(int count, int waiting, uint32_t now);
 
   // The port lost bytes behind the last one received: what has come of the incoming frame will never be completed.
   void broken();
 
-  // The last complete frame, 25 bytes; nullptr before the first. It may be overwritten as soon as the second frame after
-  // it comes in: what was read of it is good only if counters().frames has not changed meanwhile.
+  // The last complete frame, 25 bytes; nullptr before the first. It may be overwritten as soon as the second frame
+  // after it comes in: what was read of it is good only if counters().frames has not changed meanwhile.
   const uint8_t *frame() const { return _hasFrame ? _complete : nullptr; }
 
   // The same where it is known that there is one.

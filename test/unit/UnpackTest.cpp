@@ -10,9 +10,17 @@
 
 namespace {
 
+// By both ways of unpacking, which have to agree.
 Channels unpacked(const Frame &frame) {
   Channels channels;
   sbus::unpack(frame.data(), channels.data());
+  alignas(4) uint8_t padded[3 + 25];
+  std::copy(frame.begin(), frame.end(), padded + 3);
+  Channels aligned;
+  sbus::unpackAligned(padded + 3, aligned.data());
+  if (aligned != channels) {
+    FAIL("unpack() and unpackAligned() differ");
+  }
   return channels;
 }
 
@@ -90,6 +98,17 @@ TEST_CASE("unpack writes 18 values and not one more") {
   std::array<uint16_t, 20> guarded;
   guarded.fill(0xABCD);
   sbus::unpack(PaperLow.bytes.data(), guarded.data() + 1);
+  CHECK(guarded.front() == 0xABCD);
+  CHECK(guarded[18] == 0);
+  CHECK(guarded.back() == 0xABCD);
+}
+
+TEST_CASE("unpackAligned writes 18 values and not one more") {
+  alignas(4) uint8_t padded[3 + 25];
+  std::copy(PaperLow.bytes.begin(), PaperLow.bytes.end(), padded + 3);
+  std::array<uint16_t, 20> guarded;
+  guarded.fill(0xABCD);
+  sbus::unpackAligned(padded + 3, guarded.data() + 1);
   CHECK(guarded.front() == 0xABCD);
   CHECK(guarded[18] == 0);
   CHECK(guarded.back() == 0xABCD);
