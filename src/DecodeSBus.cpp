@@ -56,25 +56,21 @@ void DecodeSBus::end() {
 
 void DecodeSBus::parseSBusFrame() {
   const uint32_t now = micros();
-  int left = BufferFull;  // until a full buffer is read out: behind that the line is broken
+  int total = 0;
   int room;
   int count;
   do {
     room = _receiver.room();
-    if (room > left) {
-      room = left;
-    }
     count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(room), 0);
+    total += count;
     const int waiting = count == room ? _serial.available() : 0;
     if (const uint8_t *const frame = _receiver.received(count, waiting, now)) {
       _link.frame(frame[sbus::FlagsIndex]);
     }
-    left -= count;
-    if (left == 0) {
-      _receiver.broken();
-      left = BufferFull;
-    }
   } while (count == room);
+  if (total >= BufferFull) {
+    _receiver.broken();
+  }
 }
 
 // A frame that comes in between is younger than the clock that was read: then everything is read again.

@@ -14,7 +14,6 @@ constexpr int LaterEachTime = 2;  // if one did not come, the place where it was
 
 // After so many headers that did not come where they were due, nothing is known of where they are due.
 constexpr uint8_t Lost = 6;
-constexpr uint8_t Unsure = Lost - 1;  // one more chance; what the last frame was like is forgotten
 
 // The first so many, or the last so many bytes of 25 are rather noise before, or the beginning of, another frame.
 constexpr uint8_t FewAhead = 4;
@@ -35,7 +34,6 @@ void Receiver::reset(uint32_t now, uint8_t characterTime) {
   _shortened = FrameSize - 1;
   _hasFrame = false;
   _disputed = 0;
-  _lookAt = 0;
   _due = 0;
   _filled = 0;
   broken();
@@ -63,6 +61,7 @@ const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
       _pauseAt = _filled;
     }
   }
+  _waiting = static_cast<uint8_t>(waiting);
   _filled = static_cast<uint8_t>(_filled + count);
   if (!_aligned || !headerAt(0)) {
     align(0);
@@ -70,7 +69,7 @@ const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
   if (_filled < FrameSize) {
     return nullptr;
   }
-  return likeTheLast() ? deliver() : search(waiting, quiet);
+  return likeTheLast() ? deliver() : search();
 }
 
 // The usual case, made quick: alone, behind the last frame, with the same flags and end byte, and not mayBeShifted().
@@ -82,29 +81,20 @@ bool Receiver::likeTheLast() const {
          !isFlagsByte(last[FlagsIndex - 1]);
 }
 
-const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
-  _waiting = static_cast<uint8_t>(waiting);
+const uint8_t *Receiver::search() {
   while (_filled >= FrameSize) {
     const Verdict verdict = judge();
     if (verdict == Verdict::Wait) {
       break;
     }
     if (verdict == Verdict::Deliver) {
-      const bool waited = _lookAt == FrameSize;
-      const uint8_t *const frame = deliver();
-      if (waited) {
-        _frameTime -= quiet;  // it came with the look before, and is as old as that
-      }
-      return frame;
+      return deliver();
     }
     if (_place >= Place::BehindPause) {
       _due = static_cast<int8_t>(_shortened);  // most often the refused frame has lost one character
       if (_misses < Lost) {
         _misses++;
       }
-    } else if (_place == Place::Any && _incoming[EndIndex] == LongEndByte && isFrame(_incoming)) {
-      _due = FrameSize + LongTailSize;  // no header can stand right behind it: then one behind its tail
-      _misses = Unsure;
     }
     align(1);
   }
@@ -170,7 +160,7 @@ bool Receiver::mayBeShifted(bool nextKnown) const {
   const uint8_t next = frame[FrameSize];
   const bool newFlags = flags != last[FlagsIndex];
   const bool inserted = isFlagsByte(end) && (!nextKnown || (isEndByte(next) && sameKindOfEnd(next, end)));
-  if (!_hasFrame || _misses >= Unsure) {
+  if (!_hasFrame || _misses == Lost) {
     return nextKnown && end != LongEndByte && inserted;
   }
   if (!sameKindOfEnd(end, last[EndIndex]) || (newFlags && flags == HeaderByte && _lookAt == FlagsIndex)) {

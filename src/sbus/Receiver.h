@@ -81,7 +81,7 @@ class Receiver {
 
   Verdict judge();
   bool likeTheLast() const;
-  const uint8_t *search(int waiting, uint32_t quiet);
+  const uint8_t *search();
   bool pauseSpeaksAgainst();
   bool mayBeShifted(bool nextKnown) const;
   const uint8_t *deliver();
