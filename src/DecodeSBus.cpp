@@ -33,6 +33,11 @@ int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   return count;
 }
 
+// A frame has come, and within the timeout.
+inline bool isYoung(sbus::LinkState state) {
+  return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
+}
+
 // Between two of these the compiler keeps its reads: what parseSBusFrame() writes may change at any instruction. (A
 // macro, because -Os makes a call of an inline function.)
 #define READ_ANEW() __atomic_signal_fence(__ATOMIC_SEQ_CST)
@@ -87,8 +92,7 @@ sbus::LinkState DecodeSBus::linkState() {
 }
 
 bool DecodeSBus::SBusFrameOk() {
-  const sbus::LinkState state = linkState();
-  return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
+  return isYoung(linkState());
 }
 
 unsigned long DecodeSBus::frameAge() const {
@@ -107,8 +111,7 @@ unsigned long DecodeSBus::frameAge() const {
 }
 
 void DecodeSBus::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
-  const sbus::LinkState state = linkState();
-  if (state == sbus::LinkState::NeverSeen || state == sbus::LinkState::Stale) {
+  if (!isYoung(linkState())) {
     failsafe = true;
     lostFrame = true;
     return;
