@@ -85,22 +85,17 @@ $(eval $(call archive,plain,-DHOST_PLAIN_CORE))
 # OUT/VARIANT/Torture prints the table.
 LINE_PARTS := Bench Conditions Judge Sticks WireLine
 LINE_INCLUDES := -Iline -Iunit -I$(SRC) -I$(HOST) $(ARDUINO)
+define line_rule
+$(OUT)/$1/%.o: $3/%.cpp build.mk
+	@mkdir -p $$(@D)
+	$(CXX) -std=c++17 $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
+
+endef
 define line
 $(OUT)/$1/src/%.o: $(SRC)/%.cpp build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(BOARD) $(WARNINGS) $2 $$(DEPENDENCIES) -I$(SRC) $(ARDUINO) -c $$< -o $$@
-$(OUT)/$1/%.o: line/%.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) -std=c++17 $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
-$(OUT)/$1/%.o: unit/%.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) -std=c++17 $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
-$(OUT)/$1/%.o: $(HOST)/runtime/%.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) -std=c++17 $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
-$(OUT)/$1/%.o: $(HOST)/arduino/%.cpp build.mk
-	@mkdir -p $$(@D)
-	$(CXX) -std=c++17 $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
+$(foreach folder,line unit $(HOST)/runtime $(HOST)/arduino,$(call line_rule,$1,$2,$(folder)))
 $(OUT)/$1/TortureTest: $(OUT)/$1/Main.o
 $(OUT)/$1/Torture $(OUT)/$1/TortureTest: $(OUT)/$1/%: $(OUT)/$1/%.o $(LINE_PARTS:%=$(OUT)/$1/%.o) \
   $(SOURCES:%.cpp=$(OUT)/$1/src/%.o) $(OUT)/$1/BoardUart.o $(OUT)/$1/FakeClock.o $(OUT)/$1/Print.o

@@ -69,6 +69,7 @@ mkdir -p "$build/sketch/README"
 sed -n '/^```cpp$/,/^```$/{/^```/!p}' ../README.md >"$build/sketch/README/README.ino"
 program "$build/sketch/README"
 golden README "$build/README" --seconds 4
+rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
 
 while IFS= read -r message; do

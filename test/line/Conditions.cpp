@@ -35,27 +35,9 @@ constexpr const char *LowChannel =
 constexpr const char *FrameLike = "measured; one 36-byte frame of any content in 700 begins like a whole frame";
 constexpr const char *Measured = "measured";
 
-Impairments dropped(double probability) {
+Impairments only(double Impairments::*kind, double probability) {
   Impairments impairments;
-  impairments.dropped = probability;
-  return impairments;
-}
-
-Impairments inserted(double probability) {
-  Impairments impairments;
-  impairments.inserted = probability;
-  return impairments;
-}
-
-Impairments flipped(double probability) {
-  Impairments impairments;
-  impairments.flipped = probability;
-  return impairments;
-}
-
-Impairments noise(double probability) {
-  Impairments impairments;
-  impairments.noise = probability;
+  impairments.*kind = probability;
   return impairments;
 }
 
@@ -95,29 +77,29 @@ const std::vector<Condition> &conditions() {
        bounds({None, None})},
       {"clean, short pauses", {}, Kind::Plain, PausesHidden,
        bounds({None, None})},
-      {"dropped 1/500", dropped(1 / 500.), Kind::Plain, PausesSeen,
+      {"dropped 1/500", only(&Impairments::dropped, 1 / 500.), Kind::Plain, PausesSeen,
        bounds({Missed, None}, {Missed, None}, {Missed, Deceived})},
-      {"dropped 1/500, short pauses", dropped(1 / 500.), Kind::Plain, PausesHidden,
+      {"dropped 1/500, short pauses", only(&Impairments::dropped, 1 / 500.), Kind::Plain, PausesHidden,
        bounds({Missed, 1e-4, Hidden}, {0.05, 0.05, Standing}, {0.5, 0.5, Hidden})},
-      {"dropped 1/300", dropped(1 / 300.), Kind::Plain, PausesSeen,
+      {"dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::Plain, PausesSeen,
        bounds({Missed, None}, {Missed, None}, {Missed, Deceived})},
-      {"dropped 1/300, short pauses", dropped(1 / 300.), Kind::Plain, PausesHidden,
+      {"dropped 1/300, short pauses", only(&Impairments::dropped, 1 / 300.), Kind::Plain, PausesHidden,
        bounds({Missed, 1e-4, Hidden}, {0.05, 0.05, Standing}, {0.5, 0.5, Hidden})},
-      {"dropped 1/50", dropped(1 / 50.), Kind::Plain, PausesSeen,
+      {"dropped 1/50", only(&Impairments::dropped, 1 / 50.), Kind::Plain, PausesSeen,
        bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, Unsafe})},
-      {"dropped 1/50, short pauses", dropped(1 / 50.), Kind::Plain, PausesHidden,
+      {"dropped 1/50, short pauses", only(&Impairments::dropped, 1 / 50.), Kind::Plain, PausesHidden,
        bounds({Missed, Unsafe}, {0.002, Unsafe, Standing}, {0.25, 0.2, Hidden})},
-      {"inserted 1/500", inserted(1 / 500.), Kind::Plain, PausesSeen,
+      {"inserted 1/500", only(&Impairments::inserted, 1 / 500.), Kind::Plain, PausesSeen,
        bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, 0.002, LowChannel})},
-      {"inserted 1/500, short pauses", inserted(1 / 500.), Kind::Plain, PausesHidden,
+      {"inserted 1/500, short pauses", only(&Impairments::inserted, 1 / 500.), Kind::Plain, PausesHidden,
        bounds({0.1, Unsafe, Hidden}, {0.1, Unsafe, Hidden}, {2.5, 2, Hidden})},
-      {"two bits flipped 1/300", flipped(1 / 300.), Kind::Plain, PausesSeen,
+      {"two bits flipped 1/300", only(&Impairments::flipped, 1 / 300.), Kind::Plain, PausesSeen,
        bounds({Missed, None}, {Missed, None}, {Missed, 5e-4, Measured})},
-      {"two bits flipped 1/300, short pauses", flipped(1 / 300.), Kind::Plain, PausesHidden,
+      {"two bits flipped 1/300, short pauses", only(&Impairments::flipped, 1 / 300.), Kind::Plain, PausesHidden,
        bounds({0.004, None, Hidden}, {0.004, None, Hidden}, {5, 5, Hidden})},
-      {"noise in 1/10 of the pauses", noise(0.1), Kind::Plain, PausesSeen,
+      {"noise in 1/10 of the pauses", only(&Impairments::noise, 0.1), Kind::Plain, PausesSeen,
        bounds({0.005, None, LikeInserted}, {0.003, None, LikeInserted}, {0.005, 2e-4, LikeInserted})},
-      {"noise in 1/10, short pauses", noise(0.1), Kind::Plain, PausesHidden,
+      {"noise in 1/10, short pauses", only(&Impairments::noise, 0.1), Kind::Plain, PausesHidden,
        bounds({0.025, 1e-4, LikeInserted}, {0.01, 5e-4, Standing}, {0.08, 0.06, Hidden})},
       {"joined midway", {}, Kind::Plain, JoinSeen,
        bounds({None, None}), 0, true},
@@ -125,11 +107,11 @@ const std::vector<Condition> &conditions() {
        bounds({None, None}, {0.005, 0.005, Standing}, {2, 2, Hidden}), 0, true},
       {"S.BUS2 with telemetry", {}, Kind::Sbus2, WithTelemetry,
        bounds({None, None})},
-      {"S.BUS2, dropped 1/300", dropped(1 / 300.), Kind::Sbus2, WithTelemetry,
+      {"S.BUS2, dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::Sbus2, WithTelemetry,
        bounds({Missed, None}, {Missed, None}, {0.003, 0.003, Hidden})},
       {"R7003SB", {}, Kind::R7003SB, WithLongTail,
        bounds({None, None})},
-      {"R7003SB, dropped 1/300", dropped(1 / 300.), Kind::R7003SB, WithLongTail,
+      {"R7003SB, dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::R7003SB, WithLongTail,
        bounds({Missed, 1e-4, Hidden}, {Missed, 1e-4, Standing}, {Missed, Deceived})},
       {"2F and 36-byte frames between", {}, Kind::Further, WithFurther,
        bounds({3e-4, 2e-5, FrameLike}, {3e-4, 2e-5, FrameLike}, {3e-4, 2e-5, FrameLike})},

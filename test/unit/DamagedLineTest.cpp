@@ -31,6 +31,10 @@ Frames allBut(Frames frames, unsigned index) {
   return frames;
 }
 
+bool holds(const Bytes &bytes, const Frame &frame) {
+  return std::search(bytes.begin(), bytes.end(), frame.begin(), frame.end()) != bytes.end();
+}
+
 // What a line of neutralFrames() gives, `burst` coming instead of one of them, in lumps and with pauses or without.
 Frames withBurst(const Bytes &burst, size_t lump, uint32_t pauseUs) {
   Feeder feeder;
@@ -153,7 +157,7 @@ TEST_CASE("any byte inserted at any place of a neutral frame costs at most that 
       CAPTURE(index);
       CAPTURE(byte);
       const Bytes burst = with(neutralFrame(Damaged), index, static_cast<uint8_t>(byte));
-      const bool mayCome = std::search(burst.begin(), burst.end(), all[Damaged].begin(), all[Damaged].end()) != burst.end();
+      const bool mayCome = holds(burst, all[Damaged]);
       for (const size_t lump : {16u, 64u}) {
         CAPTURE(lump);
         const Frames found = withBurst(burst, lump, PauseUs);
@@ -175,7 +179,7 @@ TEST_CASE("any byte inserted at any place of a neutral frame, without any pause,
       CAPTURE(index);
       CAPTURE(byte);
       const Bytes burst = with(neutralFrame(Damaged), index, static_cast<uint8_t>(byte));
-      const bool mayCome = std::search(burst.begin(), burst.end(), all[Damaged].begin(), all[Damaged].end()) != burst.end();
+      const bool mayCome = holds(burst, all[Damaged]);
       for (const size_t lump : {16u, 64u}) {
         CAPTURE(lump);
         const Frames found = withBurst(burst, lump, 0);

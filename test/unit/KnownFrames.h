@@ -42,26 +42,24 @@ constexpr KnownFrame Sbus2 = {
 
 constexpr KnownFrame KnownFrames[] = {PaperLow, PaperHigh, Neutral, Sbus2};
 
-// Frame number `number` of a line with neutral FrSky sticks: all channels 992, but CH1 counts. 0F twice in the payload.
-inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) {
+// Frame number `number` of a line whose CH1 counts, from `first`, and whose other channels stand at `centre`.
+inline Frame countingFrame(uint16_t centre, unsigned first, unsigned number, uint8_t end) {
   Channels channels{};
   for (unsigned channel = 0; channel < 16; channel++) {
-    channels[channel] = 992;
+    channels[channel] = centre;
   }
-  channels[0] = static_cast<uint16_t>(900 + number);
+  channels[0] = static_cast<uint16_t>(first + number);
   Frame frame = writeBitByBit(channels);
   frame[24] = end;
   return frame;
 }
 
-// The same with Futaba's centre 1024: no 0F in the payload at all.
+// With FrSky's neutral sticks, 992: 0F twice in the payload.
+inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) {
+  return countingFrame(992, 900, number, end);
+}
+
+// With Futaba's centre, 1024: no 0F in the payload at all.
 inline Frame plainFrame(unsigned number, uint8_t end = 0x00) {
-  Channels channels{};
-  for (unsigned channel = 0; channel < 16; channel++) {
-    channels[channel] = 1024;
-  }
-  channels[0] = static_cast<uint16_t>(1024 + number);
-  Frame frame = writeBitByBit(channels);
-  frame[24] = end;
-  return frame;
+  return countingFrame(1024, 1024, number, end);
 }

@@ -69,6 +69,13 @@ Frame frameOf(unsigned number) {
   return frame;
 }
 
+// What the channels of the sketch hold before a frame is decoded: no frame holds that.
+const Channels Untouched = [] {
+  Channels channels;
+  channels.fill(4711);
+  return channels;
+}();
+
 struct Situation {
   doctest::String what;
   unsigned framesBefore;   // have come when the reader begins
@@ -164,10 +171,7 @@ void everyInstruction(const Reader &reader, const Check &check, const Situations
 TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if it was the newest") {
   Decoded decoded;
   everyInstruction(
-      [&](FakeBoard &board) {
-        decoded.channels.fill(4711);
-        board.sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
-      },
+      [&](FakeBoard &board) { decoded = board.decode(Untouched); },
       [&](Scene &now, bool) {
         unsigned given = UINT32_MAX;  // the number of the frame
         for (unsigned number = 0; number < now.next; number++) {
@@ -176,9 +180,7 @@ TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if
           }
         }
         if (given == UINT32_MAX) {
-          Channels untouched;
-          untouched.fill(4711);
-          REQUIRE(decoded.channels == untouched);
+          REQUIRE(decoded.channels == Untouched);
           REQUIRE(situation->stale);  // when the reader began
           REQUIRE(decoded.failsafe);
           REQUIRE(decoded.lostFrame);
@@ -201,14 +203,9 @@ TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if
 TEST_CASE("an interrupt so long that the link is stale behind it leaves one whole frame, or the channels as they were") {
   Decoded decoded;
   everyInstruction(
-      [&](FakeBoard &board) {
-        decoded.channels.fill(4711);
-        board.sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
-      },
+      [&](FakeBoard &board) { decoded = board.decode(Untouched); },
       [&](Scene &now, bool) {
-        Channels untouched;
-        untouched.fill(4711);
-        bool whole = decoded.channels == untouched;
+        bool whole = decoded.channels == Untouched;
         for (unsigned number = 0; number < now.next; number++) {
           whole = whole || decoded.channels == channelsOf(number);
         }
@@ -216,7 +213,7 @@ TEST_CASE("an interrupt so long that the link is stale behind it leaves one whol
         // The frames are old when the reader is through: whatever flags it gives must be those of what it read, or both.
         const bool youngFlags = !decoded.failsafe || !decoded.lostFrame;
         CHECK((whole || !youngFlags));
-        CHECK((!youngFlags || decoded.channels != untouched));
+        CHECK((!youngFlags || decoded.channels != Untouched));
       },
       {{"two frames come, then 200 ms", 3, 9, 2, 200, false},
        {"one frame comes, then 200 ms", 3, 9, 1, 200, false}});
