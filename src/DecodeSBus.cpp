@@ -59,21 +59,25 @@ void DecodeSBus::end() {
   _serial.end();
 }
 
+// Takes in what waits now and no more: what comes meanwhile may stand behind a break, and is there at the next call.
 void DecodeSBus::parseSBusFrame() {
   const uint32_t now = micros();
-  int total = 0;
-  int room;
-  int count;
-  do {
-    room = _receiver.room();
-    count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(room), 0);
-    total += count;
-    const int waiting = count == room ? _serial.available() : 0;
+  int room = _receiver.room();
+  int count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(room), 0);
+  int waiting = count == room ? _serial.available() : 0;
+  const bool full = count + waiting >= BufferFull;
+  for (;;) {
     if (const uint8_t *const frame = _receiver.received(count, waiting, now)) {
       _link.frame(frame[sbus::FlagsIndex]);
     }
-  } while (count == room);
-  if (total >= BufferFull) {
+    if (waiting == 0 || count == 0) {
+      break;
+    }
+    room = _receiver.room();
+    count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);
+    waiting -= count;
+  }
+  if (full) {
     _receiver.broken();
   }
 }

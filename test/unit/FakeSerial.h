@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <vector>
 
 // Last: its macros min and max break the standard headers behind it.
@@ -23,6 +24,9 @@ class FakeSerial : public HardwareSerial {
   std::vector<Opening> openings;
   unsigned closings = 0;
   unsigned singleReads = 0;
+
+  // Called before each read(buffer, size): what comes in while a sketch reads.
+  std::function<void()> beforeRead = [] {};
 
   // The wire: `bytes` come in from outside. Returns how many were kept.
   template <typename Container>
@@ -54,6 +58,7 @@ class FakeSerial : public HardwareSerial {
   }
 #if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override {
+    beforeRead();
     size_t count = 0;
     while (count < size && !_waiting.empty()) {
       buffer[count++] = static_cast<uint8_t>(next());
