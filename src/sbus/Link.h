@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "Frame.h"
+
 namespace sbus {
 
 enum class LinkState : uint8_t {
@@ -56,5 +58,20 @@ class Link {
   bool _stale = false;
   LinkState _state = LinkState::NeverSeen;  // of the newest frame, when it came
 };
+
+inline void Link::frame(uint8_t flags) {
+  if ((flags & (FlagLostFrame | FlagFailsafe)) == 0) {
+    _losses = 0;
+    _state = LinkState::Ok;
+    return;
+  }
+  if ((flags & FlagLostFrame) == 0) {
+    _losses = 0;
+  } else if (_losses < UINT16_MAX) {
+    _losses++;
+  }
+  const bool tooMany = _lossLimit != 0 && _losses >= _lossLimit;
+  _state = tooMany || (flags & FlagFailsafe) != 0 ? LinkState::Failsafe : LinkState::Lossy;
+}
 
 }  // namespace sbus

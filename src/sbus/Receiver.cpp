@@ -14,6 +14,7 @@ constexpr int LaterEachTime = 2;  // if one did not come, the place where it was
 
 // After so many headers that did not come where they were due, nothing is known of where they are due.
 constexpr uint8_t Lost = 6;
+constexpr uint8_t Unsure = Lost - 1;  // one more chance; what the last frame was like is forgotten
 
 // The first so many, or the last so many bytes of 25 are rather noise before, or the beginning of, another frame.
 constexpr uint8_t FewAhead = 4;
@@ -25,6 +26,11 @@ constexpr uint8_t ManyMore = 4;
 // Frames with further channels begin with 2F (FASSTest 26): such a header, too, ends what stands before it.
 constexpr uint8_t HeaderMask = 0xDF;
 
+// How often more a look must begin with another header than with those of the frames delivered, until the other is
+// believed. Little: the first of these frames was found without a pause before it.
+constexpr uint8_t LittleTrust = 1;
+constexpr uint8_t FullTrust = 8;
+
 constexpr uint8_t PeriodShift = 3;  // the measured period moves by an eighth of what is new
 
 }  // namespace
@@ -34,6 +40,7 @@ void Receiver::reset(uint32_t now, uint8_t characterTime) {
   _shortened = FrameSize - 1;
   _hasFrame = false;
   _disputed = 0;
+  _trust = LittleTrust;
   _due = 0;
   _filled = 0;
   broken();
@@ -59,9 +66,10 @@ const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
     _lookAt = _filled;
     if (_pauses.before(static_cast<unsigned>(count + waiting), quiet)) {
       _pauseAt = _filled;
+    } else if (headerAt(_filled)) {
+      weigh();
     }
   }
-  _waiting = static_cast<uint8_t>(waiting);
   _filled = static_cast<uint8_t>(_filled + count);
   if (!_aligned || !headerAt(0)) {
     align(0);
@@ -69,11 +77,11 @@ const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
   if (_filled < FrameSize) {
     return nullptr;
   }
-  return likeTheLast() ? deliver() : search();
+  return likeTheLast() ? deliver() : search(waiting, quiet);
 }
 
 // The usual case, made quick: alone, behind the last frame, with the same flags and end byte, and not mayBeShifted().
-bool Receiver::likeTheLast() const {
+inline bool Receiver::likeTheLast() const {
   const uint8_t *const frame = _incoming;
   const uint8_t *const last = _complete;
   return _filled == FrameSize && _place == Place::BehindFrame && !pauseInside() &&
@@ -81,28 +89,54 @@ bool Receiver::likeTheLast() const {
          !isFlagsByte(last[FlagsIndex - 1]);
 }
 
-const uint8_t *Receiver::search() {
+inline const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
+  _waiting = static_cast<uint8_t>(waiting);
   while (_filled >= FrameSize) {
     const Verdict verdict = judge();
     if (verdict == Verdict::Wait) {
       break;
     }
     if (verdict == Verdict::Deliver) {
-      return deliver();
+      const bool waited = _lookAt == FrameSize;
+      const uint8_t *const frame = deliver();
+      if (waited) {
+        _frameTime -= quiet;  // it came with the look before, and is as old as that
+      }
+      return frame;
     }
     if (_place >= Place::BehindPause) {
       _due = static_cast<int8_t>(_shortened);  // most often the refused frame has lost one character
       if (_misses < Lost) {
         _misses++;
       }
+    } else if (_place == Place::Any && _incoming[EndIndex] == LongEndByte && isFlagsByte(_incoming[FlagsIndex])) {
+      _due = FrameSize + LongTailSize;  // no header can stand right behind it, but one behind its tail
+      _misses = Unsure;
     }
     align(1);
   }
   return nullptr;
 }
 
+// A look begins with a header, and no pause was seen before it. Every true frame can: however short the pause, the driver
+// hands over in it. What only looks like a frame, in the payloads, does so if the driver's ring happens to be half full
+// there, once in sixteen. So the looks tell in the long run which are the true ones, even if the pauses do not.
+void Receiver::weigh() {
+  if (_filled == 0 || _filled == FrameSize) {
+    if (_trust < FullTrust) {
+      _trust++;
+    }
+  } else if (_place != Place::Any && _pauseAt == Nowhere && isEndByte(_incoming[_filled - 1])) {
+    if (_trust != 0) {
+      _trust--;
+    } else {
+      _pauseAt = _filled;
+    }
+  }
+}
+
 // At least 25 bytes are there, and a header is the first of them.
-Receiver::Verdict Receiver::judge() {
+inline Receiver::Verdict Receiver::judge() {
   const uint8_t *const frame = _incoming;
   const bool nextKnown = _filled > FrameSize;
   if (!isEndByte(frame[EndIndex])) {
@@ -131,7 +165,7 @@ Receiver::Verdict Receiver::judge() {
 // A frame has no pause within it, but it seems to have one if loop() was blocked while it came in. Then all that came
 // behind the pause was read in one look. That can happen to a frame behind the last one at any of its bytes, but hardly
 // at the same one twice.
-bool Receiver::pauseSpeaksAgainst() {
+inline bool Receiver::pauseSpeaksAgainst() {
   if (!pauseInside()) {
     return false;
   }
@@ -145,14 +179,14 @@ bool Receiver::pauseSpeaksAgainst() {
   const uint8_t number = static_cast<uint8_t>(_counters.frames);
   const bool again = _disputed == number;  // then true frames begin there
   _disputed = static_cast<uint8_t>(number + 1);
-  return _pauseAt <= FewAhead || again;
+  return _pauseAt <= FewAhead || again || _trust == 0;
 }
 
 // Could these 25 bytes be the beginning of a frame into which a character was inserted? Then its own flags stand
 // where the end byte is looked for, CH16 where the flags are, and its own end byte is `next`. Or could they be of a
 // frame that has lost one? Then a byte from behind it stands where the end byte is looked for. Both are told by the
 // last frame, from which this one should not differ in all of these at once.
-bool Receiver::mayBeShifted(bool nextKnown) const {
+inline bool Receiver::mayBeShifted(bool nextKnown) const {
   const uint8_t *const frame = _incoming;
   const uint8_t *const last = _complete;
   const uint8_t flags = frame[FlagsIndex];
@@ -160,7 +194,7 @@ bool Receiver::mayBeShifted(bool nextKnown) const {
   const uint8_t next = frame[FrameSize];
   const bool newFlags = flags != last[FlagsIndex];
   const bool inserted = isFlagsByte(end) && (!nextKnown || (isEndByte(next) && sameKindOfEnd(next, end)));
-  if (!_hasFrame || _misses == Lost) {
+  if (!_hasFrame || _misses >= Unsure) {
     return nextKnown && end != LongEndByte && inserted;
   }
   if (!sameKindOfEnd(end, last[EndIndex]) || (newFlags && flags == HeaderByte && _lookAt == FlagsIndex)) {
@@ -186,6 +220,11 @@ const uint8_t *Receiver::deliver() {
     _incoming[i] = frame[FrameSize + i];
   }
   _lookAt = static_cast<uint8_t>(_lookAt - FrameSize);
+  if (_pauseAt == 0) {
+    _trust = FullTrust;
+  } else if (_misses != 0) {
+    _trust = LittleTrust;
+  }
   _pauseAt = _pauseAt == FrameSize ? 0 : Nowhere;
 
   const uint8_t tail = frame[EndIndex] == LongEndByte ? LongTailSize : 0;
@@ -203,8 +242,8 @@ const uint8_t *Receiver::deliver() {
   _frameTime += interval;
   if (_counters.frames > 1) {
     _counters.period += static_cast<uint32_t>(static_cast<int32_t>(interval - _counters.period) >> PeriodShift);
-  } else if (_hasFrame) {
-    _counters.period = interval;
+  } else {
+    _counters.period = _counters.frames * interval;  // there is none before the second frame
   }
   _hasFrame = true;
   _counters.frames++;

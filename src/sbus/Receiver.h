@@ -10,13 +10,14 @@
 namespace sbus {
 
 // Two buffers: one holds the last complete frame, the other the frame that is coming in. Their roles are swapped when
-// a frame is complete; no frame is ever copied. Bytes are read straight into the incoming frame:
+// a frame is complete; no frame is ever copied. Bytes are read straight into the incoming frame, those that wait now and
+// no more (DecodeSBus.cpp does it without asking twice):
 //
-//   do {
-//     room = receiver.room();
-//     count = read(receiver.space(), room);
-//     receiver.received(count, count == room ? available() : 0, now);
-//   } while (count == room);
+//   for (waiting = available(); waiting > 0;) {
+//     count = read(receiver.space(), min(waiting, receiver.room()));
+//     waiting -= count;
+//     receiver.received(count, waiting, now);
+//   }
 //
 // Call it at least every 5 ms (see DecodeSBus.h). One call costs time in proportion to `count`, whatever the bytes are.
 //
@@ -25,7 +26,7 @@ namespace sbus {
 //   - header, end byte and the flags' unused bits are right;
 //   - it begins where a frame has to: behind the last frame or behind a pause, or, when a character was lost or
 //     inserted, near the place where the next header is due. Without any such clue a header must follow it;
-//   - no pause lies within it;
+//   - no pause lies within it, and looks at the port do not begin with another header more often than with its own;
 //   - no further character belongs to it, and it does not look like a frame that has lost or gained one. If that
 //     cannot be known yet the frame waits, until the next frame's header at the most.
 // What is refused is scanned again from its second byte on: a true header may stand in it.
@@ -44,7 +45,7 @@ class Receiver {
   uint8_t *space() { return _incoming + _filled; }
   int room() const { return Capacity - _filled; }
 
-  // `count` bytes, at most room(), were written to space() at `now` (us, wraps), and `waiting` more wait to be read.
+  // `count` bytes, at most room(), were written to space() at `now` (us, wraps), and `waiting` more are read next.
   // All with the same `now` is one look at the port. Returns the frame that they completed, or nullptr. A call
   // without bytes lets a frame that waits for what follows know that nothing does.
   const uint8_t *received(int count, int waiting, uint32_t now);
@@ -81,7 +82,8 @@ class Receiver {
 
   Verdict judge();
   bool likeTheLast() const;
-  const uint8_t *search();
+  const uint8_t *search(int waiting, uint32_t quiet);
+  void weigh();
   bool pauseSpeaksAgainst();
   bool mayBeShifted(bool nextKnown) const;
   const uint8_t *deliver();
@@ -102,6 +104,7 @@ class Receiver {
   uint8_t _shortened; // characters of a frame that has lost one, with all that belongs to it
   Place _place;
   bool _aligned;      // a header stands at the beginning of _incoming, and _place speaks of it
+  uint8_t _trust;     // that frames begin where they are found; see weigh()
   uint8_t _disputed;  // number, modulo 256, of a frame that has a pause within it, and a header behind that
   bool _hasFrame;
   uint32_t _frameTime = 0;

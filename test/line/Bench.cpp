@@ -28,7 +28,12 @@ class Receiver {
 
 class Ours : public Receiver {
  public:
-  explicit Ours(HardwareSerial &port) : _sbus(port) { _sbus.setLossLimit(0); }  // so that failsafe is the frame's own
+  // Judged are the frames, not the link: failsafe is then the frame's own, and one that waited while loop() was blocked
+  // for longer than the timeout is still read.
+  explicit Ours(HardwareSerial &port) : _sbus(port) {
+    _sbus.setLossLimit(0);
+    _sbus.setTimeout(0);
+  }
   void begin() override { _sbus.begin(); }
   void parse() override { _sbus.parseSBusFrame(); }
   bool newFrame(Frame &frame) override {

@@ -66,6 +66,23 @@ TEST_CASE("of an R7003SB every frame is delivered in lumps of any size, without 
   }
 }
 
+TEST_CASE("an R7003SB is found again behind a break, even without any pause") {
+  for (const bool neutral : {false, true}) {
+    CAPTURE(neutral);
+    Feeder line;
+    line.receiver.broken();
+    Frames found;
+    for (unsigned number = 0; number < 20; number++) {
+      for (const Frame &frame : line.feed(bytesOf(frameOf(neutral, number, 0x08)) + R7003Tail, 30)) {
+        found.push_back(frame);
+      }
+    }
+    CHECK(found.size() >= 18);
+    REQUIRE_FALSE(found.empty());
+    CHECK(found.back() == frameOf(neutral, 19, 0x08));
+  }
+}
+
 TEST_CASE("of S.BUS2, telemetry 2 ms behind each 04, every frame is delivered") {
   const uint8_t ends[] = {0x04, 0x14, 0x24, 0x34};
   for (const bool neutral : {false, true}) {

@@ -219,6 +219,32 @@ TEST_CASE("behind a break nothing completes a frame from before it, and the comp
   }
 }
 
+TEST_CASE("a frame that waited is as old as the look that brought its last byte, whatever lets it go, however late") {
+  const struct {
+    doctest::String what;
+    Bytes bytes;
+  } rows[] = {
+      {"a look without bytes", {}},
+      {"the next header", {0x0F}},
+      {"the next frame", bytesOf(plainFrame(2))},
+      {"noise", {0x55}},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    Feeder line;
+    line.feed(bytesOf(lowCh16(0)));
+    line.wait(4000);
+    REQUIRE(line.feed(bytesOf(lowCh16(1)), 25).empty());
+    const uint32_t came = line.now;
+    line.wait(10000000);
+    line.look(row.bytes);
+    REQUIRE(line.receiver.counters().frames >= 2);
+    if (line.receiver.counters().frames == 2) {
+      CHECK(line.receiver.frameTime() == came);
+    }
+  }
+}
+
 TEST_CASE("a frame that waits when the line breaks is not delivered by what follows the break") {
   Feeder line;
   line.feed(bytesOf(lowCh16(0)));
