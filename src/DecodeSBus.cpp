@@ -18,6 +18,9 @@ constexpr auto PortConfig = SERIAL_8E2;
 // break lies behind the last byte read. 63, because a core may keep one of its 64 places free, as the AVR's does.
 constexpr int BufferFull = 63;
 
+// Here a character lasts 255 us. A slower port, or one of 0 baud, is opened as told, but hears no S.Bus.
+constexpr unsigned long SlowestBaud = 47059;
+
 // Reads what waits, up to `size` bytes: in one call where the core has read(buffer, size), else byte by byte.
 template <typename Port>
 auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port.read(buffer, size)) {
@@ -49,7 +52,8 @@ void DecodeSBus::begin() {
 }
 
 void DecodeSBus::begin(unsigned long baud, uint32_t config) {
-  _receiver.reset(micros(), static_cast<uint8_t>(sbus::BitsPerCharacter * 1000000UL / baud));
+  const unsigned long us = baud > SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
+  _receiver.reset(micros(), static_cast<uint8_t>(us));
   _link.reset();
   _decoded = 0;
   _serial.begin(baud, config);

@@ -25,7 +25,8 @@ TEST_CASE("begin opens the port once, at 100000 baud, 8E2, inverted both ways") 
 }
 
 TEST_CASE("begin(baud, config) opens the port with exactly these") {
-  const FakeSerial::Opening rows[] = {{200000, SERIAL_8E2}, {100000, SERIAL_8E2}, {200000, SERIAL_SBUS}, {115200, SERIAL_8N1}};
+  const FakeSerial::Opening rows[] = {{200000, SERIAL_8E2}, {100000, SERIAL_8E2}, {200000, SERIAL_SBUS}, {115200, SERIAL_8N1},
+                                        {9600, SERIAL_8E2},    {0, SERIAL_8E2},      {UINT32_MAX, SERIAL_8E2}};
   for (const FakeSerial::Opening &row : rows) {
     FakeBoard board;
     board.sbus.begin(row.baud, row.config);
