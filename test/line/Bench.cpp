@@ -62,7 +62,7 @@ class Papers : public Receiver {
       return false;
     }
     _seen = _paper.frames();
-    frame = _paper.frame();
+    std::copy_n(_paper.frame(), frame.size(), frame.begin());
     return true;
   }
 

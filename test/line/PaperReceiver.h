@@ -3,12 +3,15 @@
 // come of a frame is forgotten. Written anew from its description.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <stdint.h>
 
-// Last: its macros min and max break the standard headers behind it.
 #include <Arduino.h>
+
+#if defined(SERIAL_SBUS)
 #include <stm32l0_uart.h>
+#else
+#define SERIAL_SBUS SERIAL_8E2
+#endif
 
 class PaperReceiver {
  public:
@@ -30,24 +33,29 @@ class PaperReceiver {
       if (_count != 0 || value == 0x0F) {
         _coming[_count++] = value;
       }
-      if (_count == _coming.size()) {
+      if (_count == Size) {
         _count = 0;
         if (value == 0x00) {
-          _frame = _coming;
+          uint8_t *const frame = _coming;
+          _coming = _complete;
+          _complete = frame;
           _frames++;
         }
       }
     }
   }
 
-  const std::array<uint8_t, 25> &frame() const { return _frame; }
+  const uint8_t *frame() const { return _complete; }
   uint32_t frames() const { return _frames; }
 
  private:
+  static constexpr uint8_t Size = 25;
+
   HardwareSerial &_serial;
-  std::array<uint8_t, 25> _frame{};
-  std::array<uint8_t, 25> _coming{};
-  unsigned _count = 0;
+  uint8_t _buffers[2][Size] = {};
+  uint8_t *_coming = _buffers[0];
+  uint8_t *_complete = _buffers[1];
+  uint8_t _count = 0;
   uint32_t _frames = 0;
   uint32_t _lastCall = 0;
 };
