@@ -26,10 +26,12 @@ constexpr uint8_t ManyMore = 4;
 // Frames with further channels begin with 2F (FASSTest 26): such a header, too, ends what stands before it.
 constexpr uint8_t HeaderMask = 0xDF;
 
-// How often more a look must begin with another header than with those of the frames delivered, until the other is
-// believed. Little: the first of these frames was found without a pause before it.
+// Looks that begin with another header at the same place, frame after frame, cost trust: each of them as much as four
+// frames bring. One in sixteen frames, by chance, so does no harm; nearly every second one, as on a line whose pauses
+// are too short to be seen, soon does. At most 64: a wrong place is found with little trust, and so is soon left.
+constexpr uint8_t Doubt = 4;
 constexpr uint8_t LittleTrust = 1;
-constexpr uint8_t FullTrust = 8;
+constexpr uint8_t FullTrust = 64;
 
 constexpr uint8_t PeriodShift = 3;  // the measured period moves by an eighth of what is new
 
@@ -40,7 +42,8 @@ void Receiver::reset(uint32_t now, uint8_t characterTime) {
   _shortened = FrameSize - 1;
   _hasFrame = false;
   _disputed = 0;
-  _trust = LittleTrust;
+  _rivalAt = 0;
+  _distrust = 0u - LittleTrust;
   _due = 0;
   _filled = 0;
   broken();
@@ -118,20 +121,24 @@ inline const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
   return nullptr;
 }
 
-// A look begins with a header, and no pause was seen before it. Every true frame can: however short the pause, the driver
-// hands over in it. What only looks like a frame, in the payloads, does so if the driver's ring happens to be half full
-// there, once in sixteen. So the looks tell in the long run which are the true ones, even if the pauses do not.
+// A look begins with a header, and no pause was seen before it. If that happens at the same place within frames again and
+// again, true frames begin there: the driver hands over in every pause, however short, but elsewhere only if its ring
+// happens to be half full, at each place once in sixteen frames.
 void Receiver::weigh() {
-  if (_filled == 0 || _filled == FrameSize) {
-    if (_trust < FullTrust) {
-      _trust++;
-    }
-  } else if (_place != Place::Any && _pauseAt == Nowhere && isEndByte(_incoming[_filled - 1])) {
-    if (_trust != 0) {
-      _trust--;
-    } else {
-      _pauseAt = _filled;
-    }
+  if (_filled == 0 || _filled == FrameSize || _place == Place::Any || _pauseAt != Nowhere ||
+      !isEndByte(_incoming[_filled - 1])) {
+    return;
+  }
+  const bool samePlace = _rivalAt == _filled;
+  _rivalAt = _filled;
+  if (!samePlace) {
+    return;
+  }
+  const uint32_t trust = _counters.frames - _distrust;
+  if (trust < Doubt) {
+    _pauseAt = _filled;
+  } else {
+    _distrust += trust > FullTrust ? trust - FullTrust + Doubt : Doubt;
   }
 }
 
@@ -179,7 +186,7 @@ inline bool Receiver::pauseSpeaksAgainst() {
   const uint8_t number = static_cast<uint8_t>(_counters.frames);
   const bool again = _disputed == number;  // then true frames begin there
   _disputed = static_cast<uint8_t>(number + 1);
-  return _pauseAt <= FewAhead || again || _trust == 0;
+  return _pauseAt <= FewAhead || again || _counters.frames - _distrust < Doubt;
 }
 
 // Could these 25 bytes be the beginning of a frame into which a character was inserted? Then its own flags stand
@@ -220,10 +227,14 @@ const uint8_t *Receiver::deliver() {
     _incoming[i] = frame[FrameSize + i];
   }
   _lookAt = static_cast<uint8_t>(_lookAt - FrameSize);
-  if (_pauseAt == 0) {
-    _trust = FullTrust;
-  } else if (_misses != 0) {
-    _trust = LittleTrust;
+  if (_misses != 0) {
+    _misses = 0;
+    if (_pauseAt != 0) {
+      _distrust = _counters.frames - LittleTrust;
+    }
+    if (_hasFrame) {
+      _counters.resyncs++;
+    }
   }
   _pauseAt = _pauseAt == FrameSize ? 0 : Nowhere;
 
@@ -232,12 +243,6 @@ const uint8_t *Receiver::deliver() {
   _shortened = static_cast<uint8_t>(FrameSize - 1 + tail);
   _place = Place::BehindFrame;
   _aligned = tail == 0;  // if the next byte is a header
-  if (_misses != 0) {
-    _misses = 0;
-    if (_hasFrame) {
-      _counters.resyncs++;
-    }
-  }
   const uint32_t interval = _pauses.lastLook() - _frameTime;
   _frameTime += interval;
   if (_counters.frames > 1) {

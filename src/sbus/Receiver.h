@@ -10,8 +10,8 @@
 namespace sbus {
 
 // Two buffers: one holds the last complete frame, the other the frame that is coming in. Their roles are swapped when
-// a frame is complete; no frame is ever copied. Bytes are read straight into the incoming frame, those that wait now and
-// no more (DecodeSBus.cpp does it without asking twice):
+// a frame is complete; no frame is ever copied. Bytes are read straight into the incoming frame, those that wait now
+// and no more (DecodeSBus.cpp does it without asking twice):
 //
 //   for (waiting = available(); waiting > 0;) {
 //     count = read(receiver.space(), min(waiting, receiver.room()));
@@ -29,40 +29,48 @@ namespace sbus {
 //   - no pause lies within it, and looks at the port do not begin with another header more often than with its own;
 //   - no further character belongs to it, and it does not look like a frame that has lost or gained one. If that
 //     cannot be known yet the frame waits, until the next frame's header at the most.
+//
 // What is refused is scanned again from its second byte on: a true header may stand in it.
 //
-// frame() and everything below it may be called from a context that received() interrupts (see DecodeSBus.h).
+// All calls come from the context that reads the port. Only frame() and what stands below it may also be called from
+// one that received() interrupts (see DecodeSBus.h).
 class Receiver {
  public:
+  // As reset() at the time 0, for 100000 baud.
   Receiver() { reset(0, CharacterTime); }
-  Receiver(const Receiver &) = delete;  // its pointers lead into itself
-  Receiver &operator=(const Receiver &) = delete;
+  Receiver(const Receiver &) = delete;             // its pointers lead into itself
+  Receiver &operator=(const Receiver &) = delete;  // for the same reason
 
-  // Forgets everything. `now` in us, `characterTime` in us: 120 at 100000 baud.
+  // Forgets everything, the counters too. `now` in us, `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime);
 
-  // Where the next bytes go, and how many fit there: 1..29.
+  // Where the next bytes go: room() of them. Other bytes go elsewhere after each received() and broken().
   uint8_t *space() { return _incoming + _filled; }
+
+  // How many bytes fit there: 1..29.
   int room() const { return Capacity - _filled; }
 
-  // `count` bytes, at most room(), were written to space() at `now` (us, wraps), and `waiting` more are read next.
-  // All with the same `now` is one look at the port. Returns the frame that they completed, or nullptr. A call
-  // without bytes lets a frame that waits for what follows know that nothing does.
+  // `count` bytes, 0..room(), were written to space() at `now` (us, wraps), and `waiting` more (0..255) are read next.
+  // All with the same `now` is one look at the port. Returns the frame that they completed (25 bytes), or nullptr. A
+  // call without bytes lets a frame that waits for what follows know that nothing does.
   const uint8_t *received(int count, int waiting, uint32_t now);
 
   // The port lost bytes behind the last one received: what has come of the incoming frame will never be completed.
+  // Counts as an overflow.
   void broken();
 
   // The last complete frame, 25 bytes; nullptr before the first. It may be overwritten as soon as the second frame
   // after it comes in: what was read of it is good only if counters().frames has not changed meanwhile.
   const uint8_t *frame() const { return _hasFrame ? _complete : nullptr; }
 
-  // The same where it is known that there is one.
+  // frame() where it is known that there is one; before the first, of no meaning.
   const uint8_t *newest() const { return _complete; }
 
-  // When it was completed, in us. Read this before the clock: then no age is below zero if a frame comes in between.
+  // When the last frame was completed, in us; before the first, of no meaning. Read this before the clock: then no age
+  // is below zero if a frame comes in between.
   uint32_t frameTime() const { return _frameTime; }
 
+  // What was seen since reset(); all 0 before the first byte.
   const Counters &counters() const { return _counters; }
 
  private:
@@ -104,9 +112,10 @@ class Receiver {
   uint8_t _shortened; // characters of a frame that has lost one, with all that belongs to it
   Place _place;
   bool _aligned;      // a header stands at the beginning of _incoming, and _place speaks of it
-  uint8_t _trust;     // that frames begin where they are found; see weigh()
   uint8_t _disputed;  // number, modulo 256, of a frame that has a pause within it, and a header behind that
   bool _hasFrame;
+  uint8_t _rivalAt;   // where the last look within a frame began that began with a header
+  uint32_t _distrust;  // frames delivered, less the trust that they begin where they are found; see weigh()
   uint32_t _frameTime = 0;
   Counters _counters;
   alignas(4) uint8_t _frames[2][Pad + Capacity];

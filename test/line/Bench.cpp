@@ -113,7 +113,7 @@ class Bench : private ReadObserver {
       fakeMicros += _run.blockUs;
       return;
     }
-    fakeMicros += _run.loopUs * 9 / 10 + _random.below(_run.loopUs / 5 + 1);
+    fakeMicros += _run.steady ? _run.loopUs : _run.loopUs * 9 / 10 + _random.below(_run.loopUs / 5 + 1);
     // Passes in which nothing can come are not worth the time.
     if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 2 * host::CharacterUs + 2 * _run.loopUs) {
       const uint64_t nextUs = std::min(_wire.nextUs(), _nextBlockUs);

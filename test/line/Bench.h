@@ -11,7 +11,8 @@ struct Run {
   Kind kind = Kind::Plain;
   Sticks sticks = Sticks::Neutral;
   uint32_t periodUs = 9000;
-  uint32_t loopUs = 50;     // a pass of loop(), give or take 10 %
+  uint32_t loopUs = 50;     // a pass of loop()
+  bool steady = false;      // exactly so long, else give or take 10 %
   uint32_t blockUs = 0;     // one pass of every half second lasts so long
   uint64_t frames = 20000;
   bool joining = false;     // the port is opened so long after the line's first frame has begun
