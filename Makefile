@@ -1,6 +1,6 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
 
-.PHONY: help demo test torture fuzz clean
+.PHONY: help demo test torture fuzz docs clean
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
 	@echo "            SKETCH=examples/NAME  another sketch"
@@ -12,6 +12,7 @@ help:
 	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer and recording reader, SECONDS=n each"
+	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make clean  removes build/"
 
 SKETCH ?= examples/DecodeSBus
@@ -36,6 +37,9 @@ torture:
 fuzz:
 	@sh extras/setup/need.sh clang clang-sanitizers
 	@$(MAKE) --no-print-directory -C test fuzz
+
+docs:
+	@sh extras/docs/api.sh
 
 clean:
 	rm -rf build

@@ -26,10 +26,11 @@ class DecodeSBus {
   explicit DecodeSBus(HardwareSerial &serial) : _serial(serial) {}
 
   // Opens the port: 100000 baud, SERIAL_SBUS (8E2, inverted). On a core that has no SERIAL_SBUS it opens SERIAL_8E2,
-  // and the line then needs an inverter. Forgets all frames seen so far, and the counters.
+  // and the line then needs an inverter. Forgets all frames seen so far, and the counters; timeout and loss limit stay.
   void begin();
 
-  // The same with another baud rate or format: begin(100000, SERIAL_8E2) for a receiver's uninverted pad.
+  // begin() with another baud rate (Fast S.Bus: 200000) or format: begin(100000, SERIAL_8E2) for a
+  // receiver's uninverted pad. The port does not tell if it cannot do that: no frames come then.
   void begin(unsigned long baud, uint32_t config);
 
   // Closes the port. The last frame can still be decoded, until it is stale.
@@ -38,40 +39,42 @@ class DecodeSBus {
   // True while the newest frame is younger than the timeout; false before the first frame.
   bool SBusFrameOk();
 
-  // How long a frame stays good: `ms`, up to 65535, 100 unless told; 0: for ever, as in the paper.
+  // How long a frame stays good: 1..65535 ms, 100 unless told; 0: for ever, as in the paper.
   void setTimeout(uint16_t ms) { _link.setTimeout(ms); }
 
-  // How many lost frames in a row count as failsafe: 100 unless told; 0: any number is none.
+  // How many lost frames in a row count as failsafe: 1..65535, 100 unless told; 0: any number is none.
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
   // Takes in the bytes that wait on the port; never waits itself. Call it from serialEventN(), or from loop(), at
-  // least every 5 ms: the core's buffer of 64 bytes takes 7.7 ms of a line without pauses. After a longer wait frames
-  // are lost, but none is mixed up. A frame is there at the first call after its last byte came in. Only one that
+  // least every 5 ms (at 200000 baud 2.5 ms): the core's buffer of 64 bytes takes 7.7 ms (3.8 ms) of a line without
+  // pauses. After a longer wait frames are lost, but none is mixed up. A frame is there at the first call after its last byte came in. Only one that
   // might be the beginning of a longer, damaged one waits for what follows, until the next frame's first byte at the
   // most: behind a frame with CH16 below 128, or if the flags change together with CH16. A call without bytes lets it
   // come sooner. Cost: see README.md. It is linear in the bytes read, whatever they are.
   void parseSBusFrame();
 
   // The newest whole frame: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1.
-  //   lostFrame  this radio frame did not arrive, the channels are old ones; comes and goes in flight
-  //   failsafe   the receiver has given the link up, the channels are its failsafe setting; or it has reported lost
-  //              frames for too long (setLossLimit)
+  //   - lostFrame: this radio frame did not arrive, the channels are old ones; comes and goes in flight
+  //   - failsafe: the receiver has given the link up, the channels are its failsafe setting; or it has reported lost
+  //     frames for too long (setLossLimit)
+  //
   // Before the first frame, and when the newest is older than the timeout, both are true and `channels` is left as it
   // is.
   void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame);
 
-  // True if a frame has come that decodeSBusFrame() has not been asked for yet.
+  // True if a frame has come that decodeSBusFrame() has not handed out yet; false before the first frame.
   bool newFrame() const { return _receiver.counters().frames != _decoded; }
 
   // Age of the newest frame in ms; ULONG_MAX before the first. Wraps after 71 minutes, as micros() does: ask
-  // linkState(), which does not forget that the link is stale, if it is asked once an hour.
+  // linkState(), which does not forget that the link is stale.
   unsigned long frameAge() const;
 
   // The one answer to "may I still trust these numbers?": NeverSeen, Ok, Lossy, Failsafe or Stale (sbus/Link.h).
+  // NeverSeen before the first frame. Ask it, SBusFrameOk() or decodeSBusFrame() once an hour at least: micros() wraps.
   sbus::LinkState linkState();
 
-  // What has been seen on the line since begin(), by cause (sbus/Counters.h). Each is right; together they may be one
-  // frame apart if parseSBusFrame() interrupts.
+  // What has been seen on the line since begin(), by cause (sbus/Counters.h); all 0 before the first byte. Each is
+  // right; together they may be one frame apart if parseSBusFrame() interrupts.
   sbus::Counters counters() const { return _receiver.counters(); }
 
  private:

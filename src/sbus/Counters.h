@@ -1,22 +1,25 @@
-// What a receiver has seen since it was reset. All but the period count up, and wrap after 2^32.
+// What a receiver counts.
 #pragma once
 
 #include <stdint.h>
 
 namespace sbus {
 
+// What a receiver has seen since it was reset. All but the period count up from 0, and wrap after 2^32.
 struct Counters {
   uint32_t frames;          // delivered
-  uint32_t lostFrames;      // of these: with the lost-frame flag
-  uint32_t failsafeFrames;  // of these: with the failsafe flag
-  // Not delivered: 25 bytes behind a 0F that are no frame, because ...
-  uint32_t refusedByEnd;    // ... the last is no end byte: a character is missing, or the 0F was no header
-  uint32_t refusedByFlags;  // ... unused bits of the flags are set
-  uint32_t refusedByExtra;  // ... more characters belong to them, or a pause lies within
+  uint32_t lostFrames;      // of the delivered: with the lost-frame flag
+  uint32_t failsafeFrames;  // of the delivered: with the failsafe flag
+
+  // Not delivered: 25 bytes from a 0F on that are no frame.
+  uint32_t refusedByEnd;    // the last is no end byte: a character is missing, or the 0F was no header
+  uint32_t refusedByFlags;  // unused bits of the flags are set
+  uint32_t refusedByExtra;  // more characters belong to them, or a pause lies within
+
   uint32_t skippedBytes;    // bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
   uint32_t resyncs;         // frames found again after others had been missed
   uint32_t overflows;       // looks that found the port's buffer full: it has most probably dropped bytes
-  uint32_t period;          // us between frames, smoothed over some eight; 0 before the second
+  uint32_t period;          // us between frames delivered, smoothed over some eight; 0 before the second
 };
 
 }  // namespace sbus

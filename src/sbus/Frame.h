@@ -8,34 +8,35 @@
 
 #include <stdint.h>
 
+// The core: the frame, finding frames in a stream of bytes, judging the link. It knows no Arduino.
 namespace sbus {
 
-// The line: 8 data bits, even parity, 2 stop bits, inverted (idle LOW). 12 bits of 10 us make a character of 120 us.
-constexpr unsigned long Baud = 100000;
-constexpr uint8_t BitsPerCharacter = 12;
-constexpr uint8_t CharacterTime = 120;  // us
+// The line: 8 data bits, even parity, 2 stop bits, inverted (idle LOW).
+constexpr unsigned long Baud = 100000;    // bits a second; 200000 on Fast S.Bus
+constexpr uint8_t BitsPerCharacter = 12;  // start, 8 data, parity, 2 stop
+constexpr uint8_t CharacterTime = 120;    // us, at 100000 baud
 
 // The frame: header, 16 channels of 11 bits, flags, end byte.
-constexpr uint8_t FrameSize = 25;
-constexpr uint8_t HeaderByte = 0x0F;
-constexpr uint8_t LongEndByte = 0x08;  // five more bytes belong to such a frame, straight behind it
-constexpr uint8_t LongTailSize = 5;
+constexpr uint8_t FrameSize = 25;           // bytes
+constexpr uint8_t HeaderByte = 0x0F;        // the first; the payload may hold it, too
+constexpr uint8_t LongEndByte = 0x08;       // five more bytes belong to such a frame, straight behind it
+constexpr uint8_t LongTailSize = 5;         // bytes, these five
 constexpr uint8_t TelemetryEndByte = 0x04;  // sensors may answer such a frame, some 2 ms behind it
-constexpr uint8_t PayloadIndex = 1;
-constexpr uint8_t FlagsIndex = 23;
-constexpr uint8_t EndIndex = 24;
+constexpr uint8_t PayloadIndex = 1;         // of the first of 22 bytes
+constexpr uint8_t FlagsIndex = 23;          // of the flags byte
+constexpr uint8_t EndIndex = 24;            // of the end byte
 
-// The channels: 16 proportional ones, 0..2047, then the switches CH17 and CH18, 0 or 1.
-constexpr uint8_t ProportionalCount = 16;
-constexpr uint8_t ChannelCount = 18;
-constexpr uint16_t ChannelMax = 2047;
+// The channels: 16 proportional ones, then two switches.
+constexpr uint8_t ProportionalCount = 16;  // CH1..CH16, 0..2047
+constexpr uint8_t ChannelCount = 18;       // and CH17, CH18, 0 or 1
+constexpr uint16_t ChannelMax = 2047;      // 11 bits
 
 // The bits of the flags byte.
-constexpr uint8_t FlagChannel17 = 0x01;
-constexpr uint8_t FlagChannel18 = 0x02;
-constexpr uint8_t FlagLostFrame = 0x04;
-constexpr uint8_t FlagFailsafe = 0x08;
-constexpr uint8_t FlagsUnused = 0xF0;
+constexpr uint8_t FlagChannel17 = 0x01;  // the switch CH17 is on
+constexpr uint8_t FlagChannel18 = 0x02;  // the switch CH18 is on
+constexpr uint8_t FlagLostFrame = 0x04;  // see lostFrame()
+constexpr uint8_t FlagFailsafe = 0x08;   // see failsafe()
+constexpr uint8_t FlagsUnused = 0xF0;    // 0 on every receiver known
 
 // True if a frame may end with this byte: 00 (Futaba S.BUS, FrSky), 04, 14, 24, 34 (S.BUS2; the high nibble counts the
 // telemetry slots), 08 (Futaba R7003SB and FASSTest 12CH, which send five more bytes behind the frame).
@@ -45,7 +46,7 @@ constexpr bool isEndByte(uint8_t byte) {
 
 constexpr uint8_t EndUnused = 0xC3;  // bits that no end byte has
 
-// End bytes of one kind come from one receiver: 00; 08; 04, 14, 24, 34.
+// True if one receiver may send both of these end bytes: 00; 08; 04, 14, 24, 34.
 constexpr bool sameKindOfEnd(uint8_t one, uint8_t other) {
   return ((one ^ other) & 0x0F) == 0;
 }
@@ -60,25 +61,27 @@ constexpr bool isFrame(const uint8_t *frame) {
   return frame[0] == HeaderByte && isFlagsByte(frame[FlagsIndex]) && isEndByte(frame[EndIndex]);
 }
 
-// `lostFrame`: this radio frame did not arrive, the channels are old ones. It comes and goes in flight.
+// True if this radio frame did not arrive, and the channels of `frame` (25 bytes) are old ones. It comes and goes in
+// flight.
 constexpr bool lostFrame(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagLostFrame) != 0;
 }
 
-// `failsafe`: the receiver has given the link up, the channels are its failsafe setting.
+// True if the receiver has given the link up, and the channels of `frame` (25 bytes) are its failsafe setting.
 constexpr bool failsafe(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagFailsafe) != 0;
 }
 
-// Writes all 18 channels of `frame` (25 bytes; header and end byte are not looked at) to `channels` (18 values).
+// Writes all channels of `frame` (25 bytes; header and end byte are not looked at) to `channels`: 18 values, CH1..CH16
+// as 0..2047, CH17 and CH18 as 0 or 1.
 void unpack(const uint8_t *frame, uint16_t *channels);
 
-// The same for a frame whose payload, byte 1, stands at a multiple of four, on a machine that has the low byte of a
+// unpack() for a frame whose payload, byte 1, stands at a multiple of four, on a machine that has the low byte of a
 // word first: 113 cycles instead of 231 on a Cortex-M0+, and 18 bytes less.
 void unpackAligned(const uint8_t *frame, uint16_t *channels);
 
-// Writes a whole frame, 25 bytes with end byte 00: the exact inverse of unpack(). Any value is well defined: channels
-// 1..16 above 2047 are sent as 2047, CH17 and CH18 other than 0 as 1.
+// Writes a whole frame, 25 bytes with end byte 00, of 18 `channels`: the exact inverse of unpack(). Any value is well
+// defined: CH1..CH16 above 2047 are sent as 2047, CH17 and CH18 other than 0 as 1.
 void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame);
 
 }  // namespace sbus

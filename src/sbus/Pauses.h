@@ -12,21 +12,25 @@ namespace sbus {
 //   its own bytes +  a pass of loop()      so was this, if fewer bytes came than a lump.
 // Nobody tells how long a pass is, and it differs from sketch to sketch. The shortest time between two looks is not
 // less, and not much more.
+//
+// Times are in us, and wrap after 71 minutes. All calls come from the context that reads the port.
 class Pauses {
  public:
-  // `characterTime` in us: 120 at 100000 baud.
+  // Forgets what was seen. `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime) {
     _lastLook = now;
     _pass = FirstPass;
     _characterTime = characterTime;
   }
 
+  // When the last look was that found bytes, or reset().
   uint32_t lastLook() const { return _lastLook; }
 
-  // us since the last look that found bytes; `now` may wrap. 0: the same look.
+  // us since lastLook(). 0: the same look.
   uint32_t quiet(uint32_t now) const { return now - _lastLook; }
 
-  // A look has found `burst` bytes after so much quiet, not 0. True if the first of them came behind a pause.
+  // To be told of each look that finds bytes: `burst` of them, 1 or more, after so much quiet, not 0. True if the first
+  // of them came behind a pause.
   bool before(unsigned burst, uint32_t quiet) {
     const unsigned pass = _pass;
     _lastLook += quiet;
