@@ -36,6 +36,13 @@ int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   return count;
 }
 
+// A format is a byte on some cores (AVR), 32 bits on others.
+template <typename Format>
+void open(HardwareSerial &port, void (HardwareSerial::*begin)(unsigned long, Format), unsigned long baud,
+          uint32_t config) {
+  (port.*begin)(baud, static_cast<Format>(config));
+}
+
 // A frame has come, and within the timeout.
 inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
@@ -56,7 +63,7 @@ void DecodeSBus::begin(unsigned long baud, uint32_t config) {
   _receiver.reset(micros(), static_cast<uint8_t>(us));
   _link.reset();
   _decoded = 0;
-  _serial.begin(baud, config);
+  open(_serial, &HardwareSerial::begin, baud, config);
 }
 
 void DecodeSBus::end() {

@@ -1,0 +1,49 @@
+// A sketch that tells what has come over Serial1. It is no .ino, because the tools that look for sketches are to find
+// the examples only. Sends every second
+//   frames,refused,skipped    seen since the beginning: frames, what was refused, bytes that belong to no frame
+// and when SBusFrameOk() changes
+//   ok,0 or 1,us              and the time, as micros() has it
+
+#include <Arduino.h>
+#include <DecodeSBus.h>
+#include <elapsedMillis.h>
+
+namespace {
+
+const unsigned long PERIOD_DISPLAY = 1000;  // ms
+
+elapsedMillis timerDisplay;
+DecodeSBus dSBus(Serial1);
+bool wasOk = false;
+
+}  // namespace
+
+void serialEvent1() {
+  dSBus.parseSBusFrame();
+}
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+}
+
+void loop() {
+  const bool ok = dSBus.SBusFrameOk();
+  if (ok != wasOk) {
+    const unsigned long now = micros();
+    wasOk = ok;
+    Serial.print("ok,");
+    Serial.print(ok);
+    Serial.print(',');
+    Serial.println(now);
+  }
+  if (timerDisplay >= PERIOD_DISPLAY) {
+    timerDisplay = 0;
+    const sbus::Counters counters = dSBus.counters();
+    Serial.print(counters.frames);
+    Serial.print(',');
+    Serial.print(counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra);
+    Serial.print(',');
+    Serial.println(counters.skippedBytes);
+  }
+}

@@ -1,0 +1,159 @@
+#include "LineInput.h"
+
+#include <simavr/sim_io.h>
+
+#include "sbus/Frame.h"
+
+namespace mega {
+
+namespace {
+
+constexpr uint32_t ReceiverOn = 0x10;  // RXEN1 of UCSR1B
+constexpr size_t HardwareBuffer = 3;   // characters that the USART holds: two, and one in its shift register
+
+// The line's time 0, at which the host's program starts, comes so much behind the start of this sketch's clock. So both
+// see the same frames whenever they print. They print every 200 ms, and T = 9 ms, so some prints fall on a frame's end
+// (8 ms + 9 ms n), and some 1 ms behind it:
+//   the host   prints 0.00 to 0.06 ms behind a multiple of 200 ms, and finds a frame 0.12 ms behind its end: it misses
+//              the frame that ends just then, and sees the one that ended 1 ms ago.
+//   the Mega   prints up to 0.96 ms behind it, in steps of 0.064 ms, as its millis() goes on every 1.024 ms only. In
+//              15 s those prints that must miss a frame are late by 0.96 ms at the most, those that must see one by
+//              0.128 ms at least: so the line has to be late by 0.96 to 1.128 ms, less a pass of loop().
+constexpr uint32_t PhaseUs = 1040;
+
+}  // namespace
+
+LineInput::LineInput(Mega &mega, host::Line &line) : _mega(mega), _usart(mega.usart(1)), _line(line) {
+  avr_irq_register_notify(avr_iomem_getirq(mega.avr(), _usart.r_ucsrb, nullptr, AVR_IOMEM_IRQ_ALL), controlWritten,
+                          this);
+  hook(_usart.r_ucsra, statusRead, _readStatus);
+  hook(_usart.r_udr, dataRead, _readData);
+}
+
+// libsimavr lets nobody register where it reads itself; so ours stands in front, and calls it.
+void LineInput::hook(avr_io_addr_t address, avr_io_read_t ours, avr_io_read_t &theirs) {
+  auto &read = _mega.avr()->io[AVR_DATA_TO_IO(address)].r;
+  theirs = read.c;
+  read.c = ours;
+  read.param = this;
+}
+
+avr_cycle_count_t LineInput::toCycle(uint64_t us) const {
+  return _mega.clockZero() + (us + PhaseUs) * CyclesPerUs;
+}
+
+uint64_t LineInput::toUs(avr_cycle_count_t cycle) const {
+  const avr_cycle_count_t zero = toCycle(0);
+  return cycle < zero ? 0 : (cycle - zero) / CyclesPerUs;
+}
+
+void LineInput::controlWritten(avr_irq_t *, uint32_t value, void *input) {
+  LineInput &self = *static_cast<LineInput *>(input);
+  const bool open = (value & ReceiverOn) != 0;
+  if (open && !self._open) {
+    self.open();
+  }
+  self._open = open;
+}
+
+// The core sets baud rate and format first, then RXEN1.
+void LineInput::open() {
+  const host::PortSettings settings = _mega.settings(1);
+  _mismatch = host::mismatch(settings, _wire);
+  _openedUs = nowUs();
+  _sampler.open(_openedUs, settings, _wire);
+  _framesSinceOpen = 0;
+  _bad.clear();
+  if (!_everOpen) {
+    _everOpen = true;
+    _line.opened(_openedUs);
+    if (_line.next(UINT64_MAX, _next)) {
+      avr_cycle_timer_register(_mega.avr(), toCycle(_next.endUs) - _mega.avr()->cycle, characterThrough, this);
+    }
+  }
+}
+
+avr_cycle_count_t LineInput::characterThrough(avr_t *, avr_cycle_count_t, void *input) {
+  LineInput &self = *static_cast<LineInput *>(input);
+  self.count(self._next);
+  if (self._open) {
+    self.put(self._next);
+  }
+  return self._line.next(UINT64_MAX, self._next) ? self.toCycle(self._next.endUs) : 0;
+}
+
+void LineInput::count(const host::Character &character) {
+  const uint64_t beganUs = character.endUs - _wire.characterUs();
+  if (beganUs > _lastEndUs) {
+    _run = 0;
+    _runBad = false;
+    _runBeganUs = beganUs;
+  }
+  _lastEndUs = character.endUs;
+  _run++;
+  _runBad = _runBad || character.bad;
+  _characters++;
+  _badCharacters += character.bad;
+  if (_run == sbus::FrameSize && !_runBad) {
+    _frames++;
+    _lastFrameUs = character.endUs + PhaseUs;
+    _framesSinceOpen += _runBeganUs >= _openedUs;
+  }
+}
+
+void LineInput::put(const host::Character &character) {
+  if (_mismatch.empty()) {
+    if (character.endUs >= _openedUs + _wire.characterUs()) {
+      receive(character);
+    }
+    return;
+  }
+  _wrongSettings = _mismatch;
+  _sampler.put(character);
+  host::Character seen;
+  while (_sampler.next(character.endUs, seen)) {
+    receive(seen);
+  }
+}
+
+void LineInput::receive(const host::Character &character) {
+  forgetRead();
+  if (_bad.size() == HardwareBuffer) {
+    _overruns++;
+    return;
+  }
+  _bad.push_back(character.bad);
+  // libsimavr takes a character for one that begins now, and raises RXC1 a character's time later: 110 us, because it
+  // does not notice two stop bits that are set behind the baud rate. It would also hand over at once what is behind a
+  // character that was fetched late. The time is ours: RXC1 is raised in the next cycle.
+  _usart.cycles_per_byte = 1;
+  avr_raise_irq(avr_io_getirq(_mega.avr(), AVR_IOCTL_UART_GETIRQ('1'), UART_IRQ_INPUT), character.value);
+}
+
+// A port that is closed forgets what was not fetched.
+void LineInput::forgetRead() {
+  if (_usart.input.read == _usart.input.write) {
+    _bad.clear();
+  }
+}
+
+// UPE1 is that of the character which UDR1 gives next. libsimavr has no parity; it only leaves the bit alone.
+uint8_t LineInput::statusRead(avr_t *avr, avr_io_addr_t address, void *input) {
+  LineInput &self = *static_cast<LineInput *>(input);
+  self.forgetRead();
+  const avr_regbit_t &upe = self._usart.upe;
+  const uint8_t mask = static_cast<uint8_t>(upe.mask << upe.bit);
+  const bool bad = !self._bad.empty() && self._bad.front();
+  avr->data[upe.reg] = static_cast<uint8_t>((avr->data[upe.reg] & ~mask) | (bad ? mask : 0));
+  return self._readStatus(avr, address, &self._usart);
+}
+
+uint8_t LineInput::dataRead(avr_t *avr, avr_io_addr_t address, void *input) {
+  LineInput &self = *static_cast<LineInput *>(input);
+  if (!self._bad.empty()) {
+    self._bad.pop_front();
+  }
+  return self._readData(avr, address, &self._usart);
+}
+
+}  // namespace mega

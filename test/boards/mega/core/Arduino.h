@@ -1,0 +1,10 @@
+// The core's Arduino.h, whose warnings are not ours. -isystem would do, but avr-g++ takes what it finds there for C,
+// and an empty list of parameters for an unknown one.
+#pragma once
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#include <cores/arduino/Arduino.h>
+#pragma GCC diagnostic pop
