@@ -14,9 +14,10 @@ constexpr auto PortConfig = SERIAL_SBUS;
 constexpr auto PortConfig = SERIAL_8E2;
 #endif
 
-// A look that finds this many bytes may have found a full buffer, and then the core has dropped the newest bytes: the
-// break lies behind the last byte read. 63, because a core may keep one of its 64 places free, as the AVR's does.
-constexpr int BufferFull = 63;
+// The core's buffer. A look that finds this many bytes, or one less, may have found it full, and then the core has
+// dropped the newest bytes: the break lies behind the last one. One less, because a core may keep a place free (AVR).
+constexpr int BufferSize = 64;
+constexpr int BufferFull = BufferSize - 1;
 
 // Here a character lasts 255 us. A slower port, or one of 0 baud, is opened as told, but hears no S.Bus.
 constexpr unsigned long SlowestBaud = 47059;
@@ -77,11 +78,14 @@ void DecodeSBus::parseSBusFrame() {
   int count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(room), 0);
   int waiting = count == room ? _serial.available() : 0;
   const bool full = count + waiting >= BufferFull;
+  if (full && waiting > BufferSize - count) {
+    waiting = BufferSize - count;  // the others came in behind read()
+  }
   for (;;) {
     if (const uint8_t *const frame = _receiver.received(count, waiting, now)) {
       _link.frame(frame[sbus::FlagsIndex]);
     }
-    if (waiting == 0 || count == 0) {
+    if (waiting <= 0 || count <= 0) {
       break;
     }
     room = _receiver.room();

@@ -26,11 +26,12 @@ constexpr uint8_t ManyMore = 4;
 // Frames with further channels begin with 2F (FASSTest 26): such a header, too, ends what stands before it.
 constexpr uint8_t HeaderMask = 0xDF;
 
-// Looks that begin with another header at the same place, frame after frame, cost trust: each of them as much as four
-// frames bring. One in sixteen frames, by chance, so does no harm; nearly every second one, as on a line whose pauses
-// are too short to be seen, soon does. At most 64: a wrong place is found with little trust, and so is soon left.
+// What a look costs that begins with another header at the same place as the last such look, in frames; one that begins
+// with the frames' own brings as much. So chance, once in sixteen frames, does no harm, but a place where every second
+// look begins soon wins, as on a line whose pauses are too short to be seen. At most 64: a wrong place is found with
+// little trust, and soon left.
 constexpr uint8_t Doubt = 4;
-constexpr uint8_t LittleTrust = 1;
+constexpr uint8_t LittleTrust = 8;
 constexpr uint8_t FullTrust = 64;
 
 constexpr uint8_t PeriodShift = 3;  // the measured period moves by an eighth of what is new
@@ -62,7 +63,7 @@ void Receiver::broken() {
 
 const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
   const uint32_t quiet = _pauses.quiet(now);
-  if (count == 0) {
+  if (count <= 0) {
     return _filled == FrameSize && _pauses.isSilence(quiet) ? deliver() : nullptr;
   }
   if (quiet != 0) {
@@ -101,11 +102,12 @@ inline const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
     }
     if (verdict == Verdict::Deliver) {
       const bool waited = _lookAt == FrameSize;
-      const uint8_t *const frame = deliver();
-      if (waited) {
-        _frameTime -= quiet;  // it came with the look before, and is as old as that
+      const uint8_t *const found = deliver();
+      if (waited) {  // it came with the look before, and is as old as that
+        _frameTime -= quiet;
+        _counters.period -= quiet >> PeriodShift;
       }
-      return frame;
+      return found;
     }
     if (_place >= Place::BehindPause) {
       _due = static_cast<int8_t>(_shortened);  // most often the refused frame has lost one character
@@ -125,8 +127,12 @@ inline const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
 // again, true frames begin there: the driver hands over in every pause, however short, but elsewhere only if its ring
 // happens to be half full, at each place once in sixteen frames.
 void Receiver::weigh() {
-  if (_filled == 0 || _filled == FrameSize || _place == Place::Any || _pauseAt != Nowhere ||
-      !isEndByte(_incoming[_filled - 1])) {
+  if (_filled == 0 || _filled == FrameSize) {
+    _distrust -= Doubt;
+    return;
+  }
+  if (_place == Place::Any || _pauseAt != Nowhere || _filled < 2 || !isEndByte(_incoming[_filled - 1]) ||
+      !isFlagsByte(_incoming[_filled - 2])) {
     return;
   }
   const bool samePlace = _rivalAt == _filled;

@@ -134,6 +134,9 @@ class Bench : private ReadObserver {
         _position++;
       }
       _port.uart.receive(character);
+      if (_run.byteByByte) {
+        _port.uart.advance(character.endUs + host::CharacterUs);
+      }
       _lastEndUs = character.endUs;
     }
     _port.uart.advance(fakeMicros);

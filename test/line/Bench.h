@@ -13,6 +13,7 @@ struct Run {
   uint32_t periodUs = 9000;
   uint32_t loopUs = 50;     // a pass of loop()
   bool steady = false;      // exactly so long, else give or take 10 %
+  bool byteByByte = false;  // the port hands over each byte, as without DMA (Serial3, AVR)
   uint32_t blockUs = 0;     // one pass of every half second lasts so long
   uint64_t frames = 20000;
   bool joining = false;     // the port is opened so long after the line's first frame has begun

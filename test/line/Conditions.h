@@ -29,6 +29,7 @@ struct Condition {
   std::vector<Bound> bounds;
   uint32_t blockUs = 0;
   bool joining = false;
+  bool byteByByte = false;
   bool inStep = false;  // every pass takes exactly as long, and looks meet each frame at the same place
 };
 

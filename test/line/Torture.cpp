@@ -58,14 +58,14 @@ void printRow(const Condition &condition) {
     ours.add(allTimings(condition, sticks, Way::Ours), sticks);
     papers.add(allTimings(condition, sticks, Way::Papers), sticks);
   }
-  std::printf("| %-37s | %8llu | %-22s | %6llu | %-22s | %7llu |\n", condition.name.c_str(),
+  std::printf("| %-42s | %8llu | %-22s | %6llu | %-22s | %7llu |\n", condition.name.c_str(),
               static_cast<unsigned long long>(ours.sum.damages()), ours.missed().c_str(),
               static_cast<unsigned long long>(ours.sum.wrong), papers.missed().c_str(),
               static_cast<unsigned long long>(papers.sum.wrong));
 }
 
 void printTable(const std::string &lines) {
-  std::printf("| %-37s | %-8s | %-22s | %-6s | %-22s | %-7s |\n", "line", "damaged", "missed per damaged", "wrong",
+  std::printf("| %-42s | %-8s | %-22s | %-6s | %-22s | %-7s |\n", "line", "damaged", "missed per damaged", "wrong",
               "the paper's: missed", "wrong");
   std::printf("| --- | --- | --- | --- | --- | --- |\n");
   for (const Condition &condition : conditions()) {

@@ -25,8 +25,10 @@ class FakeSerial : public HardwareSerial {
   unsigned closings = 0;
   unsigned singleReads = 0;
 
-  // Called before each read(buffer, size): what comes in while a sketch reads.
+  // Called before each of these: what comes in while a sketch reads.
   std::function<void()> beforeRead = [] {};
+  std::function<void()> beforeAvailable = [] {};
+  bool readFails = false;  // -1, as no core should answer
 
   // The wire: `bytes` come in from outside. Returns how many were kept.
   template <typename Container>
@@ -50,7 +52,10 @@ class FakeSerial : public HardwareSerial {
     _isOpen = false;
     _waiting.clear();
   }
-  int available() override { return static_cast<int>(_waiting.size()); }
+  int available() override {
+    beforeAvailable();
+    return static_cast<int>(_waiting.size());
+  }
   int peek() override { return _waiting.empty() ? -1 : _waiting.front(); }
   int read() override {
     singleReads++;
@@ -59,6 +64,9 @@ class FakeSerial : public HardwareSerial {
 #if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override {
     beforeRead();
+    if (readFails) {
+      return -1;
+    }
     size_t count = 0;
     while (count < size && !_waiting.empty()) {
       buffer[count++] = static_cast<uint8_t>(next());

@@ -245,6 +245,17 @@ TEST_CASE("a frame that waited is as old as the look that brought its last byte,
   }
 }
 
+TEST_CASE("frames that wait for the next header do not change the measured period") {
+  Feeder line;
+  for (unsigned number = 0; number < 60; number++) {
+    line.feed(bytesOf(lowCh16(number)), 25);
+    line.wait(9000 - 25 * Feeder::CharacterUs);
+  }
+  CHECK(line.receiver.counters().frames >= 58);
+  CHECK(line.receiver.counters().period >= 8990);
+  CHECK(line.receiver.counters().period <= 9010);
+}
+
 TEST_CASE("a frame that waits when the line breaks is not delivered by what follows the break") {
   Feeder line;
   line.feed(bytesOf(lowCh16(0)));
