@@ -148,16 +148,25 @@ void Receiver::weigh() {
   }
 }
 
+// Of 25 bytes: have they an end byte, and flags? Counted if not.
+bool Receiver::endsLikeAFrame(const uint8_t *frame) {
+  const uint8_t end = frame[EndIndex];
+  if ((end & EndUnused) != 0 || !isEndByte(end)) {  // the first is quick, and tells most
+    _counters.refusedByEnd++;
+    return false;
+  }
+  if (!isFlagsByte(frame[FlagsIndex])) {
+    _counters.refusedByFlags++;
+    return false;
+  }
+  return true;
+}
+
 // At least 25 bytes are there, and a header is the first of them.
 inline Receiver::Verdict Receiver::judge() {
   const uint8_t *const frame = _incoming;
   const bool nextKnown = _filled > FrameSize;
-  if (!isEndByte(frame[EndIndex])) {
-    _counters.refusedByEnd++;
-    return Verdict::Refuse;
-  }
-  if (!isFlagsByte(frame[FlagsIndex])) {
-    _counters.refusedByFlags++;
+  if (!endsLikeAFrame(frame)) {
     return Verdict::Refuse;
   }
   if (!pauseSpeaksAgainst()) {
@@ -283,9 +292,8 @@ void Receiver::align(int from) {
     if (bytes[start] != HeaderByte) {
       continue;
     }
-    if (start + EndIndex < filled && (bytes[start + EndIndex] & EndUnused) != 0) {
-      _counters.refusedByEnd++;  // nothing need be moved to see that
-      continue;
+    if (start + EndIndex < filled && !endsLikeAFrame(bytes + start)) {
+      continue;  // nothing need be moved to see that
     }
     if (misses == 0 && start == due) {
       place = Place::BehindFrame;

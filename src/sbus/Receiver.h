@@ -88,6 +88,7 @@ class Receiver {
   };
   enum class Verdict : uint8_t { Deliver, Wait, Refuse };
 
+  bool endsLikeAFrame(const uint8_t *frame);
   Verdict judge();
   bool likeTheLast() const;
   const uint8_t *search(int waiting, uint32_t quiet);

@@ -81,6 +81,25 @@ TEST_CASE("each cause of refusal has its counter, and what belongs to no frame i
   }
 }
 
+TEST_CASE("of many headers in a row each that has no end byte, or no flags, behind it is counted by its cause") {
+  const struct {
+    uint8_t behind;  // 25 times, behind 25 headers
+    unsigned byEnd, byFlags;
+  } rows[] = {{0x0C, 25, 0}, {0x01, 25, 0}, {0x14, 1, 23}};  // 0F is no end byte, but may be flags
+  for (const auto &row : rows) {
+    CAPTURE(row.behind);
+    for (const size_t lump : {1u, 16u, 64u}) {
+      CAPTURE(lump);
+      Feeder line;
+      line.receiver.broken();
+      CHECK(line.feed(Bytes(25, 0x0F) + Bytes(25, row.behind), lump).empty());
+      CHECK(line.receiver.counters().refusedByEnd == row.byEnd);
+      CHECK(line.receiver.counters().refusedByFlags == row.byFlags);
+      CHECK(line.receiver.counters().skippedBytes == 50);
+    }
+  }
+}
+
 TEST_CASE("lost-flag and failsafe frames are counted, each by its flag") {
   Feeder line;
   for (unsigned flags = 0; flags < 16; flags++) {
