@@ -126,7 +126,7 @@ TEST_CASE("a look without bytes tells a silence once a lump would have come") {
     bool silence;
   } rows[] = {{0, false}, {120, false}, {1920, false}, {2040, false}, {2041, true}, {100000, true}};
   for (const auto &row : rows) {
-    for (const uint32_t start : {0u, UINT32_MAX - 100, UINT32_MAX - 2041}) {
+    for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 100, UINT32_MAX - 2041}) {
       CAPTURE(row.us);
       CAPTURE(start);
       sbus::Pauses pauses;

@@ -1,0 +1,16 @@
+// Reads a word from an odd address. A Cortex-M0 faults at it, so this must not end by itself: were QEMU lenient, the
+// unit programs would prove nothing about alignment.
+#include <stdint.h>
+#include <stdio.h>
+
+int main() {
+  static const uint32_t words[2] = {0x03020100, 0x07060504};
+  const char *volatile address = reinterpret_cast<const char *>(words);
+#if defined(ODD_ADDRESS)
+  address = address + 1;
+#endif
+  uint32_t word;
+  __asm__ volatile("ldr %0, [%1]" : "=r"(word) : "r"(address));
+  printf("read %08lx\n", static_cast<unsigned long>(word));
+  return 0;
+}

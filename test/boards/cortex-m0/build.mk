@@ -1,0 +1,95 @@
+# Builds the unit programs for the Cortex-M0, with CROSS, into the folder OUT (absolute)
+#   unit         OUT/unit/*Test, but for those that CASES leaves out: from the sources of the host's
+#   alignment    OUT/UnalignedRead and OUT/AlignedRead, which read a word from an odd and from an even address
+# `make list-unit` names the unit programs.
+
+HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+ROOT := $(HERE)/../../..
+SRC := $(ROOT)/src
+HOST := $(ROOT)/extras/host
+TEST := $(ROOT)/test
+CROSS ?= arm-none-eabi-g++
+DOCTEST ?= /usr/include/doctest
+
+CPU := -mcpu=cortex-m0 -mthumb
+WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
+# The board's core compiles everything with these.
+BOARD := -std=gnu++11 -fno-exceptions -fno-rtti -Os
+TESTS := -std=gnu++17 -O1 -Wno-psabi  # nothing here was compiled by a GCC older than 7
+SECTIONS := -ffunction-sections -fdata-sections
+# There are neither threads nor signals.
+DEFINITIONS := -DDOCTEST_CONFIG_NO_POSIX_SIGNALS -DDOCTEST_CONFIG_NO_MULTITHREADING
+ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
+INCLUDES := -I$(HERE)/standin -I$(TEST) -I$(TEST)/unit -I$(SRC) -I$(HOST) $(ARDUINO) -isystem $(OUT)/include
+DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
+
+LEFT_OUT := $(shell awk '$$1 == "out" { print $$2 }' $(HERE)/CASES)
+UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
+LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
+RUNTIME := BoardUart Recording
+
+unit: $(UNIT:%=$(OUT)/unit/%)
+alignment: $(OUT)/UnalignedRead $(OUT)/AlignedRead
+list-unit:
+	@printf '%s\n' $(UNIT)
+.PHONY: unit alignment list-unit
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+link = $(CROSS) $(CPU) -nostartfiles -specs=rdimon.specs -T $(HERE)/microbit.ld -Wl,--gc-sections \
+  $(filter %.o %.a,$^) -o $@
+
+# PlainCoreTest lives on the plainer core, all others on the board's.
+$(OUT)/unit/%Test: $(OUT)/unit/%Test.o $(OUT)/Main.o $(OUT)/Start.o $(OUT)/board.a $(HERE)/microbit.ld
+	$(link)
+$(OUT)/unit/PlainCoreTest: $(OUT)/unit/PlainCoreTest.o $(OUT)/Main.o $(OUT)/Start.o $(OUT)/plain.a $(HERE)/microbit.ld
+	$(link)
+$(OUT)/%Read: $(OUT)/%Read.o $(OUT)/Start.o $(HERE)/microbit.ld
+	$(link)
+
+# The compiler for the M0 does not look into the host's /usr/include, and must not, but for this one header.
+$(OUT)/include/doctest:
+	@mkdir -p $(@D)
+	ln -s $(DOCTEST) $@
+
+compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEFINITIONS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
+$(OUT)/unit/PlainCoreTest.o: DEFINITIONS += -DHOST_PLAIN_CORE
+$(OUT)/unit/%.o: $(TEST)/unit/%.cpp $(HERE)/build.mk | $(OUT)/include/doctest
+	@mkdir -p $(@D)
+	$(call compile,$(TESTS))
+$(OUT)/Main.o: $(HERE)/Main.cpp $(HERE)/build.mk | $(OUT)/include/doctest
+	@mkdir -p $(@D)
+	$(call compile,$(TESTS))
+$(OUT)/%.o: $(HERE)/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(BOARD))
+$(OUT)/UnalignedRead.o: $(HERE)/Read.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(BOARD) -DODD_ADDRESS)
+$(OUT)/AlignedRead.o: $(HERE)/Read.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call compile,$(BOARD))
+
+# The library as on the board; what the fakes derive from needs RTTI, as they have it themselves.
+define archive
+$(OUT)/$1/src/%.o: $(SRC)/%.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$$(call compile,$(BOARD) $2)
+$(OUT)/$1/arduino/%.o: $(HOST)/arduino/%.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$$(call compile,-std=gnu++11 -Os $2)
+$(OUT)/$1/runtime/%.o: $(HOST)/runtime/%.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$$(call compile,$(TESTS))
+$(OUT)/$1/FakeClock.o: $(TEST)/unit/FakeClock.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$$(call compile,-std=gnu++11 -Os $2)
+$(OUT)/$1.a: $(LIBRARY:%=$(OUT)/$1/src/%.o) $(OUT)/$1/arduino/Print.o $(RUNTIME:%=$(OUT)/$1/runtime/%.o) \
+  $(OUT)/$1/FakeClock.o
+	@rm -f $$@
+	arm-none-eabi-ar rcs $$@ $$^
+endef
+$(eval $(call archive,board))
+$(eval $(call archive,plain,-DHOST_PLAIN_CORE))
+
+-include $(shell find $(OUT) -name '*.d' 2>/dev/null)
