@@ -1,6 +1,6 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
 
-.PHONY: help demo test torture fuzz docs clean
+.PHONY: help demo test torture fuzz size bench docs clean
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
 	@echo "            SKETCH=examples/NAME  another sketch"
@@ -12,6 +12,8 @@ help:
 	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer and recording reader, SECONDS=n each"
+	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
+	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make clean  removes build/"
 
@@ -24,10 +26,12 @@ demo:
 	  $(if $(PTY),--pty)
 
 CAPTURES ?=
+AVR := gcc-avr avr-libc arduino-core-avr
+ARM := gcc-arm-none-eabi libnewlib-arm-none-eabi
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  gcc-arm-none-eabi libnewlib-arm-none-eabi
+	  $(AVR) libsimavr-dev $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(abspath $(CAPTURES))'
 
 torture:
@@ -37,6 +41,14 @@ torture:
 fuzz:
 	@sh extras/setup/need.sh clang clang-sanitizers
 	@$(MAKE) --no-print-directory -C test fuzz
+
+size:
+	@sh extras/setup/need.sh $(AVR) $(ARM)
+	@$(MAKE) --no-print-directory -C test size
+
+bench:
+	@sh extras/setup/need.sh $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
+	@$(MAKE) --no-print-directory -C test bench
 
 docs:
 	@sh extras/docs/api.sh

@@ -87,5 +87,8 @@ mkdir -p "$BUILD"
   ./fuzz.sh
   ./golden.sh g++
   ./golden.sh clang++
+  boards/mega/run.sh
+  boards/cortex-m0/run.sh
+  bench/bench.sh check
 } 2>&1 | tee "$BUILD/log"
 awk -f count.awk "$BUILD/log"

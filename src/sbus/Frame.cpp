@@ -8,7 +8,11 @@ constexpr uint8_t GroupChannels = 8;
 constexpr uint8_t GroupBytes = 11;
 
 // Eight channels fill eleven bytes exactly, so the same bit positions come twice in a frame. Written out, because a
-// shift by a constant is one instruction on a Cortex-M0+ and a loop over bits takes some thousand.
+// shift by a constant is one instruction on a Cortex-M0+. All 18 channels there, -Os, `make bench`:
+//   bit by bit                     84 bytes of flash   3068 instructions
+//   bytes shifted into a word      68                   405
+//   unpack(), this one            178                   160
+//   unpackAligned(), word by word 160                    85, but the frame must stand where it may
 void unpackGroup(const uint8_t *in, uint16_t *out) {
   const unsigned mask = ChannelMax;
   const auto byte = [in](uint8_t index) -> unsigned { return in[index]; };

@@ -1,0 +1,64 @@
+#include "Lines.h"
+
+#include "line/Random.h"
+#include "unit/KnownFrames.h"
+
+namespace {
+
+using Pattern = std::vector<uint8_t>;
+
+Pattern operator+(Pattern left, const Pattern &right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+Pattern random() {
+  Random random(20181);
+  Pattern bytes(4096);
+  for (uint8_t &byte : bytes) {
+    byte = random.byte();
+  }
+  return bytes;
+}
+
+Pattern neutral(uint8_t flags, uint8_t end) {
+  Pattern bytes(Neutral.bytes.begin(), Neutral.bytes.end());
+  bytes[23] = flags;
+  bytes[24] = end;
+  return bytes;
+}
+
+Pattern without(Pattern bytes, size_t index) {
+  bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(index));
+  return bytes;
+}
+
+Pattern with(Pattern bytes, size_t index, uint8_t byte) {
+  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(index), byte);
+  return bytes;
+}
+
+std::vector<Line> make() {
+  const Pattern frame = neutral(0x00, 0x00);
+  return {
+      {"random bytes", random()},
+      {"0F without end", {0x0F}},
+      {"0F 00 in turn", {0x0F, 0x00}},
+      {"24 of 0F, 24 of 0C: none of 24 headers has an end byte", Pattern(24, 0x0F) + Pattern(24, 0x0C)},
+      {"24 of 0F, 24 of 00: each of them has, and flags", Pattern(24, 0x0F) + Pattern(24, 0x00)},
+      {"24 of 0F, 24 of 04: and a byte too many", Pattern(24, 0x0F) + Pattern(24, 0x04)},
+      {"neutral frames without a pause", frame},
+      {"neutral frames with end byte 0C", neutral(0x00, 0x0C)},
+      {"neutral frames with flags 10", neutral(0x10, 0x00)},
+      {"neutral frames that lack a byte", without(frame, 12)},
+      {"neutral frames with a byte too many", with(frame, 12, 0x0F)},
+      {"neutral frames, a telemetry answer behind each", neutral(0x00, 0x04) + Pattern{0x03, 0xC0, 0x2E}},
+  };
+}
+
+}  // namespace
+
+const std::vector<Line> &lines() {
+  static const std::vector<Line> all = make();
+  return all;
+}

@@ -1,0 +1,26 @@
+#include "MemorySerial.h"
+
+int MemorySerial::available() {
+  calls.available++;
+  return static_cast<int>(_end - _next);
+}
+
+int MemorySerial::peek() {
+  return _next == _end ? -1 : *_next;
+}
+
+int MemorySerial::read() {
+  calls.singleReads++;
+  return _next == _end ? -1 : *_next++;
+}
+
+int MemorySerial::read(uint8_t *buffer, size_t size) {
+  const size_t waiting = static_cast<size_t>(_end - _next);
+  const size_t count = size < waiting ? size : waiting;
+  calls.reads++;
+  calls.bytes += static_cast<uint32_t>(count);
+  for (size_t i = 0; i < count; i++) {
+    buffer[i] = *_next++;
+  }
+  return static_cast<int>(count);
+}

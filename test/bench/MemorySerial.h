@@ -1,0 +1,42 @@
+// A serial port in memory, as small as can be. What its methods take is the same for the same number of bytes, so it
+// can be subtracted.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+// Last: its macros min and max break the standard headers behind it.
+#include <Arduino.h>
+
+class MemorySerial : public HardwareSerial {
+ public:
+  struct Calls {
+    uint32_t available;
+    uint32_t singleReads;
+    uint32_t reads;  // read(buffer, size)
+    uint32_t bytes;  // by these
+  };
+  Calls calls = Calls();
+
+  // What waits: kept where it is. The calls are counted from here on.
+  void put(const uint8_t *bytes, size_t count) {
+    _next = bytes;
+    _end = bytes + count;
+    calls = Calls();
+  }
+
+  void begin(unsigned long) override {}
+  void begin(unsigned long, uint32_t) override {}
+  void end() override {}
+  int available() override;
+  int peek() override;
+  int read() override;
+  int read(uint8_t *buffer, size_t size) override;
+  void flush() override {}
+  size_t write(uint8_t) override { return 0; }
+  operator bool() override { return true; }
+
+ private:
+  const uint8_t *_next = nullptr;
+  const uint8_t *_end = nullptr;
+};

@@ -1,0 +1,8 @@
+#include "Receivers.h"
+
+void parse(Ours &ours) {
+  ours.receiver.parseSBusFrame();
+}
+void parse(Papers &papers) {
+  papers.receiver.parseSBusFrame();
+}

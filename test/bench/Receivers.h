@@ -1,0 +1,19 @@
+// Ours and the paper's, each behind a function of its own: so neither is compiled together with the port.
+#pragma once
+
+#include <DecodeSBus.h>
+
+#include "MemorySerial.h"
+#include "line/PaperReceiver.h"
+
+struct Ours {
+  MemorySerial port;
+  DecodeSBus receiver{port};
+};
+struct Papers {
+  MemorySerial port;
+  PaperReceiver receiver{port};
+};
+
+void parse(Ours &ours);
+void parse(Papers &papers);

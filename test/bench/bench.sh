@@ -1,0 +1,42 @@
+#!/bin/sh
+# What the library costs on a Cortex-M0+, ours beside the paper's way, counted by QEMU's machine microbit.
+#   bench.sh                      prints the table
+#   bench.sh check                says "ok bench: ..." or "FAILED bench: ..." of each bound
+#   bench.sh search TRIES SEED    looks for a worse call of parseSBusFrame() than those known
+# BUILD is the folder for what is built, absolute.
+set -u
+cd "$(dirname "$0")" || exit 1
+out="${BUILD:-$PWD/../../build/test}/bench"
+what="${1:-table}"
+# One instruction takes 2^10 ns, which are 16.384 ticks of the processor's clock: so the clock counts instructions.
+export QEMU_OPTIONS="-icount shift=10,sleep=off"
+
+build() {
+  "${MAKE:-make}" --no-print-directory -s -f build.mk OUT="$out" "$@"
+}
+
+run() {
+  timeout 120 ../boards/cortex-m0/qemu.sh "$out/Bench" "$@"
+}
+
+mkdir -p "$out"
+if [ "$what" = check ]; then
+  printf '\nbench: what the library costs on a Cortex-M0+, in instructions\n'
+  if ! build bench >"$out/log" 2>&1; then
+    head -n 20 "$out/log"
+    echo "FAILED bench: does not build"
+    exit 1
+  fi
+  run check >"$out/check" 2>&1
+  status=$?
+  cat "$out/check"
+  grep -q '^ok bench: 64 bytes' "$out/check" || echo "FAILED bench: ended with status $status before its end"
+  exit "$status"
+fi
+build bench 1>&2 || exit 1
+if [ "$what" = table ]; then
+  # shellcheck disable=SC2046  # the sizes are words
+  run table $(build sizes)
+else
+  run "$@"
+fi

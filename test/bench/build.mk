@@ -1,0 +1,53 @@
+# Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints how
+# many bytes of flash each way of unpacking takes, as NAME=BYTES. The start-up code is that of ../boards/cortex-m0.
+
+HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+ROOT := $(HERE)/../..
+SRC := $(ROOT)/src
+HOST := $(ROOT)/extras/host
+TEST := $(ROOT)/test
+M0 := $(TEST)/boards/cortex-m0
+CROSS ?= arm-none-eabi-g++
+
+# As on the Grasshopper: its M0+ has the instructions of an M0, in another order at most.
+CPU := -mcpu=cortex-m0plus -mthumb -Os
+BOARD := -std=gnu++11 -fno-exceptions -fno-rtti
+WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
+SECTIONS := -ffunction-sections -fdata-sections
+INCLUDES := -I$(TEST) -I$(TEST)/unit -I$(M0) -I$(SRC) -I$(HOST) -I$(HOST)/arduino
+DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
+
+LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
+MEASURED := MemorySerial Receivers UnpackWays
+PARTS := Bench CleanLine Cost Lines Worst
+
+bench: $(OUT)/Bench
+.PHONY: bench sizes
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+$(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o \
+  $(OUT)/BoardUart.o $(OUT)/FakeClock.o $(OUT)/Print.o $(M0)/microbit.ld
+	$(CROSS) $(CPU) -nostartfiles -specs=rdimon.specs -T $(M0)/microbit.ld -Wl,--gc-sections $(filter %.o,$^) -o $@
+
+compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
+# What is measured is compiled as on the board, the bench itself as suits it.
+define rule
+$(OUT)/$1: $2 $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$$(call compile,$3)
+endef
+$(eval $(call rule,src/%.o,$(SRC)/%.cpp,$(BOARD)))
+$(foreach part,$(MEASURED),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,$(BOARD))))
+$(eval $(call rule,Start.o,$(M0)/Start.cpp,$(BOARD)))
+$(eval $(call rule,FakeClock.o,$(TEST)/unit/FakeClock.cpp,$(BOARD)))
+$(eval $(call rule,Print.o,$(HOST)/arduino/Print.cpp,$(BOARD)))
+$(eval $(call rule,BoardUart.o,$(HOST)/runtime/BoardUart.cpp,-std=gnu++17))
+$(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,-std=gnu++17 -Wno-psabi)))
+
+# unpack() calls unpackGroup(), or has it in line.
+sizes: $(OUT)/src/sbus/Frame.o $(OUT)/UnpackWays.o
+	@arm-none-eabi-nm --radix=d -S -C $^ | awk 'sub(/\(unsigned.*/, "") { name = $$NF; sub(/.*:/, "", name); \
+	  size[name == "unpackGroup" ? "unpack" : name] += $$2 } END { for (name in size) print name "=" size[name] }'
+
+-include $(shell find $(OUT) -name '*.d' 2>/dev/null)

@@ -1,0 +1,51 @@
+// What a sketch uses of the library, one piece at a time: USE says which. size.sh holds each against USE_NOTHING.
+#include <Arduino.h>
+
+#if defined(USE_PAPERS)
+#include "../line/PaperReceiver.h"
+PaperReceiver receiver(Serial1);
+#elif defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
+#include <DecodeSBus.h>
+DecodeSBus receiver(Serial1);
+#elif defined(USE_UNPACK) || defined(USE_PACK)
+#include <sbus/Frame.h>
+#endif
+
+// Where the compiler cannot see what becomes of them.
+extern uint16_t *channels;
+extern bool *flags;
+extern uint8_t *frame;
+
+void setup() {
+#if defined(USE_PAPERS) || defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
+  receiver.begin();
+#endif
+}
+
+void serialEvent1() {
+#if defined(USE_PAPERS) || defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
+  receiver.parseSBusFrame();
+#endif
+}
+
+void loop() {
+#if defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
+  if (receiver.SBusFrameOk()) {
+    receiver.decodeSBusFrame(channels, flags[0], flags[1]);
+  }
+#endif
+#if defined(USE_ALL_OF_DECODER)
+  receiver.end();
+  receiver.begin(channels[0], frame[0]);
+  receiver.setTimeout(channels[0]);
+  receiver.setLossLimit(channels[1]);
+  flags[0] = receiver.newFrame();
+  channels[0] = static_cast<uint16_t>(receiver.linkState());
+  channels[1] = static_cast<uint16_t>(receiver.frameAge());
+  channels[2] = static_cast<uint16_t>(receiver.counters().resyncs);
+#elif defined(USE_UNPACK)
+  sbus::unpack(frame, channels);
+#elif defined(USE_PACK)
+  sbus::pack(frame, channels, flags[0], flags[1]);
+#endif
+}

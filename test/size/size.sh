@@ -1,0 +1,69 @@
+#!/bin/sh
+# Prints what the library and the examples take of flash and RAM: a table in Markdown.
+#   ATmega2560    avr-g++ -Os; an example is a whole program, Arduino's core included
+#   Cortex-M0+    arm-none-eabi-g++ -Os; without the board's core, which is no part of this repository
+# A piece of the library is what a program takes more with it than without it. What the C library and the compiler's own
+# add is not counted, but for the whole programs: division, memmove(), floating point.
+# BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/mega/build.mk).
+set -eu
+cd "$(dirname "$0")"
+src=../../src
+host=../../extras/host
+avr_core=/usr/share/arduino/hardware/arduino/avr
+out=$BUILD/size
+mkdir -p "$out"
+
+common="-Os -std=gnu++11 -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections"
+# What a core calls, by the names that C and C++ give it.
+roots=$(for name in setup loop serialEvent1; do echo ",--undefined=$name,--undefined=_Z${#name}${name}v"; done | tr -d '\n')
+linking="-nostdlib -Wl,--gc-sections,--unresolved-symbols=ignore-all,--entry=0$roots"
+
+# shellcheck disable=SC2086  # the flags are words
+avr() {
+  avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR $common $linking -w \
+    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I$src -I$host/standin "$@" $src/*.cpp $src/sbus/*.cpp
+}
+
+# shellcheck disable=SC2086
+arm() {
+  arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common $linking \
+    -I$host/arduino -I$src -I$host/standin "$@" $src/*.cpp $src/sbus/*.cpp
+}
+
+# flash PROGRAM, ram PROGRAM
+sections() { case $1 in */avr-* | */mega/*) avr-size -A "$1" ;; *) arm-none-eabi-size -A "$1" ;; esac; }
+flash() { sections "$1" | awk '/^\.(text|rodata|data|init_array|fini_array|ARM.ex)/ { sum += $2 } END { print sum + 0 }'; }
+ram() { sections "$1" | awk '/^\.(data|bss|noinit)/ { sum += $2 } END { print sum + 0 }'; }
+
+for chip in avr arm; do
+  $chip -DUSE_NOTHING Uses.cpp -o "$out/$chip-NOTHING"
+done
+
+piece() {  # USE WHAT
+  row="| $2"
+  for chip in avr arm; do
+    with=$out/$chip-$1
+    without=$out/$chip-NOTHING
+    $chip "-DUSE_$1" Uses.cpp -o "$with"
+    row="$row | $(($(flash "$with") - $(flash "$without"))) | $(($(ram "$with") - $(ram "$without")))"
+  done
+  echo "$row |"
+}
+
+example() {  # NAME
+  mega=$BUILD/mega/$1.elf
+  arm -x c++ -include Arduino.h "../../examples/$1/$1.ino" -o "$out/arm-$1"
+  if [ -f "$mega" ]; then on_mega="$(flash "$mega") | $(ram "$mega")"; else on_mega="does not run there |"; fi
+  echo "| examples/$1 | $on_mega | $(flash "$out/arm-$1") | $(ram "$out/arm-$1") |"
+}
+
+echo "| bytes | ATmega2560: flash | RAM | Cortex-M0+: flash | RAM |"
+echo "| --- | --- | --- | --- | --- |"
+piece PAPERS "receiving the paper's way: begin, parse"
+piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk"
+piece ALL_OF_DECODER "\`DecodeSBus\`, all of it"
+piece UNPACK "\`sbus::unpack()\` alone"
+piece PACK "\`sbus::pack()\` alone"
+for sketch in ../../examples/*/; do
+  example "$(basename "$sketch")"
+done
