@@ -13,9 +13,8 @@
 
 #include <DecodeSBus.h>
 #include <elapsedMillis.h>
+#include <sbus/Scaling.h>
 
-const int LOW_END = 172;                   // the value at -100 %
-const int HIGH_END = 1811;                 // the value at +100 %
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
 uint16_t channels[18];
@@ -35,7 +34,7 @@ void setup() {
 }
 
 float normalized(uint16_t value) {
-  return 2.0f * (value - LOW_END) / (HIGH_END - LOW_END) - 1.0f;
+  return sbus::toUnit(value, sbus::FrSky);  // or sbus::Futaba, or {low, centre, high} of your own
 }
 
 void loop() {

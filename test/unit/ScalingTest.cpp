@@ -1,0 +1,157 @@
+// Raw values to microseconds and to parts of the stick's travel, and back: exact, over all 2048 values.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "ShowArrays.h"
+#include "sbus/Scaling.h"
+
+namespace {
+
+constexpr int Values = 2048;
+
+struct NamedRange {
+  const char *name;
+  sbus::Range range;
+};
+
+constexpr NamedRange Ranges[] = {
+    {"FrSky", sbus::FrSky},
+    {"Futaba", sbus::Futaba},
+    {"Futaba, +-140 %", {78, 1024, 1964}},
+    {"the whole of it", {0, 1024, 2047}},
+    {"backwards", {1811, 992, 172}},
+    {"one side short", {900, 1000, 2000}},
+    {"as short as can be", {1000, 1001, 1002}},
+};
+
+bool isRising(const sbus::Range &range) {
+  return range.high > range.low;
+}
+
+int longerSide(const sbus::Range &range) {
+  return std::max(std::abs(range.high - range.centre), std::abs(range.low - range.centre));
+}
+
+// The two straight lines, in floating point. `low`, `centre` and `high` are what the three points become.
+double onTheLines(int raw, const sbus::Range &range, double low, double centre, double high) {
+  const bool upper = isRising(range) ? raw >= range.centre : raw <= range.centre;
+  const double end = upper ? high : low;
+  const double length = (upper ? range.high : range.low) - range.centre;
+  return centre + (end - centre) * (raw - range.centre) / length;
+}
+
+}  // namespace
+
+TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1000, 0, +1000, both ways") {
+  for (const NamedRange &row : Ranges) {
+    CAPTURE(row.name);
+    const sbus::Range &range = row.range;
+    CHECK(sbus::toMicroseconds(range.low, range) == 988);
+    CHECK(sbus::toMicroseconds(range.centre, range) == 1500);
+    CHECK(sbus::toMicroseconds(range.high, range) == 2012);
+    CHECK(sbus::toNormalised(range.low, range) == -1000);
+    CHECK(sbus::toNormalised(range.centre, range) == 0);
+    CHECK(sbus::toNormalised(range.high, range) == 1000);
+    CHECK(sbus::fromMicroseconds(988, range) == range.low);
+    CHECK(sbus::fromMicroseconds(1500, range) == range.centre);
+    CHECK(sbus::fromMicroseconds(2012, range) == range.high);
+    CHECK(sbus::fromNormalised(-1000, range) == range.low);
+    CHECK(sbus::fromNormalised(0, range) == range.centre);
+    CHECK(sbus::fromNormalised(1000, range) == range.high);
+  }
+}
+
+TEST_CASE(
+    "all 2048 values lie within half a microsecond, and half a thousandth, of the straight lines, as far as they go") {
+  for (const NamedRange &row : Ranges) {
+    CAPTURE(row.name);
+    for (int raw = 0; raw < Values; raw++) {
+      const auto value = static_cast<uint16_t>(raw);
+      const double us = onTheLines(raw, row.range, 988, 1500, 2012);
+      const double thousandths = onTheLines(raw, row.range, -1000, 0, 1000);
+      if (std::abs(us) < 32767) {
+        REQUIRE(std::abs(sbus::toMicroseconds(value, row.range) - us) <= 0.5);
+      } else {
+        REQUIRE(sbus::toMicroseconds(value, row.range) == (us < 0 ? -32767 : 32767));
+      }
+      if (std::abs(thousandths) < 32767) {
+        REQUIRE(std::abs(sbus::toNormalised(value, row.range) - thousandths) <= 0.5);
+      } else {
+        REQUIRE(sbus::toNormalised(value, row.range) == (thousandths < 0 ? -32767 : 32767));
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "there and back all 2048 values are exact in thousandths, and within one in microseconds, of sides that short") {
+  for (const NamedRange &row : Ranges) {
+    CAPTURE(row.name);
+    for (int raw = 0; raw < Values; raw++) {
+      CAPTURE(raw);
+      const auto value = static_cast<uint16_t>(raw);
+      const int16_t us = sbus::toMicroseconds(value, row.range);
+      const int16_t thousandths = sbus::toNormalised(value, row.range);
+      if (std::abs(us) < 32767) {
+        REQUIRE(longerSide(row.range) <= 1024);
+        REQUIRE(std::abs(sbus::fromMicroseconds(us, row.range) - raw) <= 1);
+      }
+      if (std::abs(thousandths) < 32767 && longerSide(row.range) <= 1000) {
+        REQUIRE(sbus::fromNormalised(thousandths, row.range) == raw);
+      }
+    }
+  }
+}
+
+TEST_CASE("a FrSky's pulses are Betaflight's within 1 us, -100 % to +100 %") {
+  for (int raw = 172; raw <= 1811; raw++) {
+    CAPTURE(raw);
+    REQUIRE(std::abs(sbus::toMicroseconds(static_cast<uint16_t>(raw), sbus::FrSky) - (5.0 * raw / 8 + 880)) <= 1);
+  }
+}
+
+TEST_CASE("what no raw value means becomes the nearest that there is") {
+  const struct {
+    int16_t us, thousandths;
+    uint16_t raw;
+  } rows[] = {{0, -2000, 0}, {INT16_MIN, INT16_MIN, 0}, {3000, 2000, 2047}, {INT16_MAX, INT16_MAX, 2047}};
+  for (const auto &row : rows) {
+    CAPTURE(row.us);
+    CHECK(sbus::fromMicroseconds(row.us, sbus::FrSky) == row.raw);
+    CHECK(sbus::fromNormalised(row.thousandths, sbus::FrSky) == row.raw);
+  }
+}
+
+TEST_CASE("a side without length is the centre, and divides nothing by 0") {
+  for (const sbus::Range &range : {sbus::Range{1000, 1000, 1000}, sbus::Range{1000, 1000, 2000}}) {
+    CHECK(sbus::toMicroseconds(0, range) == 1500);
+    CHECK(sbus::toNormalised(0, range) == 0);
+    CHECK(sbus::toNormalised(1000, range) == 0);
+    CHECK(sbus::fromNormalised(-1000, range) == 1000);
+  }
+  CHECK(sbus::toUnit(5, {7, 7, 7}) == 0);
+}
+
+TEST_CASE("limited() keeps what is within, and its ends") {
+  const struct {
+    int16_t value, limited;
+  } rows[] = {{-1001, -1000}, {-1000, -1000}, {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}, {INT16_MAX, 1000}};
+  for (const auto &row : rows) {
+    CHECK(sbus::limited(row.value, -1000, 1000) == row.limited);
+  }
+  CHECK(sbus::limited(sbus::toNormalised(0, sbus::FrSky), -1000, 1000) == -1000);
+  CHECK(sbus::toNormalised(0, sbus::FrSky) == -1210);  // (0 - 992) / 820: FrSky's "no pulses"
+}
+
+TEST_CASE("the paper's formula: -1 at low, +1 at high, and not quite 0 at a FrSky's centre") {
+  CHECK(sbus::toUnit(172, sbus::FrSky) == doctest::Approx(-1));
+  CHECK(sbus::toUnit(1811, sbus::FrSky) == doctest::Approx(1));
+  CHECK(sbus::toUnit(992, sbus::FrSky) == doctest::Approx((992.0 - 172) / (1811 - 172) * 2 - 1));
+  for (int raw = 0; raw < Values; raw++) {
+    REQUIRE(std::abs(sbus::toUnit(static_cast<uint16_t>(raw), sbus::Futaba) - ((raw - 352.0) / 1344 * 2 - 1)) < 1e-6);
+  }
+}
