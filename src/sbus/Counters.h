@@ -16,10 +16,10 @@ struct Counters {
   uint32_t refusedByFlags;  // unused bits of the flags are set
   uint32_t refusedByExtra;  // more characters belong to them, or a pause lies within
 
-  uint32_t skippedBytes;    // bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
-  uint32_t resyncs;         // frames found again after others had been missed
-  uint32_t overflows;       // looks that found the port's buffer full: it has most probably dropped bytes
-  uint32_t period;          // us between frames delivered, smoothed over some eight; 0 before the second
+  uint32_t skippedBytes;  // bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
+  uint32_t resyncs;       // frames found again after others had been missed
+  uint32_t overflows;     // looks that found the port's buffer full: it has most probably dropped bytes
+  uint32_t period;        // us between frames delivered, smoothed over some eight; 0 before the second
 };
 
 }  // namespace sbus

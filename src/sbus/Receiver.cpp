@@ -88,9 +88,8 @@ const uint8_t *Receiver::received(int count, int waiting, uint32_t now) {
 inline bool Receiver::likeTheLast() const {
   const uint8_t *const frame = _incoming;
   const uint8_t *const last = _complete;
-  return _filled == FrameSize && _place == Place::BehindFrame && !pauseInside() &&
-         frame[EndIndex] == last[EndIndex] && frame[FlagsIndex] == last[FlagsIndex] &&
-         !isFlagsByte(last[FlagsIndex - 1]);
+  return _filled == FrameSize && _place == Place::BehindFrame && !pauseInside() && frame[EndIndex] == last[EndIndex] &&
+         frame[FlagsIndex] == last[FlagsIndex] && !isFlagsByte(last[FlagsIndex - 1]);
 }
 
 inline const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
@@ -123,9 +122,9 @@ inline const uint8_t *Receiver::search(int waiting, uint32_t quiet) {
   return nullptr;
 }
 
-// A look begins with a header, and no pause was seen before it. If that happens at the same place within frames again and
-// again, true frames begin there: the driver hands over in every pause, however short, but elsewhere only if its ring
-// happens to be half full, at each place once in sixteen frames.
+// A look begins with a header, and no pause was seen before it. If that happens at the same place within frames again
+// and again, true frames begin there: the driver hands over in every pause, however short, but elsewhere only if its
+// ring happens to be half full, at each place once in sixteen frames.
 void Receiver::weigh() {
   if (_filled == 0 || _filled == FrameSize) {
     _distrust -= Doubt;

@@ -81,8 +81,8 @@ class Receiver {
 
   // What is known of the place where the incoming frame begins.
   enum class Place : uint8_t {
-    Any,        // nothing: it is a 0F
-    NearDue,    // a header was due within some characters
+    Any,      // nothing: it is a 0F
+    NearDue,  // a header was due within some characters
     BehindPause,
     BehindFrame,
   };
@@ -104,18 +104,18 @@ class Receiver {
   uint8_t *_incoming = _frames[1] + Pad;
   uint8_t *_complete = _frames[0] + Pad;
   Pauses _pauses;
-  uint8_t _filled;    // bytes in _incoming
-  uint8_t _pauseAt;   // index of the first byte behind the newest pause, or Nowhere
-  uint8_t _waiting;   // bytes that wait to be read
-  uint8_t _lookAt;    // index of the first byte that the newest look has found
-  int8_t _due;        // index at which the next header is due; may be passed already
-  uint8_t _misses;    // headers that were due and did not come, or Lost: then none is due
-  uint8_t _shortened; // characters of a frame that has lost one, with all that belongs to it
+  uint8_t _filled;     // bytes in _incoming
+  uint8_t _pauseAt;    // index of the first byte behind the newest pause, or Nowhere
+  uint8_t _waiting;    // bytes that wait to be read
+  uint8_t _lookAt;     // index of the first byte that the newest look has found
+  int8_t _due;         // index at which the next header is due; may be passed already
+  uint8_t _misses;     // headers that were due and did not come, or Lost: then none is due
+  uint8_t _shortened;  // characters of a frame that has lost one, with all that belongs to it
   Place _place;
   bool _aligned;      // a header stands at the beginning of _incoming, and _place speaks of it
   uint8_t _disputed;  // number, modulo 256, of a frame that has a pause within it, and a header behind that
   bool _hasFrame;
-  uint8_t _rivalAt;   // where the last look within a frame began that began with a header
+  uint8_t _rivalAt;    // where the last look within a frame began that began with a header
   uint32_t _distrust;  // frames delivered, less the trust that they begin where they are found; see weigh()
   uint32_t _frameTime = 0;
   Counters _counters;

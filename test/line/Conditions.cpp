@@ -28,7 +28,7 @@ constexpr double Unsafe = 1e-3;    // wrong frames with insertions or 1/50 dropp
 constexpr double None = 0;
 
 constexpr const char *Hidden =
-    "without visible pauses a payload that looks like a frame is told from one only by where looks begin, after a while";
+    "without visible pauses only the places where looks begin tell a header from a payload like one, after a while";
 constexpr const char *SamePlace =
     "where each byte is handed over, looks in step with the frames begin at the same place, be it a header or like one";
 constexpr const char *LikeInserted =
