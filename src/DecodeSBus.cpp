@@ -2,17 +2,9 @@
 
 #include <stddef.h>
 
-#if defined(SERIAL_SBUS)
-#include <stm32l0_uart.h>  // the option bits that SERIAL_SBUS is made of; Arduino.h does not bring them in
-#endif
+#include "SBusPort.h"
 
 namespace {
-
-#if defined(SERIAL_SBUS)
-constexpr auto PortConfig = SERIAL_SBUS;
-#else
-constexpr auto PortConfig = SERIAL_8E2;
-#endif
 
 // The core's buffer. A look that finds this many bytes, or one less, may have found it full, and then the core has
 // dropped the newest bytes: the break lies behind the last one. One less, because a core may keep a place free (AVR).
@@ -37,13 +29,6 @@ int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   return count;
 }
 
-// A format is a byte on some cores (AVR), 32 bits on others.
-template <typename Format>
-void open(HardwareSerial &port, void (HardwareSerial::*begin)(unsigned long, Format), unsigned long baud,
-          uint32_t config) {
-  (port.*begin)(baud, static_cast<Format>(config));
-}
-
 // A frame has come, and within the timeout.
 inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
@@ -56,7 +41,7 @@ inline bool isYoung(sbus::LinkState state) {
 }  // namespace
 
 void DecodeSBus::begin() {
-  begin(sbus::Baud, PortConfig);
+  begin(sbus::Baud, sbus::PortConfig);
 }
 
 void DecodeSBus::begin(unsigned long baud, uint32_t config) {
@@ -64,7 +49,7 @@ void DecodeSBus::begin(unsigned long baud, uint32_t config) {
   _receiver.reset(micros(), static_cast<uint8_t>(us));
   _link.reset();
   _decoded = 0;
-  open(_serial, &HardwareSerial::begin, baud, config);
+  sbus::open(_serial, &HardwareSerial::begin, baud, config);
 }
 
 void DecodeSBus::end() {

@@ -7,6 +7,9 @@ PaperReceiver receiver(Serial1);
 #elif defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
 #include <DecodeSBus.h>
 DecodeSBus receiver(Serial1);
+#elif defined(USE_ENCODER)
+#include <EncodeSBus.h>
+EncodeSBus sender(Serial1);
 #elif defined(USE_UNPACK) || defined(USE_PACK)
 #include <sbus/Frame.h>
 #endif
@@ -19,6 +22,8 @@ extern uint8_t *frame;
 void setup() {
 #if defined(USE_PAPERS) || defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
   receiver.begin();
+#elif defined(USE_ENCODER)
+  sender.begin();
 #endif
 }
 
@@ -43,6 +48,8 @@ void loop() {
   channels[0] = static_cast<uint16_t>(receiver.linkState());
   channels[1] = static_cast<uint16_t>(receiver.frameAge());
   channels[2] = static_cast<uint16_t>(receiver.counters().resyncs);
+#elif defined(USE_ENCODER)
+  flags[0] = sender.write(channels, flags[0], flags[1]);
 #elif defined(USE_UNPACK)
   sbus::unpack(frame, channels);
 #elif defined(USE_PACK)

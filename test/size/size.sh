@@ -62,6 +62,7 @@ echo "| --- | --- | --- | --- | --- |"
 piece PAPERS "receiving the paper's way: begin, parse"
 piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk"
 piece ALL_OF_DECODER "\`DecodeSBus\`, all of it"
+piece ENCODER "\`EncodeSBus\`: begin, write"
 piece UNPACK "\`sbus::unpack()\` alone"
 piece PACK "\`sbus::pack()\` alone"
 for sketch in ../../examples/*/; do

@@ -21,6 +21,9 @@ class FakeSerial : public HardwareSerial {
   // 64 on the board; 63 on an AVR, whose ring keeps one of its 64 places free.
   explicit FakeSerial(size_t capacity = 64) : _capacity(capacity) {}
 
+  std::vector<uint8_t> written;
+  int placesToWrite = 64;  // what the transmit buffer takes, however much is written
+
   std::vector<Opening> openings;
   unsigned closings = 0;
   unsigned singleReads = 0;
@@ -75,7 +78,12 @@ class FakeSerial : public HardwareSerial {
   }
 #endif
   void flush() override {}
-  size_t write(uint8_t) override { return 0; }
+  int availableForWrite() override { return _isOpen ? placesToWrite : 0; }
+  size_t write(uint8_t value) override {
+    written.push_back(value);
+    return 1;
+  }
+  using Print::write;
   operator bool() override { return _isOpen; }
 
  private:

@@ -1,0 +1,41 @@
+// EncodeSBus: sends Futaba S.Bus through a hardware serial port; the mirror of DecodeSBus.
+//
+//   EncodeSBus sBus(Serial2);
+//   void loop() { sBus.write(channels, failsafe, lostFrame); }
+#pragma once
+
+#include <Arduino.h>
+
+// One sender on one serial port. A DecodeSBus may listen on the same port: begin() either, not both, and end() it once.
+// All methods are for setup(), loop() or serialEventN(), not for interrupts.
+class EncodeSBus {
+ public:
+  // `serial` must outlive the object. Nothing is opened yet.
+  explicit EncodeSBus(HardwareSerial &serial) : _serial(serial) {}
+
+  // Opens the port: 100000 baud, SERIAL_SBUS (8E2, inverted); SERIAL_8E2 on a core that has none, and the line then
+  // needs an inverter. Nothing is sent before write().
+  void begin();
+
+  // begin() with another baud rate (Fast S.Bus: 200000) or format: begin(100000, SERIAL_8E2) for an uninverted line.
+  void begin(unsigned long baud, uint32_t config);
+
+  // Closes the port. What the core still holds of a frame may be lost.
+  void end();
+
+  // Time from one frame to the next: 0..65535 us, 9000 unless told (FrSky's R-XSR). A frame itself takes 3000 us, 1500
+  // at 200000 baud, and receivers of it need a pause: less than 4000 (2000) is asking for trouble.
+  void setPeriod(uint16_t us) { _period = us; }
+
+  // Sends a frame if it is due, and if the port can take all of it at once: it never waits, and never sends a part.
+  // Call it in every pass of loop(): the frames then come on time, without adding up what loop() takes. `channels` are
+  // 18: CH1..CH16, 0..2047, of which any above are sent as 2047, and CH17 and CH18, where any but 0 is sent as 1. True
+  // if it has sent. The first frame is due at once.
+  bool write(const uint16_t channels[], bool failsafe, bool lostFrame);
+
+ private:
+  HardwareSerial &_serial;
+  uint32_t _last = 0;  // us, when the last frame was due
+  uint16_t _period = 9000;
+  bool _sent = false;
+};
