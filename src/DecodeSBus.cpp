@@ -40,8 +40,8 @@ inline bool isYoung(sbus::LinkState state) {
 
 }  // namespace
 
-void DecodeSBus::begin() {
-  begin(sbus::Baud, sbus::PortConfig);
+void DecodeSBus::begin(unsigned long baud) {
+  begin(baud, sbus::PortConfig);
 }
 
 void DecodeSBus::begin(unsigned long baud, uint32_t config) {

@@ -25,12 +25,13 @@ class DecodeSBus {
   // `serial` must outlive the object. Nothing is opened yet.
   explicit DecodeSBus(HardwareSerial &serial) : _serial(serial) {}
 
-  // Opens the port: 100000 baud, SERIAL_SBUS (8E2, inverted). On a core that has no SERIAL_SBUS it opens SERIAL_8E2,
-  // and the line then needs an inverter. Forgets all frames seen so far, and the counters; timeout and loss limit stay.
-  void begin();
+  // Opens the port: 100000 baud unless told (Fast S.Bus: 200000), SERIAL_SBUS (8E2, inverted). On a core that has no
+  // SERIAL_SBUS it opens SERIAL_8E2, and the line then needs an inverter. Forgets all frames seen so far, and the
+  // counters; timeout and loss limit stay.
+  void begin(unsigned long baud = sbus::Baud);
 
-  // begin() with another baud rate (Fast S.Bus: 200000) or format: begin(100000, SERIAL_8E2) for a
-  // receiver's uninverted pad. The port does not tell if it cannot do that: no frames come then.
+  // begin() with another format: begin(100000, SERIAL_8E2) for a receiver's uninverted pad. The port does not tell if it
+  // cannot do that: no frames come then.
   void begin(unsigned long baud, uint32_t config);
 
   // Closes the port. The last frame can still be decoded, until it is stale.

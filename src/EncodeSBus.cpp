@@ -1,10 +1,9 @@
 #include "EncodeSBus.h"
 
 #include "SBusPort.h"
-#include "sbus/Frame.h"
 
-void EncodeSBus::begin() {
-  begin(sbus::Baud, sbus::PortConfig);
+void EncodeSBus::begin(unsigned long baud) {
+  begin(baud, sbus::PortConfig);
 }
 
 void EncodeSBus::begin(unsigned long baud, uint32_t config) {

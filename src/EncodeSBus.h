@@ -6,6 +6,8 @@
 
 #include <Arduino.h>
 
+#include "sbus/Frame.h"
+
 // One sender on one serial port. A DecodeSBus may listen on the same port: begin() either, not both, and end() it once.
 // All methods are for setup(), loop() or serialEventN(), not for interrupts.
 class EncodeSBus {
@@ -13,11 +15,11 @@ class EncodeSBus {
   // `serial` must outlive the object. Nothing is opened yet.
   explicit EncodeSBus(HardwareSerial &serial) : _serial(serial) {}
 
-  // Opens the port: 100000 baud, SERIAL_SBUS (8E2, inverted); SERIAL_8E2 on a core that has none, and the line then
-  // needs an inverter. Nothing is sent before write().
-  void begin();
+  // Opens the port: 100000 baud unless told (Fast S.Bus: 200000), SERIAL_SBUS (8E2, inverted); SERIAL_8E2 on a core that
+  // has none, and the line then needs an inverter. Nothing is sent before write().
+  void begin(unsigned long baud = sbus::Baud);
 
-  // begin() with another baud rate (Fast S.Bus: 200000) or format: begin(100000, SERIAL_8E2) for an uninverted line.
+  // begin() with another format: begin(100000, SERIAL_8E2) for an uninverted line.
   void begin(unsigned long baud, uint32_t config);
 
   // Closes the port. What the core still holds of a frame may be lost.

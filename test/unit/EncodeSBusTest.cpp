@@ -38,6 +38,9 @@ TEST_CASE("begin opens the port as DecodeSBus does, and sends nothing; end close
   sender.sbus.begin(200000, SERIAL_8E2);
   CHECK(sender.port.openings[1].baud == 200000);
   CHECK(sender.port.openings[1].config == SERIAL_8E2);
+  sender.sbus.begin(200000);
+  CHECK(sender.port.openings[2].baud == 200000);
+  CHECK(sender.port.openings[2].config == SERIAL_SBUS);
 }
 
 TEST_CASE("the first frame is sent at once, byte for byte as a receiver sends these channels") {

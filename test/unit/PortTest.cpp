@@ -24,6 +24,14 @@ TEST_CASE("begin opens the port once, at 100000 baud, 8E2, inverted both ways") 
   CHECK(board.port.closings == 0);
 }
 
+TEST_CASE("begin(200000) opens the port for Fast S.Bus, inverted as ever") {
+  FakeBoard board;
+  board.sbus.begin(200000);
+  REQUIRE(board.port.openings.size() == 1);
+  CHECK(board.port.openings[0].baud == 200000);
+  CHECK(board.port.openings[0].config == SERIAL_SBUS);
+}
+
 TEST_CASE("begin(baud, config) opens the port with exactly these") {
   const FakeSerial::Opening rows[] = {{200000, SERIAL_8E2}, {100000, SERIAL_8E2}, {200000, SERIAL_SBUS}, {115200, SERIAL_8N1},
                                         {9600, SERIAL_8E2},    {0, SERIAL_8E2},      {UINT32_MAX, SERIAL_8E2}};
