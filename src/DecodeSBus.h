@@ -47,8 +47,8 @@ class DecodeSBus {
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
   // Takes in the bytes that wait on the port; never waits itself. Call it from serialEventN(), or from loop(), at
-  // least every 5 ms (at 200000 baud 2.5 ms): the core's buffer of 64 bytes takes 7.7 ms (3.8 ms) of a line without
-  // pauses. After a longer wait frames are lost, but none is mixed up. A frame is there at the first call after its
+  // least every 5 ms (at 200000 baud 2.5 ms): the core's buffer of 64 bytes is full after 7.7 ms (3.8 ms) of a line
+  // without pauses, and taken for broken off where it ends. Then frames are lost, but none is mixed up. A frame is there at the first call after its
   // last byte came in. Only one that might be the beginning of a longer, damaged one waits for what follows, until the
   // next frame's first byte at the most: behind a frame with CH16 below 128, or if the flags change together with CH16.
   // A call without bytes lets it come sooner. Cost: see README.md. It is linear in the bytes read, whatever they are.

@@ -14,14 +14,13 @@
 
 namespace {
 
-constexpr uint64_t BlockEveryUs = 500000;
 constexpr uint64_t ClockWrapUs = uint64_t(1) << 32;
 constexpr uint64_t LongestRunUs = ClockWrapUs / 2;  // before the wrap
 
 class Receiver {
  public:
   virtual ~Receiver() = default;
-  virtual void begin() = 0;
+  virtual void begin(unsigned long baud) = 0;
   virtual void parse() = 0;
   virtual bool newFrame(Frame &frame) = 0;  // since the last call
 };
@@ -34,7 +33,7 @@ class Ours : public Receiver {
     _sbus.setLossLimit(0);
     _sbus.setTimeout(0);
   }
-  void begin() override { _sbus.begin(); }
+  void begin(unsigned long baud) override { _sbus.begin(baud); }
   void parse() override { _sbus.parseSBusFrame(); }
   bool newFrame(Frame &frame) override {
     if (!_sbus.newFrame()) {
@@ -55,7 +54,7 @@ class Ours : public Receiver {
 class Papers : public Receiver {
  public:
   explicit Papers(HardwareSerial &port) : _paper(port) {}
-  void begin() override { _paper.begin(); }
+  void begin(unsigned long baud) override { _paper.begin(baud); }
   void parse() override { _paper.parseSBusFrame(); }
   bool newFrame(Frame &frame) override {
     if (_paper.frames() == _seen) {
@@ -76,10 +75,10 @@ class Bench : private ReadObserver {
   Bench(const Run &run, Way way, uint64_t seed)
       : _run(run),
         _random(seed),
-        _beginUs(ClockWrapUs - _random.below(static_cast<uint32_t>(std::min(run.frames * run.periodUs, LongestRunUs)))),
-        _wire(run.impairments, run.kind, run.sticks, run.periodUs, run.frames,
-              run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + _random.below(9000), _random),
-        _port(*this) {
+        _beginUs(ClockWrapUs - randomUs(std::min(run.line.frames * run.line.periodUs, LongestRunUs))),
+        _wire(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 * grainUs() + randomUs(9000 * grainUs()),
+              _random),
+        _port(*this, run.line.baud) {
     if (way == Way::Ours) {
       _receiver = std::make_unique<Ours>(_port);
     } else {
@@ -89,8 +88,8 @@ class Bench : private ReadObserver {
 
   Tally run() {
     fakeMicros = _beginUs;
-    _receiver->begin();
-    _nextBlockUs = _run.blockUs != 0 ? fakeMicros + BlockEveryUs : UINT64_MAX;
+    _receiver->begin(_run.line.baud);
+    _nextBlockUs = _run.blockUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
     do {
       passOfLoop();
       receive();
@@ -106,16 +105,19 @@ class Bench : private ReadObserver {
  private:
   void beforeRead() override { takeFrame(); }
 
+  uint32_t grainUs() const { return _run.line.grainUs; }
+  uint32_t randomUs(uint64_t limitUs) { return _random.time(static_cast<uint32_t>(limitUs), grainUs()); }
+
   void passOfLoop() {
     _blocked = fakeMicros >= _nextBlockUs;
     if (_blocked) {
-      _nextBlockUs = fakeMicros + BlockEveryUs - _random.below(_run.periodUs);
+      _nextBlockUs = fakeMicros + _run.blockEveryUs - randomUs(_run.line.periodUs);
       fakeMicros += _run.blockUs;
       return;
     }
-    fakeMicros += _run.steady ? _run.loopUs : _run.loopUs * 9 / 10 + _random.below(_run.loopUs / 5 + 1);
+    fakeMicros += _run.steady ? _run.loopUs : _run.loopUs * 9 / 10 + randomUs(_run.loopUs / 5 + grainUs());
     // Passes in which nothing can come are not worth the time.
-    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 2 * host::CharacterUs + 2 * _run.loopUs) {
+    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 2 * _characterUs + 2 * _run.loopUs) {
       const uint64_t nextUs = std::min(_wire.nextUs(), _nextBlockUs);
       if (nextUs > fakeMicros + _run.loopUs) {
         fakeMicros += (nextUs - fakeMicros) / _run.loopUs * _run.loopUs;
@@ -129,13 +131,13 @@ class Bench : private ReadObserver {
       for (SentFrame frame; _wire.nextSent(frame);) {
         _judge.sent(frame);
       }
-      if (character.endUs < _beginUs + host::CharacterUs && !character.bad) {
+      if (character.endUs < _beginUs + _characterUs && !character.bad) {
         _judge.lost(_position, _position + 1);
         _position++;
       }
-      _port.uart.receive(character);
+      _port.receive(character);
       if (_run.byteByByte) {
-        _port.uart.advance(character.endUs + host::CharacterUs);
+        _port.uart.advance(character.endUs + _characterUs);
       }
       _lastEndUs = character.endUs;
     }
@@ -165,6 +167,7 @@ class Bench : private ReadObserver {
   }
 
   const Run _run;
+  const uint32_t _characterUs = _run.line.characterUs();
   Random _random;
   const uint64_t _beginUs;  // such that micros() wraps during the run
   WireLine _wire;
@@ -180,6 +183,15 @@ class Bench : private ReadObserver {
 };
 
 }  // namespace
+
+Run slowMotion(Run run) {
+  run.line.baud /= 2;
+  for (uint32_t *const us : {&run.line.periodUs, &run.line.grainUs, &run.loopUs, &run.blockUs, &run.blockEveryUs,
+                             &run.joinUs}) {
+    *us *= 2;
+  }
+  return run;
+}
 
 Tally simulate(const Run &run, Way way, uint64_t seed) {
   return Bench(run, way, seed).run();

@@ -7,18 +7,19 @@
 #include "WireLine.h"
 
 struct Run {
-  Impairments impairments{};
-  Kind kind = Kind::Plain;
-  Sticks sticks = Sticks::Neutral;
-  uint32_t periodUs = 9000;
+  Transmission line{};
   uint32_t loopUs = 50;     // a pass of loop()
   bool steady = false;      // exactly so long, else give or take 10 %
   bool byteByByte = false;  // the port hands over each byte, as without DMA (Serial3, AVR)
-  uint32_t blockUs = 0;     // one pass of every half second lasts so long
-  uint64_t frames = 20000;
+  uint32_t blockUs = 0;     // one pass lasts so long
+  uint32_t blockEveryUs = 500000;
   bool joining = false;     // the port is opened so long after the line's first frame has begun
   uint32_t joinUs = 0;
 };
+
+// The same in slow motion: at half the baud rate, with all times twice as long, those at random too. For Kind::Plain:
+// what other receivers send has times of its own.
+Run slowMotion(Run run);
 
 enum class Way { Ours, Papers };
 

@@ -21,6 +21,15 @@ const std::vector<Timing> Blocked = {{6000, Short}, {9000, Short}, {14000, Short
 const std::vector<Timing> Slow = {{4000, 20000}, {6000, 20000},  {7000, 20000},
                                   {9000, 20000}, {14000, 20000}, {15000, 20000}};
 
+// For Fast S.Bus half of these, and what FrSky's ACCESS receivers send, 4 to 9 ms.
+constexpr uint32_t FastLong = 1500;
+const std::vector<Timing> FastClean = {{3000, Short}, {3500, Short}, {4500, FastLong}, {7000, FastLong}};
+const std::vector<Timing> FastSeen = {{3000, Short}, {4500, FastLong}, {7500, Short}};
+const std::vector<Timing> FastHidden = {{2000, Short}, {3500, FastLong}};
+const std::vector<Timing> FastJoin = {{3500, Short}, {7500, FastLong}};
+const std::vector<Timing> FastBlocked = {{3000, Short}, {9000, Short}};
+const std::vector<Timing> FastBlockedHalf = {{3000, Short}, {4500, Short}, {7000, Short}};
+
 // What issue 3 asks for, per damaged frame.
 constexpr double Missed = 1e-3;
 constexpr double Deceived = 1e-4;  // wrong frames under adversarial sticks
@@ -60,6 +69,12 @@ std::vector<Bound> bounds(const Limit &all) {
   return bounds(all, all, all);
 }
 
+Condition fast(Condition condition) {
+  condition.name = "Fast S.Bus, " + condition.name;
+  condition.baud = FastBaud;
+  return condition;
+}
+
 // Does not change when the list does.
 uint64_t ownSeed(const Condition &condition, const Timing &timing, Sticks sticks, uint64_t seed) {
   uint64_t mixed = seed;
@@ -70,6 +85,12 @@ uint64_t ownSeed(const Condition &condition, const Timing &timing, Sticks sticks
     mixed = Random(mixed + value).next();
   }
   return mixed;
+}
+
+// "9 ms", "3.5 ms"
+std::string inMs(uint32_t us) {
+  const uint32_t tenths = us % 1000 / 100;
+  return std::to_string(us / 1000) + (tenths != 0 ? "." + std::to_string(tenths) : "") + " ms";
 }
 
 }  // namespace
@@ -134,34 +155,61 @@ const std::vector<Condition> &conditions() {
        bounds({0.001, None}, {0.001, None}, {0.003, None}), 60000},
       {"blocked 200 ms every 500 ms", {}, Kind::Plain, Blocked,
        bounds({0.001, None}, {0.001, None}, {0.001, None}), 200000},
+      fast({"clean", {}, Kind::Plain, FastClean,
+            bounds({None, None})}),
+      fast({"clean, short pauses", {}, Kind::Plain, FastHidden,
+            bounds({None, None})}),
+      fast({"dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::Plain, FastSeen,
+            bounds({Missed, None}, {Missed, None}, {Missed, Deceived})}),
+      fast({"inserted 1/500", only(&Impairments::inserted, 1 / 500.), Kind::Plain, FastSeen,
+            bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, 0.003, LowChannel})}),
+      fast({"noise in 1/10 of the pauses", only(&Impairments::noise, 0.1), Kind::Plain, FastSeen,
+            bounds({0.005, None, LikeInserted}, {0.003, None, LikeInserted}, {0.005, 2e-4, LikeInserted})}),
+      fast({"joined midway", {}, Kind::Plain, FastJoin,
+            bounds({None, None}), 0, true}),
+      fast({"blocked 6 ms every 500 ms", {}, Kind::Plain, FastBlockedHalf,
+            bounds({5e-4, None}, {5e-4, None}, {5e-4, 5e-5, Hidden}), 6000}),
+      fast({"blocked 12 ms every 500 ms", {}, Kind::Plain, FastBlocked,
+            bounds({0.003, None}, {0.003, None}, {0.01, None}), 12000}),
+      fast({"blocked 20 ms every 500 ms", {}, Kind::Plain, FastBlocked,
+            bounds({0.01, None}, {0.01, None}, {0.02, None}), 20000}),
+      fast({"blocked 60 ms every 500 ms", {}, Kind::Plain, FastBlocked,
+            bounds({0.001, None}, {0.001, None}, {0.001, None}), 60000}),
   };
   return list;
 }
 
-Tally torture(const Condition &condition, const Timing &timing, Sticks sticks, Way way, uint64_t frames,
-              uint64_t seed) {
+Run runOf(const Condition &condition, const Timing &timing, Sticks sticks) {
   Run run;
-  run.impairments = condition.impairments;
-  run.kind = condition.kind;
-  run.sticks = sticks;
-  run.periodUs = timing.periodUs;
+  run.line.impairments = condition.impairments;
+  run.line.kind = condition.kind;
+  run.line.sticks = sticks;
+  run.line.baud = condition.baud;
+  run.line.periodUs = timing.periodUs;
   run.loopUs = timing.loopUs;
   run.steady = condition.inStep;
   run.byteByByte = condition.byteByByte;
   run.blockUs = condition.blockUs;
   run.joining = condition.joining;
-  run.frames = frames;
+  return run;
+}
+
+Tally torture(const Condition &condition, const Timing &timing, Sticks sticks, Way way, uint64_t frames,
+              uint64_t seed) {
+  Run run = runOf(condition, timing, sticks);
+  run.line.frames = frames;
   Random seeds(ownSeed(condition, timing, sticks, seed));
   if (condition.joining) {
-    run.frames = 12;
+    run.line.frames = 12;
   } else if (condition.inStep) {
-    run.frames = 2000;
+    run.line.frames = 2000;
   }
+  const uint32_t characterUs = run.line.characterUs();
   Tally sum;
-  for (uint64_t i = 0; i < frames; i += run.frames) {
+  for (uint64_t i = 0; i < frames; i += run.line.frames) {
     if (condition.joining) {
       // At every character of a frame, and anywhere within it, over and over.
-      run.joinUs = static_cast<uint32_t>(i / run.frames % 25 * host::CharacterUs + seeds.below(host::CharacterUs));
+      run.joinUs = static_cast<uint32_t>(i / run.line.frames % 25 * characterUs + seeds.below(characterUs));
     }
     sum += simulate(run, way, seeds.next());  // in step, each begins at another place of a frame
   }
@@ -169,7 +217,6 @@ Tally torture(const Condition &condition, const Timing &timing, Sticks sticks, W
 }
 
 std::string name(const Timing &timing) {
-  const std::string loop =
-      timing.loopUs < 1000 ? std::to_string(timing.loopUs) + " us" : std::to_string(timing.loopUs / 1000) + " ms";
-  return "T = " + std::to_string(timing.periodUs / 1000) + " ms, loop() " + loop;
+  return "T = " + inMs(timing.periodUs) + ", loop() " +
+         (timing.loopUs < 1000 ? std::to_string(timing.loopUs) + " us" : inMs(timing.loopUs));
 }

@@ -7,6 +7,8 @@
 
 #include "Bench.h"
 
+constexpr unsigned long FastBaud = 200000;
+
 struct Timing {
   uint32_t periodUs;
   uint32_t loopUs;
@@ -31,11 +33,15 @@ struct Condition {
   bool joining = false;
   bool byteByByte = false;
   bool inStep = false;  // every pass takes exactly as long, and looks meet each frame at the same place
+  unsigned long baud = sbus::Baud;
 };
 
 const std::vector<Condition> &conditions();
 
-// One condition, one timing, one kind of sticks: `frames` or a few more. Each has a seed of its own, made of `seed`.
+// One condition, one timing, one kind of sticks.
+Run runOf(const Condition &condition, const Timing &timing, Sticks sticks);
+
+// The same: `frames` or a few more. Each has a seed of its own, made of `seed`.
 Tally torture(const Condition &condition, const Timing &timing, Sticks sticks, Way way, uint64_t frames, uint64_t seed);
 
 // "T = 9 ms, loop() 50 us".

@@ -17,8 +17,8 @@ class PaperReceiver {
  public:
   explicit PaperReceiver(HardwareSerial &serial) : _serial(serial) {}
 
-  void begin() {
-    _serial.begin(100000, SERIAL_SBUS);
+  void begin(unsigned long baud = 100000) {
+    _serial.begin(baud, SERIAL_SBUS);
     _lastCall = micros();
   }
 

@@ -1,9 +1,11 @@
-// A serial port over the board's receive path. Before every read it tells its observer: a class that takes in two
-// frames in one call has finished with the first then, and can be asked for it.
+// A serial port over the board's receive path. If it is opened at another baud rate than the wire's it hears nothing.
+// Before every read it tells its observer: a class that takes in two frames in one call has finished with the first
+// then, and can be asked for it.
 #pragma once
 
 #include <FakeClock.h>
 #include <runtime/BoardUart.h>
+#include <runtime/Wire.h>
 
 // Last: its macros min and max break the standard headers behind it.
 #include <Arduino.h>
@@ -16,13 +18,21 @@ class ReadObserver {
 
 class UartPort : public HardwareSerial {
  public:
-  explicit UartPort(ReadObserver &observer) : _observer(observer) {}
+  UartPort(ReadObserver &observer, unsigned long wireBaud) : _observer(observer), _wireBaud(wireBaud) {}
 
   host::BoardUart uart;
   uint64_t bytesRead = 0;
 
   void begin(unsigned long baud) override { begin(baud, 0); }
-  void begin(unsigned long, uint32_t) override { uart.open(fakeMicros); }
+  void begin(unsigned long baud, uint32_t) override {
+    _baud = baud;
+    uart.open(fakeMicros, host::Wire{baud}.characterUs());
+  }
+  void receive(const host::Character &character) {
+    if (_baud == _wireBaud) {
+      uart.receive(character);
+    }
+  }
   void end() override { uart.close(); }
   int available() override { return uart.available(); }
   int peek() override { return uart.peek(); }
@@ -46,4 +56,6 @@ class UartPort : public HardwareSerial {
 
  private:
   ReadObserver &_observer;
+  const unsigned long _wireBaud;
+  unsigned long _baud = 0;
 };

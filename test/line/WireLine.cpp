@@ -4,8 +4,6 @@
 
 #include <sbus/Frame.h>
 
-using host::CharacterUs;
-
 namespace {
 
 constexpr uint8_t LongTail[] = {0x00, 0x03, 0xC0, 0x33, 0x00};  // a Futaba R7003SB
@@ -13,14 +11,12 @@ constexpr uint8_t Telemetry[] = {0x03, 0xC0, 0x2E};             // PX4-Autopilot
 
 }  // namespace
 
-WireLine::WireLine(const Impairments &impairments, Kind kind, Sticks sticks, uint32_t periodUs, uint64_t frames,
-                   uint64_t startUs, Random &random)
-    : _impairments(impairments),
-      _kind(kind),
-      _periodUs(periodUs),
+WireLine::WireLine(const Transmission &transmission, uint64_t startUs, Random &random)
+    : _transmission(transmission),
+      _characterUs(transmission.characterUs()),
       _random(random),
-      _sticks(sticks, random),
-      _framesLeft(frames),
+      _sticks(transmission.sticks, random),
+      _framesLeft(transmission.frames),
       _frameUs(startUs),
       _timeUs(startUs) {}
 
@@ -59,27 +55,27 @@ void WireLine::sendFrame() {
 
   SentFrame sent;
   sent.bytes = _sticks.next();
-  if (_kind == Kind::Sbus2) {
+  if (_transmission.kind == Kind::Sbus2) {
     sent.bytes[sbus::EndIndex] = static_cast<uint8_t>(sbus::TelemetryEndByte + (_number % 4 << 4));
-  } else if (_kind == Kind::R7003SB) {
+  } else if (_transmission.kind == Kind::R7003SB) {
     sent.bytes[sbus::EndIndex] = sbus::LongEndByte;
   }
   const uint8_t end = sent.bytes[sbus::EndIndex];
   for (unsigned i = 0; i < sbus::FrameSize; i++) {
     uint8_t &value = sent.bytes[i];
-    if (_random.chance(_impairments.flipped)) {
+    if (_random.chance(_transmission.impairments.flipped)) {
       const uint32_t one = _random.below(8);
       const uint32_t other = (one + 1 + _random.below(7)) % 8;
       value = static_cast<uint8_t>(value ^ (1u << one | 1u << other));
     }
-    if (_random.chance(_impairments.inserted)) {
+    if (_random.chance(_transmission.impairments.inserted)) {
       send(_random.byte());
       sent.intact = sent.intact && i == 0;  // in front of the header it does no harm
     }
     if (i == 0) {
       sent.first = _good;
     }
-    const bool bad = _random.chance(_impairments.dropped);
+    const bool bad = _random.chance(_transmission.impairments.dropped);
     send(value, bad);
     sent.intact = sent.intact && !bad;
   }
@@ -88,9 +84,9 @@ void WireLine::sendFrame() {
   _sent.push_back(sent);
 
   sendTail(end);
-  uint64_t nextFrameUs = _frameUs + _periodUs;
+  uint64_t nextFrameUs = _frameUs + _transmission.periodUs;
   sendNoise(nextFrameUs);
-  if (_kind == Kind::Further && _number % 3 == 1) {
+  if (_transmission.kind == Kind::Further && _number % 3 == 1) {
     nextFrameUs = sendFurther(nextFrameUs);
   }
   _frameUs = std::max(nextFrameUs, _timeUs);
@@ -98,11 +94,11 @@ void WireLine::sendFrame() {
 }
 
 void WireLine::sendTail(uint8_t end) {
-  if (_kind == Kind::R7003SB) {
+  if (_transmission.kind == Kind::R7003SB) {
     for (const uint8_t value : LongTail) {
-      send(value, _random.chance(_impairments.dropped));
+      send(value, _random.chance(_transmission.impairments.dropped));
     }
-  } else if (_kind == Kind::Sbus2 && end == sbus::TelemetryEndByte && _number % 8 == 0) {
+  } else if (_transmission.kind == Kind::Sbus2 && end == sbus::TelemetryEndByte && _number % 8 == 0) {
     _timeUs += 2000;
     for (const uint8_t value : Telemetry) {
       send(value);
@@ -111,8 +107,9 @@ void WireLine::sendTail(uint8_t end) {
 }
 
 void WireLine::sendNoise(uint64_t nextFrameUs) {
-  if (nextFrameUs > _timeUs + 4 * CharacterUs && _random.chance(_impairments.noise)) {
-    _timeUs += _random.below(static_cast<uint32_t>(nextFrameUs - _timeUs - 2 * CharacterUs));
+  if (nextFrameUs > _timeUs + 4 * _characterUs && _random.chance(_transmission.impairments.noise)) {
+    const auto roomUs = static_cast<uint32_t>(nextFrameUs - _timeUs - 2 * _characterUs);
+    _timeUs += _random.time(roomUs, _transmission.grainUs);
     send(_random.byte());
     _noiseCharacters++;
   }
@@ -129,7 +126,7 @@ uint64_t WireLine::sendFurther(uint64_t nextFrameUs) {
 }
 
 void WireLine::send(uint8_t value, bool bad) {
-  _timeUs += CharacterUs;
+  _timeUs += _characterUs;
   host::Character character;
   character.endUs = _timeUs;
   character.value = value;

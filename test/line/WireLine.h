@@ -5,6 +5,7 @@
 #include <deque>
 
 #include <runtime/Line.h>
+#include <runtime/Wire.h>
 
 #include "Random.h"
 #include "Sticks.h"
@@ -25,6 +26,19 @@ struct Impairments {
   double noise = 0;     // of a pause: it holds one character, anything, anywhere; not with Kind::Further
 };
 
+// What goes over the wire, and how fast.
+struct Transmission {
+  Impairments impairments{};
+  Kind kind = Kind::Plain;
+  Sticks sticks = Sticks::Neutral;
+  unsigned long baud = sbus::Baud;
+  uint32_t periodUs = 9000;
+  uint64_t frames = 20000;
+  uint32_t grainUs = 1;  // times at random are multiples of it: with 2 they are twice those with 1, from the same seed
+
+  uint32_t characterUs() const { return host::Wire{baud}.characterUs(); }
+};
+
 // A frame as it stood on the wire. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
 struct SentFrame {
   Frame bytes{};
@@ -35,9 +49,8 @@ struct SentFrame {
 
 class WireLine : public host::Line {
  public:
-  // `frames` of them, one every `periodUs`, the first at `startUs`.
-  WireLine(const Impairments &impairments, Kind kind, Sticks sticks, uint32_t periodUs, uint64_t frames,
-           uint64_t startUs, Random &random);
+  // The first frame begins at `startUs`.
+  WireLine(const Transmission &transmission, uint64_t startUs, Random &random);
 
   bool next(uint64_t nowUs, host::Character &character) override;
   bool finished(uint64_t nowUs) const override;
@@ -57,9 +70,8 @@ class WireLine : public host::Line {
   uint64_t sendFurther(uint64_t nextFrameUs);
   void send(uint8_t value, bool bad = false);
 
-  const Impairments _impairments;
-  const Kind _kind;
-  const uint32_t _periodUs;
+  const Transmission _transmission;
+  const uint32_t _characterUs;
   Random &_random;
   StickFrames _sticks;
 

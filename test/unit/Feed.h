@@ -66,8 +66,12 @@ struct Feeder {
 
   sbus::Receiver receiver;
   uint32_t now;
+  const uint32_t characterUs;
 
-  explicit Feeder(uint32_t startUs = 0) : now(startUs) { receiver.reset(now, CharacterUs); }
+  explicit Feeder(uint32_t startUs = 0, uint32_t characterTime = CharacterUs)
+      : now(startUs), characterUs(characterTime) {
+    receiver.reset(now, static_cast<uint8_t>(characterUs));
+  }
 
   // One look, now, that finds `bytes`. Returns the frames that it brings.
   Frames look(const Bytes &bytes) {
@@ -101,7 +105,7 @@ struct Feeder {
     Frames frames;
     for (size_t at = 0; at < bytes.size(); at += lump) {
       const Bytes burst = part(bytes, at, at + lump);
-      now += CharacterUs * static_cast<uint32_t>(burst.size());
+      now += characterUs * static_cast<uint32_t>(burst.size());
       for (const Frame &frame : look(burst)) {
         frames.push_back(frame);
       }
@@ -129,9 +133,12 @@ inline Frames feedNew(const Bytes &bytes, size_t lump = 1) {
 // A wire: characters and pauses, and what the board's driver and a loop() of some length make of them.
 class Wire {
  public:
+  explicit Wire(uint32_t characterUs = host::CharacterUs)
+      : _characterUs(characterUs), _us(1000 * characterUs / host::CharacterUs) {}
+
   Wire &send(const Bytes &bytes) {
     for (const uint8_t byte : bytes) {
-      _us += host::CharacterUs;
+      _us += _characterUs;
       host::Character character;
       character.endUs = _us;
       character.value = byte;
@@ -148,13 +155,13 @@ class Wire {
 
   // What a receiver finds that looks every `loopUs`, and for 20 ms more than the wire goes on.
   Frames frames(uint32_t loopUs) const {
-    Feeder feeder;
+    Feeder feeder(0, _characterUs);
     return play(feeder, loopUs);
   }
 
   Frames play(Feeder &feeder, uint32_t loopUs) const {
     host::BoardUart uart;
-    uart.open(0);
+    uart.open(0, _characterUs);
     Frames found;
     size_t next = 0;
     const uint32_t start = feeder.now;
@@ -177,6 +184,7 @@ class Wire {
   }
 
  private:
-  uint64_t _us = 1000;
+  const uint32_t _characterUs;
+  uint64_t _us;
   std::vector<host::Character> _characters;
 };

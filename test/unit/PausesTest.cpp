@@ -102,19 +102,64 @@ TEST_CASE("the same at 200000 baud, twice as fast") {
   }
 }
 
-TEST_CASE("a solid line tells no pause, however long the passes of loop() are, up to the 5 ms of the contract") {
-  for (uint32_t passUs = 120; passUs <= 5000; passUs += 10) {
-    CAPTURE(passUs);
-    sbus::Pauses pauses;
-    pauses.reset(0, 120);
-    uint32_t now = 0;
-    uint64_t read = 0;
-    for (unsigned look = 0; look < 300; look++) {
-      now += passUs;
-      const uint64_t there = now / 120;
-      if (there > read) {
-        REQUIRE_FALSE(pauseBefore(pauses, static_cast<unsigned>(there - read), now));
-        read = there;
+TEST_CASE("the shortest time without bytes that tells a pause, and at 200000 baud half of it") {
+  const struct {
+    doctest::String what;
+    Look look;       // over and over, at 100000 baud
+    unsigned bytes;  // that come then
+    uint32_t us;     // behind so much quiet they come behind a pause
+    uint32_t fastUs;
+  } rows[] = {
+      {"byte by byte, then one", {120, 1, false}, 1, 514, 257},
+      {"byte by byte, then half a lump", {120, 1, false}, 8, 1354, 677},
+      {"byte by byte, then a lump", {120, 1, false}, 16, 2164, 1082},
+      {"1 ms loop, then one", {1000, 8, false}, 1, 1535, 767},
+      {"1 ms loop, then the bytes of a pass", {1000, 8, false}, 8, 2375, 1187},
+      {"1 ms loop, then a frame", {1000, 8, false}, 25, 3072, 1536},
+      {"in lumps, then one", {1920, 16, false}, 1, 2603, 1302},
+      {"in lumps, then a lump", {1920, 16, false}, 16, 4021, 2011},
+      {"3 ms loop, then one", {3000, 25, false}, 1, 3855, 1927},
+      {"3 ms loop, then a frame", {3000, 25, false}, 25, 5134, 2567},
+      {"5 ms loop, then a frame", {5000, 42, false}, 25, 7197, 3599},
+  };
+  for (const auto &row : rows) {
+    for (const uint8_t characterTime : {uint8_t{120}, uint8_t{60}}) {
+      const uint32_t us = characterTime == 60 ? row.fastUs : row.us;
+      const Look shorter = {us - 1, row.bytes, false};
+      const Look longer = {us, row.bytes, true};
+      for (const Look &last : {shorter, longer}) {
+        CAPTURE(row.what);
+        CAPTURE(unsigned{characterTime});
+        CAPTURE(last.us);
+        sbus::Pauses pauses;
+        uint32_t now = 0;
+        pauses.reset(now, characterTime);
+        for (unsigned look = 0; look < Many; look++) {
+          now += row.look.us * characterTime / 120;
+          CHECK_FALSE(pauseBefore(pauses, row.look.bytes, now));
+        }
+        CHECK(pauseBefore(pauses, last.bytes, now + last.us) == last.pause);
+      }
+    }
+  }
+}
+
+TEST_CASE("a solid line tells no pause, however long the passes of loop() are, up to the contract's 5 ms, or 2.5 ms") {
+  for (const uint8_t characterTime : {uint8_t{120}, uint8_t{60}}) {
+    for (uint32_t passUs = characterTime; passUs <= 5000u * characterTime / 120; passUs += characterTime / 12) {
+      CAPTURE(unsigned{characterTime});
+      CAPTURE(passUs);
+      sbus::Pauses pauses;
+      pauses.reset(0, characterTime);
+      uint32_t now = 0;
+      uint64_t read = 0;
+      for (unsigned look = 0; look < 300; look++) {
+        now += passUs;
+        const uint64_t there = now / characterTime;
+        if (there > read) {
+          REQUIRE_FALSE(pauseBefore(pauses, static_cast<unsigned>(there - read), now));
+          read = there;
+        }
       }
     }
   }
@@ -122,15 +167,18 @@ TEST_CASE("a solid line tells no pause, however long the passes of loop() are, u
 
 TEST_CASE("a look without bytes tells a silence once a lump would have come") {
   const struct {
+    uint8_t characterTime;
     uint32_t us;
     bool silence;
-  } rows[] = {{0, false}, {120, false}, {1920, false}, {2040, false}, {2041, true}, {100000, true}};
+  } rows[] = {{120, 0, false}, {120, 120, false}, {120, 1920, false}, {120, 2040, false}, {120, 2041, true},
+              {120, 100000, true}, {60, 0, false}, {60, 960, false}, {60, 1020, false}, {60, 1021, true}};
   for (const auto &row : rows) {
     for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 100, UINT32_MAX - 2041}) {
+      CAPTURE(unsigned{row.characterTime});
       CAPTURE(row.us);
       CAPTURE(start);
       sbus::Pauses pauses;
-      pauses.reset(start, 120);
+      pauses.reset(start, row.characterTime);
       CHECK(pauses.isSilence(pauses.quiet(start + row.us)) == row.silence);
     }
   }
