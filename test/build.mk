@@ -22,7 +22,10 @@ CORE_HEADERS := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus/*.h))
 SOURCES := $(wildcard $(SRC)/*.cpp)
 SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
-RUNTIME_SOURCES := BoardUart.cpp Recording.cpp  # of the host's runtime: how the board receives, and what it replays
+# Of the host's runtime: how the board receives and sends, what ports make of other settings, what it replays, and the
+# simulated radio.
+RUNTIME_SOURCES := BoardUart.cpp BoardTransmitter.cpp PortSettings.cpp UartSampler.cpp Recording.cpp \
+  SimulatedReceiver.cpp Calibration.cpp
 
 UNIT := $(patsubst unit/%.cpp,$(OUT)/unit/%,$(wildcard unit/*Test.cpp))
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o)

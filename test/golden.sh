@@ -19,11 +19,11 @@ verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok $2"; else echo "FAILED $2"; fi
 }
 
-# golden NAME PROGRAM OPTIONS...
+# golden NAME PROGRAM OPTIONS...   Where `input` names a file, the sketch's Serial reads that.
 golden() {
   name=$1
   shift
-  timeout 60 "$@" --simulated-time >"$build/$name.csv" 2>"$build/$name.err"
+  timeout 60 "$@" --simulated-time <"${input:-/dev/null}" >"$build/$name.csv" 2>"$build/$name.err"
   status=$?
   if [ "$status" -ne 0 ]; then
     cat "$build/$name.err"

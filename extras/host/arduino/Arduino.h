@@ -10,6 +10,9 @@
 #include <string.h>
 
 #include "HardwareSerial.h"
+#if !defined(HOST_PLAIN_CORE)
+#include "PinDescription.h"
+#endif
 #include "Uart.h"
 #include "UsbSerial.h"
 #include "avr/pgmspace.h"
@@ -34,7 +37,8 @@ void yield();
 void noInterrupts();
 void interrupts();
 
-// Pins. There are none: writing does nothing, reading finds LOW.
+// Pins. Only those of the serial ports lead anywhere, and Servo's are looked at: here writing does nothing, reading
+// finds LOW.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0

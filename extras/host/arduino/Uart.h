@@ -1,4 +1,5 @@
-// Uart: the board's serial ports. What a port receives is decided by the program around the sketch (runtime/Port.h).
+// Uart: the board's serial ports. What a port receives, and who hears what it sends, is decided by the program around
+// the sketch (runtime/Port.h).
 #pragma once
 
 #include "HardwareSerial.h"
@@ -11,6 +12,7 @@ class Uart : public HardwareSerial {
  public:
   explicit Uart(int number) : _number(number) {}
 
+  // begin() and end() wait, as flush() does, until what was written has been sent.
   void begin(unsigned long baud) override;
   void begin(unsigned long baud, uint32_t config) override;
   void begin(unsigned long baud, uint8_t *buffer, size_t size);
@@ -23,8 +25,14 @@ class Uart : public HardwareSerial {
 #if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override;
 #endif
-  void flush() override {}
-  size_t write(uint8_t byte) override;  // nothing is connected to TX: an open port takes the byte, and that is all
+
+  // The transmit buffer has 64 places (on a plain core 63). write() waits for places that it lacks and returns how many
+  // bytes it took: all, or 0 if the port is closed; in an onReceive() callback it does not wait, and takes what fits.
+  // What is written goes out at the port's rate, to where --wire and --sent lead it, or to nobody.
+  int availableForWrite() override;  // free places; 0 if the port is closed
+  void flush() override;             // in an onReceive() callback it does not wait
+  size_t write(uint8_t byte) override;
+  size_t write(const uint8_t *buffer, size_t size) override;
   using Print::write;
   operator bool() override { return true; }
 

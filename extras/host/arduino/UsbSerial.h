@@ -1,23 +1,28 @@
-// UsbSerial: the USB connection to the PC. What a sketch prints becomes the program's standard output.
+// UsbSerial: the USB connection to the PC. What a sketch prints becomes the program's standard output, and it reads the
+// program's standard input.
 #pragma once
 
 #include "HardwareSerial.h"
 
 class UsbSerial : public HardwareSerial {
  public:
-  void begin(unsigned long baud) override;  // before it, as on the board, what is printed is lost
+  // Before it, as on the board, what is printed is lost, and there is nothing to read.
+  void begin(unsigned long baud) override;
   void begin(unsigned long baud, uint32_t config) override;
-  int available() override { return 0; }  // nothing is ever sent to the sketch
-  int peek() override { return -1; }
-  int read() override { return -1; }
+  int available() override;
+  int peek() override;
+  int read() override;
 #if !defined(HOST_PLAIN_CORE)
-  int read(uint8_t *, size_t) override { return 0; }
+  int read(uint8_t *buffer, size_t size) override;
 #endif
-  void flush() override {}
+  void flush() override {
+  }
   size_t write(uint8_t byte) override;
   size_t write(const uint8_t *buffer, size_t size) override;
   using Print::write;
-  operator bool() override { return true; }
+  operator bool() override {
+    return true;
+  }
 };
 
 extern UsbSerial Serial;

@@ -13,6 +13,23 @@ Board &Board::instance() {
   return board;
 }
 
+void Board::connect(int from, int to) {
+  Jumper &jumper = _jumpers.emplace_back();
+  jumper.from = from;
+  jumper.to = to;
+  const bool sends = port(from).transmitter().isOpen();  // a constructor of the sketch may have opened it
+  port(to).attach(jumper.line, sends ? wireFrom(port(from).settings()) : Wire());
+}
+
+void Board::open(int number, const PortSettings &settings, uint8_t *buffer, size_t size) {
+  port(number).open(_clock.nowUs(), settings, buffer, size);
+  for (const Jumper &jumper : _jumpers) {
+    if (jumper.from == number && port(number).transmitter().isOpen()) {
+      port(jumper.to).rewire(_clock.nowUs(), wireFrom(settings));
+    }
+  }
+}
+
 void Board::spend(uint64_t us) {
   for (; us > StepUs; us -= StepUs) {
     step(StepUs);
@@ -22,6 +39,9 @@ void Board::spend(uint64_t us) {
 
 void Board::step(uint64_t us) {
   _clock.spend(us);
+  for (int number = 1; number <= PortCount; number++) {
+    send(number);
+  }
   for (Port &port : _ports) {
     port.receive(_clock.nowUs());
   }
@@ -35,6 +55,18 @@ void Board::step(uint64_t us) {
   }
   if (_onTime) {
     _onTime(_clock.nowUs());
+  }
+}
+
+// All wires at the pin carry what is sent.
+void Board::send(int number) {
+  Character character;
+  while (port(number).sender().next(_clock.nowUs(), character)) {
+    for (Jumper &jumper : _jumpers) {
+      if (jumper.from == number) {
+        jumper.line.put(character);
+      }
+    }
   }
 }
 

@@ -1,11 +1,16 @@
-// The board that the sketch believes to run on: clock, serial ports, USB.
+// The board that the sketch believes to run on: clock, serial ports and the wires between them, USB, EEPROM, servos.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <utility>
 
 #include "Clock.h"
+#include "Eeprom.h"
+#include "JumperWire.h"
 #include "Port.h"
+#include "ServoPins.h"
+#include "SketchInput.h"
 #include "SketchOutput.h"
 
 namespace host {
@@ -23,21 +28,44 @@ class Board {
 
   Port &port(int number) { return _ports[number - 1]; }  // 1..3
   SketchOutput &output() { return _output; }
+  SketchInput &input() { return _input; }
+  Eeprom &eeprom() { return _eeprom; }
+  ServoPins &servoPins() { return _servoPins; }
+
+  // Puts a wire from the TX pin of port `from` to the RX pin of port `to`.
+  void connect(int from, int to);
+
+  // Opens port `number`, without waiting for what it still has to send. Who hears it hears the new settings.
+  void open(int number, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
 
   // Called whenever time has gone on, with microseconds since the program's start.
   void onTime(std::function<void(uint64_t)> callback) { _onTime = std::move(callback); }
 
-  // Time goes on, and while it does the ports receive and the sketch's callbacks run.
+  // Time goes on, and while it does the ports send and receive, and the sketch's callbacks run.
   void spend(uint64_t us);
 
   void enableInterrupts(bool enabled) { _interruptsEnabled = enabled; }
 
+  // True inside of a callback of the sketch's, where the board waits for nothing.
+  bool inCallback() const { return _inCallback; }
+
  private:
+  struct Jumper {
+    int from;
+    int to;
+    JumperWire line;
+  };
+
   void step(uint64_t us);
+  void send(int number);
 
   Clock _clock;
   Port _ports[PortCount];
+  std::deque<Jumper> _jumpers;
   SketchOutput _output;
+  SketchInput _input;
+  Eeprom _eeprom;
+  ServoPins _servoPins;
   std::function<void(uint64_t)> _onTime;
   bool _interruptsEnabled = true;
   bool _inCallback = false;

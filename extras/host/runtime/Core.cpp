@@ -2,6 +2,8 @@
 
 #include <stm32l0_uart.h>
 
+#include <algorithm>
+
 #include "Board.h"
 #include "SerialConfig.h"
 #include "Uart.h"
@@ -23,6 +25,13 @@ namespace {
 // What a look at the clock or at a port costs: not nothing, or a sketch that waits in a loop of its own would wait for
 // ever.
 constexpr uint64_t LookUs = 1;
+
+// Until the packet under way is through.
+void waitForPacket(const host::BoardTransmitter &transmitter) {
+  Board &board = Board::instance();
+  const uint64_t nowUs = board.clock().nowUs();
+  board.spend(std::max(transmitter.packetEndUs(), nowUs + 1) - nowUs);
+}
 
 }  // namespace
 
@@ -69,7 +78,7 @@ void Uart::begin(unsigned long baud) {
 }
 
 void Uart::begin(unsigned long baud, uint32_t config) {
-  port().open(Board::instance().clock().nowUs(), {baud, config});
+  begin(baud, config, nullptr, 0);
 }
 
 void Uart::begin(unsigned long baud, uint8_t *buffer, size_t size) {
@@ -77,10 +86,12 @@ void Uart::begin(unsigned long baud, uint8_t *buffer, size_t size) {
 }
 
 void Uart::begin(unsigned long baud, uint32_t config, uint8_t *buffer, size_t size) {
-  port().open(Board::instance().clock().nowUs(), {baud, config}, buffer, size);
+  flush();
+  Board::instance().open(_number, {baud, config}, buffer, size);
 }
 
 void Uart::end() {
+  flush();
   port().close();
 }
 
@@ -106,8 +117,32 @@ int Uart::read(uint8_t *buffer, size_t size) {
 }
 #endif
 
-size_t Uart::write(uint8_t) {
-  return port().uart().isOpen() ? 1 : 0;
+int Uart::availableForWrite() {
+  Board::instance().spend(LookUs);
+  return port().transmitter().availableForWrite();
+}
+
+size_t Uart::write(uint8_t byte) {
+  return write(&byte, 1);
+}
+
+size_t Uart::write(const uint8_t *buffer, size_t size) {
+  Board &board = Board::instance();
+  host::BoardTransmitter &transmitter = port().transmitter();
+  board.spend(LookUs);
+  size_t done = transmitter.write(board.clock().nowUs(), buffer, size);
+  while (done < size && transmitter.isOpen() && !board.inCallback()) {
+    waitForPacket(transmitter);
+    done += transmitter.write(board.clock().nowUs(), buffer + done, size - done);
+  }
+  return done;
+}
+
+void Uart::flush() {
+  host::BoardTransmitter &transmitter = port().transmitter();
+  while (!transmitter.idle() && !Board::instance().inCallback()) {
+    waitForPacket(transmitter);
+  }
 }
 
 void Uart::onReceive(void (*callback)()) {
@@ -118,11 +153,34 @@ UsbSerial Serial;
 
 void UsbSerial::begin(unsigned long) {
   Board::instance().output().begin();
+  Board::instance().input().begin();
 }
 
-void UsbSerial::begin(unsigned long, uint32_t) {
-  Board::instance().output().begin();
+void UsbSerial::begin(unsigned long baud, uint32_t) {
+  begin(baud);
 }
+
+int UsbSerial::available() {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().available(Board::instance().clock().nowUs());
+}
+
+int UsbSerial::peek() {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().peek(Board::instance().clock().nowUs());
+}
+
+int UsbSerial::read() {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().read(Board::instance().clock().nowUs());
+}
+
+#if !defined(HOST_PLAIN_CORE)
+int UsbSerial::read(uint8_t *buffer, size_t size) {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().read(Board::instance().clock().nowUs(), buffer, size);
+}
+#endif
 
 size_t UsbSerial::write(uint8_t byte) {
   return write(&byte, 1);

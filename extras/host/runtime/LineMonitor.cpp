@@ -1,9 +1,12 @@
 #include "LineMonitor.h"
 
+#include <algorithm>
+
 namespace host {
 
 void LineMonitor::reset(uint64_t nowUs, uint32_t characterUs) {
-  _receiver.reset(static_cast<uint32_t>(nowUs), static_cast<uint8_t>(characterUs));
+  const uint32_t us = std::min<uint32_t>(characterUs, UINT8_MAX);  // on a slower wire there is no S.Bus
+  _receiver.reset(static_cast<uint32_t>(nowUs), static_cast<uint8_t>(us));
   _characters = 0;
   _badCharacters = 0;
 }

@@ -3,10 +3,24 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "Choreography.h"
 #include "sbus/Frame.h"
 
 namespace host {
+
+// From the TX pin of port `from` to the RX pin of port `to`.
+struct WireOption {
+  int from;
+  int to;
+};
+
+// What port `port` sends goes into this file.
+struct SentOption {
+  int port;
+  std::string file;
+};
 
 struct Options {
   std::string recording;  // a file's name, or empty
@@ -15,7 +29,11 @@ struct Options {
   bool uninverted = false;
   unsigned noise = 0;  // disturbances per second
   bool silent = false;
-  int on = 1;
+  Sticks sticks = Sticks::Flight;
+  int on = 1;  // 0: there is no line, a wire has taken its place
+  std::vector<WireOption> wires;
+  std::vector<SentOption> sent;
+  std::string eeprom;  // a file's name, or empty
   double seconds = 0;  // 0: as long as there is something to come
   bool simulatedTime = false;
   uint32_t loopUs = 50;

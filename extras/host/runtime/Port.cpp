@@ -8,26 +8,55 @@ void Port::attach(Line &line, const Wire &wire) {
   _line = &line;
   _wire = wire;
   _monitor.reset(0, wire.characterUs());
+  _receptions.clear();
+  if (_uart.isOpen()) {
+    listen(0);  // a constructor of the sketch has opened it before main()
+  }
+}
+
+void Port::rewire(uint64_t nowUs, const Wire &wire) {
+  _wire = wire;
+  if (_uart.isOpen()) {
+    listen(nowUs);
+  }
 }
 
 void Port::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, size_t size) {
+  _settings = settings;
   if (buffer == nullptr) {
     _uart.open(nowUs, settings.characterUs());
   } else {
     _uart.open(nowUs, buffer, size, settings.characterUs());
   }
-  _agrees = mismatch(settings, _wire).empty();
-  _sampler.open(nowUs, settings, _wire);
-  if (!everOpened() && _line != nullptr) {
+  listen(nowUs);
+  if (_uart.isOpen()) {
+    _sender.open(nowUs, settings);
+  } else {
+    _sender.close();
+  }
+  if (!_everOpened && _line != nullptr) {
     _line->opened(nowUs);
   }
-  const auto same = std::find_if(_receptions.begin(), _receptions.end(), [&settings](const Reception &reception) {
-    return reception.settings.baud == settings.baud && reception.settings.config == settings.config;
+  _everOpened = true;
+}
+
+void Port::close() {
+  _uart.close();
+  _sender.close();
+}
+
+// With the present settings of port and wire. What was on the wire before is forgotten.
+void Port::listen(uint64_t nowUs) {
+  _agrees = mismatch(_settings, _wire).empty();
+  _sampler.open(nowUs, _settings, _wire);
+  const auto same = std::find_if(_receptions.begin(), _receptions.end(), [this](const Reception &reception) {
+    return reception.settings == _settings && reception.wire == _wire;
   });
   _reception = static_cast<size_t>(same - _receptions.begin());
   if (same == _receptions.end()) {
     _receptions.emplace_back();
-    _receptions.back().settings = settings;
+    _receptions.back().settings = _settings;
+    _receptions.back().wire = _wire;
   }
 }
 

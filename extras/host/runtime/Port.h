@@ -7,14 +7,16 @@
 #include "Line.h"
 #include "LineMonitor.h"
 #include "PortSettings.h"
+#include "Sender.h"
 #include "UartSampler.h"
 #include "Wire.h"
 
 namespace host {
 
-// What came of the characters on the wire while the port had certain settings.
+// What came of the characters on the wire while wire and port had certain settings.
 struct Reception {
   PortSettings settings;
+  Wire wire;
   unsigned long sent = 0;
   unsigned long good = 0;
   unsigned long bad = 0;  // a wrong parity or stop bit, as the port saw it
@@ -24,9 +26,13 @@ class Port {
  public:
   void attach(Line &line, const Wire &wire);
 
-  // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes.
+  // From now on the other end of the line sends in another way.
+  void rewire(uint64_t nowUs, const Wire &wire);
+
+  // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. Whoever wants
+  // the transmit buffer to be sent first waits for that.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
-  void close() { _uart.close(); }
+  void close();
   void onReceive(void (*callback)()) { _callback = callback; }
 
   // Takes in what has come over the line by `nowUs`.
@@ -37,23 +43,30 @@ class Port {
 
   BoardUart &uart() { return _uart; }
   const BoardUart &uart() const { return _uart; }
+  Sender &sender() { return _sender; }
+  BoardTransmitter &transmitter() { return _sender.transmitter(); }
+
+  const PortSettings &settings() const { return _settings; }  // as it was opened last
 
   // For the report.
   LineMonitor &monitor() { return _monitor; }
-  const Wire &wire() const { return _wire; }
   const std::vector<Reception> &receptions() const { return _receptions; }  // one for each of the settings used
-  bool everOpened() const { return !_receptions.empty(); }
+  bool everOpened() const { return _everOpened; }
   unsigned long missedClosed() const { return _missedClosed; }  // characters that found the port closed
 
  private:
+  void listen(uint64_t nowUs);
   void take(const Character &character);
 
   Line *_line = nullptr;
   Wire _wire;
+  PortSettings _settings;
   BoardUart _uart;
+  Sender _sender;
   LineMonitor _monitor;
   UartSampler _sampler;
   bool _agrees = false;  // the port is set as the wire wants it: then nothing has to be sampled
+  bool _everOpened = false;
   std::vector<Reception> _receptions;
   size_t _reception = 0;  // the one with the present settings
   void (*_callback)() = nullptr;

@@ -57,4 +57,9 @@ void PseudoTerminal::write(const uint8_t *bytes, size_t size) {
   }
 }
 
+size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {
+  const ssize_t count = ::read(_handle, bytes, size);
+  return count > 0 ? static_cast<size_t>(count) : 0;  // less: nothing waits, or nobody has it open
+}
+
 }  // namespace host

@@ -1,4 +1,4 @@
-// A pseudo-terminal, for programs that want to read the sketch's output from a serial port.
+// A pseudo-terminal, for programs that want to talk with the sketch through a serial port.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,9 @@ class PseudoTerminal {
 
   // Never waits: what nobody reads is lost, as it is on the board's USB.
   void write(const uint8_t *bytes, size_t size);
+
+  // Never waits: reads what was written to the other end, up to `size` bytes. Returns how many.
+  size_t read(uint8_t *bytes, size_t size);
 
  private:
   int _handle;

@@ -1,5 +1,6 @@
 #include "Report.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace host {
@@ -8,49 +9,113 @@ namespace {
 
 using Number = unsigned long;
 
-void reportLine(LineMonitor &line, uint64_t nowUs) {
-  line.settle(nowUs);
-  const sbus::Counters &counters = line.counters();
-  std::fprintf(stderr, "%.3f s; on the line: %lu characters", static_cast<double>(nowUs) / 1e6, line.characters());
-  if (line.badCharacters() > 0) {
-    std::fprintf(stderr, " (%lu bad)", line.badCharacters());
+// "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe"
+void reportTraffic(LineMonitor &monitor, uint64_t nowUs) {
+  monitor.settle(nowUs);
+  const sbus::Counters &counters = monitor.counters();
+  std::fprintf(stderr, "%lu characters", monitor.characters());
+  if (monitor.badCharacters() > 0) {
+    std::fprintf(stderr, " (%lu bad)", monitor.badCharacters());
   }
-  std::fprintf(stderr, ", %lu frames, of them %lu with lost frame, %lu with failsafe\n", Number{counters.frames},
+  std::fprintf(stderr, ", %lu frames, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
                Number{counters.lostFrames}, Number{counters.failsafeFrames});
 }
 
-// What the port made of the line with each of the settings that it had.
-void reportReceptions(const Port &port, int on) {
-  for (const Reception &reception : port.receptions()) {
-    std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu bad", on, text(reception.settings).c_str(),
-                 reception.sent, reception.good, reception.bad);
-    const std::string wrong = mismatch(reception.settings, port.wire());
-    if (!wrong.empty()) {
-      std::fprintf(stderr, "; wrong %s: the line is %s", wrong.c_str(),
-                   text(port.wire()).c_str());
-    }
-    std::fputc('\n', stderr);
+// What the port made of the line with settings that both had.
+void reportReception(const Reception &reception, int number) {
+  std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu bad", number,
+               text(reception.settings).c_str(), reception.sent, reception.good, reception.bad);
+  const std::string wrong = mismatch(reception.settings, reception.wire);
+  if (!wrong.empty()) {
+    std::fprintf(stderr, "; wrong %s: the line is %s", wrong.c_str(), text(reception.wire).c_str());
   }
+  std::fputc('\n', stderr);
 }
 
 // Why the port did not receive all there was.
-void reportPort(Board &board, int on) {
+void reportLosses(const Port &port, int number) {
+  if (port.missedClosed() > 0) {
+    std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", number, port.missedClosed());
+  }
+  if (port.everOpened()) {
+    std::fprintf(stderr,
+                 "Serial%d dropped %lu bytes with a wrong parity or stop bit, %lu because its buffer was full\n",
+                 number, port.uart().droppedBad(), port.uart().droppedFull());
+  }
+}
+
+// The port with the line.
+void reportLine(Board &board, int on) {
   Port &port = board.port(on);
-  if (!port.everOpened()) {
-    std::fprintf(stderr, "Serial%d received nothing: the sketch never opened it\n", on);
-    for (int other = 1; other <= Board::PortCount; other++) {
-      if (board.port(other).everOpened()) {
-        std::fprintf(stderr, "  it opened Serial%d: try --on %d\n", other, other);
-      }
+  if (port.everOpened()) {
+    for (const Reception &reception : port.receptions()) {
+      reportReception(reception, on);
     }
+    reportLosses(port, on);
     return;
   }
-  reportReceptions(port, on);
-  if (port.missedClosed() > 0) {
-    std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", on, port.missedClosed());
+  std::fprintf(stderr, "Serial%d received nothing: the sketch never opened it\n", on);
+  for (int other = 1; other <= Board::PortCount; other++) {
+    if (board.port(other).everOpened()) {
+      std::fprintf(stderr, "  it opened Serial%d: try --on %d\n", other, other);
+    }
   }
-  std::fprintf(stderr, "Serial%d dropped %lu bytes with a wrong parity or stop bit, %lu because its buffer was full\n",
-               on, port.uart().droppedBad(), port.uart().droppedFull());
+}
+
+// A port that hears another one.
+void reportWire(Board &board, const WireOption &wire) {
+  const Port &port = board.port(wire.to);
+  const bool any = std::any_of(port.receptions().begin(), port.receptions().end(),
+                               [](const Reception &reception) { return reception.sent > 0; });
+  if (!any) {
+    std::fprintf(stderr, "Serial%d received nothing: %s\n", wire.to,
+                 port.everOpened() ? "nothing was sent while it was open" : "the sketch never opened it");
+  }
+  for (const Reception &reception : port.receptions()) {
+    if (reception.sent > 0) {
+      reportReception(reception, wire.to);
+    }
+  }
+  reportLosses(port, wire.to);
+}
+
+// A port that has sent something, or was to.
+void reportSender(Board &board, int number, bool recorded) {
+  bool any = false;
+  for (Sending &sending : board.port(number).sender().sendings()) {
+    if (sending.monitor.characters() == 0) {
+      continue;
+    }
+    any = true;
+    std::fprintf(stderr, "Serial%d sent at %s: ", number, text(wireFrom(sending.settings)).c_str());
+    reportTraffic(sending.monitor, board.clock().nowUs());
+    const unsigned long period = sending.monitor.counters().period;
+    if (period > 0) {
+      std::fprintf(stderr, ", one every %lu us", period);
+    }
+    std::fputc('\n', stderr);
+  }
+  if (recorded && !any) {
+    std::fprintf(stderr, "Serial%d sent nothing\n", number);
+  }
+}
+
+void reportSenders(Board &board, const Options &options) {
+  for (int number = 1; number <= Board::PortCount; number++) {
+    const bool recorded = std::any_of(options.sent.begin(), options.sent.end(),
+                                      [number](const SentOption &sent) { return sent.port == number; });
+    reportSender(board, number, recorded);
+  }
+}
+
+void reportServos(const ServoPins &servoPins) {
+  for (const auto &[pin, use] : servoPins.uses()) {
+    if (use.times == 0) {
+      std::fprintf(stderr, "servo at pin %d: never set\n", pin);
+    } else {
+      std::fprintf(stderr, "servo at pin %d: %d..%d us, %lu times set\n", pin, use.low, use.high, use.times);
+    }
+  }
 }
 
 void reportOutput(const SketchOutput &output) {
@@ -72,9 +137,22 @@ void reportOutput(const SketchOutput &output) {
 
 }  // namespace
 
-void printReport(Board &board, int on) {
-  reportLine(board.port(on).monitor(), board.clock().nowUs());
-  reportPort(board, on);
+void printReport(Board &board, const Options &options) {
+  const uint64_t nowUs = board.clock().nowUs();
+  std::fprintf(stderr, "%.3f s", static_cast<double>(nowUs) / 1e6);
+  if (options.on != 0) {
+    std::fprintf(stderr, "; on the line: ");
+    reportTraffic(board.port(options.on).monitor(), nowUs);
+  }
+  std::fputc('\n', stderr);
+  if (options.on != 0) {
+    reportLine(board, options.on);
+  }
+  for (const WireOption &wire : options.wires) {
+    reportWire(board, wire);
+  }
+  reportSenders(board, options);
+  reportServos(board.servoPins());
   reportOutput(board.output());
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "Board.h"
+#include "Options.h"
 
 namespace host {
 
-// `on`: the number of the port with the line.
-void printReport(Board &board, int on);
+void printReport(Board &board, const Options &options);
 
 }  // namespace host

@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint64_t NsPerUs = 1000;
 
-bool parityOf(unsigned bits) {
+bool isOdd(unsigned bits) {
   bool odd = false;
   for (; bits != 0; bits >>= 1) {
     odd ^= (bits & 1) != 0;
@@ -16,15 +16,16 @@ bool parityOf(unsigned bits) {
   return odd;
 }
 
+unsigned dataOf(unsigned bits, const Format &format) {
+  return bits & ((1u << format.dataBits) - 1);
+}
+
 }  // namespace
 
 void UartSampler::open(uint64_t nowUs, const PortSettings &settings, const Wire &wire) {
   _wire = wire;
   _bitNs = settings.bitNs();
-  _dataBits = settings.dataBits();
-  _parityBits = settings.parity() == Parity::None ? 0 : 1;
-  _stopBits = settings.stopBits();
-  _odd = settings.parity() == Parity::Odd;
+  _format = settings.format();
   _flipped = !settings.agreesWith(wire.polarity);
   _edges.clear();
   _idle = !_flipped;
@@ -42,10 +43,14 @@ void UartSampler::put(const Character &character) {
     ns += _wire.bitNs();
   };
   bit(false);
-  for (unsigned i = 0; i < 8; i++) {
+  const Format &format = _wire.format;
+  for (unsigned i = 0; i < format.dataBits; i++) {
     bit((character.value >> i & 1) != 0);
   }
-  bit(parityOf(character.value) != character.bad);
+  if (format.parity != Parity::None) {
+    const bool even = isOdd(dataOf(character.value, format));  // what makes the number of ones even
+    bit((even != (format.parity == Parity::Odd)) != character.bad);
+  }
   bit(true);
   _knownNs = character.endUs * NsPerUs;
 }
@@ -62,8 +67,8 @@ bool UartSampler::next(uint64_t nowUs, Character &character) {
       return false;
     }
     const uint64_t startNs = _edges.front().ns;
-    const unsigned checkedBits = 1 + _dataBits + _parityBits;  // those before the stop bits
-    const uint64_t endNs = startNs + uint64_t{checkedBits + _stopBits} * _bitNs;
+    const unsigned stopBit = _format.bits() - _format.stopBits;  // the first, counted from the start bit
+    const uint64_t endNs = startNs + uint64_t{_format.bits()} * _bitNs;
     if (endNs > knownNs) {
       return false;
     }
@@ -73,12 +78,13 @@ bool UartSampler::next(uint64_t nowUs, Character &character) {
       continue;
     }
     unsigned bits = 0;
-    for (unsigned i = 0; i < _dataBits + _parityBits; i++) {
+    for (unsigned i = 0; i < stopBit - 1; i++) {
       bits |= static_cast<unsigned>(idleAt(middleNs + uint64_t{1 + i} * _bitNs)) << i;
     }
-    const uint64_t stopNs = middleNs + uint64_t{checkedBits} * _bitNs;
-    character.value = static_cast<uint8_t>(bits & ((1u << _dataBits) - 1));
-    character.bad = !idleAt(stopNs) || (_parityBits != 0 && parityOf(bits) != _odd);
+    const uint64_t stopNs = middleNs + uint64_t{stopBit} * _bitNs;
+    character.value = static_cast<uint8_t>(dataOf(bits, _format));
+    character.bad =
+        !idleAt(stopNs) || (_format.parity != Parity::None && isOdd(bits) != (_format.parity == Parity::Odd));
     character.endUs = (endNs + NsPerUs - 1) / NsPerUs;
     _fromNs = stopNs;
     return true;

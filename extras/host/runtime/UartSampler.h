@@ -10,11 +10,11 @@
 
 namespace host {
 
-// Characters go in as they are on the wire, 8E2 each, and become levels. Out come the characters that a port with other
-// settings takes these for. It waits for an edge from idle to active, looks half a bit later whether that is a start
-// bit, then at the middle of each data bit, of the parity bit and of the first stop bit, as most UARTs do; a wrong
-// parity or stop bit makes the character bad. Then it waits for the next such edge. A port of the wrong polarity sees
-// active what is idle, and finds its edges inside characters.
+// Characters go in as they are on the wire, in its format, and become levels. Out come the characters that a port with
+// other settings takes these for. It waits for an edge from idle to active, looks half a bit later whether that is a
+// start bit, then at the middle of each data bit, of the parity bit and of the first stop bit, as most UARTs do; a
+// wrong parity or stop bit makes the character bad. Then it waits for the next such edge. A port of the wrong polarity
+// sees active what is idle, and finds its edges inside characters.
 //
 // Where port and wire agree, the same characters come out as went in.
 class UartSampler {
@@ -40,10 +40,7 @@ class UartSampler {
 
   Wire _wire;
   uint32_t _bitNs = 1;
-  unsigned _dataBits = 8;
-  unsigned _parityBits = 1;
-  unsigned _stopBits = 2;
-  bool _odd = false;
+  Format _format;
   bool _flipped = false;  // the port sees active what is idle
 
   std::deque<Edge> _edges;

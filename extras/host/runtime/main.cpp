@@ -1,22 +1,20 @@
 // Runs setup(), loop() and serialEventN() as the board's core does, with a line at one of the ports.
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "Board.h"
-#include "NoisyLine.h"
+#include "MakeLine.h"
 #include "Options.h"
-#include "RecordedLine.h"
 #include "Report.h"
-#include "SerialPort.h"
-#include "SilentLine.h"
-#include "SimulatedReceiver.h"
 #include "Uart.h"
 
 void setup();
@@ -39,64 +37,10 @@ void requestStop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-RecordedLine openRecording(const std::string &file, uint32_t characterUs) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw std::runtime_error(file + ": cannot be opened; the name of a recording is expected");
-  }
-  Recording recording = parseRecording(in, characterUs);
-  if (!recording.error.empty()) {
-    const std::string place = recording.errorLine > 0 ? ":" + std::to_string(recording.errorLine) : "";
-    throw std::runtime_error(file + place + ": " + recording.error);
-  }
-  return RecordedLine(std::move(recording));
-}
-
-Wire makeWire(const Options &options) {
-  Wire wire;
-  wire.baud = options.lineBaud;
-  wire.polarity = !options.port.empty()  ? Polarity::Either
-                  : options.uninverted   ? Polarity::Uninverted
-                                         : Polarity::Inverted;
-  return wire;
-}
-
-// Makes the line that the options ask for, and says which one it is.
-std::unique_ptr<Line> makeQuietLine(const Options &options, const Wire &wire) {
-  const char *const until = options.seconds > 0 ? "" : ", until Ctrl-C";
-  if (!options.port.empty()) {
-    auto line = std::make_unique<SerialPort>(options.port);
-    std::fprintf(stderr, "Serial%d: receiver at %s, 100000 baud, 8E2%s\n", options.on, options.port.c_str(), until);
-    return line;
-  }
-  if (!options.recording.empty()) {
-    auto line = std::make_unique<RecordedLine>(openRecording(options.recording, wire.characterUs()));
-    std::fprintf(stderr, "Serial%d: recording %s, once; Ctrl-C stops it\n", options.on, options.recording.c_str());
-    return line;
-  }
-  if (options.silent) {
-    std::fprintf(stderr, "Serial%d: a wire with nothing on it, %g s; Ctrl-C stops it\n", options.on, options.seconds);
-    return std::make_unique<SilentLine>();
-  }
-  std::fprintf(stderr,
-               "Serial%d: simulated FrSky R-XSR, %g s; Ctrl-C stops it\n"
-               "  every 15 s: the sticks move, at 9.5 s the radio goes off, at 10.0 s failsafe, at 12.5 s it is back\n",
-               options.on, options.seconds);
-  return std::make_unique<SimulatedReceiver>(wire.characterUs());
-}
-
-std::unique_ptr<Line> makeLine(const Options &options, const Wire &wire) {
-  std::unique_ptr<Line> line = makeQuietLine(options, wire);
-  if (options.noise > 0) {
-    line = std::make_unique<NoisyLine>(std::move(line), options.noise, wire.characterUs());
-  }
-  return line;
-}
-
 // Decides when the run is over, and sees to it that it ends even if the sketch does not come back from loop().
 class Ending {
  public:
-  Ending(const Options &options, const Line &line) : _line(line), _on(options.on) {
+  Ending(const Options &options, const Line &line) : _options(options), _line(line) {
     if (options.seconds > 0) {
       _endUs = static_cast<uint64_t>(options.seconds * 1e6);
     }
@@ -115,19 +59,29 @@ class Ending {
   }
 
   [[noreturn]] void end() {
-    Board::instance().output().flush();
-    printReport(Board::instance(), _on);
-    if (!_line.failure().empty()) {
-      std::fprintf(stderr, "%s\n", _line.failure().c_str());
+    Board &board = Board::instance();
+    board.output().flush();
+    printReport(board, _options);
+    bool failed = complain(_line.failure());
+    for (const SentOption &sent : _options.sent) {
+      failed = complain(board.port(sent.port).sender().finish()) || failed;
     }
-    std::exit(_line.failure().empty() ? EXIT_SUCCESS : EXIT_FAILURE);
+    std::exit(failed ? EXIT_FAILURE : EXIT_SUCCESS);
   }
 
  private:
   static constexpr uint64_t PatienceUs = 1000000;  // a sketch may stay in delay() for as long
 
+  // Returns whether there is something to complain about.
+  static bool complain(const std::string &failure) {
+    if (!failure.empty()) {
+      std::fprintf(stderr, "%s\n", failure.c_str());
+    }
+    return !failure.empty();
+  }
+
+  const Options &_options;
   const Line &_line;
-  int _on;
   uint64_t _endUs = UINT64_MAX;
 };
 
@@ -143,17 +97,49 @@ void runSerialEvents() {
   }
 }
 
-[[noreturn]] void run(const Options &options) {
-  const Wire wire = makeWire(options);
-  const std::unique_ptr<Line> line = makeLine(options, wire);
-  Board &board = Board::instance();
+// Standard input and output, and the pseudo-terminal, as the sketch's Serial.
+void prepareUsb(Board &board, const Options &options) {
   board.output().setLineByLine(!options.simulatedTime);
+  board.input().setPatient(options.simulatedTime && isatty(STDIN_FILENO) == 0);
   if (options.pty) {
     auto terminal = std::make_unique<PseudoTerminal>();
     std::fprintf(stderr, "Serial (USB) is on %s as well\n", terminal->name().c_str());
+    board.input().attach(*terminal);
     board.output().attach(std::move(terminal));
   }
-  board.port(options.on).attach(*line, wire);
+}
+
+// Before anything is said: a file that is no good is then all that is said.
+void prepareFiles(Board &board, const Options &options) {
+  if (!options.eeprom.empty()) {
+    board.eeprom().keepIn(options.eeprom);
+  }
+  for (const SentOption &sent : options.sent) {
+    board.port(sent.port).sender().record(std::make_unique<SentFile>(sent.file));
+  }
+}
+
+void connectWires(Board &board, const Options &options) {
+  for (const WireOption &wire : options.wires) {
+    board.connect(wire.from, wire.to);
+    std::fprintf(stderr, "Serial%d: its RX is wired to TX of Serial%d", wire.to, wire.from);
+    if (options.on == 0) {
+      std::fprintf(stderr, ", %g s; Ctrl-C stops it", options.seconds);
+    }
+    std::fputc('\n', stderr);
+  }
+}
+
+[[noreturn]] void run(const Options &options) {
+  Board &board = Board::instance();
+  prepareFiles(board, options);
+  const Wire wire = makeWire(options);
+  const std::unique_ptr<Line> line = makeLine(options, wire);
+  prepareUsb(board, options);
+  connectWires(board, options);
+  if (options.on != 0) {
+    board.port(options.on).attach(*line, wire);
+  }
   Ending ending(options, *line);
   board.onTime([&ending](uint64_t nowUs) { ending.look(nowUs); });
   board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real, options.startMs));
@@ -171,8 +157,12 @@ void runSerialEvents() {
 
 int main(int argc, char **argv) {
   const Options options = parseOptions(argc, argv);
+  if (fcntl(STDIN_FILENO, F_GETFD) < 0) {
+    open("/dev/null", O_RDONLY);  // closed: or a file opened later would be taken for standard input
+  }
   std::signal(SIGINT, requestStop);
   std::signal(SIGTERM, requestStop);
+  std::signal(SIGTTIN, SIG_IGN);  // reading a terminal that belongs to another program then fails: see SketchInput
   std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe then fails, and SketchOutput sees to it
   try {
     run(options);

@@ -26,7 +26,7 @@ DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 LEFT_OUT := $(shell awk '$$1 == "out" { print $$2 }' $(HERE)/CASES)
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-RUNTIME := BoardUart Recording
+RUNTIME := BoardUart BoardTransmitter PortSettings UartSampler Recording SimulatedReceiver Calibration
 
 unit: $(UNIT:%=$(OUT)/unit/%)
 alignment: $(OUT)/UnalignedRead $(OUT)/AlignedRead

@@ -116,7 +116,7 @@ void Mega::transmitterSet(avr_irq_t *, uint32_t value, void *mega) {
   Mega &self = *static_cast<Mega *>(mega);
   if ((value & TransmitterOn) != 0) {
     const host::PortSettings settings = self.settings(0);
-    const unsigned bits = 1 + settings.dataBits() + (settings.parity() != host::Parity::None) + settings.stopBits();
+    const unsigned bits = settings.format().bits();
     self.usart(0).cycles_per_byte = bits * (self._avr->frequency / settings.baud);
   }
 }

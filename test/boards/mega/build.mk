@@ -84,7 +84,7 @@ $(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o)
 
 # The runner, with the host's lines. An inverter stands in front of the pin, as in front of the host's plain core.
 RUNNER := $(patsubst $(HERE)/%,%,$(filter-out %/Counters.cpp,$(wildcard $(HERE)/*.cpp)))
-RUNTIME := PortSettings RecordedLine Recording SimulatedReceiver UartSampler
+RUNTIME := PortSettings RecordedLine Recording SimulatedReceiver Flight UartSampler
 RUNNER_CXX = $(CXX) -std=c++17 -O2 $(WARNINGS) -DHOST_PLAIN_CORE $(DEPENDENCIES) -I$(HERE) -I$(HOST) -I$(HOST)/runtime \
   -I$(HOST)/arduino -I$(ROOT)/src
 

@@ -85,8 +85,7 @@ std::unique_ptr<host::Line> makeLine(const Options &options) {
 // Serial: 115200 baud as near as the processor comes to it, 8N1.
 bool isSerialRight(const host::PortSettings &settings) {
   const unsigned long error = settings.baud > SerialBaud ? settings.baud - SerialBaud : SerialBaud - settings.baud;
-  return error <= SerialBaud / SerialBaudError && settings.dataBits() == 8 && settings.stopBits() == 1 &&
-         settings.parity() == host::Parity::None;
+  return error <= SerialBaud / SerialBaudError && settings.format() == host::Format{8, host::Parity::None, 1};
 }
 
 void report(const mega::LineInput &input) {

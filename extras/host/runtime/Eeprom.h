@@ -1,0 +1,37 @@
+// The memory that keeps its contents without power, in a file if it is to keep them between two runs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace host {
+
+class Eeprom {
+ public:
+  static constexpr size_t Size = 4096;  // of the board's 6 KB the core offers so much
+
+  Eeprom();
+  ~Eeprom();
+  Eeprom(const Eeprom &) = delete;
+  Eeprom &operator=(const Eeprom &) = delete;
+
+  // Keeps the contents in this file; if there is none, it is made, erased. Throws std::runtime_error.
+  void keepIn(const std::string &file);
+
+  // An address that does not exist reads as 0, and nothing is written there.
+  uint8_t read(int address) const;
+
+  // Writes, into the file too. Returns how long the sketch has to wait, in us.
+  uint64_t write(int address, const uint8_t *bytes, size_t size);
+
+ private:
+  void save(size_t address);
+
+  std::vector<uint8_t> _bytes;
+  std::string _file;
+  int _handle = -1;
+};
+
+}  // namespace host
