@@ -32,7 +32,7 @@ const Setting SETTINGS[] = {  // the first is what dSBus.begin() opens
 };
 const uint8_t SETTING_COUNT = sizeof SETTINGS / sizeof SETTINGS[0];
 const uint32_t TRIAL = 500;      // ms
-const uint32_t FRAMES_MIN = 20;  // in a trial; the slowest receiver known sends 33
+const uint32_t FRAMES_MIN = 5;   // in a trial; the slowest receiver known, ELRS at 25 Hz, sends 12
 const uint32_t REFUSED_MAX = 3;  // in a trial; until the true header is found, a 0F of the payload is taken for one
 
 DecodeSBus dSBus(Serial1);
