@@ -2,8 +2,6 @@
 
 #include <stddef.h>
 
-#include "SBusPort.h"
-
 namespace {
 
 // The core's buffer. A look that finds this many bytes, or one less, may have found it full, and then the core has

@@ -9,6 +9,7 @@
 #include <Arduino.h>
 #include <limits.h>
 
+#include "SBusPort.h"
 #include "sbus/Link.h"
 #include "sbus/Receiver.h"
 

@@ -1,7 +1,5 @@
 #include "EncodeSBus.h"
 
-#include "SBusPort.h"
-
 void EncodeSBus::begin(unsigned long baud) {
   begin(baud, sbus::PortConfig);
 }

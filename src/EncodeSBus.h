@@ -6,6 +6,7 @@
 
 #include <Arduino.h>
 
+#include "SBusPort.h"
 #include "sbus/Frame.h"
 
 // One sender on one serial port. A DecodeSBus may listen on the same port: begin() either, not both, and end() it once.
@@ -22,7 +23,7 @@ class EncodeSBus {
   // begin() with another format: begin(100000, SERIAL_8E2) for an uninverted line.
   void begin(unsigned long baud, uint32_t config);
 
-  // Closes the port. What the core still holds of a frame may be lost.
+  // Closes the port. The cores known send first what they still hold, and wait for it: up to 3 ms.
   void end();
 
   // Time from one frame to the next: 0..65535 us, 9000 unless told (FrSky's R-XSR). A frame itself takes 3000 us, 1500

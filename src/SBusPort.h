@@ -1,4 +1,4 @@
-// How DecodeSBus and EncodeSBus open a port. Not for sketches.
+// How DecodeSBus and EncodeSBus open a port. For sketches it only brings in what SERIAL_8E2 and the like are made of.
 #pragma once
 
 #include <Arduino.h>

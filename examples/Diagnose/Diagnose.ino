@@ -12,9 +12,6 @@
 */
 
 #include <DecodeSBus.h>
-#if defined(SERIAL_SBUS)
-#include <stm32l0_uart.h>  // the option bits that SERIAL_SBUS is made of
-#endif
 
 struct Setting {
   unsigned long baud;

@@ -3,7 +3,6 @@
 
 #include "KnownFrames.h"
 #include "ShowArrays.h"
-#include "stm32l0_uart.h"
 
 // Last: Arduino.h's macros min and max break the standard headers behind it.
 #include "FakeBoard.h"

@@ -3,7 +3,6 @@
 
 #include "KnownFrames.h"
 #include "ShowArrays.h"
-#include "stm32l0_uart.h"
 
 #include "FakeBoard.h"
 
