@@ -40,7 +40,7 @@ inline uint32_t bitNsAt(unsigned long baud) {
 struct Wire {
   unsigned long baud = sbus::Baud;  // or 200000, Fast S.Bus
   Polarity polarity = Polarity::Inverted;
-  Format format;
+  Format format{};
 
   uint32_t bitNs() const { return bitNsAt(baud); }
   uint32_t characterUs() const { return static_cast<uint32_t>(uint64_t{format.bits()} * bitNs() / 1000); }
