@@ -31,8 +31,8 @@ class DecodeSBus {
   // counters; timeout and loss limit stay.
   void begin(unsigned long baud = sbus::Baud);
 
-  // begin() with another format: begin(100000, SERIAL_8E2) for a receiver's uninverted pad. The port does not tell if it
-  // cannot do that: no frames come then.
+  // begin() with another format: begin(100000, SERIAL_8E2) for a receiver's uninverted pad. The port does not tell if
+  // it cannot do that: no frames come then.
   void begin(unsigned long baud, uint32_t config);
 
   // Closes the port. The last frame can still be decoded, until it is stale.
@@ -49,10 +49,11 @@ class DecodeSBus {
 
   // Takes in the bytes that wait on the port; never waits itself. Call it from serialEventN(), or from loop(), at
   // least every 5 ms (at 200000 baud 2.5 ms): the core's buffer of 64 bytes is full after 7.7 ms (3.8 ms) of a line
-  // without pauses, and taken for broken off where it ends. Then frames are lost, but none is mixed up. A frame is there at the first call after its
-  // last byte came in. Only one that might be the beginning of a longer, damaged one waits for what follows, until the
-  // next frame's first byte at the most: behind a frame with CH16 below 128, or if the flags change together with CH16.
-  // A call without bytes lets it come sooner. Cost: see README.md. It is linear in the bytes read, whatever they are.
+  // without pauses, and taken for broken off where it ends. Then frames are lost, but none is mixed up. A frame is
+  // there at the first call after its last byte came in. Only one that might be the beginning of a longer, damaged one
+  // waits for what follows, until the next frame's first byte at the most: behind a frame with CH16 below 128, or if
+  // the flags change together with CH16. A call without bytes lets it come sooner. Cost: see README.md. It is linear in
+  // the bytes read, whatever they are.
   void parseSBusFrame();
 
   // The newest whole frame: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1.

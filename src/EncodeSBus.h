@@ -16,8 +16,8 @@ class EncodeSBus {
   // `serial` must outlive the object. Nothing is opened yet.
   explicit EncodeSBus(HardwareSerial &serial) : _serial(serial) {}
 
-  // Opens the port: 100000 baud unless told (Fast S.Bus: 200000), SERIAL_SBUS (8E2, inverted); SERIAL_8E2 on a core that
-  // has none, and the line then needs an inverter. Nothing is sent before write().
+  // Opens the port: 100000 baud unless told (Fast S.Bus: 200000), SERIAL_SBUS (8E2, inverted); SERIAL_8E2 on a core
+  // that has none, and the line then needs an inverter. Nothing is sent before write().
   void begin(unsigned long baud = sbus::Baud);
 
   // begin() with another format: begin(100000, SERIAL_8E2) for an uninverted line.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "UnpackWays.h"
+#include "Values.h"
 #include "Worst.h"
 #include "unit/FakeClock.h"
 #include "unit/KnownFrames.h"
@@ -27,6 +28,14 @@ constexpr uint32_t MostPerDecode = 162;
 constexpr uint32_t MostPerCall = 16700;    // parse, 64 bytes
 constexpr uint32_t MostPerByte = 450;      // parse, worst call of 16 bytes or more
 constexpr unsigned MostTenthsLinear = 44;  // 64 bytes cost no more than 4.4 times what 16 cost
+
+constexpr uint32_t MostPerSending = 597;      // EncodeSBus::write(), a frame
+constexpr uint32_t MostPerNotDue = 35;        // ... too early
+constexpr uint32_t MostPerScaling = 185;      // any integer one, any value
+constexpr uint32_t MostPerCalibrated = 252;   // ... with dead zone
+constexpr uint32_t MostPerFeeding = 626;      // Calibrator::feed()
+constexpr uint32_t MostPerFinishing = 19000;  // Calibrator::finish()
+constexpr uint32_t MostPerStateOf = 15000;    // of a stored calibration
 
 constexpr size_t Sizes[] = {16, 32, 48, 64};
 
@@ -104,6 +113,28 @@ void printFrames() {
   std::printf("| encode: sbus::pack() | %lu | - |\n", static_cast<unsigned long>(costOfPacking()));
 }
 
+void printValues() {
+  const struct {
+    const char *what;
+    uint32_t cost;
+  } rows[] = {
+      {"`EncodeSBus::write()`: a frame is sent", costOfSending()},
+      {"... none is due yet", costOfNotDue()},
+      {"`toMicroseconds()`", costOfMicroseconds()},
+      {"`toNormalised()`", costOfNormalised()},
+      {"... by a calibrated channel", costOfCalibrated()},
+      {"`fromNormalised()`", costOfFromNormalised()},
+      {"`toUnit()`, a float", costOfUnit()},
+      {"`Calibrator::feed()`, 16 channels", costOfFeeding()},
+      {"`Calibrator::finish()`, 16 channels", costOfFinishing()},
+      {"`stateOf()` a stored calibration", costOfStateOf()},
+  };
+  std::printf("\n| sending, scaling, calibrating: the worst call | instructions |\n| --- | --- |\n");
+  for (const auto &row : rows) {
+    std::printf("| %s | %lu |\n", row.what, static_cast<unsigned long>(row.cost));
+  }
+}
+
 void printBytes() {
   constexpr size_t Count = 4096;
   std::printf("\n| per byte of a line without a pause, 16 in a call | ours | the paper's way |\n| --- | --- | --- |\n");
@@ -171,6 +202,7 @@ void print(int argc, char **argv) {
   printBytes();
   printCalls();
   printWays(argc, argv);
+  printValues();
 }
 
 // The worst of all lines known.
@@ -197,6 +229,17 @@ void check() {
   verdict(costOfUnpacking(unpackBitByBit) > 0 && costOfUnpacking(unpackShifting) > 0 &&
               costOfUnpacking(sbus::unpack) > 0 && costOfUnpacking(sbus::unpackAligned) > 0 && costOfPacking() > 0,
           "all ways of unpacking give the known channels");
+
+  atMost("EncodeSBus::write(), a frame", costOfSending(), MostPerSending);
+  atMost("... none due", costOfNotDue(), MostPerNotDue);
+  atMost("toMicroseconds()", costOfMicroseconds(), MostPerScaling);
+  atMost("toNormalised()", costOfNormalised(), MostPerScaling);
+  atMost("fromNormalised()", costOfFromNormalised(), MostPerScaling);
+  atMost("toNormalised() by a calibrated channel", costOfCalibrated(), MostPerCalibrated);
+  verdict(costOfUnit() > costOfNormalised(), "toUnit() costs more than toNormalised()");
+  atMost("Calibrator::feed()", costOfFeeding(), MostPerFeeding);
+  atMost("Calibrator::finish()", costOfFinishing(), MostPerFinishing);
+  atMost("stateOf() a stored calibration", costOfStateOf(), MostPerStateOf);
 
   uint32_t most = 0;
   uint32_t ofSixteen = 0;

@@ -71,6 +71,12 @@ bool calibrate() {
   return true;
 }
 
+uint32_t costOfPortsOwn(MemorySerial &port) {
+  const uint32_t call = instructions::of([&] { nothing(port, buffer, 25); }) - 1;
+  const uint32_t room = instructions::of([&] { port.availableForWrite(); }) - call;
+  return room + instructions::of([&] { port.write(buffer, 25); }) - call;
+}
+
 Cost take(Ours &ours, const uint8_t *bytes, size_t count) {
   const uint32_t before = ours.receiver.counters().frames;
   Cost cost = takeIn(ours, bytes, count);

@@ -20,6 +20,9 @@ struct Cost {
 // that takes other than a fixed number of instructions per call and byte.
 bool calibrate();
 
+// What the port takes to be asked for room, and for a frame: the instructions of its methods, without the calls.
+uint32_t costOfPortsOwn(MemorySerial &port);
+
 // Hands `count` bytes over, at fakeMicros, and measures the one call that takes them in.
 Cost take(Ours &ours, const uint8_t *bytes, size_t count);
 Cost take(Papers &papers, const uint8_t *bytes, size_t count);

@@ -14,6 +14,14 @@ int MemorySerial::read() {
   return _next == _end ? -1 : *_next++;
 }
 
+size_t MemorySerial::write(const uint8_t *, size_t size) {
+  return size;
+}
+
+int MemorySerial::availableForWrite() {
+  return 64;
+}
+
 int MemorySerial::read(uint8_t *buffer, size_t size) {
   const size_t waiting = static_cast<size_t>(_end - _next);
   const size_t count = size < waiting ? size : waiting;

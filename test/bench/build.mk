@@ -19,7 +19,7 @@ DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
 MEASURED := MemorySerial Receivers UnpackWays
-PARTS := Bench CleanLine Cost Lines Worst
+PARTS := Bench CleanLine Cost Lines Values Worst
 
 bench: $(OUT)/Bench
 .PHONY: bench sizes

@@ -3,7 +3,7 @@
 #   ATmega2560    avr-g++ -Os; an example is a whole program, Arduino's core included
 #   Cortex-M0+    arm-none-eabi-g++ -Os; without the board's core, which is no part of this repository
 # A piece of the library is what a program takes more with it than without it. What the C library and the compiler's own
-# add is not counted, but for the whole programs: division, memmove(), floating point.
+# add is not counted: division, memmove(), floating point; but it is for the whole programs, and in the rows of scaling.
 # BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/mega/build.mk).
 set -eu
 cd "$(dirname "$0")"
@@ -21,13 +21,13 @@ linking="-nostdlib -Wl,--gc-sections,--unresolved-symbols=ignore-all,--entry=0$r
 # shellcheck disable=SC2086  # the flags are words
 avr() {
   avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR $common $linking -w \
-    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I$src -I$host/standin "$@" $src/*.cpp $src/sbus/*.cpp
+    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
 }
 
 # shellcheck disable=SC2086
 arm() {
   arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common $linking \
-    -I$host/arduino -I$src -I$host/standin "$@" $src/*.cpp $src/sbus/*.cpp
+    -I$host/arduino -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
 }
 
 # flash PROGRAM, ram PROGRAM
@@ -39,12 +39,14 @@ for chip in avr arm; do
   $chip -DUSE_NOTHING Uses.cpp -o "$out/$chip-NOTHING"
 done
 
-piece() {  # USE WHAT
+piece() {  # USE WHAT [LIBRARY...]: with what is needed of these, too
+  use=$1
   row="| $2"
+  shift 2
   for chip in avr arm; do
-    with=$out/$chip-$1
+    with=$out/$chip-$use
     without=$out/$chip-NOTHING
-    $chip "-DUSE_$1" Uses.cpp -o "$with"
+    $chip "-DUSE_$use" Uses.cpp -o "$with" "$@"
     row="$row | $(($(flash "$with") - $(flash "$without"))) | $(($(ram "$with") - $(ram "$without")))"
   done
   echo "$row |"
@@ -65,6 +67,12 @@ piece ALL_OF_DECODER "\`DecodeSBus\`, all of it"
 piece ENCODER "\`EncodeSBus\`: begin, write"
 piece UNPACK "\`sbus::unpack()\` alone"
 piece PACK "\`sbus::pack()\` alone"
+piece MICROSECONDS "\`sbus::toMicroseconds()\` alone, with the compiler's division" -lgcc
+piece NORMALISED "\`sbus::toNormalised()\` alone, the same" -lgcc
+piece BACK "\`sbus::fromNormalised()\` alone, the same" -lgcc
+piece UNIT "\`sbus::toUnit()\` alone, with the compiler's floating point" -lm -lgcc
+piece STORED "a stored calibration: \`stateOf()\`, \`toNormalised()\`, the struct"
+piece CALIBRATOR "\`sbus::Calibrator\`, all but \`text()\`, and the struct"
 for sketch in ../../examples/*/; do
   example "$(basename "$sketch")"
 done
