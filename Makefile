@@ -11,19 +11,21 @@ help:
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
 	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
-	@echo "make fuzz   libFuzzer on receiver, packer and recording reader, SECONDS=n each"
+	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
 	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
 	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make clean  removes build/"
 
 SKETCH ?= examples/DecodeSBus
+sketch_name = $(notdir $(SKETCH:/=))
+sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS)
 
 demo:
 	@sh extras/setup/need.sh g++ libcli11-dev libserialport-dev
 	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/host SKETCH='$(SKETCH)' 1>&2
-	@build/host/$(notdir $(SKETCH:/=)) $(if $(RECORDING),--recording '$(RECORDING)') $(if $(PORT),--port '$(PORT)') \
-	  $(if $(PTY),--pty)
+	@build/host/$(sketch_name) $(if $(RECORDING),--recording '$(RECORDING)') $(if $(PORT),--port '$(PORT)') \
+	  $(if $(RECORDING)$(PORT),,$(sketch_options)) $(if $(PTY),--pty)
 
 CAPTURES ?=
 AVR := gcc-avr avr-libc arduino-core-avr

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs every example, built for this PC by extras/host with the compiler named, and says "ok ..." or "FAILED ..." of:
-#   golden/EXAMPLE.csv             what it prints with the simulated receiver, 15 s
-#   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt
+#   golden/EXAMPLE.csv             what it prints with the simulated receiver, 15 s, or with its extras/host/OPTIONS
+#   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has OPTIONS of its own, to
+#                                  which a second of frames says nothing
 #   golden/EXAMPLE-LINE.csv        what it prints on a line that golden/LINES describes
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 #   golden/README.csv              what README.md's ten lines print, four seconds
@@ -54,7 +55,10 @@ printf '\n%s, examples: golden files and bad recordings\n' "$compiler"
 mkdir -p "$build" golden
 for example in $examples; do
   program "examples/$example"
-  golden "$example" "$build/$example"
+  options=$(sed -n "s/^$example //p" ../extras/host/OPTIONS)
+  # shellcheck disable=SC2086  # the options are words
+  golden "$example" "$build/$example" $options
+  [ -z "$options" ] || continue
   for recording in $recordings; do
     golden "$example-$recording" "$build/$example" --recording "recordings/$recording.txt"
   done
@@ -65,9 +69,25 @@ while read -r example line options; do
   golden "$example-$line" "$build/$example" $options
 done <"$build/lines"
 
-mkdir -p "$build/sketch/README"
-sed -n '/^```cpp$/,/^```$/{/^```/!p}' ../README.md >"$build/sketch/README/README.ino"
-program "$build/sketch/README"
+# The sketches that stand in README.md and the docs are built; README.md's first one is run.
+mkdir -p "$build/sketch"
+awk -v folder="$build/sketch" '
+  FNR == 1 { page = FILENAME; sub(/.*\//, "", page); sub(/\.md$/, "", page); sketches = 0 }
+  /^```$/ && inside {
+    inside = 0
+    if (text ~ /void loop/) {
+      name = page (++sketches > 1 ? sketches : "")
+      system("mkdir -p " folder "/" name)
+      printf "%s", text >(folder "/" name "/" name ".ino")
+    }
+  }
+  inside { text = text $0 "\n" }
+  /^```cpp$/ { inside = 1; text = "" }' ../README.md ../extras/docs/[!R]*.md
+for sketch in "$build"/sketch/*; do
+  name=${sketch##*/}
+  program "$sketch" && [ -x "$build/$name" ]
+  verdict $? "the sketch $name of the docs is built"
+done
 golden README "$build/README" --seconds 4
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit

@@ -11,19 +11,24 @@ namespace {
 constexpr uint32_t ReceiverOn = 0x10;  // RXEN1 of UCSR1B
 constexpr size_t HardwareBuffer = 3;   // characters that the USART holds: two, and one in its shift register
 
-// The line's time 0, at which the host's program starts, comes so much behind the start of this sketch's clock. So both
-// see the same frames whenever they print. They print every 200 ms, and T = 9 ms, so some prints fall on a frame's end
-// (8 ms + 9 ms n), and some 1 ms behind it:
-//   the host   prints 0.00 to 0.06 ms behind a multiple of 200 ms, and finds a frame 0.12 ms behind its end: it misses
-//              the frame that ends just then, and sees the one that ended 1 ms ago.
-//   the Mega   prints up to 0.96 ms behind it, in steps of 0.064 ms, as its millis() goes on every 1.024 ms only. In
-//              15 s those prints that must miss a frame are late by 0.96 ms at the most, those that must see one by
-//              0.128 ms at least: so the line has to be late by 0.96 to 1.128 ms, less a pass of loop().
-constexpr uint32_t PhaseUs = 1040;
+// libsimavr has one time for the characters that a USART receives and those that it sends. Ours come when they are
+// through: while it takes or gives one of these, a character lasts a cycle. What is sent keeps its time.
+class AtOnce {
+ public:
+  explicit AtOnce(avr_uart_t &usart) : _usart(usart), _cycles(usart.cycles_per_byte) { _usart.cycles_per_byte = 1; }
+  ~AtOnce() { _usart.cycles_per_byte = _cycles; }
+  AtOnce(const AtOnce &) = delete;
+  AtOnce &operator=(const AtOnce &) = delete;
+
+ private:
+  avr_uart_t &_usart;
+  const avr_cycle_count_t _cycles;
+};
 
 }  // namespace
 
-LineInput::LineInput(Mega &mega, host::Line &line) : _mega(mega), _usart(mega.usart(1)), _line(line) {
+LineInput::LineInput(Mega &mega, host::Line &line, uint32_t phaseUs)
+    : _mega(mega), _usart(mega.usart(1)), _line(line), _phaseUs(phaseUs) {
   avr_irq_register_notify(avr_iomem_getirq(mega.avr(), _usart.r_ucsrb, nullptr, AVR_IOMEM_IRQ_ALL), controlWritten,
                           this);
   hook(_usart.r_ucsra, statusRead, _readStatus);
@@ -39,7 +44,7 @@ void LineInput::hook(avr_io_addr_t address, avr_io_read_t ours, avr_io_read_t &t
 }
 
 avr_cycle_count_t LineInput::toCycle(uint64_t us) const {
-  return _mega.clockZero() + (us + PhaseUs) * CyclesPerUs;
+  return _mega.clockZero() + (us + _phaseUs) * CyclesPerUs;
 }
 
 uint64_t LineInput::toUs(avr_cycle_count_t cycle) const {
@@ -58,19 +63,45 @@ void LineInput::controlWritten(avr_irq_t *, uint32_t value, void *input) {
 
 // The core sets baud rate and format first, then RXEN1.
 void LineInput::open() {
-  const host::PortSettings settings = _mega.settings(1);
-  _mismatch = host::mismatch(settings, _wire);
   _openedUs = nowUs();
-  _sampler.open(_openedUs, settings, _wire);
+  settle();
   _framesSinceOpen = 0;
   _bad.clear();
   if (!_everOpen) {
     _everOpen = true;
     _line.opened(_openedUs);
-    if (_line.next(UINT64_MAX, _next)) {
-      avr_cycle_timer_register(_mega.avr(), toCycle(_next.endUs) - _mega.avr()->cycle, characterThrough, this);
-    }
+    look();
   }
+}
+
+void LineInput::settle() {
+  const host::PortSettings settings = _mega.settings(1);
+  _mismatch = host::mismatch(settings, _wire);
+  _sampler.open(nowUs(), settings, _wire);
+}
+
+void LineInput::rewire(const host::Wire &wire) {
+  _wire = wire;
+  if (_open) {
+    settle();
+  }
+}
+
+void LineInput::look() {
+  if (!_everOpen || _isComing) {
+    return;
+  }
+  while (fetch() && toCycle(_next.endUs) <= _mega.avr()->cycle) {
+    // it was sent before the port was first opened
+  }
+  if (_isComing) {
+    avr_cycle_timer_register(_mega.avr(), toCycle(_next.endUs) - _mega.avr()->cycle, characterThrough, this);
+  }
+}
+
+bool LineInput::fetch() {
+  _isComing = _line.next(UINT64_MAX, _next);
+  return _isComing;
 }
 
 avr_cycle_count_t LineInput::characterThrough(avr_t *, avr_cycle_count_t, void *input) {
@@ -79,7 +110,7 @@ avr_cycle_count_t LineInput::characterThrough(avr_t *, avr_cycle_count_t, void *
   if (self._open) {
     self.put(self._next);
   }
-  return self._line.next(UINT64_MAX, self._next) ? self.toCycle(self._next.endUs) : 0;
+  return self.fetch() ? self.toCycle(self._next.endUs) : 0;
 }
 
 void LineInput::count(const host::Character &character) {
@@ -96,7 +127,7 @@ void LineInput::count(const host::Character &character) {
   _badCharacters += character.bad;
   if (_run == sbus::FrameSize && !_runBad) {
     _frames++;
-    _lastFrameUs = character.endUs + PhaseUs;
+    _lastFrameUs = character.endUs + _phaseUs;
     _framesSinceOpen += _runBeganUs >= _openedUs;
   }
 }
@@ -126,7 +157,7 @@ void LineInput::receive(const host::Character &character) {
   // libsimavr takes a character for one that begins now, and raises RXC1 a character's time later: 110 us, because it
   // does not notice two stop bits that are set behind the baud rate. It would also hand over at once what is behind a
   // character that was fetched late. The time is ours: RXC1 is raised in the next cycle.
-  _usart.cycles_per_byte = 1;
+  const AtOnce atOnce(_usart);
   avr_raise_irq(avr_io_getirq(_mega.avr(), AVR_IOCTL_UART_GETIRQ('1'), UART_IRQ_INPUT), character.value);
 }
 
@@ -153,7 +184,12 @@ uint8_t LineInput::dataRead(avr_t *avr, avr_io_addr_t address, void *input) {
   if (!self._bad.empty()) {
     self._bad.pop_front();
   }
-  return self._readData(avr, address, &self._usart);
+  const AtOnce atOnce(self._usart);
+  const uint8_t value = self._readData(avr, address, &self._usart);
+  if (!self._bad.empty()) {
+    avr_raise_interrupt(avr, &self._usart.rxc);  // libsimavr would do so a character's time later
+  }
+  return value;
 }
 
 }  // namespace mega

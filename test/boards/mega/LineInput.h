@@ -12,14 +12,34 @@
 
 namespace mega {
 
+// The line's time 0, at which the host's program starts, comes so much behind the start of the sketch's clock. So both
+// see the same frames whenever they print. They print every 200 ms, and T = 9 ms, so some prints fall on a frame's end
+// (8 ms + 9 ms n), and some 1 ms behind it:
+//   the host   prints 0.00 to 0.06 ms behind a multiple of 200 ms, and finds a frame 0.12 ms behind its end: it misses
+//              the frame that ends just then, and sees the one that ended 1 ms ago.
+//   the Mega   prints up to 0.96 ms behind it, in steps of 0.064 ms, as its millis() goes on every 1.024 ms only. In
+//              15 s those prints that must miss a frame are late by 0.96 ms at the most, those that must see one by
+//              0.128 ms at least: so the line has to be late by 0.96 to 1.128 ms, less a pass of loop(). 0.97 to 1.04
+//              ms do for all examples but Servos and Mixer, whose passes take 0.3 ms and of different length.
+constexpr uint32_t PhaseUs = 1000;
+
 class LineInput {
  public:
-  LineInput(Mega &mega, host::Line &line);
+  // A wire is late by nothing.
+  LineInput(Mega &mega, host::Line &line, uint32_t phaseUs);
   LineInput(const LineInput &) = delete;  // libsimavr has been given its address
   LineInput &operator=(const LineInput &) = delete;
 
   // The line's time: it is 0 when the host's program starts.
   uint64_t nowUs() const { return toUs(_mega.avr()->cycle); }
+  uint64_t toUs(avr_cycle_count_t cycle) const;
+  avr_cycle_count_t toCycle(uint64_t us) const;
+
+  // The line had nothing more, and now it has: a wire on which something was sent.
+  void look();
+
+  // From now on the other end of the line sends in another way.
+  void rewire(const host::Wire &wire);
 
   // What has gone over the line since the port was first opened. A frame is the first 25 characters behind a pause, if
   // all are good.
@@ -45,10 +65,9 @@ class LineInput {
   static uint8_t statusRead(avr_t *avr, avr_io_addr_t address, void *input);
   static uint8_t dataRead(avr_t *avr, avr_io_addr_t address, void *input);
 
-  avr_cycle_count_t toCycle(uint64_t us) const;
-  uint64_t toUs(avr_cycle_count_t cycle) const;
-
+  bool fetch();
   void open();
+  void settle();
   void count(const host::Character &character);
   void put(const host::Character &character);
   void receive(const host::Character &character);
@@ -58,9 +77,11 @@ class LineInput {
   Mega &_mega;
   avr_uart_t &_usart;
   host::Line &_line;
+  const uint32_t _phaseUs;
   host::Wire _wire;
   host::UartSampler _sampler;
-  host::Character _next;  // on its way
+  host::Character _next;   // on its way,
+  bool _isComing = false;  // if there is one
 
   bool _everOpen = false;
   bool _open = false;

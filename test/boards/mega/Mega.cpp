@@ -1,5 +1,6 @@
 #include "Mega.h"
 
+#include <simavr/avr_extint.h>
 #include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
 #include <stm32l0_uart.h>
@@ -16,9 +17,9 @@ namespace mega {
 namespace {
 
 constexpr char Processor[] = "atmega2560";
+constexpr uint8_t ExternalInterrupts = 8;     // INT0..INT7
 constexpr avr_io_addr_t TimerControl = 0x45;  // TCCR0B
 constexpr uint32_t TimerClocked = 0x07;       // CS02:CS00, 0 while it stands still
-constexpr uint32_t TransmitterOn = 0x08;      // TXENn of UCSRnB
 
 // libsimavr talks on standard output, which is the sketch's.
 void log(avr_t *, int level, const char *format, va_list arguments) {
@@ -45,11 +46,12 @@ Mega::Mega(const std::string &elf) {
   avr_init(_avr);
   _avr->sleep = doNotSleep;            // else a sketch that waits for an interrupt waits in real time
   _avr->run_cycle_limit = UINT32_MAX;  // instructions run in one go, up to the next event; as exact, and faster
+  for (uint8_t number = 0; number < ExternalInterrupts; number++) {
+    avr_extint_set_strict_lvl_trig(_avr, number, 0);  // else it looks in every cycle whether such a pin is still low
+  }
   load(elf);
   findUsarts();
   avr_irq_register_notify(avr_iomem_getirq(_avr, TimerControl, nullptr, AVR_IOMEM_IRQ_ALL), timerStarted, this);
-  avr_irq_register_notify(avr_iomem_getirq(_avr, usart(0).r_ucsrb, nullptr, AVR_IOMEM_IRQ_ALL), transmitterSet, this);
-  avr_irq_register_notify(avr_io_getirq(_avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), sent, this);
 }
 
 Mega::~Mega() {
@@ -108,23 +110,6 @@ void Mega::timerStarted(avr_irq_t *, uint32_t value, void *mega) {
   Mega &self = *static_cast<Mega *>(mega);
   if ((value & TimerClocked) != 0) {
     self._clockZero = self._avr->cycle;
-  }
-}
-
-// libsimavr counts a parity bit that is not there, and sends 10 % too slowly.
-void Mega::transmitterSet(avr_irq_t *, uint32_t value, void *mega) {
-  Mega &self = *static_cast<Mega *>(mega);
-  if ((value & TransmitterOn) != 0) {
-    const host::PortSettings settings = self.settings(0);
-    const unsigned bits = settings.format().bits();
-    self.usart(0).cycles_per_byte = bits * (self._avr->frequency / settings.baud);
-  }
-}
-
-void Mega::sent(avr_irq_t *, uint32_t value, void *mega) {
-  Mega &self = *static_cast<Mega *>(mega);
-  if (self._onOutput) {
-    self._onOutput(static_cast<uint8_t>(value));
   }
 }
 

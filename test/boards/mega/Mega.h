@@ -5,7 +5,6 @@
 #include <simavr/sim_avr.h>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 
 #include "runtime/PortSettings.h"
@@ -22,9 +21,6 @@ class Mega {
   Mega(const Mega &) = delete;  // libsimavr has been given its address
   Mega &operator=(const Mega &) = delete;
 
-  // Called for each byte that USART0 sends.
-  void onOutput(std::function<void(uint8_t)> callback) { _onOutput = std::move(callback); }
-
   // Runs the sketch for about a character's time. Throws if it crashes.
   void run();
 
@@ -33,17 +29,15 @@ class Mega {
   uint64_t clockUs() const { return (_avr->cycle - _clockZero) / CyclesPerUs; }
 
   avr_t *avr() { return _avr; }
-  avr_uart_t &usart(int number) { return *_usarts[number]; }  // 0 or 1
+  avr_uart_t &usart(int number) { return *_usarts[number]; }  // 0..3
 
   // What the sketch has set a port to, as its registers have it.
   host::PortSettings settings(int number) const;
 
  private:
-  static constexpr int UsartCount = 2;
+  static constexpr int UsartCount = 4;
 
   static void timerStarted(avr_irq_t *, uint32_t value, void *mega);
-  static void transmitterSet(avr_irq_t *, uint32_t value, void *mega);
-  static void sent(avr_irq_t *, uint32_t value, void *mega);
 
   void load(const std::string &elf);
   void findUsarts();
@@ -51,7 +45,6 @@ class Mega {
   avr_t *_avr;
   avr_uart_t *_usarts[UsartCount] = {};
   avr_cycle_count_t _clockZero = 0;
-  std::function<void(uint8_t)> _onOutput;
 };
 
 }  // namespace mega

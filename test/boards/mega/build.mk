@@ -2,7 +2,7 @@
 #   elves     OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketch Counters
 #   refused   OUT/NAME.refused: what the compiler says to the examples that are not for this board
 #   runner    OUT/runner, the program that runs an .elf
-#   host      OUT/host/Diagnose, that example on the host's plain core
+#   host      OUT/host/NAME, examples on the host's plain core
 
 HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
 ROOT := $(HERE)/../../..
@@ -13,12 +13,13 @@ ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 REFUSED := Background
 EXAMPLES := $(filter-out $(REFUSED),$(notdir $(wildcard $(ROOT)/examples/*)))
 SKETCHES := $(EXAMPLES) Counters
+# What the plain core tells in other words or at other times than the board's, or what is more than golden/*.csv has.
+ON_HOST := Diagnose Calibrate Mixer
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
 
 elves: $(ELVES)
 refused: $(REFUSED:%=$(OUT)/%.refused)
 runner: $(OUT)/runner
-host: $(OUT)/host/Diagnose
 list-examples:
 	@printf '%s\n' $(EXAMPLES)
 list-refused:
@@ -36,7 +37,7 @@ AVR := -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_AVR_MEGA2560
 AVR_C := avr-gcc $(AVR) -std=gnu11
 AVR_CXX := avr-g++ $(AVR) -std=gnu++11 -fno-exceptions -fno-threadsafe-statics
 CORE_INCLUDES := -I$(ARDUINO)/cores/arduino -I$(ARDUINO)/variants/mega
-OURS := -I$(ROOT)/src -I$(HOST)/standin -I$(HERE)/core -I$(ARDUINO) $(CORE_INCLUDES)
+OURS := -I$(ROOT)/src -I$(HOST)/standin -I$(HERE)/standin -I$(HERE)/core -I$(ARDUINO) $(CORE_INCLUDES)
 
 # WString.cpp does not compile with Debian's avr-gcc 5.4; no sketch of ours has a String.
 CORE_SOURCES := $(notdir $(filter-out %/WString.cpp,$(wildcard $(ARDUINO)/cores/arduino/*.c \
@@ -68,6 +69,11 @@ $(OUT)/library/%.cpp.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(AVR_CXX) $(WARNINGS) $(DEPENDENCIES) $(OURS) -c $< -o $@
 
+# Stands with the core, so that only a sketch that has servos has their interrupt.
+$(OUT)/standin/%.o: $(HERE)/standin/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(AVR_CXX) $(WARNINGS) $(DEPENDENCIES) $(OURS) -c $< -o $@
+
 # Other people's sources are not ours to warn about.
 $(OUT)/core/%.c.o: $(ARDUINO)/cores/arduino/%.c $(HERE)/build.mk
 	@mkdir -p $(@D)
@@ -78,13 +84,13 @@ $(OUT)/core/%.S.o: $(ARDUINO)/cores/arduino/%.S $(HERE)/build.mk
 $(OUT)/core/%.cpp.o: $(ARDUINO)/cores/arduino/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(AVR_CXX) -w $(CORE_INCLUDES) -c $< -o $@
-$(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o)
+$(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o) $(OUT)/standin/Servo.o
 	@rm -f $@
 	avr-ar rcs $@ $^
 
 # The runner, with the host's lines. An inverter stands in front of the pin, as in front of the host's plain core.
 RUNNER := $(patsubst $(HERE)/%,%,$(filter-out %/Counters.cpp,$(wildcard $(HERE)/*.cpp)))
-RUNTIME := PortSettings RecordedLine Recording SimulatedReceiver Flight UartSampler
+RUNTIME := PortSettings RecordedLine Recording SimulatedReceiver Flight Calibration UartSampler SentFile Eeprom
 RUNNER_CXX = $(CXX) -std=c++17 -O2 $(WARNINGS) -DHOST_PLAIN_CORE $(DEPENDENCIES) -I$(HERE) -I$(HOST) -I$(HOST)/runtime \
   -I$(HOST)/arduino -I$(ROOT)/src
 
@@ -101,8 +107,9 @@ $(OUT)/runner-objects/sbus/%.o: $(ROOT)/src/sbus/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(RUNNER_CXX) -c $< -o $@
 
-$(OUT)/host/Diagnose: FORCE
-	@$(MAKE) --no-print-directory -C $(HOST) SKETCH=examples/Diagnose BUILD=$(OUT)/host \
-	  CXXFLAGS='-O1 -DHOST_PLAIN_CORE'
+# One behind the other: they share their objects.
+host:
+	@set -e; for name in $(ON_HOST); do $(MAKE) --no-print-directory -C $(HOST) SKETCH=examples/$$name \
+	  BUILD=$(OUT)/host CXXFLAGS='-O1 -DHOST_PLAIN_CORE'; done
 
 -include $(shell find $(OUT) -name '*.d' -not -path '*/host/*' 2>/dev/null)

@@ -1,7 +1,6 @@
 // Runs a sketch on a simulated Arduino Mega, with a line at Serial1. What the sketch sends over Serial is standard
 // output, all else standard error. Fails if the sketch sets a port wrongly, or does not fetch characters in time.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -10,58 +9,32 @@
 #include <stdexcept>
 #include <utility>
 
+#include "Eeprom.h"
 #include "LineInput.h"
+#include "LineOutput.h"
 #include "LineVariants.h"
 #include "Mega.h"
+#include "Options.h"
+#include "Pulses.h"
+#include "runtime/JumperWire.h"
 #include "runtime/RecordedLine.h"
+#include "runtime/SentFile.h"
 #include "runtime/SilentLine.h"
 #include "runtime/SimulatedReceiver.h"
 
 namespace {
 
-constexpr double FlightSeconds = 15;
+using mega::Options;
+
 constexpr unsigned long SerialBaud = 115200;
 constexpr unsigned long SerialBaudError = 40;  // 1/40: an AVR at 16 MHz sends at 117647, 2.1 % too fast
-
-struct Options {
-  std::string elf;
-  std::string recording;
-  bool silent = false;
-  double seconds = 0;  // 0: as long as there is something to come
-  long bad = -1;       // number of a character, or -1
-  double cut = 0;      // s; 0: not at all
-  bool anySettings = false;
-  bool frames = false;
-};
-
-Options parseOptions(int argc, char **argv) {
-  Options options;
-  CLI::App app{"Runs a sketch on a simulated Arduino Mega, with the simulated receiver at Serial1."};
-  app.add_option("SKETCH.elf", options.elf)->required();
-  app.add_option("--recording", options.recording, "play this recording of a line, once")->type_name("FILE");
-  app.add_flag("--silent", options.silent, "nothing comes");
-  app.add_option("--seconds", options.seconds, "end after so many seconds (simulated receiver: 15)")->type_name("S");
-  app.add_option("--bad", options.bad, "this character, counted from 0, has a wrong parity bit")->type_name("N");
-  app.add_option("--cut", options.cut, "the line falls silent after so many seconds")->type_name("S");
-  app.add_flag("--any-settings", options.anySettings, "Serial1 may be set to something else than 100000 baud, 8E2");
-  app.add_flag("--frames", options.frames, "say at each line that the sketch sends how many frames came since begin()");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError &error) {
-    std::exit(app.exit(error));
-  }
-  if (options.seconds == 0 && options.recording.empty()) {
-    options.seconds = FlightSeconds;
-  }
-  return options;
-}
 
 std::unique_ptr<host::Line> makeGoodLine(const Options &options) {
   if (options.silent) {
     return std::make_unique<host::SilentLine>();
   }
   if (options.recording.empty()) {
-    return std::make_unique<host::SimulatedReceiver>();
+    return std::make_unique<host::SimulatedReceiver>(host::choreography(options.sticks));
   }
   std::ifstream in(options.recording, std::ios::binary);
   host::Recording recording = host::parseRecording(in);
@@ -82,61 +55,136 @@ std::unique_ptr<host::Line> makeLine(const Options &options) {
   return line;
 }
 
-// Serial: 115200 baud as near as the processor comes to it, 8N1.
-bool isSerialRight(const host::PortSettings &settings) {
-  const unsigned long error = settings.baud > SerialBaud ? settings.baud - SerialBaud : SerialBaud - settings.baud;
-  return error <= SerialBaud / SerialBaudError && settings.format() == host::Format{8, host::Parity::None, 1};
-}
-
-void report(const mega::LineInput &input) {
-  std::fprintf(stderr, "sent: %lu frames, the last through at %llu us; %lu characters, %lu of them bad\n",
-               input.frames(), static_cast<unsigned long long>(input.lastFrameUs()), input.characters(),
-               input.badCharacters());
-}
-
-bool judge(const mega::Mega &mega, const mega::LineInput &input, const Options &options) {
-  bool good = true;
-  if (!isSerialRight(mega.settings(0))) {
-    std::fprintf(stderr, "Serial is not set to 115200 baud, 8N1, but to %s\n", text(mega.settings(0)).c_str());
-    good = false;
-  }
-  if (!input.wrongSettings().empty() && !options.anySettings) {
-    std::fprintf(stderr, "Serial1 was set wrongly: %s\n", input.wrongSettings().c_str());
-    good = false;
-  }
-  if (input.overruns() != 0) {
-    std::fprintf(stderr, "Serial1 lost %lu characters that were not fetched in time\n", input.overruns());
-    good = false;
-  }
-  return good;
-}
-
-bool run(const Options &options) {
-  const std::unique_ptr<host::Line> line = makeLine(options);
-  mega::Mega mega(options.elf);
-  mega::LineInput input(mega, *line);
-  bool lineBegins = true;
-  mega.onOutput([&](uint8_t byte) {
-    if (lineBegins && options.frames) {
-      std::fprintf(stderr, "frames since begin(): %lu\n", input.framesSinceOpen());
+// The Mega with all that is connected to it.
+class Bench {
+ public:
+  explicit Bench(const Options &options)
+      : _options(options),
+        _mega(options.elf),
+        _line(options.wireFrom == 0 ? makeLine(options) : nullptr),
+        _input(_mega, options.wireFrom == 0 ? *_line : _jumper, options.wireFrom == 0 ? mega::PhaseUs : 0),
+        _outputs{{_mega, 0}, {_mega, 1}, {_mega, 2}, {_mega, 3}},
+        _eeprom(_mega) {
+    _outputs[0].onCharacter([this](uint8_t byte, avr_cycle_count_t) { print(byte); });
+    for (int number = 1; number <= 3; number++) {
+      if (number == options.wireFrom || number == options.sentBy) {
+        connect(number);
+      }
     }
-    lineBegins = byte == '\n';
-    std::putchar(byte);
-  });
-
-  const uint64_t endUs = static_cast<uint64_t>(options.seconds * 1e6);
-  while (options.seconds > 0 ? mega.clockUs() < endUs : !line->finished(input.nowUs())) {
-    mega.run();
+    if (options.sentBy != 0) {
+      _sent = std::make_unique<host::SentFile>(options.sent);
+    }
+    if (!options.eeprom.empty()) {
+      _eeprom.load(options.eeprom);
+    }
+    if (!options.pulses.empty()) {
+      _pulses = std::make_unique<mega::Pulses>(_mega, _input, options.pulses);
+    }
   }
-  report(input);
-  return judge(mega, input, options);
-}
+
+  // Returns whether all went well.
+  bool run() {
+    const uint64_t endUs = static_cast<uint64_t>(_options.seconds * 1e6);
+    while (_options.seconds > 0 ? _mega.clockUs() < endUs : !_line->finished(_input.nowUs())) {
+      _mega.run();
+    }
+    _eeprom.save();
+    report();
+    return judge() && finish();
+  }
+
+ private:
+  void connect(int number) {
+    _outputs[number].onSettings([this, number](const host::PortSettings &settings) {
+      if (number == _options.wireFrom) {
+        _input.rewire(wireFrom(settings));
+      }
+      if (number == _options.sentBy) {
+        _sent->opened(settings);
+      }
+    });
+    _outputs[number].onCharacter([this, number](uint8_t byte, avr_cycle_count_t end) {
+      host::Character character;
+      character.endUs = _input.toUs(end + mega::CyclesPerUs - 1);  // rounded up: then it really is through
+      character.value = byte;
+      if (number == _options.wireFrom) {
+        _jumper.put(character);
+        _input.look();
+      }
+      if (number == _options.sentBy) {
+        _sent->look(character);
+      }
+    });
+  }
+
+  void print(uint8_t byte) {
+    if (_lineBegins && _options.frames) {
+      std::fprintf(stderr, "frames since begin(): %lu\n", _input.framesSinceOpen());
+    }
+    if (_lineBegins && _pulses) {
+      _pulses->lineBegins();
+    }
+    _lineBegins = byte == '\n';
+    std::putchar(byte);
+  }
+
+  void report() const {
+    std::fprintf(stderr, "sent: %lu frames, the last through at %llu us; %lu characters, %lu of them bad\n",
+                 _input.frames(), static_cast<unsigned long long>(_input.lastFrameUs()), _input.characters(),
+                 _input.badCharacters());
+  }
+
+  // Serial: 115200 baud as near as the processor comes to it, 8N1.
+  bool isSerialRight() const {
+    const host::PortSettings settings = _mega.settings(0);
+    const unsigned long error = settings.baud > SerialBaud ? settings.baud - SerialBaud : SerialBaud - settings.baud;
+    return error <= SerialBaud / SerialBaudError && settings.format() == host::Format{8, host::Parity::None, 1};
+  }
+
+  bool judge() const {
+    bool good = true;
+    if (!isSerialRight()) {
+      std::fprintf(stderr, "Serial is not set to 115200 baud, 8N1, but to %s\n", text(_mega.settings(0)).c_str());
+      good = false;
+    }
+    if (!_input.wrongSettings().empty() && !_options.anySettings) {
+      std::fprintf(stderr, "Serial1 was set wrongly: %s\n", _input.wrongSettings().c_str());
+      good = false;
+    }
+    if (_input.overruns() != 0) {
+      std::fprintf(stderr, "Serial1 lost %lu characters that were not fetched in time\n", _input.overruns());
+      good = false;
+    }
+    return good;
+  }
+
+  // Returns whether all files were written.
+  bool finish() {
+    const std::string failure = _sent ? _sent->finish() : "";
+    if (!failure.empty()) {
+      std::fprintf(stderr, "%s\n", failure.c_str());
+    }
+    return failure.empty() && (!_pulses || _pulses->finish()) && std::fflush(stdout) == 0;
+  }
+
+  const Options &_options;
+  mega::Mega _mega;
+  std::unique_ptr<host::Line> _line;  // null if a wire has taken its place
+  host::JumperWire _jumper;
+  mega::LineInput _input;
+  mega::LineOutput _outputs[4];
+  mega::Eeprom _eeprom;
+  std::unique_ptr<host::SentFile> _sent;
+  std::unique_ptr<mega::Pulses> _pulses;
+  bool _lineBegins = true;
+};
 
 }  // namespace
 
 int main(int argc, char **argv) {
   try {
-    return run(parseOptions(argc, argv)) && std::fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    const Options options = mega::parseOptions(argc, argv);
+    return Bench(options).run() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception &error) {
     std::fprintf(stderr, "%s\n", error.what());
     return EXIT_FAILURE;

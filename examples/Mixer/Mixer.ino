@@ -1,0 +1,55 @@
+/*
+  Mixer: reads a receiver, mixes, and sends S.Bus on, to a flight controller or to S.Bus servos.
+
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
+    A2 (TX2) -> the S.Bus input of what comes next, GND -> its GND
+
+  For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All
+  other channels and both flags pass; when no frame has come for 100 ms, it goes on sending, with both flags set. Sends
+  "aileron,elevator,left,right" over USB five times a second, each -1000..+1000.
+*/
+
+#include <DecodeSBus.h>
+#include <EncodeSBus.h>
+#include <elapsedMillis.h>
+#include <sbus/Scaling.h>
+
+const unsigned long PERIOD_DISPLAY = 200;  // ms
+
+uint16_t in[18];
+bool failsafe, lostFrame;
+elapsedMillis timerDisplay;
+DecodeSBus dSBus(Serial1);
+EncodeSBus eSBus(Serial2);
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+  eSBus.begin();
+}
+
+void loop() {
+  dSBus.parseSBusFrame();
+  if (dSBus.linkState() == sbus::LinkState::NeverSeen) {
+    return;  // there is nothing to send yet
+  }
+  dSBus.decodeSBusFrame(in, failsafe, lostFrame);  // on a stale link `in` stays, and both flags are set
+  const int16_t aileron = sbus::toNormalised(in[0], sbus::FrSky);
+  const int16_t elevator = sbus::toNormalised(in[1], sbus::FrSky);
+  const int16_t elevons[] = {sbus::limited(elevator + aileron, -1000, 1000),
+                             sbus::limited(elevator - aileron, -1000, 1000)};
+  uint16_t out[18];
+  memcpy(out, in, sizeof out);
+  out[0] = sbus::fromNormalised(elevons[0], sbus::FrSky);
+  out[1] = sbus::fromNormalised(elevons[1], sbus::FrSky);
+  eSBus.write(out, failsafe, lostFrame);
+
+  if (timerDisplay >= PERIOD_DISPLAY) {
+    timerDisplay = 0;
+    const int16_t values[] = {aileron, elevator, elevons[0], elevons[1]};
+    for (int i = 0; i < 4; i++) {
+      Serial.print(values[i]);
+      Serial.print(i < 3 ? "," : "\r\n");
+    }
+  }
+}

@@ -1,0 +1,55 @@
+// Class Servo for the Grasshopper, after Arduino's library of that name, which does not know the STM32L0: up to ten
+// servos, one pulse behind the other, every 20 ms. The core's own driver makes them, with TIM7.
+#pragma once
+
+#include <Arduino.h>
+#include <stm32l0_servo.h>
+
+class Servo {
+ public:
+  // Pulses of `us` from the next on, 544..2400, as Arduino's library limits them. Before attach(): the first.
+  void writeMicroseconds(int us) {
+    const uint16_t limited = static_cast<uint16_t>(us < 544 ? 544 : us > 2400 ? 2400 : us);
+    if (limited != _us) {
+      _us = limited;
+      update();
+    }
+  }
+
+  // Pulses begin, of 1500 us unless told. False if there are ten servos already.
+  bool attach(int pin) {
+    if (_slot < 0 && table().entries < STM32L0_SERVO_SLOT_COUNT) {
+      pinMode(static_cast<uint32_t>(pin), OUTPUT);
+      digitalWrite(static_cast<uint32_t>(pin), LOW);
+      _slot = static_cast<int>(table().entries++);
+      table().slot[_slot].pin = g_APinDescription[pin].pin;
+      update();
+    }
+    return _slot >= 0;
+  }
+
+ private:
+  static stm32l0_servo_table_t &table() {  // what the driver shall do; all servos share it
+    static stm32l0_servo_table_t all;
+    return all;
+  }
+
+  void update() {
+    static stm32l0_timer_t timer;
+    static stm32l0_servo_t driver;
+    if (_slot < 0) {
+      return;
+    }
+    table().slot[_slot].width = _us;
+    if (driver.state == STM32L0_SERVO_STATE_NONE) {
+      stm32l0_timer_create(&timer, STM32L0_TIMER_INSTANCE_TIM7, 0, 0);
+      stm32l0_servo_create(&driver, &timer);
+      stm32l0_servo_enable(&driver, &table(), nullptr, nullptr);
+    } else {
+      stm32l0_servo_configure(&driver, &table());
+    }
+  }
+
+  int _slot = -1;
+  uint16_t _us = 1500;
+};

@@ -1,0 +1,58 @@
+/*
+  Servos: CH1..CH4 to four servos or speed controllers, and what they do when the radio is gone.
+
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
+    D2..D5 -> the signal wires of CH1..CH4; the servos have a supply of their own, and its GND goes to GND
+
+  On failsafe, and when no frame has come for 100 ms, the throttle closes and the rest holds where it is. Take the
+  propeller off to try that. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second.
+*/
+
+#include <DecodeSBus.h>
+#include <elapsedMillis.h>
+#include <sbus/Scaling.h>
+#if defined(SERIAL_SBUS)
+#include "GrasshopperServo.h"  // the STM32L0 core has no Servo library
+#else
+#include <Servo.h>
+#endif
+
+const int FIRST_PIN = 2;
+const int THROTTLE = 2;                    // CH3, counted from 0
+const unsigned long PERIOD_DISPLAY = 200;  // ms
+
+int16_t pulses[] = {sbus::CentrePulse, sbus::CentrePulse, sbus::LowPulse, sbus::CentrePulse};  // us, until a frame comes
+Servo servos[4];
+elapsedMillis timerDisplay;
+DecodeSBus dSBus(Serial1);
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+  for (int i = 0; i < 4; i++) {
+    servos[i].writeMicroseconds(pulses[i]);  // before it sends any: the throttle begins closed
+    servos[i].attach(FIRST_PIN + i);
+  }
+}
+
+void loop() {
+  uint16_t channels[18];
+  bool failsafe, lostFrame;
+  dSBus.parseSBusFrame();
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
+  for (int i = 0; i < 4; i++) {
+    if (!failsafe) {
+      pulses[i] = sbus::limited(sbus::toMicroseconds(channels[i], sbus::FrSky), sbus::LowPulse, sbus::HighPulse);
+    } else if (i == THROTTLE) {
+      pulses[i] = sbus::LowPulse;
+    }
+    servos[i].writeMicroseconds(pulses[i]);
+  }
+  if (timerDisplay >= PERIOD_DISPLAY) {
+    timerDisplay = 0;
+    for (int i = 0; i < 4; i++) {
+      Serial.print(pulses[i]);
+      Serial.print(i < 3 ? "," : "\r\n");
+    }
+  }
+}

@@ -1,0 +1,74 @@
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <map>
+
+namespace mega {
+
+namespace {
+
+bool isPort(char c) {
+  return c >= '1' && c <= '3';
+}
+
+std::string checkWire(const std::string &text) {
+  return text.size() == 3 && isPort(text[0]) && text.substr(1) == "-1" ? "" : "1-1, 2-1 or 3-1 is expected";
+}
+
+std::string checkSent(const std::string &text) {
+  return text.size() > 2 && isPort(text[0]) && text[1] == ':' ? "" : "a port and a file as in 2:sent.txt are expected";
+}
+
+}  // namespace
+
+Options parseOptions(int argc, char **argv) {
+  const std::map<std::string, host::Sticks> movements = {{"flight", host::Sticks::Flight},
+                                                         {"calibration", host::Sticks::Calibration}};
+  Options options;
+  std::string wire;
+  std::string sent;
+  CLI::App app{"Runs a sketch on a simulated Arduino Mega, with the simulated receiver at Serial1."};
+  app.add_option("SKETCH.elf", options.elf)->required();
+  auto *recording = app.add_option("--recording", options.recording, "play this recording of a line, once");
+  recording->type_name("FILE");
+  auto *sticks = app.add_option("--sticks", options.sticks, "what the person at the simulated radio does (flight)");
+  sticks->transform(CLI::Transformer(movements).description(""))->type_name("flight|calibration")->excludes(recording);
+  auto *silent = app.add_flag("--silent", options.silent, "nothing comes");
+  silent->excludes(recording)->excludes(sticks);
+  app.add_option("--wire", wire, "a wire from TX of a port to RX of Serial1, in place of the line")
+      ->check(CLI::Validator(checkWire, ""))
+      ->type_name("TX-1")
+      ->excludes(recording)
+      ->excludes(sticks)
+      ->excludes(silent);
+  app.add_option("--sent", sent, "record what port N sends")->check(CLI::Validator(checkSent, ""))->type_name("N:FILE");
+  app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
+      ->type_name("FILE");
+  app.add_option("--pulses", options.pulses, "record the pulses at the pins 2..5, and when lines are printed")
+      ->type_name("FILE");
+  app.add_option("--seconds", options.seconds, "end after so many seconds (simulated receiver: 15, calibration: 40)")
+      ->type_name("S");
+  app.add_option("--bad", options.bad, "this character, counted from 0, has a wrong parity bit")->type_name("N");
+  app.add_option("--cut", options.cut, "the line falls silent after so many seconds")->type_name("S");
+  app.add_flag("--any-settings", options.anySettings, "Serial1 may be set to something else than 100000 baud, 8E2");
+  app.add_flag("--frames", options.frames, "say at each line that the sketch sends how many frames came since begin()");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    std::exit(app.exit(error));
+  }
+  if (!wire.empty()) {
+    options.wireFrom = wire[0] - '0';
+  }
+  if (!sent.empty()) {
+    options.sentBy = sent[0] - '0';
+    options.sent = sent.substr(2);
+  }
+  if (options.seconds == 0 && options.recording.empty()) {
+    options.seconds = host::choreography(options.sticks).periodMs / 1000.0;  // once
+  }
+  return options;
+}
+
+}  // namespace mega

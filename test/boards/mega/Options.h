@@ -1,0 +1,30 @@
+// The runner's command line. Where the host has the same option, it means the same.
+#pragma once
+
+#include <string>
+
+#include "runtime/Choreography.h"
+
+namespace mega {
+
+struct Options {
+  std::string elf;
+  std::string recording;
+  host::Sticks sticks = host::Sticks::Flight;
+  bool silent = false;
+  int wireFrom = 0;    // the USART that is wired to RX of USART1, or 0
+  double seconds = 0;  // 0: as long as there is something to come
+  long bad = -1;       // number of a character, or -1
+  double cut = 0;      // s; 0: not at all
+  bool anySettings = false;
+  bool frames = false;
+  int sentBy = 0;  // the USART of which everything is written into `sent`, or 0
+  std::string sent;
+  std::string eeprom;  // a file's name, or empty
+  std::string pulses;  // likewise
+};
+
+// Ends the program if it asks for help or is wrong.
+Options parseOptions(int argc, char **argv);
+
+}  // namespace mega
