@@ -1,7 +1,7 @@
 # Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints how
 # many bytes of flash each way of unpacking takes, as NAME=BYTES. The start-up code is that of ../boards/cortex-m0.
 
-HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../..
 SRC := $(ROOT)/src
 HOST := $(ROOT)/extras/host

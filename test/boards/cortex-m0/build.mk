@@ -3,7 +3,8 @@
 #   alignment    OUT/UnalignedRead and OUT/AlignedRead, which read a word from an odd and from an even address
 # `make list-unit` names the unit programs.
 
-HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+# Absolute: what depends on what is kept in OUT, and this may be called from any folder.
+HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../../..
 SRC := $(ROOT)/src
 HOST := $(ROOT)/extras/host

@@ -4,7 +4,8 @@
 #   runner    OUT/runner, the program that runs an .elf
 #   host      OUT/host/NAME, examples on the host's plain core
 
-HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+# Absolute: run.sh and `make size` call this from different folders, and what depends on what is kept in one.
+HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../../..
 HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
