@@ -15,9 +15,11 @@ struct CalibratedChannel {
   Range range;        // its low above its high: the channel runs backwards
   uint16_t deadZone;  // raw counts, 0..2047: so far from the centre, on either side, it is still at the centre
 
-  // As those of Scaling.h: exactly -1000, 0, +1000 and 988, 1500, 2012 us at low, centre and high; 0 and 1500 within
-  // the dead zone, behind which the values begin without a step. Beyond low and high they go on: see limited().
+  // As those of Scaling.h: exactly -1000, 0 and +1000 at low, centre and high. 0 within the dead zone, behind which it
+  // begins without a step. Beyond low and high it goes on: see limited().
   int16_t toNormalised(uint16_t raw) const;
+
+  // The same in us: 988, 1500 and 2012, and 1500 within the dead zone.
   int16_t toMicroseconds(uint16_t raw) const;
 };
 

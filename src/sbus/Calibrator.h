@@ -35,7 +35,7 @@ class Calibrator {
   static constexpr uint16_t TravelMin = 400;      // raw counts, a quarter of a FrSky's travel: less was not moved
   static constexpr uint16_t StillMax = 32;        // raw counts, 2 % of it: what a stick that rests may jitter
   static constexpr uint16_t DefaultDeadZone = 8;  // raw counts, half a percent of it: 5 us
-  static constexpr uint16_t DeadZoneMax = TravelMin / 4 - 1;
+  static constexpr uint16_t DeadZoneMax = TravelMin / 4 - 1;  // raw counts, 99: it ends before the shortest side does
 
   Calibrator() { begin(); }
 
