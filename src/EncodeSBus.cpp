@@ -25,8 +25,11 @@ bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame)
   uint8_t frame[sbus::FrameSize];
   sbus::pack(frame, channels, failsafe, lostFrame);
   _serial.write(frame, sbus::FrameSize);
-  // A pass of loop() late, and the next frame is due as if it had been on time; after more than that, from now on.
-  _last = _sent && late < _period ? now - late : now;
+  // A little late, and the next frame is due as if it had been on time; else from now on. So no pause between two
+  // frames is shorter than half of what it should be: receivers need them.
+  constexpr uint32_t FrameTime = uint32_t{sbus::FrameSize} * sbus::CharacterTime;
+  const uint32_t tolerable = _period > FrameTime ? (_period - FrameTime) / 2 : 0;
+  _last = _sent && late < tolerable ? now - late : now;
   _sent = true;
   return true;
 }

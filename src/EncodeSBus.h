@@ -9,8 +9,8 @@
 #include "SBusPort.h"
 #include "sbus/Frame.h"
 
-// One sender on one serial port. A DecodeSBus may listen on the same port: begin() either, not both, and end() it once.
-// All methods are for setup(), loop() or serialEventN(), not for interrupts.
+// One sender on one serial port, whose transmit buffer must take 25 bytes. A DecodeSBus may listen on the same port:
+// begin() and end() that one, not this. All methods are for setup(), loop() or serialEventN(), not for interrupts.
 class EncodeSBus {
  public:
   // `serial` must outlive the object. Nothing is opened yet.
@@ -23,7 +23,8 @@ class EncodeSBus {
   // begin() with another format: begin(100000, SERIAL_8E2) for an uninverted line.
   void begin(unsigned long baud, uint32_t config);
 
-  // Closes the port. The cores known send first what they still hold, and wait for it: up to 3 ms.
+  // Closes the port. The cores known send first what they still hold, and wait for it: up to 8 ms. Do not call write()
+  // behind it: a port of the AVR's core does not know that it is closed.
   void end();
 
   // Time from one frame to the next: 0..65535 us, 9000 unless told (FrSky's R-XSR). A frame itself takes 3000 us, 1500
@@ -31,9 +32,10 @@ class EncodeSBus {
   void setPeriod(uint16_t us) { _period = us; }
 
   // Sends a frame if it is due, and if the port can take all of it at once: it never waits, and never sends a part.
-  // Call it in every pass of loop(): the frames then come on time, without adding up what loop() takes. `channels` are
-  // 18: CH1..CH16, 0..2047, of which any above are sent as 2047, and CH17 and CH18, where any but 0 is sent as 1. True
-  // if it has sent. The first frame is due at once.
+  // Call it in every pass of loop(): the frames then come on time, without adding up what loop() takes, as long as it
+  // is less than half of the pause; behind a longer pass the period begins anew. `channels` are 18: CH1..CH16, 0..2047,
+  // of which any above are sent as 2047, and CH17 and CH18, where any but 0 is sent as 1. True if it has sent. The
+  // first frame is due at once.
   bool write(const uint16_t channels[], bool failsafe, bool lostFrame);
 
  private:

@@ -5,7 +5,7 @@
     A2 (TX2) -> the S.Bus input of what comes next, GND -> its GND
 
   For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All
-  other channels and both flags pass; when no frame has come for 100 ms, it goes on sending, with both flags set. Sends
+  other channels and both flags pass. When no frame has come for 100 ms, it goes on sending: both flags set, throttle closed. Sends
   "aileron,elevator,left,right" over USB five times a second, each -1000..+1000.
 */
 
@@ -42,6 +42,9 @@ void loop() {
   memcpy(out, in, sizeof out);
   out[0] = sbus::fromNormalised(elevons[0], sbus::FrSky);
   out[1] = sbus::fromNormalised(elevons[1], sbus::FrSky);
+  if (dSBus.linkState() == sbus::LinkState::Stale) {
+    out[2] = sbus::FrSky.low;  // nobody steers: the throttle closes, for those who do not look at flags
+  }
   eSBus.write(out, failsafe, lostFrame);
 
   if (timerDisplay >= PERIOD_DISPLAY) {

@@ -1,5 +1,5 @@
 // Class Servo for the Grasshopper, after Arduino's library of that name, which does not know the STM32L0: up to ten
-// servos, one pulse behind the other, every 20 ms. The core's own driver makes them, with TIM7.
+// servos, one pulse behind the other, every 20 ms (ten of the longest: 24 ms). The core's own driver makes them, with TIM7.
 #pragma once
 
 #include <Arduino.h>
@@ -16,14 +16,16 @@ class Servo {
     }
   }
 
-  // Pulses begin, of 1500 us unless told. False if there are ten servos already.
+  // Pulses begin, of 1500 us unless told. False if there are ten servos already, or no such pin.
   bool attach(int pin) {
-    if (_slot < 0 && table().entries < STM32L0_SERVO_SLOT_COUNT) {
-      pinMode(static_cast<uint32_t>(pin), OUTPUT);
-      digitalWrite(static_cast<uint32_t>(pin), LOW);
+    if (_slot < 0 && table().entries < STM32L0_SERVO_SLOT_COUNT && pin >= 0 && pin < static_cast<int>(PINS_COUNT)) {
       _slot = static_cast<int>(table().entries++);
       table().slot[_slot].pin = g_APinDescription[pin].pin;
       update();
+      if (_slot == 0) {
+        delay(3);  // the driver's first pulse has 47 us, before its prescaler is loaded: nobody is to see it
+      }
+      pinMode(static_cast<uint32_t>(pin), OUTPUT);
     }
     return _slot >= 0;
   }

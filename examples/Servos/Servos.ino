@@ -48,7 +48,7 @@ void loop() {
     }
     servos[i].writeMicroseconds(pulses[i]);
   }
-  if (timerDisplay >= PERIOD_DISPLAY) {
+  if (timerDisplay >= PERIOD_DISPLAY && Serial.availableForWrite() > 24) {  // never waits: servos come first
     timerDisplay = 0;
     for (int i = 0; i < 4; i++) {
       Serial.print(pulses[i]);

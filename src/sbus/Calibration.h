@@ -19,7 +19,8 @@ struct CalibratedChannel {
   // begins without a step. Beyond low and high it goes on: see limited().
   int16_t toNormalised(uint16_t raw) const;
 
-  // The same in us: 988, 1500 and 2012, and 1500 within the dead zone.
+  // The same in us: 988, 1500 and 2012, and 1500 within the dead zone. So is a channel that is not calibrated: half
+  // throttle, if it is the throttle. Ask isCalibrated(), or let the calibration want it.
   int16_t toMicroseconds(uint16_t raw) const;
 };
 

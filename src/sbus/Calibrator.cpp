@@ -24,6 +24,8 @@ const char *text(Refusal refusal) {
       return " did not stand still";
     case Refusal::NotCentred:
       return " rests neither near the middle nor at an end";
+    case Refusal::NotPushed:
+      return " was not pushed";
   }
   return "";
 }
@@ -56,7 +58,7 @@ void Calibrator::feed(const uint16_t channels[], bool failsafe, bool lostFrame) 
   }
 }
 
-Refusal Calibrator::measure(uint8_t channel, bool mayRestAnywhere, CalibratedChannel &calibrated) const {
+Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const {
   if (channel >= ProportionalCount) {
     return Refusal::NeverSeen;
   }
@@ -83,11 +85,14 @@ Refusal Calibrator::measure(uint8_t channel, bool mayRestAnywhere, CalibratedCha
   const int16_t above = static_cast<int16_t>(travel.high - resting);
   const int16_t nearest = below < above ? below : above;
   const bool centred = nearest >= length / CentrePart;
-  if (!centred && nearest > length / EndPart && !mayRestAnywhere) {
+  if (!centred && nearest > length / EndPart && wanted) {
     return Refusal::NotCentred;
   }
   const int16_t fallen = static_cast<int16_t>(push.seen() ? resting - push.low : 0);
   const int16_t risen = static_cast<int16_t>(push.seen() ? push.high - resting : 0);
+  if (push.seen() && wanted && fallen <= length / PushPart && risen <= length / PushPart) {
+    return Refusal::NotPushed;
+  }
   const bool backwards = fallen > length / PushPart && fallen > risen;
   const uint16_t jitter = static_cast<uint16_t>(resting - rest.low);
   const uint16_t middle = static_cast<uint16_t>((travel.low + travel.high + 1) / 2);
@@ -103,7 +108,7 @@ Refusal Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &c
   for (uint8_t i = 0; i < ProportionalCount; i++) {
     const bool isWanted = (wanted >> i & 1) != 0;
     found.channels[i] = {{0, 0, 0}, 0};
-    const Refusal refusal = measure(i, !isWanted, found.channels[i]);
+    const Refusal refusal = measure(i, isWanted, found.channels[i]);
     if (isWanted && refusal != Refusal::None) {
       channel = i;
       return refusal;

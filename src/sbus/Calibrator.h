@@ -23,6 +23,7 @@ enum class Refusal : uint8_t {
   CentreOutside,  // it rests outside its travel: it was not moved to all its ends
   NotStill,       // it moved while it was to rest
   NotCentred,     // it rests neither near the middle of its travel nor at an end
+  NotPushed,      // it hardly moved in the third step, if that was begun: whether it runs backwards is not known
 };
 
 // In words, to stand behind a channel's name: "CH3" " hardly moved". "" for None.
@@ -46,8 +47,7 @@ class Calibrator {
   void centre() { begin(Centre); }
 
   // The third step begins: what is to count as + is pushed there, that is up or right, and may be let go again. A
-  // channel that fell by more than a quarter of its travel, and more than it rose, runs backwards; those that have
-  // stayed where they were, such as switches, do not.
+  // channel that fell by more than a quarter of its travel, and more than it rose, runs backwards.
   void high() { begin(High); }
 
   // A frame, as decodeSBusFrame() has it. One with either flag set says nothing of the sticks, and does nothing.
@@ -60,12 +60,13 @@ class Calibrator {
   // One channel, 0..15 for CH1..CH16. Refusal::None: `calibrated` is what it sends. Else `calibrated` stays. May be
   // asked at any time, and as often as one likes. One that rests within 1/16 of an end of its travel (throttle, switch)
   // has its centre in the middle of it; the others must rest at least 1/4 away from both ends.
-  Refusal result(uint8_t channel, CalibratedChannel &calibrated) const { return measure(channel, false, calibrated); }
+  Refusal result(uint8_t channel, CalibratedChannel &calibrated) const { return measure(channel, true, calibrated); }
 
   // All channels. Those of which a bit is set in `wanted` (bit 0: CH1) must be good: if one is not, the answer is why,
-  // `channel` is the first such (0..15), and `calibration` stays as it is. Else it is Refusal::None, and `calibration`
-  // is sealed, and `channel` is left alone. Of those not wanted, NotCentred ones (a knob, a switch of six positions)
-  // have their centre in the middle of their travel, and the others that are not good are not calibrated.
+  // `channel` is the first such (0..15), and `calibration` stays as it is. Else it is Refusal::None, `calibration` is
+  // sealed, and `channel` is left alone. Of those not wanted, NotCentred ones (a knob, a switch of six positions) have
+  // their centre in the middle of their travel, NotPushed ones do not run backwards, and the others that are not good
+  // are not calibrated.
   Refusal finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const;
 
  private:
@@ -79,7 +80,7 @@ class Calibrator {
   };
 
   void begin(Step step);
-  Refusal measure(uint8_t channel, bool mayRestAnywhere, CalibratedChannel &calibrated) const;
+  Refusal measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const;
 
   Extent _seen[StepCount][ProportionalCount];
   uint16_t _deadZone = DefaultDeadZone;

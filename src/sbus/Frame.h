@@ -8,7 +8,8 @@
 
 #include <stdint.h>
 
-// The core: the frame, finding frames in a stream of bytes, judging the link. It knows no Arduino.
+// The core: the frame, finding frames in a stream of bytes, judging the link, scaling, calibration. It knows no
+// Arduino.
 namespace sbus {
 
 // The line: 8 data bits, even parity, 2 stop bits, inverted (idle LOW).

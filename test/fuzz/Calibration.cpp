@@ -172,6 +172,8 @@ void checkResults(const sbus::Calibrator &calibrator, uint16_t wanted) {
     if (refusal == Refusal::None && reason == Refusal::NotCentred) {
       require(sbus::isCalibrated(calibration.channels[i]) && calibration.channels[i].deadZone == 0,
               "what is not wanted may rest anywhere");
+    } else if (refusal == Refusal::None && reason == Refusal::NotPushed) {
+      require(calibration.channels[i].range.low < calibration.channels[i].range.high, "what is not pushed runs forwards");
     } else if (refusal == Refusal::None) {
       require(std::memcmp(&found, &calibration.channels[i], sizeof found) == 0, "finish() gives what result() does");
     }

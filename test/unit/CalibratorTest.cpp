@@ -280,28 +280,28 @@ TEST_CASE("a frame with failsafe, lost frame or both says nothing, in any step")
   }
 }
 
-TEST_CASE("a channel that falls by more than 1/4 of its travel when it is pushed runs backwards") {
+TEST_CASE("a channel that falls by more than 1/4 of its travel when it is pushed runs backwards; less is no push") {
   const struct {
     const char *what;
     Extent travel;
     int rest, pushed;
-    bool backwards;
+    char runs;  // +, -, or not known
   } rows[] = {
-      {"to its high end", {200, 1800}, 1000, 1800, false},
-      {"stays, as a switch does", {200, 1800}, 1000, 1000, false},
-      {"falls by 1/4", {200, 1800}, 1000, 600, false},
-      {"falls by 1/4 and one", {200, 1800}, 1000, 599, true},
-      {"falls to its low end", {200, 1800}, 1000, 200, true},
-      {"falls beyond its low end", {200, 1800}, 1000, 0, true},
-      {"rises beyond its high end, and beyond 2047", {200, 1800}, 1000, 65535, false},
-      {"a throttle that rises", {200, 1800}, 200, 1800, false},
-      {"a throttle that stays low", {200, 1800}, 200, 200, false},
-      {"a throttle that is low at its high values, and falls", {200, 1800}, 1800, 200, true},
-      {"a throttle that is low there, and falls by 1/4", {200, 1800}, 1800, 1400, false},
-      {"a throttle that is low there, and falls by 1/4 and one", {200, 1800}, 1800, 1399, true},
-      {"a switch that rests at high", {200, 1800}, 1800, 1800, false},
-      {"off its middle, falls by less than 1/4", {200, 1800}, 600, 201, false},
-      {"off its middle, falls by 1/4: all there is", {200, 1800}, 600, 200, false},
+      {"to its high end", {200, 1800}, 1000, 1800, '+'},
+      {"stays, as a switch does", {200, 1800}, 1000, 1000, '?'},
+      {"falls by 1/4", {200, 1800}, 1000, 600, '?'},
+      {"falls by 1/4 and one", {200, 1800}, 1000, 599, '-'},
+      {"falls to its low end", {200, 1800}, 1000, 200, '-'},
+      {"falls beyond its low end", {200, 1800}, 1000, 0, '-'},
+      {"rises beyond its high end, and beyond 2047", {200, 1800}, 1000, 65535, '+'},
+      {"a throttle that rises", {200, 1800}, 200, 1800, '+'},
+      {"a throttle that stays low", {200, 1800}, 200, 200, '?'},
+      {"a throttle that is low at its high values, and falls", {200, 1800}, 1800, 200, '-'},
+      {"a throttle that is low there, and falls by 1/4", {200, 1800}, 1800, 1400, '?'},
+      {"a throttle that is low there, and falls by 1/4 and one", {200, 1800}, 1800, 1399, '-'},
+      {"a switch that rests at high", {200, 1800}, 1800, 1800, '?'},
+      {"off its middle, falls by less than 1/4", {200, 1800}, 600, 201, '?'},
+      {"off its middle, falls by 1/4: all there is", {200, 1800}, 600, 200, '?'},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -309,12 +309,14 @@ TEST_CASE("a channel that falls by more than 1/4 of its travel when it is pushed
     const Numbers before = radio.found();
     radio.calibrator.high();
     radio.move(0, {row.pushed});
-    CHECK(radio.refusal() == Refusal::None);
-    if (row.backwards) {
-      CHECK(radio.found() == Numbers{before[2], before[1], before[0], before[3]});
-    } else {
-      CHECK(radio.found() == before);
-    }
+    CHECK(radio.refusal() == (row.runs == '?' ? Refusal::NotPushed : Refusal::None));
+    CHECK(radio.found() == (row.runs == '?'   ? Untouched
+                            : row.runs == '-' ? Numbers{before[2], before[1], before[0], before[3]}
+                                              : before));
+    Calibration calibration = filled(0);
+    uint8_t channel = NoChannel;
+    CHECK(radio.calibrator.finish(0x0000, calibration, channel) == Refusal::None);
+    CHECK((calibration.channels[0].range.low > calibration.channels[0].range.high) == (row.runs == '-'));
   }
 }
 
@@ -325,7 +327,7 @@ TEST_CASE("in the third step counts how far it fell and rose, wherever it is let
   } rows[] = {
       {{172}, true},          {{172, 992}, true},         {{172, 1000, 992}, true}, {{600, 172, 1811}, true},
       {{1811}, false},        {{1811, 992}, false},       {{1811, 900}, false},     {{0, 2047}, false},
-      {{492, 1491, 992}, true}, {{492, 1492, 992}, false}, {{583, 1400}, false},    {{1402, 582, 992}, false},
+      {{492, 1491, 992}, true}, {{492, 1492, 992}, false}, {{583, 1402}, false},    {{1402, 582, 992}, false},
       {{582, 1401}, true},    {{582, 1402}, false},       {{0, 172}, true},         {{2047, 1811}, false},
   };
   for (const auto &row : rows) {
@@ -502,9 +504,12 @@ TEST_CASE("finish gives each reason of result, for the channel that has it") {
       {{172, 1811}, {900, 1000}, Refusal::NotStill},
       {{992, 1811}, {500, 500}, Refusal::CentreOutside},
       {{172, 1811}, {400, 400}, Refusal::NotCentred},
+      {{172, 1811}, {992, 992}, Refusal::NotPushed},
   };
   for (const auto &row : rows) {
-    const Radio radio = moved(row.travel, row.rest);
+    Radio radio = moved(row.travel, row.rest);
+    radio.calibrator.high();
+    radio.feed();
     Calibration calibration = filled(0);
     uint8_t channel = NoChannel;
     CHECK(radio.calibrator.finish(0x0001, calibration, channel) == row.refusal);
@@ -521,7 +526,8 @@ TEST_CASE("finish gives each reason of result, for the channel that has it") {
 TEST_CASE("each refusal has words of its own that stand behind a channel's name, and None has none") {
   std::vector<std::string> seen;
   for (const Refusal refusal :
-       {Refusal::NeverSeen, Refusal::HardlyMoved, Refusal::CentreOutside, Refusal::NotStill, Refusal::NotCentred}) {
+       {Refusal::NeverSeen, Refusal::HardlyMoved, Refusal::CentreOutside, Refusal::NotStill, Refusal::NotCentred,
+        Refusal::NotPushed}) {
     const std::string words = text(refusal);
     CAPTURE(words);
     CHECK(words.size() > 8);

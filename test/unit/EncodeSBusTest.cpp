@@ -72,7 +72,7 @@ TEST_CASE("called in every pass, frames are due every period, and passes do not 
   const struct {
     uint16_t period;
     uint32_t pass;
-  } rows[] = {{9000, 50}, {9000, 3000}, {9000, 700}, {4000, 999}, {14000, 13999}, {65535, 1000}};
+  } rows[] = {{9000, 50}, {9000, 3000}, {9000, 700}, {4000, 499}, {14000, 5499}, {65535, 1000}};
   for (const auto &row : rows) {
     for (const uint64_t start : {uint64_t{0}, (uint64_t{1} << 32) - 40000}) {
       CAPTURE(row.period);
@@ -91,6 +91,30 @@ TEST_CASE("called in every pass, frames are due every period, and passes do not 
       CHECK(sent == 100);
       CHECK(sender.port.written.size() == 2500);
     }
+  }
+}
+
+TEST_CASE("no pause between two frames becomes shorter than half of what it should be, however late one is") {
+  const struct {
+    uint16_t period;
+    uint32_t late;   // us
+    uint32_t next;  // us from the late frame to the next
+  } rows[] = {{9000, 0, 9000},    {9000, 2999, 6001}, {9000, 3000, 9000}, {9000, 8999, 9000}, {9000, 9000, 9000},
+              {4000, 499, 3501},  {4000, 500, 4000},  {14000, 5499, 8501}, {14000, 5500, 14000}, {3000, 1, 3000},
+              {2000, 1, 2000},    {65535, 31266, 34269}, {65535, 31267, 65535}};
+  for (const auto &row : rows) {
+    CAPTURE(row.period);
+    CAPTURE(row.late);
+    fakeMicros = 1000;
+    Sender sender;
+    sender.sbus.setPeriod(row.period);
+    CHECK(sender.write(PaperLow.channels));
+    fakeMicros += row.period + row.late;
+    CHECK(sender.write(PaperLow.channels));
+    fakeMicros += row.next - 1;
+    CHECK_FALSE(sender.write(PaperLow.channels));
+    fakeMicros += 1;
+    CHECK(sender.write(PaperLow.channels));
   }
 }
 

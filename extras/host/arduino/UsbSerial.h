@@ -15,6 +15,7 @@ class UsbSerial : public HardwareSerial {
 #if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override;
 #endif
+  int availableForWrite() override { return 256; }  // the board's buffer; here somebody always reads
   void flush() override {
   }
   size_t write(uint8_t byte) override;

@@ -225,7 +225,8 @@ calibrate() {
 }
 
 # A pass of loop() that prints takes about a millisecond: a frame that is due then is late, and may carry what came in
-# meanwhile, which on the host is in the frame behind it. An interrupt may hold the first one up by some microseconds.
+# meanwhile, which on the host is in the frame behind it; and where a pass ends just before a frame is found, what is sent
+# is the one before. An interrupt may hold the first one up by some microseconds.
 mixer() {
   on_host Mixer --sent "2:$out/Mixer-host.sent" >/dev/null
   on_mega Mixer-sent Mixer --sent "2:$out/Mixer.sent" && awk '
@@ -234,7 +235,7 @@ mixer() {
     FILENAME == ARGV[1] { host[++expected] = $0; next }
     { sent++ }
     $0 == host[sent] { same++; next }
-    $0 != host[sent + 1] { wrong++ }
+    $0 != host[sent + 1] && $0 != host[sent - 1] { wrong++ }
     END { exit expected < 1660 || sent != expected || same < sent - 10 || wrong > 0 }' \
     "$out/Mixer-host.sent" "$out/Mixer.sent"
   verdict $? "Mixer sends the frames that it sends on the host, byte for byte, at 100000 baud, 8E2"
