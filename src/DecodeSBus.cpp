@@ -4,15 +4,16 @@
 
 namespace {
 
-// The core's buffer. A look that finds this many bytes, or one less, may have found it full, and then the core has
-// dropped the newest bytes: the break lies behind the last one. One less, because a core may keep a place free (AVR).
+// The core's buffer. A poll that finds this many bytes, or one less, may have found it full, and then the core has
+// dropped the newest bytes: the break lies after the last one. One less, because a core may keep a place free (AVR).
 constexpr int BufferSize = 64;
 constexpr int BufferFull = BufferSize - 1;
 
 // Here a character lasts 255 us. A slower port, or one of 0 baud, is opened as told, but hears no S.Bus.
 constexpr unsigned long SlowestBaud = 47059;
 
-// Reads what waits, up to `size` bytes: in one call where the core has read(buffer, size), else byte by byte.
+// Reads `size` bytes, which are there: in one call where the core has read(buffer, size), else byte by byte. Returns
+// how many there were.
 template <typename Port>
 auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port.read(buffer, size)) {
   return port.read(buffer, size);
@@ -20,11 +21,11 @@ auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port
 
 template <typename Port>
 int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
-  int count = 0;
-  while (count < static_cast<int>(size) && port.available() > 0) {
-    buffer[count++] = static_cast<uint8_t>(port.read());
+  size_t count = 0;
+  for (int byte; count < size && (byte = port.read()) >= 0; count++) {
+    buffer[count] = static_cast<uint8_t>(byte);
   }
-  return count;
+  return static_cast<int>(count);
 }
 
 // A frame has come, and within the timeout.
@@ -54,29 +55,37 @@ void DecodeSBus::end() {
   _serial.end();
 }
 
-// Takes in what waits now and no more: what comes meanwhile may stand behind a break, and is there at the next call.
+// Takes in what waits now and no more: what comes meanwhile may stand after a break, and is there at the next call.
+// Never asks the port for more than it has: the STM32L0's would then write past the end of what it is given.
 void DecodeSBus::parseSBusFrame() {
   const uint32_t now = micros();
-  int room = _receiver.room();
-  int count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(room), 0);
-  int waiting = count == room ? _serial.available() : 0;
-  const bool full = count + waiting >= BufferFull;
-  if (full && waiting > BufferSize - count) {
-    waiting = BufferSize - count;  // the others came in behind read()
+  const int found = _serial.available();
+  if (found <= 0) {
+    return;
   }
-  for (;;) {
-    if (const uint8_t *const frame = _receiver.received(count, waiting, now)) {
+  _receiver.poll(found, now);
+  for (int waiting = found; waiting > 0;) {
+    const int room = _receiver.room();
+    const int count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);
+    if (count <= 0) {
+      return;  // a port that fails
+    }
+    waiting -= count;
+    if (const uint8_t *const frame = _receiver.received(count)) {
       _link.frame(frame[sbus::FlagsIndex]);
     }
-    if (waiting <= 0 || count <= 0) {
-      break;
-    }
-    room = _receiver.room();
-    count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);
-    waiting -= count;
   }
-  if (full) {
-    _receiver.broken();
+  if (found > BufferFull / 2) {
+    // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
+    // has come stands before the break or after it: nobody knows.
+    int more = _serial.available();
+    if (found + more >= BufferFull) {
+      _receiver.broken();
+      for (int count = 1; more > 0 && count > 0; more -= count) {
+        const int room = _receiver.room();
+        count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(more < room ? more : room), 0);
+      }
+    }
   }
 }
 
@@ -97,19 +106,8 @@ bool DecodeSBus::SBusFrameOk() {
   return isYoung(linkState());
 }
 
-unsigned long DecodeSBus::frameAge() const {
-  if (!_link.seen()) {
-    return ULONG_MAX;
-  }
-  for (;;) {
-    READ_ANEW();
-    const uint32_t time = _receiver.frameTime();
-    const uint32_t age = micros() - time;
-    READ_ANEW();
-    if (time == _receiver.frameTime()) {
-      return age / 1000;
-    }
-  }
+unsigned long DecodeSBus::frameAge() {
+  return linkState() == sbus::LinkState::NeverSeen ? ULONG_MAX : _link.age() / 1000;
 }
 
 void DecodeSBus::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "Frame.h"
+
 namespace sbus {
 
 // What a receiver has seen since it was reset. All but the period count up from 0, and wrap after 2^32.
@@ -18,8 +20,20 @@ struct Counters {
 
   uint32_t skippedBytes;  // bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
   uint32_t resyncs;       // frames found again after others had been missed
-  uint32_t overflows;     // looks that found the port's buffer full: it has most probably dropped bytes
+  uint32_t overflows;     // polls that found the port's buffer full: it has most probably dropped bytes
   uint32_t period;        // us between frames delivered, smoothed over some eight; 0 before the second
+
+  // A frame with these flags is delivered, `interval` us after the one before.
+  void count(uint8_t flags, uint32_t interval) {
+    const auto longer = static_cast<int32_t>(interval - period) >> 3;
+    period =
+        frames > 1 ? period + static_cast<uint32_t>(longer) : frames * interval;  // there is none before the second
+    frames++;
+    if ((flags & (FlagLostFrame | FlagFailsafe)) != 0) {
+      lostFrames += (flags & FlagLostFrame) != 0;
+      failsafeFrames += (flags & FlagFailsafe) != 0;
+    }
+  }
 };
 
 }  // namespace sbus

@@ -33,6 +33,18 @@ inline void unpackSwitches(uint8_t flags, uint16_t *channels) {
 
 }  // namespace
 
+int innerHeader(const uint8_t *frame, uint8_t endMask) {
+  const uint8_t end = frame[EndIndex];
+  uint8_t before = frame[1];
+  for (int i = 2; i < FrameSize; i++) {
+    if (frame[i] == HeaderByte && ((before ^ end) & endMask) == 0) {
+      return i;
+    }
+    before = frame[i];
+  }
+  return FrameSize;
+}
+
 void unpack(const uint8_t *frame, uint16_t *channels) {
   unpackGroup(frame + PayloadIndex, channels);
   unpackGroup(frame + PayloadIndex + GroupBytes, channels + GroupChannels);

@@ -18,14 +18,11 @@ constexpr uint8_t BitsPerCharacter = 12;  // start, 8 data, parity, 2 stop
 constexpr uint8_t CharacterTime = 120;    // us, at 100000 baud
 
 // The frame: header, 16 channels of 11 bits, flags, end byte.
-constexpr uint8_t FrameSize = 25;           // bytes
-constexpr uint8_t HeaderByte = 0x0F;        // the first; the payload may hold it, too
-constexpr uint8_t LongEndByte = 0x08;       // five more bytes belong to such a frame, straight behind it
-constexpr uint8_t LongTailSize = 5;         // bytes, these five
-constexpr uint8_t TelemetryEndByte = 0x04;  // sensors may answer such a frame, some 2 ms behind it
-constexpr uint8_t PayloadIndex = 1;         // of the first of 22 bytes
-constexpr uint8_t FlagsIndex = 23;          // of the flags byte
-constexpr uint8_t EndIndex = 24;            // of the end byte
+constexpr uint8_t FrameSize = 25;     // bytes
+constexpr uint8_t HeaderByte = 0x0F;  // the first; the payload may hold it, too
+constexpr uint8_t PayloadIndex = 1;   // of the first of 22 bytes
+constexpr uint8_t FlagsIndex = 23;    // of the flags byte
+constexpr uint8_t EndIndex = 24;      // of the end byte
 
 // The channels: 16 proportional ones, then two switches.
 constexpr uint8_t ProportionalCount = 16;  // CH1..CH16, 0..2047
@@ -39,17 +36,42 @@ constexpr uint8_t FlagLostFrame = 0x04;  // see lostFrame()
 constexpr uint8_t FlagFailsafe = 0x08;   // see failsafe()
 constexpr uint8_t FlagsUnused = 0xF0;    // 0 on every receiver known
 
-// True if a frame may end with this byte: 00 (Futaba S.BUS, FrSky), 04, 14, 24, 34 (S.BUS2; the high nibble counts the
-// telemetry slots), 08 (Futaba R7003SB and FASSTest 12CH, which send five more bytes behind the frame).
-constexpr bool isEndByte(uint8_t byte) {
-  return (byte & 0xF7) == 0x00 || (byte & 0xCF) == 0x04;
+// What is known of a kind of line. The end byte of its frames tells the kind.
+struct LineKind {
+  uint8_t end;         // the end byte, in the bits that
+  uint8_t endMask;     // has: the others count telemetry slots
+  uint8_t tailSize;    // characters that belong to a frame, straight after it
+  uint8_t headerMask;  // 0xDF: frames with header 2F may come between, with further channels; else 0xFF
+};
+
+// One row a kind, known from captures of real receivers. A new receiver is a new row, and its capture.
+constexpr LineKind LineKinds[] = {
+    {0x00, 0xFF, 0, 0xDF},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
+    {0x04, 0xCF, 0, 0xDF},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
+    {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
+};
+constexpr uint8_t UnknownKind = sizeof LineKinds / sizeof LineKinds[0];  // no row
+constexpr uint8_t LongestTail = 5;                                       // characters
+
+// True if frames of this kind, a row of LineKinds, end with this byte.
+constexpr bool endsKind(uint8_t end, uint8_t kind) {
+  return (end & LineKinds[kind].endMask) == LineKinds[kind].end;
 }
 
-constexpr uint8_t EndUnused = 0xC3;  // bits that no end byte has
+// The kind whose frames end with this byte; UnknownKind if no frame does. (A template, so that no loop goes through the
+// rows: a line of headers costs half as much.)
+template <uint8_t Row = 0>
+constexpr uint8_t kindOfEnd(uint8_t end) {
+  return endsKind(end, Row) ? Row : kindOfEnd<Row + 1>(end);
+}
+template <>
+constexpr uint8_t kindOfEnd<UnknownKind>(uint8_t) {
+  return UnknownKind;
+}
 
-// True if one receiver may send both of these end bytes: 00; 08; 04, 14, 24, 34.
-constexpr bool sameKindOfEnd(uint8_t one, uint8_t other) {
-  return ((one ^ other) & 0x0F) == 0;
+// True if a frame may end with this byte: 00, 04, 14, 24, 34 or 08.
+constexpr bool isEndByte(uint8_t byte) {
+  return kindOfEnd(byte) != UnknownKind;
 }
 
 // True if the unused bits of this flags byte are 0, as they are on every receiver known.
@@ -72,6 +94,10 @@ constexpr bool lostFrame(const uint8_t *frame) {
 constexpr bool failsafe(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagFailsafe) != 0;
 }
+
+// Where an end byte, the same as that of `frame` (25 bytes) in the bits of `endMask`, and a header follow each other
+// within it, as between two frames: the header's index. 25 if nowhere.
+int innerHeader(const uint8_t *frame, uint8_t endMask);
 
 // Writes all channels of `frame` (25 bytes; header and end byte are not looked at) to `channels`: 18 values, CH1..CH16
 // as 0..2047, CH17 and CH18 as 0 or 1.

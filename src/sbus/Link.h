@@ -44,28 +44,29 @@ class Link {
   bool givenUp() const { return _state == LinkState::Failsafe; }
 
   // The link's state at `now`, if its newest frame came at `time`; NeverSeen before the first. Not const: what was
-  // found stale stays so until the next frame, even if the clock wraps. So a sketch that asks once an hour is never
-  // told wrong.
+  // found old never grows young again, so a sketch that asks once an hour is never told wrong.
   LinkState state(uint32_t time, uint32_t now) {
-    const bool old = now - time >= _timeout * 1000UL || (_stale && time == _staleTime);
-    if (!old || _timeout == 0 || !seen()) {
-      return _state;
-    }
-    _staleTime = time;
-    _stale = true;
-    return LinkState::Stale;
+    const uint32_t before = _agedTime == time ? _age : 0;
+    _agedTime = time;
+    _age = now - time >= before ? now - time : UINT32_MAX;
+    return _age >= _timeout * 1000UL && _timeout != 0 && seen() ? LinkState::Stale : _state;
   }
 
+  // us that the newest frame was old when state() was asked last; UINT32_MAX once the clock has wrapped. Of no meaning
+  // before the first.
+  uint32_t age() const { return _age; }
+
  private:
-  uint32_t _staleTime = 0;  // time of the frame that was found stale, if _stale
+  uint32_t _agedTime = 0;  // of the frame whose age was asked last
+  uint32_t _age = 0;       // us, of that frame, when it was asked last
   uint16_t _timeout = DefaultTimeout;
   uint16_t _lossLimit = DefaultLossLimit;
-  uint16_t _losses = 0;  // lost frames in a row
-  bool _stale = false;
+  uint16_t _losses = 0;                     // lost frames in a row
   LinkState _state = LinkState::NeverSeen;  // of the newest frame, when it came
 };
 
 inline void Link::frame(uint8_t flags) {
+  _age = 0;
   if ((flags & (FlagLostFrame | FlagFailsafe)) == 0) {
     _losses = 0;
     _state = LinkState::Ok;

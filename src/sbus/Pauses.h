@@ -5,68 +5,74 @@
 
 namespace sbus {
 
-// Bytes come late and in lumps: the board's core hands them over when 16 have come, or when the line has been idle
-// for one character; a loop() fetches them once a pass. Between two looks that find bytes, a line without a pause is
-// silent no longer than
-//   a lump takes  +  a pass of loop()      so what lasts longer was a pause, and
-//   its own bytes +  a pass of loop()      so was this, if fewer bytes came than a lump.
-// Nobody tells how long a pass is, and it differs from sketch to sketch. The shortest time between two looks is not
-// less, and not much more.
+// A port hands bytes over late and in bursts: on the Grasshopper when 16 have come, or when the line has been idle for
+// one character. A loop() then polls it once a loop period. So without a pause on the line the time between two polls
+// that find bytes is no longer than
+//   a burst lasts          +  a loop period:  if it is, there was a pause; nor longer than
+//   the bytes found last   +  a loop period:  if it is, there was a pause, too.
+// Nobody tells the loop period. The shortest time between two polls is taken for it.
 //
 // Times are in us, and wrap after 71 minutes. All calls come from the context that reads the port.
 class Pauses {
  public:
+  static constexpr unsigned ShortPeriod = 4000;  // us: polls that come so fast teach the loop period
+
   // Forgets what was seen. `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime) {
-    _lastLook = now;
-    _pass = FirstPass;
+    _lastPoll = now;
+    _loopPeriod = LongestPeriod + 1;
     _characterTime = characterTime;
   }
 
-  // When the last look was that found bytes, or reset().
-  uint32_t lastLook() const { return _lastLook; }
+  // When the last poll was that found bytes, or reset().
+  uint32_t lastPoll() const { return _lastPoll; }
 
-  // us since lastLook(). 0: the same look.
-  uint32_t quiet(uint32_t now) const { return now - _lastLook; }
+  // us since lastPoll(). 0: it is still the same poll.
+  uint32_t quiet(uint32_t now) const { return now - _lastPoll; }
 
-  // To be told of each look that finds bytes: `burst` of them, 1 or more, after so much quiet, not 0. True if the first
-  // of them came behind a pause.
-  bool before(unsigned burst, uint32_t quiet) {
-    const unsigned pass = _pass;
-    _lastLook += quiet;
-    if (quiet < pass) {
-      _pass = static_cast<uint16_t>(quiet);
+  // False while no polls have come fast enough to tell the loop period: loop() is slow, or the port hands over whole
+  // frames. What looks like a pause may be none then.
+  bool areSure() const { return _loopPeriod <= LongestPeriod; }
+
+  // To be told of each poll that finds bytes: `found` of them, 1 or more, after so much quiet, not 0. True if a pause
+  // came before the first of them.
+  bool pauseBefore(unsigned found, uint32_t quiet) {
+    unsigned period = _loopPeriod;
+    _lastPoll += quiet;
+    if (quiet < period) {
+      _loopPeriod = static_cast<uint16_t>(quiet);
       return false;
     }
-    if (pass < LongestPass) {
-      _pass = static_cast<uint16_t>(pass + pass / Forgetting);
+    if (areSure()) {
+      _loopPeriod = static_cast<uint16_t>(period + period / Forgetting);
+    } else {
+      period = ShortPeriod;
     }
-    const unsigned busy = burst * _characterTime;
-    const unsigned lump = lumpTime();
-    if (busy > lump + pass) {
-      return false;  // more than a lump and a pass bring: this pass was longer than others, and its time says nothing
+    const unsigned burst = burstTime();
+    const unsigned busy = found * _characterTime;
+    if (quiet - period > burst) {
+      return busy <= burst + period;  // more than that was found: loop() was blocked, and the time says nothing
     }
-    const unsigned silence = busy + (lump + pass) / Tolerance;
-    return quiet - pass > (silence < lump ? silence : lump);
+    return quiet - period > busy + (burst + period) / Tolerance;
   }
 
-  // True if so much quiet means that nothing follows the last bytes at once.
-  bool isSilence(uint32_t quiet) const { return quiet > lumpTime(); }
-
-  // True if passes are shorter than a lump: what is read in one look then came without a pause.
-  bool shortPasses() const { return _pass < lumpTime(); }
+  // True if the line was idle after the bytes found: the poll came later than they take, and they are not as many as a
+  // port hands over while the line is busy.
+  bool idleAfter(unsigned found, uint32_t quiet) const {
+    return found % HalfBurst != 0 && quiet >= (found + 1) * _characterTime;
+  }
 
  private:
-  static constexpr unsigned LumpSize = 17;        // characters: 16 of the driver's half ring, and the idle one
-  static constexpr unsigned Tolerance = 8;        // passes may differ by an eighth, and some characters may be missing
-  static constexpr unsigned FirstPass = 4000;     // us, until a shorter one was seen
-  static constexpr unsigned LongestPass = 16384;  // us
-  static constexpr unsigned Forgetting = 32;      // loop() may become slower: the shortest pass grows by 3 % a look
+  static constexpr unsigned BurstSize = 17;        // characters: 16 of the Grasshopper's burst, and the idle one
+  static constexpr unsigned HalfBurst = 8;         // characters: ports hand over 8 or 16 of them
+  static constexpr unsigned Tolerance = 8;         // loop periods differ by an eighth, and some characters may be lost
+  static constexpr unsigned LongestPeriod = 6000;  // us: DecodeSBus.h asks for a call every 5 ms
+  static constexpr unsigned Forgetting = 32;       // loop() may become slower: the period grows by 3 % a poll
 
-  unsigned lumpTime() const { return LumpSize * _characterTime; }
+  unsigned burstTime() const { return BurstSize * _characterTime; }
 
-  uint32_t _lastLook;      // us
-  uint16_t _pass;          // us
+  uint32_t _lastPoll;      // us
+  uint16_t _loopPeriod;    // us
   uint8_t _characterTime;  // us
 };
 

@@ -1,6 +1,7 @@
 // What went over the wire, whether the sketch received it or not.
 #pragma once
 
+#include "BoardUart.h"
 #include "Line.h"
 #include "sbus/Receiver.h"
 
@@ -13,7 +14,7 @@ class LineMonitor {
 
   void look(const Character &character);
 
-  // Nothing else has come up to now: a frame that waits for what follows it comes.
+  // Nothing else has come up to now.
   void settle(uint64_t nowUs);
 
   unsigned long characters() const { return _characters; }
@@ -21,7 +22,12 @@ class LineMonitor {
   const sbus::Counters &counters() const { return _receiver.counters(); }
 
  private:
+  void poll(uint64_t nowUs);
+
+  BoardUart _uart;  // polled at once, whenever it hands over
   sbus::Receiver _receiver;
+  uint32_t _characterUs = CharacterUs;
+  uint64_t _lastEndUs = 0;
   unsigned long _characters = 0;
   unsigned long _badCharacters = 0;
 };
