@@ -1,16 +1,30 @@
 // Settings from the environment: FRAMES=1000000 SEED=7 make torture
 #pragma once
 
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 
-inline uint64_t setting(const char *name, uint64_t otherwise) {
+// A number of `least` or more. What is none ends the program with 2.
+inline uint64_t setting(const char *name, uint64_t otherwise, uint64_t least = 0) {
   const char *const text = std::getenv(name);
-  return text != nullptr && *text != 0 ? std::strtoull(text, nullptr, 10) : otherwise;
+  if (text == nullptr || *text == 0) {
+    return otherwise;
+  }
+  char *end = nullptr;
+  errno = 0;
+  const uint64_t value = std::strtoull(text, &end, 10);
+  if (*text < '0' || *text > '9' || *end != 0 || errno != 0 || value < least) {
+    std::fprintf(stderr, "%s=%s: a number is expected, %llu or more\n", name, text,
+                 static_cast<unsigned long long>(least));
+    std::exit(2);
+  }
+  return value;
 }
 
 inline uint64_t framesPerCase(uint64_t otherwise) {
-  return setting("FRAMES", otherwise);
+  return setting("FRAMES", otherwise, 1);
 }
 
 inline uint64_t seedOfAll() {
