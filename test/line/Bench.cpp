@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <memory>
 
-// Last: Arduino.h's macros min and max break the standard headers behind it.
-#include "PaperReceiver.h"
+// Last: Arduino.h's macros min and max break the standard headers after it.
 #include "UartPort.h"
+
+#include "PaperReceiver.h"
 
 #include <DecodeSBus.h>
 
@@ -70,15 +71,15 @@ class Papers : public Receiver {
   uint32_t _seen = 0;
 };
 
-class Bench : private ReadObserver {
+class Bench {
  public:
   Bench(const Run &run, Way way, uint64_t seed)
       : _run(run),
         _random(seed),
-        _beginUs(ClockWrapUs - randomUs(std::min(run.line.frames * run.line.periodUs, LongestRunUs))),
-        _wire(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 * grainUs() + randomUs(9000 * grainUs()),
-              _random),
-        _port(*this, run.line.baud) {
+        _beginUs(ClockWrapUs - randomUs(std::min(run.line.frames * run.setup.periodUs, LongestRunUs))),
+        _wire(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
+        _port(run.setup.driver, run.setup.buffer, run.line.baud, [this] { takeFrame(); }),
+        _judge(learning(run.setup)) {
     if (way == Way::Ours) {
       _receiver = std::make_unique<Ours>(_port);
     } else {
@@ -89,38 +90,41 @@ class Bench : private ReadObserver {
   Tally run() {
     fakeMicros = _beginUs;
     _receiver->begin(_run.line.baud);
-    _nextBlockUs = _run.blockUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
+    _nextBlockUs = _run.blockEveryUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
     do {
-      passOfLoop();
+      loop();
       receive();
       if (_port.available() > 0) {
-        look();
+        poll();
       }
-    } while (!_wire.finished(fakeMicros) || fakeMicros < _lastEndUs + 20000);
+    } while (!_wire.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
     Tally tally = _judge.finish();
-    tally.noise = _wire.noiseCharacters();
+    tally.disturbed = _wire.noiseCharacters() + _blocks;
     return tally;
   }
 
  private:
-  void beforeRead() override { takeFrame(); }
+  // How many frames the first six polls and two more take, at most.
+  static uint64_t learning(const Setup &setup) {
+    return 2 + 6 * std::max<uint64_t>(setup.loopUs, setup.periodUs) / setup.periodUs;
+  }
 
-  uint32_t grainUs() const { return _run.line.grainUs; }
-  uint32_t randomUs(uint64_t limitUs) { return _random.time(static_cast<uint32_t>(limitUs), grainUs()); }
+  uint64_t randomUs(uint64_t limitUs) { return _random.below(static_cast<uint32_t>(limitUs)); }
 
-  void passOfLoop() {
-    _blocked = fakeMicros >= _nextBlockUs;
-    if (_blocked) {
-      _nextBlockUs = fakeMicros + _run.blockEveryUs - randomUs(_run.line.periodUs);
-      fakeMicros += _run.blockUs;
+  void loop() {
+    const uint32_t periodUs = _run.setup.loopUs;
+    if (fakeMicros >= _nextBlockUs) {
+      _nextBlockUs = fakeMicros + _run.blockEveryUs - randomUs(_run.setup.periodUs);
+      fakeMicros += _run.blockFromUs + randomUs(_run.blockToUs - _run.blockFromUs + 1);
+      _blocks++;
       return;
     }
-    fakeMicros += _run.steady ? _run.loopUs : _run.loopUs * 9 / 10 + randomUs(_run.loopUs / 5 + grainUs());
-    // Passes in which nothing can come are not worth the time.
-    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 2 * _characterUs + 2 * _run.loopUs) {
+    fakeMicros += _run.inStep ? periodUs : periodUs * 9 / 10 + randomUs(periodUs / 5 + 1);
+    // Loops in which nothing can come are not worth the time.
+    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 5 * _characterUs + 2 * periodUs) {
       const uint64_t nextUs = std::min(_wire.nextUs(), _nextBlockUs);
-      if (nextUs > fakeMicros + _run.loopUs) {
-        fakeMicros += (nextUs - fakeMicros) / _run.loopUs * _run.loopUs;
+      if (nextUs > fakeMicros + periodUs) {
+        fakeMicros += (nextUs - fakeMicros) / periodUs * periodUs;
       }
     }
   }
@@ -132,38 +136,35 @@ class Bench : private ReadObserver {
         _judge.sent(frame);
       }
       if (character.endUs < _beginUs + _characterUs && !character.bad) {
-        _judge.lost(_position, _position + 1);
-        _position++;
+        lose(1);
       }
       _port.receive(character);
-      if (_run.byteByByte) {
-        _port.uart.advance(character.endUs + _characterUs);
-      }
       _lastEndUs = character.endUs;
     }
-    _port.uart.advance(fakeMicros);
+    _port.advance(fakeMicros);
   }
 
-  void look() {
-    _judge.lookBegins(_position);
-    _readBefore = _port.bytesRead;
+  void poll() {
+    _judge.poll(position() + static_cast<uint64_t>(_port.available()));
     _receiver->parse();
     takeFrame();
-    _position += _port.bytesRead - _readBefore;
-    _readBefore = _port.bytesRead;
-    _judge.lookEnds(_position, _blocked);
-    // What the full buffer had no place for stood behind all that was in it.
-    const uint64_t dropped = _port.uart.droppedFull() - _dropped;
-    _judge.lost(_position, _position + dropped);
-    _position += dropped;
-    _dropped += dropped;
+    // What the full buffer had no place for stood after all that was in it, and has been read now.
+    lose(_port.droppedFull() - _droppedFull);
+    _droppedFull = _port.droppedFull();
   }
 
   void takeFrame() {
     Frame frame;
     if (_receiver->newFrame(frame)) {
-      _judge.given(frame, _position + _port.bytesRead - _readBefore);
+      _judge.given(frame, position());
     }
+  }
+
+  // All characters before it have been read or lost.
+  uint64_t position() const { return _port.bytesRead() + _lost; }
+  void lose(uint64_t characters) {
+    _judge.lost(position(), position() + characters);
+    _lost += characters;
   }
 
   const Run _run;
@@ -172,26 +173,16 @@ class Bench : private ReadObserver {
   const uint64_t _beginUs;  // such that micros() wraps during the run
   WireLine _wire;
   UartPort _port;
-  std::unique_ptr<Receiver> _receiver;
   Judge _judge;
-  bool _blocked = false;
+  std::unique_ptr<Receiver> _receiver;
   uint64_t _nextBlockUs = 0;
+  uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;
-  uint64_t _position = 0;    // characters that have been read or lost
-  uint64_t _readBefore = 0;  // bytesRead before this look
-  uint64_t _dropped = 0;
+  uint64_t _lost = 0;
+  uint64_t _droppedFull = 0;
 };
 
 }  // namespace
-
-Run slowMotion(Run run) {
-  run.line.baud /= 2;
-  for (uint32_t *const us : {&run.line.periodUs, &run.line.grainUs, &run.loopUs, &run.blockUs, &run.blockEveryUs,
-                             &run.joinUs}) {
-    *us *= 2;
-  }
-  return run;
-}
 
 Tally simulate(const Run &run, Way way, uint64_t seed) {
   return Bench(run, way, seed).run();

@@ -1,222 +1,242 @@
 #include "Conditions.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace {
 
-constexpr uint32_t Short = 50;   // us, a pass of loop()
-constexpr uint32_t Long = 3000;  // us, the longest with which issue 3 sets bounds
-
-// A pause is seen as such if it is longer than a pass of loop() and what the driver holds back.
-const std::vector<Timing> PausesSeen = {{6000, Short},  {7000, Short}, {9000, Short},  {9000, Long},
-                                        {14000, Short}, {14000, Long}, {15000, Short}, {15000, Long}};
-const std::vector<Timing> PausesHidden = {{4000, Short}, {4000, Long}, {6000, Long}, {7000, Long}};
-const std::vector<Timing> InStep = {{4000, 2000}, {4000, 4000}, {6000, 3000}, {6000, 6000}};
-const std::vector<Timing> InStepBytes = {{6000, 3000}, {7000, 3500}, {9000, 3000}, {9000, 4500}};
-const std::vector<Timing> InStepBytesShort = {{4000, 2000}, {4000, 4000}};
-const std::vector<Timing> JoinSeen = {{7000, Short}, {9000, Short}, {9000, Long}, {15000, Long}};
-const std::vector<Timing> JoinHidden = {{4000, Short}, {4000, Long}, {7000, Long}};
-const std::vector<Timing> WithTelemetry = {{9000, Short}, {9000, Long}, {15000, Short}, {15000, Long}};
-const std::vector<Timing> WithLongTail = {{6000, Short}, {9000, Short}, {9000, Long}, {15000, Long}};
-const std::vector<Timing> WithFurther = {{14000, Short}, {14000, Long}, {15000, Short}};
-const std::vector<Timing> Blocked = {{6000, Short}, {9000, Short}, {14000, Short}};
-const std::vector<Timing> Slow = {{4000, 20000}, {6000, 20000},  {7000, 20000},
-                                  {9000, 20000}, {14000, 20000}, {15000, 20000}};
+// A pause is seen as such if it is longer than a loop period and what the driver holds back.
+const std::vector<Setup> Seen = {
+    {6000, 50},    {7000, 50},       {14000, 50},        {9000, 3000, Board, 256},
+    {15000, 3000}, {9000, 50, Bytes}, {9000, 1000, Fifo}, {14000, 3000, Esp32, 256}};
+const std::vector<Setup> Hidden = {{4000, 50}, {4000, 3000}, {7000, 3000}};
+const std::vector<Setup> InStep = {{4000, 2000}, {4000, 4000}, {6000, 3000}, {6000, 6000}};
+const std::vector<Setup> InStepBytes = {{4000, 2000, Bytes}, {4000, 4000, Bytes}, {6000, 3000, Bytes},
+                                        {7000, 3500, Bytes}, {9000, 3000, Bytes}, {9000, 4500, Bytes}};
+const std::vector<Setup> Buffers = {{9000, 50, Bytes, 31},   {9000, 3000, Board, 31}, {9000, 1000, Fifo, 63},
+                                    {9000, 3000, Bytes, 63}, {9000, 3000, Esp32, 64}, {9000, 3000, Fifo, 512}};
+const std::vector<Setup> JoinSeen = {{7000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000}, {9000, 1000, Bytes}};
+const std::vector<Setup> Telemetry = {{9000, 50}, {9000, 3000}, {15000, 50}, {15000, 5000}};
+const std::vector<Setup> Telemetry15 = {
+    {15000, 5000}, {15000, 5000, Bytes}, {15000, 5000, Fifo}, {15000, 5000, Esp32, 256}};
+const std::vector<Setup> LongTail = {{6000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000, Esp32, 256}};
+const std::vector<Setup> With2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
+const std::vector<Setup> Channels24 = {
+    {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, Bytes}, {9000, 50, Esp32, 256}};
+const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, Bytes},
+                                 {9000, 5000, Fifo},  {14000, 5000},      {14000, 5000, Esp32, 256}};
+const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
+const std::vector<Setup> SlowerLarge = {
+    {4000, 20000, Board, 256}, {9000, 20000, Bytes, 512}, {9000, 20000, Esp32, 256}};
+const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, Bytes, 63}, {14000, 50, Fifo}};
+const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, Bytes, 256}, {14000, 50, Fifo, 256},
+                                         {14000, 1000, Esp32, 512}};
 
 // For Fast S.Bus half of these, and what FrSky's ACCESS receivers send, 4 to 9 ms.
-constexpr uint32_t FastLong = 1500;
-const std::vector<Timing> FastClean = {{3000, Short}, {3500, Short}, {4500, FastLong}, {7000, FastLong}};
-const std::vector<Timing> FastSeen = {{3000, Short}, {4500, FastLong}, {7500, Short}};
-const std::vector<Timing> FastHidden = {{2000, Short}, {3500, FastLong}};
-const std::vector<Timing> FastJoin = {{3500, Short}, {7500, FastLong}};
-const std::vector<Timing> FastBlocked = {{3000, Short}, {9000, Short}};
-const std::vector<Timing> FastBlockedHalf = {{3000, Short}, {4500, Short}, {7000, Short}};
+const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, Bytes}};
+const std::vector<Setup> FastHidden = {{2000, 50}, {3500, 1500}};
+const std::vector<Setup> FastBlocked = {{3000, 50}, {4500, 50, Board, 256}, {9000, 50}};
 
-// What issue 3 asks for, per damaged frame.
-constexpr double Missed = 1e-3;
-constexpr double Deceived = 1e-4;  // wrong frames under adversarial sticks
-constexpr double Unsafe = 1e-3;    // wrong frames with insertions or 1/50 dropped
-constexpr double None = 0;
-
-constexpr const char *Hidden =
-    "without visible pauses only the places where looks begin tell a header from a payload like one, after a while";
-constexpr const char *SamePlace =
-    "where each byte is handed over, looks in step with the frames begin at the same place, be it a header or like one";
-constexpr const char *LikeInserted =
-    "a noise character that could be an end byte, straight behind a frame, cannot be told from an inserted one";
-constexpr const char *LowChannel =
-    "with a CH16 below 128 a frame with an inserted character looks whole up to the character behind it";
-constexpr const char *FrameLike = "measured; one 36-byte frame of any content in 700 begins like a whole frame";
-constexpr const char *Measured = "measured";
-
-Impairments only(double Impairments::*kind, double probability) {
-  Impairments impairments;
-  impairments.*kind = probability;
-  return impairments;
+// Every driver, every period, and these loops.
+std::vector<Setup> joins(std::initializer_list<uint32_t> loopsUs) {
+  std::vector<Setup> setups;
+  for (const Driver &driver : {Board, Bytes, Fifo, Esp32}) {
+    for (const uint32_t periodUs : {4000u, 5000u, 6000u, 7000u, 9000u, 11000u, 14000u}) {
+      for (const uint32_t loopUs : loopsUs) {
+        setups.push_back({periodUs, loopUs, driver, 256});
+      }
+    }
+  }
+  return setups;
 }
 
-struct Limit {
-  double missed;
-  double wrong;
-  const char *reason = "";
-};
+const std::vector<Sticks> Resting = {Sticks::Neutral, Sticks::Equal, Sticks::Failsafe};
+const std::vector<Sticks> Moving = {Sticks::Uniform, Sticks::Smooth, Sticks::Zeros, Sticks::LowChannel16};
 
-std::vector<Bound> bounds(const Limit &gentle, const Limit &standing, const Limit &adversarial) {
-  return {{gentleSticks(), gentle.missed, gentle.wrong, gentle.reason},
-          {standingSticks(), standing.missed, standing.wrong, standing.reason},
-          {adversarialSticks(), adversarial.missed, adversarial.wrong, adversarial.reason}};
+constexpr const char *Splices = "zeros, or chance: halves of two frames look like one, or one like halves";
+constexpr const char *Doubtful = "they look like halves of two frames, and are refused until a pause is seen";
+constexpr const char *Junk = "altered characters: junk, or flipped bits";
+constexpr const char *Glued = "noise straight before a frame hides its pause, and may be a header";
+constexpr const char *Between = "after other characters what looks like halves of two frames is refused";
+constexpr const char *Remains = "what a loss leaves of 36 characters can be a frame before a pause";
+constexpr const char *Inside = "a block within a frame looks like a pause if few of its characters are left";
+constexpr const char *Larger = "who found 63 bytes takes the port's buffer for full";
+constexpr const char *LongLoop = "a loop period above 6 ms is not learnt";
+
+constexpr Limits None = {0, 0};
+constexpr Limits Usual = {1e-3, 0};
+constexpr Limits Printed = {NotBound, NotBound, "a UART cannot insert a character in a frame"};
+constexpr Limits Hidden1 = {0.006, 1 / 500., Splices};
+constexpr Limits Hidden2 = {NotBound, 1 / 500., Doubtful};
+constexpr Limits Rare = {2e-5, 0, Splices};
+constexpr Limits Hidden3 = {NotBound, 1e-4, Doubtful};
+constexpr Limits NeverWrong = {NotBound, 0, Doubtful};
+
+Run plain() {
+  return {};
 }
-
-std::vector<Bound> bounds(const Limit &all) {
-  return bounds(all, all, all);
+Run of(Kind kind) {
+  Run run;
+  run.line.kind = kind;
+  return run;
 }
-
-Condition fast(Condition condition) {
-  condition.name = "Fast S.Bus, " + condition.name;
-  condition.baud = FastBaud;
-  return condition;
+Run with(double Impairments::*impairment, double probability, Kind kind = Kind::Plain) {
+  Run run = of(kind);
+  run.line.impairments.*impairment = probability;
+  return run;
+}
+Run dropped(double probability, Kind kind = Kind::Plain) {
+  return with(&Impairments::dropped, probability, kind);
+}
+Run noise(double probability) {
+  return with(&Impairments::noise, probability);
+}
+Run stopping() {
+  Run run;
+  run.line.stopEvery = 20;
+  return run;
+}
+Run inStep() {
+  Run run;
+  run.inStep = true;
+  return run;
+}
+Run joined() {
+  Run run;
+  run.joining = true;
+  return run;
+}
+Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
+  Run run;
+  run.blockFromUs = 1000 * fromMs;
+  run.blockToUs = 1000 * toMs;
+  run.blockEveryUs = 1000 * everyMs;
+  return run;
+}
+Run fast(Run run) {
+  run.line.baud = FastBaud;
+  return run;
 }
 
 // Does not change when the list does.
-uint64_t ownSeed(const Condition &condition, const Timing &timing, Sticks sticks, uint64_t seed) {
+uint64_t ownSeed(const Condition &condition, const Setup &setup, Sticks sticks, uint64_t seed) {
   uint64_t mixed = seed;
-  for (const char c : condition.name) {
+  for (const char c : condition.name + name(setup) + name(sticks)) {
     mixed = Random(mixed + static_cast<unsigned char>(c)).next();
-  }
-  for (const uint32_t value : {timing.periodUs, timing.loopUs, static_cast<uint32_t>(sticks)}) {
-    mixed = Random(mixed + value).next();
   }
   return mixed;
 }
 
-// "9 ms", "3.5 ms"
-std::string inMs(uint32_t us) {
-  const uint32_t tenths = us % 1000 / 100;
-  return std::to_string(us / 1000) + (tenths != 0 ? "." + std::to_string(tenths) : "") + " ms";
+std::string inUs(uint32_t us) {
+  return us % 1000 == 0 ? std::to_string(us / 1000) + " ms" : std::to_string(us) + " us";
 }
 
 }  // namespace
 
 const std::vector<Condition> &conditions() {
   static const std::vector<Condition> list = {
-      {"clean", {}, Kind::Plain, PausesSeen,
-       bounds({None, None})},
-      {"clean, short pauses", {}, Kind::Plain, PausesHidden,
-       bounds({None, None})},
-      {"clean, loop() in step with the frames", {}, Kind::Plain, InStep,
-       bounds({None, None}), 0, false, false, true},
-      {"clean, in step, a port without DMA", {}, Kind::Plain, InStepBytes,
-       bounds({None, None}), 0, false, true, true},
-      {"clean, in step, without DMA, short pauses", {}, Kind::Plain, InStepBytesShort,
-       bounds({None, None}, {None, None}, {0.05, 0.05, SamePlace}), 0, false, true, true},
-      {"dropped 1/500", only(&Impairments::dropped, 1 / 500.), Kind::Plain, PausesSeen,
-       bounds({Missed, None}, {Missed, None}, {Missed, Deceived})},
-      {"dropped 1/500, short pauses", only(&Impairments::dropped, 1 / 500.), Kind::Plain, PausesHidden,
-       bounds({Missed, 1e-4, Hidden}, {Missed, 1e-4, Hidden}, {0.06, 0.04, Hidden})},
-      {"dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::Plain, PausesSeen,
-       bounds({Missed, None}, {Missed, None}, {Missed, Deceived})},
-      {"dropped 1/300, short pauses", only(&Impairments::dropped, 1 / 300.), Kind::Plain, PausesHidden,
-       bounds({Missed, 1e-4, Hidden}, {Missed, 1e-4, Hidden}, {0.08, 0.05, Hidden})},
-      {"dropped 1/50", only(&Impairments::dropped, 1 / 50.), Kind::Plain, PausesSeen,
-       bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, Unsafe})},
-      {"dropped 1/50, short pauses", only(&Impairments::dropped, 1 / 50.), Kind::Plain, PausesHidden,
-       bounds({Missed, Unsafe}, {Missed, Unsafe}, {0.16, 0.13, Hidden})},
-      {"inserted 1/500", only(&Impairments::inserted, 1 / 500.), Kind::Plain, PausesSeen,
-       bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, 0.002, LowChannel})},
-      {"inserted 1/500, short pauses", only(&Impairments::inserted, 1 / 500.), Kind::Plain, PausesHidden,
-       bounds({Missed, Unsafe}, {Missed, Unsafe}, {0.6, 0.45, Hidden})},
-      {"two bits flipped 1/300", only(&Impairments::flipped, 1 / 300.), Kind::Plain, PausesSeen,
-       bounds({Missed, None}, {Missed, None}, {Missed, 5e-4, Measured})},
-      {"two bits flipped 1/300, short pauses", only(&Impairments::flipped, 1 / 300.), Kind::Plain, PausesHidden,
-       bounds({0.002, None, Measured}, {0.002, None, Measured}, {0.65, 0.55, Hidden})},
-      {"noise in 1/10 of the pauses", only(&Impairments::noise, 0.1), Kind::Plain, PausesSeen,
-       bounds({0.005, None, LikeInserted}, {0.003, None, LikeInserted}, {0.005, 2e-4, LikeInserted})},
-      {"noise in 1/10, short pauses", only(&Impairments::noise, 0.1), Kind::Plain, PausesHidden,
-       bounds({0.025, 1e-4, LikeInserted}, {0.01, 1e-4, LikeInserted}, {0.02, 0.003, Hidden})},
-      {"joined midway", {}, Kind::Plain, JoinSeen,
-       bounds({None, None}), 0, true},
-      {"joined midway, short pauses", {}, Kind::Plain, JoinHidden,
-       bounds({None, None}, {None, None}, {1.4, 1.3, Hidden}), 0, true},
-      {"S.BUS2 with telemetry", {}, Kind::Sbus2, WithTelemetry,
-       bounds({None, None})},
-      {"S.BUS2, dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::Sbus2, WithTelemetry,
-       bounds({Missed, None}, {Missed, None}, {Missed, 0.001, Hidden})},
-      {"R7003SB", {}, Kind::R7003SB, WithLongTail,
-       bounds({None, None})},
-      {"R7003SB, dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::R7003SB, WithLongTail,
-       bounds({Missed, 1e-4, Hidden}, {Missed, None}, {Missed, Deceived})},
-      {"2F and 36-byte frames between", {}, Kind::Further, WithFurther,
-       bounds({3e-4, 2e-5, FrameLike}, {3e-4, 2e-5, FrameLike}, {3e-4, 2e-5, FrameLike})},
-      {"loop() of 20 ms", {}, Kind::Plain, Slow,
-       bounds({0.05, 2e-5, Hidden}, {0.05, 1e-4, Hidden}, {0.25, 0.2, Hidden})},
-      {"blocked 12 ms every 500 ms", {}, Kind::Plain, Blocked,
-       bounds({5e-4, None}, {5e-4, None}, {5e-4, 5e-5, Hidden}), 12000},
-      {"blocked 20 ms every 500 ms", {}, Kind::Plain, Blocked,
-       bounds({0.07, None}, {0.07, None}, {0.1, None}), 20000},
-      {"blocked 60 ms every 500 ms", {}, Kind::Plain, Blocked,
-       bounds({0.001, None}, {0.001, None}, {0.003, None}), 60000},
-      {"blocked 200 ms every 500 ms", {}, Kind::Plain, Blocked,
-       bounds({0.001, None}, {0.001, None}, {0.001, None}), 200000},
-      fast({"clean", {}, Kind::Plain, FastClean,
-            bounds({None, None})}),
-      fast({"clean, short pauses", {}, Kind::Plain, FastHidden,
-            bounds({None, None})}),
-      fast({"dropped 1/300", only(&Impairments::dropped, 1 / 300.), Kind::Plain, FastSeen,
-            bounds({Missed, None}, {Missed, None}, {Missed, Deceived})}),
-      fast({"inserted 1/500", only(&Impairments::inserted, 1 / 500.), Kind::Plain, FastSeen,
-            bounds({Missed, Unsafe}, {Missed, Unsafe}, {Missed, 0.003, LowChannel})}),
-      fast({"noise in 1/10 of the pauses", only(&Impairments::noise, 0.1), Kind::Plain, FastSeen,
-            bounds({0.005, None, LikeInserted}, {0.003, None, LikeInserted}, {0.005, 2e-4, LikeInserted})}),
-      fast({"joined midway", {}, Kind::Plain, FastJoin,
-            bounds({None, None}), 0, true}),
-      fast({"blocked 6 ms every 500 ms", {}, Kind::Plain, FastBlockedHalf,
-            bounds({5e-4, None}, {5e-4, None}, {5e-4, 5e-5, Hidden}), 6000}),
-      fast({"blocked 12 ms every 500 ms", {}, Kind::Plain, FastBlocked,
-            bounds({0.003, None}, {0.003, None}, {0.01, None}), 12000}),
-      fast({"blocked 20 ms every 500 ms", {}, Kind::Plain, FastBlocked,
-            bounds({0.01, None}, {0.01, None}, {0.02, None}), 20000}),
-      fast({"blocked 60 ms every 500 ms", {}, Kind::Plain, FastBlocked,
-            bounds({0.001, None}, {0.001, None}, {0.001, None}), 60000}),
+      {"clean", plain(), Seen, None, None},
+      {"clean, short pauses", plain(), Hidden, None, Hidden3},
+      {"clean, the line stops", stopping(), Seen, None, None},
+      {"clean, other buffers", plain(), Buffers, None, None},
+      {"clean, loop in step", inStep(), InStep, Rare, Hidden3},
+      {"clean, loop in step, bytes", inStep(), InStepBytes, Rare, Hidden3},
+      {"clean, S.BUS2 with telemetry", of(Kind::Sbus2), Telemetry, {1e-4, 0, Between}, {1e-4, 0, Between}},
+      {"clean, R7003SB", of(Kind::R7003SB), LongTail, None, None},
+      {"clean, 2F frames between", of(Kind::With2F), With2F, None, None},
+      {"dropped 1/500", dropped(1 / 500.), Seen, Usual, Usual},
+      {"dropped 1/500, short pauses", dropped(1 / 500.), Hidden, Hidden1, Hidden2},
+      {"dropped 1/300", dropped(1 / 300.), Seen, Usual, Usual},
+      {"dropped 1/300, short pauses", dropped(1 / 300.), Hidden, Hidden1, Hidden2},
+      {"dropped 1/50", dropped(1 / 50.), Seen, {1e-3, 5e-5, Splices}, {1e-3, 1e-4, Splices}},
+      {"dropped 1/50, short pauses", dropped(1 / 50.), Hidden, {0.006, 1 / 400., Splices},
+       {NotBound, 1 / 300., Doubtful}},
+      {"bursts 1/500", with(&Impairments::burst, 1 / 500.), Seen, Usual, {1e-3, 1e-3, Junk}},
+      {"bursts 1/500, short pauses", with(&Impairments::burst, 1 / 500.), Hidden, {0.006, 0.005, Junk},
+       {NotBound, 0.03, Junk}},
+      {"inserted 1/500", with(&Impairments::inserted, 1 / 500.), Seen, Printed, Printed},
+      {"inserted 1/500, short pauses", with(&Impairments::inserted, 1 / 500.), Hidden, Printed, Printed},
+      {"two bits flipped 1/300", with(&Impairments::flipped, 1 / 300.), Seen, Usual, {1e-3, 5e-4, Junk}},
+      {"two bits flipped 1/300, short pauses", with(&Impairments::flipped, 1 / 300.), Hidden, Hidden1,
+       {NotBound, 0.04, Junk}},
+      {"noise in 1/10 of the pauses", noise(1 / 10.), Seen, {0.002, 1e-4, Glued}, {0.3, 5e-4, Glued}},
+      {"noise in 1/10, short pauses", noise(1 / 10.), Hidden, Hidden1, {NotBound, 0.005, Glued}},
+      {"noise in 1/3 of the pauses", noise(1 / 3.), Seen, {0.002, 1e-4, Glued}, {0.3, 5e-4, Glued}},
+      {"noise in 1/3, short pauses", noise(1 / 3.), Hidden, Hidden1, {NotBound, 0.005, Glued}},
+      {"joined midway", joined(), JoinSeen, None, None},
+      {"joined midway, short pauses", joined(), Hidden, {0.005, 0, Splices}, {NotBound, 0.02, Doubtful}},
+      {"joined, failsafe frame", joined(), joins({50, 1000, 3000, 5000}), None, NeverWrong, {Sticks::Failsafe}},
+      {"joined, failsafe frame, slow loops", joined(), joins({10000, 20000}), None, NeverWrong, {Sticks::Failsafe}},
+      {"S.BUS2, dropped 1/300", dropped(1 / 300., Kind::Sbus2), Telemetry, {0.003, 0, Splices}, {1e-3, 1e-3, Splices}},
+      {"S.BUS2 at 15 ms, dropped 1/50", dropped(1 / 50., Kind::Sbus2), Telemetry15, Usual, {1e-3, 2e-4, Splices}},
+      {"S.BUS2 at 15 ms, bursts 1/300", with(&Impairments::burst, 1 / 300., Kind::Sbus2), Telemetry15,
+       {1e-3, 2e-4, Junk}, {1e-3, 1e-3, Junk}},
+      {"R7003SB, dropped 1/300", dropped(1 / 300., Kind::R7003SB), LongTail, Usual, {1e-3, 2e-4, Splices}},
+      {"24 channels, resting", of(Kind::Channels24), Channels24, None, None, Resting},
+      {"24 channels, moving", of(Kind::Channels24), Channels24, {0, 0.012, Remains}, None, Moving},
+      {"24 channels, resting, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.1, Remains},
+       {0, 0.1, Remains}, Resting},
+      {"24 channels, moving, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.012, Remains}, None,
+       Moving},
+      {"loop of 5 ms", plain(), Slow, {2e-4, 0, Inside}, {0.005, 0, Doubtful}},
+      {"loop of 20 ms", plain(), Slower, {0.2, 1e-3, LongLoop}, {NotBound, 0.1, LongLoop}},
+      {"loop of 20 ms, large buffers", plain(), SlowerLarge, {0.1, 1e-4, Larger}, {NotBound, 0.01, LongLoop}},
+      {"blocked 2 to 10 ms every 97 ms", blocked(2, 10, 97), Blocked, {0.1, 0, Inside}, {0.2, 0.005, Inside}},
+      {"blocked 2 to 10 ms, large buffers", blocked(2, 10, 97), BlockedLarge, {0.1, 0, Inside}, {0.2, 0.002, Inside}},
+      {"blocked 10 to 60 ms every 500 ms", blocked(10, 60, 500), Blocked, {0.03, 0, Inside}, {0.1, 1e-3, Inside}},
+      {"blocked 10 to 60 ms, large buffers", blocked(10, 60, 500), BlockedLarge, {0.25, 0, Larger},
+       {0.4, 0.003, Larger}},
+      {"blocked 200 ms every 500 ms", blocked(200, 200, 500), Blocked, {0.005, 0, Inside}, {0.02, 0, Inside}},
+      {"blocked 200 ms, large buffers", blocked(200, 200, 500), BlockedLarge, {0.01, 0, Larger}, {0.06, 0, Larger}},
+      {"Fast S.Bus, clean", fast(plain()), FastSeen, None, None},
+      {"Fast S.Bus, clean, short pauses", fast(plain()), FastHidden, None, NeverWrong},
+      {"Fast S.Bus, dropped 1/300", fast(dropped(1 / 300.)), FastSeen, Usual, Usual},
+      {"Fast S.Bus, bursts 1/500", fast(with(&Impairments::burst, 1 / 500.)), FastSeen, Usual, {1e-3, 1e-3, Junk}},
+      {"Fast S.Bus, noise in 1/10 of the pauses", fast(noise(1 / 10.)), FastSeen, {0.002, 1e-4, Glued},
+       {0.4, 5e-4, Glued}},
+      {"Fast S.Bus, joined midway", fast(joined()), FastSeen, None, Usual},
+      {"Fast S.Bus, blocked 2 to 10 ms every 97 ms", fast(blocked(2, 10, 97)), FastBlocked, {0.03, 0, Inside},
+       {0.1, 0.005, Inside}},
+      {"Fast S.Bus, blocked 10 to 60 ms every 500 ms", fast(blocked(10, 60, 500)), FastBlocked, {0.03, 0, Inside},
+       {0.1, 1e-3, Inside}},
   };
   return list;
 }
 
-Run runOf(const Condition &condition, const Timing &timing, Sticks sticks) {
-  Run run;
-  run.line.impairments = condition.impairments;
-  run.line.kind = condition.kind;
-  run.line.sticks = sticks;
-  run.line.baud = condition.baud;
-  run.line.periodUs = timing.periodUs;
-  run.loopUs = timing.loopUs;
-  run.steady = condition.inStep;
-  run.byteByByte = condition.byteByByte;
-  run.blockUs = condition.blockUs;
-  run.joining = condition.joining;
-  return run;
+std::vector<Sticks> Condition::sticks() const {
+  std::vector<Sticks> all = only;
+  if (all.empty()) {
+    all = ordinarySticks();
+    all.insert(all.end(), deceptiveSticks().begin(), deceptiveSticks().end());
+  }
+  return all;
 }
 
-Tally torture(const Condition &condition, const Timing &timing, Sticks sticks, Way way, uint64_t frames,
-              uint64_t seed) {
-  Run run = runOf(condition, timing, sticks);
+Tally torture(const Condition &condition, const Setup &setup, Sticks sticks, Way way, uint64_t frames, uint64_t seed) {
+  Run run = condition.run;
+  run.setup = setup;
+  run.line.periodUs = setup.periodUs;
+  run.line.sticks = sticks;
   run.line.frames = frames;
-  Random seeds(ownSeed(condition, timing, sticks, seed));
-  if (condition.joining) {
-    run.line.frames = 12;
-  } else if (condition.inStep) {
-    run.line.frames = 2000;
+  if (run.joining) {
+    run.line.frames = 12 + 120000 / setup.periodUs;  // a slow loop learns the line for 120 ms
+  } else if (run.inStep) {
+    run.line.frames = std::min<uint64_t>(frames, 2000);
   }
+  Random seeds(ownSeed(condition, setup, sticks, seed));
   const uint32_t characterUs = run.line.characterUs();
   Tally sum;
-  for (uint64_t i = 0; i < frames; i += run.line.frames) {
-    if (condition.joining) {
-      // At every character of a frame, and anywhere within it, over and over.
-      run.joinUs = static_cast<uint32_t>(i / run.line.frames % 25 * characterUs + seeds.below(characterUs));
-    }
+  uint32_t character = 0;
+  for (uint64_t done = 0; done < frames; done += run.line.frames) {
+    // Joined at every character of a frame, and anywhere within it, over and over.
+    run.joinUs = character * characterUs + seeds.below(characterUs);
+    character = (character + 1) % sbus::FrameSize;
     sum += simulate(run, way, seeds.next());  // in step, each begins at another place of a frame
   }
   return sum;
 }
 
-std::string name(const Timing &timing) {
-  return "T = " + inMs(timing.periodUs) + ", loop() " +
-         (timing.loopUs < 1000 ? std::to_string(timing.loopUs) + " us" : inMs(timing.loopUs));
+std::string name(const Setup &setup) {
+  return "T " + inUs(setup.periodUs) + ", loop " + inUs(setup.loopUs) + ", " + setup.driver.name + ", " +
+         std::to_string(setup.buffer);
 }

@@ -2,86 +2,54 @@
 
 #include <algorithm>
 
-#include <sbus/Frame.h>
-
-namespace {
-
-bool hasLowChannel16(const Frame &frame) {
-  return sbus::isFlagsByte(frame[sbus::FlagsIndex - 1]);
-}
-
-}  // namespace
-
 Tally &Tally::operator+=(const Tally &other) {
-  damaged += other.damaged;
-  intact += other.intact;
-  missed += other.missed;
-  wrong += other.wrong;
-  noise += other.noise;
-  late += other.late;
-  lateDoubtful += other.lateDoubtful;
-  blocked += other.blocked;
-  outdated += other.outdated;
-  outdatedDoubtful += other.outdatedDoubtful;
+  for (const auto count : {&Tally::damaged, &Tally::intact, &Tally::missed, &Tally::wrong, &Tally::late,
+                           &Tally::altered, &Tally::disturbed}) {
+    this->*count += other.*count;
+  }
   return *this;
 }
 
 void Judge::sent(const SentFrame &frame) {
-  _entries.push_back({frame, frame.intact, false});
+  _entries.push_back({frame, _sent++, false});
   if (_entries.size() > Window) {
     settleOldest();
   }
 }
 
-void Judge::lost(uint64_t first, uint64_t behind) {
-  if (first == behind) {
+void Judge::lost(uint64_t first, uint64_t after) {
+  if (first == after) {
     return;
   }
-  for (auto entry = _entries.rbegin(); entry != _entries.rend() && entry->frame.behind > first; ++entry) {
-    if (entry->frame.first < behind) {
-      entry->whole = false;
-    }
+  for (Entry &entry : _entries) {
+    const bool hit = entry.frame.after > first && entry.frame.first < after;
+    entry.frame.intact = entry.frame.intact && !hit;
   }
+}
+
+void Judge::poll(uint64_t position) {
+  _hadBefore = _had;
+  _had = position;
 }
 
 void Judge::given(const Frame &frame, uint64_t position) {
   // The newest first: of frames that are alike it is the best that can be said for a receiver.
-  for (auto entry = _entries.rbegin(); entry != _entries.rend(); ++entry) {
-    if (entry->whole && !entry->given && entry->frame.behind <= position &&
-        std::equal(frame.begin(), frame.end() - 1, entry->frame.bytes.begin())) {
-      entry->given = true;
-      if (entry->frame.behind <= _lookBegin && _anyGiven && !hasLowChannel16(frame)) {
-        (doubtful(frame) ? _tally.lateDoubtful : _tally.late)++;
-      }
-      _anyGiven = true;
-      _lastGiven = frame;
+  for (size_t i = _entries.size(); i-- > 0;) {
+    Entry &entry = _entries[i];
+    if (entry.frame.intact && !entry.given && entry.frame.after <= position && position < entry.frame.after + Reach &&
+        std::equal(frame.begin(), frame.end() - 1, entry.frame.bytes.begin())) {
+      entry.given = true;
+      _firstGiven = std::min(_firstGiven, entry.number);
+      _tally.altered += entry.frame.altered;
+      _tally.late += entry.frame.after <= _hadBefore && entry.frame.straight && i != 0 && _entries[i - 1].given;
       return;
     }
   }
   _tally.wrong++;
 }
 
-void Judge::lookEnds(uint64_t position, bool wasBlocked) {
-  if (!wasBlocked) {
-    return;
-  }
-  _tally.blocked++;
-  for (auto entry = _entries.rbegin(); entry != _entries.rend(); ++entry) {
-    if (entry->whole && entry->frame.behind <= position) {
-      if (!entry->given && !hasLowChannel16(entry->frame.bytes)) {
-        (doubtful(entry->frame.bytes) ? _tally.outdatedDoubtful : _tally.outdated)++;
-      }
-      return;
-    }
-  }
-}
-
-bool Judge::doubtful(const Frame &frame) const {
-  return hasLowChannel16(_lastGiven) || _lastGiven[sbus::FlagsIndex] != frame[sbus::FlagsIndex];
-}
-
 Tally Judge::finish() {
-  while (_entries.size() > LastFrames) {
+  while (!_entries.empty()) {
     settleOldest();
   }
   return _tally;
@@ -89,11 +57,14 @@ Tally Judge::finish() {
 
 void Judge::settleOldest() {
   const Entry &entry = _entries.front();
-  if (entry.whole) {
-    _tally.intact++;
-    _tally.missed += !entry.given;
-  } else {
+  if (!entry.frame.intact || entry.frame.altered) {
     _tally.damaged++;
+  } else {
+    const bool learning = entry.number < _learning && entry.number < _firstGiven;
+    const bool mayWait = entry.number + 1 == _sent && !(entry.frame.straight && _lastSettledGiven);
+    _tally.intact++;
+    _tally.missed += !entry.given && !learning && !mayWait;
   }
+  _lastSettledGiven = entry.given;
   _entries.pop_front();
 }

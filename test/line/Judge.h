@@ -7,63 +7,61 @@
 #include "WireLine.h"
 
 struct Tally {
-  uint64_t damaged = 0;  // frames that did not reach the sketch whole: damaged on the wire, or the buffer was full
-  uint64_t intact = 0;   // all others
-  uint64_t missed = 0;   // of these: never given to the sketch
-  uint64_t wrong = 0;    // given to the sketch, but never on the wire as a frame, at its true place
-  uint64_t noise = 0;    // characters in pauses
-
-  // Without the frames whose CH16 is below 128, which always wait for what follows (DecodeSBus.h), and without the
-  // first frame. Doubtful are those whose predecessor was of that kind, or had other flags: they look damaged.
-  uint64_t late = 0;              // given later than at the first look at its last byte
-  uint64_t lateDoubtful = 0;      // the same, of the doubtful ones
-  uint64_t blocked = 0;           // looks after a blocked loop()
-  uint64_t outdated = 0;          // of these: the newest whole frame was not the one given
-  uint64_t outdatedDoubtful = 0;  // the same, of the doubtful ones
+  uint64_t damaged = 0;    // frames that did not reach the sketch whole: damaged on the wire, or the buffer was full
+  uint64_t intact = 0;     // all others
+  uint64_t missed = 0;     // of these: never given to the sketch
+  uint64_t wrong = 0;      // given to the sketch, but never on the wire as a frame, at its true place
+  uint64_t late = 0;       // in lock, and given later than at the first poll that had its last byte
+  uint64_t altered = 0;    // damaged, and given: all its characters were there, and it looked like a frame
+  uint64_t disturbed = 0;  // characters in pauses, and blocked loops
 
   Tally &operator+=(const Tally &other);
 
-  // What a loss is held against: a damaged frame, or a noise character.
-  uint64_t damages() const { return damaged + noise; }
+  // What a loss is held against.
+  uint64_t damages() const { return damaged + disturbed; }
 };
 
 // Characters are numbered as in SentFrame: those that the port could receive.
+//
+// In lock is a frame that stands straight after one that was given. Not counted as missed are the first `learning`
+// frames, as long as none was given, and a last one that is not in lock: it may wait for what follows.
 class Judge {
  public:
+  explicit Judge(uint64_t learning) : _learning(learning) {}
+
   // The wire brings `frame`, later than all before.
   void sent(const SentFrame &frame);
 
-  // The characters from `first` on, up to but without `behind`, never reached the sketch.
-  void lost(uint64_t first, uint64_t behind);
+  // The characters from `first` on, up to but without `after`, never reached the sketch.
+  void lost(uint64_t first, uint64_t after);
 
-  // A look begins at character `position`.
-  void lookBegins(uint64_t position) { _lookBegin = position; }
+  // A poll begins, and has all characters before `position`.
+  void poll(uint64_t position);
 
   // The sketch has been given `frame` when it had read all characters before `position`. Its end byte is not looked at.
   void given(const Frame &frame, uint64_t position);
 
-  // The look is over: all characters before `position` are read.
-  void lookEnds(uint64_t position, bool wasBlocked);
-
-  // The sum, without the line's last frames: what follows them is missing.
+  // The sum.
   Tally finish();
 
  private:
   struct Entry {
     SentFrame frame;
-    bool whole;
+    uint64_t number;
     bool given;
   };
 
   void settleOldest();
-  bool doubtful(const Frame &frame) const;
 
-  static constexpr size_t Window = 128;  // frames: half a second of the densest line
-  static constexpr size_t LastFrames = 3;
+  static constexpr size_t Window = 128;    // frames: half a second of the densest line
+  static constexpr uint64_t Reach = 100;  // characters: what is given later is not that frame, but one like it
 
+  const uint64_t _learning;
   std::deque<Entry> _entries;
-  uint64_t _lookBegin = 0;
-  bool _anyGiven = false;
-  Frame _lastGiven{};
+  uint64_t _sent = 0;
+  uint64_t _firstGiven = UINT64_MAX;  // number of the frame
+  bool _lastSettledGiven = false;
+  uint64_t _had = 0;        // the newest poll has, or has read, all characters before this
+  uint64_t _hadBefore = 0;  // the same of the poll before it
   Tally _tally;
 };

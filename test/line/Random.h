@@ -17,8 +17,6 @@ class Random {
 
   // 0 .. limit - 1.
   uint32_t below(uint32_t limit) { return static_cast<uint32_t>(next() % limit); }
-  // A multiple of `grain` below `limit`, a multiple itself.
-  uint32_t time(uint32_t limit, uint32_t grain) { return grain * below(limit / grain); }
   uint8_t byte() { return static_cast<uint8_t>(next() >> 56); }
   bool chance(double probability) {
     return probability > 0 && static_cast<double>(next() >> 11) < probability * 9007199254740992.0;  // 2^53

@@ -7,118 +7,96 @@
 
 namespace {
 
-constexpr double LostFrames = 0.02;
+constexpr const char *Names[] = {"uniform", "smooth",   "neutral", "still",  "equal",   "zeros",
+                                 "CH16 low", "failsafe", "0F/00",   "all 0F", "shifted", "shifted still"};
 
-Frame packed(const Channels &channels, bool lostFrame) {
-  Frame frame;
-  sbus::pack(frame.data(), channels.data(), false, lostFrame);
-  return frame;
-}
+constexpr uint16_t EqualValues[] = {0, 992, 1024};
+
+constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
+                                 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
 
 }  // namespace
 
 const char *name(Sticks sticks) {
-  switch (sticks) {
-    case Sticks::Uniform:
-      return "uniform";
-    case Sticks::Smooth:
-      return "smooth";
-    case Sticks::Neutral:
-      return "neutral";
-    case Sticks::Still:
-      return "still";
-    case Sticks::Of0FAnd00:
-      return "0F/00";
-    case Sticks::All0F:
-      return "all 0F";
-    case Sticks::Shifted:
-      return "shifted";
-    case Sticks::ShiftedStill:
-      return "shifted still";
-    case Sticks::LowChannel16:
-      return "CH16 low";
-  }
-  return "";
+  return Names[static_cast<unsigned>(sticks)];
 }
 
-const std::vector<Sticks> &gentleSticks() {
-  static const std::vector<Sticks> sticks = {Sticks::Uniform, Sticks::Smooth, Sticks::Neutral};
+const std::vector<Sticks> &ordinarySticks() {
+  static const std::vector<Sticks> sticks = {Sticks::Uniform, Sticks::Smooth, Sticks::Neutral,      Sticks::Still,
+                                             Sticks::Equal,   Sticks::Zeros,  Sticks::LowChannel16};
   return sticks;
 }
 
-const std::vector<Sticks> &standingSticks() {
-  static const std::vector<Sticks> sticks = {Sticks::Still};
-  return sticks;
-}
-
-const std::vector<Sticks> &adversarialSticks() {
-  static const std::vector<Sticks> sticks = {Sticks::Of0FAnd00, Sticks::All0F, Sticks::Shifted, Sticks::ShiftedStill,
-                                             Sticks::LowChannel16};
-  return sticks;
-}
-
-const std::vector<Sticks> &allSticks() {
-  static const std::vector<Sticks> sticks = [] {
-    std::vector<Sticks> all = gentleSticks();
-    all.insert(all.end(), standingSticks().begin(), standingSticks().end());
-    all.insert(all.end(), adversarialSticks().begin(), adversarialSticks().end());
-    return all;
-  }();
+const std::vector<Sticks> &deceptiveSticks() {
+  static const std::vector<Sticks> sticks = {Sticks::Failsafe, Sticks::Of0FAnd00, Sticks::All0F, Sticks::Shifted,
+                                             Sticks::ShiftedStill};
   return sticks;
 }
 
 StickFrames::StickFrames(Sticks sticks, Random &random) : _sticks(sticks), _random(random) {
-  for (unsigned i = 0; i < sbus::ProportionalCount; i++) {
-    _channels[i] = static_cast<uint16_t>(_random.below(2048));
-  }
+  std::generate_n(_channels.begin(), sbus::ProportionalCount,
+                  [this] { return static_cast<uint16_t>(_random.below(2048)); });
 }
 
 Frame StickFrames::next() {
-  if (_number++ % StandingFrames == 0) {
-    _place = 3 + _random.below(19);
-    _still = anyFrame();
-    if (_sticks == Sticks::ShiftedStill) {
-      disguise(_still);
-    }
+  if (_number % StandingFrames == 0) {
+    change();
   }
-  Frame frame{};
-  frame[0] = sbus::HeaderByte;
+  _number++;
+  move();
+  Frame frame = packed();
   switch (_sticks) {
     case Sticks::Uniform:
       frame = anyFrame();
-      frame[sbus::FlagsIndex] = _random.chance(LostFrames) ? sbus::FlagLostFrame : 0;
-      return frame;
+      frame[sbus::FlagsIndex] = flags();
+      break;
     case Sticks::Smooth:
+    case Sticks::Zeros:
     case Sticks::LowChannel16:
-      moveSmoothly();
-      return packed(_channels, _random.chance(LostFrames));
+      break;
     case Sticks::Neutral:
       return Neutral.bytes;
     case Sticks::Still:
+    case Sticks::Equal:
     case Sticks::ShiftedStill:
       return _still;
+    case Sticks::Failsafe:
+      return FailsafeFrame;
     case Sticks::Of0FAnd00:
-      for (unsigned i = sbus::PayloadIndex; i < sbus::FlagsIndex; i++) {
-        frame[i] = _random.chance(0.5) ? sbus::HeaderByte : 0;
-      }
-      return frame;
+      std::generate_n(frame.begin() + 1, 22, [this] { return _random.chance(0.5) ? sbus::HeaderByte : uint8_t{0}; });
+      frame[sbus::FlagsIndex] = 0;
+      break;
     case Sticks::All0F:
-      std::fill(frame.begin(), frame.begin() + sbus::FlagsIndex, sbus::HeaderByte);
-      return frame;
+      std::fill_n(frame.begin(), sbus::FlagsIndex, sbus::HeaderByte);
+      frame[sbus::FlagsIndex] = 0;
+      break;
     case Sticks::Shifted:
       frame = anyFrame();
       disguise(frame);
-      return frame;
+      break;
   }
   return frame;
+}
+
+// What stands still takes other values.
+void StickFrames::change() {
+  _place = 3 + _random.below(19);
+  _zeros = _random.below(1u << 16) & _random.below(1u << 16);
+  _still = anyFrame();
+  if (_sticks == Sticks::ShiftedStill) {
+    disguise(_still);
+  } else if (_sticks == Sticks::Equal) {
+    const uint32_t which = _random.below(4);
+    _channels.fill(which < 3 ? EqualValues[which] : static_cast<uint16_t>(_random.below(2048)));
+    _channels[16] = _channels[17] = 0;
+    sbus::pack(_still.data(), _channels.data(), false, false);
+  }
 }
 
 Frame StickFrames::anyFrame() {
   Frame frame{};
   frame[0] = sbus::HeaderByte;
-  for (unsigned i = sbus::PayloadIndex; i < sbus::FlagsIndex; i++) {
-    frame[i] = _random.byte();
-  }
+  std::generate_n(frame.begin() + 1, 22, [this] { return _random.byte(); });
   return frame;
 }
 
@@ -129,12 +107,30 @@ void StickFrames::disguise(Frame &frame) {
   frame[_place] = sbus::HeaderByte;
 }
 
-void StickFrames::moveSmoothly() {
+void StickFrames::move() {
   for (unsigned i = 0; i < sbus::ProportionalCount; i++) {
     const int moved = _channels[i] + static_cast<int>(_random.below(41)) - 20;
     _channels[i] = static_cast<uint16_t>(std::clamp<int>(moved, 0, sbus::ChannelMax));
   }
-  if (_sticks == Sticks::LowChannel16) {
-    _channels[15] = 0;
+}
+
+Frame StickFrames::packed() {
+  Channels channels = _channels;
+  for (unsigned i = 0; i < sbus::ProportionalCount; i++) {
+    if (_sticks == Sticks::Zeros && (_zeros >> i & 1) != 0) {
+      channels[i] = 0;
+    }
   }
+  const bool isLow = _sticks == Sticks::LowChannel16 && _random.chance(0.5);
+  if (isLow) {
+    channels[15] = static_cast<uint16_t>(_random.chance(0.5) ? 0 : _random.below(128));
+  }
+  Frame frame;
+  sbus::pack(frame.data(), channels.data(), false, false);
+  frame[sbus::FlagsIndex] = isLow && _random.chance(0.5) ? static_cast<uint8_t>(_random.below(16)) : flags();
+  return frame;
+}
+
+uint8_t StickFrames::flags() {
+  return static_cast<uint8_t>(_random.chance(0.02) ? _random.below(16) : 0);
 }

@@ -8,35 +8,40 @@
 #include "Random.h"
 
 enum class Sticks {
-  Uniform,        // every channel anywhere, anew in every frame
-  Smooth,         // every channel moves by at most 20 a frame
-  Neutral,        // a real frame of a FrSky receiver: 0F twice in the payload, every frame the same
-  Still,          // any values, standing still for 500 frames
-  Of0FAnd00,      // every payload byte is a header or an end byte
-  All0F,          // every payload byte is a header
-  Shifted,        // the payload looks like a whole frame at another alignment; moving
-  ShiftedStill,   // the same, standing still
-  LowChannel16,   // smooth, but CH16 at its low end: the end of a frame looks like its middle
+  // Ordinary ones, such as receivers send.
+  Uniform,       // every channel anywhere, anew in every frame
+  Smooth,        // every channel moves by at most 20 a frame
+  Neutral,       // a real frame of a FrSky receiver: 0F twice in the payload, every frame the same
+  Still,         // any values, standing still
+  Equal,         // all channels at 0, 992, 1024 or anywhere, standing still
+  Zeros,         // smooth, but some channels at 0: no pulses
+  LowChannel16,  // smooth, but in every other frame CH16 is low: the frame's end looks like its middle; any flags
+  // Ones that can be read in two ways: a real one, and such as are made up to deceive.
+  Failsafe,      // a receiver's failsafe frame: from its flags on to those of the next all is well
+  Of0FAnd00,     // every payload byte is a header or an end byte
+  All0F,         // every payload byte is a header
+  Shifted,       // the payload looks like a whole frame at another place; moving
+  ShiftedStill,  // the same, standing still
 };
 
 const char *name(Sticks sticks);
 
-// Gentle ones, such as occur in flight; Standing ones; Adversarial ones, made to deceive.
-const std::vector<Sticks> &gentleSticks();
-const std::vector<Sticks> &standingSticks();
-const std::vector<Sticks> &adversarialSticks();
-const std::vector<Sticks> &allSticks();
+const std::vector<Sticks> &ordinarySticks();
+const std::vector<Sticks> &deceptiveSticks();
 
-// Makes frames with end byte 00. Of the moving ones 2 % carry the lost-frame flag.
+// Makes frames with end byte 00. Of the moving ones 2 % carry flags, any.
 class StickFrames {
  public:
   StickFrames(Sticks sticks, Random &random);
   Frame next();
 
  private:
+  void change();
   Frame anyFrame();
   void disguise(Frame &frame);
-  void moveSmoothly();
+  void move();
+  Frame packed();
+  uint8_t flags();
 
   static constexpr unsigned StandingFrames = 500;
 
@@ -44,6 +49,7 @@ class StickFrames {
   Random &_random;
   unsigned _number = 0;
   unsigned _place = 0;  // of the header in the payload, if shifted
+  unsigned _zeros = 0;  // bits: these channels stand at 0
   Channels _channels{};
   Frame _still{};
 };

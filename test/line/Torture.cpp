@@ -1,17 +1,20 @@
-// Prints how the receiver and the paper's way do on every line: a table in Markdown, one row a line.
-//   FRAMES=n   frames of each line, timing and kind of sticks; 20000
-//   SEED=n     20181
-//   ONLY=x     only the lines whose name has x in it
-//   FULL=1     one row for each line, timing and kind of sticks
+// Prints how the receiver and the paper's way do on every line: a table in Markdown, one row a line, as each is done.
+//   FRAMES=n    frames of each line, setup and kind of sticks; 10000
+//   SEED=n      20181
+//   ONLY=x      only the lines whose name has x in it
+//   FULL=1      one row for each line, setup and kind of sticks
+//   SUMMARY=1   only the receiver, sums only, FRAMES=1000 unless told
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "Conditions.h"
 #include "Settings.h"
 
 namespace {
 
-constexpr uint64_t Frames = 20000;
+uint64_t frames = 0;
 
 // "0.0003", or a plain count if there is nothing to hold it against.
 std::string perDamage(uint64_t count, const Tally &tally) {
@@ -23,18 +26,38 @@ std::string perDamage(uint64_t count, const Tally &tally) {
   return text;
 }
 
-// One way of receiving on one line: the sum, and the worst sticks, over all timings.
+// Ends the line and shows it at once.
+void printRow(const std::vector<std::string> &cells) {
+  for (const std::string &cell : cells) {
+    std::printf("| %s ", cell.c_str());
+  }
+  std::printf("|\n");
+  std::fflush(stdout);
+}
+
+void printHeading(const std::vector<std::string> &cells) {
+  printRow(cells);
+  printRow(std::vector<std::string>(cells.size(), "---"));
+}
+
+// One way of receiving on one line: the sum, and the worst sticks, over all setups.
 struct Column {
   Tally sum;
   Tally worst;
   Sticks worstSticks = Sticks::Neutral;
 
-  void add(const Tally &tally, Sticks sticks) {
-    sum += tally;
-    // missed / damages, without a division by 0
-    if (tally.missed * (worst.damages() + 1) > worst.missed * (tally.damages() + 1)) {
-      worst = tally;
-      worstSticks = sticks;
+  Column(const Condition &condition, Way way) {
+    for (const Sticks sticks : condition.sticks()) {
+      Tally tally;
+      for (const Setup &setup : condition.setups) {
+        tally += torture(condition, setup, sticks, way, frames, seedOfAll());
+      }
+      sum += tally;
+      // missed / damages, without a division by 0
+      if (tally.missed * (worst.damages() + 1) > worst.missed * (tally.damages() + 1)) {
+        worst = tally;
+        worstSticks = sticks;
+      }
     }
   }
 
@@ -43,68 +66,32 @@ struct Column {
   }
 };
 
-Tally allTimings(const Condition &condition, Sticks sticks, Way way) {
-  Tally sum;
-  for (const Timing &timing : condition.timings) {
-    sum += torture(condition, timing, sticks, way, framesPerCase(Frames), seedOfAll());
-  }
-  return sum;
+void printWorst(const Condition &condition) {
+  const Column ours(condition, Way::Ours);
+  const Column papers(condition, Way::Papers);
+  printRow({condition.name, std::to_string(ours.sum.damages()), ours.missed(), std::to_string(ours.sum.wrong),
+            std::to_string(ours.sum.late), std::to_string(ours.sum.altered), papers.missed(),
+            std::to_string(papers.sum.wrong)});
 }
 
-void printRow(const Condition &condition) {
-  Column ours;
-  Column papers;
-  for (const Sticks sticks : allSticks()) {
-    ours.add(allTimings(condition, sticks, Way::Ours), sticks);
-    papers.add(allTimings(condition, sticks, Way::Papers), sticks);
-  }
-  std::printf("| %-42s | %8llu | %-22s | %6llu | %-22s | %7llu |\n", condition.name.c_str(),
-              static_cast<unsigned long long>(ours.sum.damages()), ours.missed().c_str(),
-              static_cast<unsigned long long>(ours.sum.wrong), papers.missed().c_str(),
-              static_cast<unsigned long long>(papers.sum.wrong));
+void printSum(const Condition &condition) {
+  const Tally sum = Column(condition, Way::Ours).sum;
+  printRow({condition.name, std::to_string(sum.damages()), std::to_string(sum.missed), std::to_string(sum.wrong),
+            std::to_string(sum.late)});
 }
 
-void printTable(const std::string &lines) {
-  std::printf("| %-42s | %-8s | %-22s | %-6s | %-22s | %-7s |\n", "line", "damaged", "missed per damaged", "wrong",
-              "the paper's: missed", "wrong");
-  std::printf("| --- | --- | --- | --- | --- | --- |\n");
-  for (const Condition &condition : conditions()) {
-    if (condition.name.find(lines) != std::string::npos) {
-      printRow(condition);
-      std::fflush(stdout);
-    }
-  }
-}
-
-void printFullRow(const Condition &condition, const Timing &timing, Sticks sticks) {
-  std::printf("| %s | %s | %s |", condition.name.c_str(), name(timing).c_str(), name(sticks));
-  for (const Way way : {Way::Ours, Way::Papers}) {
-    const Tally tally = torture(condition, timing, sticks, way, framesPerCase(Frames), seedOfAll());
-    for (const uint64_t count : {tally.damages(), tally.intact, tally.missed, tally.wrong,
-                                 tally.late + tally.lateDoubtful, tally.outdated + tally.outdatedDoubtful}) {
-      std::printf(" %llu |", static_cast<unsigned long long>(count));
-    }
-    std::printf(" %s |", perDamage(tally.missed, tally).c_str());
-  }
-  std::printf("\n");
-}
-
-void printFullTable(const std::string &lines) {
-  std::printf("| line | timing | sticks | damaged | intact | missed | wrong | late | outdated | missed per damaged "
-              "| the paper's: damaged | intact | missed | wrong | late | outdated | missed per damaged |\n");
-  std::printf("|");
-  for (int column = 0; column < 17; column++) {
-    std::printf(" --- |");
-  }
-  std::printf("\n");
-  for (const Condition &condition : conditions()) {
-    if (condition.name.find(lines) == std::string::npos) {
-      continue;
-    }
-    for (const Timing &timing : condition.timings) {
-      for (const Sticks sticks : allSticks()) {
-        printFullRow(condition, timing, sticks);
+void printAll(const Condition &condition) {
+  for (const Setup &setup : condition.setups) {
+    for (const Sticks sticks : condition.sticks()) {
+      std::vector<std::string> cells = {condition.name, name(setup), name(sticks)};
+      for (const Way way : {Way::Ours, Way::Papers}) {
+        const Tally tally = torture(condition, setup, sticks, way, frames, seedOfAll());
+        for (const uint64_t count :
+             {tally.damages(), tally.intact, tally.missed, tally.wrong, tally.late, tally.altered}) {
+          cells.push_back(std::to_string(count));
+        }
       }
+      printRow(cells);
     }
   }
 }
@@ -112,9 +99,33 @@ void printFullTable(const std::string &lines) {
 }  // namespace
 
 int main() {
-  const char *const lines = std::getenv("ONLY");
-  std::printf("seed %llu, %llu frames of each line, timing and kind of sticks\n\n",
-              static_cast<unsigned long long>(seedOfAll()), static_cast<unsigned long long>(framesPerCase(Frames)));
-  (setting("FULL", 0) != 0 ? printFullTable : printTable)(lines != nullptr ? lines : "");
+  const char *const only = std::getenv("ONLY");
+  const bool full = setting("FULL", 0) != 0;
+  const bool summary = setting("SUMMARY", 0) != 0;
+  frames = framesPerCase(summary ? 1000 : 10000);
+  const uint64_t seed = seedOfAll();
+
+  std::vector<Condition> chosen;
+  for (const Condition &condition : conditions()) {
+    if (only == nullptr || condition.name.find(only) != std::string::npos) {
+      chosen.push_back(condition);
+    }
+  }
+  if (chosen.empty()) {
+    std::fprintf(stderr, "ONLY=%s: no line has this in its name\n", only);
+    return 2;
+  }
+  std::printf("seed %llu, %llu frames of each line, setup and kind of sticks\n\n",
+              static_cast<unsigned long long>(seed), static_cast<unsigned long long>(frames));
+  if (summary) {
+    printHeading({"line", "damaged", "missed", "wrong", "late"});
+  } else if (full) {
+    printHeading({"line", "setup", "sticks", "damaged", "intact", "missed", "wrong", "late", "altered, handed over",
+                  "the paper's: damaged", "intact", "missed", "wrong", "late", "altered, handed over"});
+  } else {
+    printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "altered, handed over",
+                  "the paper's: missed per damaged", "wrong"});
+  }
+  std::for_each(chosen.begin(), chosen.end(), summary ? printSum : full ? printAll : printWorst);
   return 0;
 }

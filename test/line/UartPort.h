@@ -1,61 +1,98 @@
-// A serial port over the board's receive path. If it is opened at another baud rate than the wire's it hears nothing.
-// Before every read it tells its observer: a class that takes in two frames in one call has finished with the first
-// then, and can be asked for it.
+// A serial port with the board's receive path or another's. If it is opened at another baud rate than the wire's it
+// hears nothing.
 #pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include <FakeClock.h>
 #include <runtime/BoardUart.h>
 #include <runtime/Wire.h>
 
-// Last: its macros min and max break the standard headers behind it.
-#include <Arduino.h>
+#include "Bench.h"
 
-class ReadObserver {
- public:
-  virtual ~ReadObserver() = default;
-  virtual void beforeRead() = 0;
-};
+// Last: its macros min and max break the standard headers after it.
+#include <Arduino.h>
 
 class UartPort : public HardwareSerial {
  public:
-  UartPort(ReadObserver &observer, unsigned long wireBaud) : _observer(observer), _wireBaud(wireBaud) {}
-
-  host::BoardUart uart;
-  uint64_t bytesRead = 0;
+  // Before every read `beforeRead` is called: a class that takes in two frames in one call has finished with the first
+  // then, and can be asked for it.
+  UartPort(const Driver &driver, size_t buffer, unsigned long wireBaud, std::function<void()> beforeRead)
+      : _driver(driver), _buffer(buffer), _wireBaud(wireBaud), _beforeRead(std::move(beforeRead)) {}
 
   void begin(unsigned long baud) override { begin(baud, 0); }
   void begin(unsigned long baud, uint32_t) override {
     _baud = baud;
-    uart.open(fakeMicros, host::Wire{baud}.characterUs());
+    _characterUs = host::Wire{baud}.characterUs();
+    _uart.open(fakeMicros, _buffer.data(), _buffer.size(), _characterUs);
   }
+
+  // A character has come; nothing else has come up to now.
   void receive(const host::Character &character) {
-    if (_baud == _wireBaud) {
-      uart.receive(character);
+    if (_baud != _wireBaud) {
+      return;
+    }
+    advance(character.endUs - _characterUs);
+    if (_driver.isBoards()) {
+      _uart.receive(character);
+      return;
+    }
+    _fifo.push_back(character);
+    if (_fifo.size() >= _driver.burst) {
+      handOver();
     }
   }
-  void end() override { uart.close(); }
-  int available() override { return uart.available(); }
-  int peek() override { return uart.peek(); }
+  void advance(uint64_t nowUs) {
+    if (_driver.isBoards()) {
+      _uart.advance(nowUs);
+    } else if (!_fifo.empty() && nowUs >= _fifo.back().endUs + _driver.idleCharacters * _characterUs) {
+      handOver();
+    }
+  }
+
+  uint64_t bytesRead() const { return _bytesRead; }
+  uint64_t droppedFull() const { return _uart.droppedFull(); }
+
+  void end() override { _uart.close(); }
+  int available() override { return _uart.available(); }
+  int peek() override { return _uart.peek(); }
   int read() override {
-    _observer.beforeRead();
-    const int value = uart.read();
-    bytesRead += value >= 0;
+    _beforeRead();
+    const int value = _uart.read();
+    _bytesRead += value >= 0;
     return value;
   }
 #if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override {
-    _observer.beforeRead();
-    const int count = uart.read(buffer, size);
-    bytesRead += static_cast<uint64_t>(count);
+    _beforeRead();
+    const int count = _uart.read(buffer, size);
+    _bytesRead += static_cast<uint64_t>(count);
     return count;
   }
 #endif
   void flush() override {}
   size_t write(uint8_t) override { return 0; }
-  operator bool() override { return uart.isOpen(); }
+  operator bool() override { return _uart.isOpen(); }
 
  private:
-  ReadObserver &_observer;
+  // The board's receive path becomes one without its ring: it is idle after each character.
+  void handOver() {
+    for (const host::Character &character : _fifo) {
+      _uart.receive(character);
+      _uart.advance(character.endUs + _characterUs);
+    }
+    _fifo.clear();
+  }
+
+  const Driver _driver;
+  std::vector<uint8_t> _buffer;
   const unsigned long _wireBaud;
+  const std::function<void()> _beforeRead;
   unsigned long _baud = 0;
+  uint32_t _characterUs = 0;
+  uint64_t _bytesRead = 0;
+  host::BoardUart _uart;
+  std::vector<host::Character> _fifo;
 };

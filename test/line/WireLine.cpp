@@ -8,6 +8,10 @@ namespace {
 
 constexpr uint8_t LongTail[] = {0x00, 0x03, 0xC0, 0x33, 0x00};  // a Futaba R7003SB
 constexpr uint8_t Telemetry[] = {0x03, 0xC0, 0x2E};             // PX4-Autopilot, sbus2_r7008SB.txt
+constexpr unsigned Frame24Size = 36;
+
+constexpr double Junk = 1 / 8.;
+constexpr uint32_t SilenceUs = 100000;
 
 }  // namespace
 
@@ -16,6 +20,7 @@ WireLine::WireLine(const Transmission &transmission, uint64_t startUs, Random &r
       _characterUs(transmission.characterUs()),
       _random(random),
       _sticks(transmission.sticks, random),
+      _moreSticks(transmission.sticks, random),
       _framesLeft(transmission.frames),
       _frameUs(startUs),
       _timeUs(startUs) {}
@@ -34,7 +39,7 @@ bool WireLine::finished(uint64_t /*nowUs*/) const {
 }
 
 uint64_t WireLine::nextUs() {
-  if (_characters.empty() && _framesLeft != 0) {
+  while (_characters.empty() && _framesLeft != 0) {
     sendFrame();
   }
   return _characters.front().endUs;
@@ -53,76 +58,96 @@ void WireLine::sendFrame() {
   _framesLeft--;
   _timeUs = _frameUs;
 
-  SentFrame sent;
-  sent.bytes = _sticks.next();
+  const Frame frame = _sticks.next();
+  uint8_t bytes[Frame24Size] = {};
+  unsigned size = sbus::FrameSize;
+  std::copy(frame.begin(), frame.end(), bytes);
   if (_transmission.kind == Kind::Sbus2) {
-    sent.bytes[sbus::EndIndex] = static_cast<uint8_t>(sbus::TelemetryEndByte + (_number % 4 << 4));
+    bytes[sbus::EndIndex] = static_cast<uint8_t>(sbus::TelemetryEndByte + (_number % 4 << 4));
   } else if (_transmission.kind == Kind::R7003SB) {
-    sent.bytes[sbus::EndIndex] = sbus::LongEndByte;
+    bytes[sbus::EndIndex] = sbus::LongEndByte;
+    size += static_cast<unsigned>(std::copy(std::begin(LongTail), std::end(LongTail), bytes + size) - (bytes + size));
+  } else if (_transmission.kind == Kind::Channels24) {
+    const Frame more = _moreSticks.next();
+    std::copy_n(more.begin() + sbus::PayloadIndex, 11, bytes + sbus::FlagsIndex);
+    bytes[Frame24Size - 2] = frame[sbus::FlagsIndex];
+    bytes[Frame24Size - 1] = 0;
+    size = Frame24Size;
   }
-  const uint8_t end = sent.bytes[sbus::EndIndex];
-  for (unsigned i = 0; i < sbus::FrameSize; i++) {
-    uint8_t &value = sent.bytes[i];
-    if (_random.chance(_transmission.impairments.flipped)) {
+  SentFrame sent;
+  sendImpaired(bytes, size, sent);
+  _sent.push_back(sent);
+  sendBetween(bytes[sbus::EndIndex]);
+  _number++;
+}
+
+void WireLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent) {
+  const Impairments &impairments = _transmission.impairments;
+  bool whole = _transmission.kind != Kind::Channels24;
+  for (unsigned i = 0; i < size; i++) {
+    uint8_t value = bytes[i];
+    if (_random.chance(impairments.flipped)) {
       const uint32_t one = _random.below(8);
       const uint32_t other = (one + 1 + _random.below(7)) % 8;
       value = static_cast<uint8_t>(value ^ (1u << one | 1u << other));
     }
-    if (_random.chance(_transmission.impairments.inserted)) {
+    bool bad = _random.chance(impairments.dropped);
+    if (_timeUs >= _burstEndUs && _random.chance(impairments.burst)) {
+      _burstEndUs = _timeUs + (2 + _random.below(11)) * _characterUs;
+    }
+    if (_timeUs < _burstEndUs) {
+      bad = !_random.chance(Junk);
+      value = _random.byte();
+    }
+    if (_random.chance(impairments.inserted)) {
       send(_random.byte());
-      sent.intact = sent.intact && i == 0;  // in front of the header it does no harm
+      whole = whole && i == 0;  // in front of the header it does no harm
+      _straight = false;
     }
     if (i == 0) {
       sent.first = _good;
+      sent.straight = _straight;
     }
-    const bool bad = _random.chance(_transmission.impairments.dropped);
     send(value, bad);
-    sent.intact = sent.intact && !bad;
+    whole = whole && !bad;
+    if (i < sbus::FrameSize) {
+      sent.bytes[i] = value;
+      sent.altered = sent.altered || value != bytes[i];
+    }
+    if (i == sbus::EndIndex) {
+      sent.after = _good;
+      sent.intact = whole && sbus::isFrame(sent.bytes.data());
+      sent.straight = sent.straight && !sent.altered;
+    }
   }
-  sent.behind = _good;
-  sent.intact = sent.intact && sbus::isFrame(sent.bytes.data());
-  _sent.push_back(sent);
-
-  sendTail(end);
-  uint64_t nextFrameUs = _frameUs + _transmission.periodUs;
-  sendNoise(nextFrameUs);
-  if (_transmission.kind == Kind::Further && _number % 3 == 1) {
-    nextFrameUs = sendFurther(nextFrameUs);
-  }
-  _frameUs = std::max(nextFrameUs, _timeUs);
-  _number++;
+  _straight = whole && sent.intact && !sent.altered;
 }
 
-void WireLine::sendTail(uint8_t end) {
-  if (_transmission.kind == Kind::R7003SB) {
-    for (const uint8_t value : LongTail) {
-      send(value, _random.chance(_transmission.impairments.dropped));
-    }
-  } else if (_transmission.kind == Kind::Sbus2 && end == sbus::TelemetryEndByte && _number % 8 == 0) {
+// What stands between this frame and the next.
+void WireLine::sendBetween(uint8_t end) {
+  const uint64_t characters = _characters.size();
+  if (end == sbus::TelemetryEndByte && _transmission.kind == Kind::Sbus2 && _number % 8 == 0) {
     _timeUs += 2000;
     for (const uint8_t value : Telemetry) {
       send(value);
     }
   }
-}
-
-void WireLine::sendNoise(uint64_t nextFrameUs) {
+  uint64_t nextFrameUs = _frameUs + _transmission.periodUs;
   if (nextFrameUs > _timeUs + 4 * _characterUs && _random.chance(_transmission.impairments.noise)) {
-    const auto roomUs = static_cast<uint32_t>(nextFrameUs - _timeUs - 2 * _characterUs);
-    _timeUs += _random.time(roomUs, _transmission.grainUs);
+    _timeUs += _random.below(static_cast<uint32_t>(nextFrameUs - _timeUs - 2 * _characterUs));
     send(_random.byte());
     _noiseCharacters++;
   }
-}
-
-uint64_t WireLine::sendFurther(uint64_t nextFrameUs) {
-  _timeUs += 600;
-  const bool is2F = _number % 2 == 1;
-  send(is2F ? 0x2F : sbus::HeaderByte);
-  for (unsigned i = 1; i < (is2F ? 25 : 36); i++) {
-    send(_random.byte());
+  if (_transmission.kind == Kind::With2F && _number % 3 == 1) {
+    _timeUs += 600;
+    for (unsigned i = 0; i < sbus::FrameSize; i++) {
+      send(i == 0 ? 0x2F : _random.byte());
+    }
+    nextFrameUs = std::max(nextFrameUs, _timeUs + 1000 + _random.below(3000));
   }
-  return _timeUs + 1000 > nextFrameUs ? _timeUs + 1000 + _random.below(3000) : nextFrameUs;
+  _straight = _straight && _characters.size() == characters;
+  const bool stops = _transmission.stopEvery != 0 && (_number + 1) % _transmission.stopEvery == 0;
+  _frameUs = std::max(nextFrameUs, _timeUs) + (stops ? SilenceUs + _random.below(SilenceUs) : 0);
 }
 
 void WireLine::send(uint8_t value, bool bad) {

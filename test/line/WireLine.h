@@ -10,20 +10,22 @@
 #include "Random.h"
 #include "Sticks.h"
 
-// What the receiver sends besides plain frames.
+// What the receiver sends.
 enum class Kind {
   Plain,
-  Sbus2,     // end bytes 04, 14, 24, 34 in turn; every other 04 is answered by three bytes of telemetry, 2 ms behind it
-  R7003SB,   // end byte 08 and five more bytes straight behind the frame
-  Further,   // behind every third frame a 2F frame or a 36-byte frame, in turn
+  Sbus2,       // end bytes 04, 14, 24, 34 in turn; every other 04 is answered by telemetry, three bytes after 2 ms
+  R7003SB,     // end byte 08 and five more bytes straight after the frame
+  With2F,      // after every third frame a 2F frame
+  Channels24,  // 36-byte frames only
 };
 
 // Probabilities.
 struct Impairments {
   double dropped = 0;   // of a character: its parity is wrong, so the UART drops it
+  double burst = 0;     // of a character: with it a burst of 2 to 12 begins, which are dropped; one in eight is junk
   double inserted = 0;  // of a character: any other one comes straight before it
   double flipped = 0;   // of a character: two of its bits are wrong, and parity misses it
-  double noise = 0;     // of a pause: it holds one character, anything, anywhere; not with Kind::Further
+  double noise = 0;     // of a pause: it holds one character, anything, anywhere
 };
 
 // What goes over the wire, and how fast.
@@ -34,7 +36,7 @@ struct Transmission {
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
   uint64_t frames = 20000;
-  uint32_t grainUs = 1;  // times at random are multiples of it: with 2 they are twice those with 1, from the same seed
+  uint64_t stopEvery = 0;  // after so many frames the line is silent for 100 ms
 
   uint32_t characterUs() const { return host::Wire{baud}.characterUs(); }
 };
@@ -42,9 +44,11 @@ struct Transmission {
 // A frame as it stood on the wire. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
 struct SentFrame {
   Frame bytes{};
-  bool intact = true;   // all there, nothing in between, and header, flags and end byte are those of a frame
-  uint64_t first = 0;   // number of its first good character
-  uint64_t behind = 0;  // number of the good character behind it
+  bool intact = true;     // all there, nothing in between, and header, flags and end byte are those of a frame
+  bool altered = false;   // not what the receiver sent
+  bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that one
+  uint64_t first = 0;     // number of its first good character
+  uint64_t after = 0;     // number of the good character after it
 };
 
 class WireLine : public host::Line {
@@ -65,15 +69,15 @@ class WireLine : public host::Line {
 
  private:
   void sendFrame();
-  void sendTail(uint8_t end);
-  void sendNoise(uint64_t nextFrameUs);
-  uint64_t sendFurther(uint64_t nextFrameUs);
+  void sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent);
+  void sendBetween(uint8_t end);
   void send(uint8_t value, bool bad = false);
 
   const Transmission _transmission;
   const uint32_t _characterUs;
   Random &_random;
   StickFrames _sticks;
+  StickFrames _moreSticks;  // CH17 to CH24
 
   uint64_t _framesLeft;
   uint64_t _number = 0;  // of the next frame
@@ -81,6 +85,8 @@ class WireLine : public host::Line {
   uint64_t _timeUs;      // when what was sent so far is through
   uint64_t _good = 0;    // good characters sent so far
   uint64_t _noiseCharacters = 0;
+  uint64_t _burstEndUs = 0;
+  bool _straight = false;  // of the next frame
   std::deque<host::Character> _characters;
   std::deque<SentFrame> _sent;
 };
