@@ -1,5 +1,5 @@
 // A port that receives as the board does, and the cable to it from a port that sends. To be included last: Arduino.h's
-// macros min and max break the standard headers behind them.
+// macros min and max break the standard headers after them.
 #pragma once
 
 #include "FakeClock.h"
@@ -46,7 +46,7 @@ class Cable {
  public:
   Cable(const FakeSerial &from, BoardPort &to) : _from(from), _to(to) {}
 
-  // Up to now. To be called behind each write, and before each look.
+  // Up to now. To be called after each write, and before each poll.
   void carry() {
     const unsigned long baud = _from.openings.back().baud;
     for (; _sent < _from.written.size(); _sent++) {

@@ -1,59 +1,14 @@
-// Feeds a Receiver with looks at a line, as a sketch would, and notes every frame that it delivers.
+// Feeds a Receiver with polls of a line, as a sketch would, and notes every frame that it delivers.
 #pragma once
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstring>
-#include <vector>
 
-#include "BitByBit.h"
+#include "Bytes.h"
+#include "KnownFrames.h"
 #include "runtime/BoardUart.h"
 #include "sbus/Receiver.h"
-
-using Bytes = std::vector<uint8_t>;
-using Frames = std::vector<Frame>;
-
-inline Bytes bytesOf(const Frame &frame) {
-  return Bytes(frame.begin(), frame.end());
-}
-
-inline Bytes join(const Frames &frames) {
-  Bytes bytes;
-  for (const Frame &frame : frames) {
-    bytes.insert(bytes.end(), frame.begin(), frame.end());
-  }
-  return bytes;
-}
-
-inline Bytes operator+(Bytes left, const Bytes &right) {
-  left.insert(left.end(), right.begin(), right.end());
-  return left;
-}
-
-// `bytes` from `from` up to but without `to`.
-inline Bytes part(const Bytes &bytes, size_t from, size_t to = SIZE_MAX) {
-  const auto at = [&bytes](size_t index) {
-    return bytes.begin() + static_cast<std::ptrdiff_t>(std::min(index, bytes.size()));
-  };
-  return Bytes(at(from), at(to));
-}
-inline Bytes part(const Frame &frame, size_t from, size_t to = SIZE_MAX) {
-  return part(bytesOf(frame), from, to);
-}
-
-inline Bytes without(const Frame &frame, size_t index) {
-  return part(frame, 0, index) + part(frame, index + 1);
-}
-
-inline Bytes with(const Frame &frame, size_t index, uint8_t inserted) {
-  return part(frame, 0, index) + Bytes{inserted} + part(frame, index);
-}
-
-inline Frame withByte(Frame frame, size_t index, unsigned byte) {
-  frame[index] = static_cast<uint8_t>(byte);
-  return frame;
-}
 
 inline Frame lastFrame(const sbus::Receiver &receiver) {
   Frame frame;
@@ -63,6 +18,7 @@ inline Frame lastFrame(const sbus::Receiver &receiver) {
 
 struct Feeder {
   static constexpr uint32_t CharacterUs = 120;
+  static constexpr uint32_t PauseUs = 4000;  // T = 7 ms
 
   sbus::Receiver receiver;
   uint32_t now;
@@ -73,68 +29,83 @@ struct Feeder {
     receiver.reset(now, static_cast<uint8_t>(characterUs));
   }
 
-  // One look, now, that finds `bytes`. Returns the frames that it brings.
-  Frames look(const Bytes &bytes) {
+  // A poll, now, that finds `bytes`. Returns the frames that it brings.
+  Frames poll(const Bytes &bytes) {
     Frames frames;
-    size_t at = 0;
-    size_t count;
-    size_t room;
-    do {
-      room = static_cast<size_t>(receiver.room());
+    if (!bytes.empty()) {
+      receiver.poll(static_cast<int>(bytes.size()), now);
+    }
+    for (size_t at = 0; at < bytes.size();) {
+      const int room = receiver.room();
       REQUIRE(room >= 1);
-      REQUIRE(room <= 32);
-      count = std::min(room, bytes.size() - at);
+      const size_t count = std::min(static_cast<size_t>(room), bytes.size() - at);
       std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), count, receiver.space());
       at += count;
-      const size_t waiting = count == room ? bytes.size() - at : 0;
-      if (receiver.received(static_cast<uint8_t>(count), static_cast<uint8_t>(waiting), now)) {
+      if (const uint8_t *const frame = receiver.received(static_cast<int>(count))) {
+        REQUIRE(frame == receiver.frame());
         frames.push_back(lastFrame(receiver));
-      }
-    } while (count == room);
-    return frames;
-  }
-
-  // `us` without a byte and without a look.
-  Feeder &wait(uint32_t us) {
-    now += us;
-    return *this;
-  }
-
-  // `bytes` back to back on the wire, one look whenever `lump` of them have come.
-  Frames feed(const Bytes &bytes, size_t lump = 1) {
-    Frames frames;
-    for (size_t at = 0; at < bytes.size(); at += lump) {
-      const Bytes burst = part(bytes, at, at + lump);
-      now += characterUs * static_cast<uint32_t>(burst.size());
-      for (const Frame &frame : look(burst)) {
-        frames.push_back(frame);
       }
     }
     return frames;
   }
 
-  // A look at an idle line, long after the last byte.
-  Frames idle(uint32_t us = 3000) {
-    wait(us);
-    return look({});
+  // `us` without a byte and without a poll.
+  Feeder &wait(uint32_t us) {
+    now += us;
+    return *this;
   }
+
+  // `bytes` back to back on the wire, a poll whenever `burst` of them have come.
+  Frames feed(const Bytes &bytes, size_t burst = 1) {
+    Frames frames;
+    for (size_t at = 0; at < bytes.size(); at += burst) {
+      const Bytes some = part(bytes, at, at + burst);
+      now += characterUs * static_cast<uint32_t>(some.size());
+      frames = frames + poll(some);
+    }
+    return frames;
+  }
+
+  // So many polls that find noise, `periodUs` apart, then a pause: the receiver knows how often it is polled. What was
+  // counted until now is left out of counted().
+  Feeder &settle(uint32_t periodUs = CharacterUs) {
+    for (unsigned noise = 0; noise < 6; noise++) {
+      wait(periodUs).poll({0x55});
+    }
+    _before = receiver.counters();
+    return wait(PauseUs);
+  }
+
+  // settle(), and three frames without 0F in their payload, with pauses: the line's end byte is known.
+  Feeder &lock(uint8_t end = 0x00) {
+    settle();
+    for (unsigned number = 0; number < 3; number++) {
+      feed(bytesOf(plainFrame(number, end)) + (end == sbus::LongEndByte ? R7003Tail : Bytes{}));
+      wait(PauseUs);
+    }
+    REQUIRE(receiver.counters().frames == 3);
+    _before = receiver.counters();
+    return *this;
+  }
+
+  sbus::Counters counted() const { return receiver.counters() - _before; }
+
+ private:
+  sbus::Counters _before = {};
 };
 
-// The frames in `bytes`, without a pause among them. A last look without bytes lets go a frame that waits for a successor.
-inline Frames feedNew(const Bytes &bytes, size_t lump = 1) {
+// The frames in `bytes`, without a pause among them, for a receiver that is polled whenever `burst` of them have come.
+// A header follows: it lets go a frame that waits for it.
+inline Frames feedNew(const Bytes &bytes, size_t burst = 1) {
   Feeder feeder;
-  Frames frames = feeder.feed(bytes, lump);
-  for (const Frame &frame : feeder.idle()) {
-    frames.push_back(frame);
-  }
-  return frames;
+  feeder.settle(static_cast<uint32_t>(burst) * Feeder::CharacterUs);
+  return feeder.feed(bytes + Bytes{0x0F}, burst);
 }
 
-// A wire: characters and pauses, and what the board's driver and a loop() of some length make of them.
+// A wire: characters and pauses, and what the board's driver and a loop() of some period make of them.
 class Wire {
  public:
-  explicit Wire(uint32_t characterUs = host::CharacterUs)
-      : _characterUs(characterUs), _us(1000 * characterUs / host::CharacterUs) {}
+  explicit Wire(uint32_t characterUs = host::CharacterUs) : _characterUs(characterUs) {}
 
   Wire &send(const Bytes &bytes) {
     for (const uint8_t byte : bytes) {
@@ -153,8 +124,15 @@ class Wire {
     return *this;
   }
 
-  // What a receiver finds that looks every `loopUs`, and for 20 ms more than the wire goes on.
+  // What a receiver finds that knows that it is polled every `loopUs`, until 20 ms after the wire's last character.
+  // joined(): one that is begun when the wire's first character comes.
   Frames frames(uint32_t loopUs) const {
+    Feeder feeder(0, _characterUs);
+    feeder.settle(loopUs);
+    return play(feeder, loopUs);
+  }
+
+  Frames joined(uint32_t loopUs) const {
     Feeder feeder(0, _characterUs);
     return play(feeder, loopUs);
   }
@@ -173,9 +151,7 @@ class Wire {
       Bytes bytes(host::BoardUart::BufferSize);
       bytes.resize(static_cast<size_t>(uart.read(bytes.data(), bytes.size())));
       feeder.now = start + static_cast<uint32_t>(us);
-      for (const Frame &frame : feeder.look(bytes)) {
-        found.push_back(frame);
-      }
+      found = found + feeder.poll(bytes);
       if (bytes.size() >= 63) {
         feeder.receiver.broken();
       }
@@ -185,6 +161,6 @@ class Wire {
 
  private:
   const uint32_t _characterUs;
-  uint64_t _us;
+  uint64_t _us = 0;
   std::vector<host::Character> _characters;
 };

@@ -1,0 +1,79 @@
+// Bytes of a line, frames, and how to cut and damage them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "BitByBit.h"
+#include "sbus/Counters.h"
+
+using Bytes = std::vector<uint8_t>;
+using Frames = std::vector<Frame>;
+
+// What an R7003SB sends straight after each frame.
+const Bytes R7003Tail = {0x00, 0x03, 0xC0, 0x33, 0x00};
+
+inline Bytes bytesOf(const Frame &frame) {
+  return Bytes(frame.begin(), frame.end());
+}
+
+inline Bytes join(const Frames &frames) {
+  Bytes bytes;
+  for (const Frame &frame : frames) {
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+  }
+  return bytes;
+}
+
+template <typename T>
+std::vector<T> operator+(std::vector<T> left, const std::vector<T> &right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+// `bytes`, a frame or Bytes, from `from` up to but without `to`.
+template <typename Container>
+Bytes part(const Container &bytes, size_t from, size_t to = SIZE_MAX) {
+  const auto at = [&bytes](size_t index) {
+    return bytes.begin() + static_cast<std::ptrdiff_t>(std::min(index, bytes.size()));
+  };
+  return Bytes(at(from), at(to));
+}
+
+inline Bytes without(const Frame &frame, size_t index) {
+  return part(frame, 0, index) + part(frame, index + 1);
+}
+
+inline Bytes with(const Frame &frame, size_t index, uint8_t inserted) {
+  return part(frame, 0, index) + Bytes{inserted} + part(frame, index);
+}
+
+inline Frame withByte(Frame frame, size_t index, unsigned byte) {
+  frame[index] = static_cast<uint8_t>(byte);
+  return frame;
+}
+
+// True if `some` are `all`, in order, with any left out.
+inline bool isPartOf(const Frames &some, const Frames &all) {
+  auto at = all.begin();
+  for (const Frame &frame : some) {
+    at = std::find(at, all.end(), frame);
+    if (at == all.end()) {
+      return false;
+    }
+    ++at;
+  }
+  return true;
+}
+
+// What was counted since `before`; the period is the newer one.
+inline sbus::Counters operator-(sbus::Counters now, const sbus::Counters &before) {
+  for (uint32_t sbus::Counters::*const count :
+       {&sbus::Counters::frames, &sbus::Counters::lostFrames, &sbus::Counters::failsafeFrames,
+        &sbus::Counters::refusedByEnd, &sbus::Counters::refusedByFlags, &sbus::Counters::refusedByExtra,
+        &sbus::Counters::skippedBytes, &sbus::Counters::resyncs, &sbus::Counters::overflows}) {
+    now.*count -= before.*count;
+  }
+  return now;
+}
