@@ -1,4 +1,5 @@
-// The class DecodeSBus on a fake port of the board's core: which frame it gives when, and what a full buffer does.
+// The class DecodeSBus on a fake port of the board's core: how it opens, reads and closes the port, which frame it gives
+// when, and what a full buffer does.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,172 +11,65 @@
 
 #include "FakeBoard.h"
 
+TEST_CASE("the constructor leaves the port alone; begin opens it once, at 100000 baud, 8E2, inverted both ways") {
+  FakeBoard board;
+  CHECK(board.port.openings.empty());
+  board.sbus.begin();
+  REQUIRE(board.port.openings.size() == 1);
+  CHECK(board.port.openings[0].baud == 100000);
+  CHECK(board.port.openings[0].config == (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN |
+                                       STM32L0_UART_OPTION_STOP_2 | STM32L0_UART_OPTION_RX_INVERT |
+                                       STM32L0_UART_OPTION_TX_INVERT));
+  board.sbus.begin(200000);
+  REQUIRE(board.port.openings.size() == 2);
+  CHECK(board.port.openings[1].baud == 200000);
+  CHECK(board.port.openings[1].config == SERIAL_SBUS);
+  CHECK(board.port.closings == 0);
+}
+
+TEST_CASE("begin(baud, config) opens the port with exactly these") {
+  const FakeSerial::Opening rows[] = {{200000, SERIAL_8E2}, {100000, SERIAL_8E2}, {200000, SERIAL_SBUS}, {115200, SERIAL_8N1},
+                                      {9600, SERIAL_8E2},   {0, SERIAL_8E2},      {UINT32_MAX, SERIAL_8E2}};
+  for (const FakeSerial::Opening &row : rows) {
+    FakeBoard board;
+    board.sbus.begin(row.baud, row.config);
+    REQUIRE(board.port.openings.size() == 1);
+    CHECK(board.port.openings[0].baud == row.baud);
+    CHECK(board.port.openings[0].config == row.config);
+  }
+}
+
+TEST_CASE("end closes the port once, the last frame can still be decoded; begin then starts without it, and without a half") {
+  OpenBoard board;
+  board.frame(PaperHigh.bytes);
+  board.take(part(PaperLow.bytes, 0, 12));
+  board.sbus.end();
+  CHECK(board.port.closings == 1);
+  CHECK(board.channels() == PaperHigh.channels);
+  board.sbus.begin();
+  CHECK(board.port.openings.size() == 2);
+  CHECK(board.channels() == Untouched);
+  board.take(part(PaperLow.bytes, 12));
+  CHECK_FALSE(board.sbus.SBusFrameOk());
+  board.settle();
+  board.frame(Neutral.bytes);
+  CHECK(board.channels() == Neutral.channels);
+}
+
 TEST_CASE("before the first frame the channels are left alone, failsafe and lostFrame are true") {
   OpenBoard board;
-  Channels before;
-  before.fill(4711);
   for (const Bytes &bytes : {Bytes{}, part(PaperLow.bytes, 0, 24)}) {
     CAPTURE(bytes.size());
     board.take(bytes);
     CHECK_FALSE(board.sbus.SBusFrameOk());
-    const Decoded decoded = board.decode(before);
-    CHECK(decoded.channels == before);
+    const Decoded decoded = board.decode();
+    CHECK(decoded.channels == Untouched);
     CHECK(decoded.failsafe);
     CHECK(decoded.lostFrame);
   }
 }
 
-TEST_CASE("byte by byte a frame is there with its 25th byte") {
-  OpenBoard board;
-  for (unsigned index = 0; index < 25; index++) {
-    CAPTURE(index);
-    CHECK_FALSE(board.sbus.SBusFrameOk());
-    board.take(part(PaperLow.bytes, index, index + 1));
-  }
-  CHECK(board.sbus.SBusFrameOk());
-  CHECK(board.channels() == PaperLow.channels);
-}
-
-TEST_CASE("in lumps of 16 bytes, the board's half ring, each frame is there as soon as its last byte is") {
-  const Bytes bytes = bytesOf({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, PaperLow.bytes});
-  const Channels *const expected[] = {nullptr,            &PaperLow.channels, &PaperLow.channels, &PaperHigh.channels,
-                                      &Neutral.channels, &Neutral.channels,  &PaperLow.channels};
-  OpenBoard board;
-  for (size_t lump = 0; lump < 7; lump++) {
-    CAPTURE(lump);
-    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(16 * lump);
-    board.take(Bytes(begin, bytes.end() - begin > 16 ? begin + 16 : bytes.end()));
-    CHECK(board.sbus.SBusFrameOk() == (expected[lump] != nullptr));
-    if (expected[lump] != nullptr) {
-      CHECK(board.channels() == *expected[lump]);
-    }
-  }
-}
-
-TEST_CASE("of two and a half frames at once the newest whole one is given, then the half is completed") {
-  OpenBoard board;
-  Bytes bytes = bytesOf({PaperLow.bytes, PaperHigh.bytes});
-  const Bytes half = part(Neutral.bytes, 0, 12);
-  bytes.insert(bytes.end(), half.begin(), half.end());
-  CHECK(board.take(bytes) == 62);
-  CHECK(board.channels() == PaperHigh.channels);
-  board.take(part(Neutral.bytes, 12));
-  CHECK(board.channels() == Neutral.channels);
-}
-
-TEST_CASE("of a full buffer the two whole frames count, and the torn third is not completed from behind the break") {
-  OpenBoard board;
-  Bytes bytes = bytesOf({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, PaperLow.bytes});
-  CHECK(board.take(bytes) == 64);
-  CHECK(board.channels() == PaperHigh.channels);
-  // Behind the break the line goes on with the 11 bytes that the torn frame is short of, but of another frame.
-  board.take(part(PaperLow.bytes, 14));
-  CHECK(board.channels() == PaperHigh.channels);
-  board.take(bytesOf({Neutral.bytes}) + Bytes{0x0F});  // behind a break a frame may wait for the next header
-  CHECK(board.channels() == Neutral.channels);
-}
-
-TEST_CASE("the break of a full buffer lies behind it: a frame begun before is completed with its first bytes") {
-  OpenBoard board;
-  board.take(part(PaperLow.bytes, 0, 12));
-  Bytes bytes = part(PaperLow.bytes, 12);
-  bytes.resize(64, 0xA5);
-  CHECK(board.take(bytes) == 64);
-  CHECK(board.sbus.SBusFrameOk());
-  CHECK(board.channels() == PaperLow.channels);
-}
-
-TEST_CASE("what comes in while a full buffer is read out stands behind the break, and completes nothing from before it") {
-  for (const bool atOnce : {false, true}) {
-    CAPTURE(atOnce);
-    OpenBoard board;
-    unsigned reads = 0;
-    bool come = false;
-    // Behind the 14 bytes of the torn frame the 11 that it is short of, but of another frame.
-    const auto comeIn = [&] {
-      if (reads == 1 && !come) {
-        come = true;
-        board.port.arrive(part(PaperLow.bytes, 14));
-      }
-    };
-    board.port.beforeAvailable = [&] {
-      if (atOnce) {
-        comeIn();
-      }
-    };
-    board.port.beforeRead = [&] {
-      comeIn();
-      reads++;
-    };
-    CHECK(board.take(bytesOf({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes})) == 64);
-    CHECK(come);
-    CHECK(board.sbus.counters().frames == 2);
-    board.sbus.parseSBusFrame();
-    CHECK(board.port.available() == 0);
-    CHECK(board.sbus.counters().frames == 2);
-    CHECK(board.channels() == PaperHigh.channels);
-    CHECK(board.sbus.counters().overflows == 1);
-  }
-}
-
-TEST_CASE("a port that fails to read what it says it has ends the look") {
-  OpenBoard board;
-  board.port.beforeAvailable = [&] { board.port.readFails = true; };
-  board.take(Bytes(40, 0xA5));
-  CHECK(board.sbus.counters().frames == 0);
-}
-
-TEST_CASE("with timeout 0, as in the paper, the last frame stays, however long nothing comes") {
-  OpenBoard board;
-  board.sbus.setTimeout(0);
-  board.take(bytesOf({PaperHigh.bytes}));
-  for (unsigned look = 0; look < 1000; look++) {
-    board.wait(1000000);
-    board.take({});
-  }
-  CHECK(board.sbus.SBusFrameOk());
-  CHECK(board.channels() == PaperHigh.channels);
-}
-
-TEST_CASE("decoding the same frame twice gives the same twice") {
-  OpenBoard board;
-  board.take(bytesOf({Neutral.bytes}));
-  CHECK(board.channels() == Neutral.channels);
-  CHECK(board.channels() == Neutral.channels);
-}
-
-TEST_CASE("CH17, CH18, lostFrame and failsafe are flags bits 0..3") {
-  for (unsigned flags = 0; flags < 16; flags++) {
-    CAPTURE(flags);
-    OpenBoard board;
-    Frame frame = PaperLow.bytes;
-    frame[23] = static_cast<uint8_t>(flags);
-    board.take(bytesOf({frame}));
-    const Decoded decoded = board.decode();
-    CHECK(decoded.channels[16] == ((flags & 1) != 0 ? 1 : 0));
-    CHECK(decoded.channels[17] == ((flags & 2) != 0 ? 1 : 0));
-    CHECK(decoded.lostFrame == ((flags & 4) != 0));
-    CHECK(decoded.failsafe == ((flags & 8) != 0));
-  }
-}
-
-TEST_CASE("two objects side by side do not disturb each other") {
-  OpenBoard left;
-  OpenBoard right;
-  for (unsigned index = 0; index < 25; index++) {
-    left.take(part(PaperLow.bytes, index, index + 1));
-    if (index < 24) {
-      right.take(part(PaperHigh.bytes, index, index + 1));
-    }
-  }
-  CHECK(left.channels() == PaperLow.channels);
-  CHECK_FALSE(right.sbus.SBusFrameOk());
-  right.take(part(PaperHigh.bytes, 24));
-  CHECK(right.channels() == PaperHigh.channels);
-  CHECK(left.channels() == PaperLow.channels);
-}
-
-TEST_CASE("before begin, wherever the object stands, there is no frame, none is new, and a look finds nothing") {
+TEST_CASE("before begin, wherever the object stands, there is no frame, none is new, and a poll finds nothing") {
   alignas(FakeBoard) unsigned char memory[sizeof(FakeBoard)];
   for (const int garbage : {0x00, 0x0F, 0xFF}) {
     CAPTURE(garbage);
@@ -189,4 +83,239 @@ TEST_CASE("before begin, wherever the object stands, there is no frame, none is 
     CHECK(board->decode().failsafe);
     board->~FakeBoard();
   }
+}
+
+// The board's core, asked for more than is there, writes what lands meanwhile after the end of the buffer.
+TEST_CASE("the port is never asked for more than it has, and nothing but a frame is overwritten, whatever lands meanwhile") {
+  for (size_t held = 0; held < 25; held++) {
+    for (size_t waiting = 1; waiting <= 64; waiting++) {
+      CAPTURE(held);
+      CAPTURE(waiting);
+      OpenBoard board;
+      board.sbus.setTimeout(50);
+      board.nextFrame(PaperLow.bytes);
+      board.take(part(PaperHigh.bytes, 0, held));
+      const auto before = board.sbus.counters().frames;
+      board.port.asked = 0;
+      board.port.landing = Bytes(64, 0xA5);
+      board.port.arrive(Bytes(waiting, 0xA5));
+      board.sbus.parseSBusFrame();
+      CHECK(board.port.overasked == 0);
+      CHECK(board.port.available() == 0);
+      CHECK(board.port.asked == (waiting > 31 ? 3 : 2));  // one of them here
+      CHECK(board.port.singleReads == 0);
+      CHECK(board.sbus.counters().frames == before);
+      CHECK(board.channels() == PaperLow.channels);
+      // The timeout stands next to the frames.
+      board.wait(50 * Ms);
+      CHECK(board.sbus.linkState() == sbus::LinkState::Stale);
+    }
+  }
+}
+
+TEST_CASE("in bursts of 16 bytes, the board's half ring, each frame is there as soon as its last byte is") {
+  OpenBoard board;
+  board.frame(Sbus2.bytes);
+  board.nextFrame(Neutral.bytes);
+  board.wait(4 * Ms);
+  const Bytes bytes = join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, PaperLow.bytes});
+  const Channels *const expected[] = {&Neutral.channels, &PaperLow.channels, &PaperLow.channels, &PaperHigh.channels,
+                                      &Neutral.channels, &Neutral.channels,  &PaperLow.channels};
+  for (size_t burst = 0; burst < 7; burst++) {
+    CAPTURE(burst);
+    board.take(part(bytes, 16 * burst, 16 * (burst + 1)));
+    CHECK(board.channels() == *expected[burst]);
+  }
+}
+
+TEST_CASE("in lock every frame is there at the first poll after its last byte: CH16 low, flags, the last before silence") {
+  const struct {
+    doctest::String what;
+    std::vector<uint16_t> ch16;   // in turn
+    std::vector<uint8_t> flags;  // in turn
+  } rows[] = {
+      {"CH16 at 0", {0}, {0}},
+      {"CH16 at 100", {100}, {0}},
+      {"CH16 at 172, FrSky's low end", {172}, {0}},
+      {"CH16 goes down", {1024, 172, 100, 64, 8, 0}, {0}},
+      {"CH16 jumps", {0, 2047}, {0}},
+      {"flags come and go", {1024}, {0, 4, 0, 12, 0, 1, 2, 3}},
+      {"CH16 low, a radio frame lost", {100}, {0, 0, 4}},
+      {"flags change together with CH16", {1024, 0}, {0, 12}},
+      {"flags and CH16, in all ways", {0, 16, 1, 2047, 127, 128}, {0, 4, 8, 12, 15}},
+      {"flags 0F, all of them", {0}, {15}},
+  };
+  for (const auto &row : rows) {
+    for (const bool silence : {false, true}) {
+      CAPTURE(row.what);
+      CAPTURE(silence);
+      OpenBoard board;
+      for (unsigned number = 0; number < 4; number++) {
+        board.nextFrame(plainFrame(number));
+      }
+      for (unsigned number = 0; number < 60; number++) {
+        CAPTURE(number);
+        Channels channels = PaperLow.channels;
+        channels[0] = static_cast<uint16_t>(number);
+        channels[15] = row.ch16[number % row.ch16.size()];
+        Frame frame = writeBitByBit(channels);
+        frame[23] = row.flags[number % row.flags.size()];
+        board.nextFrame(frame);
+        REQUIRE(board.counted().frames == 5 + number);
+        REQUIRE(board.sbus.newFrame());
+        REQUIRE(board.sbus.frameAge() == 0);
+        const Decoded decoded = board.decode();
+        REQUIRE(decoded.channels == readBitByBit(frame));
+        REQUIRE(decoded.lostFrame == ((frame[23] & 4) != 0));
+        REQUIRE(decoded.failsafe == ((frame[23] & 8) != 0));
+        board.wait(silence && number % 10 == 9 ? 90 * Ms : 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("of two and a half frames at once the newest whole one is given, then the half is completed") {
+  OpenBoard board;
+  board.frame(Neutral.bytes);
+  CHECK(board.take(join({PaperLow.bytes, PaperHigh.bytes}) + part(Neutral.bytes, 0, 12)) == 62);
+  CHECK(board.channels() == PaperHigh.channels);
+  board.take(part(Neutral.bytes, 12));
+  CHECK(board.channels() == Neutral.channels);
+}
+
+TEST_CASE("of a full buffer the whole frames count, and the torn one is not completed by what follows the break") {
+  OpenBoard board;
+  board.frame(Neutral.bytes);
+  CHECK(board.take(join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, PaperLow.bytes})) == 64);
+  CHECK(board.channels() == PaperHigh.channels);
+  CHECK(board.counted().overflows == 1);
+  // After the break the line goes on with the 11 bytes that the torn frame is short of, but of another frame.
+  board.take(part(PaperLow.bytes, 14));
+  CHECK(board.counted().frames == 3);
+  board.nextFrame(Neutral.bytes);
+  CHECK(board.channels() == Neutral.channels);
+}
+
+TEST_CASE("the break of a full buffer lies after it: a frame begun before is completed with its first bytes") {
+  OpenBoard board;
+  board.frame(Neutral.bytes);
+  board.take(part(PaperLow.bytes, 0, 12));
+  CHECK(board.take(part(PaperLow.bytes, 12) + join({PaperHigh.bytes, Neutral.bytes, PaperLow.bytes})) == 64);
+  CHECK(board.counted().frames == 4);
+  CHECK(board.channels() == Neutral.channels);
+}
+
+TEST_CASE("bytes that come in between two reads of a poll: if the buffer is full then the line has broken, else not") {
+  const struct {
+    size_t found, come;
+    bool broken;
+  } rows[] = {{64, 0, true},   {64, 11, true}, {63, 0, true},  {62, 0, false}, {62, 1, true},   {50, 12, false},
+              {50, 13, true},  {40, 22, false}, {40, 23, true}, {40, 64, true}, {36, 26, false}, {36, 64, true}};
+  for (const auto &row : rows) {
+    for (const unsigned beforeRead : {1u, 2u}) {
+      CAPTURE(row.found);
+      CAPTURE(row.come);
+      CAPTURE(beforeRead);
+      OpenBoard board;
+      board.frame(Neutral.bytes);
+      unsigned reads = 0;
+      board.port.beforeRead = [&] {
+        if (++reads == beforeRead) {
+          board.port.arrive(Bytes(row.come, 0xA5));
+        }
+      };
+      CHECK(board.take(Bytes(row.found, 0xA5)) == row.found);
+      CHECK(reads >= 2);
+      CHECK(board.sbus.counters().overflows == row.broken);
+    }
+  }
+}
+
+TEST_CASE("what comes in while the buffer is read, fills it and breaks the line there, makes no frame of two") {
+  // All channels of a frame are the same: a mixture shows.
+  const auto frame = [](unsigned number) {
+    Channels channels{};
+    std::fill_n(channels.begin(), 16, static_cast<uint16_t>(1000 + 30 * number));
+    return writeBitByBit(channels);
+  };
+  for (size_t found = 34; found <= 64; found++) {
+    for (const unsigned beforeRead : {1u, 2u}) {
+      for (size_t resumed = 0; resumed < 25; resumed++) {  // the line goes on at this place of a later frame
+        CAPTURE(found);
+        CAPTURE(beforeRead);
+        CAPTURE(resumed);
+        OpenBoard board;
+        board.frame(frame(0));
+        const Bytes line = join({frame(1), frame(2), frame(3), frame(4), frame(5), frame(6), frame(7)});
+        unsigned reads = 0;
+        board.port.beforeRead = [&] {
+          if (++reads == beforeRead) {
+            board.port.arrive(part(line, found));
+          }
+        };
+        board.take(part(line, 0, found));
+        board.sbus.parseSBusFrame();
+        CHECK(board.counted().overflows >= 1);
+        for (const Bytes &next : {part(frame(8), resumed), bytesOf(frame(9)), bytesOf(frame(10))}) {
+          const Channels channels = board.channels();
+          CHECK(std::count(channels.begin(), channels.begin() + 16, channels[0]) == 16);
+          board.take(next);
+        }
+        CHECK(board.channels() == readBitByBit(frame(10)));
+      }
+    }
+  }
+}
+
+TEST_CASE("a port that fails to read what it says it has ends the poll") {
+  OpenBoard board;
+  board.port.beforeAvailable = [&] { board.port.readFails = true; };
+  board.take(Bytes(40, 0xA5));
+  CHECK(board.counted().frames == 0);
+}
+
+TEST_CASE("with timeout 0, as in the paper, the last frame stays, however long nothing comes") {
+  OpenBoard board;
+  board.sbus.setTimeout(0);
+  board.frame(PaperHigh.bytes);
+  for (unsigned poll = 0; poll < 1000; poll++) {
+    board.wait(1000 * Ms);
+    board.take({});
+  }
+  CHECK(board.sbus.SBusFrameOk());
+  CHECK(board.channels() == PaperHigh.channels);
+}
+
+TEST_CASE("CH17, CH18, lostFrame and failsafe are flags bits 0..3, as often as they are decoded") {
+  for (unsigned flags = 0; flags < 16; flags++) {
+    CAPTURE(flags);
+    OpenBoard board;
+    board.frame(withByte(PaperLow.bytes, 23, flags));
+    for (unsigned round = 0; round < 2; round++) {
+      const Decoded decoded = board.decode();
+      CHECK(decoded.channels[0] == PaperLow.channels[0]);
+      CHECK(decoded.channels[16] == ((flags & 1) != 0 ? 1 : 0));
+      CHECK(decoded.channels[17] == ((flags & 2) != 0 ? 1 : 0));
+      CHECK(decoded.lostFrame == ((flags & 4) != 0));
+      CHECK(decoded.failsafe == ((flags & 8) != 0));
+    }
+  }
+}
+
+TEST_CASE("two objects side by side do not disturb each other") {
+  OpenBoard left;
+  OpenBoard right;
+  left.frame(Neutral.bytes);
+  right.frame(Neutral.bytes);
+  for (unsigned index = 0; index < 25; index++) {
+    left.take(part(PaperLow.bytes, index, index + 1));
+    if (index < 24) {
+      right.take(part(PaperHigh.bytes, index, index + 1));
+    }
+  }
+  CHECK(left.channels() == PaperLow.channels);
+  CHECK(right.channels() == Neutral.channels);
+  right.take(part(PaperHigh.bytes, 24));
+  CHECK(right.channels() == PaperHigh.channels);
+  CHECK(left.channels() == PaperLow.channels);
 }

@@ -47,7 +47,7 @@ TEST_CASE("the first frame is sent at once, byte for byte as a receiver sends th
     CAPTURE(known.source);
     Sender sender;
     CHECK(sender.write(known.channels));
-    CHECK(sender.port.written == bytesOf({known.bytes}));
+    CHECK(sender.port.written == bytesOf(known.bytes));
   }
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("what is sent is what DecodeSBus reads, flags included") {
     Sender sender;
     CHECK(sender.write(channels, (flags & 8) != 0, (flags & 4) != 0));
     OpenBoard board;
-    board.take(sender.port.written + Bytes{0x0F});
+    board.take(sender.port.written + Bytes{0x0F});  // the first frame waits for what follows it
     const Decoded decoded = board.decode();
     CHECK(decoded.channels == channels);
     CHECK(decoded.failsafe == ((flags & 8) != 0));
@@ -68,21 +68,21 @@ TEST_CASE("what is sent is what DecodeSBus reads, flags included") {
   }
 }
 
-TEST_CASE("called in every pass, frames are due every period, and passes do not add up, across a wrap of micros() too") {
+TEST_CASE("called in every loop(), frames are due every period, and late calls do not add up, across a wrap of micros() too") {
   const struct {
     uint16_t period;
-    uint32_t pass;
+    uint32_t loop;  // us
   } rows[] = {{9000, 50}, {9000, 3000}, {9000, 700}, {4000, 499}, {14000, 5499}, {65535, 1000}};
   for (const auto &row : rows) {
     for (const uint64_t start : {uint64_t{0}, (uint64_t{1} << 32) - 40000}) {
       CAPTURE(row.period);
-      CAPTURE(row.pass);
+      CAPTURE(row.loop);
       CAPTURE(start);
       fakeMicros = start;
       Sender sender;
       sender.sbus.setPeriod(row.period);
       unsigned sent = 0;
-      for (uint64_t us = 0; us < 100 * uint64_t{row.period}; us += row.pass) {
+      for (uint64_t us = 0; us < 100 * uint64_t{row.period}; us += row.loop) {
         fakeMicros = start + us;
         const bool due = us >= sent * uint64_t{row.period};
         REQUIRE(sender.write(PaperLow.channels) == due);
@@ -160,19 +160,11 @@ TEST_CASE("values out of range are sent as the nearest that there is") {
 }
 
 TEST_CASE("on one port both ways work at once") {
-  FakeSerial port;
-  DecodeSBus decoder(port);
-  EncodeSBus encoder(port);
-  decoder.begin();
-  fakeMicros += 9000;
-  port.arrive(bytesOf({PaperHigh.bytes}));
-  decoder.parseSBusFrame();
+  OpenBoard board;
+  EncodeSBus encoder(board.port);
+  board.nextFrame(PaperHigh.bytes);
   CHECK(encoder.write(PaperLow.channels.data(), false, false));
-  CHECK(port.written == bytesOf({PaperLow.bytes}));
-  Channels channels{};
-  bool failsafe = true;
-  bool lostFrame = true;
-  decoder.decodeSBusFrame(channels.data(), failsafe, lostFrame);
-  CHECK(channels == PaperHigh.channels);
-  CHECK(port.openings.size() == 1);
+  CHECK(board.port.written == bytesOf(PaperLow.bytes));
+  CHECK(board.channels() == PaperHigh.channels);
+  CHECK(board.port.openings.size() == 1);
 }

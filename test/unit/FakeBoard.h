@@ -1,33 +1,14 @@
 // A DecodeSBus on a FakeSerial, and what a sketch does with them. To be included last: Arduino.h's macros min and max
-// break the standard headers behind them.
+// break the standard headers after them.
 #pragma once
 
-#include <initializer_list>
-
-#include "BitByBit.h"
+#include "Bytes.h"
 #include "FakeClock.h"
 #include "FakeSerial.h"
 
 #include <DecodeSBus.h>
 
-using Bytes = std::vector<uint8_t>;
-
-inline Bytes bytesOf(std::initializer_list<Frame> frames) {
-  Bytes bytes;
-  for (const Frame &frame : frames) {
-    bytes.insert(bytes.end(), frame.begin(), frame.end());
-  }
-  return bytes;
-}
-
-inline Bytes part(const Frame &frame, unsigned from, unsigned to = 25) {
-  return Bytes(frame.begin() + from, frame.begin() + to);
-}
-
-inline Bytes operator+(Bytes left, const Bytes &right) {
-  left.insert(left.end(), right.begin(), right.end());
-  return left;
-}
+constexpr uint64_t Ms = 1000;  // us
 
 struct Decoded {
   Channels channels;
@@ -35,14 +16,33 @@ struct Decoded {
   bool lostFrame;
 };
 
+// What the channels of a sketch hold before a frame is decoded: no frame holds that.
+const Channels Untouched = [] {
+  Channels channels;
+  channels.fill(4711);
+  return channels;
+}();
+
 struct FakeBoard {
   FakeSerial port;
   DecodeSBus sbus{port};
 
   explicit FakeBoard(size_t portCapacity = 64) : port(portCapacity) {}
 
-  // `bytes` come in, then the sketch looks. Returns how many of them the port kept.
+  // Polls that find noise, then a pause: the receiver knows how often it is polled. What was counted until now is left
+  // out of counted().
+  void settle() {
+    for (unsigned noise = 0; noise < 3; noise++) {
+      wait(500);
+      take({0x55});
+    }
+    wait(4 * Ms);
+    _before = sbus.counters();
+  }
+
+  // `bytes` come in, back to back, then the sketch polls. Returns how many of them the port kept.
   size_t take(const Bytes &bytes) {
+    wait(120 * bytes.size());
     const size_t kept = port.arrive(bytes);
     sbus.parseSBusFrame();
     return kept;
@@ -51,21 +51,38 @@ struct FakeBoard {
   // Time goes on, and the sketch does nothing.
   void wait(uint64_t us) { fakeMicros += us; }
 
-  // A frame comes in, back to back, and the sketch looks when it is there.
+  // A frame comes in as the board hands it over: 16 bytes, and the others when the line has been idle for a character.
+  static constexpr uint64_t FrameUs = 26 * 120;
   void frame(const Frame &frame) {
-    wait(25 * 120);
-    take(bytesOf({frame}));
+    take(part(frame, 0, 16));
+    wait(120);
+    take(part(frame, 16));
+  }
+
+  // And a pause before it, so that frames are 9 ms apart.
+  void nextFrame(const Frame &next) {
+    wait(9 * Ms - FrameUs);
+    frame(next);
   }
 
   // The sketch asks for everything; `before` is what its channels hold until then.
-  Decoded decode(const Channels &before = Channels{}) {
+  Decoded decode(const Channels &before = Untouched) {
     Decoded decoded = {before, false, false};
     sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
     return decoded;
   }
   Channels channels() { return decode().channels; }
+
+  sbus::Counters counted() const { return sbus.counters() - _before; }
+
+ private:
+  sbus::Counters _before = {};
 };
 
+// An open port whose receiver has settled.
 struct OpenBoard : FakeBoard {
-  explicit OpenBoard(size_t portCapacity = 64) : FakeBoard(portCapacity) { sbus.begin(); }
+  explicit OpenBoard(size_t portCapacity = 64) : FakeBoard(portCapacity) {
+    sbus.begin();
+    settle();
+  }
 };

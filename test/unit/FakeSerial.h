@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-// Last: its macros min and max break the standard headers behind it.
+// Last: its macros min and max break the standard headers after it.
 #include <Arduino.h>
 
 class FakeSerial : public HardwareSerial {
@@ -27,11 +27,17 @@ class FakeSerial : public HardwareSerial {
   std::vector<Opening> openings;
   unsigned closings = 0;
   unsigned singleReads = 0;
+  unsigned asked = 0;      // available()
+  unsigned overasked = 0;  // read() of more than was there
 
   // Called before each of these: what comes in while a sketch reads.
   std::function<void()> beforeRead = [] {};
   std::function<void()> beforeAvailable = [] {};
   bool readFails = false;  // -1, as no core should answer
+
+  // What comes in between the two times that the board's core reads its count, if it is asked for more than is there.
+  // It then hands over up to 12 bytes more than it was asked for, after the end of the buffer.
+  std::vector<uint8_t> landing;
 
   // The wire: `bytes` come in from outside. Returns how many were kept.
   template <typename Container>
@@ -56,6 +62,7 @@ class FakeSerial : public HardwareSerial {
     _waiting.clear();
   }
   int available() override {
+    asked++;
     beforeAvailable();
     return static_cast<int>(_waiting.size());
   }
@@ -70,8 +77,13 @@ class FakeSerial : public HardwareSerial {
     if (readFails) {
       return -1;
     }
+    size_t most = size;
+    if (size > _waiting.size()) {
+      overasked++;
+      most += arrive(landing) != 0 ? 12 : 0;
+    }
     size_t count = 0;
-    while (count < size && !_waiting.empty()) {
+    while (count < most && !_waiting.empty()) {
       buffer[count++] = static_cast<uint8_t>(next());
     }
     return static_cast<int>(count);

@@ -1,6 +1,6 @@
-// parseSBusFrame() at PendSV level while loop() reads: every reader, interrupted behind every one of its instructions.
+// parseSBusFrame() at PendSV level while loop() reads: every reader, interrupted after every one of its instructions.
 //
-// On an x86-64 Linux the trap flag makes the processor stop behind each instruction of the reader. The n-th stop is the
+// On an x86-64 Linux the trap flag makes the processor stop after each instruction of the reader. The n-th stop is the
 // interrupt: it takes in whole frames, as Serial1.onReceive() would, and lets the reader go on. For every n, until the
 // reader is through without having met it. The library is compiled here as for the board: -Os, no sanitizers.
 #include <doctest/doctest.h>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "FakeClock.h"
-#include "KnownFrames.h"
+#include "Feed.h"
 #include "ShowArrays.h"
 
 #include "FakeBoard.h"
@@ -34,7 +34,14 @@ void onTrap(int, siginfo_t *, void *context) {
   static_cast<ucontext_t *>(context)->uc_mcontext.gregs[REG_EFL] &= ~TrapFlag;  // the rest at full speed
 }
 
-// Runs `reader`, interrupted behind its instruction number `instruction` (from 1). False if it has not that many.
+void listen() {
+  struct sigaction action = {};
+  action.sa_sigaction = onTrap;
+  action.sa_flags = SA_SIGINFO;
+  REQUIRE(sigaction(SIGTRAP, &action, nullptr) == 0);
+}
+
+// Runs `reader`, interrupted after its instruction number `instruction` (from 1). False if it has not that many.
 template <typename Reader>
 __attribute__((noinline)) bool interrupted(unsigned long instruction, const Reader &reader) {
   instructionsLeft = instruction;
@@ -47,7 +54,7 @@ __attribute__((noinline)) bool interrupted(unsigned long instruction, const Read
   return happened;
 }
 
-// Frame `number`: every channel and every flag tells which frame it is from. CH18 stays off: flags 0F may be a header.
+// Frame `number`: every channel and every flag tells which frame it is from.
 constexpr unsigned FrameKinds = 16;
 Channels channelsOf(unsigned number) {
   Channels channels{};
@@ -69,28 +76,16 @@ Frame frameOf(unsigned number) {
   return frame;
 }
 
-// What the channels of the sketch hold before a frame is decoded: no frame holds that.
-const Channels Untouched = [] {
-  Channels channels;
-  channels.fill(4711);
-  return channels;
-}();
-
 struct Situation {
   doctest::String what;
   unsigned framesBefore;   // have come when the reader begins
   uint32_t ageMs;          // of the newest of them
   unsigned framesDuring;   // come in during the interrupt
-  uint32_t interruptMs;    // how long that takes, behind the frames
+  uint32_t interruptMs;    // how long that takes, after the frames
   bool stale;              // the link, without the interrupt
 };
 
 using Situations = std::vector<Situation>;
-
-Situations operator+(Situations left, const Situations &right) {
-  left.insert(left.end(), right.begin(), right.end());
-  return left;
-}
 
 const Situations Usual = {
     {"one frame comes", 3, 9, 1, 0, false},
@@ -110,19 +105,19 @@ const Situations First = {
 
 // What the readers run on, made anew for each instruction.
 struct Scene {
-  FakeBoard board;
+  OpenBoard board;
   unsigned next = 0;  // frame
 
   explicit Scene(const Situation &situation) {
-    board.sbus.begin();
     for (unsigned i = 0; i < situation.framesBefore; i++) {
-      fakeMicros += 9000;
+      board.wait(6 * Ms);
       receive();
     }
-    fakeMicros += uint64_t{situation.ageMs} * 1000;
+    board.wait(situation.ageMs * Ms);
   }
   void receive() {
-    REQUIRE(board.take(bytesOf({frameOf(next++)})) == 25);
+    board.frame(frameOf(next++));
+    REQUIRE(board.counted().frames == next);
   }
 };
 
@@ -131,19 +126,15 @@ const Situation *situation;
 
 void framesComeIn() {
   for (unsigned i = 0; i < situation->framesDuring; i++) {
-    fakeMicros += 3000;
     scene->receive();
   }
-  fakeMicros += uint64_t{situation->interruptMs} * 1000;
+  fakeMicros += situation->interruptMs * Ms;
 }
 
-// For every instruction of `reader(board)`, in every situation: `check(scene)` behind it. Says how many there were.
+// For every instruction of `reader(board)`, in every situation: `check(scene)` after it. Says how many there were.
 template <typename Reader, typename Check>
 void everyInstruction(const Reader &reader, const Check &check, const Situations &situations) {
-  struct sigaction action = {};
-  action.sa_sigaction = onTrap;
-  action.sa_flags = SA_SIGINFO;
-  REQUIRE(sigaction(SIGTRAP, &action, nullptr) == 0);
+  listen();
   interrupt = framesComeIn;
   for (const Situation &row : situations) {
     CAPTURE(row.what);
@@ -191,16 +182,16 @@ TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if
           REQUIRE(decoded.lostFrame == lostOf(given));
           REQUIRE(now.board.sbus.newFrame() == (given + 1 != now.next));
         }
-        // The next look is undisturbed, and gives the newest.
+        // The next call is undisturbed, and gives the newest.
         const Decoded again = now.board.decode();
         REQUIRE(again.channels == channelsOf(now.next - 1));
         REQUIRE_FALSE(now.board.sbus.newFrame());
-        REQUIRE(now.board.sbus.counters().frames == now.next);
+        REQUIRE(now.board.counted().frames == now.next);
       },
       Usual + Aging + First);
 }
 
-TEST_CASE("an interrupt so long that the link is stale behind it leaves one whole frame, or the channels as they were") {
+TEST_CASE("an interrupt so long that the link is stale after it leaves one whole frame, or the channels as they were") {
   Decoded decoded;
   everyInstruction(
       [&](FakeBoard &board) { decoded = board.decode(Untouched); },
@@ -258,7 +249,7 @@ void checkFrameAge(const Situations &situations) {
   everyInstruction([&](FakeBoard &board) { age = board.sbus.frameAge(); },
                    [&](Scene &, bool) {
                      const bool never = situation->framesBefore == 0 && age == ULONG_MAX;
-                     const unsigned long longest = situation->ageMs + 3 * situation->framesDuring + situation->interruptMs;
+                     const unsigned long longest = situation->ageMs + 4 * situation->framesDuring + situation->interruptMs;
                      REQUIRE((never || age <= longest + 1));
                    },
                    situations);
@@ -303,7 +294,7 @@ TEST_CASE("newFrame and counters count the frames before, those during the inter
         frames = board.sbus.counters().frames;
       },
       [&](Scene &now, bool) {
-        REQUIRE((fresh || situation->framesBefore == 0));
+        REQUIRE((fresh || situation->stale));
         REQUIRE(frames >= situation->framesBefore);
         REQUIRE(frames <= now.next);
         REQUIRE(now.board.sbus.newFrame());
@@ -312,33 +303,22 @@ TEST_CASE("newFrame and counters count the frames before, those during the inter
 }
 
 TEST_CASE("this proof finds the fault of a reader that does not look again") {
-  unsigned mixtures = 0;
-  Channels channels;
-  sbus::Receiver receiver;
-  static sbus::Receiver *interrupting;
-  interrupting = &receiver;
-  static const auto receive = [](unsigned number) {
-    const Frame frame = frameOf(number);
-    for (const uint8_t next : frame) {
-      *interrupting->space() = next;
-      fakeMicros += 120;
-      interrupting->received(1, 0, static_cast<uint32_t>(fakeMicros));
-    }
-  };
-  struct sigaction action = {};
-  action.sa_sigaction = onTrap;
-  action.sa_flags = SA_SIGINFO;
-  REQUIRE(sigaction(SIGTRAP, &action, nullptr) == 0);
+  static Feeder *line;
+  listen();
   interrupt = [] {
-    receive(1);
-    receive(2);
+    line->feed(bytesOf(frameOf(1)), 25);
+    line->feed(bytesOf(frameOf(2)), 25);
   };
-  for (unsigned long instruction = 1;; instruction++) {
-    receiver.reset(static_cast<uint32_t>(fakeMicros), sbus::CharacterTime);
-    receive(0);
-    if (!interrupted(instruction, [&] { sbus::unpack(receiver.frame(), channels.data()); })) {
-      break;
-    }
+  unsigned mixtures = 0;
+  unsigned long instruction = 0;
+  bool happened = true;
+  while (happened) {
+    instruction++;
+    Feeder now;
+    line = &now.lock();
+    REQUIRE(now.feed(bytesOf(frameOf(0)), 25).size() == 1);
+    Channels channels;
+    happened = interrupted(instruction, [&] { sbus::unpack(now.receiver.frame(), channels.data()); });
     mixtures += channels != channelsOf(0) && channels != channelsOf(1) && channels != channelsOf(2);
   }
   CHECK(mixtures > 20);
@@ -347,7 +327,7 @@ TEST_CASE("this proof finds the fault of a reader that does not look again") {
 #else
 
 TEST_CASE("skipped: this processor is no x86-64 under Linux, which the proof single-steps") {
-  MESSAGE("the readers were not interrupted behind each instruction");
+  MESSAGE("the readers were not interrupted after each instruction");
 }
 
 #endif
