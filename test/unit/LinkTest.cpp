@@ -1,76 +1,107 @@
-// May the numbers still be trusted? The link through DecodeSBus: states, timeout, age.
+// May the numbers still be trusted? The link through DecodeSBus: states, timeout, age, also where clocks wrap: micros()
+// after 71 minutes, millis() after 49 days.
 #include <doctest/doctest.h>
 
 #include <climits>
 
-#include "LinkChecks.h"
+#include "KnownFrames.h"
+#include "ShowArrays.h"
 
-TEST_CASE("a frame is good for as long as the timeout, and not a millisecond longer") {
-  const struct {
-    doctest::String what;
-    int timeoutMs;  // -1: not set
-    uint64_t ageUs;
-    bool ok;
-  } rows[] = {
-      {"default, at once", -1, 0, true},
-      {"default, 99 ms", -1, 99 * Ms, true},
-      {"default, 100 ms", -1, 100 * Ms, false},
-      {"default, an hour", -1, Hour, false},
-      {"20, 19 ms", 20, 19 * Ms, true},
-      {"20, 20 ms", 20, 20 * Ms, false},
-      {"1, at once", 1, 0, true},
-      {"1, 1 ms", 1, 1 * Ms, false},
-      {"60000, 59 s", 60000, 59 * Second, true},
-      {"60000, 60 s", 60000, 60 * Second, false},
-      {"0, 1 s", 0, Second, true},
-      {"0, 30 hours", 0, 30 * Hour, true},
-      {"0, 80 days", 0, 80 * 24 * Hour, true},
-  };
-  for (const auto &row : rows) {
-    CAPTURE(row.what);
-    fakeMicros = 5 * Second;
-    OpenBoard board;
-    if (row.timeoutMs >= 0) {
-      board.sbus.setTimeout(static_cast<uint16_t>(row.timeoutMs));
-    }
-    board.frame(PaperLow.bytes);
-    board.wait(row.ageUs);
-    checkState(board, row.ok ? LinkState::Ok : LinkState::Stale);
+#include "FakeBoard.h"
+
+using sbus::LinkState;
+
+namespace {
+
+constexpr uint64_t Second = 1000 * Ms;
+constexpr uint64_t Hour = 3600 * Second;
+
+constexpr uint8_t Lost = sbus::FlagLostFrame;
+constexpr uint8_t Failsafe = sbus::FlagFailsafe;
+
+Frame withFlags(uint8_t flags) {
+  return withByte(PaperLow.bytes, 23, flags);
+}
+
+// All that the class says of the link fits `state`, and decoding gives channels only if they may be trusted.
+void checkState(OpenBoard &board, LinkState state) {
+  const bool young = state != LinkState::NeverSeen && state != LinkState::Stale;
+  CHECK(board.sbus.linkState() == state);
+  CHECK(board.sbus.SBusFrameOk() == young);
+  const Decoded decoded = board.decode();
+  CHECK((decoded.channels == Untouched) == !young);
+  CHECK(decoded.failsafe == (state != LinkState::Ok && state != LinkState::Lossy));
+  if (!young) {
+    CHECK_FALSE(board.sbus.newFrame());
+    CHECK(decoded.lostFrame);
   }
 }
 
-TEST_CASE("the timeout can be set before begin, and begin keeps it") {
-  FakeBoard board;
-  board.sbus.setTimeout(20);
-  board.sbus.begin();
-  board.frame(PaperLow.bytes);
-  board.wait(30 * Ms);
-  CHECK_FALSE(board.sbus.SBusFrameOk());
+}  // namespace
+
+TEST_CASE("a frame is good for as long as the timeout, and not a millisecond longer, before and after begin()") {
+  const struct {
+    int timeoutMs;  // -1: not set, 100
+    uint64_t ageUs;
+    bool ok;
+  } rows[] = {{-1, 0, true},
+              {-1, 99 * Ms, true},
+              {-1, 100 * Ms, false},
+              {-1, Hour, false},
+              {20, 19 * Ms, true},
+              {20, 20 * Ms, false},
+              {1, 0, true},
+              {1, 1 * Ms, false},
+              {60000, 59 * Second, true},
+              {60000, 60 * Second, false},
+              {65535, 65534 * Ms, true},
+              {65535, 65535 * Ms, false},
+              {0, Second, true},
+              {0, 30 * Hour, true},
+              {0, 80 * 24 * Hour, true}};
+  for (const auto &row : rows) {
+    for (const bool begunAgain : {false, true}) {
+      CAPTURE(row.timeoutMs);
+      CAPTURE(row.ageUs);
+      CAPTURE(begunAgain);
+      fakeMicros = 5 * Second;
+      OpenBoard board;
+      if (row.timeoutMs >= 0) {
+        board.sbus.setTimeout(static_cast<uint16_t>(row.timeoutMs));
+      }
+      if (begunAgain) {
+        board.sbus.begin();
+        board.settle();
+      }
+      board.frame(PaperLow.bytes);
+      board.wait(row.ageUs);
+      checkState(board, row.ok ? LinkState::Ok : LinkState::Stale);
+    }
+  }
 }
 
 TEST_CASE("never seen, ok, lossy, failsafe, stale: each by what comes") {
   const struct {
     doctest::String what;
-    std::vector<uint8_t> flags;  // of the frames that come, 10 ms apart
+    std::vector<uint8_t> flags;  // of the frames that come, 9 ms apart
     LinkState state;
   } rows[] = {
       {"nothing", {}, LinkState::NeverSeen},
       {"a frame", {0}, LinkState::Ok},
       {"a frame with CH17 and CH18", {3}, LinkState::Ok},
       {"a lost frame", {Lost}, LinkState::Lossy},
-      {"a lost frame behind a good one", {0, Lost}, LinkState::Lossy},
-      {"a good frame behind a lost one", {Lost, 0}, LinkState::Ok},
+      {"a lost frame after a good one", {0, Lost}, LinkState::Lossy},
+      {"a good frame after a lost one", {Lost, 0}, LinkState::Ok},
       {"failsafe", {Failsafe}, LinkState::Failsafe},
       {"failsafe and lost", {Lost | Failsafe}, LinkState::Failsafe},
-      {"a good frame behind failsafe", {Lost | Failsafe, 0}, LinkState::Ok},
-      {"a lost frame behind failsafe", {Failsafe, Lost}, LinkState::Lossy},
+      {"a good frame after failsafe", {Lost | Failsafe, 0}, LinkState::Ok},
+      {"a lost frame after failsafe", {Failsafe, Lost}, LinkState::Lossy},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
     OpenBoard board;
     for (const uint8_t flags : row.flags) {
-      board.wait(7 * Ms);
-      board.frame(withFlags(flags));
+      board.nextFrame(withFlags(flags));
     }
     checkState(board, row.state);
     board.wait(100 * Ms);
@@ -82,56 +113,49 @@ TEST_CASE("lossy turns into failsafe after as many lost frames in a row as the l
   for (const unsigned limit : {1u, 2u, 30u, 100u, 300u}) {
     CAPTURE(limit);
     OpenBoard board;
-    board.sbus.setTimeout(0);
     if (limit != 100) {  // the default
       board.sbus.setLossLimit(static_cast<uint16_t>(limit));
     }
     for (unsigned round = 0; round < 2; round++) {
       for (unsigned lost = 1; lost <= limit + 5; lost++) {
         CAPTURE(lost);
-        board.wait(7 * Ms);
-        board.frame(withFlags(Lost));
+        board.nextFrame(withFlags(Lost));
         REQUIRE(board.sbus.linkState() == (lost < limit ? LinkState::Lossy : LinkState::Failsafe));
         const Decoded decoded = board.decode();
         REQUIRE(decoded.failsafe == (lost >= limit));
         REQUIRE(decoded.lostFrame);
         REQUIRE(decoded.channels == PaperLow.channels);
       }
-      board.wait(7 * Ms);
-      board.frame(withFlags(0));
+      board.nextFrame(withFlags(0));
       checkState(board, LinkState::Ok);
     }
   }
 }
 
-TEST_CASE("with a loss limit of 0 no number of lost frames is a failsafe") {
-  OpenBoard board;
-  board.sbus.setLossLimit(0);
-  for (unsigned lost = 0; lost < 70000; lost++) {
-    board.wait(4 * Ms);
-    board.frame(withFlags(Lost));
+TEST_CASE("more lost frames than a counter of 16 bits holds are still a failsafe, and with a limit of 0 none ever is") {
+  for (const bool unlimited : {false, true}) {
+    OpenBoard board;
+    if (unlimited) {
+      board.sbus.setLossLimit(0);
+    }
+    for (unsigned lost = 0; lost < 65536 + 50; lost++) {
+      board.wait(4 * Ms);
+      board.frame(withFlags(Lost));
+    }
+    checkState(board, unlimited ? LinkState::Lossy : LinkState::Failsafe);
   }
-  checkState(board, LinkState::Lossy);
 }
 
-TEST_CASE("more lost frames than a counter of 16 bits holds are still a failsafe") {
-  OpenBoard board;
-  for (unsigned lost = 0; lost < 65536 + 50; lost++) {
-    board.wait(4 * Ms);
-    board.frame(withFlags(Lost));
-  }
-  checkState(board, LinkState::Failsafe);
-}
-
-TEST_CASE("behind a stale link the first frame makes it ok again, and the second, too") {
+TEST_CASE("on a stale link the first frame makes it ok again, and channels keep their last values until then") {
   OpenBoard board;
   board.frame(PaperLow.bytes);
   for (const uint64_t silence : {100 * Ms, Second, Hour}) {
     board.wait(silence);
     checkState(board, LinkState::Stale);
     checkState(board, LinkState::Stale);
+    CHECK(board.decode(PaperLow.channels).channels == PaperLow.channels);
     for (unsigned frame = 0; frame < 2; frame++) {
-      board.frame(PaperHigh.bytes);
+      board.nextFrame(PaperHigh.bytes);
       checkState(board, LinkState::Ok);
       board.wait(7 * Ms);
       checkState(board, LinkState::Ok);
@@ -139,37 +163,31 @@ TEST_CASE("behind a stale link the first frame makes it ok again, and the second
   }
 }
 
-TEST_CASE("decoding a stale link leaves the channels' last values") {
-  OpenBoard board;
-  board.frame(PaperHigh.bytes);
-  const Decoded good = board.decode();
-  board.wait(100 * Ms);
-  const Decoded stale = board.decode(good.channels);
-  CHECK(stale.channels == PaperHigh.channels);
-  CHECK(stale.failsafe);
-  CHECK(stale.lostFrame);
-}
-
-TEST_CASE("newFrame is true from a frame's coming until it is decoded") {
+TEST_CASE("newFrame is true from a frame's coming until it is decoded, or stale") {
   OpenBoard board;
   CHECK_FALSE(board.sbus.newFrame());
   board.decode();
   CHECK_FALSE(board.sbus.newFrame());
   for (unsigned round = 0; round < 3; round++) {
-    board.frame(PaperLow.bytes);
+    board.nextFrame(PaperLow.bytes);
     CHECK(board.sbus.newFrame());
     CHECK(board.sbus.newFrame());
     board.decode();
     CHECK_FALSE(board.sbus.newFrame());
     board.take({});
     CHECK_FALSE(board.sbus.newFrame());
-    board.frame(PaperLow.bytes);
-    board.frame(PaperHigh.bytes);
+    board.nextFrame(PaperLow.bytes);
+    board.nextFrame(PaperHigh.bytes);
     CHECK(board.sbus.newFrame());
     CHECK(board.channels() == PaperHigh.channels);
     CHECK_FALSE(board.sbus.newFrame());
   }
-  board.frame(PaperLow.bytes);
+  board.nextFrame(PaperLow.bytes);
+  board.wait(99 * Ms);
+  CHECK(board.sbus.newFrame());
+  board.wait(1 * Ms);
+  CHECK_FALSE(board.sbus.newFrame());
+  board.nextFrame(PaperLow.bytes);
   board.sbus.begin();
   CHECK_FALSE(board.sbus.newFrame());
 }
@@ -178,9 +196,6 @@ TEST_CASE("frameAge is ULONG_MAX before the first frame, then the newest frame's
   fakeMicros = 77 * Second;
   OpenBoard board;
   CHECK(board.sbus.frameAge() == ULONG_MAX);
-  board.take(part(PaperLow.bytes, 0, 24));
-  CHECK(board.sbus.frameAge() == ULONG_MAX);
-  board.sbus.begin();
   board.frame(PaperLow.bytes);
   CHECK(board.sbus.frameAge() == 0);
   uint64_t age = 0;
@@ -196,66 +211,95 @@ TEST_CASE("frameAge is ULONG_MAX before the first frame, then the newest frame's
   CHECK(board.sbus.frameAge() == ULONG_MAX);
 }
 
+TEST_CASE("frameAge never goes back but by a new frame: asked once an hour it ends at 71 minutes, for days") {
+  constexpr unsigned long Oldest = UINT32_MAX / 1000;  // ms
+  for (const uint64_t asked : {Second, 20 * 60 * Second, Hour}) {
+    for (const uint64_t start : {3 * Second, MicrosWrap - 10 * Ms, MillisWrap - 10 * Ms}) {
+      CAPTURE(asked);
+      CAPTURE(start);
+      fakeMicros = start;
+      OpenBoard board;
+      board.frame(PaperLow.bytes);
+      unsigned long last = 0;
+      for (uint64_t us = asked; us < 10 * Hour; us += asked) {
+        board.wait(asked);
+        const unsigned long age = board.sbus.frameAge();
+        REQUIRE(age == (us < MicrosWrap ? us / Ms : Oldest));
+        REQUIRE(age >= last);
+        last = age;
+      }
+      board.frame(PaperHigh.bytes);
+      CHECK(board.sbus.frameAge() == 0);
+      checkState(board, LinkState::Ok);
+    }
+  }
+}
+
+TEST_CASE("a frame that comes a whole wrap of micros() after the last, to the microsecond, is young") {
+  OpenBoard board;
+  board.frame(PaperLow.bytes);
+  for (unsigned round = 0; round < 3; round++) {
+    for (const uint64_t us : {Hour, MicrosWrap - Hour - OpenBoard::FrameUs}) {
+      board.wait(us);
+      checkState(board, LinkState::Stale);
+    }
+    board.frame(PaperHigh.bytes);
+    checkState(board, LinkState::Ok);
+    CHECK(board.sbus.frameAge() == 0);
+    board.wait(50 * Ms);
+    CHECK(board.sbus.frameAge() == 50);
+    board.wait(MicrosWrap - 50 * Ms - OpenBoard::FrameUs);
+    board.frame(PaperLow.bytes);
+    checkState(board, LinkState::Ok);
+  }
+}
+
 TEST_CASE("counters count by cause through the class, and begin starts them anew") {
   OpenBoard board;
-  const auto counters = [&board] { return board.sbus.counters(); };
-  CHECK(counters().frames == 0);
-  CHECK(counters().period == 0);
+  const auto counted = [&board] { return board.counted(); };
   unsigned number = 0;
-  const auto next = [&board, &number](uint8_t flags = 0) {
-    Frame frame = plainFrame(number++);
-    frame[23] = flags;
-    board.frame(frame);
+  const auto next = [&board, &number](uint8_t flags = 0) { board.nextFrame(withByte(plainFrame(number++), 23, flags)); };
+  const auto noise = [&board](const Bytes &bytes) {
     board.wait(6 * Ms);
+    board.take(bytes);
   };
   for (unsigned i = 0; i < 20; i++) {
     next();
   }
-  CHECK(counters().frames == 20);
-  CHECK(counters().period > 8900);
-  CHECK(counters().period < 9100);
+  CHECK(counted().frames == 20);
+  CHECK(counted().period > 8900);
+  CHECK(counted().period < 9100);
   next(Lost);
   next(Lost | Failsafe);
   next(Failsafe);
-  CHECK(counters().lostFrames == 2);
-  CHECK(counters().failsafeFrames == 2);
-  CHECK(counters().skippedBytes == 0);
-  CHECK(counters().resyncs == 0);
+  CHECK(counted().lostFrames == 2);
+  CHECK(counted().failsafeFrames == 2);
+  CHECK(counted().skippedBytes == 0);
+  CHECK(counted().resyncs == 0);
 
-  board.take(Bytes{0x0F} + Bytes(23, 0x20) + Bytes{0x55});
-  board.wait(6 * Ms);
+  noise(Bytes{0x0F} + Bytes(23, 0x20) + Bytes{0x55});
   next();
-  CHECK(counters().refusedByEnd == 1);
-  CHECK(counters().skippedBytes == 25);
-  CHECK(counters().resyncs == 1);
-  board.take(Bytes{0x0F} + Bytes(22, 0x20) + Bytes{0x10, 0x00});
-  board.wait(6 * Ms);
+  CHECK(counted().refusedByEnd == 1);
+  CHECK(counted().skippedBytes == 25);
+  CHECK(counted().resyncs == 1);
+  noise(Bytes{0x0F} + Bytes(22, 0x20) + Bytes{0x10, 0x00});
   next();
-  CHECK(counters().refusedByFlags == 1);
-  board.take(Bytes{0x0F} + Bytes(21, 0x20) + Bytes{0x0C, 0x0C, 0x00, 0x00});
-  board.wait(6 * Ms);
+  CHECK(counted().refusedByFlags == 1);
+  noise(Bytes{0x0F} + Bytes(22, 0x20) + Bytes{0x00, 0x00} + Bytes(11, 0x20));
   next();
-  CHECK(counters().refusedByExtra == 1);
-  CHECK(counters().overflows == 0);
-  CHECK(counters().frames == 26);
+  CHECK(counted().refusedByExtra == 1);
+  CHECK(counted().overflows == 0);
+  CHECK(counted().frames == 26);
 
-  board.take(Bytes(64, 0xA5));
-  CHECK(counters().overflows == 1);
-  board.take(Bytes(62, 0xA5));
-  CHECK(counters().overflows == 1);
+  noise(Bytes(64, 0xA5));
+  CHECK(counted().overflows == 1);
+  noise(Bytes(62, 0xA5));
+  CHECK(counted().overflows == 1);
 
   board.sbus.begin();
-  const sbus::Counters none = counters();
-  CHECK(none.frames == 0);
-  CHECK(none.lostFrames == 0);
-  CHECK(none.failsafeFrames == 0);
-  CHECK(none.refusedByEnd == 0);
-  CHECK(none.refusedByFlags == 0);
-  CHECK(none.refusedByExtra == 0);
-  CHECK(none.skippedBytes == 0);
-  CHECK(none.resyncs == 0);
-  CHECK(none.overflows == 0);
-  CHECK(none.period == 0);
+  const sbus::Counters none = board.sbus.counters();
+  CHECK(none.frames + none.lostFrames + none.failsafeFrames + none.refusedByEnd + none.refusedByFlags == 0);
+  CHECK(none.refusedByExtra + none.skippedBytes + none.resyncs + none.overflows + none.period == 0);
 }
 
 TEST_CASE("end keeps the last frame until it is stale; begin forgets frames, losses and what was stale") {
@@ -268,8 +312,109 @@ TEST_CASE("end keeps the last frame until it is stale; begin forgets frames, los
   checkState(board, LinkState::Stale);
   board.sbus.begin();
   checkState(board, LinkState::NeverSeen);
+  board.settle();
   board.frame(withFlags(Lost));
   checkState(board, LinkState::Lossy);  // the first since begin
-  board.frame(withFlags(Lost));
+  board.nextFrame(withFlags(Lost));
   checkState(board, LinkState::Failsafe);
+}
+
+TEST_CASE("frames flow across the wraps of micros() and millis(), each delivered, the link ok all the time") {
+  for (const uint64_t wrap : {MicrosWrap, MillisWrap}) {
+    for (const uint64_t stepUs : {7 * Ms, 14 * Ms + 1}) {
+      CAPTURE(wrap);
+      CAPTURE(stepUs);
+      fakeMicros = wrap - 40 * stepUs - 11;
+      OpenBoard board;
+      for (uint32_t frames = 1; frames <= 80; frames++) {
+        CAPTURE(frames);
+        board.frame(frames % 2 != 0 ? PaperLow.bytes : Neutral.bytes);
+        CHECK(board.counted().frames == frames);
+        uint64_t age = 0;
+        for (; age + OpenBoard::FrameUs + Ms < stepUs; age += Ms) {
+          checkState(board, LinkState::Ok);
+          CHECK(board.sbus.frameAge() == age / Ms);
+          board.wait(Ms);
+        }
+        board.wait(stepUs - age - OpenBoard::FrameUs);
+      }
+      CHECK(board.counted().period > stepUs - 2 * Ms);
+      CHECK(board.counted().period < stepUs + 2 * Ms);
+    }
+  }
+}
+
+TEST_CASE("a frame that came just before a wrap becomes stale after it, at its time") {
+  for (const uint64_t wrap : {MicrosWrap, MillisWrap}) {
+    for (const uint64_t before : {1 * Ms, 50 * Ms, 99 * Ms}) {
+      CAPTURE(wrap);
+      CAPTURE(before);
+      fakeMicros = wrap - before - 10 * Ms;
+      OpenBoard board;
+      board.wait(wrap - before - OpenBoard::FrameUs - fakeMicros);
+      board.frame(PaperLow.bytes);
+      board.wait(99 * Ms);
+      checkState(board, LinkState::Ok);
+      CHECK(board.sbus.frameAge() == 99);
+      board.wait(1 * Ms);
+      checkState(board, LinkState::Stale);
+      CHECK(board.sbus.frameAge() == 100);
+    }
+  }
+}
+
+TEST_CASE("a link found stale stays so across the wraps of micros() and millis(), if asked once an hour") {
+  for (const uint64_t asked : {100 * Ms, 20 * 60 * Second, Hour}) {
+    for (const uint64_t more : {uint64_t{0}, 1 * Ms, 50 * Ms, 99 * Ms}) {
+      CAPTURE(asked);
+      CAPTURE(more);
+      fakeMicros = MillisWrap - 3 * Second;
+      OpenBoard board;
+      board.frame(PaperLow.bytes);
+      board.wait(asked);
+      CHECK_FALSE(board.sbus.SBusFrameOk());
+      board.wait(MicrosWrap - asked + more);
+      checkState(board, LinkState::Stale);
+      board.wait(MicrosWrap - 50 * Ms);
+      checkState(board, LinkState::Stale);
+    }
+  }
+}
+
+// A loop() is blocked while the radio dies: the port's buffer is full of frames with the last sticks, or more of them.
+TEST_CASE("frames that waited while the loop was blocked are as old as they can be, at whatever size of the buffer") {
+  for (const size_t capacity : {64u, 256u, 512u}) {
+    for (const uint64_t blockedUs : {150 * Ms, Second, 10 * Second}) {
+      for (const unsigned frames : {1u, 2u, 5u, 12u, 30u}) {  // that came while it was blocked, then the radio died
+        CAPTURE(capacity);
+        CAPTURE(blockedUs);
+        CAPTURE(frames);
+        OpenBoard board(capacity);
+        for (unsigned number = 0; number < 5; number++) {
+          board.nextFrame(PaperLow.bytes);
+        }
+        checkState(board, LinkState::Ok);
+        for (unsigned number = 0; number < frames; number++) {
+          board.port.arrive(PaperHigh.bytes);
+        }
+        board.wait(blockedUs);
+        board.sbus.parseSBusFrame();
+        CHECK(board.port.available() == 0);
+        CHECK(board.counted().frames == 5 + (frames < capacity / 25 ? frames : capacity / 25));
+        checkState(board, LinkState::Stale);
+        CHECK_FALSE(board.sbus.newFrame());
+        CHECK(board.sbus.frameAge() >= blockedUs / Ms);
+        for (unsigned poll = 0; poll < 3; poll++) {
+          board.wait(1 * Ms);
+          board.take({});
+          checkState(board, LinkState::Stale);
+        }
+        board.nextFrame(PaperLow.bytes);
+        board.nextFrame(PaperLow.bytes);  // after a break the first may wait
+        checkState(board, LinkState::Ok);
+        CHECK(board.sbus.frameAge() == 0);
+        CHECK(board.channels() == PaperLow.channels);
+      }
+    }
+  }
 }
