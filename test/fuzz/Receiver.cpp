@@ -1,11 +1,13 @@
-// The receiver under whatever bytes, looks, times and breaks the fuzzer thinks of.
+// The receiver under whatever bytes, polls, times and breaks the fuzzer thinks of.
 //
 // The input: operations of one byte and what they need.
-//   0xxxxxxx          a look behind the next so many hundreds of us, with the bytes that have come since
+//   0xxxxxxx          a poll after so many hundreds of us, with the bytes that have come since
 //   10xxxxxx          the next x + 1 bytes of the input come in
 //   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08
 //   1110xxxx          2^x * 20 us pass
-//   1111xxxx          the line breaks behind what was read (x = 0..13), reset (x = 14), a look without time (x = 15)
+//   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13), reset and polls that find noise
+//                     (x = 14), a poll without time (x = 15)
+// It begins with polls that find noise.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -25,12 +27,24 @@ void require(bool condition, const char *what) {
 
 class Line {
  public:
-  Line() { reset(); }
+  Line() {
+    reset();
+    settle();
+  }
 
   void reset() {
     _receiver.reset(_now, sbus::CharacterTime);
     startAnew();
     _frames = 0;
+  }
+
+  // Noise, so that frames are believed from now on.
+  void settle() {
+    for (unsigned noise = 0; noise < 3; noise++) {
+      pass(200);
+      arrive(0x55);
+      poll();
+    }
   }
 
   void arrive(uint8_t byte) {
@@ -46,32 +60,27 @@ class Line {
     startAnew();
   }
 
-  void look() {
-    size_t at = 0;
-    size_t room;
-    size_t count;
-    unsigned calls = 0;
-    do {
-      room = static_cast<size_t>(_receiver.room());
+  void poll() {
+    if (!_waiting.empty()) {
+      _receiver.poll(static_cast<int>(_waiting.size()), _now);
+    }
+    for (size_t at = 0; at < _waiting.size();) {
+      const size_t room = static_cast<size_t>(_receiver.room());
       require(room >= 1 && room <= _roomAtStart, "room() is never 0, and never more than at the start");
-      require(++calls <= 64 + 1, "every call but the last takes in a byte or more");
-      count = _waiting.size() - at < room ? _waiting.size() - at : room;
-      if (count != 0) {
-        std::memcpy(_receiver.space(), _waiting.data() + at, count);
-      }
-      _fed.insert(_fed.end(), _waiting.begin() + static_cast<long>(at), _waiting.begin() + static_cast<long>(at + count));
+      const size_t count = _waiting.size() - at < room ? _waiting.size() - at : room;
+      const uint8_t *const bytes = _waiting.data() + at;
+      std::memcpy(_receiver.space(), bytes, count);
+      _fed.insert(_fed.end(), bytes, bytes + count);
       at += count;
-      const size_t waiting = count == room ? _waiting.size() - at : 0;
-      const bool complete = _receiver.received(static_cast<uint8_t>(count), static_cast<uint8_t>(waiting), _now);
-      check(complete);
-    } while (count == room);
+      check(_receiver.received(static_cast<int>(count)));
+    }
     _waiting.clear();
   }
 
  private:
   void startAnew() {
     _fed.clear();
-    _behindFrame = 0;
+    _afterFrame = 0;
     _skippedAtStart = _receiver.counters().skippedBytes;
     _framesAtStart = _receiver.counters().frames;
     _roomAtStart = static_cast<uint32_t>(_receiver.room());
@@ -79,7 +88,8 @@ class Line {
 
   uint32_t heldBytes() const { return _roomAtStart - static_cast<uint32_t>(_receiver.room()); }
 
-  void check(bool complete) {
+  void check(const uint8_t *delivered) {
+    const bool complete = delivered != nullptr;
     const sbus::Counters &counters = _receiver.counters();
     require(counters.frames == _frames + complete, "frames are counted one by one");
     _frames = counters.frames;
@@ -91,21 +101,23 @@ class Line {
     if (!complete) {
       return;
     }
-    // Held are the newest bytes, and the frame stood right before them: contiguous, and behind the last break.
+    // Held are the newest bytes, and the frame stood right before them: contiguous, and after the last break.
     const uint8_t *const frame = _receiver.frame();
+    require(delivered == frame, "received() returns frame()");
+    require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
     require(sbus::isFrame(frame), "a delivered frame is a frame");
     require(_fed.size() >= heldBytes() + 25, "a frame's bytes have come since the last break");
     const size_t begin = _fed.size() - heldBytes() - 25;
-    require(begin >= _behindFrame, "frames do not overlap");
+    require(begin >= _afterFrame, "frames do not overlap");
     require(std::memcmp(_fed.data() + begin, frame, 25) == 0, "a delivered frame stands in the line, byte for byte");
-    _behindFrame = begin + 25;
+    _afterFrame = begin + 25;
   }
 
   sbus::Receiver _receiver;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
   std::vector<uint8_t> _waiting;
   std::vector<uint8_t> _fed;  // since the last break
-  size_t _behindFrame = 0;
+  size_t _afterFrame = 0;
   uint32_t _frames = 0;
   uint32_t _framesAtStart = 0;
   uint32_t _skippedAtStart = 0;
@@ -137,7 +149,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const uint8_t operation = data[at];
     if (operation < 0x80) {
       line.pass(operation * 100u);
-      line.look();
+      line.poll();
     } else if (operation < 0xC0) {
       for (unsigned left = (operation & 0x3Fu) + 1; left > 0 && at + 1 < size; left--) {
         line.arrive(data[++at]);
@@ -146,15 +158,18 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       neutralFrame(line, operation & 0x1F);
     } else if (operation < 0xF0) {
       line.pass(20u << (operation & 0xF));
+    } else if (operation == 0xFD) {
+      line.reset();
     } else if (operation == 0xFE) {
       line.reset();
+      line.settle();
     } else if (operation == 0xFF) {
-      line.look();
+      line.poll();
     } else {
-      line.look();
+      line.poll();
       line.broken();
     }
   }
-  line.look();
+  line.poll();
   return 0;
 }
