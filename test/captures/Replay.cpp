@@ -77,7 +77,7 @@ const std::map<std::string, Expected> Known = {
      {{{0x00, 1}}, {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}}},
 };
 
-// The end byte of the first frame in `characters` from `from` on that has these values; `from` is then behind it.
+// The end byte of the first frame in `characters` from `from` on that has these values; `from` is then after it.
 int endOf(const std::vector<host::Character> &characters, size_t &from, const Found &found) {
   for (size_t at = from; at + 25 <= characters.size(); at++) {
     Frame frame;
@@ -93,20 +93,38 @@ int endOf(const std::vector<host::Character> &characters, size_t &from, const Fo
   return -1;
 }
 
-std::vector<Found> replay(const std::vector<host::Character> &characters, uint32_t loopUs) {
+// `recorded`, and before it so much noise that the receiver settles, and after it what lets go the last frame.
+std::vector<host::Character> withNoise(const std::vector<host::Character> &recorded, uint32_t loopUs) {
+  std::vector<host::Character> characters;
+  host::Character noise;
+  noise.value = 0x55;
+  for (; characters.size() < 6; characters.push_back(noise)) {
+    noise.endUs += loopUs < 300 ? 300 : loopUs;
+  }
+  for (host::Character character : recorded) {
+    character.endUs += characters[5].endUs + 20000;
+    characters.push_back(character);
+  }
+  noise.endUs = characters.back().endUs + 20000;
+  characters.push_back(noise);
+  return characters;
+}
+
+std::vector<Found> replay(const std::vector<host::Character> &recorded, uint32_t loopUs) {
+  const std::vector<host::Character> characters = withNoise(recorded, loopUs);
   CapturePort port(characters);
   DecodeSBus dSBus(port);
   dSBus.begin();
   std::vector<Found> all;
   size_t from = 0;
-  for (uint64_t behind = 0; behind < 20000; behind += port.finished() ? loopUs : 0) {
+  for (uint64_t after = 0; after < 20000; after += port.finished() ? loopUs : 0) {
     fakeMicros += loopUs;
     port.receive();
     const uint32_t before = dSBus.counters().frames;
     dSBus.parseSBusFrame();
-    // Two frames in one look would be one to the sketch.
+    // Two frames in one poll would be one to the sketch.
     if (dSBus.counters().frames > before + 1) {
-      std::printf("two frames in one look\n");
+      std::printf("two frames in one poll\n");
     }
     if (dSBus.newFrame()) {
       Found found = {};
