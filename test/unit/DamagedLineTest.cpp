@@ -126,6 +126,24 @@ TEST_CASE("a failsafe frame with a second reading, joined at every character: ne
   }
 }
 
+TEST_CASE("a failsafe frame with a second reading, at every character after a break, without a pause: never the wrong one") {
+  for (const size_t burst : {1u, 16u, 25u}) {
+    for (size_t missing = 0; missing < 25; missing++) {
+      CAPTURE(burst);
+      CAPTURE(missing);
+      Feeder line;
+      line.lock().feed(bytesOf(FailsafeFrame), burst);
+      line.receiver.broken();
+      Bytes bytes = part(FailsafeFrame, missing);
+      for (unsigned number = 0; number < 20; number++) {
+        bytes = bytes + bytesOf(FailsafeFrame);
+      }
+      const Frames found = line.feed(bytes, burst);
+      CHECK(found == Frames(found.size(), FailsafeFrame));
+    }
+  }
+}
+
 TEST_CASE("a byte lost at any place of a neutral frame costs that frame and no other, with pauses or without") {
   const Frames expected = allBut(neutralFrames(), Damaged);
   for (size_t index = 0; index < 25; index++) {

@@ -427,6 +427,24 @@ TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH
   }
 }
 
+TEST_CASE("where 25 bytes were known 36-byte frames are believed once at the most, and not if more of one is there") {
+  const struct {
+    size_t burst;
+    unsigned most;
+  } rows[] = {{1, 1}, {9, 1}, {16, 0}, {36, 0}};
+  for (const auto &row : rows) {
+    CAPTURE(row.burst);
+    Feeder line;
+    line.lock();
+    Frames found;
+    for (unsigned number = 0; number < 40; number++) {
+      found = found + line.feed(longFrame(number, 0x03, 0x00), row.burst);
+      line.wait(Feeder::PauseUs);
+    }
+    CHECK(found.size() <= row.most);
+  }
+}
+
 TEST_CASE("36-byte frames in between that have no flags at 23 cost no frame if pauses can be seen, and none is wrong") {
   Wire wire;
   Frames sent;
