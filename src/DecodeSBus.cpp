@@ -63,7 +63,7 @@ void DecodeSBus::parseSBusFrame() {
   if (found <= 0) {
     return;
   }
-  _receiver.poll(found, now);
+  _receiver.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
     const int room = _receiver.room();
     const int count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);

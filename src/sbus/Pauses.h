@@ -63,11 +63,12 @@ class Pauses {
   }
 
  private:
-  static constexpr unsigned BurstSize = 17;        // characters: 16 of the Grasshopper's burst, and the idle one
-  static constexpr unsigned HalfBurst = 8;         // characters: ports hand over 8 or 16 of them
-  static constexpr unsigned Tolerance = 8;         // loop periods differ by an eighth, and some characters may be lost
-  static constexpr unsigned LongestPeriod = 6000;  // us: DecodeSBus.h asks for a call every 5 ms
-  static constexpr unsigned Forgetting = 32;       // loop() may become slower: the period grows by 3 % a poll
+  static constexpr unsigned BurstSize = 17;  // characters: 16 of the Grasshopper's burst, and the idle one
+  static constexpr unsigned HalfBurst = 8;   // characters: ports hand over 8 or 16 of them
+  static constexpr unsigned Tolerance = 8;   // loop periods differ by an eighth, and some characters may be lost
+  static constexpr unsigned LongestPeriod =
+      8000;  // us: DecodeSBus.h asks for a call every 5 ms, and the period grows meanwhile
+  static constexpr unsigned Forgetting = 32;  // loop() may become slower: the period grows by 3 % a poll
 
   unsigned burstTime() const { return BurstSize * _characterTime; }
 

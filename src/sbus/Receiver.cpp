@@ -38,11 +38,7 @@ void Receiver::broken() {
 // The first polls only teach the loop period, and with it what a pause is.
 void Receiver::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
-  if (quiet < Pauses::ShortPeriod) {
-    _settling = 0;
-  } else if (_settling != 0) {
-    _settling--;
-  }
+  _settling = quiet < Pauses::ShortPeriod || _settling == 0 ? 0 : static_cast<uint8_t>(_settling - 1);
 }
 
 const uint8_t *Receiver::search() {
@@ -132,13 +128,14 @@ __attribute__((always_inline)) inline int Receiver::judge(int start, uint8_t kin
   const LineKind &line = LineKinds[kind];
   const int size = FrameSize + line.tailSize;
   const bool pauseAfter = pauseAt >= FrameSize && pauseAt <= size;
-  if (!pauseAfter && !(filled > size && (frame[size] & line.headerMask) == HeaderByte) &&
-      !(filled == size && _idleAfter)) {
-    // Not yet known to be whole. In lock it is, unless more characters belong to it: another end, as after a noise
-    // character 0F before the true header; or more than noise, and no header.
-    if (kind != _kind || (filled > FrameSize && frame[FrameSize] == frame[EndIndex]) || filled > size + MostNoise) {
-      return filled > size ? 1 : Wait;
+  if (!pauseAfter && filled <= size) {
+    if (kind != _kind && !(filled == size && _idleAfter)) {
+      return Wait;
     }
+  } else if (!pauseAfter && (frame[size] & line.headerMask) != HeaderByte &&
+             (kind != _kind || frame[size] == frame[EndIndex] ||
+              (filled > size + MostNoise && frame[size + 1] != HeaderByte))) {
+    return 1;
   }
   const bool certain = ((pauseAfter || pauseAt == 0) && _pauses.areSure()) || (_certain && _skipped == -start);
   const int inner = certain ? FrameSize : innerHeader(frame, line.endMask);

@@ -51,7 +51,7 @@ class Receiver {
   int room() const { return Capacity - _filled; }
 
   // A poll of the port at `now` (us, wraps) has found so many bytes, 1 or more. They are read next.
-  void poll(int found, uint32_t now);
+  void poll(unsigned found, uint32_t now);
 
   // `count` bytes, 1..room(), were written to space(). Returns the frame that they completed (25 bytes), or nullptr.
   const uint8_t *received(int count) {
@@ -121,19 +121,18 @@ class Receiver {
 };
 
 // Here, as received(): with no call most polls cost some 100 cycles a frame less.
-inline void Receiver::poll(int found, uint32_t now) {
+inline void Receiver::poll(unsigned found, uint32_t now) {
   const uint32_t quiet = _pauses.quiet(now);
   if (quiet == 0) {
     return;  // it is still the same poll
   }
-  const auto count = static_cast<unsigned>(found);
   _quiet = quiet;
-  _pauseBefore = _pauses.pauseBefore(count, quiet);
+  _pauseBefore = _pauses.pauseBefore(found, quiet);
   if (_pauseBefore) {
     _pauseAt = _filled;
   }
   if (_kind == UnknownKind) {
-    learn(count, quiet);
+    learn(found, quiet);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <KnownFrames.h>
 #include <sbus/Frame.h>
 
 namespace {
@@ -63,9 +64,9 @@ void WireLine::sendFrame() {
   unsigned size = sbus::FrameSize;
   std::copy(frame.begin(), frame.end(), bytes);
   if (_transmission.kind == Kind::Sbus2) {
-    bytes[sbus::EndIndex] = static_cast<uint8_t>(sbus::TelemetryEndByte + (_number % 4 << 4));
+    bytes[sbus::EndIndex] = static_cast<uint8_t>(Sbus2End + (_number % 4 << 4));
   } else if (_transmission.kind == Kind::R7003SB) {
-    bytes[sbus::EndIndex] = sbus::LongEndByte;
+    bytes[sbus::EndIndex] = R7003End;
     size += static_cast<unsigned>(std::copy(std::begin(LongTail), std::end(LongTail), bytes + size) - (bytes + size));
   } else if (_transmission.kind == Kind::Channels24) {
     const Frame more = _moreSticks.next();
@@ -126,7 +127,7 @@ void WireLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent
 // What stands between this frame and the next.
 void WireLine::sendBetween(uint8_t end) {
   const uint64_t characters = _characters.size();
-  if (end == sbus::TelemetryEndByte && _transmission.kind == Kind::Sbus2 && _number % 8 == 0) {
+  if (end == Sbus2End && _transmission.kind == Kind::Sbus2 && _number % 8 == 0) {
     _timeUs += 2000;
     for (const uint8_t value : Telemetry) {
       send(value);

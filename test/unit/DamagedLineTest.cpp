@@ -301,7 +301,7 @@ TEST_CASE("any frames that one receiver sends without damage are delivered, all 
       frame[0] = 0x0F;
       frame[23] = frame[23] & 0x0F;
       frame[24] = static_cast<uint8_t>(kind == 0x04 ? kind | (frame[24] & 0x30) : kind);
-      bytes = bytes + bytesOf(frame) + (kind == sbus::LongEndByte ? R7003Tail : Bytes{});
+      bytes = bytes + bytesOf(frame) + (kind == R7003End ? R7003Tail : Bytes{});
     }
     Feeder line;
     RC_ASSERT(line.lock(kind).feed(bytes, *rc::gen::inRange<size_t>(1, 70)) == frames);

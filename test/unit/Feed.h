@@ -80,7 +80,7 @@ struct Feeder {
   Feeder &lock(uint8_t end = 0x00) {
     settle();
     for (unsigned number = 0; number < 3; number++) {
-      feed(bytesOf(plainFrame(number, end)) + (end == sbus::LongEndByte ? R7003Tail : Bytes{}));
+      feed(bytesOf(plainFrame(number, end)) + (end == R7003End ? R7003Tail : Bytes{}));
       wait(PauseUs);
     }
     REQUIRE(receiver.counters().frames == 3);

@@ -3,6 +3,10 @@
 
 #include "BitByBit.h"
 
+// End bytes of other makes: S.BUS2's first of four, after which sensors may answer; an R7003SB's, with five more bytes.
+constexpr uint8_t Sbus2End = 0x04;
+constexpr uint8_t R7003End = 0x08;
+
 struct KnownFrame {
   const char *source;
   Frame bytes;

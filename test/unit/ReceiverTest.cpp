@@ -25,7 +25,7 @@ Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
 }
 
 Bytes tailOf(uint8_t end) {
-  return end == sbus::LongEndByte ? R7003Tail : Bytes{};
+  return end == R7003End ? R7003Tail : Bytes{};
 }
 
 // FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
@@ -364,7 +364,7 @@ TEST_CASE("of every make every frame is delivered, telemetry after each 04, five
             const uint8_t end = row.ends[number % row.ends.size()];
             sent.push_back(withByte(frameOf(neutral, number, end), 23, number < 10 ? 0 : flags));
             wire.send(sent.back()).send(tailOf(end));
-            const bool answered = end == sbus::TelemetryEndByte && pauseUs == 12000;
+            const bool answered = end == Sbus2End && pauseUs == 12000;
             wire.pause(answered ? 2000 : 0).send(answered ? row.telemetry : Bytes{}).pause(pauseUs - (answered ? 2000 : 0));
           }
           for (const uint32_t loopUs : Loops) {
