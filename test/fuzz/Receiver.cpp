@@ -62,7 +62,7 @@ class Line {
 
   void poll() {
     if (!_waiting.empty()) {
-      _receiver.poll(static_cast<int>(_waiting.size()), _now);
+      _receiver.poll(static_cast<unsigned>(_waiting.size()), _now);
     }
     for (size_t at = 0; at < _waiting.size();) {
       const size_t room = static_cast<size_t>(_receiver.room());

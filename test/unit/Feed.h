@@ -33,7 +33,7 @@ struct Feeder {
   Frames poll(const Bytes &bytes) {
     Frames frames;
     if (!bytes.empty()) {
-      receiver.poll(static_cast<int>(bytes.size()), now);
+      receiver.poll(static_cast<unsigned>(bytes.size()), now);
     }
     for (size_t at = 0; at < bytes.size();) {
       const int room = receiver.room();

@@ -35,7 +35,7 @@ void LineMonitor::settle(uint64_t nowUs) {
 void LineMonitor::poll(uint64_t nowUs) {
   int waiting = _uart.available();
   if (waiting > 0) {
-    _receiver.poll(waiting, static_cast<uint32_t>(nowUs));
+    _receiver.poll(static_cast<unsigned>(waiting), static_cast<uint32_t>(nowUs));
   }
   while (waiting > 0) {
     const int count = _uart.read(_receiver.space(), static_cast<size_t>(std::min(waiting, _receiver.room())));
