@@ -82,6 +82,7 @@ mkdir -p "$BUILD"
   run_unit g++
   run_unit clang++
   run_line g++
+  line/without.sh check
   run_compile g++
   if [ -n "${CAPTURES:-}" ]; then run_captures g++; fi
   ./fuzz.sh

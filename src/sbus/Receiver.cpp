@@ -6,17 +6,17 @@ namespace sbus {
 
 namespace {
 
-constexpr uint8_t SettlingPolls = 6;   // at most
-constexpr int MostNoise = 4;           // characters; more in a row are no noise
-constexpr int LeastBurst = 5;          // characters: so many come at once if loop() was blocked
-constexpr int FarOff = FrameSize;      // characters skipped; more need not be known
-constexpr uint32_t LongBlock = 20000;  // us without a poll: what waited in the port is old
+constexpr int MostNoise = 4;              // characters; more in a row are no noise
+constexpr int LeastBurst = 5;             // characters: so many come at once if loop() was blocked
+constexpr int LongerBy = 36 - FrameSize;  // characters: FrSky's frames of 24 channels have 36
+constexpr int FarOff = FrameSize;         // characters skipped; more need not be known
+constexpr uint32_t LongBlock = 20000;     // us without a poll: what waited in the port is old
 
 }  // namespace
 
 void Receiver::reset(uint32_t now, uint8_t characterTime) {
   _pauses.reset(now, characterTime);
-  _settling = SettlingPolls;
+  _sincePause = NoPause;
   _kind = UnknownKind;
   _idleAfter = false;
   _certain = false;
@@ -32,13 +32,10 @@ void Receiver::broken() {
   _skipped = FarOff;
   _filled = 0;
   _pauseAt = Nowhere;
-  _straightOn = false;
 }
 
-// The first polls only teach the loop period, and with it what a pause is.
 void Receiver::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
-  _settling = quiet < Pauses::ShortPeriod || _settling == 0 ? 0 : static_cast<uint8_t>(_settling - 1);
 }
 
 const uint8_t *Receiver::search() {
@@ -65,11 +62,10 @@ bool Receiver::scan() {
 
 // True if a frame is complete. Moves _incoming on to it, or to where one may begin.
 inline bool Receiver::find() {
-  int start = _settling != 0 ? _filled : firstHeader(0);
-  if (_straightOn) {
-    skip(start);
-    start = 0;
+  if (!isHeader(0)) {
+    skip(firstHeader(0));
   }
+  int start = 0;
   for (const int last = _filled - FrameSize; start <= last;) {
     int step = 1;
     const uint8_t kind = kindAt(start);
@@ -121,6 +117,10 @@ __attribute__((always_inline)) inline int Receiver::judge(int start, uint8_t kin
   if (pauseAt > 0 && pauseAt < FrameSize && !wasBlocked(start)) {
     return pauseAt;
   }
+  const int sincePause = pauseAt <= 0 ? -pauseAt : _sincePause + start;
+  if (kind != _kind && sincePause > MostNoise && sincePause <= LongerBy) {
+    return 1;  // the rest of a longer frame
+  }
   const LineKind &line = LineKinds[kind];
   const int size = FrameSize + line.tailSize;
   const bool pauseAfter = pauseAt >= FrameSize && pauseAt <= size;
@@ -162,7 +162,7 @@ inline const uint8_t *Receiver::deliver() {
     _counters.resyncs++;
   }
   _skipped = static_cast<int8_t>(-LineKinds[_kind].tailSize);
-  _straightOn = true;
+  _sincePause = NoPause;
   const uint32_t time = _pauses.lastPoll() - (_quiet > LongBlock ? _quiet : 0);
   _counters.count(frame[FlagsIndex], time - _frameTime);
   _frameTime = time;
@@ -174,11 +174,13 @@ void Receiver::skip(int count) {
   if (_skipped < FarOff) {
     _skipped = static_cast<int8_t>(_skipped + count);
   }
-  if (_straightOn && ((_incoming[0] & LineKinds[_kind].headerMask) == HeaderByte || _pauseAt < count)) {
-    _straightOn = false;
-  }
-  if (_straightOn && _skipped > MostNoise) {
-    _straightOn = false;
+  if (_pauseAt <= count) {
+    _sincePause = static_cast<uint8_t>(count - _pauseAt);
+  } else if (_sincePause < FarOff) {
+    _sincePause = static_cast<uint8_t>(_sincePause + count);
+  } else if (isHeader(0)) {
+    _sincePause = FarOff;
+  } else if (_sincePause == NoPause && _skipped > MostNoise) {
     _kind = UnknownKind;
   }
   _counters.skippedBytes += static_cast<unsigned>(count);

@@ -56,8 +56,7 @@ class Receiver {
   // `count` bytes, 1..room(), were written to space(). Returns the frame that they completed (25 bytes), or nullptr.
   const uint8_t *received(int count) {
     _filled = static_cast<uint8_t>(_filled + count);
-    const bool goesOn = _filled < FrameSize && isHeader(0) && _settling == 0;
-    return goesOn ? nullptr : search();
+    return _filled < FrameSize && isHeader(0) ? nullptr : search();
   }
 
   // The port lost bytes after the last one received: the incoming frame will never be complete. Counts as an overflow.
@@ -82,6 +81,7 @@ class Receiver {
   static constexpr int Capacity = FrameSize + LongestTail + 7;  // a frame, its tail, and enough to tell what follows
   static_assert((Pad + Capacity) % 4 == 0, "so does the other frame's payload");
   static constexpr uint8_t Nowhere = 0xFF;
+  static constexpr uint8_t NoPause = 0xFF;
 
   // What judge() says; else how many characters further on a frame may begin.
   static constexpr int Deliver = -1;
@@ -105,16 +105,15 @@ class Receiver {
   uint8_t *_incoming = _frames[1] + Pad;
   uint8_t *_complete = _frames[0] + Pad;
   Pauses _pauses;
-  uint8_t _kind;      // of the line: a row of LineKinds, or UnknownKind
-  bool _certain;      // the last frame began where a frame begins
-  bool _straightOn;   // since then no header and no pause have come
-  bool _pauseBefore;  // the last poll's first character came after a pause
-  bool _idleAfter;    // while the kind is unknown: the line was idle after the last poll's characters
-  uint8_t _settling;  // polls whose bytes are still thrown away
-  uint8_t _filled;    // bytes in _incoming
-  uint8_t _pauseAt;   // index of the first byte after the newest pause, or Nowhere
-  int8_t _skipped;    // characters since the next frame was expected; below 0: a tail comes first
-  uint32_t _quiet;    // us before the last poll
+  uint8_t _kind;        // of the line: a row of LineKinds, or UnknownKind
+  bool _certain;        // the last frame began where a frame begins
+  bool _pauseBefore;    // the last poll's first character came after a pause
+  bool _idleAfter;      // while the kind is unknown: the line was idle after the last poll's characters
+  uint8_t _filled;      // bytes in _incoming
+  uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
+  uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
+  int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
+  uint32_t _quiet;      // us before the last poll
   uint32_t _frameTime = 0;
   Counters _counters;
   alignas(4) uint8_t _frames[2][Pad + Capacity];

@@ -21,6 +21,18 @@ Pattern random() {
   return bytes;
 }
 
+// Of the lines with the worst calls: where every header may begin a frame, and few do.
+Pattern runs() {
+  Random random(1);
+  Pattern bytes;
+  while (bytes.size() < 4096) {
+    bytes = bytes + Pattern(1 + random.below(40), 0x0F);
+    const uint8_t ends[] = {0x00, 0x00, 0x00, 0x04, 0x08, 0x14};
+    bytes = bytes + Pattern(1 + random.below(40), ends[random.below(6)]);
+  }
+  return bytes;
+}
+
 Pattern neutral(uint8_t flags, uint8_t end) {
   Pattern bytes(Neutral.bytes.begin(), Neutral.bytes.end());
   bytes[23] = flags;
@@ -42,6 +54,7 @@ std::vector<Line> make() {
   const Pattern frame = neutral(0x00, 0x00);
   return {
       {"random bytes", random()},
+      {"runs of 0F and of end bytes", runs()},
       {"0F without end", {0x0F}},
       {"0F 00 in turn", {0x0F, 0x00}},
       {"24 of 0F, 24 of 0C: none of 24 headers has an end byte", Pattern(24, 0x0F) + Pattern(24, 0x0C)},

@@ -86,7 +86,7 @@ TEST_CASE("joining the line in the middle of a frame, without any pause, costs t
   }
 }
 
-TEST_CASE("joining neutral sticks on the board, at any offset, costs one frame") {
+TEST_CASE("joining neutral sticks on the board, at any offset, costs one frame, or one more if its pause is not seen") {
   for (const uint32_t loopUs : {50u, 1000u, 3000u}) {
     for (const uint64_t pauseUs : {1000u, 4000u, 11000u}) {
       for (size_t missing = 1; missing < 25; missing++) {
@@ -98,7 +98,11 @@ TEST_CASE("joining neutral sticks on the board, at any offset, costs one frame")
         for (unsigned number = 1; number < 4; number++) {
           wire.send(neutralFrame(number)).pause(pauseUs);
         }
-        CHECK(wire.frames(loopUs) == Frames{neutralFrame(1), neutralFrame(2), neutralFrame(3)});
+        const Frames found = wire.frames(loopUs);
+        // 5 to 11 characters straight before a frame may be the beginning of one with 24 channels.
+        const bool oneMore = loopUs > 50 && missing >= 25 - 11 && missing <= 25 - 5 && found.size() == 2;
+        CHECK(Frames{neutralFrame(1), neutralFrame(2), neutralFrame(3)} ==
+              (oneMore ? Frames{neutralFrame(1)} : Frames{}) + found);
       }
     }
   }

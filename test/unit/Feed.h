@@ -66,14 +66,14 @@ struct Feeder {
     return frames;
   }
 
-  // So many polls that find noise, `periodUs` apart, then a pause: the receiver knows how often it is polled. What was
+  // Some polls that find noise, `periodUs` apart, then a pause: the receiver knows how often it is polled. What was
   // counted until now is left out of counted().
-  Feeder &settle(uint32_t periodUs = CharacterUs) {
+  Feeder &settle(uint32_t periodUs = CharacterUs, uint32_t pauseUs = PauseUs) {
     for (unsigned noise = 0; noise < 6; noise++) {
       wait(periodUs).poll({0x55});
     }
     _before = receiver.counters();
-    return wait(PauseUs);
+    return wait(pauseUs);
   }
 
   // settle(), and three frames without 0F in their payload, with pauses: the line's end byte is known.
@@ -98,7 +98,7 @@ struct Feeder {
 // A header follows: it lets go a frame that waits for it.
 inline Frames feedNew(const Bytes &bytes, size_t burst = 1) {
   Feeder feeder;
-  feeder.settle(static_cast<uint32_t>(burst) * Feeder::CharacterUs);
+  feeder.settle(static_cast<uint32_t>(burst) * Feeder::CharacterUs, 0);
   return feeder.feed(bytes + Bytes{0x0F}, burst);
 }
 
