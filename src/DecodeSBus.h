@@ -39,9 +39,8 @@ class DecodeSBus {
 
   // Takes in the bytes that wait on the port; never waits itself. Call it from serialEventN(), or from loop(), at least
   // every 5 ms (at 200000 baud 2.5 ms): the core's buffer of 64 bytes is full after 7.7 ms (3.8 ms) of a line without
-  // pauses, and frames are lost then, none mixed up. After begin() the first bytes only teach how long a pause is: two
-  // calls' bytes, or six calls' if loop() takes 4 ms. From then on a frame is there at the first call after its last
-  // byte came in; only the very first may wait for the next frame's first byte.
+  // pauses, and frames are lost then. A frame is there at the first call after its last byte came in; only the very
+  // first, and the first with another kind of end byte, may wait for the next frame's first byte.
   void parseSBusFrame();
 
   // True while the newest frame is younger than the timeout; false before the first frame.

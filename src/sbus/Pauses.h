@@ -15,8 +15,6 @@ namespace sbus {
 // Times are in us, and wrap after 71 minutes. All calls come from the context that reads the port.
 class Pauses {
  public:
-  static constexpr unsigned ShortPeriod = 4000;  // us: polls that come so fast teach the loop period
-
   // Forgets what was seen. `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime) {
     _lastPoll = now;
@@ -46,7 +44,7 @@ class Pauses {
     if (areSure()) {
       _loopPeriod = static_cast<uint16_t>(period + period / Forgetting);
     } else {
-      period = ShortPeriod;
+      period = AssumedPeriod;
     }
     const unsigned burst = burstTime();
     const unsigned busy = found * _characterTime;
@@ -63,12 +61,12 @@ class Pauses {
   }
 
  private:
-  static constexpr unsigned BurstSize = 17;  // characters: 16 of the Grasshopper's burst, and the idle one
-  static constexpr unsigned HalfBurst = 8;   // characters: ports hand over 8 or 16 of them
-  static constexpr unsigned Tolerance = 8;   // loop periods differ by an eighth, and some characters may be lost
-  static constexpr unsigned LongestPeriod =
-      8000;  // us: DecodeSBus.h asks for a call every 5 ms, and the period grows meanwhile
-  static constexpr unsigned Forgetting = 32;  // loop() may become slower: the period grows by 3 % a poll
+  static constexpr unsigned AssumedPeriod = 4000;  // us: of a loop() whose period is not known
+  static constexpr unsigned BurstSize = 17;        // characters: 16 of the Grasshopper's burst, and the idle one
+  static constexpr unsigned HalfBurst = 8;         // characters: ports hand over 8 or 16 of them
+  static constexpr unsigned Tolerance = 8;         // loop periods differ by an eighth, and some characters may be lost
+  static constexpr unsigned LongestPeriod = 8000;  // us: some more than the 5 ms that DecodeSBus.h asks for
+  static constexpr unsigned Forgetting = 32;       // loop() may become slower: the period grows by 3 % a poll
 
   unsigned burstTime() const { return BurstSize * _characterTime; }
 

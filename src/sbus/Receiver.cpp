@@ -109,18 +109,18 @@ inline uint8_t Receiver::kindAt(int start) {
   return kind;
 }
 
-// Of 25 bytes that have the form of a frame.
+// Of 25 bytes that have the form of a frame. extras/docs/receiver.md has the figures of all rules. (In line: a call
+// would make a line of headers cost a fifth more.)
 __attribute__((always_inline)) inline int Receiver::judge(int start, uint8_t kind) {
   const uint8_t *const frame = _incoming + start;
   const int filled = _filled - start;
   const int pauseAt = _pauseAt - start;
+  // A pause inside: halves of two frames, as S.BUS2 at rest has them (9321 wrong frames without this, 1 with it).
   if (pauseAt > 0 && pauseAt < FrameSize && !wasBlocked(start)) {
     return pauseAt;
   }
-  const int sincePause = pauseAt <= 0 ? -pauseAt : _sincePause + start;
-  if (kind != _kind && sincePause > MostNoise && sincePause <= LongerBy) {
-    return 1;  // the rest of a longer frame
-  }
+  // It is whole before a pause or a header. One of the line's kind is whole at once, unless its end comes twice, as if
+  // a noise character stood before the true header (1642 wrong, 40), or more follows than noise (141 wrong, 77).
   const LineKind &line = LineKinds[kind];
   const int size = FrameSize + line.tailSize;
   const bool pauseAfter = pauseAt >= FrameSize && pauseAt <= size;
@@ -133,10 +133,16 @@ __attribute__((always_inline)) inline int Receiver::judge(int start, uint8_t kin
               (filled > size + MostNoise && frame[size + 1] != HeaderByte))) {
     return 1;
   }
+  // The rest of a longer frame (of FrSky's 24 channels at rest 2298 are believed without this, 427 with it).
+  const int sincePause = pauseAt <= 0 ? -pauseAt : _sincePause + start;
+  if (kind != _kind && sincePause > MostNoise && sincePause <= LongerBy) {
+    return 1;
+  }
+  // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).
   const bool certain = ((pauseAfter || pauseAt == 0) && _pauses.areSure()) || (_certain && _skipped == -start);
   const int inner = certain ? FrameSize : innerHeader(frame, line.endMask);
   if (inner < FrameSize) {
-    return inner;  // they may be the halves of two frames
+    return inner;
   }
   skip(start);
   _kind = kind;
@@ -145,7 +151,8 @@ __attribute__((always_inline)) inline int Receiver::judge(int start, uint8_t kin
   return Deliver;
 }
 
-// loop() was blocked while a frame came in that was expected here: what seems to be a pause was none.
+// loop() was blocked while a frame came in that was expected here: what seems to be a pause was none (3143 frames
+// missed without this, 1300 with it).
 inline bool Receiver::wasBlocked(int start) const {
   return _skipped == -start && _pauseBefore && _pauseAt - start <= FrameSize - LeastBurst && !isHeader(_pauseAt);
 }

@@ -231,12 +231,13 @@ mixer() {
   on_host Mixer --sent "2:$out/Mixer-host.sent" >/dev/null
   on_mega Mixer-sent Mixer --sent "2:$out/Mixer.sent" && awk '
     /^#/ { wrong += $0 != "# 100000 baud, 8E2, inverted"; next }
-    { time = $1; $1 = ""; wrong += NF != 26 }
+    NF != 26 { cut++; next }  # the last one
+    { $1 = "" }
     FILENAME == ARGV[1] { host[++expected] = $0; next }
     { sent++ }
     $0 == host[sent] { same++; next }
     $0 != host[sent + 1] && $0 != host[sent - 1] { wrong++ }
-    END { exit expected < 1660 || sent > expected || sent < expected - 1 || same < sent - 10 || wrong > 0 }' \
+    END { exit expected < 1660 || sent > expected || sent < expected - 1 || same < sent - 10 || cut > 1 || wrong > 0 }' \
     "$out/Mixer-host.sent" "$out/Mixer.sent"
   verdict $? "Mixer sends the frames that it sends on the host, byte for byte, at 100000 baud, 8E2"
   awk '/^#/ { next }
