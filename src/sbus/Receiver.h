@@ -78,7 +78,7 @@ class Receiver {
 
  private:
   static constexpr int Pad = 3;                                 // before a frame: its payload then stands at a word
-  static constexpr int Capacity = FrameSize + LongestTail + 11;  // a frame, its tail, and enough to tell what follows
+  static constexpr int Capacity = FrameSize + LongestTail + 7;  // a frame, its tail, and enough to tell what follows
   static_assert((Pad + Capacity) % 4 == 0, "so does the other frame's payload");
   static constexpr uint8_t Nowhere = 0xFF;
   static constexpr uint8_t NoPause = 0xFF;
