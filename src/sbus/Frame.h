@@ -64,6 +64,8 @@ template <uint8_t Row = 0>
 constexpr uint8_t kindOfEnd(uint8_t end) {
   return endsKind(end, Row) ? Row : kindOfEnd<Row + 1>(end);
 }
+
+// After the last row: no frame ends with that byte.
 template <>
 constexpr uint8_t kindOfEnd<UnknownKind>(uint8_t) {
   return UnknownKind;
