@@ -7,7 +7,7 @@ set -u
 cd "$(dirname "$0")" || exit 1
 tab=$(printf '\t')
 
-# rule NAME FILE FROM TO LINES: FROM becomes TO in a copy of the library
+# cut_out NAME FILE FROM TO: FROM becomes TO in a copy of the library
 cut_out() {
   copy="$BUILD/without/$1/src"
   rm -rf "$copy"
@@ -28,7 +28,7 @@ while IFS="$tab" read -r name file from to lines; do
     if grep -qF "$from" "../../src/sbus/$file"; then echo "ok line/RULES: $name"; else
       echo "FAILED line/RULES: $name is not in $file: $from"
     fi
-  elif [ "$1" = "$name" ] || [ "$1" = all ]; then
+  elif [ "$1" = "$name" ]; then
     found=true
     lines=${ONLY:-$lines}
     cut_out "$name" "$file" "$from" "$to" || { echo "$name: this is not in $file: $from" >&2; exit 1; }
