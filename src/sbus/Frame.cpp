@@ -34,13 +34,10 @@ inline void unpackSwitches(uint8_t flags, uint16_t *channels) {
 }  // namespace
 
 int innerHeader(const uint8_t *frame, uint8_t endMask) {
-  const uint8_t end = frame[EndIndex];
-  uint8_t before = frame[1];
   for (int i = 2; i < FrameSize; i++) {
-    if (frame[i] == HeaderByte && ((before ^ end) & endMask) == 0) {
+    if (frame[i] == HeaderByte && ((frame[i - 1] ^ frame[EndIndex]) & endMask) == 0) {
       return i;
     }
-    before = frame[i];
   }
   return FrameSize;
 }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int MostNoise = 4;              // characters; more in a row are no noise
 constexpr int LeastBurst = 5;             // characters: so many come at once if loop() was blocked
+constexpr int MostRefused = 14;           // headers in a poll; then only what follows a pause is searched
 constexpr int LongerBy = 36 - FrameSize;  // characters: FrSky's frames of 24 channels have 36
 constexpr int FarOff = FrameSize;         // characters skipped; more need not be known
 constexpr uint32_t LongBlock = 20000;     // us without a poll: what waited in the port is old
@@ -16,7 +17,6 @@ constexpr uint32_t LongBlock = 20000;     // us without a poll: what waited in t
 
 void Receiver::reset(uint32_t now, uint8_t characterTime) {
   _pauses.reset(now, characterTime);
-  _sincePause = NoPause;
   _kind = UnknownKind;
   _idleAfter = false;
   _certain = false;
@@ -30,6 +30,7 @@ void Receiver::broken() {
   _counters.overflows++;
   _counters.skippedBytes += _filled;
   _skipped = FarOff;
+  _sincePause = FarOff;
   _filled = 0;
   _pauseAt = Nowhere;
 }
@@ -80,9 +81,13 @@ inline bool Receiver::find() {
       }
       _counters.refusedByExtra++;
     }
-    start += step;
+    if (++_refused < MostRefused) {
+      start = firstHeader(start + step);
+    } else {
+      start = _pauseAt > start && _pauseAt < _filled ? _pauseAt : _filled;
+    }
   }
-  skip(firstHeader(start));
+  skip(start);
   return false;
 }
 
@@ -97,9 +102,6 @@ inline int Receiver::firstHeader(int from) const {
 // The kind of frame whose form 25 bytes have; UnknownKind if of none.
 inline uint8_t Receiver::kindAt(int start) {
   const uint8_t *const frame = _incoming + start;
-  if (frame[0] != HeaderByte) {
-    return UnknownKind;
-  }
   const uint8_t kind = kindOfEnd(frame[EndIndex]);
   if (kind == UnknownKind) {
     _counters.refusedByEnd++;

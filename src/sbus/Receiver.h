@@ -113,6 +113,7 @@ class Receiver {
   uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
   uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
+  uint8_t _refused;     // headers refused in this poll
   uint32_t _quiet;      // us before the last poll
   uint32_t _frameTime = 0;
   Counters _counters;
@@ -126,6 +127,7 @@ inline void Receiver::poll(unsigned found, uint32_t now) {
     return;  // it is still the same poll
   }
   _quiet = quiet;
+  _refused = 0;
   _pauseBefore = _pauses.pauseBefore(found, quiet);
   if (_pauseBefore) {
     _pauseAt = _filled;

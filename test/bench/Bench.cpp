@@ -25,8 +25,8 @@ constexpr uint32_t Tries = 20000;
 // A tenth more than was measured with GCC 12.2 (bench.sh prints it).
 constexpr uint32_t MostPerFrame = 359;  // parse, clean line, neutral sticks, a loop() of 50 us
 constexpr uint32_t MostPerDecode = 162;
-constexpr uint32_t MostPerCall = 6800;     // parse, 64 bytes
-constexpr uint32_t MostPerByte = 200;      // parse, worst call of 16 bytes or more
+constexpr uint32_t MostPerCall = 5100;     // parse, 64 bytes
+constexpr uint32_t MostPerByte = 165;      // parse, worst call of 16 bytes or more
 constexpr unsigned MostTenthsLinear = 44;  // 64 bytes cost no more than 4.4 times what 16 cost
 
 constexpr uint32_t MostPerSending = 597;      // EncodeSBus::write(), a frame
