@@ -8,7 +8,7 @@ namespace {
 
 constexpr int MostNoise = 4;              // characters; more in a row are no noise
 constexpr int LeastBurst = 5;             // characters: so many come at once if loop() was blocked
-constexpr int MostRefused = 14;           // headers in a poll; then only what follows a pause is searched
+constexpr int MostRefused = 24;           // headers in a poll: a line that brings more is no S.Bus
 constexpr int LongerBy = 36 - FrameSize;  // characters: FrSky's frames of 24 channels have 36
 constexpr int FarOff = FrameSize;         // characters skipped; more need not be known
 constexpr uint32_t LongBlock = 20000;     // us without a poll: what waited in the port is old
@@ -56,8 +56,15 @@ bool Receiver::scan() {
   uint8_t *const beginning = _incoming;
   const bool found = find();
   if (_incoming != beginning) {
-    memmove(beginning, _incoming, _filled);
+    const uint8_t *const left = _incoming;
+    const int count = _filled;
     _incoming = beginning;
+    if (count != 0) {
+      int i = 0;
+      do {  // 100 cycles quicker than memmove()
+        beginning[i] = left[i];
+      } while (++i < count);
+    }
   }
   return found;
 }
@@ -81,11 +88,7 @@ inline bool Receiver::find() {
       }
       _counters.refusedByExtra++;
     }
-    if (++_refused < MostRefused) {
-      start = firstHeader(start + step);
-    } else {
-      start = _pauseAt > start && _pauseAt < _filled ? _pauseAt : _filled;
-    }
+    start = ++_refused < MostRefused ? firstHeader(start + step) : _filled;
   }
   skip(start);
   return false;

@@ -68,7 +68,7 @@ Bytes anyBytes() {
 
 TEST_CASE("garbage in front of the first frame costs no frame") {
   const Bytes rows[] = {{0x00},       {0xA5, 0x5A, 0xFF}, Bytes(100, 0xFF), {0x0F}, {0x0F, 0x0F, 0x0F},
-                        {0xA5, 0x0F, 0xA5}, Bytes(13, 0x0F)};
+                        {0xA5, 0x0F, 0xA5}, Bytes(23, 0x0F)};
   for (const Bytes &garbage : rows) {
     CAPTURE(garbage.size());
     CHECK(feedNew(garbage + join(Two)) == Two);
