@@ -45,7 +45,7 @@ void DecodeSBus::begin(unsigned long baud) {
 
 void DecodeSBus::begin(unsigned long baud, uint32_t config) {
   const unsigned long us = baud > SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
-  _receiver.reset(micros(), static_cast<uint8_t>(us));
+  _finder.reset(micros(), static_cast<uint8_t>(us));
   _link.reset();
   _decoded = 0;
   sbus::open(_serial, &HardwareSerial::begin, baud, config);
@@ -63,15 +63,15 @@ void DecodeSBus::parseSBusFrame() {
   if (found <= 0) {
     return;
   }
-  _receiver.poll(static_cast<unsigned>(found), now);
+  _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
-    const int room = _receiver.room();
-    const int count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);
+    const int room = _finder.room();
+    const int count = readWaiting(_serial, _finder.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);
     if (count <= 0) {
       return;  // a port that fails
     }
     waiting -= count;
-    if (const uint8_t *const frame = _receiver.received(count)) {
+    if (const uint8_t *const frame = _finder.received(count)) {
       _link.frame(frame[sbus::FlagsIndex]);
     }
   }
@@ -80,10 +80,10 @@ void DecodeSBus::parseSBusFrame() {
     // has come stands before the break or after it: nobody knows.
     int more = _serial.available();
     if (found + more >= BufferFull) {
-      _receiver.broken();
+      _finder.broken();
       for (int count = 1; more > 0 && count > 0; more -= count) {
-        const int room = _receiver.room();
-        count = readWaiting(_serial, _receiver.space(), static_cast<size_t>(more < room ? more : room), 0);
+        const int room = _finder.room();
+        count = readWaiting(_serial, _finder.space(), static_cast<size_t>(more < room ? more : room), 0);
       }
     }
   }
@@ -92,11 +92,11 @@ void DecodeSBus::parseSBusFrame() {
 // A frame that comes in between is younger than the clock that was read: then everything is read again.
 sbus::LinkState DecodeSBus::linkState() {
   for (;;) {
-    const uint32_t time = _receiver.frameTime();
+    const uint32_t time = _finder.frameTime();
     READ_ANEW();
     const sbus::LinkState state = _link.state(time, micros());
     READ_ANEW();
-    if (time == _receiver.frameTime()) {
+    if (time == _finder.frameTime()) {
       return state;
     }
   }
@@ -119,13 +119,13 @@ void DecodeSBus::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lost
   // A frame that completes meanwhile moves the one being read to where the next comes in: then read the newer one.
   uint32_t number;
   do {
-    number = _receiver.counters().frames;
+    number = _finder.counters().frames;
     READ_ANEW();
-    const uint8_t *const frame = _receiver.newest();
+    const uint8_t *const frame = _finder.newest();
     sbus::unpackAligned(frame, channels);
     lostFrame = sbus::lostFrame(frame);
     failsafe = _link.givenUp();
     READ_ANEW();
-  } while (number != _receiver.counters().frames);
+  } while (number != _finder.counters().frames);
   _decoded = number;
 }

@@ -12,8 +12,8 @@
 #include <limits.h>
 
 #include "SBusPort.h"
+#include "sbus/FrameFinder.h"
 #include "sbus/Link.h"
-#include "sbus/Receiver.h"
 
 // One receiver on one serial port; several objects may live side by side on different ports. Call the methods from
 // setup(), loop() or serialEventN(). What may be called from an interrupt stands at the end.
@@ -57,7 +57,7 @@ class DecodeSBus {
 
   // True if a frame has come that decodeSBusFrame() has not handed out yet; false before the first frame, and when the
   // newest is older than the timeout.
-  bool newFrame() { return _receiver.counters().frames != _decoded && SBusFrameOk(); }
+  bool newFrame() { return _finder.counters().frames != _decoded && SBusFrameOk(); }
 
   // ---- The link
 
@@ -71,7 +71,7 @@ class DecodeSBus {
 
   // What has been seen on the line since begin(), by cause (sbus/Counters.h); all 0 before the first byte. Each is
   // right; together they may be one frame apart if parseSBusFrame() interrupts.
-  sbus::Counters counters() const { return _receiver.counters(); }
+  sbus::Counters counters() const { return _finder.counters(); }
 
   // ---- Settings; begin() keeps them
 
@@ -91,7 +91,7 @@ class DecodeSBus {
 
  private:
   HardwareSerial &_serial;
-  sbus::Receiver _receiver;
+  sbus::FrameFinder _finder;
   sbus::Link _link;
   uint32_t _decoded = 0;  // number of the frame that was decoded last
 };

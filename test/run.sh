@@ -17,7 +17,7 @@ run_unit() {
   build "$1" -k unit
   for program in $(build "$1" list-unit); do
     name=$(basename "$program")
-    printf '\n%s, %s: %s\n' "$1" "$name" "$(sed -n '1s,^// ,,p' "unit/$name.cpp")"
+    printf '\n%s, %s: %s\n' "$1" "$name" "$(sed -n '1s,^// ,,p' "${program#"$BUILD/$1/"}.cpp")"
     if ! build "$1" -q "$program" >"$program.log" 2>&1; then
       echo "FAILED $name does not build with $1"
       continue

@@ -1,4 +1,4 @@
-// What a receiver counts.
+// What a FrameFinder counts.
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 namespace sbus {
 
-// What a receiver has seen since it was reset. All but the period count up from 0, and wrap after 2^32.
+// What was seen on the line since reset(). All but the period count up from 0, and wrap after 2^32.
 struct Counters {
   uint32_t frames;          // delivered
   uint32_t lostFrames;      // of the delivered: with the lost-frame flag

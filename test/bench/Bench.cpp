@@ -11,8 +11,8 @@
 #include "UnpackWays.h"
 #include "Values.h"
 #include "Worst.h"
-#include "unit/FakeClock.h"
-#include "unit/KnownFrames.h"
+#include "support/FakeClock.h"
+#include "support/KnownFrames.h"
 
 // Last: its macros min and max break the standard headers behind it.
 #include "CleanLine.h"

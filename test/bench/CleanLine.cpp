@@ -1,6 +1,6 @@
-#include "runtime/BoardUart.h"
-#include "unit/FakeClock.h"
-#include "unit/KnownFrames.h"
+#include "board/BoardUart.h"
+#include "support/FakeClock.h"
+#include "support/KnownFrames.h"
 
 // Last: its macros min and max break the standard headers behind it.
 #include "CleanLine.h"
@@ -25,9 +25,9 @@ Cost costOf(const CleanLine &line) {
     Cost cost;
     while (fakeMicros < startUs + line.periodUs) {
       fakeMicros += line.loopUs;
-      for (; sent < frame.size() && startUs + (sent + 1) * host::CharacterUs <= fakeMicros; sent++) {
-        host::Character character;
-        character.endUs = startUs + (sent + 1) * host::CharacterUs;
+      for (; sent < frame.size() && startUs + (sent + 1) * line::CharacterUs <= fakeMicros; sent++) {
+        line::Character character;
+        character.endUs = startUs + (sent + 1) * line::CharacterUs;
         character.value = frame[sent];
         uart.receive(character);
       }

@@ -1,7 +1,7 @@
 #include "Lines.h"
 
-#include "line/Random.h"
-#include "unit/KnownFrames.h"
+#include "support/Random.h"
+#include "support/KnownFrames.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <DecodeSBus.h>
 
 #include "MemorySerial.h"
-#include "line/PaperReceiver.h"
+#include "support/PaperReceiver.h"
 
 struct Ours {
   MemorySerial port;

@@ -1,8 +1,8 @@
 #include "Values.h"
 
 #include "sbus/Calibrator.h"
-#include "unit/FakeClock.h"
-#include "unit/KnownFrames.h"
+#include "support/FakeClock.h"
+#include "support/KnownFrames.h"
 
 // Last: their macros min and max break the standard headers behind them.
 #include <EncodeSBus.h>

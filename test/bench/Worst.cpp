@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <new>
 
-#include "line/Random.h"
-#include "unit/FakeClock.h"
-#include "unit/KnownFrames.h"
+#include "support/Random.h"
+#include "support/FakeClock.h"
+#include "support/KnownFrames.h"
 
 // Last: its macros min and max break the standard headers behind it.
 #include "Cost.h"

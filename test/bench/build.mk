@@ -14,7 +14,7 @@ CPU := -mcpu=cortex-m0plus -mthumb -Os
 BOARD := -std=gnu++11 -fno-exceptions -fno-rtti
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
 SECTIONS := -ffunction-sections -fdata-sections
-INCLUDES := -I$(TEST) -I$(TEST)/unit -I$(M0) -I$(SRC) -I$(HOST) -I$(HOST)/arduino
+INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
 DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
@@ -40,9 +40,9 @@ endef
 $(eval $(call rule,src/%.o,$(SRC)/%.cpp,$(BOARD)))
 $(foreach part,$(MEASURED),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,$(BOARD))))
 $(eval $(call rule,Start.o,$(M0)/Start.cpp,$(BOARD)))
-$(eval $(call rule,FakeClock.o,$(TEST)/unit/FakeClock.cpp,$(BOARD)))
+$(eval $(call rule,FakeClock.o,$(TEST)/support/FakeClock.cpp,$(BOARD)))
 $(eval $(call rule,Print.o,$(HOST)/arduino/Print.cpp,$(BOARD)))
-$(eval $(call rule,BoardUart.o,$(HOST)/runtime/BoardUart.cpp,-std=gnu++17))
+$(eval $(call rule,BoardUart.o,$(HOST)/board/BoardUart.cpp,-std=gnu++17))
 $(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,-std=gnu++17 -Wno-psabi)))
 
 # unpack() calls unpackGroup(), or has it in line.

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "BitByBit.h"
-#include "FakeClock.h"
-#include "runtime/BoardUart.h"
-#include "runtime/Recording.h"
+#include "support/BitByBit.h"
+#include "support/FakeClock.h"
+#include "board/BoardUart.h"
+#include "line/Recording.h"
 
 #include <DecodeSBus.h>
 
@@ -27,14 +27,14 @@ using Frames = std::vector<Frame>;
 // The board's port: its driver, and characters that come when the clock says so.
 class CapturePort : public HardwareSerial {
  public:
-  explicit CapturePort(const std::vector<host::Character> &characters) : _characters(characters) {}
+  explicit CapturePort(const std::vector<line::Character> &characters) : _characters(characters) {}
 
   void begin(unsigned long baud) override { begin(baud, 0); }
   void begin(unsigned long, uint32_t) override { _uart.open(fakeMicros); }
   void end() override { _uart.close(); }
   void receive() {
     for (; _next < _characters.size() && _start + _characters[_next].endUs <= fakeMicros; _next++) {
-      host::Character character = _characters[_next];
+      line::Character character = _characters[_next];
       character.endUs += _start;
       _uart.receive(character);
     }
@@ -50,7 +50,7 @@ class CapturePort : public HardwareSerial {
   operator bool() override { return true; }
 
  private:
-  const std::vector<host::Character> &_characters;
+  const std::vector<line::Character> &_characters;
   const uint64_t _start = fakeMicros + 1000;
   size_t _next = 0;
   host::BoardUart _uart;
@@ -78,7 +78,7 @@ const std::map<std::string, Expected> Known = {
 };
 
 // The end byte of the first frame in `characters` from `from` on that has these values; `from` is then after it.
-int endOf(const std::vector<host::Character> &characters, size_t &from, const Found &found) {
+int endOf(const std::vector<line::Character> &characters, size_t &from, const Found &found) {
   for (size_t at = from; at + 25 <= characters.size(); at++) {
     Frame frame;
     for (size_t i = 0; i < 25; i++) {
@@ -94,14 +94,14 @@ int endOf(const std::vector<host::Character> &characters, size_t &from, const Fo
 }
 
 // `recorded`, and before it so much noise that the receiver settles, and after it what lets go the last frame.
-std::vector<host::Character> withNoise(const std::vector<host::Character> &recorded, uint32_t loopUs) {
-  std::vector<host::Character> characters;
-  host::Character noise;
+std::vector<line::Character> withNoise(const std::vector<line::Character> &recorded, uint32_t loopUs) {
+  std::vector<line::Character> characters;
+  line::Character noise;
   noise.value = 0x55;
   for (; characters.size() < 6; characters.push_back(noise)) {
     noise.endUs += loopUs < 300 ? 300 : loopUs;
   }
-  for (host::Character character : recorded) {
+  for (line::Character character : recorded) {
     character.endUs += characters[5].endUs + 20000;
     characters.push_back(character);
   }
@@ -110,8 +110,8 @@ std::vector<host::Character> withNoise(const std::vector<host::Character> &recor
   return characters;
 }
 
-std::vector<Found> replay(const std::vector<host::Character> &recorded, uint32_t loopUs) {
-  const std::vector<host::Character> characters = withNoise(recorded, loopUs);
+std::vector<Found> replay(const std::vector<line::Character> &recorded, uint32_t loopUs) {
+  const std::vector<line::Character> characters = withNoise(recorded, loopUs);
   CapturePort port(characters);
   DecodeSBus dSBus(port);
   dSBus.begin();
@@ -182,7 +182,8 @@ int main(int argc, char **argv) {
   for (const std::filesystem::path &file : files) {
     const std::string name = file.filename().string();
     std::ifstream in(file);
-    const host::Recording recording = host::parseRecording(in);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const line::Recording recording = line::parseRecording(text);
     if (!recording.error.empty()) {
       std::printf("FAILED captures/%s:%u: %s\n", name.c_str(), recording.errorLine, recording.error.c_str());
       failed = true;

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "BitByBit.h"
+#include "support/BitByBit.h"
 #include "sbus/Frame.h"
 
 namespace {

@@ -2,10 +2,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
 #include <string>
 
-#include "runtime/Recording.h"
+#include "line/Recording.h"
 
 namespace {
 
@@ -16,17 +15,12 @@ void require(bool condition, const char *what) {
   }
 }
 
-host::Recording parse(const std::string &text) {
-  std::istringstream in(text);
-  return host::parseRecording(in);
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const std::string text(data, data + size);
-  const host::Recording recording = parse(text);
+  const line::Recording recording = line::parseRecording(text);
   require(recording.error.empty() || recording.error.size() < 300, "errors are short");
   for (const char c : recording.error) {
     require(c >= ' ' && c <= '~', "errors can be shown on a terminal");
@@ -35,23 +29,23 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require(recording.error.empty() || recording.errorLine <= 1 + size, "the line of an error is in the text");
   require(recording.characters.size() <= size / 2 + 1, "no more characters than words");
   uint64_t earliest = 0;
-  for (const host::Character &character : recording.characters) {
+  for (const line::Character &character : recording.characters) {
     require(character.endUs >= earliest, "characters do not overlap");
-    require(character.endUs <= host::RecordingTimeMaxUs + host::RecordingLineMax * host::CharacterUs, "none is too late");
-    earliest = character.endUs + host::CharacterUs;
+    require(character.endUs <= line::RecordingTimeMaxUs + line::RecordingLineMax * line::CharacterUs, "none is too late");
+    earliest = character.endUs + line::CharacterUs;
   }
   if (!recording.error.empty()) {
     return 0;
   }
   // Written down and read again it is the same.
   std::string written;
-  for (const host::Character &character : recording.characters) {
+  for (const line::Character &character : recording.characters) {
     char line[40];
     std::snprintf(line, sizeof(line), "%llu %02X\n", static_cast<unsigned long long>(character.endUs), character.value);
     written += line;
   }
-  if (recording.characters.back().endUs <= host::RecordingTimeMaxUs) {
-    const host::Recording again = parse(written);
+  if (recording.characters.back().endUs <= line::RecordingTimeMaxUs) {
+    const line::Recording again = line::parseRecording(written);
     require(again.error.empty() && again.characters.size() == recording.characters.size(), "it can be written down");
     for (size_t i = 0; i < again.characters.size(); i++) {
       require(again.characters[i].endUs == recording.characters[i].endUs, "times are kept");

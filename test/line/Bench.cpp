@@ -6,7 +6,7 @@
 // Last: Arduino.h's macros min and max break the standard headers after it.
 #include "UartPort.h"
 
-#include "PaperReceiver.h"
+#include "support/PaperReceiver.h"
 
 #include <DecodeSBus.h>
 
@@ -130,7 +130,7 @@ class Bench {
   }
 
   void receive() {
-    host::Character character;
+    line::Character character;
     while (_wire.next(fakeMicros, character)) {
       for (SentFrame frame; _wire.nextSent(frame);) {
         _judge.sent(frame);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <KnownFrames.h>
+#include "support/KnownFrames.h"
 #include <sbus/Frame.h>
 
 namespace {

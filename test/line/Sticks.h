@@ -1,11 +1,11 @@
 // What the pilot's sticks put into the frames: the payload decides how easily a receiver is misled.
 #pragma once
 
-#include <BitByBit.h>
+#include "support/BitByBit.h"
 
 #include <vector>
 
-#include "Random.h"
+#include "support/Random.h"
 
 enum class Sticks {
   // Ordinary ones, such as receivers send.

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <FakeClock.h>
-#include <runtime/BoardUart.h>
-#include <runtime/Wire.h>
+#include "support/FakeClock.h"
+#include "board/BoardUart.h"
+#include "line/LineSettings.h"
 
 #include "Bench.h"
 
@@ -25,12 +25,12 @@ class UartPort : public HardwareSerial {
   void begin(unsigned long baud) override { begin(baud, 0); }
   void begin(unsigned long baud, uint32_t) override {
     _baud = baud;
-    _characterUs = host::Wire{baud}.characterUs();
+    _characterUs = line::LineSettings{baud}.characterUs();
     _uart.open(fakeMicros, _buffer.data(), _buffer.size(), _characterUs);
   }
 
   // A character has come; nothing else has come up to now.
-  void receive(const host::Character &character) {
+  void receive(const line::Character &character) {
     if (_baud != _wireBaud) {
       return;
     }
@@ -79,7 +79,7 @@ class UartPort : public HardwareSerial {
  private:
   // The board's receive path becomes one without its ring: it is idle after each character.
   void handOver() {
-    for (const host::Character &character : _fifo) {
+    for (const line::Character &character : _fifo) {
       _uart.receive(character);
       _uart.advance(character.endUs + _characterUs);
     }
@@ -94,5 +94,5 @@ class UartPort : public HardwareSerial {
   uint32_t _characterUs = 0;
   uint64_t _bytesRead = 0;
   host::BoardUart _uart;
-  std::vector<host::Character> _fifo;
+  std::vector<line::Character> _fifo;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <KnownFrames.h>
+#include "support/KnownFrames.h"
 #include <sbus/Frame.h>
 
 namespace {
@@ -26,7 +26,7 @@ WireLine::WireLine(const Transmission &transmission, uint64_t startUs, Random &r
       _frameUs(startUs),
       _timeUs(startUs) {}
 
-bool WireLine::next(uint64_t nowUs, host::Character &character) {
+bool WireLine::next(uint64_t nowUs, line::Character &character) {
   if (finished(nowUs) || nextUs() > nowUs) {
     return false;
   }
@@ -153,7 +153,7 @@ void WireLine::sendBetween(uint8_t end) {
 
 void WireLine::send(uint8_t value, bool bad) {
   _timeUs += _characterUs;
-  host::Character character;
+  line::Character character;
   character.endUs = _timeUs;
   character.value = value;
   character.bad = bad;

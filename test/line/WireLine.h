@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <deque>
 
-#include <runtime/Line.h>
-#include <runtime/Wire.h>
+#include "line/Line.h"
+#include "line/LineSettings.h"
 
-#include "Random.h"
+#include "support/Random.h"
 #include "Sticks.h"
 
 // What the receiver sends.
@@ -38,7 +38,7 @@ struct Transmission {
   uint64_t frames = 20000;
   uint64_t stopEvery = 0;  // after so many frames the line is silent for 100 ms
 
-  uint32_t characterUs() const { return host::Wire{baud}.characterUs(); }
+  uint32_t characterUs() const { return line::LineSettings{baud}.characterUs(); }
 };
 
 // A frame as it stood on the wire. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
@@ -51,12 +51,12 @@ struct SentFrame {
   uint64_t after = 0;     // number of the good character after it
 };
 
-class WireLine : public host::Line {
+class WireLine : public line::Line {
  public:
   // The first frame begins at `startUs`.
   WireLine(const Transmission &transmission, uint64_t startUs, Random &random);
 
-  bool next(uint64_t nowUs, host::Character &character) override;
+  bool next(uint64_t nowUs, line::Character &character) override;
   bool finished(uint64_t nowUs) const override;
 
   // When the next character will be through, if the line has not finished.
@@ -87,6 +87,6 @@ class WireLine : public host::Line {
   uint64_t _noiseCharacters = 0;
   uint64_t _burstEndUs = 0;
   bool _straight = false;  // of the next frame
-  std::deque<host::Character> _characters;
+  std::deque<line::Character> _characters;
   std::deque<SentFrame> _sent;
 };

@@ -2,7 +2,7 @@
 #include <Arduino.h>
 
 #if defined(USE_PAPERS)
-#include "../line/PaperReceiver.h"
+#include "support/PaperReceiver.h"
 PaperReceiver receiver(Serial1);
 #elif defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
 #include <DecodeSBus.h>

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <utility>
 
-#include "../line/Random.h"
-#include "ShowArrays.h"
+#include "support/Random.h"
+#include "support/ShowArrays.h"
 #include "sbus/Calibration.h"
 
 namespace {

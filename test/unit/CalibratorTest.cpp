@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ShowArrays.h"
+#include "support/ShowArrays.h"
 #include "sbus/Calibrator.h"
 
 namespace {

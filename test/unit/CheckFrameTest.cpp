@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "KnownFrames.h"
+#include "support/KnownFrames.h"
 
 // The checks can be made by the compiler, too.
 static_assert(sbus::isFrame(PaperLow.bytes.data()), "the paper's frame is a frame");

@@ -1,11 +1,11 @@
 // The receiver on a damaged line: one damage costs one frame, and what is delivered was on the wire.
-#include "sbus/Receiver.h"
+#include "sbus/FrameFinder.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "Feed.h"
-#include "ShowArrays.h"
+#include "support/Feed.h"
+#include "support/ShowArrays.h"
 
 namespace {
 
@@ -51,7 +51,7 @@ Frames withBurst(const Bytes &bytes, size_t burst, uint32_t pauseUs) {
 
 // And through the board's driver.
 Frames withBurstOnBoard(const Bytes &bytes, uint32_t loopUs) {
-  Wire wire;
+  FedLine wire;
   for (unsigned number = 0; number < LineFrames; number++) {
     wire.send(number == Damaged ? bytes : bytesOf(neutralFrame(number))).pause(PauseUs);
   }
@@ -93,7 +93,7 @@ TEST_CASE("joining neutral sticks on the board, at any offset, costs one frame, 
         CAPTURE(loopUs);
         CAPTURE(pauseUs);
         CAPTURE(missing);
-        Wire wire;
+        FedLine wire;
         wire.send(part(neutralFrame(0), missing)).pause(pauseUs);
         for (unsigned number = 1; number < 4; number++) {
           wire.send(neutralFrame(number)).pause(pauseUs);
@@ -116,7 +116,7 @@ TEST_CASE("a failsafe frame with a second reading, joined at every character: ne
         CAPTURE(loopUs);
         CAPTURE(missing);
         constexpr unsigned Count = 40;
-        Wire wire;
+        FedLine wire;
         for (unsigned number = 0; number <= Count; number++) {
           wire.send(part(FailsafeFrame, number == 0 ? missing : 0)).pause(periodUs - 3000);
         }
@@ -188,7 +188,7 @@ TEST_CASE("any byte in a pause, at any place of it, costs at most one of the fra
     for (unsigned byte = 0; byte < 256; byte++) {
       CAPTURE(afterUs);
       CAPTURE(byte);
-      Wire wire;
+      FedLine wire;
       for (const Frame &frame : all) {
         const bool noisy = frame == all[Damaged];
         wire.send(frame).pause(noisy ? afterUs : PauseUs);
@@ -233,7 +233,7 @@ TEST_CASE("any number of 0F that are no headers cost at most six frames after th
       CHECK(isPartOf(found, all));
       CHECK(found.size() >= all.size() - 6);
     }
-    Wire wire;
+    FedLine wire;
     wire.send(all[0]).pause(PauseUs).send(all[1]).pause(PauseUs).send(Bytes(headers, 0x0F)).pause(PauseUs);
     wire.send(all[2]).pause(PauseUs).send(all[3]);
     for (const uint32_t loopUs : {50u, 1000u}) {
@@ -250,7 +250,7 @@ TEST_CASE("a wire that breaks within a frame and is whole again at the same plac
     for (size_t cut = 1; cut <= 25 - 17; cut++) {
       CAPTURE(loopUs);
       CAPTURE(cut);
-      Wire wire;
+      FedLine wire;
       wire.send(PaperLow.bytes).pause(PauseUs).send(PaperLow.bytes).pause(PauseUs);
       wire.send(part(PaperLow.bytes, 0, cut)).pause(25 * 120 + PauseUs).send(part(Neutral.bytes, cut)).pause(PauseUs);
       wire.send(PaperHigh.bytes).pause(PauseUs).send(PaperHigh.bytes);

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <new>
 
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
-#include "FakeBoard.h"
+#include "support/FakeBoard.h"
 
 TEST_CASE("the constructor leaves the port alone; begin opens it once, at 100000 baud, 8E2, inverted both ways") {
   FakeBoard board;

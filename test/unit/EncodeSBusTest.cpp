@@ -1,11 +1,11 @@
 // The class EncodeSBus on a fake port of the board's core: what it sends, when, and when not.
 #include <doctest/doctest.h>
 
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
 // Last: Arduino.h's macros min and max break the standard headers behind it.
-#include "FakeBoard.h"
+#include "support/FakeBoard.h"
 
 #include <EncodeSBus.h>
 

@@ -3,12 +3,12 @@
 
 #include <climits>
 
-#include "Feed.h"
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/Feed.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
 // Last: Arduino.h's macros min and max break the standard headers after it.
-#include "BoardPort.h"
+#include "support/BoardPort.h"
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
@@ -321,7 +321,7 @@ TEST_CASE("begin(200000) makes a pause within a frame, read byte by byte, one fr
   for (const auto &row : rows) {
     CAPTURE(row.baud);
     CAPTURE(row.quietUs);
-    const uint32_t characterUs = host::Wire{row.baud}.characterUs();
+    const uint32_t characterUs = line::LineSettings{row.baud}.characterUs();
     fakeMicros = 0;
     FakeSerial port;
     DecodeSBus decoder(port);
@@ -356,7 +356,7 @@ TEST_CASE("a frame cut by a pause is refused, or not, as with twice the pause an
       CAPTURE(halves);
       Frames found[2];
       for (const uint32_t characterUs : {60u, 120u}) {
-        Wire wire(characterUs);
+        FedLine wire(characterUs);
         for (unsigned number = 0; number < 8; number++) {
           const Frame frame = plainFrame(number);
           if (number == 3) {

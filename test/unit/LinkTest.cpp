@@ -4,10 +4,10 @@
 
 #include <climits>
 
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
-#include "FakeBoard.h"
+#include "support/FakeBoard.h"
 
 using sbus::LinkState;
 

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
 namespace {
 

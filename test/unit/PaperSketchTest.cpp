@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <string>
 
-#include "FakeClock.h"
-#include "KnownFrames.h"
+#include "support/FakeClock.h"
+#include "support/KnownFrames.h"
 
-#include "FakeSerial.h"
+#include "support/FakeSerial.h"
 
 // As the paper includes them.
 #include "DecodeSBus.h"

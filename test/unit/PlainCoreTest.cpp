@@ -1,10 +1,10 @@
 // DecodeSBus on a plainer core, compiled with HOST_PLAIN_CORE: no SERIAL_SBUS, no read(buffer, size).
 #include <doctest/doctest.h>
 
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
-#include "FakeBoard.h"
+#include "support/FakeBoard.h"
 
 #if !defined(HOST_PLAIN_CORE) || defined(SERIAL_SBUS)
 #error "this program is about a core without SERIAL_SBUS"

@@ -8,11 +8,11 @@
 #include <array>
 #include <vector>
 
-#include "FakeClock.h"
-#include "Feed.h"
-#include "ShowArrays.h"
+#include "support/FakeClock.h"
+#include "support/Feed.h"
+#include "support/ShowArrays.h"
 
-#include "FakeBoard.h"
+#include "support/FakeBoard.h"
 
 #if defined(__x86_64__) && defined(__linux__)
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "ShowArrays.h"
+#include "support/ShowArrays.h"
 #include "sbus/Scaling.h"
 
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "KnownFrames.h"
-#include "ShowArrays.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
 
 namespace {
 

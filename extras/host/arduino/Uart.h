@@ -1,5 +1,5 @@
 // Uart: the board's serial ports. What a port receives, and who hears what it sends, is decided by the program around
-// the sketch (runtime/Port.h).
+// the sketch (board/Port.h).
 #pragma once
 
 #include "HardwareSerial.h"

@@ -21,13 +21,13 @@ SECTIONS := -ffunction-sections -fdata-sections
 # There are neither threads nor signals.
 DEFINITIONS := -DDOCTEST_CONFIG_NO_POSIX_SIGNALS -DDOCTEST_CONFIG_NO_MULTITHREADING
 ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
-INCLUDES := -I$(HERE)/standin -I$(TEST) -I$(TEST)/unit -I$(SRC) -I$(HOST) $(ARDUINO) -isystem $(OUT)/include
+INCLUDES := -I$(HERE)/standin -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -isystem $(OUT)/include
 DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 
 LEFT_OUT := $(shell awk '$$1 == "out" { print $$2 }' $(HERE)/CASES)
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-RUNTIME := BoardUart BoardTransmitter PortSettings UartSampler Recording SimulatedReceiver Calibration
+ROOMS := host/board/BoardUart line/LineSettings line/SimulatedReceiver
 
 unit: $(UNIT:%=$(OUT)/unit/%)
 alignment: $(OUT)/UnalignedRead $(OUT)/AlignedRead
@@ -80,13 +80,16 @@ $(OUT)/$1/src/%.o: $(SRC)/%.cpp $(HERE)/build.mk
 $(OUT)/$1/arduino/%.o: $(HOST)/arduino/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$$(call compile,-std=gnu++11 -Os $2)
-$(OUT)/$1/runtime/%.o: $(HOST)/runtime/%.cpp $(HERE)/build.mk
+$(OUT)/$1/host/%.o: $(HOST)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$$(call compile,$(TESTS))
-$(OUT)/$1/FakeClock.o: $(TEST)/unit/FakeClock.cpp $(HERE)/build.mk
+$(OUT)/$1/line/%.o: $(ROOT)/extras/line/%.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$$(call compile,$(TESTS))
+$(OUT)/$1/FakeClock.o: $(TEST)/support/FakeClock.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$$(call compile,-std=gnu++11 -Os $2)
-$(OUT)/$1.a: $(LIBRARY:%=$(OUT)/$1/src/%.o) $(OUT)/$1/arduino/Print.o $(RUNTIME:%=$(OUT)/$1/runtime/%.o) \
+$(OUT)/$1.a: $(LIBRARY:%=$(OUT)/$1/src/%.o) $(OUT)/$1/arduino/Print.o $(ROOMS:%=$(OUT)/$1/%.o) \
   $(OUT)/$1/FakeClock.o
 	@rm -f $$@
 	arm-none-eabi-ar rcs $$@ $$^

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "Mega.h"
-#include "runtime/Eeprom.h"
+#include "board/Eeprom.h"
 
 namespace mega {
 

@@ -27,7 +27,7 @@ class AtOnce {
 
 }  // namespace
 
-LineInput::LineInput(Mega &mega, host::Line &line, uint32_t phaseUs)
+LineInput::LineInput(Mega &mega, line::Line &line, uint32_t phaseUs)
     : _mega(mega), _usart(mega.usart(1)), _line(line), _phaseUs(phaseUs) {
   avr_irq_register_notify(avr_iomem_getirq(mega.avr(), _usart.r_ucsrb, nullptr, AVR_IOMEM_IRQ_ALL), controlWritten,
                           this);
@@ -75,12 +75,12 @@ void LineInput::open() {
 }
 
 void LineInput::settle() {
-  const host::PortSettings settings = _mega.settings(1);
-  _mismatch = host::mismatch(settings, _wire);
+  const line::LineSettings settings = _mega.settings(1);
+  _mismatch = line::mismatch(settings, _wire);
   _sampler.open(nowUs(), settings, _wire);
 }
 
-void LineInput::rewire(const host::Wire &wire) {
+void LineInput::rewire(const line::LineSettings &wire) {
   _wire = wire;
   if (_open) {
     settle();
@@ -113,7 +113,7 @@ avr_cycle_count_t LineInput::characterThrough(avr_t *, avr_cycle_count_t, void *
   return self.fetch() ? self.toCycle(self._next.endUs) : 0;
 }
 
-void LineInput::count(const host::Character &character) {
+void LineInput::count(const line::Character &character) {
   const uint64_t beganUs = character.endUs - _wire.characterUs();
   if (beganUs > _lastEndUs) {
     _run = 0;
@@ -132,7 +132,7 @@ void LineInput::count(const host::Character &character) {
   }
 }
 
-void LineInput::put(const host::Character &character) {
+void LineInput::put(const line::Character &character) {
   if (_mismatch.empty()) {
     if (character.endUs >= _openedUs + _wire.characterUs()) {
       receive(character);
@@ -141,13 +141,13 @@ void LineInput::put(const host::Character &character) {
   }
   _wrongSettings = _mismatch;
   _sampler.put(character);
-  host::Character seen;
+  line::Character seen;
   while (_sampler.next(character.endUs, seen)) {
     receive(seen);
   }
 }
 
-void LineInput::receive(const host::Character &character) {
+void LineInput::receive(const line::Character &character) {
   forgetRead();
   if (_bad.size() == HardwareBuffer) {
     _overruns++;

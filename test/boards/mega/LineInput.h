@@ -6,9 +6,9 @@
 #include <string>
 
 #include "Mega.h"
-#include "runtime/Line.h"
-#include "runtime/UartSampler.h"
-#include "runtime/Wire.h"
+#include "line/Line.h"
+#include "line/UartSampler.h"
+#include "line/LineSettings.h"
 
 namespace mega {
 
@@ -26,7 +26,7 @@ constexpr uint32_t PhaseUs = 1000;
 class LineInput {
  public:
   // A wire is late by nothing.
-  LineInput(Mega &mega, host::Line &line, uint32_t phaseUs);
+  LineInput(Mega &mega, line::Line &line, uint32_t phaseUs);
   LineInput(const LineInput &) = delete;  // libsimavr has been given its address
   LineInput &operator=(const LineInput &) = delete;
 
@@ -39,7 +39,7 @@ class LineInput {
   void look();
 
   // From now on the other end of the line sends in another way.
-  void rewire(const host::Wire &wire);
+  void rewire(const line::LineSettings &wire);
 
   // What has gone over the line since the port was first opened. A frame is the first 25 characters behind a pause, if
   // all are good.
@@ -68,19 +68,19 @@ class LineInput {
   bool fetch();
   void open();
   void settle();
-  void count(const host::Character &character);
-  void put(const host::Character &character);
-  void receive(const host::Character &character);
+  void count(const line::Character &character);
+  void put(const line::Character &character);
+  void receive(const line::Character &character);
   void forgetRead();
   void hook(avr_io_addr_t address, avr_io_read_t ours, avr_io_read_t &theirs);
 
   Mega &_mega;
   avr_uart_t &_usart;
-  host::Line &_line;
+  line::Line &_line;
   const uint32_t _phaseUs;
-  host::Wire _wire;
-  host::UartSampler _sampler;
-  host::Character _next;   // on its way,
+  line::LineSettings _wire;
+  line::UartSampler _sampler;
+  line::Character _next;   // on its way,
   bool _isComing = false;  // if there is one
 
   bool _everOpen = false;

@@ -24,8 +24,8 @@ void LineOutput::controlWritten(avr_irq_t *, uint32_t value, void *output) {
   if ((value & TransmitterOn) == 0) {
     return;
   }
-  const host::PortSettings settings = self._mega.settings(self._number);
-  self._characterCycles = settings.format().bits() * (self._mega.avr()->frequency / settings.baud);
+  const line::LineSettings settings = self._mega.settings(self._number);
+  self._characterCycles = settings.format.bits() * (self._mega.avr()->frequency / settings.baud);
   self._mega.usart(self._number).cycles_per_byte = self._characterCycles;
   if (!(settings == self._settings)) {
     self._settings = settings;

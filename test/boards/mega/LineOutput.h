@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "Mega.h"
-#include "runtime/PortSettings.h"
+#include "line/LineSettings.h"
 
 namespace mega {
 
@@ -17,7 +17,7 @@ class LineOutput {
   LineOutput &operator=(const LineOutput &) = delete;
 
   // Called when the sketch has set the port to something else than before.
-  void onSettings(std::function<void(const host::PortSettings &)> callback) { _onSettings = std::move(callback); }
+  void onSettings(std::function<void(const line::LineSettings &)> callback) { _onSettings = std::move(callback); }
 
   // Called when a character begins, with the cycle in which it will be through.
   void onCharacter(std::function<void(uint8_t, avr_cycle_count_t)> callback) { _onCharacter = std::move(callback); }
@@ -28,10 +28,10 @@ class LineOutput {
 
   Mega &_mega;
   const int _number;
-  host::PortSettings _settings;
+  line::LineSettings _settings;
   avr_cycle_count_t _characterCycles = 0;
   avr_cycle_count_t _end = 0;  // of the last character
-  std::function<void(const host::PortSettings &)> _onSettings;
+  std::function<void(const line::LineSettings &)> _onSettings;
   std::function<void(uint8_t, avr_cycle_count_t)> _onCharacter;
 };
 

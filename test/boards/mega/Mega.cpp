@@ -3,14 +3,13 @@
 #include <simavr/avr_extint.h>
 #include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
-#include <stm32l0_uart.h>
 
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
 
-#include "runtime/Line.h"
+#include "line/Line.h"
 
 namespace mega {
 
@@ -80,7 +79,7 @@ void Mega::findUsarts() {
 }
 
 void Mega::run() {
-  constexpr avr_cycle_count_t Stretch = host::CharacterUs * CyclesPerUs;
+  constexpr avr_cycle_count_t Stretch = line::CharacterUs * CyclesPerUs;
   const avr_cycle_count_t end = _avr->cycle + Stretch;
   while (_avr->cycle < end) {
     const int state = avr_run(_avr);
@@ -90,19 +89,18 @@ void Mega::run() {
   }
 }
 
-host::PortSettings Mega::settings(int number) const {
+line::LineSettings Mega::settings(int number) const {
   const avr_uart_t &usart = *_usarts[number];
   const uint8_t *const data = _avr->data;
   const unsigned divisor = 1 + (data[usart.ubrrl.reg] | (data[usart.ubrrh.reg] & 0x0Fu) << 8);
   const unsigned samples = isSet(_avr, usart.u2x) ? 8 : 16;  // per bit
   const unsigned format = data[usart.r_ucsrc];
-  constexpr uint32_t Parities[] = {STM32L0_UART_OPTION_PARITY_NONE, STM32L0_UART_OPTION_PARITY_NONE,
-                                   STM32L0_UART_OPTION_PARITY_EVEN, STM32L0_UART_OPTION_PARITY_ODD};
-  host::PortSettings settings;
+  constexpr line::Parity Parities[] = {line::Parity::None, line::Parity::None, line::Parity::Even, line::Parity::Odd};
+  line::LineSettings settings;
   settings.baud = _avr->frequency / (samples * divisor);
-  settings.config = ((format >> 1 & 3) == 3 ? STM32L0_UART_OPTION_DATA_SIZE_8 : STM32L0_UART_OPTION_DATA_SIZE_7) |
-                    ((format >> 3 & 1) != 0 ? STM32L0_UART_OPTION_STOP_2 : STM32L0_UART_OPTION_STOP_1) |
-                    Parities[format >> 4 & 3];
+  settings.format.dataBits = (format >> 1 & 3) == 3 ? 8 : 7;
+  settings.format.parity = Parities[format >> 4 & 3];
+  settings.format.stopBits = (format >> 3 & 1) != 0 ? 2 : 1;
   return settings;
 }
 

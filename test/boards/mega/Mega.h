@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/PortSettings.h"
+#include "line/LineSettings.h"
 
 namespace mega {
 
@@ -32,7 +32,7 @@ class Mega {
   avr_uart_t &usart(int number) { return *_usarts[number]; }  // 0..3
 
   // What the sketch has set a port to, as its registers have it.
-  host::PortSettings settings(int number) const;
+  line::LineSettings settings(int number) const;
 
  private:
   static constexpr int UsartCount = 4;

@@ -23,18 +23,18 @@ std::string checkSent(const std::string &text) {
 }  // namespace
 
 Options parseOptions(int argc, char **argv) {
-  const std::map<std::string, host::Sticks> movements = {{"flight", host::Sticks::Flight},
-                                                         {"calibration", host::Sticks::Calibration}};
+  const std::map<std::string, line::Sticks> movements = {{"flight", line::Sticks::Flight},
+                                                         {"calibration", line::Sticks::Calibration}};
   Options options;
   std::string wire;
   std::string sent;
   CLI::App app{"Runs a sketch on a simulated Arduino Mega, with the simulated receiver at Serial1."};
   app.add_option("SKETCH.elf", options.elf)->required();
-  auto *recording = app.add_option("--recording", options.recording, "play this recording of a line, once");
+  auto *recording = app.add_option("--recording", options.source.recording, "play this recording of a line, once");
   recording->type_name("FILE");
-  auto *sticks = app.add_option("--sticks", options.sticks, "what the person at the simulated radio does (flight)");
+  auto *sticks = app.add_option("--sticks", options.source.sticks, "what the person at the simulated radio does (flight)");
   sticks->transform(CLI::Transformer(movements).description(""))->type_name("flight|calibration")->excludes(recording);
-  auto *silent = app.add_flag("--silent", options.silent, "nothing comes");
+  auto *silent = app.add_flag("--silent", options.source.silent, "nothing comes");
   silent->excludes(recording)->excludes(sticks);
   app.add_option("--wire", wire, "a wire from TX of a port to RX of Serial1, in place of the line")
       ->check(CLI::Validator(checkWire, ""))
@@ -65,8 +65,8 @@ Options parseOptions(int argc, char **argv) {
     options.sentBy = sent[0] - '0';
     options.sent = sent.substr(2);
   }
-  if (options.seconds == 0 && options.recording.empty()) {
-    options.seconds = host::choreography(options.sticks).periodMs / 1000.0;  // once
+  if (options.seconds == 0 && options.source.recording.empty()) {
+    options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // once
   }
   return options;
 }

@@ -3,15 +3,13 @@
 
 #include <string>
 
-#include "runtime/Choreography.h"
+#include "line/Source.h"
 
 namespace mega {
 
 struct Options {
   std::string elf;
-  std::string recording;
-  host::Sticks sticks = host::Sticks::Flight;
-  bool silent = false;
+  line::Source source;
   int wireFrom = 0;    // the USART that is wired to RX of USART1, or 0
   double seconds = 0;  // 0: as long as there is something to come
   long bad = -1;       // number of a character, or -1

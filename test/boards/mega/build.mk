@@ -91,17 +91,19 @@ $(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o) $(OUT)/standin/Servo.o
 
 # The runner, with the host's lines. An inverter stands in front of the pin, as in front of the host's plain core.
 RUNNER := $(patsubst $(HERE)/%,%,$(filter-out %/Counters.cpp,$(wildcard $(HERE)/*.cpp)))
-RUNTIME := PortSettings RecordedLine Recording SimulatedReceiver Flight Calibration UartSampler SentFile Eeprom
-RUNNER_CXX = $(CXX) -std=c++17 -O2 $(WARNINGS) -DHOST_PLAIN_CORE $(DEPENDENCIES) -I$(HERE) -I$(HOST) -I$(HOST)/runtime \
-  -I$(HOST)/arduino -I$(ROOT)/src
+ROOMS := $(patsubst $(ROOT)/extras/%.cpp,%,$(wildcard $(ROOT)/extras/line/*.cpp)) host/board/Eeprom
+RUNNER_CXX = $(CXX) -std=c++17 -O2 $(WARNINGS) -DHOST_PLAIN_CORE $(DEPENDENCIES) -I$(HERE) -I$(HOST) -I$(ROOT)/extras -I$(ROOT)/src
 
-$(OUT)/runner: $(RUNNER:%.cpp=$(OUT)/runner-objects/%.o) $(RUNTIME:%=$(OUT)/runner-objects/runtime/%.o) \
-  $(OUT)/runner-objects/sbus/Frame.o
+$(OUT)/runner: $(RUNNER:%.cpp=$(OUT)/runner-objects/%.o) $(ROOMS:%=$(OUT)/runner-objects/%.o) \
+  $(OUT)/runner-objects/sbus/Frame.o $(OUT)/runner-objects/sbus/FrameFinder.o
 	$(CXX) $^ -lsimavr -o $@
 $(OUT)/runner-objects/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(RUNNER_CXX) -c $< -o $@
-$(OUT)/runner-objects/runtime/%.o: $(HOST)/runtime/%.cpp $(HERE)/build.mk
+$(OUT)/runner-objects/line/%.o: $(ROOT)/extras/line/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(RUNNER_CXX) -c $< -o $@
+$(OUT)/runner-objects/host/%.o: $(HOST)/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(RUNNER_CXX) -c $< -o $@
 $(OUT)/runner-objects/sbus/%.o: $(ROOT)/src/sbus/%.cpp $(HERE)/build.mk

@@ -4,9 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "Eeprom.h"
@@ -16,11 +14,8 @@
 #include "Mega.h"
 #include "Options.h"
 #include "Pulses.h"
-#include "runtime/JumperWire.h"
-#include "runtime/RecordedLine.h"
-#include "runtime/SentFile.h"
-#include "runtime/SilentLine.h"
-#include "runtime/SimulatedReceiver.h"
+#include "board/JumperWire.h"
+#include "line/RecordingFile.h"
 
 namespace {
 
@@ -29,23 +24,8 @@ using mega::Options;
 constexpr unsigned long SerialBaud = 115200;
 constexpr unsigned long SerialBaudError = 40;  // 1/40: an AVR at 16 MHz sends at 117647, 2.1 % too fast
 
-std::unique_ptr<host::Line> makeGoodLine(const Options &options) {
-  if (options.silent) {
-    return std::make_unique<host::SilentLine>();
-  }
-  if (options.recording.empty()) {
-    return std::make_unique<host::SimulatedReceiver>(host::choreography(options.sticks));
-  }
-  std::ifstream in(options.recording, std::ios::binary);
-  host::Recording recording = host::parseRecording(in);
-  if (!recording.error.empty()) {
-    throw std::runtime_error(options.recording + ": " + recording.error);
-  }
-  return std::make_unique<host::RecordedLine>(std::move(recording));
-}
-
-std::unique_ptr<host::Line> makeLine(const Options &options) {
-  std::unique_ptr<host::Line> line = makeGoodLine(options);
+std::unique_ptr<line::Line> makeLine(const Options &options) {
+  std::unique_ptr<line::Line> line = options.source.open();
   if (options.bad >= 0) {
     line = std::make_unique<mega::OneBadCharacter>(std::move(line), static_cast<unsigned long>(options.bad));
   }
@@ -72,7 +52,7 @@ class Bench {
       }
     }
     if (options.sentBy != 0) {
-      _sent = std::make_unique<host::SentFile>(options.sent);
+      _sent = std::make_unique<line::RecordingFile>(options.sent);
     }
     if (!options.eeprom.empty()) {
       _eeprom.load(options.eeprom);
@@ -95,16 +75,16 @@ class Bench {
 
  private:
   void connect(int number) {
-    _outputs[number].onSettings([this, number](const host::PortSettings &settings) {
+    _outputs[number].onSettings([this, number](const line::LineSettings &settings) {
       if (number == _options.wireFrom) {
-        _input.rewire(wireFrom(settings));
+        _input.rewire(settings);
       }
       if (number == _options.sentBy) {
         _sent->opened(settings);
       }
     });
     _outputs[number].onCharacter([this, number](uint8_t byte, avr_cycle_count_t end) {
-      host::Character character;
+      line::Character character;
       character.endUs = _input.toUs(end + mega::CyclesPerUs - 1);  // rounded up: then it really is through
       character.value = byte;
       if (number == _options.wireFrom) {
@@ -136,9 +116,9 @@ class Bench {
 
   // Serial: 115200 baud as near as the processor comes to it, 8N1.
   bool isSerialRight() const {
-    const host::PortSettings settings = _mega.settings(0);
+    const line::LineSettings settings = _mega.settings(0);
     const unsigned long error = settings.baud > SerialBaud ? settings.baud - SerialBaud : SerialBaud - settings.baud;
-    return error <= SerialBaud / SerialBaudError && settings.format() == host::Format{8, host::Parity::None, 1};
+    return error <= SerialBaud / SerialBaudError && settings.format == line::Format{8, line::Parity::None, 1};
   }
 
   bool judge() const {
@@ -169,12 +149,12 @@ class Bench {
 
   const Options &_options;
   mega::Mega _mega;
-  std::unique_ptr<host::Line> _line;  // null if a wire has taken its place
+  std::unique_ptr<line::Line> _line;  // null if a wire has taken its place
   host::JumperWire _jumper;
   mega::LineInput _input;
   mega::LineOutput _outputs[4];
   mega::Eeprom _eeprom;
-  std::unique_ptr<host::SentFile> _sent;
+  std::unique_ptr<line::RecordingFile> _sent;
   std::unique_ptr<mega::Pulses> _pulses;
   bool _lineBegins = true;
 };

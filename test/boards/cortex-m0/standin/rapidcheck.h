@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "line/Random.h"
+#include "support/Random.h"
 
 namespace rc {
 

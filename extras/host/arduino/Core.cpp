@@ -1,0 +1,191 @@
+// The functions and objects of the board's core, put on the Board.
+
+#include "stm32l0_uart.h"
+
+#include <algorithm>
+
+#include "board/Board.h"
+#include "SerialConfig.h"
+#include "Uart.h"
+#include "UsbSerial.h"
+
+using host::Board;
+
+// Declared here and not by Arduino.h, whose macros the C++ library does not survive.
+uint32_t millis();
+uint32_t micros();
+void delay(unsigned long ms);
+void delayMicroseconds(unsigned int us);
+void yield();
+void noInterrupts();
+void interrupts();
+
+namespace {
+
+// What a look at the clock or at a port costs: not nothing, or a sketch that waits in a loop of its own would wait for
+// ever.
+constexpr uint64_t LookUs = 1;
+
+// Until the packet under way is through.
+void waitForPacket(const host::BoardTransmitter &transmitter) {
+  Board &board = Board::instance();
+  const uint64_t nowUs = board.clock().nowUs();
+  board.spend(std::max(transmitter.packetEndUs(), nowUs + 1) - nowUs);
+}
+
+}  // namespace
+
+uint32_t millis() {
+  Board::instance().spend(LookUs);
+  return Board::instance().clock().millis();
+}
+
+uint32_t micros() {
+  Board::instance().spend(LookUs);
+  return Board::instance().clock().micros();
+}
+
+void delay(unsigned long ms) {
+  Board::instance().spend(uint64_t{1000} * static_cast<uint32_t>(ms));
+}
+
+void delayMicroseconds(unsigned int us) {
+  Board::instance().spend(us);
+}
+
+void yield() {
+  Board::instance().spend(LookUs);
+}
+
+void noInterrupts() {
+  Board::instance().enableInterrupts(false);
+}
+
+void interrupts() {
+  Board::instance().enableInterrupts(true);
+}
+
+Uart Serial1(1);
+Uart Serial2(2);
+Uart Serial3(3);
+
+host::Port &Uart::port() const {
+  return Board::instance().port(_number);
+}
+
+void Uart::begin(unsigned long baud) {
+  begin(baud, SERIAL_8N1);
+}
+
+void Uart::begin(unsigned long baud, uint32_t config) {
+  begin(baud, config, nullptr, 0);
+}
+
+void Uart::begin(unsigned long baud, uint8_t *buffer, size_t size) {
+  begin(baud, SERIAL_8N1, buffer, size);
+}
+
+void Uart::begin(unsigned long baud, uint32_t config, uint8_t *buffer, size_t size) {
+  flush();
+  Board::instance().open(_number, host::portSettings(baud, config), buffer, size);
+}
+
+void Uart::end() {
+  flush();
+  port().close();
+}
+
+int Uart::available() {
+  Board::instance().spend(LookUs);
+  return port().uart().available();
+}
+
+int Uart::peek() {
+  Board::instance().spend(LookUs);
+  return port().uart().peek();
+}
+
+int Uart::read() {
+  Board::instance().spend(LookUs);
+  return port().uart().read();
+}
+
+#if !defined(HOST_PLAIN_CORE)
+int Uart::read(uint8_t *buffer, size_t size) {
+  Board::instance().spend(LookUs);
+  return port().uart().read(buffer, size);
+}
+#endif
+
+int Uart::availableForWrite() {
+  Board::instance().spend(LookUs);
+  return port().transmitter().availableForWrite();
+}
+
+size_t Uart::write(uint8_t byte) {
+  return write(&byte, 1);
+}
+
+size_t Uart::write(const uint8_t *buffer, size_t size) {
+  Board &board = Board::instance();
+  host::BoardTransmitter &transmitter = port().transmitter();
+  board.spend(LookUs);
+  size_t done = transmitter.write(board.clock().nowUs(), buffer, size);
+  while (done < size && transmitter.isOpen() && !board.inCallback()) {
+    waitForPacket(transmitter);
+    done += transmitter.write(board.clock().nowUs(), buffer + done, size - done);
+  }
+  return done;
+}
+
+void Uart::flush() {
+  host::BoardTransmitter &transmitter = port().transmitter();
+  while (!transmitter.idle() && !Board::instance().inCallback()) {
+    waitForPacket(transmitter);
+  }
+}
+
+void Uart::onReceive(void (*callback)()) {
+  port().onReceive(callback);
+}
+
+UsbSerial Serial;
+
+void UsbSerial::begin(unsigned long) {
+  Board::instance().output().begin();
+  Board::instance().input().begin();
+}
+
+void UsbSerial::begin(unsigned long baud, uint32_t) {
+  begin(baud);
+}
+
+int UsbSerial::available() {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().available(Board::instance().clock().nowUs());
+}
+
+int UsbSerial::peek() {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().peek(Board::instance().clock().nowUs());
+}
+
+int UsbSerial::read() {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().read(Board::instance().clock().nowUs());
+}
+
+#if !defined(HOST_PLAIN_CORE)
+int UsbSerial::read(uint8_t *buffer, size_t size) {
+  Board::instance().spend(LookUs);
+  return Board::instance().input().read(Board::instance().clock().nowUs(), buffer, size);
+}
+#endif
+
+size_t UsbSerial::write(uint8_t byte) {
+  return write(&byte, 1);
+}
+
+size_t UsbSerial::write(const uint8_t *buffer, size_t size) {
+  return Board::instance().output().write(buffer, size);
+}

@@ -1,0 +1,73 @@
+#include "Board.h"
+
+namespace host {
+
+namespace {
+
+constexpr uint64_t StepUs = 100;  // shorter than a character: in a long delay() callbacks come when they are due
+
+}  // namespace
+
+Board &Board::instance() {
+  static Board board;
+  return board;
+}
+
+void Board::connect(int from, int to) {
+  Jumper &jumper = _jumpers.emplace_back();
+  jumper.from = from;
+  jumper.to = to;
+  const bool sends = port(from).transmitter().isOpen();  // a constructor of the sketch may have opened it
+  port(to).attach(jumper.line, sends ? port(from).settings().tx : line::LineSettings());
+}
+
+void Board::open(int number, const PortSettings &settings, uint8_t *buffer, size_t size) {
+  port(number).open(_clock.nowUs(), settings, buffer, size);
+  for (const Jumper &jumper : _jumpers) {
+    if (jumper.from == number && port(number).transmitter().isOpen()) {
+      port(jumper.to).rewire(_clock.nowUs(), settings.tx);
+    }
+  }
+}
+
+void Board::spend(uint64_t us) {
+  for (; us > StepUs; us -= StepUs) {
+    step(StepUs);
+  }
+  step(us);
+}
+
+void Board::step(uint64_t us) {
+  _clock.spend(us);
+  for (int number = 1; number <= PortCount; number++) {
+    send(number);
+  }
+  for (Port &port : _ports) {
+    port.receive(_clock.nowUs());
+  }
+  // A callback may look at a port or at the clock, and so come here again: it does not interrupt itself.
+  if (_interruptsEnabled && !_inCallback) {
+    _inCallback = true;
+    for (Port &port : _ports) {
+      port.callBack();
+    }
+    _inCallback = false;
+  }
+  if (_onTime) {
+    _onTime(_clock.nowUs());
+  }
+}
+
+// All wires at the pin carry what is sent.
+void Board::send(int number) {
+  line::Character character;
+  while (port(number).sender().next(_clock.nowUs(), character)) {
+    for (Jumper &jumper : _jumpers) {
+      if (jumper.from == number) {
+        jumper.line.put(character);
+      }
+    }
+  }
+}
+
+}  // namespace host

@@ -1,0 +1,65 @@
+// How the board sends: what becomes of the bytes that a sketch writes until they are on the wire.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "line/Line.h"
+
+namespace host {
+
+// Bytes wait in a ring of 64. They are given to the UART in packets: what waits when the packet before is through, up
+// to 32 bytes, and not across the ring's end. The places of a packet become free all at once, when its last character
+// is through; on the wire the characters stand back to back, whatever packet they belong to.
+//
+// A plainer core, such as the AVR's, keeps one place of the ring free and has packets of one byte.
+//
+// Time comes in as an argument and must not go backwards.
+class BoardTransmitter {
+ public:
+  static constexpr size_t RingSize = 64;
+  static constexpr size_t PacketSize = 32;
+
+  explicit BoardTransmitter(size_t places = RingSize, size_t packetSize = PacketSize)
+      : _places(places), _packetSize(packetSize) {}
+
+  // Opens with an empty ring, for characters that take so long. What was still in it is lost, as it is by close().
+  void open(uint64_t characterNs);
+  void close();
+  bool isOpen() const { return _open; }
+
+  // Takes as many of the bytes as there are places for, and returns how many these are; 0 if closed. next() must have
+  // handed out all that was sent by `nowUs`.
+  size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
+
+  // The next character that was through by `nowUs`, the oldest first; false if there is none.
+  bool next(uint64_t nowUs, line::Character &character);
+
+  // What the sketch is told: free places, 0 if closed.
+  int availableForWrite() const { return _open ? static_cast<int>(_places - _count) : 0; }
+
+  // True if all that was written has been sent.
+  bool idle() const { return _count == 0; }
+
+  // When the packet under way will be through, and its places free; 0 if idle.
+  uint64_t packetEndUs() const { return idle() ? 0 : endUs(_packet); }
+
+ private:
+  void beginPacket(uint64_t fromNs);
+  uint64_t endUs(size_t characters) const;
+
+  const size_t _places;
+  const size_t _packetSize;
+  bool _open = false;
+  uint64_t _characterNs = 0;
+
+  uint8_t _ring[RingSize] = {};
+  size_t _first = 0;       // of the packet under way
+  size_t _count = 0;       // places taken
+  size_t _packet = 0;      // characters of the packet under way,
+  size_t _sent = 0;        // those of them that are through,
+  uint64_t _packetNs = 0;  // and when its first one began
+  uint64_t _freeNs = 0;    // until when the wire is taken
+};
+
+}  // namespace host

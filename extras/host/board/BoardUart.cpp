@@ -1,0 +1,89 @@
+#include "BoardUart.h"
+
+namespace host {
+
+void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t characterUs) {
+  _open = buffer != nullptr && size >= BufferMinimum;
+  _openedUs = nowUs;
+  _lastEndUs = nowUs;
+  _characterUs = characterUs;
+  _ringWrite = 0;
+  _ringRead = 0;
+  _buffer = buffer;
+  _size = size;
+  _first = 0;
+  _count = 0;
+  _eventArmed = true;
+  _event = false;
+}
+
+void BoardUart::receive(const line::Character &character) {
+  if (!_open || character.endUs < _openedUs + _characterUs) {
+    return;
+  }
+  advance(character.endUs - _characterUs);
+  _lastEndUs = character.endUs;
+  if (character.bad) {
+    _droppedBad++;
+    handOver();
+    return;
+  }
+  _ring[_ringWrite] = character.value;
+  _ringWrite = (_ringWrite + 1) % RingSize;
+  // The ring's position outlives pauses: a frame of 25 characters is not cut at the same places as the one before.
+  if (_ringWrite % HandOverSize == 0) {
+    handOver();
+  }
+}
+
+void BoardUart::advance(uint64_t nowUs) {
+  if (_open && nowUs >= _lastEndUs + _characterUs) {
+    handOver();
+  }
+}
+
+void BoardUart::handOver() {
+  while (_ringRead != _ringWrite) {
+    const uint8_t byte = _ring[_ringRead];
+    _ringRead = (_ringRead + 1) % RingSize;
+    if (_count == _size) {
+      _droppedFull++;
+      continue;
+    }
+    _buffer[(_first + _count) % _size] = byte;
+    _count++;
+    if (_eventArmed) {
+      _eventArmed = false;
+      _event = true;
+    }
+  }
+}
+
+int BoardUart::peek() {
+  _eventArmed = true;
+  return available() > 0 ? _buffer[_first] : -1;
+}
+
+int BoardUart::read() {
+  uint8_t byte;
+  return read(&byte, 1) == 1 ? byte : -1;
+}
+
+int BoardUart::read(uint8_t *buffer, size_t size) {
+  _eventArmed = true;
+  size_t done = 0;
+  while (done < size && available() > 0) {
+    buffer[done++] = _buffer[_first];
+    _first = (_first + 1) % _size;
+    _count--;
+  }
+  return static_cast<int>(done);
+}
+
+bool BoardUart::takeReceiveEvent() {
+  const bool event = _event;
+  _event = false;
+  return event;
+}
+
+}  // namespace host

@@ -1,0 +1,80 @@
+// How the board receives: what becomes of the characters on the wire before a sketch can read them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "line/Line.h"
+
+namespace host {
+
+// The UART's DMA fills a ring of 32 bytes. The ring is handed over to the receive buffer at its middle, at its end,
+// when the line has been idle for a character, and when a character is bad. Bytes for which the buffer has no place are
+// dropped, so the newest; bad characters are dropped always. Neither leaves a trace that a sketch could see.
+//
+// Time comes in as an argument and must not go backwards.
+class BoardUart {
+ public:
+  static constexpr size_t RingSize = 32;
+  static constexpr size_t HandOverSize = RingSize / 2;
+  static constexpr size_t BufferSize = 64;
+  static constexpr size_t BufferMinimum = 16;  // a port does not open with less
+
+  BoardUart() = default;
+  BoardUart(const BoardUart &) = delete;  // it may point into itself
+  BoardUart &operator=(const BoardUart &) = delete;
+
+  // Opens with an empty ring and an empty buffer, own or given, for characters that take so long. One that has begun
+  // before is not received.
+  void open(uint64_t nowUs, uint32_t characterUs = line::CharacterUs) {
+    open(nowUs, _ownBuffer, BufferSize, characterUs);
+  }
+  void open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t characterUs = line::CharacterUs);
+  void close() { _open = false; }
+  bool isOpen() const { return _open; }
+
+  // A character has come.
+  void receive(const line::Character &character);
+
+  // Nothing else has come up to now.
+  void advance(uint64_t nowUs);
+
+  // For the sketch. A closed port has nothing to read. read() and peek() return -1 if there is nothing.
+  int available() const { return _open ? static_cast<int>(_count) : 0; }
+  int peek();
+  int read();
+  int read(uint8_t *buffer, size_t size);  // returns how many bytes were read, up to `size`
+
+  // True, once, if bytes have been handed over: the first ones after open() and after each look at the buffer.
+  bool takeReceiveEvent();
+
+  // Since the program's start.
+  unsigned long droppedBad() const { return _droppedBad; }
+  unsigned long droppedFull() const { return _droppedFull; }
+
+ private:
+  void handOver();
+
+  bool _open = false;
+  uint64_t _openedUs = 0;
+  uint64_t _lastEndUs = 0;
+  uint32_t _characterUs = line::CharacterUs;
+
+  uint8_t _ring[RingSize] = {};
+  size_t _ringWrite = 0;
+  size_t _ringRead = 0;
+
+  uint8_t _ownBuffer[BufferSize] = {};
+  uint8_t *_buffer = _ownBuffer;
+  size_t _size = BufferSize;
+  size_t _first = 0;
+  size_t _count = 0;
+
+  bool _eventArmed = false;
+  bool _event = false;
+
+  unsigned long _droppedBad = 0;
+  unsigned long _droppedFull = 0;
+};
+
+}  // namespace host

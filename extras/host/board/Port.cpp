@@ -1,0 +1,104 @@
+#include "Port.h"
+
+#include <algorithm>
+
+namespace host {
+
+void Port::attach(line::Line &line, const line::LineSettings &wire) {
+  _line = &line;
+  _wire = wire;
+  _monitor.reset(0, wire.characterUs());
+  _receptions.clear();
+  if (_uart.isOpen()) {
+    listen(0);  // a constructor of the sketch has opened it before main()
+  }
+}
+
+void Port::rewire(uint64_t nowUs, const line::LineSettings &wire) {
+  _wire = wire;
+  if (_uart.isOpen()) {
+    listen(nowUs);
+  }
+}
+
+void Port::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, size_t size) {
+  _settings = settings;
+  if (buffer == nullptr) {
+    _uart.open(nowUs, settings.rx.characterUs());
+  } else {
+    _uart.open(nowUs, buffer, size, settings.rx.characterUs());
+  }
+  listen(nowUs);
+  if (_uart.isOpen()) {
+    _sender.open(nowUs, settings);
+  } else {
+    _sender.close();
+  }
+  if (!_everOpened && _line != nullptr) {
+    _line->opened(nowUs);
+  }
+  _everOpened = true;
+}
+
+void Port::close() {
+  _uart.close();
+  _sender.close();
+}
+
+// With the present settings of port and wire. What was on the wire before is forgotten.
+void Port::listen(uint64_t nowUs) {
+  _agrees = mismatch(_settings.rx, _wire).empty();
+  _sampler.open(nowUs, _settings.rx, _wire);
+  const auto same = std::find_if(_receptions.begin(), _receptions.end(), [this](const Reception &reception) {
+    return reception.settings == _settings && reception.wire == _wire;
+  });
+  _reception = static_cast<size_t>(same - _receptions.begin());
+  if (same == _receptions.end()) {
+    _receptions.emplace_back();
+    _receptions.back().settings = _settings;
+    _receptions.back().wire = _wire;
+  }
+}
+
+void Port::receive(uint64_t nowUs) {
+  line::Character character;
+  while (_line != nullptr && _line->next(nowUs, character)) {
+    _monitor.look(character);
+    if (!_uart.isOpen()) {
+      _missedClosed++;
+      continue;
+    }
+    _receptions[_reception].sent++;
+    if (_agrees) {
+      take(character);
+    } else {
+      _sampler.put(character);
+    }
+  }
+  if (!_uart.isOpen()) {
+    return;
+  }
+  if (_agrees) {
+    _uart.advance(nowUs);
+    return;
+  }
+  while (_sampler.next(nowUs, character)) {
+    take(character);
+  }
+  _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
+}
+
+void Port::take(const line::Character &character) {
+  Reception &reception = _receptions[_reception];
+  (character.bad ? reception.bad : reception.good)++;
+  _uart.receive(character);
+}
+
+void Port::callBack() {
+  // As on the board, an event that finds no callback is gone, and the next one comes only after a read.
+  if (_uart.takeReceiveEvent() && _callback != nullptr) {
+    _callback();
+  }
+}
+
+}  // namespace host

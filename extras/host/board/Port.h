@@ -1,0 +1,76 @@
+// One of Serial1, Serial2, Serial3: the UART, what the sketch has set it to, and the line at its RX pin, if any.
+#pragma once
+
+#include <vector>
+
+#include "BoardUart.h"
+#include "PortSettings.h"
+#include "Sender.h"
+#include "line/Line.h"
+#include "line/LineMonitor.h"
+#include "line/LineSettings.h"
+#include "line/UartSampler.h"
+
+namespace host {
+
+// What came of the characters on the wire while wire and port had certain settings.
+struct Reception {
+  PortSettings settings;
+  line::LineSettings wire;
+  unsigned long sent = 0;
+  unsigned long good = 0;
+  unsigned long bad = 0;  // a wrong parity or stop bit, as the port saw it
+};
+
+class Port {
+ public:
+  void attach(line::Line &line, const line::LineSettings &wire);
+
+  // From now on the other end of the line sends in another way.
+  void rewire(uint64_t nowUs, const line::LineSettings &wire);
+
+  // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. Whoever wants
+  // the transmit buffer to be sent first waits for that.
+  void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
+  void close();
+  void onReceive(void (*callback)()) { _callback = callback; }
+
+  // Takes in what has come over the line by `nowUs`.
+  void receive(uint64_t nowUs);
+
+  // Calls the sketch's onReceive() callback if bytes have been handed over since.
+  void callBack();
+
+  BoardUart &uart() { return _uart; }
+  const BoardUart &uart() const { return _uart; }
+  Sender &sender() { return _sender; }
+  BoardTransmitter &transmitter() { return _sender.transmitter(); }
+
+  const PortSettings &settings() const { return _settings; }  // as it was opened last
+
+  // For the report.
+  line::LineMonitor &monitor() { return _monitor; }
+  const std::vector<Reception> &receptions() const { return _receptions; }  // one for each of the settings used
+  bool everOpened() const { return _everOpened; }
+  unsigned long missedClosed() const { return _missedClosed; }  // characters that found the port closed
+
+ private:
+  void listen(uint64_t nowUs);
+  void take(const line::Character &character);
+
+  line::Line *_line = nullptr;
+  line::LineSettings _wire;
+  PortSettings _settings;
+  BoardUart _uart;
+  Sender _sender;
+  line::LineMonitor _monitor;
+  line::UartSampler _sampler;
+  bool _agrees = false;  // the port is set as the wire wants it: then nothing has to be sampled
+  bool _everOpened = false;
+  std::vector<Reception> _receptions;
+  size_t _reception = 0;  // the one with the present settings
+  void (*_callback)() = nullptr;
+  unsigned long _missedClosed = 0;
+};
+
+}  // namespace host

@@ -1,0 +1,22 @@
+// What a sketch has set a port to.
+#pragma once
+
+#include <cstdint>
+
+#include "line/LineSettings.h"
+
+namespace host {
+
+// Of its two pins.
+struct PortSettings {
+  line::LineSettings rx;
+  line::LineSettings tx;
+
+  bool operator==(const PortSettings &other) const { return rx == other.rx && tx == other.tx; }
+};
+
+// What the arguments of begin() mean: `config` has the bits of stm32l0_uart.h. A plain core inverts nothing, so there
+// is an inverter at each of its pins, and both lines are inverted.
+PortSettings portSettings(unsigned long baud, uint32_t config);
+
+}  // namespace host

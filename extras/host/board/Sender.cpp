@@ -1,0 +1,59 @@
+#include "Sender.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace host {
+
+namespace {
+
+#if defined(HOST_PLAIN_CORE)
+constexpr size_t Places = BoardTransmitter::RingSize - 1;
+constexpr size_t PacketSize = 1;
+#else
+constexpr size_t Places = BoardTransmitter::RingSize;
+constexpr size_t PacketSize = BoardTransmitter::PacketSize;
+#endif
+
+}  // namespace
+
+Sender::Sender() : _transmitter(Places, PacketSize) {
+}
+
+void Sender::record(std::unique_ptr<line::RecordingFile> file) {
+  _file = std::move(file);
+  if (_transmitter.isOpen()) {
+    _file->opened(_sending->settings.tx);  // a constructor of the sketch has opened it before main()
+  }
+}
+
+void Sender::open(uint64_t nowUs, const PortSettings &settings) {
+  _transmitter.open(settings.tx.characterNs());
+  _dataMask = static_cast<uint8_t>((1u << settings.tx.format.dataBits) - 1);
+  const auto same = std::find_if(_sendings.begin(), _sendings.end(),
+                                 [&settings](const Sending &sending) { return sending.settings == settings; });
+  if (same == _sendings.end()) {
+    _sending = &_sendings.emplace_back();
+    _sending->settings = settings;
+    _sending->monitor.reset(nowUs, settings.tx.characterUs());
+  } else {
+    _sending = &*same;
+  }
+  if (_file) {
+    _file->opened(settings.tx);
+  }
+}
+
+bool Sender::next(uint64_t nowUs, line::Character &character) {
+  if (!_transmitter.next(nowUs, character)) {
+    return false;
+  }
+  character.value &= _dataMask;
+  _sending->monitor.look(character);
+  if (_file) {
+    _file->look(character);
+  }
+  return true;
+}
+
+}  // namespace host

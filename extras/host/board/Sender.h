@@ -1,0 +1,48 @@
+// The sending half of a port: its transmit buffer, and what has gone out through its TX pin.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "BoardTransmitter.h"
+#include "PortSettings.h"
+#include "line/LineMonitor.h"
+#include "line/RecordingFile.h"
+
+namespace host {
+
+// What was sent while the port had certain settings.
+struct Sending {
+  PortSettings settings;
+  line::LineMonitor monitor;
+};
+
+class Sender {
+ public:
+  Sender();
+
+  // All that is sent is written down.
+  void record(std::unique_ptr<line::RecordingFile> file);
+
+  void open(uint64_t nowUs, const PortSettings &settings);
+  void close() { _transmitter.close(); }
+
+  // The next character that was through by `nowUs`; false if there is none.
+  bool next(uint64_t nowUs, line::Character &character);
+
+  BoardTransmitter &transmitter() { return _transmitter; }
+
+  // For the report.
+  std::deque<Sending> &sendings() { return _sendings; }          // one for each of the settings used
+  std::string finish() { return _file ? _file->finish() : ""; }  // what has gone wrong with the file, or nothing
+
+ private:
+  BoardTransmitter _transmitter;
+  uint8_t _dataMask = 0xFF;  // the bits of a byte that are sent
+  std::deque<Sending> _sendings;
+  Sending *_sending = nullptr;  // the one with the present settings
+  std::unique_ptr<line::RecordingFile> _file;
+};
+
+}  // namespace host

@@ -1,0 +1,49 @@
+// Where the sketch's Serial reads from: standard input, and a pseudo-terminal if there is one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "line/ports/PseudoTerminal.h"
+
+namespace host {
+
+// Bytes are fetched when the sketch looks for some, as many as the board's USB buffer holds. What the sketch does not
+// read stays where it is.
+class SketchInput {
+ public:
+  static constexpr size_t BufferSize = 256;
+
+  // `patient`: whoever looks waits for a pipe or a file to fill the buffer, or to end. So each look finds the same in
+  // every run. A pipe that stays silent for a second is no longer waited for.
+  void setPatient(bool patient) { _patient = patient; }
+
+  // It must outlive the sketch.
+  void attach(line::PseudoTerminal &terminal) { _terminal = &terminal; }
+
+  // Before begin() there is nothing to read, as on the board.
+  void begin() { _begun = true; }
+
+  // For the sketch. peek() and read() return -1 if there is nothing.
+  int available(uint64_t nowUs);
+  int peek(uint64_t nowUs);
+  int read(uint64_t nowUs);
+  int read(uint64_t nowUs, uint8_t *buffer, size_t size);  // returns how many bytes were read, up to `size`
+
+ private:
+  void fetch(uint64_t nowUs);
+  void fetchFromStandardInput();
+  size_t room() const { return BufferSize - _count; }
+  void take(const uint8_t *bytes, size_t size);
+
+  bool _begun = false;
+  bool _patient = false;
+  bool _ended = false;  // standard input has
+  uint64_t _nextPollUs = 0;
+  line::PseudoTerminal *_terminal = nullptr;
+  uint8_t _buffer[BufferSize] = {};
+  size_t _first = 0;
+  size_t _count = 0;
+};
+
+}  // namespace host

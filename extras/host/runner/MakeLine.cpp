@@ -1,0 +1,44 @@
+#include "MakeLine.h"
+
+#include <cstdio>
+
+#include "line/SilentLine.h"
+#include "line/ports/SerialPort.h"
+
+namespace host {
+
+namespace {
+
+const char *what(line::Sticks sticks) {
+  return sticks == line::Sticks::Flight
+             ? "every 15 s: the sticks move, at 9.5 s the radio goes off, at 10.0 s failsafe, at 12.5 s it is back"
+             : "every 40 s: whole travel; from 15 s let go, throttle low; from 23 s up and right; from 29 s a flight";
+}
+
+}  // namespace
+
+std::unique_ptr<line::Line> makeLine(const Options &options) {
+  if (options.on == 0) {
+    return std::make_unique<line::SilentLine>();
+  }
+  if (!options.port.empty()) {
+    auto line = std::make_unique<line::SerialPort>(options.port);
+    std::fprintf(stderr, "Serial%d: receiver at %s, 100000 baud, 8E2%s\n", options.on, options.port.c_str(),
+                 options.seconds > 0 ? "" : ", until Ctrl-C");
+    return line;
+  }
+  const line::Source &source = options.source;
+  std::unique_ptr<line::Line> line = source.open();
+  std::fprintf(stderr, "Serial%d: %s", options.on, source.text().c_str());
+  if (source.recording.empty()) {
+    std::fprintf(stderr, ", %g s; Ctrl-C stops it\n", options.seconds);
+  } else {
+    std::fprintf(stderr, "; Ctrl-C stops it\n");
+  }
+  if (source.recording.empty() && !source.silent) {
+    std::fprintf(stderr, "  %s\n", what(source.sticks));
+  }
+  return line;
+}
+
+}  // namespace host

@@ -1,0 +1,157 @@
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace host {
+
+namespace {
+
+// Beyond a year nobody waits, and microseconds would no longer fit where they are kept. "nan" is refused too.
+std::string checkSeconds(const std::string &text) {
+  constexpr double Largest = 366.0 * 24 * 60 * 60;
+  char *end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  return *end == '\0' && seconds >= 0.001 && seconds <= Largest ? "" : "a number from 0.001 to 31622400 is expected";
+}
+
+bool isPort(char c) {
+  return c >= '1' && c <= '3';
+}
+
+std::string checkWire(const std::string &text) {
+  return text.size() == 3 && isPort(text[0]) && text[1] == '-' && isPort(text[2])
+             ? ""
+             : "\"" + text + "\": two ports as in 2-1 are expected, for a wire from TX2 to RX1";
+}
+
+std::string checkSent(const std::string &text) {
+  return text.size() > 2 && isPort(text[0]) && text[1] == ':'
+             ? ""
+             : "\"" + text + "\": a port and a file's name as in 2:sent.txt are expected";
+}
+
+int portOf(char c) {
+  return c - '0';
+}
+
+// A pin hears one sender, and a file takes what one port sends.
+void addWires(const std::vector<std::string> &texts, Options &options) {
+  for (const std::string &text : texts) {
+    const WireOption wire = {portOf(text[0]), portOf(text[2])};
+    for (const WireOption &other : options.wires) {
+      if (other.to == wire.to) {
+        throw CLI::ValidationError("--wire", "two wires end at RX of Serial" + std::to_string(wire.to));
+      }
+    }
+    options.wires.push_back(wire);
+  }
+}
+
+void addSent(const std::vector<std::string> &texts, Options &options) {
+  for (const std::string &text : texts) {
+    const SentOption sent = {portOf(text[0]), text.substr(2)};
+    if (sent.file == options.source.recording) {
+      throw CLI::ValidationError("--sent", "another file than the one of --recording is expected");
+    }
+    for (const SentOption &other : options.sent) {
+      if (other.port == sent.port || other.file == sent.file) {
+        throw CLI::ValidationError("--sent", "one file for each port, and one port for each file, is expected");
+      }
+    }
+    options.sent.push_back(sent);
+  }
+}
+
+// A wire at the RX pin of --on takes the place of the line. Who has asked for a line has then asked for two.
+void settleLine(const std::vector<CLI::Option *> &lineOptions, Options &options) {
+  const bool taken = std::any_of(options.wires.begin(), options.wires.end(),
+                                 [&options](const WireOption &wire) { return wire.to == options.on; });
+  if (!taken) {
+    return;
+  }
+  for (const CLI::Option *option : lineOptions) {
+    if (option->count() > 0) {
+      throw CLI::ValidationError(option->get_name(), "RX of Serial" + std::to_string(options.on) +
+                                                         " has a --wire; attach the line to another port with --on");
+    }
+  }
+  options.on = 0;
+}
+
+}  // namespace
+
+Options parseOptions(int argc, char **argv) {
+  Options options;
+  std::vector<std::string> wires;
+  std::vector<std::string> sent;
+  CLI::App app{"Runs the sketch on this PC. Its Serial is standard output; everything else goes to standard error."};
+
+  auto *recording = app.add_option("--recording", options.source.recording, "play this recording of a line, once");
+  recording->type_name("FILE");
+  auto *port = app.add_option("--port", options.port, "listen to a receiver at this serial port, until Ctrl-C");
+  port->type_name("DEVICE")->excludes(recording);
+  auto *lineBaud =
+      app.add_option("--line-baud", options.source.settings.baud, "the line's baud rate (100000; Fast S.Bus: 200000)");
+  lineBaud->check(CLI::IsMember({100000, 200000}).description(""))->type_name("N")->excludes(port);
+  auto *uninverted = app.add_flag("--uninverted", "the line is not inverted, as on a receiver's uninverted pad");
+  uninverted->excludes(port);
+  auto *noise = app.add_option("--noise", options.source.noise,
+                               "so many disturbances per second are on the line, 1..100000 (none)");
+  noise->check(CLI::Range(1, 100000).description(""))->type_name("R")->excludes(port);
+  auto *silent = app.add_flag("--silent", options.source.silent, "nothing comes from the simulated receiver");
+  silent->excludes(port)->excludes(recording);
+  const std::map<std::string, line::Sticks> movements = {{"flight", line::Sticks::Flight},
+                                                         {"calibration", line::Sticks::Calibration}};
+  std::string sticks = "flight";
+  auto *sticksOption = app.add_option("--sticks", sticks, "what the person at the simulated radio does (flight)");
+  sticksOption->check(CLI::IsMember({"flight", "calibration"}).description(""))
+      ->type_name("flight|calibration")
+      ->excludes(port)
+      ->excludes(recording)
+      ->excludes(silent);
+  auto *on = app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)");
+  on->check(CLI::Range(1, 3).description(""))->type_name("1|2|3");
+  app.add_option("--wire", wires, "a wire from TX of one port to RX of another or the same; may be given several times")
+      ->check(CLI::Validator(checkWire, ""))
+      ->type_name("TX-RX")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--sent", sent, "record what port N sends; may be given several times")
+      ->check(CLI::Validator(checkSent, ""))
+      ->type_name("N:FILE")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
+      ->type_name("FILE");
+  app.add_option("--seconds", options.seconds, "end after so many seconds (simulated receiver: 15, calibration: 40)")
+      ->check(CLI::Validator(checkSeconds, ""))
+      ->type_name("S");
+  app.add_flag("--simulated-time", options.simulatedTime, "as fast as it goes, exactly repeatable")->excludes(port);
+  app.add_option("--loop-us", options.loopUs, "what a pass of loop() costs, in microseconds (50)")
+      ->check(CLI::Range(1, 1000000).description(""))
+      ->type_name("N");
+  app.add_option("--start-ms", options.startMs, "what millis() starts from (0)")->type_name("N");
+  app.add_flag("--pty", options.pty, "offer the sketch's Serial on a pseudo-terminal as well");
+
+  try {
+    app.parse(argc, argv);
+    options.source.sticks = movements.at(sticks);
+    options.source.settings.polarity = port->count() > 0         ? line::Polarity::Either
+                                       : uninverted->count() > 0 ? line::Polarity::Uninverted
+                                                                 : line::Polarity::Inverted;
+    addWires(wires, options);
+    addSent(sent, options);
+    settleLine({recording, port, lineBaud, uninverted, noise, silent, sticksOption, on}, options);
+  } catch (const CLI::ParseError &error) {
+    std::exit(app.exit(error));
+  }
+  if (options.seconds == 0 && options.source.recording.empty() && options.port.empty()) {
+    options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // once
+  }
+  return options;
+}
+
+}  // namespace host

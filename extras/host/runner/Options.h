@@ -1,0 +1,41 @@
+// The command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "line/Source.h"
+
+namespace host {
+
+// From the TX pin of port `from` to the RX pin of port `to`.
+struct WireOption {
+  int from;
+  int to;
+};
+
+// What port `port` sends goes into this file.
+struct SentOption {
+  int port;
+  std::string file;
+};
+
+struct Options {
+  line::Source source;
+  std::string port;  // a device's name, which takes the source's place; or empty
+  int on = 1;        // 0: there is no line, a wire has taken its place
+  std::vector<WireOption> wires;
+  std::vector<SentOption> sent;
+  std::string eeprom;  // a file's name, or empty
+  double seconds = 0;  // 0: as long as there is something to come
+  bool simulatedTime = false;
+  uint32_t loopUs = 50;
+  uint32_t startMs = 0;
+  bool pty = false;
+};
+
+// Reads the command line. Ends the program if it asks for help or is wrong.
+Options parseOptions(int argc, char **argv);
+
+}  // namespace host

@@ -1,0 +1,159 @@
+#include "Report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace host {
+
+namespace {
+
+using Number = unsigned long;
+
+// "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe"
+void reportTraffic(line::LineMonitor &monitor, uint64_t nowUs) {
+  monitor.settle(nowUs);
+  const sbus::Counters &counters = monitor.counters();
+  std::fprintf(stderr, "%lu characters", monitor.characters());
+  if (monitor.badCharacters() > 0) {
+    std::fprintf(stderr, " (%lu bad)", monitor.badCharacters());
+  }
+  std::fprintf(stderr, ", %lu frames, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
+               Number{counters.lostFrames}, Number{counters.failsafeFrames});
+}
+
+// What the port made of the line with settings that both had.
+void reportReception(const Reception &reception, int number) {
+  std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu bad", number,
+               text(reception.settings.rx).c_str(), reception.sent, reception.good, reception.bad);
+  const std::string wrong = mismatch(reception.settings.rx, reception.wire);
+  if (!wrong.empty()) {
+    std::fprintf(stderr, "; wrong %s: the line is %s", wrong.c_str(), text(reception.wire).c_str());
+  }
+  std::fputc('\n', stderr);
+}
+
+// Why the port did not receive all there was.
+void reportLosses(const Port &port, int number) {
+  if (port.missedClosed() > 0) {
+    std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", number, port.missedClosed());
+  }
+  if (port.everOpened()) {
+    std::fprintf(stderr,
+                 "Serial%d dropped %lu bytes with a wrong parity or stop bit, %lu because its buffer was full\n",
+                 number, port.uart().droppedBad(), port.uart().droppedFull());
+  }
+}
+
+// The port with the line.
+void reportLine(Board &board, int on) {
+  Port &port = board.port(on);
+  if (port.everOpened()) {
+    for (const Reception &reception : port.receptions()) {
+      reportReception(reception, on);
+    }
+    reportLosses(port, on);
+    return;
+  }
+  std::fprintf(stderr, "Serial%d received nothing: the sketch never opened it\n", on);
+  for (int other = 1; other <= Board::PortCount; other++) {
+    if (board.port(other).everOpened()) {
+      std::fprintf(stderr, "  it opened Serial%d: try --on %d\n", other, other);
+    }
+  }
+}
+
+// A port that hears another one.
+void reportWire(Board &board, const WireOption &wire) {
+  const Port &port = board.port(wire.to);
+  const bool any = std::any_of(port.receptions().begin(), port.receptions().end(),
+                               [](const Reception &reception) { return reception.sent > 0; });
+  if (!any) {
+    std::fprintf(stderr, "Serial%d received nothing: %s\n", wire.to,
+                 port.everOpened() ? "nothing was sent while it was open" : "the sketch never opened it");
+  }
+  for (const Reception &reception : port.receptions()) {
+    if (reception.sent > 0) {
+      reportReception(reception, wire.to);
+    }
+  }
+  reportLosses(port, wire.to);
+}
+
+// A port that has sent something, or was to.
+void reportSender(Board &board, int number, bool recorded) {
+  bool any = false;
+  for (Sending &sending : board.port(number).sender().sendings()) {
+    if (sending.monitor.characters() == 0) {
+      continue;
+    }
+    any = true;
+    std::fprintf(stderr, "Serial%d sent at %s: ", number, text(sending.settings.tx).c_str());
+    reportTraffic(sending.monitor, board.clock().nowUs());
+    const unsigned long period = sending.monitor.counters().period;
+    if (period > 0) {
+      std::fprintf(stderr, ", one every %lu us", period);
+    }
+    std::fputc('\n', stderr);
+  }
+  if (recorded && !any) {
+    std::fprintf(stderr, "Serial%d sent nothing\n", number);
+  }
+}
+
+void reportSenders(Board &board, const Options &options) {
+  for (int number = 1; number <= Board::PortCount; number++) {
+    const bool recorded = std::any_of(options.sent.begin(), options.sent.end(),
+                                      [number](const SentOption &sent) { return sent.port == number; });
+    reportSender(board, number, recorded);
+  }
+}
+
+void reportServos(const ServoPins &servoPins) {
+  for (const auto &[pin, use] : servoPins.uses()) {
+    if (use.times == 0) {
+      std::fprintf(stderr, "servo at pin %d: never set\n", pin);
+    } else {
+      std::fprintf(stderr, "servo at pin %d: %d..%d us, %lu times set\n", pin, use.low, use.high, use.times);
+    }
+  }
+}
+
+void reportOutput(const SketchOutput &output) {
+  if (output.lostBeforeBegin() > 0) {
+    std::fprintf(stderr, "the sketch printed %lu bytes before Serial.begin(): they are lost\n",
+                 output.lostBeforeBegin());
+  }
+  std::fprintf(stderr, "the sketch printed %lu lines", output.columns().lines());
+  unsigned number = 0;
+  for (const CsvColumns::Range &range : output.columns().columns()) {
+    number++;
+    if (range.any) {
+      std::fprintf(stderr, "%s %u: %s..%s", number == 1 ? "; columns" : ",", number, range.lowText.c_str(),
+                   range.highText.c_str());
+    }
+  }
+  std::fputc('\n', stderr);
+}
+
+}  // namespace
+
+void printReport(Board &board, const Options &options) {
+  const uint64_t nowUs = board.clock().nowUs();
+  std::fprintf(stderr, "%.3f s", static_cast<double>(nowUs) / 1e6);
+  if (options.on != 0) {
+    std::fprintf(stderr, "; on the line: ");
+    reportTraffic(board.port(options.on).monitor(), nowUs);
+  }
+  std::fputc('\n', stderr);
+  if (options.on != 0) {
+    reportLine(board, options.on);
+  }
+  for (const WireOption &wire : options.wires) {
+    reportWire(board, wire);
+  }
+  reportSenders(board, options);
+  reportServos(board.servoPins());
+  reportOutput(board.output());
+}
+
+}  // namespace host

@@ -1,0 +1,11 @@
+// What is said at the end, on standard error.
+#pragma once
+
+#include "Options.h"
+#include "board/Board.h"
+
+namespace host {
+
+void printReport(Board &board, const Options &options);
+
+}  // namespace host

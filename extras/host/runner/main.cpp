@@ -1,0 +1,172 @@
+// Runs setup(), loop() and serialEventN() as the board's core does, with a line at one of the ports.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "MakeLine.h"
+#include "Options.h"
+#include "Report.h"
+#include "Uart.h"
+#include "board/Board.h"
+
+void setup();
+void loop();
+
+// A sketch has those that it defines.
+void serialEvent1() __attribute__((weak));
+void serialEvent2() __attribute__((weak));
+void serialEvent3() __attribute__((weak));
+
+namespace {
+
+using namespace host;
+
+volatile std::sig_atomic_t stopRequested = 0;
+
+// The first Ctrl-C asks for the report; a second one ends the program even if the sketch hangs in a loop of its own.
+void requestStop(int signal) {
+  stopRequested = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// Decides when the run is over, and sees to it that it ends even if the sketch does not come back from loop().
+class Ending {
+ public:
+  Ending(const Options &options, const line::Line &line) : _options(options), _line(line) {
+    if (options.seconds > 0) {
+      _endUs = static_cast<uint64_t>(options.seconds * 1e6);
+    }
+  }
+
+  bool reached(uint64_t nowUs) const { return nowUs >= _endUs; }
+
+  void look(uint64_t nowUs) {
+    if (!reached(nowUs) && (stopRequested != 0 || _line.finished(nowUs) || !_line.failure().empty())) {
+      _endUs = nowUs;
+    }
+    if (reached(nowUs) && nowUs - _endUs >= PatienceUs) {
+      std::fprintf(stderr, "setup() or loop() does not return: stopped inside it\n");
+      end();
+    }
+  }
+
+  [[noreturn]] void end() {
+    Board &board = Board::instance();
+    board.output().flush();
+    printReport(board, _options);
+    bool failed = complain(_line.failure());
+    for (const SentOption &sent : _options.sent) {
+      failed = complain(board.port(sent.port).sender().finish()) || failed;
+    }
+    std::exit(failed ? EXIT_FAILURE : EXIT_SUCCESS);
+  }
+
+ private:
+  static constexpr uint64_t PatienceUs = 1000000;  // a sketch may stay in delay() for as long
+
+  // Returns whether there is something to complain about.
+  static bool complain(const std::string &failure) {
+    if (!failure.empty()) {
+      std::fprintf(stderr, "%s\n", failure.c_str());
+    }
+    return !failure.empty();
+  }
+
+  const Options &_options;
+  const line::Line &_line;
+  uint64_t _endUs = UINT64_MAX;
+};
+
+void runSerialEvents() {
+  if (serialEvent1 && Serial1.available() > 0) {
+    serialEvent1();
+  }
+  if (serialEvent2 && Serial2.available() > 0) {
+    serialEvent2();
+  }
+  if (serialEvent3 && Serial3.available() > 0) {
+    serialEvent3();
+  }
+}
+
+// Standard input and output, and the pseudo-terminal, as the sketch's Serial.
+void prepareUsb(Board &board, const Options &options) {
+  board.output().setLineByLine(!options.simulatedTime);
+  board.input().setPatient(options.simulatedTime && isatty(STDIN_FILENO) == 0);
+  if (options.pty) {
+    auto terminal = std::make_unique<line::PseudoTerminal>();
+    std::fprintf(stderr, "Serial (USB) is on %s as well\n", terminal->name().c_str());
+    board.input().attach(*terminal);
+    board.output().attach(std::move(terminal));
+  }
+}
+
+// Before anything is said: a file that is no good is then all that is said.
+void prepareFiles(Board &board, const Options &options) {
+  if (!options.eeprom.empty()) {
+    board.eeprom().keepIn(options.eeprom);
+  }
+  for (const SentOption &sent : options.sent) {
+    board.port(sent.port).sender().record(std::make_unique<line::RecordingFile>(sent.file));
+  }
+}
+
+void connectWires(Board &board, const Options &options) {
+  for (const WireOption &wire : options.wires) {
+    board.connect(wire.from, wire.to);
+    std::fprintf(stderr, "Serial%d: its RX is wired to TX of Serial%d", wire.to, wire.from);
+    if (options.on == 0) {
+      std::fprintf(stderr, ", %g s; Ctrl-C stops it", options.seconds);
+    }
+    std::fputc('\n', stderr);
+  }
+}
+
+[[noreturn]] void run(const Options &options) {
+  Board &board = Board::instance();
+  prepareFiles(board, options);
+  const std::unique_ptr<line::Line> line = makeLine(options);
+  prepareUsb(board, options);
+  connectWires(board, options);
+  if (options.on != 0) {
+    board.port(options.on).attach(*line, options.source.settings);
+  }
+  Ending ending(options, *line);
+  board.onTime([&ending](uint64_t nowUs) { ending.look(nowUs); });
+  board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real, options.startMs));
+
+  setup();
+  while (!ending.reached(board.clock().nowUs())) {
+    loop();
+    runSerialEvents();
+    board.spend(options.loopUs);
+  }
+  ending.end();
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  const Options options = parseOptions(argc, argv);
+  if (fcntl(STDIN_FILENO, F_GETFD) < 0) {
+    open("/dev/null", O_RDONLY);  // closed: or a file opened later would be taken for standard input
+  }
+  std::signal(SIGINT, requestStop);
+  std::signal(SIGTERM, requestStop);
+  std::signal(SIGTTIN, SIG_IGN);  // reading a terminal that belongs to another program then fails: see SketchInput
+  std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe then fails, and SketchOutput sees to it
+  try {
+    run(options);
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,44 @@
+// How a hand moves sticks and switches. Integers only, so that every machine sends the same bytes.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+namespace line {
+
+// A FrSky radio's values.
+constexpr uint16_t Low = 172;
+constexpr uint16_t Centre = 992;
+constexpr uint16_t High = 1811;
+
+// Up and down in straight lines, -1024..1024, beginning at 0.
+inline int triangle(uint32_t ms, uint32_t periodMs) {
+  const uint32_t phase = (ms + periodMs / 4) % periodMs;
+  const int rising = static_cast<int>(phase * 4096 / periodMs) - 1024;  // -1024..3071
+  return rising <= 1024 ? rising : 2048 - rising;
+}
+
+// A stick as a hand moves it: a triangle with its corners made round, near enough to a sine.
+inline uint16_t stick(uint32_t ms, uint32_t periodMs, int travel, uint16_t centre = Centre) {
+  const int x = triangle(ms, periodMs);
+  const int rounded = x * (2048 - std::abs(x)) / 1024;
+  return static_cast<uint16_t>(centre + travel * rounded / 1024);
+}
+
+// From one end to the other and back, staying at either long enough (0.1 periods) to be seen there. Begins low.
+inline uint16_t sweep(uint32_t ms, uint32_t periodMs) {
+  const int x = triangle(ms + periodMs * 3 / 4, periodMs) * 5 / 4;
+  return static_cast<uint16_t>(Low + (High - Low) * (std::clamp(x, -1024, 1024) + 1024) / 2048);
+}
+
+// A switch, put to the next of its positions every `ms`. Begins low.
+inline uint16_t twoPositions(uint32_t ms, uint32_t restMs) {
+  return ms / restMs % 2 == 0 ? Low : High;
+}
+inline uint16_t threePositions(uint32_t ms, uint32_t restMs) {
+  constexpr uint16_t Positions[] = {Low, Centre, High};
+  return Positions[ms / restMs % 3];
+}
+
+}  // namespace line

@@ -1,0 +1,36 @@
+// What can be at the other end of the wire.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sbus/Frame.h"
+
+namespace line {
+
+constexpr uint32_t CharacterUs = sbus::CharacterTime;  // unless the wire is a fast one, see LineSettings
+
+struct Character {
+  uint64_t endUs = 0;  // when its last bit was through, in microseconds since the program's start
+  uint8_t value = 0;
+  bool bad = false;  // its parity or a stop bit was wrong
+};
+
+class Line {
+ public:
+  virtual ~Line() = default;
+
+  // The sketch has opened the port, for the first time, at `nowUs`.
+  virtual void opened(uint64_t /*nowUs*/) {}
+
+  // The next character that was through by `nowUs`, the oldest first; false if there is none.
+  virtual bool next(uint64_t nowUs, Character &character) = 0;
+
+  // True if nothing more will ever come.
+  virtual bool finished(uint64_t /*nowUs*/) const { return false; }
+
+  // Why the line broke down; empty if it did not.
+  virtual std::string failure() const { return {}; }
+};
+
+}  // namespace line

@@ -1,0 +1,55 @@
+// How a line, or a port, is set: how fast its bits are, which way up, and what a character is made of.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sbus/Frame.h"
+
+namespace line {
+
+enum class Polarity {
+  Inverted,    // S.Bus: idle is LOW
+  Uninverted,  // a receiver's uninverted pad, or an inverter in between: idle is HIGH
+  Either,      // of a line only: nobody knows what stands in between, and it does what the port wants
+};
+
+enum class Parity { None, Even, Odd };
+
+// A character: a start bit, then these.
+struct Format {
+  unsigned dataBits = 8;
+  Parity parity = Parity::Even;
+  unsigned stopBits = 2;
+
+  unsigned parityBits() const { return parity == Parity::None ? 0 : 1; }
+  unsigned bits() const { return 1 + dataBits + parityBits() + stopBits; }
+  bool operator==(const Format &other) const {
+    return dataBits == other.dataBits && parity == other.parity && stopBits == other.stopBits;
+  }
+};
+
+// S.Bus unless told.
+struct LineSettings {
+  unsigned long baud = sbus::Baud;  // or 200000, Fast S.Bus; anything that a sketch hands over, 0 too
+  Polarity polarity = Polarity::Inverted;
+  Format format{};
+
+  uint32_t bitNs() const;
+  uint64_t characterNs() const { return uint64_t{format.bits()} * bitNs(); }
+  uint32_t characterUs() const { return static_cast<uint32_t>(characterNs() / 1000); }
+  bool operator==(const LineSettings &other) const {
+    return baud == other.baud && polarity == other.polarity && format == other.format;
+  }
+};
+
+// True if `port` takes for idle what is idle on `line`.
+bool samePolarity(const LineSettings &port, const LineSettings &line);
+
+// In what they differ: "baud rate, format, polarity"; empty if the port is right for the line.
+std::string mismatch(const LineSettings &port, const LineSettings &line);
+
+// "9600 baud, 8N1, not inverted"
+std::string text(const LineSettings &settings);
+
+}  // namespace line

@@ -1,0 +1,133 @@
+#include "Recording.h"
+
+#include <utility>
+
+namespace line {
+
+namespace {
+
+// CR is one too: that makes CRLF files good.
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+// Takes the next word off `text`; empty at the end.
+std::string_view takeWord(std::string_view &text) {
+  while (!text.empty() && isBlank(text.front())) {
+    text.remove_prefix(1);
+  }
+  size_t size = 0;
+  while (size < text.size() && !isBlank(text[size])) {
+    size++;
+  }
+  const std::string_view word = text.substr(0, size);
+  text.remove_prefix(size);
+  return word;
+}
+
+bool parseTime(std::string_view word, uint64_t &us) {
+  us = 0;
+  for (const char c : word) {
+    if (c < '0' || c > '9') {
+      return false;
+    }
+    us = us * 10 + static_cast<uint64_t>(c - '0');
+    if (us > RecordingTimeMaxUs) {
+      return false;
+    }
+  }
+  return !word.empty();
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') {
+    return c - '0';
+  }
+  if (c >= 'A' && c <= 'F') {
+    return c - 'A' + 10;
+  }
+  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+bool parseByte(std::string_view word, uint8_t &byte) {
+  unsigned value = 0;
+  for (const char c : word) {
+    const int digit = hexDigit(c);
+    if (digit < 0) {
+      return false;
+    }
+    value = value << 4 | static_cast<unsigned>(digit);
+  }
+  byte = static_cast<uint8_t>(value);
+  return word.size() == 1 || word.size() == 2;
+}
+
+// A word as it may be shown on a terminal.
+std::string quoted(std::string_view word) {
+  constexpr size_t Shown = 20;
+  std::string text = "\"";
+  for (const char c : word.substr(0, Shown)) {
+    text += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return text + (word.size() > Shown ? "...\"" : "\"");
+}
+
+// Appends the characters of a line. Returns what is wrong with it, or nothing.
+std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<Character> &characters) {
+  const std::string_view timeWord = takeWord(line);
+  if (timeWord.empty() || timeWord.front() == '#') {
+    return {};
+  }
+  Character character;
+  if (!parseTime(timeWord, character.endUs)) {
+    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
+  }
+  if (!characters.empty() && character.endUs < characters.back().endUs + characterUs) {
+    return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
+           std::to_string(characters.back().endUs) + " us, and each takes " + std::to_string(characterUs) + " us";
+  }
+  std::string_view word = takeWord(line);
+  if (word.empty()) {
+    return "there is a time, but no characters: bytes in hexadecimal are expected behind it";
+  }
+  for (; !word.empty(); word = takeWord(line)) {
+    if (!parseByte(word, character.value)) {
+      return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
+    }
+    characters.push_back(character);
+    character.endUs += characterUs;
+  }
+  return {};
+}
+
+}  // namespace
+
+void RecordingReader::line(std::string_view text) {
+  if (!_recording.error.empty()) {
+    return;
+  }
+  _number++;
+  _recording.error = text.size() > RecordingLineMax
+                         ? "line is too long: at most " + std::to_string(RecordingLineMax) + " characters are expected"
+                         : parseLine(text, _characterUs, _recording.characters);
+  _recording.errorLine = _recording.error.empty() ? 0 : _number;
+}
+
+Recording RecordingReader::finish() {
+  if (_recording.error.empty() && _recording.characters.empty()) {
+    _recording.error = "is empty: at least one line \"microseconds byte byte ...\" is expected";
+  }
+  return std::move(_recording);
+}
+
+Recording parseRecording(std::string_view text, uint32_t characterUs) {
+  RecordingReader reader(characterUs);
+  while (!text.empty()) {
+    const size_t size = text.find('\n');
+    reader.line(text.substr(0, size));
+    text.remove_prefix(size == std::string_view::npos ? text.size() : size + 1);
+  }
+  return reader.finish();
+}
+
+}  // namespace line

@@ -1,0 +1,34 @@
+#include "Source.h"
+
+#include <utility>
+
+#include "NoisyLine.h"
+#include "RecordedLine.h"
+#include "RecordingFile.h"
+#include "SilentLine.h"
+#include "SimulatedReceiver.h"
+
+namespace line {
+
+std::unique_ptr<Line> Source::open() const {
+  std::unique_ptr<Line> line;
+  if (!recording.empty()) {
+    line = std::make_unique<RecordedLine>(readRecording(recording, settings.characterUs()));
+  } else if (silent) {
+    line = std::make_unique<SilentLine>();
+  } else {
+    line = std::make_unique<SimulatedReceiver>(choreography(sticks), settings.characterUs());
+  }
+  if (noise > 0) {
+    line = std::make_unique<NoisyLine>(std::move(line), noise, settings.characterUs());
+  }
+  return line;
+}
+
+std::string Source::text() const {
+  return !recording.empty() ? "recording " + recording + ", once"
+         : silent           ? "a line with nothing on it"
+                            : "simulated FrSky R-XSR";
+}
+
+}  // namespace line

@@ -1,0 +1,27 @@
+// Which line there is: a recording, the simulated receiver, or nothing; and what disturbs it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "Choreography.h"
+#include "Line.h"
+#include "LineSettings.h"
+
+namespace line {
+
+struct Source {
+  std::string recording;           // a file's name; empty: the simulated receiver
+  bool silent = false;             // nothing comes
+  Sticks sticks = Sticks::Flight;  // of the simulated receiver
+  unsigned noise = 0;              // disturbances per second
+  LineSettings settings;
+
+  // Throws std::runtime_error if the recording cannot be read.
+  std::unique_ptr<Line> open() const;
+
+  // "simulated FrSky R-XSR", "recording line.txt, once"
+  std::string text() const;
+};
+
+}  // namespace line

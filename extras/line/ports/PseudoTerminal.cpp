@@ -1,0 +1,64 @@
+#include "PseudoTerminal.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace line {
+
+namespace {
+
+// Raw: no echo, and no byte is changed. Opening and closing it once also lets the system know when nobody listens.
+bool makeRaw(const char *name) {
+  const int handle = open(name, O_RDWR | O_NOCTTY);
+  if (handle < 0) {
+    return false;
+  }
+  termios settings;
+  bool done = tcgetattr(handle, &settings) == 0;
+  if (done) {
+    cfmakeraw(&settings);
+    done = tcsetattr(handle, TCSANOW, &settings) == 0;
+  }
+  close(handle);
+  return done;
+}
+
+}  // namespace
+
+PseudoTerminal::PseudoTerminal() : _handle(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+  const char *const name = _handle >= 0 && grantpt(_handle) == 0 && unlockpt(_handle) == 0 ? ptsname(_handle) : nullptr;
+  if (name == nullptr || !makeRaw(name) || fcntl(_handle, F_SETFL, O_NONBLOCK) != 0) {
+    const std::string reason = std::strerror(errno);
+    if (_handle >= 0) {
+      close(_handle);
+    }
+    throw std::runtime_error("--pty: the system gives no pseudo-terminal (" + reason + "); run without it");
+  }
+  _name = name;
+}
+
+PseudoTerminal::~PseudoTerminal() {
+  close(_handle);
+}
+
+void PseudoTerminal::write(const uint8_t *bytes, size_t size) {
+  pollfd state = {_handle, POLLOUT, 0};
+  const bool someoneListens = poll(&state, 1, 0) == 1 && (state.revents & POLLHUP) == 0;
+  if (someoneListens && ::write(_handle, bytes, size) < 0) {
+    return;  // full, or the reader has just gone: the bytes are lost
+  }
+}
+
+size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {
+  const ssize_t count = ::read(_handle, bytes, size);
+  return count > 0 ? static_cast<size_t>(count) : 0;  // less: nothing waits, or nobody has it open
+}
+
+}  // namespace line

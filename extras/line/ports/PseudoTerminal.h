@@ -1,0 +1,30 @@
+// A pseudo-terminal, for programs that want to talk with the sketch through a serial port.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace line {
+
+class PseudoTerminal {
+ public:
+  PseudoTerminal();  // throws std::runtime_error
+  ~PseudoTerminal();
+  PseudoTerminal(const PseudoTerminal &) = delete;
+  PseudoTerminal &operator=(const PseudoTerminal &) = delete;
+
+  const std::string &name() const { return _name; }  // what a reader opens
+
+  // Never waits: what nobody reads is lost, as it is on the board's USB.
+  void write(const uint8_t *bytes, size_t size);
+
+  // Never waits: reads what was written to the other end, up to `size` bytes. Returns how many.
+  size_t read(uint8_t *bytes, size_t size);
+
+ private:
+  int _handle;
+  std::string _name;
+};
+
+}  // namespace line

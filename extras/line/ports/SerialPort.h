@@ -1,0 +1,39 @@
+// A real receiver, at a serial port of this PC: an adapter whose RXD is inverted, or with an inverter in front of it.
+#pragma once
+
+#include <libserialport.h>
+
+#include <deque>
+#include <memory>
+
+#include "line/Line.h"
+
+namespace line {
+
+class SerialPort : public Line {
+ public:
+  // Throws std::runtime_error, with a line that says what is wrong and what to do.
+  explicit SerialPort(const std::string &device);
+
+  bool next(uint64_t nowUs, Character &character) override;
+  std::string failure() const override { return _failure; }
+
+ private:
+  // An adapter marks a bad character as FF 00 character, and sends FF as FF FF.
+  enum class Mark { None, Escape, Bad };
+
+  void poll(uint64_t nowUs);
+  void take(uint8_t byte, uint64_t nowUs);
+
+  std::string _device;
+  std::unique_ptr<sp_port, decltype(&sp_free_port)> _port;
+  int _handle = -1;
+  std::string _failure;
+
+  Mark _mark = Mark::None;
+  std::deque<Character> _waiting;
+  uint64_t _lastEndUs = 0;
+  uint64_t _nextPollUs = 0;
+};
+
+}  // namespace line

@@ -1,0 +1,175 @@
+// The receiver under whatever bytes, polls, times and breaks the fuzzer thinks of.
+//
+// The input: operations of one byte and what they need.
+//   0xxxxxxx          a poll after so many hundreds of us, with the bytes that have come since
+//   10xxxxxx          the next x + 1 bytes of the input come in
+//   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08
+//   1110xxxx          2^x * 20 us pass
+//   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13), reset and polls that find noise
+//                     (x = 14), a poll without time (x = 15)
+// It begins with polls that find noise.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "sbus/FrameFinder.h"
+
+namespace {
+
+void require(bool condition, const char *what) {
+  if (!condition) {
+    std::fprintf(stderr, "violated: %s\n", what);
+    std::abort();
+  }
+}
+
+class Line {
+ public:
+  Line() {
+    reset();
+    settle();
+  }
+
+  void reset() {
+    _receiver.reset(_now, sbus::CharacterTime);
+    startAnew();
+    _frames = 0;
+  }
+
+  // Noise, so that frames are believed from now on.
+  void settle() {
+    for (unsigned noise = 0; noise < 3; noise++) {
+      pass(200);
+      arrive(0x55);
+      poll();
+    }
+  }
+
+  void arrive(uint8_t byte) {
+    if (_waiting.size() < 64) {
+      _waiting.push_back(byte);
+    }
+  }
+
+  void pass(uint32_t us) { _now += us; }
+
+  void broken() {
+    _receiver.broken();
+    startAnew();
+  }
+
+  void poll() {
+    if (!_waiting.empty()) {
+      _receiver.poll(static_cast<unsigned>(_waiting.size()), _now);
+    }
+    for (size_t at = 0; at < _waiting.size();) {
+      const size_t room = static_cast<size_t>(_receiver.room());
+      require(room >= 1 && room <= _roomAtStart, "room() is never 0, and never more than at the start");
+      const size_t count = _waiting.size() - at < room ? _waiting.size() - at : room;
+      const uint8_t *const bytes = _waiting.data() + at;
+      std::memcpy(_receiver.space(), bytes, count);
+      _fed.insert(_fed.end(), bytes, bytes + count);
+      at += count;
+      check(_receiver.received(static_cast<int>(count)));
+    }
+    _waiting.clear();
+  }
+
+ private:
+  void startAnew() {
+    _fed.clear();
+    _afterFrame = 0;
+    _skippedAtStart = _receiver.counters().skippedBytes;
+    _framesAtStart = _receiver.counters().frames;
+    _roomAtStart = static_cast<uint32_t>(_receiver.room());
+  }
+
+  uint32_t heldBytes() const { return _roomAtStart - static_cast<uint32_t>(_receiver.room()); }
+
+  void check(const uint8_t *delivered) {
+    const bool complete = delivered != nullptr;
+    const sbus::Counters &counters = _receiver.counters();
+    require(counters.frames == _frames + complete, "frames are counted one by one");
+    _frames = counters.frames;
+    const uint32_t frames = counters.frames - _framesAtStart;
+    const uint32_t skipped = counters.skippedBytes - _skippedAtStart;
+    require(_fed.size() == 25 * frames + skipped + heldBytes(), "bytes fed == 25 a frame + skipped + held");
+    require(counters.lostFrames <= counters.frames && counters.failsafeFrames <= counters.frames, "flags <= frames");
+    require((_receiver.frame() != nullptr) == (counters.frames != 0), "frame() is there from the first frame on");
+    if (!complete) {
+      return;
+    }
+    // Held are the newest bytes, and the frame stood right before them: contiguous, and after the last break.
+    const uint8_t *const frame = _receiver.frame();
+    require(delivered == frame, "received() returns frame()");
+    require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
+    require(sbus::isFrame(frame), "a delivered frame is a frame");
+    require(_fed.size() >= heldBytes() + 25, "a frame's bytes have come since the last break");
+    const size_t begin = _fed.size() - heldBytes() - 25;
+    require(begin >= _afterFrame, "frames do not overlap");
+    require(std::memcmp(_fed.data() + begin, frame, 25) == 0, "a delivered frame stands in the line, byte for byte");
+    _afterFrame = begin + 25;
+  }
+
+  sbus::FrameFinder _receiver;
+  uint32_t _now = 0xFFFF0000;  // micros() wraps soon
+  std::vector<uint8_t> _waiting;
+  std::vector<uint8_t> _fed;  // since the last break
+  size_t _afterFrame = 0;
+  uint32_t _frames = 0;
+  uint32_t _framesAtStart = 0;
+  uint32_t _skippedAtStart = 0;
+  uint32_t _roomAtStart = 0;
+};
+
+void neutralFrame(Line &line, unsigned variant) {
+  uint16_t channels[18];
+  for (uint16_t &channel : channels) {
+    channel = 992;
+  }
+  channels[0] = static_cast<uint16_t>(900 + variant);
+  channels[16] = 0;
+  channels[17] = 0;
+  uint8_t frame[25];
+  sbus::pack(frame, channels, false, false);
+  frame[24] = (variant & 16) != 0 ? 0x08 : 0x00;
+  for (const uint8_t byte : frame) {
+    line.arrive(byte);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  Line line;
+  for (size_t at = 0; at < size; at++) {
+    const uint8_t operation = data[at];
+    if (operation < 0x80) {
+      line.pass(operation * 100u);
+      line.poll();
+    } else if (operation < 0xC0) {
+      for (unsigned left = (operation & 0x3Fu) + 1; left > 0 && at + 1 < size; left--) {
+        line.arrive(data[++at]);
+      }
+    } else if (operation < 0xE0) {
+      neutralFrame(line, operation & 0x1F);
+    } else if (operation < 0xF0) {
+      line.pass(20u << (operation & 0xF));
+    } else if (operation == 0xFD) {
+      line.reset();
+    } else if (operation == 0xFE) {
+      line.reset();
+      line.settle();
+    } else if (operation == 0xFF) {
+      line.poll();
+    } else {
+      line.poll();
+      line.broken();
+    }
+  }
+  line.poll();
+  return 0;
+}

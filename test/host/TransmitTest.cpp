@@ -1,0 +1,222 @@
+// How the host's board sends: the transmit buffer, and what a port with other settings makes of it.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "SerialConfig.h"
+#include "support/ShowArrays.h"
+#include "board/BoardTransmitter.h"
+#include "line/UartSampler.h"
+#include "stm32l0_uart.h"
+
+using host::BoardTransmitter;
+using line::Character;
+
+namespace {
+
+constexpr uint64_t SBusNs = 120000;
+
+// Bytes 0, 1, 2 and so on.
+std::vector<uint8_t> counting(size_t size) {
+  std::vector<uint8_t> bytes;
+  for (size_t i = 0; i < size; i++) {
+    bytes.push_back(static_cast<uint8_t>(i));
+  }
+  return bytes;
+}
+
+size_t write(BoardTransmitter &transmitter, uint64_t nowUs, size_t size) {
+  return transmitter.write(nowUs, counting(size).data(), size);
+}
+
+std::vector<Character> sentBy(BoardTransmitter &transmitter, uint64_t nowUs) {
+  std::vector<Character> characters;
+  for (Character character; transmitter.next(nowUs, character);) {
+    characters.push_back(character);
+  }
+  return characters;
+}
+
+// What a port with settings `to` makes of bytes sent back to back by one with settings `from`.
+std::vector<Character> heard(const host::PortSettings &from, const host::PortSettings &to,
+                             const std::vector<uint8_t> &bytes) {
+  BoardTransmitter transmitter;
+  transmitter.open(from.tx.characterNs());
+  transmitter.write(1000, bytes.data(), bytes.size());
+  line::UartSampler sampler;
+  sampler.open(0, to.rx, from.tx);
+  constexpr uint64_t LongAfterUs = 1000000;
+  for (const Character &character : sentBy(transmitter, LongAfterUs)) {
+    sampler.put(character);
+  }
+  std::vector<Character> characters;
+  for (Character character; sampler.next(LongAfterUs, character);) {
+    characters.push_back(character);
+  }
+  return characters;
+}
+
+size_t goodOnes(const std::vector<Character> &characters) {
+  size_t good = 0;
+  for (const Character &character : characters) {
+    good += !character.bad;
+  }
+  return good;
+}
+
+// How many of the bytes sent come over, in their order: what a sketch could use.
+size_t bytesThrough(const host::PortSettings &from, const host::PortSettings &to) {
+  const std::vector<uint8_t> bytes = counting(64);
+  size_t through = 0;
+  for (const Character &character : heard(from, to, bytes)) {
+    through += !character.bad && through < bytes.size() && character.value == bytes[through];
+  }
+  return through;
+}
+
+}  // namespace
+
+TEST_CASE("a closed port has no places and takes nothing; what is under way when it is closed is lost") {
+  BoardTransmitter transmitter;
+  CHECK(transmitter.availableForWrite() == 0);
+  CHECK(write(transmitter, 0, 1) == 0);
+  transmitter.open(SBusNs);
+  CHECK(transmitter.availableForWrite() == 64);
+  CHECK(write(transmitter, 0, 25) == 25);
+  transmitter.close();
+  CHECK(transmitter.idle());
+  CHECK(transmitter.availableForWrite() == 0);
+  CHECK(sentBy(transmitter, 1000000).empty());
+  transmitter.open(SBusNs);
+  CHECK(sentBy(transmitter, 1000000).empty());
+}
+
+TEST_CASE("characters go out back to back, the first a character's time after it was written") {
+  for (const uint64_t ns : {uint64_t{120000}, uint64_t{60000}}) {
+    CAPTURE(ns);
+    BoardTransmitter transmitter;
+    transmitter.open(ns);
+    REQUIRE(write(transmitter, 5000, 25) == 25);
+    const std::vector<Character> characters = sentBy(transmitter, 1000000);
+    REQUIRE(characters.size() == 25);
+    for (size_t i = 0; i < 25; i++) {
+      CHECK(characters[i].value == i);
+      CHECK(characters[i].endUs == 5000 + (i + 1) * ns / 1000);
+      CHECK_FALSE(characters[i].bad);
+    }
+    CHECK(transmitter.idle());
+  }
+}
+
+TEST_CASE("a character is through at its end, not a microsecond before, and times of fractions do not add up") {
+  BoardTransmitter transmitter;
+  transmitter.open(86805);  // 10 bits at 115200 baud
+  write(transmitter, 0, 64);
+  CHECK(sentBy(transmitter, 86).empty());
+  CHECK(sentBy(transmitter, 87).size() == 1);
+  CHECK(sentBy(transmitter, 5555).size() == 62);
+  CHECK(sentBy(transmitter, 5556).size() == 1);  // the 64th: 5555.52 us
+}
+
+TEST_CASE("the board's places become free by packets of up to 32, which do not go across the ring's end") {
+  BoardTransmitter transmitter;
+  transmitter.open(SBusNs);
+  REQUIRE(write(transmitter, 0, 50) == 50);
+  sentBy(transmitter, 31 * 120);
+  CHECK(transmitter.availableForWrite() == 14);
+  CHECK(transmitter.packetEndUs() == 32 * 120);
+  sentBy(transmitter, 32 * 120);
+  CHECK(transmitter.availableForWrite() == 46);
+  CHECK(transmitter.packetEndUs() == 50 * 120);
+  sentBy(transmitter, 50 * 120);
+  CHECK(transmitter.availableForWrite() == 64);
+  CHECK(transmitter.packetEndUs() == 0);
+  REQUIRE(write(transmitter, 6000, 25) == 25);  // 14 up to the ring's end
+  sentBy(transmitter, 6000 + 14 * 120);
+  CHECK(transmitter.availableForWrite() == 64 - 11);
+}
+
+TEST_CASE("a plainer core keeps one place free, and has each one back when its character is through") {
+  BoardTransmitter transmitter(63, 1);
+  transmitter.open(SBusNs);
+  CHECK(transmitter.availableForWrite() == 63);
+  CHECK(write(transmitter, 0, 70) == 63);
+  CHECK(transmitter.availableForWrite() == 0);
+  for (int i = 1; i <= 63; i++) {
+    REQUIRE(transmitter.packetEndUs() == static_cast<uint64_t>(i) * 120);
+    REQUIRE(sentBy(transmitter, transmitter.packetEndUs()).size() == 1);
+    REQUIRE(transmitter.availableForWrite() == i);
+  }
+}
+
+TEST_CASE("a full buffer takes what fits, and what comes behind follows without a gap") {
+  BoardTransmitter transmitter;
+  transmitter.open(SBusNs);
+  CHECK(write(transmitter, 0, 70) == 64);
+  CHECK(write(transmitter, 0, 1) == 0);
+  CHECK(sentBy(transmitter, 32 * 120).size() == 32);
+  CHECK(write(transmitter, 32 * 120, 6) == 6);
+  const std::vector<Character> rest = sentBy(transmitter, 1000000);
+  REQUIRE(rest.size() == 38);
+  CHECK(rest.back().endUs == 70 * 120);
+  CHECK(rest.back().value == 5);
+}
+
+TEST_CASE("behind a pause the first character begins when it is written") {
+  BoardTransmitter transmitter;
+  transmitter.open(SBusNs);
+  write(transmitter, 0, 1);
+  CHECK(sentBy(transmitter, 9000).size() == 1);
+  write(transmitter, 9000, 1);
+  const std::vector<Character> characters = sentBy(transmitter, 20000);
+  REQUIRE(characters.size() == 1);
+  CHECK(characters[0].endUs == 9120);
+}
+
+TEST_CASE("between ports with the same settings every byte comes over, in any format and at any rate") {
+  const std::vector<uint8_t> bytes = {0x00, 0xFF, 0x0F, 0x55, 0xAA, 0x01, 0x80, 0x7F};
+  for (const unsigned long baud : {9600ul, 100000ul, 115200ul, 200000ul}) {
+    for (const uint32_t config : std::initializer_list<uint32_t>{SERIAL_SBUS, SERIAL_8E2, SERIAL_8E1, SERIAL_8N1,
+                                                                 SERIAL_8N2, SERIAL_8O1, SERIAL_8O2}) {
+      CAPTURE(baud);
+      CAPTURE(config);
+      const host::PortSettings settings = host::portSettings(baud, config);
+      const std::vector<Character> characters = heard(settings, settings, bytes);
+      REQUIRE(characters.size() == bytes.size());
+      for (size_t i = 0; i < bytes.size(); i++) {
+        CHECK(characters[i].value == bytes[i]);
+        CHECK_FALSE(characters[i].bad);
+      }
+    }
+  }
+}
+
+TEST_CASE("seven data bits are the low ones of a byte") {
+  const uint32_t format7E1 = STM32L0_UART_OPTION_DATA_SIZE_7 | STM32L0_UART_OPTION_PARITY_EVEN;
+  const host::PortSettings settings = host::portSettings(9600, format7E1);
+  const std::vector<Character> characters = heard(settings, settings, {0x80, 0xFF, 0x55});
+  REQUIRE(characters.size() == 3);
+  CHECK(goodOnes(characters) == 3);
+  CHECK(characters[0].value == 0x00);
+  CHECK(characters[1].value == 0x7F);
+  CHECK(characters[2].value == 0x55);
+}
+
+TEST_CASE("a wrong parity makes all characters bad, a stop bit less none") {
+  const uint32_t inverted = STM32L0_UART_OPTION_RX_INVERT | STM32L0_UART_OPTION_TX_INVERT;
+  const host::PortSettings sBus = host::portSettings(100000, SERIAL_SBUS);
+  CHECK(goodOnes(heard(host::portSettings(100000, SERIAL_8O2 | inverted), sBus, counting(64))) == 0);
+  CHECK(bytesThrough(sBus, host::portSettings(100000, SERIAL_8E1 | inverted)) == 64);
+}
+
+TEST_CASE("with another rate or polarity bytes come, but hardly any of those that were sent") {
+  const host::PortSettings sBus = host::portSettings(100000, SERIAL_SBUS);
+  for (const host::PortSettings &other :
+       {host::portSettings(200000, SERIAL_SBUS), host::portSettings(100000, SERIAL_8E2),
+        host::portSettings(200000, SERIAL_8E2), host::portSettings(9600, SERIAL_SBUS)}) {
+    CAPTURE(text(other.rx));
+    CHECK(bytesThrough(sBus, sBus) == 64);
+    CHECK(bytesThrough(sBus, other) <= 1);
+    CHECK(bytesThrough(other, sBus) <= 1);
+  }
+}
