@@ -77,6 +77,6 @@ docs:
 	@sh extras/docs/api.sh
 
 clean:
-	rm -rf build
+	rm -rf build/* build
 
 endif
