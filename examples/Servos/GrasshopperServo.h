@@ -1,5 +1,5 @@
 // Class Servo for the Grasshopper, after Arduino's library of that name, which does not know the STM32L0: up to ten
-// servos, one pulse behind the other, every 20 ms (ten of the longest: 24 ms). The core's own driver makes them, with TIM7.
+// servos, one pulse after the other, every 20 ms (ten of the longest: 24 ms). The core's own driver makes them, with TIM7.
 #pragma once
 
 #include <Arduino.h>
@@ -9,9 +9,9 @@ class Servo {
  public:
   // Pulses of `us` from the next on, 544..2400, as Arduino's library limits them. Before attach(): the first.
   void writeMicroseconds(int us) {
-    const uint16_t limited = static_cast<uint16_t>(us < 544 ? 544 : us > 2400 ? 2400 : us);
-    if (limited != _us) {
-      _us = limited;
+    const uint16_t clamped = static_cast<uint16_t>(us < 544 ? 544 : us > 2400 ? 2400 : us);
+    if (clamped != _us) {
+      _us = clamped;
       update();
     }
   }

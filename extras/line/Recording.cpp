@@ -88,7 +88,7 @@ std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<C
   }
   std::string_view word = takeWord(line);
   if (word.empty()) {
-    return "there is a time, but no characters: bytes in hexadecimal are expected behind it";
+    return "there is a time, but no characters: bytes in hexadecimal are expected after it";
   }
   for (; !word.empty(); word = takeWord(line)) {
     if (!parseByte(word, character.value)) {

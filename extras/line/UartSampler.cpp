@@ -99,7 +99,7 @@ void UartSampler::level(uint64_t ns, bool high) {
   }
 }
 
-// Only for times behind the first edge: what was before it is forgotten.
+// Only for times after the first edge: what was before it is forgotten.
 bool UartSampler::idleAt(uint64_t ns) const {
   bool idle = false;
   for (auto edge = _edges.begin(); edge != _edges.end() && edge->ns <= ns; ++edge) {

@@ -44,7 +44,7 @@ class UartSampler {
   bool _flipped = false;  // the port sees active what is idle
 
   std::deque<Edge> _edges;
-  bool _idle = true;      // what the port sees behind the last edge
+  bool _idle = true;      // what the port sees after the last edge
   uint64_t _fromNs = 0;   // a start bit is looked for from here on
   uint64_t _knownNs = 0;  // the end of the last character put
 };

@@ -22,9 +22,9 @@ void interrupts();
 
 namespace {
 
-// What a look at the clock or at a port costs: not nothing, or a sketch that waits in a loop of its own would wait for
+// What reading the clock or polling a port costs: not nothing, or a sketch that waits in a loop of its own would wait for
 // ever.
-constexpr uint64_t LookUs = 1;
+constexpr uint64_t PollUs = 1;
 
 // Until the packet under way is through.
 void waitForPacket(const host::BoardTransmitter &transmitter) {
@@ -36,12 +36,12 @@ void waitForPacket(const host::BoardTransmitter &transmitter) {
 }  // namespace
 
 uint32_t millis() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return Board::instance().clock().millis();
 }
 
 uint32_t micros() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return Board::instance().clock().micros();
 }
 
@@ -54,7 +54,7 @@ void delayMicroseconds(unsigned int us) {
 }
 
 void yield() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
 }
 
 void noInterrupts() {
@@ -96,29 +96,29 @@ void Uart::end() {
 }
 
 int Uart::available() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return port().uart().available();
 }
 
 int Uart::peek() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return port().uart().peek();
 }
 
 int Uart::read() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return port().uart().read();
 }
 
 #if !defined(HOST_PLAIN_CORE)
 int Uart::read(uint8_t *buffer, size_t size) {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return port().uart().read(buffer, size);
 }
 #endif
 
 int Uart::availableForWrite() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return port().transmitter().availableForWrite();
 }
 
@@ -129,7 +129,7 @@ size_t Uart::write(uint8_t byte) {
 size_t Uart::write(const uint8_t *buffer, size_t size) {
   Board &board = Board::instance();
   host::BoardTransmitter &transmitter = port().transmitter();
-  board.spend(LookUs);
+  board.spend(PollUs);
   size_t done = transmitter.write(board.clock().nowUs(), buffer, size);
   while (done < size && transmitter.isOpen() && !board.inCallback()) {
     waitForPacket(transmitter);
@@ -161,23 +161,23 @@ void UsbSerial::begin(unsigned long baud, uint32_t) {
 }
 
 int UsbSerial::available() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return Board::instance().input().available(Board::instance().clock().nowUs());
 }
 
 int UsbSerial::peek() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return Board::instance().input().peek(Board::instance().clock().nowUs());
 }
 
 int UsbSerial::read() {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return Board::instance().input().read(Board::instance().clock().nowUs());
 }
 
 #if !defined(HOST_PLAIN_CORE)
 int UsbSerial::read(uint8_t *buffer, size_t size) {
-  Board::instance().spend(LookUs);
+  Board::instance().spend(PollUs);
   return Board::instance().input().read(Board::instance().clock().nowUs(), buffer, size);
 }
 #endif

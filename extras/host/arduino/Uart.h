@@ -37,7 +37,7 @@ class Uart : public HardwareSerial {
   operator bool() override { return true; }
 
   // `callback` runs when received bytes have been handed over: once, then again after the next read. On the board that
-  // is at PendSV level, in the middle of anything; here whenever the sketch asks for the time or looks at a port.
+  // is at PendSV level, in the middle of anything; here whenever the sketch asks for the time or polls a port.
   void onReceive(void (*callback)());
 
  private:

@@ -45,7 +45,7 @@ void Board::step(uint64_t us) {
   for (Port &port : _ports) {
     port.receive(_clock.nowUs());
   }
-  // A callback may look at a port or at the clock, and so come here again: it does not interrupt itself.
+  // A callback may poll a port or read the clock, and so come here again: it does not interrupt itself.
   if (_interruptsEnabled && !_inCallback) {
     _inCallback = true;
     for (Port &port : _ports) {

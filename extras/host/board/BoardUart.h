@@ -45,7 +45,7 @@ class BoardUart {
   int read();
   int read(uint8_t *buffer, size_t size);  // returns how many bytes were read, up to `size`
 
-  // True, once, if bytes have been handed over: the first ones after open() and after each look at the buffer.
+  // True, once, if bytes have been handed over: the first ones after open() and after each poll of the buffer.
   bool takeReceiveEvent();
 
   // Since the program's start.

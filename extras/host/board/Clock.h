@@ -6,9 +6,9 @@
 
 namespace host {
 
-// The sketch's time goes on only when something spends it: a pass of loop(), a delay, a look at the clock. With
-// Pace::Real it is then held back until the PC's clock has come as far. So both paces give the sketch the same passes,
-// and a PC that stops for 50 ms to do something else costs no bytes: the sketch catches up pass by pass.
+// The sketch's time goes on only when something spends it: a call of loop(), a delay, reading the clock. With
+// Pace::Real it is then held back until the PC's clock has come as far. So both paces call loop() at the same times, and a
+// PC that stops for 50 ms to do something else costs no bytes: the sketch catches up.
 class Clock {
  public:
   enum class Pace { Simulated, Real };

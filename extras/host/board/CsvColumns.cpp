@@ -7,8 +7,8 @@ namespace host {
 
 namespace {
 
-constexpr size_t LineMax = 1024;   // what stands behind it on a line is not looked at
-constexpr size_t ColumnsMax = 64;  // nor are columns behind these
+constexpr size_t LineMax = 1024;   // what follows on a line is not read
+constexpr size_t ColumnsMax = 64;  // nor are further columns
 
 }  // namespace
 

@@ -130,7 +130,7 @@ Options parseOptions(int argc, char **argv) {
       ->check(CLI::Validator(checkSeconds, ""))
       ->type_name("S");
   app.add_flag("--simulated-time", options.simulatedTime, "as fast as it goes, exactly repeatable")->excludes(port);
-  app.add_option("--loop-us", options.loopUs, "what a pass of loop() costs, in microseconds (50)")
+  app.add_option("--loop-us", options.loopUs, "what a call of loop() costs, in microseconds (50)")
       ->check(CLI::Range(1, 1000000).description(""))
       ->type_name("N");
   app.add_option("--start-ms", options.startMs, "what millis() starts from (0)")->type_name("N");

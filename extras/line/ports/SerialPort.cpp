@@ -115,7 +115,7 @@ void SerialPort::poll(uint64_t nowUs) {
   }
 }
 
-// USB brings characters in lumps. They go on at the pace of the wire, or the lump would overrun the board's buffer.
+// USB brings characters in bursts. They go on at the pace of the line, or a burst would overrun the board's buffer.
 void SerialPort::take(uint8_t byte, uint64_t nowUs) {
   Character character;
   character.value = byte;
