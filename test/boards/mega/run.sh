@@ -128,7 +128,7 @@ diagnose() {
   timeout 60 "$out/host/Diagnose" --simulated-time --seconds 13 2>/dev/null >"$out/Diagnose.host"
   on_mega Diagnose Diagnose --any-settings --frames &&
     words "$out/Diagnose.host" >"$out/Diagnose.words.host" && words "$out/Diagnose.csv" >"$out/Diagnose.words" &&
-    [ "$(wc -l <"$out/Diagnose.words")" -eq 7 ] && same "$out/Diagnose.words" "$out/Diagnose.words.host"
+    [ "$(wc -l <"$out/Diagnose.words")" -eq 14 ] && same "$out/Diagnose.words" "$out/Diagnose.words.host"
   verdict $? "Diagnose says of the simulated receiver what it says on the host, seven times"
   awk '/^frames since/ { came[++lines] = $4; next }
        /^begin\(/ { printed++ }

@@ -1,0 +1,145 @@
+#include "Diagnosis.h"
+
+namespace sbus {
+
+namespace {
+
+constexpr uint32_t DamagedSize = FrameSize - 1;  // bytes: mostly one character is missing
+constexpr uint32_t DamagedPart = 100;            // more than 1/100 of the frames, and one, damaged: noise
+constexpr uint32_t LossyPart = 10;               // more than 1/10 lost: the radio comes in badly
+constexpr uint32_t NoRadioPart = 2;              // more than 1/2 lost: not at all
+
+uint32_t refused(const Counters &counters) {
+  return counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra;
+}
+
+// 25 bytes were skipped after each frame: a whole one of another kind. A damaged one has mostly lost a character.
+bool anotherFollowsEach(const Counters &counters) {
+  const uint32_t between = counters.resyncs * FrameSize;
+  return counters.resyncs + 1 >= counters.frames && counters.skippedBytes >= between &&
+         counters.skippedBytes < between + 2 * FrameSize;  // the first and the last may be there in part
+}
+
+}  // namespace
+
+const char *text(Finding finding) {
+  switch (finding) {
+    case Finding::NoSignal:
+      return "NO SIGNAL: not a byte in any setting.";
+    case Finding::NoFrames:
+      return "NO FRAMES: bytes come, but few frames or none.";
+    case Finding::WrongInversion:
+      return "WRONG INVERSION: frames come with the other one only.";
+    case Finding::WrongBaud:
+      return "WRONG BAUD RATE: frames come with the other one only.";
+    case Finding::WrongInversionAndBaud:
+      return "WRONG INVERSION AND BAUD RATE: frames come with the others only.";
+    case Finding::PolledTooSeldom:
+      return "POLLED TOO SELDOM: the port's buffer runs over.";
+    case Finding::Damaged:
+      return "NOISE: frames are damaged.";
+    case Finding::Failsafe:
+      return "FAILSAFE: the receiver is well, but has given the radio up.";
+    case Finding::NoRadio:
+      return "NO RADIO: the receiver is well, but hears nothing.";
+    case Finding::Lossy:
+      return "LOSSY: the receiver is well, but misses radio frames.";
+    case Finding::AllWellAndMore:
+      return "ALL WELL, and other bytes come between the frames.";
+    case Finding::AllWell:
+      return "ALL WELL.";
+  }
+  return "";
+}
+
+const char *cure(Finding finding) {
+  switch (finding) {
+    case Finding::NoSignal:
+      return "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?";
+    case Finding::NoFrames:
+      return "Connect the grounds. Is the port set to S.Bus? Is an inverter missing, or one too many?";
+    case Finding::WrongInversion:
+      return "Open the port with that one, or put in an inverter, or take one out.";
+    case Finding::WrongBaud:
+    case Finding::WrongInversionAndBaud:
+      return "Open the port with the setting that has frames: Fast S.Bus has 200000 baud.";
+    case Finding::PolledTooSeldom:
+      return "Poll the port every 5 ms at least, at 200000 baud every 2.5 ms.";
+    case Finding::Damaged:
+      return "Connect the grounds, check the supply, shorten the wire.";
+    case Finding::Failsafe:
+    case Finding::NoRadio:
+      return "Switch the radio on, or bind them.";
+    case Finding::Lossy:
+      return "Check the distance and the aerials.";
+    case Finding::AllWellAndMore:
+      return "No fault: telemetry (S.BUS2), or what some Futaba receivers send after a frame.";
+    case Finding::AllWell:
+      return "There is nothing to cure.";
+  }
+  return "";
+}
+
+uint32_t damagedFrames(const Counters &counters) {
+  if (counters.resyncs == 0 || anotherFollowsEach(counters)) {
+    return 0;
+  }
+  const uint32_t skipped = (counters.skippedBytes + DamagedSize / 2) / DamagedSize;
+  const uint32_t headers = refused(counters);
+  return skipped < headers ? skipped : headers;
+}
+
+void Diagnosis::add(const Trial &trial) {
+  if (_count == 0) {
+    _meantBaud = trial.baud;
+    _meantInverted = trial.inverted;
+  }
+  if (_count == 0 || trial.counters.frames > seen().frames) {
+    _trial = trial;
+    _best = _count;
+  }
+  _anyByte = _anyByte || trial.counters.frames != 0 || trial.counters.skippedBytes != 0;
+  _count++;
+}
+
+// A setting is only believed if frames come with it, a line only if its setting is right, and its flags only if the
+// frames are whole.
+Finding Diagnosis::finding() const {
+  const Counters &counters = seen();
+  const bool framesCome = counters.frames * PeriodMax > _trial.ms;
+  const bool otherInversion = _trial.inverted != _meantInverted;
+  const bool otherBaud = _trial.baud != _meantBaud;
+  if (!_anyByte) {
+    return Finding::NoSignal;
+  }
+  if (framesCome && otherInversion) {
+    return otherBaud ? Finding::WrongInversionAndBaud : Finding::WrongInversion;
+  }
+  if (framesCome && otherBaud) {
+    return Finding::WrongBaud;
+  }
+  if (counters.overflows != 0) {
+    return Finding::PolledTooSeldom;
+  }
+  if (!framesCome) {
+    return Finding::NoFrames;
+  }
+  const uint32_t damaged = damagedFrames(counters);
+  if (damaged > 1 + counters.frames / DamagedPart) {
+    return Finding::Damaged;
+  }
+  if (counters.failsafeFrames != 0) {
+    return Finding::Failsafe;
+  }
+  if (counters.lostFrames > counters.frames / NoRadioPart) {
+    return Finding::NoRadio;
+  }
+  if (counters.lostFrames > counters.frames / LossyPart) {
+    return Finding::Lossy;
+  }
+  // The first bytes may be the rest of a frame.
+  const bool more = damaged == 0 && counters.skippedBytes >= counters.frames + FrameSize;
+  return more ? Finding::AllWellAndMore : Finding::AllWell;
+}
+
+}  // namespace sbus
