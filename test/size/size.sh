@@ -21,13 +21,13 @@ linking="-nostdlib -Wl,--gc-sections,--unresolved-symbols=ignore-all,--entry=0$r
 # shellcheck disable=SC2086  # the flags are words
 avr() {
   avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR $common $linking -w \
-    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
+    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I.. -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
 }
 
 # shellcheck disable=SC2086
 arm() {
   arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common $linking \
-    -I$host/arduino -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
+    -I$host/arduino -I.. -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
 }
 
 # flash PROGRAM, ram PROGRAM
