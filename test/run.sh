@@ -91,5 +91,6 @@ mkdir -p "$BUILD"
   boards/mega/run.sh
   boards/cortex-m0/run.sh
   bench/bench.sh check
+  ../extras/docs/figures.sh check
 } 2>&1 | tee "$BUILD/log"
 awk -f count.awk "$BUILD/log"
