@@ -58,7 +58,10 @@ figures:
 	@extras/docs/figures.sh
 
 docs:
-	@sh extras/docs/api.sh
+	@sh extras/setup/need.sh doxygen
+	@rm -rf build/docs && mkdir -p build/docs
+	@doxygen extras/docs/Doxyfile
+	@echo build/docs/html/index.html
 
 clean:
 	rm -rf build
