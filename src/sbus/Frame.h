@@ -102,7 +102,7 @@ constexpr bool failsafe(const uint8_t *frame) {
 /// within it, as between two frames: the header's index. 25 if nowhere.
 int innerHeader(const uint8_t *frame, uint8_t endMask);
 
-/// Writes all channels of `frame` (25 bytes; header and end byte are not looked at) to `channels`: 18 values, CH1..CH16
+/// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.
 void unpack(const uint8_t *frame, uint16_t *channels);
 

@@ -122,7 +122,7 @@ void printValues() {
     uint32_t cost;
   } rows[] = {
       {"`EncodeSBus::write()`: a frame is sent", costOfSending()},
-      {"... none is due yet", costOfNotDue()},
+      {"... too early for one", costOfNotDue()},
       {"`toMicroseconds()`", costOfMicroseconds()},
       {"`toNormalised()`", costOfNormalised()},
       {"... by a calibrated channel", costOfCalibrated()},
