@@ -39,8 +39,8 @@ class DecodeSBus {
 
   // ---- What every loop() calls
 
-  /// Takes in the bytes that wait on the port; never waits itself. Call it every 5 ms (2.5 ms at 200000 baud), or
-  /// frames are lost: the core's 64 bytes are full after 7.7 ms of a line without pauses.
+  /// Takes in the bytes that wait on the port; never waits itself. Call it at least every 5 ms (2.5 ms at 200000 baud),
+  /// or frames are lost: the core's 64 bytes are full after 7.7 ms of a line without pauses.
   ///
   /// A frame is there at the first call after its last byte. The very first, and the first with another kind of end
   /// byte, may wait for the next frame's first byte.
