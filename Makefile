@@ -15,7 +15,7 @@ Makefile: ;
 	@$(MAKE) --no-print-directory -C '$(copy)' $@ $(call absolute,CAPTURES) $(call absolute,RECORDING)
 else
 
-.PHONY: help demo test check torture fuzz size bench docs clean
+.PHONY: help demo test check torture fuzz size bench figures docs clean
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
 	@echo "            SKETCH=examples/NAME  another sketch"
@@ -31,6 +31,7 @@ help:
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
 	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
 	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
+	@echo "make figures  writes the tables of extras/docs/measured.md anew (torture, size, bench); some minutes"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make clean  removes build/"
 
@@ -73,8 +74,15 @@ bench:
 	@sh extras/setup/need.sh $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
 	@$(MAKE) --no-print-directory -C test bench
 
+figures:
+	@sh extras/setup/need.sh g++ $(AVR) $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
+	@extras/docs/figures.sh
+
 docs:
-	@sh extras/docs/api.sh
+	@sh extras/setup/need.sh doxygen
+	@rm -rf build/docs && mkdir -p build/docs
+	@doxygen extras/docs/Doxyfile
+	@echo build/docs/html/index.html
 
 clean:
 	rm -rf build/* build

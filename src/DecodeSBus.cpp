@@ -10,8 +10,8 @@ inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
 
-// Between two of these the compiler keeps its reads: what parseSBusFrame() writes may change at any instruction. (clang
-// moves reads past __atomic_signal_fence(). A macro, because -Os makes a call of an inline function.)
+// A compiler barrier: what parseSBusFrame() writes may change at any instruction. (clang moves reads past
+// __atomic_signal_fence(). A macro, because -Os makes a call of an inline function.)
 #define READ_ANEW() __asm__ volatile("" ::: "memory")
 
 }  // namespace

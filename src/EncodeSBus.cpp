@@ -15,7 +15,7 @@ void EncodeSBus::end() {
 
 bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame) {
   const uint32_t now = micros();
-  const uint32_t late = now - _last - _period;  // us; wraps if it is not due yet
+  const uint32_t late = now - _last - _period;  // us; wraps if it is too early
   if (_sent && now - _last < _period) {
     return false;
   }
@@ -25,8 +25,8 @@ bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame)
   uint8_t frame[sbus::FrameSize];
   sbus::pack(frame, channels, failsafe, lostFrame);
   _serial.write(frame, sbus::FrameSize);
-  // A little late, and the next frame is due as if it had been on time; else from now on. So no pause between two
-  // frames is shorter than half of what it should be: receivers need them.
+  // A little late, and the next frame is expected as if this one had been on time; else from now on. So no pause
+  // between two frames is shorter than half of what it should be: receivers need them.
   constexpr uint32_t FrameTime = uint32_t{sbus::FrameSize} * sbus::CharacterTime;
   const uint32_t tolerable = _period > FrameTime ? (_period - FrameTime) / 2 : 0;
   _last = _sent && late < tolerable ? now - late : now;

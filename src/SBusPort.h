@@ -1,5 +1,6 @@
-// All that differs between cores: how a port is opened and read, and what it holds. For sketches it only brings in what
-// SERIAL_8E2 and the like are made of.
+/// @file
+/// All that differs between cores: how a port is opened and read, and what it holds. For sketches it only brings in what
+/// SERIAL_8E2 and the like are made of.
 #pragma once
 
 #include <Arduino.h>
@@ -12,13 +13,13 @@
 namespace sbus {
 
 #if defined(SERIAL_SBUS)
-constexpr auto PortConfig = SERIAL_SBUS;  // 8E2, inverted
+constexpr auto PortConfig = SERIAL_SBUS;  ///< 8E2, inverted
 #else
-constexpr auto PortConfig = SERIAL_8E2;  // the line needs an inverter
+constexpr auto PortConfig = SERIAL_8E2;  ///< the line needs an inverter
 #endif
 
-// port.begin(baud, config), as open(port, &HardwareSerial::begin, baud, config): a format is a byte on some cores
-// (AVR), 32 bits on others.
+/// port.begin(baud, config), as open(port, &HardwareSerial::begin, baud, config): a format is a byte on some cores
+/// (AVR), 32 bits on others.
 template <typename Format>
 void open(HardwareSerial &port, void (HardwareSerial::*begin)(unsigned long, Format), unsigned long baud,
           uint32_t config) {

@@ -25,7 +25,8 @@ bench            what the library costs
 table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
-captures         recordings of real receivers'
+captures         recordings of real receivers
+figures          the figures of measured.md'
 quick='unit-g++         unit tests, g++
 examples-g++     examples and recordings, g++'
 [ -n "${CAPTURES:-}" ] || all=$(echo "$all" | grep -v '^captures')
@@ -97,6 +98,7 @@ step_fuzz() { ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
 step_boards() { boards/"$1"/run.sh; }
 step_bench() { bench/bench.sh check; }
+step_figures() { ../extras/docs/figures.sh check; }
 
 # Runs step N, and says how it went.
 step() {
@@ -135,7 +137,8 @@ COUNT=$(echo "$chosen" | wc -l)
 export COUNT
 # Several steps need what these make: make it once.
 build g++ -k unit >"$BUILD/steps/build.log" 2>&1
-echo "$chosen" | while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done |
+echo "$chosen" | grep -v '^figures' | while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done |
   xargs -P "$(nproc)" -n 1 "$0" step
+case $chosen in *figures*) step "$(echo "$all" | wc -l)" ;; esac  # takes what others have built
 echo "$chosen" | while read -r name _; do cat "$BUILD/steps/$name.log"; done >"$BUILD/log"
 awk -f count.awk "$BUILD/log"

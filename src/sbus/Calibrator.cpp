@@ -39,7 +39,7 @@ void Calibrator::Extent::include(uint16_t value) {
   }
 }
 
-// What was seen in this step and the ones behind it is forgotten.
+// What was seen in this step and the ones after it is forgotten.
 void Calibrator::begin(Step step) {
   _step = step;
   for (uint8_t i = step; i < StepCount; i++) {

@@ -1,4 +1,5 @@
-// What a FrameFinder counts.
+/// @file
+/// What a FrameFinder counts.
 #pragma once
 
 #include <stdint.h>
@@ -7,23 +8,22 @@
 
 namespace sbus {
 
-// What was seen on the line since reset(). All but the period count up from 0, and wrap after 2^32.
+/// What was seen on the line since reset(). All but the period count up from 0, and wrap after 2^32.
 struct Counters {
-  uint32_t frames;          // delivered
-  uint32_t lostFrames;      // of the delivered: with the lost-frame flag
-  uint32_t failsafeFrames;  // of the delivered: with the failsafe flag
+  uint32_t frames;          ///< delivered
+  uint32_t lostFrames;      ///< of the delivered: with the lost-frame flag
+  uint32_t failsafeFrames;  ///< of the delivered: with the failsafe flag
 
-  // Not delivered: 25 bytes from a 0F on that are no frame.
-  uint32_t refusedByEnd;    // the last is no end byte: a character is missing, or the 0F was no header
-  uint32_t refusedByFlags;  // unused bits of the flags are set
-  uint32_t refusedByExtra;  // more characters belong to them, or a pause lies within
+  uint32_t refusedByEnd;    ///< 25 bytes from a 0F on, no end byte: one is missing, or the 0F was no header
+  uint32_t refusedByFlags;  ///< 25 bytes from a 0F on, unused bits of the flags set
+  uint32_t refusedByExtra;  ///< 25 bytes from a 0F on, more belong to them, or a pause lies within
 
-  uint32_t skippedBytes;  // bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
-  uint32_t resyncs;       // frames found again after others had been missed
-  uint32_t overflows;     // polls that found the port's buffer full: it has most probably dropped bytes
-  uint32_t period;        // us between frames delivered, smoothed over some eight; 0 before the second
+  uint32_t skippedBytes;  ///< bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
+  uint32_t resyncs;       ///< frames found again after others had been missed
+  uint32_t overflows;     ///< polls that found the port's buffer full: it has most probably dropped bytes
+  uint32_t period;        ///< us between frames delivered, smoothed over some eight; 0 before the second
 
-  // A frame with these flags is delivered, `interval` us after the one before.
+  /// A frame with these flags is delivered, `interval` us after the one before.
   void count(uint8_t flags, uint32_t interval) {
     const auto longer = static_cast<int32_t>(interval - period) >> 3;
     period =

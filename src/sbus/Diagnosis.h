@@ -1,10 +1,11 @@
-// What is wrong with a line? Judges it from what came with each setting of the port that was tried.
-//
-//   sbus::Diagnosis diagnosis;                      // a round: each setting is tried once
-//   diagnosis.add({100000, true, 500, counters});   // the setting that is meant comes first
-//   diagnosis.add({100000, false, 500, counters});
-//   text(diagnosis.finding()), cure(diagnosis.finding())
-//   diagnosis.begin();                              // the next round
+/// @file
+/// What is wrong with a line? Judges it from what came with each setting of the port that was tried.
+///
+///   sbus::Diagnosis diagnosis;                      // a round: each setting is tried once
+///   diagnosis.add({100000, true, 500, counters});   // the setting that is meant comes first
+///   diagnosis.add({100000, false, 500, counters});
+///   text(diagnosis.finding()), cure(diagnosis.finding())
+///   diagnosis.begin();                              // the next round
 #pragma once
 
 #include <stdint.h>
@@ -13,58 +14,58 @@
 
 namespace sbus {
 
-// What was tried, and what came. All trials of a round last equally long.
+/// What was tried, and what came. All trials of a round last equally long.
 struct Trial {
-  unsigned long baud;  // of the port
-  bool inverted;       // the port inverts
-  uint32_t ms;         // that the port was polled; half a second has 12 frames of the slowest receiver known (25 Hz)
-  Counters counters;   // since the port was opened so
+  unsigned long baud;  ///< of the port
+  bool inverted;       ///< the port inverts
+  uint32_t ms;         ///< that the port was polled; half a second has 12 frames of the slowest receiver known (25 Hz)
+  Counters counters;   ///< since the port was opened so
 };
 
-// What is wrong. Of several faults the one to be cured first.
+/// What is wrong. Of several faults the one to be cured first.
 enum class Finding : uint8_t {
-  NoSignal,               // not a byte, with any setting
-  NoFrames,               // bytes, but with no setting a frame every PeriodMax
-  WrongInversion,         // frames come, but with the other inversion than the one that is meant
-  WrongBaud,              // the same of the baud rate
-  WrongInversionAndBaud,  // of both
-  PolledTooSeldom,        // the port's buffer ran over
-  Damaged,                // frames are damaged, more than one in a hundred
-  Failsafe,               // the receiver has given the link up
-  NoRadio,                // more than half of the frames are lost ones, without failsafe
-  Lossy,                  // more than a tenth
-  AllWellAndMore,         // more than a byte a frame belongs to none, and nothing is damaged
+  NoSignal,               ///< not a byte, with any setting
+  NoFrames,               ///< bytes, but with no setting a frame every PeriodMax
+  WrongInversion,         ///< frames come, but with the other inversion than the one that is meant
+  WrongBaud,              ///< the same of the baud rate
+  WrongInversionAndBaud,  ///< of both
+  PolledTooSeldom,        ///< the port's buffer ran over
+  Damaged,                ///< frames are damaged, more than one in a hundred
+  Failsafe,               ///< the receiver has given the link up
+  NoRadio,                ///< more than half of the frames are lost ones, without failsafe
+  Lossy,                  ///< more than a tenth
+  AllWellAndMore,         ///< more than a byte a frame belongs to none, and nothing is damaged
   AllWell,
 };
 
-// The finding and its cure in words: ASCII, a line of 100 characters at most. On an AVR they take 1.2 KB of RAM in a
-// sketch that calls these, and nothing in others.
+/// The finding and its cure in words: ASCII, a line of 100 characters at most. On an AVR they take 1.2 KB of RAM in a
+/// sketch that calls these, and nothing in others.
 const char *text(Finding finding);
 const char *cure(Finding finding);
 
-// About how many frames came damaged. Refused headers do not tell, as each 0F of a damaged frame may be one; but its
-// bytes are skipped. 0 if no gap was survived, and for FASSTest 26, where a frame with further channels follows each.
+/// About how many frames came damaged. Refused headers do not tell, as each 0F of a damaged frame may be one; but its
+/// bytes are skipped. 0 if no gap was survived, and for FASSTest 26, where a frame with further channels follows each.
 uint32_t damagedFrames(const Counters &counters);
 
-// One round of trials. All calls from one context.
+/// One round of trials. All calls from one context.
 class Diagnosis {
  public:
-  static constexpr uint32_t PeriodMax = 100;  // ms from frame to frame, on average; a wrong setting makes hardly any
+  static constexpr uint32_t PeriodMax = 100;  ///< ms from frame to frame, on average; a wrong setting makes hardly any
 
-  // A new round: what was seen in the one before says nothing any more.
+  /// A new round: what was seen in the one before says nothing any more.
   void begin() { *this = Diagnosis(); }
 
-  // The next trial of the round.
+  /// The next trial of the round.
   void add(const Trial &trial);
 
-  // What is wrong, as far as the trials of this round tell; NoSignal before the first. Fewer than 25 bytes that begin
-  // with 0F may be the beginning of a frame: if nothing else came, they pass for NoSignal.
+  /// What is wrong, as far as the trials of this round tell; NoSignal before the first. Fewer than 25 bytes that begin
+  /// with 0F may be the beginning of a frame: if nothing else came, they pass for NoSignal.
   Finding finding() const;
 
-  // The trial with the most frames, counted from 0; 0 if none has any, and before the first.
+  /// The trial with the most frames, counted from 0; 0 if none has any, and before the first.
   uint8_t best() const { return _best; }
 
-  // What came in that trial.
+  /// What came in that trial.
   const Counters &seen() const { return _trial.counters; }
 
  private:

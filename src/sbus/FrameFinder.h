@@ -1,4 +1,5 @@
-// Finds the frames in a stream of bytes. It neither decodes them (Frame.h) nor knows where the bytes come from.
+/// @file
+/// Finds the frames in a stream of bytes. It neither decodes them (Frame.h) nor knows where the bytes come from.
 #pragma once
 
 #include <stdint.h>
@@ -9,71 +10,71 @@
 
 namespace sbus {
 
-// Two buffers: one holds the last complete frame, the other the frame that is coming in. They swap roles when a frame
-// is complete; no frame is ever copied. Bytes are read straight into the incoming frame:
-//
-//   int waiting = available();
-//   finder.poll(waiting, now);
-//   while (waiting > 0) {
-//     const int count = read(finder.space(), min(waiting, finder.room()));
-//     waiting -= count;
-//     finder.received(count);
-//   }
-//
-// To be polled every 5 ms at least (see DecodeSBus.h). A poll costs time in proportion to the bytes found, whatever
-// they are.
-//
-// A frame has no checksum, and its payload may hold 0F. So 25 characters are a frame only if
-//   - header, end byte and the flags' unused bits are right;
-//   - no pause lies within them;
-//   - it is certain where a frame begins: after a frame, after a pause, or before one. Where it is not, they must not
-//     look like the halves of two frames;
-//   - it is certain that they end there: a pause or a header follows, or frames of this line are known to end so.
-// What is refused is scanned again from its second byte on. extras/docs/receiver.md has each rule, and what it is
-// worth.
-//
-// All calls come from the context that reads the port. Only frame() and what stands below it may also be called from
-// one that received() interrupts (see DecodeSBus.h).
+/// Two buffers: one holds the last complete frame, the other the frame that is coming in. They swap roles when a frame
+/// is complete; no frame is ever copied. Bytes are read straight into the incoming frame:
+///
+///     int waiting = available();
+///     finder.poll(waiting, now);
+///     while (waiting > 0) {
+///       const int count = read(finder.space(), min(waiting, finder.room()));
+///       waiting -= count;
+///       finder.received(count);
+///     }
+///
+/// Poll every 5 ms. A poll costs time in proportion to the bytes found, whatever they are.
+///
+/// A frame has no checksum, and its payload may hold 0F. So 25 characters are a frame only if
+/// - header, end byte and the flags' unused bits are right;
+/// - no pause lies within them;
+/// - it is certain where a frame begins: after a frame, after a pause, or before one. Where it is not, they must not
+///   look like the halves of two frames;
+/// - it is certain that they end there: a pause or a header follows, or frames of this line are known to end so.
+///
+/// What is refused is scanned again from its second byte on. extras/docs/receiver.md has each rule, and what it is
+/// worth.
+///
+/// All calls come from the context that reads the port. Only frame() and what stands below it may also be called from
+/// one that received() interrupts (extras/docs/interrupts.md).
 class FrameFinder {
  public:
-  // As reset() at the time 0, for 100000 baud.
+  /// As reset() at the time 0, for 100000 baud.
   FrameFinder() { reset(0, CharacterTime); }
-  FrameFinder(const FrameFinder &) = delete;             // its pointers lead into itself
-  FrameFinder &operator=(const FrameFinder &) = delete;  // for the same reason
+  FrameFinder(const FrameFinder &) = delete;             ///< its pointers lead into itself
+  FrameFinder &operator=(const FrameFinder &) = delete;  ///< for the same reason
 
-  // Forgets everything, the counters too. `now` in us, `characterTime` in us: 120 at 100000 baud, 60 at 200000.
+  /// Forgets everything, the counters too. `now` in us, `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime);
 
-  // Where the next bytes go: room() of them. It changes with each received() and broken().
+  /// Where the next bytes go: room() of them. It changes with each received() and broken().
   uint8_t *space() { return _incoming + _filled; }
 
-  // How many bytes fit there: 1 or more.
+  /// How many bytes fit there: 1 or more.
   int room() const { return Capacity - _filled; }
 
-  // A poll of the port at `now` (us, wraps) has found so many bytes, 1 or more. They are read next.
+  /// A poll of the port at `now` (us, wraps) has found so many bytes, 1 or more. They are read next.
   void poll(unsigned found, uint32_t now);
 
-  // `count` bytes, 1..room(), were written to space(). Returns the frame that they completed (25 bytes), or nullptr.
+  /// `count` bytes, 1..room(), were written to space(). Returns the frame that they completed (25 bytes), or nullptr.
   const uint8_t *received(int count) {
     _filled = static_cast<uint8_t>(_filled + count);
     return _filled < FrameSize && isHeader(0) ? nullptr : search();
   }
 
-  // The port lost bytes after the last one received: the incoming frame will never be complete. Counts as an overflow.
+  /// The port lost bytes after the last one received: the incoming frame will never be complete. Counts as an overflow.
   void broken();
 
-  // The last complete frame, 25 bytes; nullptr before the first. It may be overwritten as soon as the second frame
-  // after it comes in: what was read of it is good only if counters().frames has not changed meanwhile.
+  /// The last complete frame, 25 bytes; nullptr before the first. It may be overwritten as soon as the second frame
+  /// after it comes in: what was read of it is good only if counters().frames has not changed meanwhile.
   const uint8_t *frame() const { return _counters.frames != 0 ? _complete : nullptr; }
 
-  // frame() where it is known that there is one; before the first, of no meaning.
+  /// frame() where it is known that there is one; before the first, of no meaning.
   const uint8_t *newest() const { return _complete; }
 
-  // When the last frame was complete, in us; before the first, of no meaning. Read this before the clock: then no age
-  // is below zero if a frame comes in between.
+  /// When the last frame was complete, in us; before the first, of no meaning. Read this before the clock: then no age
+  /// is below zero if a frame comes in between.
   uint32_t frameTime() const { return _frameTime; }
 
-  // What was seen since reset(); all 0 before the first byte.
+  /// What was seen since reset(); all 0 before the first byte.
   const Counters &counters() const { return _counters; }
 
  private:

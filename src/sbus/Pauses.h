@@ -1,39 +1,42 @@
-// Tells the pauses of a line from the times at which its bytes were read.
+/// @file
+/// Tells the pauses of a line from the times at which its bytes were read.
 #pragma once
 
 #include <stdint.h>
 
 namespace sbus {
 
-// A port hands bytes over late and in bursts: on the Grasshopper when 16 have come, or when the line has been idle for
-// one character. A loop() then polls it once a loop period. So without a pause on the line the time between two polls
-// that find bytes is no longer than
-//   a burst lasts          +  a loop period:  if it is, there was a pause; nor longer than
-//   the bytes found last   +  a loop period:  if it is, there was a pause, too.
-// Nobody tells the loop period. The shortest time between two polls is taken for it.
-//
-// Times are in us, and wrap after 71 minutes. All calls come from the context that reads the port.
+/// A port hands bytes over late and in bursts: on the Grasshopper when 16 have come, or when the line has been idle for
+/// one character. A loop() then polls it once a loop period. So without a pause on the line the time between two polls
+/// that find bytes is no longer than
+///
+///     a burst lasts          +  a loop period:  if it is, there was a pause; nor longer than
+///     the bytes found last   +  a loop period:  if it is, there was a pause, too.
+///
+/// Nobody tells the loop period. The shortest time between two polls is taken for it.
+///
+/// Times are in us, and wrap after 71 minutes. All calls come from the context that reads the port.
 class Pauses {
  public:
-  // Forgets what was seen. `characterTime` in us: 120 at 100000 baud, 60 at 200000.
+  /// Forgets what was seen. `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime) {
     _lastPoll = now;
     _loopPeriod = LongestPeriod + 1;
     _characterTime = characterTime;
   }
 
-  // When the last poll was that found bytes, or reset().
+  /// When the last poll was that found bytes, or reset().
   uint32_t lastPoll() const { return _lastPoll; }
 
-  // us since lastPoll(). 0: it is still the same poll.
+  /// us since lastPoll(). 0: it is still the same poll.
   uint32_t quiet(uint32_t now) const { return now - _lastPoll; }
 
-  // False while no polls have come fast enough to tell the loop period: loop() is slow, or the port hands over whole
-  // frames. What looks like a pause may be none then.
+  /// False while no polls have come fast enough to tell the loop period: loop() is slow, or the port hands over whole
+  /// frames. What looks like a pause may be none then.
   bool areSure() const { return _loopPeriod <= LongestPeriod; }
 
-  // To be told of each poll that finds bytes: `found` of them, 1 or more, after so much quiet, not 0. True if a pause
-  // came before the first of them.
+  /// Call it for each poll that finds bytes: `found` of them, 1 or more, after `quiet` us, 1 or more. True if a pause
+  /// came before the first of them.
   bool pauseBefore(unsigned found, uint32_t quiet) {
     unsigned period = _loopPeriod;
     _lastPoll += quiet;
@@ -54,8 +57,8 @@ class Pauses {
     return quiet - period > busy + (burst + period) / Tolerance;
   }
 
-  // True if the line was idle after the bytes found: the poll came later than they take, and they are not as many as a
-  // port hands over while the line is busy.
+  /// True if the line was idle after the bytes found: the poll came later than they take, and they are not as many as a
+  /// port hands over while the line is busy.
   bool idleAfter(unsigned found, uint32_t quiet) const {
     return found % HalfBurst != 0 && quiet >= (found + 1) * _characterTime;
   }

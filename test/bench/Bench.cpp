@@ -1,5 +1,6 @@
 // What the library costs on a Cortex-M0+, in instructions.
-//   Bench table NAME=BYTES...   Markdown; the names are those of the functions that unpack, with their bytes of flash
+//   Bench known NAME=BYTES...   Markdown; the names are those of the functions that unpack, with their bytes of flash
+//   Bench worst                 ... the worst call that a search finds
 //   Bench check                 "ok bench: ..." and "FAILED bench: ...": the bounds below
 //   Bench search TRIES SEED     looks for a worse call than those known
 #include <cstdio>
@@ -121,7 +122,7 @@ void printValues() {
     uint32_t cost;
   } rows[] = {
       {"`EncodeSBus::write()`: a frame is sent", costOfSending()},
-      {"... none is due yet", costOfNotDue()},
+      {"... too early for one", costOfNotDue()},
       {"`toMicroseconds()`", costOfMicroseconds()},
       {"`toNormalised()`", costOfNormalised()},
       {"... by a calibrated channel", costOfCalibrated()},
@@ -157,13 +158,18 @@ void printCalls() {
     }
     std::printf(" %lu |\n", static_cast<unsigned long>(worstOf(line, LongestCall, Way::Papers)));
   }
-  std::printf("| the worst that a search has found |");
+}
+
+void printWorst() {
+  std::printf(
+      "| the worst call that a search has found | 16 bytes | 32 | 48 | 64 | the paper's way, 64 |\n"
+      "| --- | --- | --- | --- | --- | --- |\n| instructions |");
   Attack attack;
   for (const size_t size : Sizes) {
     attack = worstFound(size);
     std::printf(" %lu |", static_cast<unsigned long>(costOf(attack, size, Way::Ours)));
   }
-  std::printf(" %lu |\n\nThe last one's 64 bytes stand behind the bar:",
+  std::printf(" %lu |\n\nThe 64 bytes are those after the bar:",
               static_cast<unsigned long>(costOf(attack, LongestCall, Way::Papers)));
   print(attack, LongestCall);
 }
@@ -197,7 +203,7 @@ void printWays(int argc, char **argv) {
 
 void print(int argc, char **argv) {
   std::printf(
-      "Instructions on a Cortex-M0+, GCC %s, -Os. Each is counted, the call and micros() with it; the port's own\n"
+      "arm-none-eabi-g++ %s. Every instruction counts, those of the call and of micros() with it; the port's own\n"
       "are subtracted, and its calls are counted instead: on a board they cost more than in memory.\n\n",
       __VERSION__);
   printFrames();
@@ -262,13 +268,15 @@ void check() {
 }  // namespace
 
 int main(int argc, char **argv) {
-  const char *const what = argc > 1 ? argv[1] : "table";
+  const char *const what = argc > 1 ? argv[1] : "known";
   if (!calibrate()) {
     verdict(false, "instructions cannot be counted here");
     return 1;
   }
   if (std::strcmp(what, "check") == 0) {
     check();
+  } else if (std::strcmp(what, "worst") == 0) {
+    printWorst();
   } else if (std::strcmp(what, "search") == 0 && argc > 3) {
     for (const size_t size : Sizes) {
       const Attack found = search(size, std::strtoul(argv[2], nullptr, 10), std::strtoul(argv[3], nullptr, 10));

@@ -65,7 +65,7 @@ std::vector<Line> make() {
       {"neutral frames with flags 10", neutral(0x10, 0x00)},
       {"neutral frames that lack a byte", without(frame, 12)},
       {"neutral frames with a byte too many", with(frame, 12, 0x0F)},
-      {"neutral frames, a telemetry answer behind each", neutral(0x00, 0x04) + Pattern{0x03, 0xC0, 0x2E}},
+      {"neutral frames, a telemetry answer after each", neutral(0x00, 0x04) + Pattern{0x03, 0xC0, 0x2E}},
   };
 }
 

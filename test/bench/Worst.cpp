@@ -172,6 +172,6 @@ void print(const Attack &attack, size_t count) {
   for (size_t i = LongestLead - attack.lead; i < LongestLead + count; i++) {
     std::printf("%s%02X", i == LongestLead ? " | " : " ", attack.bytes[i]);
   }
-  std::printf(" (%s, calls of %u bytes, %u us apart)\n", attack.locked ? "behind three frames" : "behind begin()",
+  std::printf(" (%s, calls of %u bytes, %u us apart)\n", attack.locked ? "after three frames" : "after begin()",
               attack.lump, attack.gapUs);
 }

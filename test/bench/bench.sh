@@ -1,6 +1,8 @@
 #!/bin/sh
 # What the library costs on a Cortex-M0+, ours beside the paper's way, counted by QEMU's machine microbit.
-#   bench.sh                      prints the table
+#   bench.sh                      prints the tables
+#   bench.sh known                ... but for the worst call that a search finds, which takes a minute
+#   bench.sh worst                ... that one alone
 #   bench.sh check                says "ok bench: ..." or "FAILED bench: ..." of each bound
 #   bench.sh search TRIES SEED    looks for a worse call of parseSBusFrame() than those known
 # BUILD is the folder for what is built, absolute.
@@ -34,9 +36,9 @@ if [ "$what" = check ]; then
   exit "$status"
 fi
 build bench 1>&2 || exit 1
-if [ "$what" = table ]; then
+case $what in
+  table) "$0" known && echo && "$0" worst ;;
   # shellcheck disable=SC2046  # the sizes are words
-  run table $(build sizes)
-else
-  run "$@"
-fi
+  known) run known $(build sizes) ;;
+  *) run "$@" ;;
+esac

@@ -7,11 +7,10 @@
 # BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/mega/build.mk).
 set -eu
 cd "$(dirname "$0")"
-src=../../src
-host=../../extras/host
+root=$(cd ../.. && pwd)
+host=$root/extras/host
 avr_core=/usr/share/arduino/hardware/arduino/avr
 out=$BUILD/size
-mkdir -p "$out"
 
 common="-Os -std=gnu++11 -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections"
 # What a core calls, by the names that C and C++ give it.
@@ -20,14 +19,24 @@ linking="-nostdlib -Wl,--gc-sections,--unresolved-symbols=ignore-all,--entry=0$r
 
 # shellcheck disable=SC2086  # the flags are words
 avr() {
-  avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR $common $linking -w \
-    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
+  avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR $common -w \
+    -I$avr_core/cores/arduino -I$avr_core/variants/mega -I.. -I"$root/src" -I"$host/standin" "$@"
 }
 
 # shellcheck disable=SC2086
 arm() {
-  arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common $linking \
-    -I$host/arduino -I$src -I$host/standin $src/*.cpp $src/sbus/*.cpp "$@"
+  arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common \
+    -I"$host/arduino" -I.. -I"$root/src" -I"$host/standin" "$@"
+}
+
+# program CHIP PROGRAM LIBRARIES WHAT...: WHAT, a source and its flags, with ours and what is needed of these
+# shellcheck disable=SC2086
+program() {
+  chip=$1
+  program=$2
+  needed=$3
+  shift 3
+  $chip $linking "$out/$chip"/*.o "$@" -x none $needed -o "$program"
 }
 
 # flash PROGRAM, ram PROGRAM
@@ -36,17 +45,20 @@ flash() { sections "$1" | awk '/^\.(text|rodata|data|init_array|fini_array|ARM.e
 ram() { sections "$1" | awk '/^\.(data|bss|noinit)/ { sum += $2 } END { print sum + 0 }'; }
 
 for chip in avr arm; do
-  $chip -DUSE_NOTHING Uses.cpp -o "$out/$chip-NOTHING"
+  rm -rf "${out:?}/$chip"
+  mkdir -p "$out/$chip"
+  for source in "$root"/src/*.cpp "$root"/src/sbus/*.cpp; do
+    $chip -c "$source" -o "$out/$chip/$(basename "$source" .cpp).o"
+  done
+  program $chip "$out/$chip-NOTHING" "" -DUSE_NOTHING Uses.cpp
 done
 
-piece() {  # USE WHAT [LIBRARY...]: with what is needed of these, too
-  use=$1
+piece() {  # USE WHAT [LIBRARIES]
   row="| $2"
-  shift 2
   for chip in avr arm; do
-    with=$out/$chip-$use
+    with=$out/$chip-$1
     without=$out/$chip-NOTHING
-    $chip "-DUSE_$use" Uses.cpp -o "$with" "$@"
+    program $chip "$with" "${3:-}" "-DUSE_$1" Uses.cpp
     row="$row | $(($(flash "$with") - $(flash "$without"))) | $(($(ram "$with") - $(ram "$without")))"
   done
   echo "$row |"
@@ -54,11 +66,13 @@ piece() {  # USE WHAT [LIBRARY...]: with what is needed of these, too
 
 example() {  # NAME
   mega=$BUILD/mega/$1.elf
-  arm -x c++ -include Arduino.h "../../examples/$1/$1.ino" -o "$out/arm-$1"
+  program arm "$out/arm-$1" "" -x c++ -include Arduino.h "../../examples/$1/$1.ino"
   if [ -f "$mega" ]; then on_mega="$(flash "$mega") | $(ram "$mega")"; else on_mega="does not run there |"; fi
   echo "| examples/$1 | $on_mega | $(flash "$out/arm-$1") | $(ram "$out/arm-$1") |"
 }
 
+echo "avr-g++ $(avr-g++ -dumpfullversion -dumpversion), arm-none-eabi-g++ $(arm-none-eabi-g++ -dumpfullversion -dumpversion)"
+echo
 echo "| bytes | ATmega2560: flash | RAM | Cortex-M0+: flash | RAM |"
 echo "| --- | --- | --- | --- | --- |"
 piece PAPERS "receiving the paper's way: begin, parse"
@@ -70,7 +84,7 @@ piece PACK "\`sbus::pack()\` alone"
 piece MICROSECONDS "\`sbus::toMicroseconds()\` alone, with the compiler's division" -lgcc
 piece NORMALISED "\`sbus::toNormalised()\` alone, the same" -lgcc
 piece BACK "\`sbus::fromNormalised()\` alone, the same" -lgcc
-piece UNIT "\`sbus::toUnit()\` alone, with the compiler's floating point" -lm -lgcc
+piece UNIT "\`sbus::toUnit()\` alone, with the compiler's floating point" "-lm -lgcc"
 piece STORED "a stored calibration: \`stateOf()\`, \`toNormalised()\`, the struct"
 piece CALIBRATOR "\`sbus::Calibrator\`, all but \`text()\`, and the struct"
 for sketch in ../../examples/*/; do

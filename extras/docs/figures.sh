@@ -1,0 +1,73 @@
+#!/bin/sh
+# Keeps the tables of measured.md, which stand between <!-- NAME: begin --> and <!-- NAME: end -->.
+#   figures.sh         writes them anew, some minutes
+#   figures.sh check   says "ok ...", "FAILED ..." or "skipped ..." of each that takes seconds: is it up to date?
+# A table is checked only with the compilers that its first line names: others make other code. BUILD is an absolute
+# folder for what is built.
+set -u
+cd "$(dirname "$0")" || exit 1
+page=measured.md
+export BUILD="${BUILD:-$PWD/../../build/test}"
+unset FRAMES SEED ONLY FULL WITHOUT
+out=$BUILD/figures
+mkdir -p "$out"
+
+print() {  # NAME [ONLY=...]
+  case $1 in
+    torture | size) "${MAKE:-make}" --no-print-directory -s -C ../../test BUILD="$BUILD" "$@" ;;
+    bench) ../../test/bench/bench.sh known ;;
+    worst) ../../test/bench/bench.sh worst ;;
+  esac
+}
+
+on_page() {  # NAME
+  awk -v begin="<!-- $1: begin -->" -v end="<!-- $1: end -->" '$0 == end { exit } inside; $0 == begin { inside = 1 }' $page |
+    sed '1d;$d' # the empty lines that keep the marks off the table
+}
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok figures: $2"; else echo "FAILED figures: $2: make figures"; fi
+}
+
+check() {  # NAME
+  on_page "$1" >"$out/$1.page"
+  print "$1" >"$out/$1" 2>"$out/$1.err" || cat "$out/$1.err"
+  if [ -s "$out/$1.page" ] && [ -s "$out/$1" ] && [ "$(sed 1q "$out/$1.page")" != "$(sed 1q "$out/$1")" ]; then
+    echo "skipped figures: $1, these compilers are others: $(sed 1q "$out/$1")"
+    return
+  fi
+  [ -s "$out/$1" ] && diff "$out/$1.page" "$out/$1"
+  verdict $? "make $1"
+}
+
+# Of the torture table, which takes minutes: seed, frames and one line.
+check_torture() {
+  on_page torture >"$out/torture.page"
+  print torture ONLY="$1" >"$out/torture" 2>"$out/torture.err" || cat "$out/torture.err"
+  [ "$(grep -c "^| $1" "$out/torture")" -gt 0 ] && ! grep -vxF -f "$out/torture.page" "$out/torture"
+  verdict $? "make torture ONLY='$1'"
+}
+
+if [ "${1:-}" = check ]; then
+  printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
+  check size
+  check bench
+  check_torture 'Fast S.Bus, bursts'
+  exit
+fi
+
+for name in size bench worst torture; do
+  echo "$name" >&2
+  print "$name" >"$out/$name" || exit 1
+  awk -v begin="<!-- $name: begin -->" -v end="<!-- $name: end -->" -v table="$out/$name" '
+    $0 == end { inside = 0; found = 1 }
+    !inside
+    $0 == begin {
+      inside = 1
+      print ""
+      while ((getline line <table) > 0) print line
+      print ""
+    }
+    END { exit !found }' $page >"$out/page" || exit 1
+  cp "$out/page" $page
+done
