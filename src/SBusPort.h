@@ -1,6 +1,6 @@
 /// @file
-/// All that differs between cores: how a port is opened and read, and what it holds. For sketches it only brings in what
-/// SERIAL_8E2 and the like are made of.
+/// All that differs between cores: how a port is opened and read, and what it holds. For sketches it only brings in
+/// what SERIAL_8E2 and the like are made of.
 #pragma once
 
 #include <Arduino.h>
@@ -26,18 +26,20 @@ void open(HardwareSerial &port, void (HardwareSerial::*begin)(unsigned long, For
   (port.*begin)(baud, static_cast<Format>(config));
 }
 
-// The core's buffer. A poll that finds this many bytes, or one less, may have found it full, and then the core has
-// dropped the newest bytes: the break lies after the last one. One less, because a core may keep a place free (AVR).
+/// Of the core's receive buffer, in bytes.
 constexpr int BufferSize = 64;
+
+/// A poll that finds this many bytes may have found the buffer full, and then the core has dropped the newest bytes:
+/// the break lies after the last one. One less than it holds, because a core may keep a place free (AVR).
 constexpr int BufferFull = BufferSize - 1;
 
-// Reads in one call where the core has read(buffer, size),
+/// As read(): in one call, where the core has read(buffer, size).
 template <typename Port>
 auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port.read(buffer, size)) {
   return port.read(buffer, size);
 }
 
-// else byte by byte.
+/// The same byte by byte, elsewhere.
 template <typename Port>
 int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   size_t count = 0;
@@ -47,8 +49,8 @@ int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
   return static_cast<int>(count);
 }
 
-// Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
-// past the end of `buffer`. Returns how many there were.
+/// Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
+/// past the end of `buffer`. Returns how many there were.
 inline int read(HardwareSerial &port, uint8_t *buffer, size_t size) {
   return readWaiting(port, buffer, size, 0);
 }
