@@ -38,9 +38,11 @@ enum class Finding : uint8_t {
   AllWell,
 };
 
-/// The finding and its cure in words: ASCII, a line of 100 characters at most. On an AVR they take 1.2 KB of RAM in a
-/// sketch that calls these, and nothing in others.
+/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.2 KB of RAM in a sketch that
+/// calls this or cure(), and nothing in others.
 const char *text(Finding finding);
+
+/// What to do about it, in words of the same kind.
 const char *cure(Finding finding);
 
 /// About how many frames came damaged. Refused headers do not tell, as each 0F of a damaged frame may be one; but its
