@@ -30,7 +30,7 @@ Numbers scaled(const Channels &channels, size_t count, Scale scale) {
 }
 
 Numbers decodeSBus(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  if (stale || frame.none) {
+  if (stale || frame.number == 0) {
     return {};
   }
   Numbers numbers(frame.channels.begin(), frame.channels.begin() + 4);
@@ -40,15 +40,15 @@ Numbers decodeSBus(const SeenFrame &frame, bool stale, const sbus::Calibration &
 }
 
 Numbers allChannels(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  return stale || frame.none ? Numbers() : Numbers(frame.channels.begin(), frame.channels.end());
+  return stale || frame.number == 0 ? Numbers() : Numbers(frame.channels.begin(), frame.channels.end());
 }
 
 Numbers normalized(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  return scaled(frame.channels, stale || frame.none ? 0 : 4, [](uint16_t raw) { return sbus::toUnit(raw, sbus::FrSky); });
+  return scaled(frame.channels, stale || frame.number == 0 ? 0 : 4, [](uint16_t raw) { return sbus::toUnit(raw, sbus::FrSky); });
 }
 
 Numbers calibrate(const SeenFrame &frame, bool stale, const sbus::Calibration &calibration) {
-  if (stale || frame.none || stateOf(calibration) != sbus::StoredState::Good) {
+  if (stale || frame.number == 0 || stateOf(calibration) != sbus::StoredState::Good) {
     return {};
   }
   const sbus::CalibratedChannel *channel = calibration.channels;
@@ -66,7 +66,7 @@ Numbers servos(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
 }
 
 Numbers mixer(const SeenFrame &frame, bool, const sbus::Calibration &) {
-  if (frame.none) {
+  if (frame.number == 0) {
     return {};
   }
   Numbers row = scaled(frame.channels, 2, [](uint16_t raw) { return sbus::toNormalised(raw, sbus::FrSky); });
@@ -99,6 +99,10 @@ Numbers mixerSends(const SeenFrame &frame, bool stale, const sbus::Calibration &
   return numbersOf(out);
 }
 
+Numbers counters(const SeenFrame &frame, bool, const sbus::Calibration &) {
+  return {static_cast<double>(frame.number), static_cast<double>(frame.others)};
+}
+
 struct Sketch {
   const char *name;
   Rule row;
@@ -107,6 +111,7 @@ struct Sketch {
 constexpr Sketch Sketches[] = {
     {"DecodeSBus", decodeSBus, nullptr}, {"AllChannels", allChannels, nullptr}, {"Normalized", normalized, nullptr},
     {"Calibrate", calibrate, nullptr},   {"Servos", servos, nullptr},           {"Mixer", mixer, mixerSends},
+    {"Counters", counters, nullptr},
 };
 
 // Without end: it holds something that is no number.
@@ -142,7 +147,7 @@ bool same(const Numbers &left, const Numbers &right, double tolerance) {
 
 // Before the first frame the library says failsafe.
 SeenFrame noFrame() {
-  SeenFrame frame = {{}, {}, true, false, true};
+  SeenFrame frame = {{}, {}, true, false, 0, 0};
   frame.held.fill(sbus::FrSky.centre);
   return frame;
 }
@@ -153,7 +158,7 @@ Expected::Expected(const std::string &sketch, Mega &mega, Eeprom &eeprom)
     : _mega(mega),
       _eeprom(eeprom),
       _hasPulses(sketch == "Servos"),
-      _hasWords(sketch == "Calibrate"),
+      _hasWords(sketch == "Calibrate" || sketch == "Counters"),
       _newest(noFrame()),
       _before(noFrame()) {
   for (const Sketch &each : Sketches) {
@@ -164,7 +169,7 @@ Expected::Expected(const std::string &sketch, Mega &mega, Eeprom &eeprom)
   }
 }
 
-void Expected::frame(const Frame &frame) {
+void Expected::frame(const Frame &frame, unsigned long others) {
   const bool isWhole = frame[0] == 0x0F && (frame[23] & 0xF0) == 0 && (frame[24] == 0 || (frame[24] & 0xCF) == 4);
   if (!isWhole) {
     return;
@@ -173,7 +178,7 @@ void Expected::frame(const Frame &frame) {
   _newestUs = _mega.clockUs();
   const Channels channels = readBitByBit(frame);
   const bool failsafe = (frame[23] & 8) != 0;
-  _newest = {channels, failsafe ? _before.held : channels, failsafe, (frame[23] & 4) != 0, false};
+  _newest = {channels, failsafe ? _before.held : channels, failsafe, (frame[23] & 4) != 0, _before.number + 1, others};
 }
 
 Expected::Candidates Expected::candidates(Rule rule) const {
@@ -202,7 +207,7 @@ void Expected::printed(char character) {
     _line += character;
     return;
   }
-  if (!_hasWords || std::isupper(static_cast<unsigned char>(_line[0])) == 0) {
+  if (!_hasWords || std::isalpha(static_cast<unsigned char>(_line[0])) == 0) {
     check("row", parse(_line), _rows, RowTolerance);
     _rowCount++;
   }

@@ -19,7 +19,8 @@ struct SeenFrame {
   Channels held;  // of the newest frame without failsafe
   bool failsafe;
   bool lostFrame;
-  bool none;  // no frame has come yet
+  unsigned long number;  // 0: no frame has come yet
+  unsigned long others;  // undamaged characters before it that belong to no frame
 };
 
 using Numbers = std::vector<double>;
@@ -32,10 +33,10 @@ class Expected {
   // Nothing is checked of a sketch that is not known here.
   Expected(const std::string &sketch, Mega &mega, Eeprom &eeprom);
 
-  void frame(const Frame &frame);      // has just gone over the line, undamaged
-  void printed(char character);        // begins to leave Serial
-  void sent(uint8_t byte);             // begins to leave Serial2
-  void pulseBegins(unsigned channel);  // 0..3
+  void frame(const Frame &frame, unsigned long others);  // has just gone over the line; see SeenFrame
+  void printed(char character);                          // begins to leave Serial
+  void sent(uint8_t byte);                               // begins to leave Serial2
+  void pulseBegins(unsigned channel);                    // 0..3
   void pulseEnds(unsigned channel, double widthUs);
 
   // Tells standard error how much was checked, and each mistake. Returns whether there was none.

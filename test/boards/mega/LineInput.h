@@ -34,6 +34,7 @@ class LineInput {
   unsigned long characters() const { return _characters; }
   unsigned long badCharacters() const { return _badCharacters; }
   unsigned long frames() const { return _frames; }
+  unsigned long others() const { return _characters - _badCharacters - _frames * sbus::FrameSize; }
 
   // When the last one was through, as the sketch's micros() counts.
   uint64_t lastFrameUs() const { return _lastFrameUs; }

@@ -49,7 +49,7 @@ class WiredMega {
         _eeprom(_mega),
         _expected(std::filesystem::path(options.elf).stem().string(), _mega, _eeprom),
         _pulses(_mega, _expected) {
-    _input.onFrame([this](const Frame &frame) { _expected.frame(frame); });
+    _input.onFrame([this](const Frame &frame) { _expected.frame(frame, _input.others()); });
     _outputs[0].onCharacter([this](uint8_t byte, avr_cycle_count_t) { print(byte); });
     if (options.wireFrom != 0) {
       connect(options.wireFrom);
