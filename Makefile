@@ -1,6 +1,21 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
 
-.PHONY: help demo test torture fuzz size bench docs clean
+# make knows no names with spaces. In a folder that has one the work is done in a copy whose name has none; what is built
+# lands in build/ here all the same.
+ifneq ($(words $(CURDIR)),1)
+copy := /tmp/DecodeSBus-$(shell id -u)-$(shell pwd | cksum | cut -d' ' -f1)
+absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
+.DEFAULT_GOAL := help
+Makefile: ;
+%::
+	@mkdir -p build '$(copy)'
+	@find '$(copy)' -mindepth 1 -maxdepth 1 -exec rm -rf {} +
+	@tar cf - --exclude=./build --exclude=./.git . | tar xf - -C '$(copy)'
+	@ln -s '$(CURDIR)/build' '$(copy)/build'
+	@$(MAKE) --no-print-directory -C '$(copy)' $@ $(call absolute,CAPTURES) $(call absolute,RECORDING)
+else
+
+.PHONY: help demo test check torture fuzz size bench docs clean
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
 	@echo "            SKETCH=examples/NAME  another sketch"
@@ -9,6 +24,8 @@ help:
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
 	@echo "make test   builds and runs all tests; installs what it lacks"
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
+	@echo "            V=1                   prints everything"
+	@echo "make check  unit tests and examples only: less than a minute"
 	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
@@ -34,7 +51,11 @@ ARM := gcc-arm-none-eabi libnewlib-arm-none-eabi
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
 	  $(AVR) libsimavr-dev $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
-	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(abspath $(CAPTURES))'
+	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
+
+check:
+	@sh extras/setup/need.sh g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev
+	@$(MAKE) --no-print-directory -j$$(nproc) -C test check
 
 torture:
 	@sh extras/setup/need.sh g++
@@ -56,4 +77,6 @@ docs:
 	@sh extras/docs/api.sh
 
 clean:
-	rm -rf build
+	rm -rf build/* build
+
+endif

@@ -1,32 +1,9 @@
 #include "DecodeSBus.h"
 
-#include <stddef.h>
-
 namespace {
-
-// The core's buffer. A poll that finds this many bytes, or one less, may have found it full, and then the core has
-// dropped the newest bytes: the break lies after the last one. One less, because a core may keep a place free (AVR).
-constexpr int BufferSize = 64;
-constexpr int BufferFull = BufferSize - 1;
 
 // Here a character lasts 255 us. A slower port, or one of 0 baud, is opened as told, but hears no S.Bus.
 constexpr unsigned long SlowestBaud = 47059;
-
-// Reads `size` bytes, which are there: in one call where the core has read(buffer, size), else byte by byte. Returns
-// how many there were.
-template <typename Port>
-auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port.read(buffer, size)) {
-  return port.read(buffer, size);
-}
-
-template <typename Port>
-int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
-  size_t count = 0;
-  for (int byte; count < size && (byte = port.read()) >= 0; count++) {
-    buffer[count] = static_cast<uint8_t>(byte);
-  }
-  return static_cast<int>(count);
-}
 
 // A frame has come, and within the timeout.
 inline bool isYoung(sbus::LinkState state) {
@@ -66,7 +43,7 @@ void DecodeSBus::parseSBusFrame() {
   _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
     const int room = _finder.room();
-    const int count = readWaiting(_serial, _finder.space(), static_cast<size_t>(waiting < room ? waiting : room), 0);
+    const int count = sbus::read(_serial, _finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
     if (count <= 0) {
       return;  // a port that fails
     }
@@ -75,15 +52,15 @@ void DecodeSBus::parseSBusFrame() {
       _link.frame(frame[sbus::FlagsIndex]);
     }
   }
-  if (found > BufferFull / 2) {
+  if (found > sbus::BufferFull / 2) {
     // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
     // has come stands before the break or after it: nobody knows.
     int more = _serial.available();
-    if (found + more >= BufferFull) {
+    if (found + more >= sbus::BufferFull) {
       _finder.broken();
       for (int count = 1; more > 0 && count > 0; more -= count) {
         const int room = _finder.room();
-        count = readWaiting(_serial, _finder.space(), static_cast<size_t>(more < room ? more : room), 0);
+        count = sbus::read(_serial, _finder.space(), static_cast<size_t>(more < room ? more : room));
       }
     }
   }

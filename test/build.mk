@@ -9,16 +9,12 @@ SRC := ../src
 HOST := ../extras/host
 CROSS ?= arm-none-eabi-g++
 
-WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
-SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all
-# The board's core compiles everything with these.
-BOARD := -std=gnu++11 -fno-exceptions -fno-rtti
+include ../extras/setup/flags.mk
 DEBUG := -g -O1
 EXTRAS := ../extras
 ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
 # Of the host: its rooms, and the lines.
 ROOMS := -I. -I$(SRC) -I$(HOST) -I$(EXTRAS)
-DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 
 CORE_SOURCES := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus/*.cpp))
 CORE_HEADERS := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus/*.h))

@@ -1,4 +1,4 @@
-# Adds up doctest's summaries and the lines "ok ..." and "FAILED ...". Fails if any failed, or if nothing ran.
+# Adds up doctest's summaries and the lines "ok ...", "FAILED ..." and "skipped ...". Fails if any failed, or if nothing ran.
 #   [doctest] test cases:  7 |  6 passed | 1 failed | 0 skipped
 /^\[doctest\] test cases:/ {
   split($0, part, "|")
@@ -6,8 +6,9 @@
   failed += part[3]
 }
 /^ok / { passed++ }
+/^skipped / { skipped++ }
 /^FAILED / { failed++; failures = failures $0 "\n" }
 END {
-  printf "\n%s%d passed, %d failed\n", failures, passed, failed
+  printf "\n%s%d passed, %d failed%s\n", failures, passed, failed, (skipped > 0 ? ", " skipped " skipped" : "")
   exit failed > 0 || passed == 0
 }

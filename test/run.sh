@@ -1,10 +1,34 @@
 #!/bin/sh
-# Builds and runs every test. A check that is no doctest case says "ok ..." or "FAILED ..." on a line of its own, and
-# count.awk adds these to doctest's own summaries. What does not build counts as failed, so does a program that crashes.
+# Runs the tests, several steps at once, one line a step; the last line says "N passed, N failed".
+#   run.sh          all
+#   run.sh check    those that find most: unit tests, examples
+#   run.sh step N   one of all, by its number in `steps`
+# V=1 prints all that the steps print; else it is in BUILD/log. CAPTURES=folder: recordings of real receivers.
+#
+# A check that is no doctest case says "ok ..." or "FAILED ..." on a line of its own. What does not build is a failure,
+# so is a program that crashes.
 set -u
 cd "$(dirname "$0")" || exit 1
 export BUILD="${BUILD:-$PWD/../build/test}"
 export RC_PARAMS="${RC_PARAMS:-seed=20181}"  # any number: the same one, so that a failure comes again
+
+# The longest first. What is before the dash is a function below, what is after it its argument.
+all='lines            lines against their bounds
+unit-g++         unit tests, g++
+unit-clang++     unit tests, clang++
+boards-cortex-m0 Cortex-M0: unit tests
+boards-mega      Arduino Mega: examples
+fuzz             libFuzzer
+examples-g++     examples and recordings, g++
+examples-clang++ examples and recordings, clang++
+bench            what the library costs
+table            the table of bad lines, under the sanitizers
+compile          headers alone, Arduino'"'"'s macros, the cross compiler
+rules            the rules of receiver.md
+captures         recordings of real receivers'
+quick='unit-g++         unit tests, g++
+examples-g++     examples and recordings, g++'
+[ -n "${CAPTURES:-}" ] || all=$(echo "$all" | grep -v '^captures')
 
 # build COMPILER ARGUMENTS...
 build() {
@@ -13,83 +37,105 @@ build() {
   "${MAKE:-make}" --no-print-directory -f build.mk CXX="$compiler" OUT="$BUILD/$compiler" "$@"
 }
 
-run_unit() {
+# doctest PROGRAM SECONDS
+doctest() {
+  timeout "$2" "$1" --no-version --no-intro >"$1.log" 2>&1
+  status=$?
+  cat "$1.log"
+  if ! grep -q '^\[doctest\] test cases: *[1-9]' "$1.log"; then
+    echo "FAILED ${1##*/} ended with status $status before its end, or ran nothing"
+  elif [ "$status" -ne 0 ] && grep -q '^\[doctest\] test cases:.* 0 failed' "$1.log"; then
+    echo "FAILED ${1##*/} ended with status $status"
+  fi
+}
+
+step_unit() {
   build "$1" -k unit
   for program in $(build "$1" list-unit); do
-    name=$(basename "$program")
-    printf '\n%s, %s: %s\n' "$1" "$name" "$(sed -n '1s,^// ,,p' "${program#"$BUILD/$1/"}.cpp")"
-    if ! build "$1" -q "$program" >"$program.log" 2>&1; then
-      echo "FAILED $name does not build with $1"
-      continue
-    fi
-    timeout 120 "$program" --no-version --no-intro >"$program.log" 2>&1
-    status=$?
-    cat "$program.log"
-    if ! grep -q '^\[doctest\] test cases: *[1-9]' "$program.log"; then
-      echo "FAILED $name ended with status $status before its end, or ran nothing"
-    elif [ "$status" -ne 0 ] && grep -q '^\[doctest\] test cases:.* 0 failed' "$program.log"; then
-      echo "FAILED $name ended with status $status"
-    fi
-  done
-}
-
-run_compile() {
-  build "$1" -k compile
-  printf '\n%s: what only has to compile\n' "$1"
-  for target in $(build "$1" list-compile); do
-    name=${target#"$BUILD/$1/"}
-    if build "$1" -q "$target" >/dev/null 2>&1; then
-      echo "ok $name"
+    printf '\n%s: %s\n' "${program##*/}" "$(sed -n '1s,^// ,,p' "${program#"$BUILD/$1/"}.cpp")"
+    if build "$1" -q "$program" >"$program.log" 2>&1; then
+      doctest "$program" 120
     else
-      echo "FAILED $name does not compile"
+      echo "FAILED ${program##*/} does not build with $1"
     fi
   done
 }
 
-# The torture bench: its bounds, built for speed; then the whole table once, short, under the sanitizers.
-run_line() {
-  line="$BUILD/$1/line"
-  build "$1" -k "$line/TortureTest" "$line-sanitized/Torture"
-  printf '\n%s, line: %s\n' "$1" "$(sed -n '1s,^// ,,p' line/TortureTest.cpp)"
-  if ! build "$1" -q "$line/TortureTest" >/dev/null 2>&1; then
-    echo "FAILED TortureTest does not build with $1"
-  else
-    timeout 300 "$line/TortureTest" --no-version --no-intro >"$line.log" 2>&1
-    cat "$line.log"
-    grep -q '^\[doctest\] test cases: *[1-9]' "$line.log" || echo "FAILED TortureTest ended before its end"
+step_lines() {
+  if build g++ "$BUILD/g++/line/TortureTest"; then doctest "$BUILD/g++/line/TortureTest" 300; else
+    echo "FAILED TortureTest does not build"
   fi
-  if build "$1" -q "$line-sanitized/Torture" >/dev/null 2>&1 &&
-    FRAMES=200 timeout 120 "$line-sanitized/Torture" >"$line.table"; then
+}
+
+step_table() {
+  if build g++ "$BUILD/g++/line-sanitized/Torture" && FRAMES=200 timeout 120 "$BUILD/g++/line-sanitized/Torture"; then
     echo "ok line/Torture under the sanitizers"
   else
     echo "FAILED line/Torture under the sanitizers"
   fi
 }
 
-# Recordings of real receivers, if the caller has any: CAPTURES=folder.
-run_captures() {
-  printf '\n%s, captures/Replay: %s\n' "$1" "$(sed -n '1s,^// ,,p' captures/Replay.cpp)"
-  if ! build "$1" captures; then
-    echo "FAILED captures/Replay does not build with $1"
-  elif ! timeout 120 "$BUILD/$1/captures/Replay" "$CAPTURES" >"$BUILD/$1/captures/log"; then
-    grep -q '^FAILED ' "$BUILD/$1/captures/log" || echo "FAILED captures/Replay ended before its end"
-  fi
-  cat "$BUILD/$1/captures/log"
+step_compile() {
+  build g++ -k compile
+  for target in $(build g++ list-compile); do
+    name=${target#"$BUILD/g++/"}
+    if build g++ -q "$target" >/dev/null 2>&1; then echo "ok $name"; else echo "FAILED $name does not compile"; fi
+  done
 }
 
+step_captures() {
+  if ! build g++ captures; then
+    echo "FAILED captures/Replay does not build"
+  elif ! timeout 120 "$BUILD/g++/captures/Replay" "$CAPTURES" >"$BUILD/captures.log"; then
+    grep -q '^FAILED ' "$BUILD/captures.log" || echo "FAILED captures/Replay ended before its end"
+  fi
+  cat "$BUILD/captures.log"
+}
+
+step_rules() { line/without.sh check; }
+step_fuzz() { ./fuzz.sh; }
+step_examples() { ./golden.sh "$1"; }
+step_boards() { boards/"$1"/run.sh; }
+step_bench() { bench/bench.sh check; }
+
+# Runs step N, and says how it went.
+step() {
+  line=$(echo "$all" | sed -n "$1p")
+  name=${line%% *}
+  title=$(echo "${line#"$name"}" | sed 's/^ *//')
+  case $name in
+    *-*) "step_${name%%-*}" "${name#*-}" ;;
+    *) "step_$name" ;;
+  esac >"$BUILD/steps/$name.log" 2>&1
+  sum=$(awk -f count.awk "$BUILD/steps/$name.log")
+  (
+    flock 8
+    echo "$name" >>"$BUILD/steps/done"
+    [ -z "${V:-}" ] || cat "$BUILD/steps/$name.log"
+    echo "[$(wc -l <"$BUILD/steps/done")/$COUNT] $title: $(echo "$sum" | tail -n 1)"
+    case $sum in *" 0 failed"*) ;; *)
+      grep -E -m 1 -A 20 'ERROR:|FAILED|error:' "$BUILD/steps/$name.log"
+      echo "... all of it: $BUILD/steps/$name.log"
+    esac
+  ) 8>"$BUILD/steps/lock"
+}
+
+if [ "${1:-}" = step ]; then
+  step "$2"
+  exit
+fi
+
 mkdir -p "$BUILD"
-{
-  run_unit g++
-  run_unit clang++
-  run_line g++
-  line/without.sh check
-  run_compile g++
-  if [ -n "${CAPTURES:-}" ]; then run_captures g++; fi
-  ./fuzz.sh
-  ./golden.sh g++
-  ./golden.sh clang++
-  boards/mega/run.sh
-  boards/cortex-m0/run.sh
-  bench/bench.sh check
-} 2>&1 | tee "$BUILD/log"
+exec 9>"$BUILD/lock"
+flock -n 9 || { echo "Other tests are running here: waiting for their end."; flock 9; }
+rm -rf "$BUILD/steps"
+mkdir -p "$BUILD/steps"
+[ "${1:-}" = check ] && chosen=$quick || chosen=$all
+COUNT=$(echo "$chosen" | wc -l)
+export COUNT
+# Several steps need what these make: make it once.
+build g++ -k unit >"$BUILD/steps/build.log" 2>&1
+echo "$chosen" | while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done |
+  xargs -P "$(nproc)" -n 1 "$0" step
+echo "$chosen" | while read -r name _; do cat "$BUILD/steps/$name.log"; done >"$BUILD/log"
 awk -f count.awk "$BUILD/log"

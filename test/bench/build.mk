@@ -11,11 +11,9 @@ CROSS ?= arm-none-eabi-g++
 
 # As on the Grasshopper: its M0+ has the instructions of an M0, in another order at most.
 CPU := -mcpu=cortex-m0plus -mthumb -Os
-BOARD := -std=gnu++11 -fno-exceptions -fno-rtti
-WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
+include $(ROOT)/extras/setup/flags.mk
 SECTIONS := -ffunction-sections -fdata-sections
 INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
-DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
 MEASURED := MemorySerial Receivers UnpackWays

@@ -13,16 +13,14 @@ CROSS ?= arm-none-eabi-g++
 DOCTEST ?= /usr/include/doctest
 
 CPU := -mcpu=cortex-m0 -mthumb
-WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
-# The board's core compiles everything with these.
-BOARD := -std=gnu++11 -fno-exceptions -fno-rtti -Os
+include $(ROOT)/extras/setup/flags.mk
+BOARD += -Os
 TESTS := -std=gnu++17 -O1 -Wno-psabi  # nothing here was compiled by a GCC older than 7
 SECTIONS := -ffunction-sections -fdata-sections
 # There are neither threads nor signals.
 DEFINITIONS := -DDOCTEST_CONFIG_NO_POSIX_SIGNALS -DDOCTEST_CONFIG_NO_MULTITHREADING
 ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
 INCLUDES := -I$(HERE)/standin -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -isystem $(OUT)/include
-DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
 
 LEFT_OUT := $(shell awk '$$1 == "out" { print $$2 }' $(HERE)/CASES)
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))

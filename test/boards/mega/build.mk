@@ -29,8 +29,7 @@ list-refused:
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Werror
-DEPENDENCIES = -MMD -MP -MT $@ -MF $@.d
+include $(ROOT)/extras/setup/flags.mk
 
 # As in the core's platform.txt and boards.txt, but for -flto, which says nothing of who needs what, and -fpermissive.
 AVR := -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_AVR_MEGA2560 -DARDUINO_ARCH_AVR -Os \
