@@ -76,7 +76,7 @@ const std::vector<BadLine> &badLines() {
   return all;
 }
 
-const WorstCall WorstCalls[3] = {
+const WorstCall WorstCalls[4] = {
     {20, 333,
      "0F 04 0F 0F 0F 0F 0F 0F 0F 0C 0F FF 0F 0F 0F 00 0F 0F 0F 04 0F 0F 0F 0C 04 0F 10 00 0F 0F 0C 0F 0F 0F 0F 0F 0F "
      "0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 08 0F 08 04 08 04 08 08 | "
@@ -89,4 +89,10 @@ const WorstCall WorstCalls[3] = {
      "0F 0F 00 0F 0F 0F 0F 0F FF 08 0F 0F 0F 00 2F 0C 0F 00 0F 0F 0F 0F 00 0F 08 | "
      "08 0F 0F 0F 0F 08 08 0F 0F 08 0F 08 0F 34 0F 00 0C 08 08 00 08 00 00 08 08 04 08 00 08 00 0F 00 08 08 08 04 08 "
      "00 0F FF 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 04 2F"},
+    // The worst if a poll's search did not end after 24 refused headers.
+    {20, 333,
+     "0F 0C 0F FF 0F 0F 0F 00 0F 0F 0F 04 0F 0F 0F 0C 0C 04 0F 00 0F 0F 0C 08 04 0F 0F 0F 0F 0F 0F 0F 0F 00 0F 00 "
+     "0F 0F 0F 0F 0F 0F 0F 0F 00 0F 0F 0F 0F 08 08 0F 08 0F | "
+     "04 08 00 0F 00 0F 00 08 0F 0F 0F 0F 0F 00 0F 0F 0F 0F 08 0F 0F 08 0F 0F 0F 0F 0F 08 0F 0F 0F 0F 0F 0F 0F 08 "
+     "00 0F 04 08 04 08 08 08 04 0C 04 04 08 04 08 FF 0F 08 04 08 04 08 04 FF 0C 04 FF 10"},
 };

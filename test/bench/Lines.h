@@ -21,4 +21,4 @@ struct WorstCall {
   uint16_t gapUs;
   const char *bytes;
 };
-extern const WorstCall WorstCalls[3];
+extern const WorstCall WorstCalls[4];
