@@ -1,7 +1,7 @@
 #include "Lines.h"
 
-#include "support/Random.h"
 #include "support/KnownFrames.h"
+#include "support/Random.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <new>
 
-#include "support/Random.h"
 #include "support/FakeClock.h"
 #include "support/KnownFrames.h"
+#include "support/Random.h"
 
 // Last: its macros min and max break the standard headers behind it.
 #include "Cost.h"

@@ -13,9 +13,9 @@ namespace mega {
 namespace {
 
 constexpr uint64_t TimeoutUs = 100000;
-constexpr uint64_t BusyUs = 2000;       // a loop() that prints takes so long at most
-constexpr double PeriodUs = 9000;       // of the frames that Mixer sends
-constexpr double LatestUs = 1500;       // for each of them
+constexpr uint64_t BusyUs = 2000;  // a loop() that prints takes so long at most
+constexpr double PeriodUs = 9000;  // of the frames that Mixer sends
+constexpr double LatestUs = 1500;  // for each of them
 constexpr double PulsePeriodUs = 20000;
 constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
@@ -44,7 +44,8 @@ Numbers allChannels(const SeenFrame &frame, bool stale, const sbus::Calibration 
 }
 
 Numbers normalized(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  return scaled(frame.channels, stale || frame.number == 0 ? 0 : 4, [](uint16_t raw) { return sbus::toUnit(raw, sbus::FrSky); });
+  return scaled(frame.channels, stale || frame.number == 0 ? 0 : 4,
+                [](uint16_t raw) { return sbus::toUnit(raw, sbus::FrSky); });
 }
 
 Numbers calibrate(const SeenFrame &frame, bool stale, const sbus::Calibration &calibration) {

@@ -1,5 +1,6 @@
 // Whether a sketch prints, sends and does at its pins what its line says. Each row, pulse and sent frame must come from
-// the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a frame ends.
+// the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a frame
+// ends.
 #pragma once
 
 #include <cstdint>
