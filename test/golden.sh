@@ -1,11 +1,12 @@
 #!/bin/sh
 # Runs every example, built for this PC by extras/host with the compiler named, and says "ok ..." or "FAILED ..." of:
-#   golden/EXAMPLE.csv             what it prints with the simulated receiver, 15 s, or with its extras/host/OPTIONS
-#   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has OPTIONS of its own, to
-#                                  which a second of frames says nothing
+#   golden/EXAMPLE.csv             what it prints with the simulated receiver for 1.1 s, or as golden/LINES says
 #   golden/EXAMPLE-LINE.csv        what it prints on a line that golden/LINES describes
+#   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has extras/host/OPTIONS, to
+#                                  which a second of frames says nothing
+#   golden/README.csv              what README.md's ten lines print
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
-#   golden/README.csv              what README.md's ten lines print, four seconds
+# A golden file holds the last 20 lines at most.
 # "golden.sh COMPILER update" writes the golden files anew instead.
 set -u
 cd "$(dirname "$0")" || exit 1
@@ -24,8 +25,9 @@ verdict() {  # STATUS WHAT
 golden() {
   name=$1
   shift
-  timeout 60 "$@" --simulated-time <"${input:-/dev/null}" >"$build/$name.csv" 2>"$build/$name.err"
+  timeout 60 "$@" --simulated-time <"${input:-/dev/null}" >"$build/$name.all" 2>"$build/$name.err"
   status=$?
+  tail -n 20 "$build/$name.all" >"$build/$name.csv"
   if [ "$status" -ne 0 ]; then
     cat "$build/$name.err"
   elif [ "$update" = update ]; then
@@ -53,20 +55,18 @@ bad_recording() {  # PROGRAM MESSAGE
 
 printf '\n%s, examples: golden files and bad recordings\n' "$compiler"
 mkdir -p "$build" golden
+grep -v '^#' golden/LINES >"$build/lines"
 for example in $examples; do
   program "examples/$example"
-  options=$(sed -n "s/^$example //p" ../extras/host/OPTIONS)
-  # shellcheck disable=SC2086  # the options are words
-  golden "$example" "$build/$example" $options
-  [ -z "$options" ] || continue
+  grep -q "^$example - " "$build/lines" || golden "$example" "$build/$example" --seconds 1.1
+  grep -q "^$example " ../extras/host/OPTIONS && continue
   for recording in $recordings; do
     golden "$example-$recording" "$build/$example" --recording "recordings/$recording.txt"
   done
 done
-grep -v '^#' golden/LINES >"$build/lines"
 while read -r example line options; do
   # shellcheck disable=SC2086  # the options are words
-  golden "$example-$line" "$build/$example" $options
+  golden "$(echo "$example-$line" | sed 's/--$//')" "$build/$example" $options
 done <"$build/lines"
 
 # The sketches that stand in README.md and the docs are built; README.md's first one is run.
@@ -88,7 +88,7 @@ for sketch in "$build"/sketch/*; do
   program "$sketch" && [ -x "$build/$name" ]
   verdict $? "the sketch $name of the docs is built"
 done
-golden README "$build/README" --seconds 4
+golden README "$build/README" --seconds 1
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
 

@@ -1,7 +1,7 @@
 #include "Lines.h"
 
-#include "support/Random.h"
 #include "support/KnownFrames.h"
+#include "support/Random.h"
 
 namespace {
 
@@ -50,7 +50,7 @@ Pattern with(Pattern bytes, size_t index, uint8_t byte) {
   return bytes;
 }
 
-std::vector<Line> make() {
+std::vector<BadLine> make() {
   const Pattern frame = neutral(0x00, 0x00);
   return {
       {"random bytes", random()},
@@ -71,7 +71,28 @@ std::vector<Line> make() {
 
 }  // namespace
 
-const std::vector<Line> &lines() {
-  static const std::vector<Line> all = make();
+const std::vector<BadLine> &badLines() {
+  static const std::vector<BadLine> all = make();
   return all;
 }
+
+const WorstCall WorstCalls[4] = {
+    {20, 333,
+     "0F 04 0F 0F 0F 0F 0F 0F 0F 0C 0F FF 0F 0F 0F 00 0F 0F 0F 04 0F 0F 0F 0C 04 0F 10 00 0F 0F 0C 0F 0F 0F 0F 0F 0F "
+     "0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 08 0F 08 04 08 04 08 08 | "
+     "04 08 08 04 08 04 08 04 08 04 04 04 04 04 04 04"},
+    {6, 3747,
+     "04 08 34 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 08 00 08 08 00 | "
+     "08 00 08 00 08 08 08 00 08 08 00 08 00 08 08 00 08 04 08 FF 04 04 04 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F "
+     "0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 08"},
+    {28, 333,
+     "0F 0F 00 0F 0F 0F 0F 0F FF 08 0F 0F 0F 00 2F 0C 0F 00 0F 0F 0F 0F 00 0F 08 | "
+     "08 0F 0F 0F 0F 08 08 0F 0F 08 0F 08 0F 34 0F 00 0C 08 08 00 08 00 00 08 08 04 08 00 08 00 0F 00 08 08 08 04 08 "
+     "00 0F FF 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 0F 04 2F"},
+    // The worst if a poll's search did not end after 24 refused headers.
+    {20, 333,
+     "0F 0C 0F FF 0F 0F 0F 00 0F 0F 0F 04 0F 0F 0F 0C 0C 04 0F 00 0F 0F 0C 08 04 0F 0F 0F 0F 0F 0F 0F 0F 00 0F 00 "
+     "0F 0F 0F 0F 0F 0F 0F 0F 00 0F 0F 0F 0F 08 08 0F 08 0F | "
+     "04 08 00 0F 00 0F 00 08 0F 0F 0F 0F 0F 00 0F 0F 0F 0F 08 0F 0F 08 0F 0F 0F 0F 0F 08 0F 0F 0F 0F 0F 0F 0F 08 "
+     "00 0F 04 08 04 08 08 08 04 0C 04 04 08 04 08 FF 0F 08 04 08 04 08 04 FF 0C 04 FF 10"},
+};

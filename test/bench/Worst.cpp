@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <new>
 
-#include "support/Random.h"
 #include "support/FakeClock.h"
 #include "support/KnownFrames.h"
+#include "support/Random.h"
 
 // Last: its macros min and max break the standard headers behind it.
 #include "Cost.h"
@@ -32,7 +34,7 @@ uint32_t costWith(const Attack &attack, size_t count) {
   }
   const uint8_t *const last = attack.bytes.data() + LongestLead;
   for (const uint8_t *next = last - attack.lead; next < last;) {
-    const size_t size = std::min<size_t>(attack.lump, static_cast<size_t>(last - next));
+    const size_t size = std::min<size_t>(attack.burst, static_cast<size_t>(last - next));
     fakeMicros += std::max<uint64_t>(attack.gapUs, size * CharacterUs);  // no line is faster
     take(both, next, size);
     next += size;
@@ -42,19 +44,19 @@ uint32_t costWith(const Attack &attack, size_t count) {
 }
 
 template <typename Both>
-uint32_t streamWith(const Line &line, size_t count) {
-  constexpr size_t Lump = 16;  // what the board's driver hands over
+uint32_t streamWith(const BadLine &line, size_t count) {
+  constexpr size_t Burst = 16;  // what the board's driver hands over
   fakeMicros = 0;
   Both both;
   both.receiver.begin();
   uint32_t sum = 0;
-  for (size_t at = 0; at < count; at += Lump) {
-    uint8_t bytes[Lump];
-    for (size_t i = 0; i < Lump; i++) {
+  for (size_t at = 0; at < count; at += Burst) {
+    uint8_t bytes[Burst];
+    for (size_t i = 0; i < Burst; i++) {
       bytes[i] = line[at + i];
     }
-    fakeMicros += Lump * CharacterUs;
-    sum += take(both, bytes, Lump).instructions;
+    fakeMicros += Burst * CharacterUs;
+    sum += take(both, bytes, Burst).instructions;
   }
   return sum;
 }
@@ -70,7 +72,7 @@ Attack randomAttack(Random &random) {
   Attack attack;
   attack.locked = random.below(2) != 0;
   attack.lead = static_cast<uint8_t>(random.below(LongestLead + 1));
-  attack.lump = static_cast<uint8_t>(1 + random.below(32));
+  attack.burst = static_cast<uint8_t>(1 + random.below(32));
   attack.gapUs = static_cast<uint16_t>(random.below(5000));
   const bool blocks = random.below(2) != 0;
   uint8_t byte = 0x0F;
@@ -93,7 +95,7 @@ void change(Attack &attack, Random &random) {
       attack.lead = static_cast<uint8_t>(random.below(LongestLead + 1));
       break;
     case 2:
-      attack.lump = static_cast<uint8_t>(1 + random.below(32));
+      attack.burst = static_cast<uint8_t>(1 + random.below(32));
       break;
     case 3:
       attack.gapUs = static_cast<uint16_t>(random.below(5000));
@@ -119,24 +121,43 @@ void change(Attack &attack, Random &random) {
 
 }  // namespace
 
+Attack attackOf(const WorstCall &known, size_t &size) {
+  std::vector<uint8_t> bytes;
+  size_t lead = 0;
+  for (const char *next = known.bytes; *next != '\0'; next += std::strspn(next, " ")) {
+    char *end;
+    if (*next == '|') {
+      lead = bytes.size();
+      next++;
+    } else {
+      bytes.push_back(static_cast<uint8_t>(std::strtoul(next, &end, 16)));
+      next = end;
+    }
+  }
+  size = bytes.size() - lead;
+  Attack attack = {true, static_cast<uint8_t>(lead), known.burst, known.gapUs, {}};
+  std::copy(bytes.begin(), bytes.end(), attack.bytes.begin() + static_cast<std::ptrdiff_t>(LongestLead - lead));
+  return attack;
+}
+
 uint32_t costOf(const Attack &attack, size_t count, Way way) {
   return way == Way::Ours ? costWith<Ours>(attack, count) : costWith<Papers>(attack, count);
 }
 
-uint32_t streamCost(const Line &line, size_t count, Way way) {
+uint32_t streamCost(const BadLine &line, size_t count, Way way) {
   return way == Way::Ours ? streamWith<Ours>(line, count) : streamWith<Papers>(line, count);
 }
 
-uint32_t worstOf(const Line &line, size_t count, Way way) {
+uint32_t worstOf(const BadLine &line, size_t count, Way way) {
   constexpr size_t Starts = 52;  // more than twice a frame
   constexpr uint8_t Leads = 32;  // more than a frame
   uint32_t worst = 0;
   Attack attack;
   for (const bool locked : {false, true}) {
     attack.locked = locked;
-    for (const uint8_t lump : {uint8_t{16}, uint8_t{29}}) {
-      attack.lump = lump;
-      attack.gapUs = static_cast<uint16_t>(lump * CharacterUs);
+    for (const uint8_t burst : {uint8_t{16}, uint8_t{29}}) {
+      attack.burst = burst;
+      attack.gapUs = static_cast<uint16_t>(burst * CharacterUs);
       for (attack.lead = 0; attack.lead <= Leads; attack.lead++) {
         for (size_t start = 0; start < std::min(line.pattern.size(), Starts); start++) {
           for (size_t i = 0; i < attack.bytes.size(); i++) {
@@ -173,5 +194,5 @@ void print(const Attack &attack, size_t count) {
     std::printf("%s%02X", i == LongestLead ? " | " : " ", attack.bytes[i]);
   }
   std::printf(" (%s, calls of %u bytes, %u us apart)\n", attack.locked ? "after three frames" : "after begin()",
-              attack.lump, attack.gapUs);
+              attack.burst, attack.gapUs);
 }

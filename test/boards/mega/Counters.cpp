@@ -1,8 +1,8 @@
 // A sketch that tells what has come over Serial1. It is no .ino, because the tools that look for sketches are to find
 // the examples only. Sends every second
-//   frames,refused,skipped    seen since the beginning: frames, what was refused, bytes that belong to no frame
+//   frames,skipped    seen since the beginning: frames, and bytes that belong to none
 // and when SBusFrameOk() changes
-//   ok,0 or 1,us              and the time, as micros() has it
+//   ok,0 or 1,us      and the time, as micros() has it
 
 #include <Arduino.h>
 #include <DecodeSBus.h>
@@ -41,8 +41,6 @@ void loop() {
     timerDisplay = 0;
     const sbus::Counters counters = dSBus.counters();
     Serial.print(counters.frames);
-    Serial.print(',');
-    Serial.print(counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra);
     Serial.print(',');
     Serial.println(counters.skippedBytes);
   }

@@ -4,6 +4,7 @@
 #include <simavr/sim_io.h>
 
 #include <array>
+#include <cstring>
 
 namespace mega {
 
@@ -57,6 +58,14 @@ void Eeprom::load(const std::string &file) {
     contents[i] = _kept.read(static_cast<int>(i));
   }
   transfer(_mega.avr(), AVR_IOCTL_EEPROM_SET, contents);
+}
+
+sbus::Calibration Eeprom::calibration() const {
+  sbus::Calibration calibration;
+  avr_eeprom_desc_t description = {};  // of no bytes: libsimavr answers with a pointer to its own
+  avr_ioctl(_mega.avr(), AVR_IOCTL_EEPROM_GET, &description);
+  std::memcpy(&calibration, description.ee, sizeof calibration);
+  return calibration;
 }
 
 void Eeprom::save() {

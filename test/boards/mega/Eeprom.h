@@ -7,6 +7,7 @@
 
 #include "Mega.h"
 #include "board/Eeprom.h"
+#include "sbus/Calibration.h"
 
 namespace mega {
 
@@ -18,6 +19,9 @@ class Eeprom {
 
   // Takes the contents from this file; if there is none, it is made. Throws std::runtime_error.
   void load(const std::string &file);
+
+  // What the sketch Calibrate has stored, if it has.
+  sbus::Calibration calibration() const;
 
   // Puts the contents into the file of load(), if there is one.
   void save();

@@ -2,8 +2,6 @@
 
 #include <simavr/sim_io.h>
 
-#include "sbus/Frame.h"
-
 namespace mega {
 
 namespace {
@@ -27,8 +25,7 @@ class AtOnce {
 
 }  // namespace
 
-LineInput::LineInput(Mega &mega, line::Line &line, uint32_t phaseUs)
-    : _mega(mega), _usart(mega.usart(1)), _line(line), _phaseUs(phaseUs) {
+LineInput::LineInput(Mega &mega, line::Line &line) : _mega(mega), _usart(mega.usart(1)), _line(line) {
   avr_irq_register_notify(avr_iomem_getirq(mega.avr(), _usart.r_ucsrb, nullptr, AVR_IOMEM_IRQ_ALL), controlWritten,
                           this);
   hook(_usart.r_ucsra, statusRead, _readStatus);
@@ -43,15 +40,6 @@ void LineInput::hook(avr_io_addr_t address, avr_io_read_t ours, avr_io_read_t &t
   read.param = this;
 }
 
-avr_cycle_count_t LineInput::toCycle(uint64_t us) const {
-  return _mega.clockZero() + (us + _phaseUs) * CyclesPerUs;
-}
-
-uint64_t LineInput::toUs(avr_cycle_count_t cycle) const {
-  const avr_cycle_count_t zero = toCycle(0);
-  return cycle < zero ? 0 : (cycle - zero) / CyclesPerUs;
-}
-
 void LineInput::controlWritten(avr_irq_t *, uint32_t value, void *input) {
   LineInput &self = *static_cast<LineInput *>(input);
   const bool open = (value & ReceiverOn) != 0;
@@ -63,7 +51,7 @@ void LineInput::controlWritten(avr_irq_t *, uint32_t value, void *input) {
 
 // The core sets baud rate and format first, then RXEN1.
 void LineInput::open() {
-  _openedUs = nowUs();
+  _openedUs = _mega.clockUs();
   settle();
   _framesSinceOpen = 0;
   _bad.clear();
@@ -77,7 +65,7 @@ void LineInput::open() {
 void LineInput::settle() {
   const line::LineSettings settings = _mega.settings(1);
   _mismatch = line::mismatch(settings, _wire);
-  _sampler.open(nowUs(), settings, _wire);
+  _sampler.open(_mega.clockUs(), settings, _wire);
 }
 
 void LineInput::rewire(const line::LineSettings &wire) {
@@ -121,14 +109,20 @@ void LineInput::count(const line::Character &character) {
     _runBeganUs = beganUs;
   }
   _lastEndUs = character.endUs;
+  if (_run < _frame.size()) {
+    _frame[_run] = character.value;
+  }
   _run++;
   _runBad = _runBad || character.bad;
   _characters++;
   _badCharacters += character.bad;
-  if (_run == sbus::FrameSize && !_runBad) {
+  if (_run == _frame.size() && !_runBad) {
     _frames++;
-    _lastFrameUs = character.endUs + _phaseUs;
+    _lastFrameUs = character.endUs;
     _framesSinceOpen += _runBeganUs >= _openedUs;
+    if (_onFrame) {
+      _onFrame(_frame);
+    }
   }
 }
 

@@ -8,16 +8,8 @@ namespace mega {
 
 namespace {
 
-bool isPort(char c) {
-  return c >= '1' && c <= '3';
-}
-
 std::string checkWire(const std::string &text) {
-  return text.size() == 3 && isPort(text[0]) && text.substr(1) == "-1" ? "" : "1-1, 2-1 or 3-1 is expected";
-}
-
-std::string checkSent(const std::string &text) {
-  return text.size() > 2 && isPort(text[0]) && text[1] == ':' ? "" : "a port and a file as in 2:sent.txt are expected";
+  return text == "1-1" || text == "2-1" || text == "3-1" ? "" : "1-1, 2-1 or 3-1 is expected";
 }
 
 }  // namespace
@@ -27,7 +19,6 @@ Options parseOptions(int argc, char **argv) {
                                                          {"calibration", line::Sticks::Calibration}};
   Options options;
   std::string wire;
-  std::string sent;
   CLI::App app{"Runs a sketch on a simulated Arduino Mega, with the simulated receiver at Serial1."};
   app.add_option("SKETCH.elf", options.elf)->required();
   auto *recording = app.add_option("--recording", options.source.recording, "play this recording of a line, once");
@@ -42,10 +33,7 @@ Options parseOptions(int argc, char **argv) {
       ->excludes(recording)
       ->excludes(sticks)
       ->excludes(silent);
-  app.add_option("--sent", sent, "record what port N sends")->check(CLI::Validator(checkSent, ""))->type_name("N:FILE");
   app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
-      ->type_name("FILE");
-  app.add_option("--pulses", options.pulses, "record the pulses at the pins 2..5, and when lines are printed")
       ->type_name("FILE");
   app.add_option("--seconds", options.seconds, "end after so many seconds (simulated receiver: 15, calibration: 40)")
       ->type_name("S");
@@ -60,10 +48,6 @@ Options parseOptions(int argc, char **argv) {
   }
   if (!wire.empty()) {
     options.wireFrom = wire[0] - '0';
-  }
-  if (!sent.empty()) {
-    options.sentBy = sent[0] - '0';
-    options.sent = sent.substr(2);
   }
   if (options.seconds == 0 && options.source.recording.empty()) {
     options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // once

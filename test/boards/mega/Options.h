@@ -16,10 +16,7 @@ struct Options {
   double cut = 0;      // s; 0: not at all
   bool anySettings = false;
   bool frames = false;
-  int sentBy = 0;  // the USART of which everything is written into `sent`, or 0
-  std::string sent;
   std::string eeprom;  // a file's name, or empty
-  std::string pulses;  // likewise
 };
 
 // Ends the program if it asks for help or is wrong.

@@ -14,8 +14,8 @@ ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 REFUSED := Background
 EXAMPLES := $(filter-out $(REFUSED),$(notdir $(wildcard $(ROOT)/examples/*)))
 SKETCHES := $(EXAMPLES) Counters
-# What the plain core tells in other words or at other times than the board's, or what is more than golden/*.csv has.
-ON_HOST := Diagnose Calibrate Mixer
+# What the plain core tells in other words than the board's.
+ON_HOST := Diagnose
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
 
 elves: $(ELVES)
@@ -91,10 +91,11 @@ $(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o) $(OUT)/standin/Servo.o
 # The runner, with the host's lines. An inverter stands in front of the pin, as in front of the host's plain core.
 RUNNER := $(patsubst $(HERE)/%,%,$(filter-out %/Counters.cpp,$(wildcard $(HERE)/*.cpp)))
 ROOMS := $(patsubst $(ROOT)/extras/%.cpp,%,$(wildcard $(ROOT)/extras/line/*.cpp)) host/board/Eeprom
-RUNNER_CXX = $(CXX) -std=c++17 -O2 $(WARNINGS) -DHOST_PLAIN_CORE $(DEPENDENCIES) -I$(HERE) -I$(HOST) -I$(ROOT)/extras -I$(ROOT)/src
+CORE := Calibration Frame FrameFinder Scaling
+RUNNER_CXX = $(CXX) -std=c++17 -O2 $(WARNINGS) -DHOST_PLAIN_CORE $(DEPENDENCIES) -I$(HERE) -I$(HOST) -I$(ROOT)/extras -I$(ROOT)/src -I$(ROOT)/test
 
 $(OUT)/runner: $(RUNNER:%.cpp=$(OUT)/runner-objects/%.o) $(ROOMS:%=$(OUT)/runner-objects/%.o) \
-  $(OUT)/runner-objects/sbus/Frame.o $(OUT)/runner-objects/sbus/FrameFinder.o
+  $(CORE:%=$(OUT)/runner-objects/sbus/%.o)
 	$(CXX) $^ -lsimavr -o $@
 $(OUT)/runner-objects/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)

@@ -1,13 +1,16 @@
 // Runs a sketch on a simulated Arduino Mega, with a line at Serial1. What the sketch sends over Serial is standard
-// output, all else standard error. Fails if the sketch sets a port wrongly, or does not fetch characters in time.
+// output, all else standard error. Fails if the sketch sets a port wrongly, does not fetch characters in time, or makes
+// of the line what Expected.h does not expect.
 
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "Eeprom.h"
+#include "Expected.h"
 #include "LineInput.h"
 #include "LineOutput.h"
 #include "LineVariants.h"
@@ -15,7 +18,6 @@
 #include "Options.h"
 #include "Pulses.h"
 #include "board/JumperWire.h"
-#include "line/RecordingFile.h"
 
 namespace {
 
@@ -36,80 +38,69 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
 }
 
 // The Mega with all that is connected to it.
-class Bench {
+class WiredMega {
  public:
-  explicit Bench(const Options &options)
+  explicit WiredMega(const Options &options)
       : _options(options),
         _mega(options.elf),
         _line(options.wireFrom == 0 ? makeLine(options) : nullptr),
-        _input(_mega, options.wireFrom == 0 ? *_line : _jumper, options.wireFrom == 0 ? mega::PhaseUs : 0),
+        _input(_mega, options.wireFrom == 0 ? *_line : _jumper),
         _outputs{{_mega, 0}, {_mega, 1}, {_mega, 2}, {_mega, 3}},
-        _eeprom(_mega) {
+        _eeprom(_mega),
+        _expected(std::filesystem::path(options.elf).stem().string(), _mega, _eeprom),
+        _pulses(_mega, _expected) {
+    _input.onFrame([this](const Frame &frame) { _expected.frame(frame, _input.others()); });
     _outputs[0].onCharacter([this](uint8_t byte, avr_cycle_count_t) { print(byte); });
-    for (int number = 1; number <= 3; number++) {
-      if (number == options.wireFrom || number == options.sentBy) {
-        connect(number);
-      }
-    }
-    if (options.sentBy != 0) {
-      _sent = std::make_unique<line::RecordingFile>(options.sent);
+    if (options.wireFrom != 0) {
+      connect(options.wireFrom);
+    } else {
+      _outputs[2].onCharacter([this](uint8_t byte, avr_cycle_count_t) { send(byte); });
     }
     if (!options.eeprom.empty()) {
       _eeprom.load(options.eeprom);
-    }
-    if (!options.pulses.empty()) {
-      _pulses = std::make_unique<mega::Pulses>(_mega, _input, options.pulses);
     }
   }
 
   // Returns whether all went well.
   bool run() {
     const uint64_t endUs = static_cast<uint64_t>(_options.seconds * 1e6);
-    while (_options.seconds > 0 ? _mega.clockUs() < endUs : !_line->finished(_input.nowUs())) {
+    while (_options.seconds > 0 ? _mega.clockUs() < endUs : !_line->finished(_mega.clockUs())) {
       _mega.run();
     }
     _eeprom.save();
     report();
-    return judge() && finish();
+    const bool settings = judge();
+    return _expected.report() && settings && std::fflush(stdout) == 0;
   }
 
  private:
   void connect(int number) {
-    _outputs[number].onSettings([this, number](const line::LineSettings &settings) {
-      if (number == _options.wireFrom) {
-        _input.rewire(settings);
-      }
-      if (number == _options.sentBy) {
-        _sent->opened(settings);
-      }
-    });
-    _outputs[number].onCharacter([this, number](uint8_t byte, avr_cycle_count_t end) {
+    _outputs[number].onSettings([this](const line::LineSettings &settings) { _input.rewire(settings); });
+    _outputs[number].onCharacter([this](uint8_t byte, avr_cycle_count_t end) {
       line::Character character;
-      character.endUs = _input.toUs(end + mega::CyclesPerUs - 1);  // rounded up: then it really is through
+      character.endUs = (end - _mega.clockZero()) / mega::CyclesPerUs + 1;  // rounded up: then it really is through
       character.value = byte;
-      if (number == _options.wireFrom) {
-        _jumper.put(character);
-        _input.look();
-      }
-      if (number == _options.sentBy) {
-        _sent->look(character);
-      }
+      _jumper.put(character);
+      _input.look();
     });
+  }
+
+  void send(uint8_t byte) {
+    _sentWrongly = _sentWrongly || !(_mega.settings(2) == line::LineSettings());
+    _expected.sent(byte);
   }
 
   void print(uint8_t byte) {
     if (_lineBegins && _options.frames) {
       std::fprintf(stderr, "frames since begin(): %lu\n", _input.framesSinceOpen());
     }
-    if (_lineBegins && _pulses) {
-      _pulses->lineBegins();
-    }
     _lineBegins = byte == '\n';
+    _expected.printed(static_cast<char>(byte));
     std::putchar(byte);
   }
 
   void report() const {
-    std::fprintf(stderr, "sent: %lu frames, the last through at %llu us; %lu characters, %lu of them bad\n",
+    std::fprintf(stderr, "line: %lu frames, the last through at %llu us; %lu characters, %lu of them bad\n",
                  _input.frames(), static_cast<unsigned long long>(_input.lastFrameUs()), _input.characters(),
                  _input.badCharacters());
   }
@@ -131,20 +122,15 @@ class Bench {
       std::fprintf(stderr, "Serial1 was set wrongly: %s\n", _input.wrongSettings().c_str());
       good = false;
     }
+    if (_sentWrongly) {
+      std::fprintf(stderr, "Serial2 is not set to S.Bus, but to %s\n", text(_mega.settings(2)).c_str());
+      good = false;
+    }
     if (_input.overruns() != 0) {
       std::fprintf(stderr, "Serial1 lost %lu characters that were not fetched in time\n", _input.overruns());
       good = false;
     }
     return good;
-  }
-
-  // Returns whether all files were written.
-  bool finish() {
-    const std::string failure = _sent ? _sent->finish() : "";
-    if (!failure.empty()) {
-      std::fprintf(stderr, "%s\n", failure.c_str());
-    }
-    return failure.empty() && (!_pulses || _pulses->finish()) && std::fflush(stdout) == 0;
   }
 
   const Options &_options;
@@ -154,9 +140,10 @@ class Bench {
   mega::LineInput _input;
   mega::LineOutput _outputs[4];
   mega::Eeprom _eeprom;
-  std::unique_ptr<line::RecordingFile> _sent;
-  std::unique_ptr<mega::Pulses> _pulses;
+  mega::Expected _expected;
+  mega::Pulses _pulses;
   bool _lineBegins = true;
+  bool _sentWrongly = false;
 };
 
 }  // namespace
@@ -164,7 +151,7 @@ class Bench {
 int main(int argc, char **argv) {
   try {
     const Options options = mega::parseOptions(argc, argv);
-    return Bench(options).run() ? EXIT_SUCCESS : EXIT_FAILURE;
+    return WiredMega(options).run() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception &error) {
     std::fprintf(stderr, "%s\n", error.what());
     return EXIT_FAILURE;
