@@ -12,10 +12,10 @@ namespace {
 
 constexpr unsigned PeriodMs = 40000;
 
-// Calls `look(ms, channels)` for each frame that the radio has sent, up to but without `untilMs`; those that were lost
+// Calls `each(ms, channels)` for each frame that the radio has sent, up to but without `untilMs`; those that were lost
 // repeat old channels. Returns how many these were.
-template <typename Look>
-unsigned play(unsigned untilMs, Look look) {
+template <typename Each>
+unsigned play(unsigned untilMs, Each each) {
   line::SimulatedReceiver line(line::CalibrationMoves);
   unsigned lost = 0;
   for (unsigned ms = 0; ms < untilMs; ms += 9) {
@@ -31,7 +31,7 @@ unsigned play(unsigned untilMs, Look look) {
     }
     Channels channels;
     sbus::unpack(frame.data(), channels.data());
-    look(ms, channels);
+    each(ms, channels);
   }
   return lost;
 }
@@ -122,18 +122,18 @@ TEST_CASE("CH7..CH16 stand still, CH17 and CH18 are off") {
 TEST_CASE("hands glide: no stick moves by more than 30 in 9 ms, not where it begins again either") {
   Channels last{};
   unsigned lastMs = 0;
-  unsigned looks = 0;
+  unsigned frames = 0;
   unsigned jumps = 0;
   play(2 * PeriodMs, [&](unsigned ms, const Channels &channels) {
-    for (size_t i = 0; i < 4 && looks > 0; i++) {
+    for (size_t i = 0; i < 4 && frames > 0; i++) {
       const int step = channels[i] - last[i];
       jumps += std::max(step, -step) > static_cast<int>(30 * (ms - lastMs) / 9);
     }
     last = channels;
     lastMs = ms;
-    looks++;
+    frames++;
   });
-  CHECK(looks > 8000);
+  CHECK(frames > 8000);
   CHECK(jumps == 0);
 }
 
