@@ -25,8 +25,8 @@ patterns() {  # WHAT PROGRAM: of the file CASES, joined by commas, as doctest wa
   awk -v what="$1" -v program="$2" '$1 == what && $2 == program { printf "%s%s", comma, $3; comma = "," }' CASES
 }
 
-counts() {  # PROGRAM LOG
-  awk -v program="$1" -v cases=CASES -f counts.awk "$2" >"$2.counts"
+counts() {  # LOG
+  awk -f counts.awk "$1" >"$1.counts"
 }
 
 # What CASES says has to be about something, or a test that was renamed is taken in, or left out, unnoticed.
@@ -72,14 +72,14 @@ unit() {  # PROGRAM
   name=$1
   shift
   timeout "$limit" "$host/unit/$name" "$@" >"$host_log" 2>/dev/null
-  if ! counts "$name" "$host_log"; then
+  if ! counts "$host_log"; then
     verdict 1 "$name fails on the host already"
     return
   fi
   # A comma between two patterns is QEMU's, too: there it is written twice.
   timeout "$limit" ./qemu.sh "$out/unit/$name" "$1" ${2:+"$(printf '%s' "$2" | sed 's/,/,,/g')"} >"$log" 2>"$out/log"
   status=$?
-  counts "$name" "$log"
+  counts "$log"
   passed=$?
   if [ "$status" -ne 0 ] || [ "$passed" -ne 0 ]; then
     cat "$out/log"
