@@ -118,16 +118,10 @@ class TimedLine {
     return *this;
   }
 
-  // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character. joined():
-  // one that begins with the first character.
+  // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character.
   Frames frames(uint32_t loopUs) const {
     Feeder feeder;
     return play(feeder.settle(loopUs), loopUs);
-  }
-
-  Frames joined(uint32_t loopUs) const {
-    Feeder feeder;
-    return play(feeder, loopUs);
   }
 
   Frames play(Feeder &feeder, uint32_t loopUs) const {

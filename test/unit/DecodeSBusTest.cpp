@@ -94,21 +94,6 @@ TEST_CASE("the port is never asked for more than it has, and nothing but a frame
   }
 }
 
-TEST_CASE("in bursts of 16 bytes, the board's half ring, each frame is there as soon as its last byte is") {
-  OpenBoard board;
-  board.frame(Sbus2.bytes);
-  board.nextFrame(Neutral.bytes);
-  board.wait(4 * Ms);
-  const Bytes bytes = join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, PaperLow.bytes});
-  const Channels *const expected[] = {&Neutral.channels, &PaperLow.channels, &PaperLow.channels, &PaperHigh.channels,
-                                      &Neutral.channels, &Neutral.channels,  &PaperLow.channels};
-  for (size_t burst = 0; burst < 7; burst++) {
-    CAPTURE(burst);
-    board.take(part(bytes, 16 * burst, 16 * (burst + 1)));
-    CHECK(board.channels() == *expected[burst]);
-  }
-}
-
 TEST_CASE("in lock every frame is there at the first poll after its last byte, with its own flags, the last before silence too") {
   OpenBoard board;
   for (unsigned number = 0; number < 4; number++) {

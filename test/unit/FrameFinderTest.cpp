@@ -302,22 +302,6 @@ TEST_CASE("of every make every frame is delivered, telemetry after each 04, five
   }
 }
 
-TEST_CASE("of an R7003SB every frame is delivered in bursts of any size, without any pause, and after a break") {
-  Bytes line;
-  Frames sent;
-  for (unsigned number = 0; number < 10; number++) {
-    sent.push_back(neutralFrame(number, 0x08));
-    line = line + bytesOf(sent.back()) + tailOf(0x08);
-  }
-  for (size_t burst = 1; burst <= 64; burst++) {
-    CAPTURE(burst);
-    CHECK(feedNew(line, burst) == sent);
-    Feeder feeder;
-    feeder.lock(0x08).finder.broken();
-    CHECK(feeder.feed(line, burst) == sent);
-  }
-}
-
 TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH17 and CH18 are") {
   for (const unsigned flagsPlace : {0x00u, 0x03u, 0x08u, 0x0Fu, 0xE0u}) {
     for (const unsigned endPlace : {0x00u, 0x04u, 0x08u, 0x14u, 0x34u}) {

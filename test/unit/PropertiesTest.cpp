@@ -1,4 +1,5 @@
-// What holds for whatever comes: RapidCheck's random values against the second readings of test/support.
+// What holds for whatever comes: RapidCheck's random values against the second readings of test/support. More of them,
+// for the calibration, are in fuzz/Calibration.cpp.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -28,19 +29,6 @@ Bytes anyBytes() {
       rc::gen::oneOf(rc::gen::element<uint8_t>(0x0F, 0x00, 0x04, 0x08, 0x7C), rc::gen::arbitrary<uint8_t>()));
 }
 
-CalibratedChannel anyNumbers() {
-  const auto number = [] {
-    return *rc::gen::oneOf(rc::gen::arbitrary<uint16_t>(), rc::gen::inRange<uint16_t>(0, 2050),
-                           rc::gen::element<uint16_t>(0, 1, 2047, 2048, 32767, 32768, 65535));
-  };
-  CalibratedChannel channel;
-  channel.range.low = number();
-  channel.range.centre = number();
-  channel.range.high = number();
-  channel.deadZone = number();
-  return channel;
-}
-
 CalibratedChannel anyPossible() {
   const auto centre = *rc::gen::inRange<int>(1, 2047);
   auto low = *rc::gen::inRange<int>(0, centre);
@@ -51,15 +39,6 @@ CalibratedChannel anyPossible() {
   }
   return {{static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)},
           static_cast<uint16_t>(deadZone)};
-}
-
-Calibration sealed(CalibratedChannel (*any)()) {
-  Calibration calibration;
-  for (CalibratedChannel &channel : calibration.channels) {
-    channel = any();
-  }
-  seal(calibration);
-  return calibration;
 }
 
 }  // namespace
@@ -105,29 +84,13 @@ TEST_CASE("any frames that one receiver sends without damage are delivered, all 
   }));
 }
 
-TEST_CASE("whatever numbers a channel has, it is judged as the rules say, sealed by the check value, and scaled") {
-  CHECK(rc::check("isPossible(channel) == rules(channel)", [] {
-    const Calibration calibration = sealed(anyNumbers);
-    bool possible = true;
-    for (const CalibratedChannel &channel : calibration.channels) {
-      RC_ASSERT(sbus::isPossible(channel) == possibleByRule(channel));
-      possible = possible && possibleByRule(channel);
-    }
-    RC_ASSERT(sbus::stateOf(calibration) == (possible ? StoredState::Good : StoredState::Impossible));
-    uint8_t bytes[sizeof calibration];
-    std::memcpy(bytes, &calibration, sizeof bytes);
-    RC_ASSERT(calibration.checkValue == crcOf(bytes, 130));
-    for (unsigned raw = 0; raw < 0x10000; raw += 97) {
-      const auto value = static_cast<uint16_t>(raw);
-      RC_ASSERT(calibration.channels[0].toNormalised(value) >= -32767);
-      RC_ASSERT(calibration.channels[0].toMicroseconds(value) >= -32767);
-    }
-  }));
-}
-
 TEST_CASE("what can be is good, exact at the three points, and without a dead zone scaled as its range is") {
   CHECK(rc::check("any possible channel", [] {
-    Calibration calibration = sealed(anyPossible);
+    Calibration calibration;
+    for (CalibratedChannel &channel : calibration.channels) {
+      channel = anyPossible();
+    }
+    seal(calibration);
     RC_ASSERT(sbus::stateOf(calibration) == StoredState::Good);
     for (CalibratedChannel &channel : calibration.channels) {
       RC_ASSERT(isExact(channel));
@@ -189,38 +152,5 @@ TEST_CASE("whatever sticks a radio has, they are found: exact at their three poi
         RC_ASSERT(found.toNormalised(static_cast<uint16_t>(raw)) == 0);
       }
     }
-  }));
-}
-
-TEST_CASE("whatever comes in whatever step, what is found can be") {
-  CHECK(rc::check("None means possible, a refusal that nothing was touched", [] {
-    Radio radio;
-    radio.calibrator.setDeadZone(*rc::gen::arbitrary<uint16_t>());
-    const bool narrow = *rc::gen::arbitrary<bool>();
-    for (const uint8_t step : *rc::gen::container<Bytes>(rc::gen::arbitrary<uint8_t>())) {
-      if (step < 4) {
-        radio.calibrator.begin();
-      } else if (step < 20) {
-        radio.calibrator.centre();
-      } else if (step < 30) {
-        radio.calibrator.high();
-      }
-      for (uint16_t &value : radio.channels) {
-        value = narrow ? *rc::gen::inRange<uint16_t>(980, 1010) : *rc::gen::element<uint16_t>(0, 172, 992, 1811, 65535);
-      }
-      radio.feed(step % 16 == 0, step % 16 == 1);
-    }
-    for (uint8_t i = 0; i < 16; i++) {
-      CalibratedChannel found = {{0, 0, 0}, 0};
-      const Refusal refusal = radio.calibrator.result(i, found);
-      RC_ASSERT(possibleByRule(found));
-      RC_ASSERT(sbus::isCalibrated(found) == (refusal == Refusal::None));
-    }
-    const auto wanted = *rc::gen::arbitrary<uint16_t>();
-    const Finished finished(radio.calibrator, wanted);
-    RC_ASSERT(finished.isGood() == (finished.refusal == Refusal::None));
-    RC_ASSERT(finished.isTouched() == (finished.refusal == Refusal::None));
-    const unsigned named = finished.refusal == Refusal::None ? 0xFFFF : 1u << finished.channel;
-    RC_ASSERT((wanted & named) != 0 || finished.refusal == Refusal::None);
   }));
 }
