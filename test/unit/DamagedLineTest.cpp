@@ -1,5 +1,5 @@
-// Finding frames on a damaged line: one damage costs one frame, and what is delivered was on the line. The torture bench
-// (test/line) shows the same of random damage.
+// Finding frames on a damaged line: one damage costs one frame, and what is delivered was on the line.
+// The torture bench (test/line) shows the same of random damage.
 #include "sbus/FrameFinder.h"
 
 #include <doctest/doctest.h>

@@ -150,6 +150,14 @@ TEST_CASE("what is sent over a line DecodeSBus reads, every frame with its value
   }
 }
 
+TEST_CASE("after begin the first frame is due at once, again") {
+  Sender sender;
+  CHECK(sender.write(PaperLow.channels));
+  CHECK_FALSE(sender.write(PaperLow.channels));
+  sender.sbus.begin();
+  CHECK(sender.write(PaperLow.channels));
+}
+
 TEST_CASE("a transmit buffer that does not take a whole frame gets no part of one, and the frame as soon as it does") {
   Sender sender;
   for (const int places : {0, 1, 24}) {

@@ -70,6 +70,21 @@ TEST_CASE("a clean stream gives exactly its frames, in order, in bursts of any s
   }
 }
 
+TEST_CASE("two polls at the same time are one: the loop period stays what it is") {
+  Feeder line;
+  line.settle(3000, 0);
+  Bytes bytes = bytesOf(plainFrame(0));
+  for (unsigned number = 1; number < 8; number++) {
+    bytes = bytes + bytesOf(plainFrame(number));
+  }
+  Frames found;
+  for (size_t at = 0; at < bytes.size(); at += 25) {  // of each frame the last 3 bytes come with the next one's first
+    line.wait(3000);
+    found = found + line.poll(part(bytes, at == 0 ? 0 : at - 3, at + 10)) + line.poll(part(bytes, at + 10, at + 22));
+  }
+  CHECK(found.size() == 7);
+}
+
 TEST_CASE("in lock every frame is there with its 25th byte, whatever CH16 and the flags are, and however they change") {
   for (const uint8_t end : {uint8_t{0x00}, uint8_t{0x04}, uint8_t{0x08}}) {
     for (const size_t burst : {1u, 5u, 25u}) {

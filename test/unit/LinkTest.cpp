@@ -162,6 +162,13 @@ TEST_CASE("newFrame is true from a frame's coming until it is decoded, or stale,
   check(true);
   board.sbus.begin();
   check(false);
+  board.settle();
+  board.nextFrame(PaperLow.bytes);
+  board.decode();
+  board.sbus.begin();
+  board.settle();
+  board.nextFrame(PaperLow.bytes);  // frame 1 again
+  check(true);
 }
 
 TEST_CASE("frameAge never goes back but by a new frame: asked once an hour it ends at 71 minutes, for days") {
