@@ -4,7 +4,7 @@
 #include <DecodeSBus.h>
 
 #include "MemorySerial.h"
-#include "support/PaperReceiver.h"
+#include "support/PaperDecoder.h"
 
 struct Ours {
   MemorySerial port;
@@ -12,7 +12,7 @@ struct Ours {
 };
 struct Papers {
   MemorySerial port;
-  PaperReceiver receiver{port};
+  PaperDecoder receiver{port};
 };
 
 void parse(Ours &ours);

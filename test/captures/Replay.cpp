@@ -2,8 +2,8 @@
 //
 //   Replay FOLDER
 //
-// Of the files below it is known what a right decoder finds (../shared/captures/INDEX.md of this project); of any other
-// file the counts are printed, and it is checked that every frame delivered stands in the recording.
+// Of the files below it is known what a right decoder finds; of any other file the counts are printed, and it is checked
+// that every frame delivered stands in the recording.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -14,47 +14,12 @@
 #include <vector>
 
 #include "support/BitByBit.h"
-#include "support/FakeClock.h"
-#include "board/BoardUart.h"
+#include "support/UartPort.h"
 #include "line/Recording.h"
 
 #include <DecodeSBus.h>
 
 namespace {
-
-using Frames = std::vector<Frame>;
-
-// The board's port: its driver, and characters that come when the clock says so.
-class CapturePort : public HardwareSerial {
- public:
-  explicit CapturePort(const std::vector<line::Character> &characters) : _characters(characters) {}
-
-  void begin(unsigned long baud) override { begin(baud, 0); }
-  void begin(unsigned long, uint32_t) override { _uart.open(fakeMicros); }
-  void end() override { _uart.close(); }
-  void receive() {
-    for (; _next < _characters.size() && _start + _characters[_next].endUs <= fakeMicros; _next++) {
-      line::Character character = _characters[_next];
-      character.endUs += _start;
-      _uart.receive(character);
-    }
-    _uart.advance(fakeMicros);
-  }
-  bool finished() const { return _next == _characters.size(); }
-  int available() override { return _uart.available(); }
-  int peek() override { return _uart.peek(); }
-  int read() override { return _uart.read(); }
-  int read(uint8_t *buffer, size_t size) override { return _uart.read(buffer, size); }
-  void flush() override {}
-  size_t write(uint8_t) override { return 0; }
-  operator bool() override { return true; }
-
- private:
-  const std::vector<line::Character> &_characters;
-  const uint64_t _start = fakeMicros + 1000;
-  size_t _next = 0;
-  host::BoardUart _uart;
-};
 
 // What the sketch got of a frame, and where the recording has it.
 struct Found {
@@ -93,7 +58,7 @@ int endOf(const std::vector<line::Character> &characters, size_t &from, const Fo
   return -1;
 }
 
-// `recorded`, and before it so much noise that the receiver settles, and after it what lets go the last frame.
+// `recorded`, and before it so much noise that the loop period is known, and after it what lets go the last frame.
 std::vector<line::Character> withNoise(const std::vector<line::Character> &recorded, uint32_t loopUs) {
   std::vector<line::Character> characters;
   line::Character noise;
@@ -112,14 +77,21 @@ std::vector<line::Character> withNoise(const std::vector<line::Character> &recor
 
 std::vector<Found> replay(const std::vector<line::Character> &recorded, uint32_t loopUs) {
   const std::vector<line::Character> characters = withNoise(recorded, loopUs);
-  CapturePort port(characters);
+  const uint64_t start = fakeMicros + 1000;
+  UartPort port;
   DecodeSBus dSBus(port);
   dSBus.begin();
   std::vector<Found> all;
   size_t from = 0;
-  for (uint64_t after = 0; after < 20000; after += port.finished() ? loopUs : 0) {
+  size_t next = 0;
+  for (uint64_t after = 0; after < 20000; after += next == characters.size() ? loopUs : 0) {
     fakeMicros += loopUs;
-    port.receive();
+    for (; next < characters.size() && start + characters[next].endUs <= fakeMicros; next++) {
+      line::Character character = characters[next];
+      character.endUs += start;
+      port.receive(character);
+    }
+    port.advance(fakeMicros);
     const uint32_t before = dSBus.counters().frames;
     dSBus.parseSBusFrame();
     // Two frames in one poll would be one to the sketch.

@@ -4,18 +4,15 @@
 //   even: a stored calibration, 132 bytes, what is missing 0; it is judged as it is, and again with its check value
 //   right odd:  two bytes for `wanted`, then operations of one byte and what they need:
 //     00xxxxxx   begin (x = 0), centre (x = 1), high (x = 2), set the dead zone to 4 * x (else)
-//     01xxxxxx   a frame of one value, 32 * x, on all channels; behind it an offset for each channel follows, a byte
-//     that
-//                is 0..7 times the channel's number
+//     01xxxxxx   a frame of one value, 32 * x, on all channels; then an offset for each channel, a byte that is 0..7
+//                times the channel's number
 //     10xxxxxx   a frame; two bytes for each of its channels follow
 //     11xxxxxx   the last frame again, with failsafe (bit 0), lost frame (bit 1) and one channel (bits 2..5) at 0
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <initializer_list>
 
-#include "sbus/Calibrator.h"
+#include "fuzz/Require.h"
+#include "support/CalibrationRules.h"
+#include "support/Radio.h"
 
 namespace {
 
@@ -23,13 +20,6 @@ using sbus::CalibratedChannel;
 using sbus::Calibration;
 using sbus::Refusal;
 using sbus::StoredState;
-
-void require(bool condition, const char *what) {
-  if (!condition) {
-    std::fprintf(stderr, "violated: %s\n", what);
-    std::abort();
-  }
-}
 
 class Input {
  public:
@@ -53,78 +43,27 @@ class Input {
   size_t _left;
 };
 
-// The rules once more, each by itself.
-bool canBe(const CalibratedChannel &channel) {
-  const int low = channel.range.low;
-  const int centre = channel.range.centre;
-  const int high = channel.range.high;
-  const int dead = channel.deadZone;
-  const bool empty = low == 0 && centre == 0 && high == 0 && dead == 0;
-  const bool forwards = low < centre - dead && centre + dead < high && high <= 2047;
-  const bool backwards = high < centre - dead && centre + dead < low && low <= 2047;
-  return empty || forwards || backwards;
-}
-
-// The check value once more: the bits one after the other, through a register of 16.
-uint16_t crcOf(const uint8_t *bytes, size_t count) {
-  unsigned crc = 0xFFFF;
-  for (size_t bit = 0; bit < 8 * count; bit++) {
-    const unsigned next = bytes[bit / 8] >> (7 - bit % 8) & 1u;
-    crc = (crc << 1 & 0xFFFF) ^ ((crc >> 15 ^ next) * 0x1021);
-  }
-  return static_cast<uint16_t>(crc);
-}
-
-void requireExact(const CalibratedChannel &channel) {
-  const sbus::Range &range = channel.range;
-  if (!sbus::isCalibrated(channel)) {
-    for (const uint16_t raw : {uint16_t{0}, uint16_t{992}, uint16_t{65535}}) {
-      require(channel.toNormalised(raw) == 0 && channel.toMicroseconds(raw) == 1500, "uncalibrated is centred");
-    }
-    return;
-  }
-  require(channel.toNormalised(range.low) == -1000 && channel.toMicroseconds(range.low) == 988, "low is exact");
-  require(channel.toNormalised(range.centre) == 0 && channel.toMicroseconds(range.centre) == 1500, "centre is exact");
-  require(channel.toNormalised(range.high) == 1000 && channel.toMicroseconds(range.high) == 2012, "high is exact");
-  const int direction = range.low < range.high ? 1 : -1;
-  int last = channel.toNormalised(0);
-  for (unsigned raw = 1; raw < 2048; raw++) {
-    const int value = channel.toNormalised(static_cast<uint16_t>(raw));
-    require((value - last) * direction >= 0, "values rise from low to high");
-    last = value;
-  }
-}
-
-// Of any channel, possible or not: the sanitizer looks on.
-void scale(const CalibratedChannel &channel, uint16_t raw) {
-  require(channel.toNormalised(raw) >= -32767 && channel.toMicroseconds(raw) >= -32767, "no further than 32767");
-}
-
 void judge(const Calibration &calibration) {
   const StoredState state = sbus::stateOf(calibration);
   bool possible = true;
   for (const CalibratedChannel &channel : calibration.channels) {
-    require(sbus::isPossible(channel) == canBe(channel), "isPossible() is what its rules say");
-    possible = possible && canBe(channel);
-    scale(channel, calibration.checkValue);
+    require(sbus::isPossible(channel) == possibleByRule(channel), "isPossible() is what its rules say");
+    possible = possible && possibleByRule(channel);
+    // Of any channel, possible or not: the sanitizer watches.
+    const uint16_t raw = calibration.checkValue;
+    require(channel.toNormalised(raw) >= -32767 && channel.toMicroseconds(raw) >= -32767, "no further than 32767");
+    require(!possibleByRule(channel) || !sbus::isCalibrated(channel) || isExact(channel), "exact at the three points");
   }
   require(state != StoredState::Good || possible, "good only if all channels can be");
   require((state == StoredState::OtherVersion) == (calibration.version != sbus::CalibrationVersion), "the version");
   Calibration sealed = calibration;
   seal(sealed);
-  require(sbus::stateOf(sealed) == (possible ? StoredState::Good : StoredState::Impossible),
-          "sealed: good, if possible");
+  require(sbus::stateOf(sealed) == (possible ? StoredState::Good : StoredState::Impossible), "sealed: good, if possible");
   uint8_t bytes[sizeof sealed];
   std::memcpy(bytes, &sealed, sizeof sealed);
   require(sealed.checkValue == crcOf(bytes, sizeof sealed - 2), "the check value is CRC-16/CCITT-FALSE of the others");
   const bool wasSealed = std::memcmp(&sealed, &calibration, sizeof sealed) == 0;
-  require((state == StoredState::Good || state == StoredState::Impossible) == wasSealed,
-          "only what was sealed is intact");
-  if (possible) {
-    for (const CalibratedChannel &channel : calibration.channels) {
-      requireExact(channel);
-    }
-  }
+  require((state == StoredState::Good || state == StoredState::Impossible) == wasSealed, "only what was sealed is intact");
 }
 
 void store(Input input) {
@@ -145,48 +84,35 @@ void store(Input input) {
   judge(calibration);
 }
 
-void requireSame(const Calibration &one, int filling, const char *what) {
-  Calibration other;
-  std::memset(&other, filling, sizeof other);
-  require(std::memcmp(&one, &other, sizeof other) == 0, what);
-}
-
 void checkResults(const sbus::Calibrator &calibrator, uint16_t wanted) {
-  constexpr int Filling = 0xA5;
-  constexpr uint8_t NoChannel = 99;
-  Calibration calibration;
-  std::memset(&calibration, Filling, sizeof calibration);
-  uint8_t channel = NoChannel;
-  const Refusal refusal = calibrator.finish(wanted, calibration, channel);
-  require(refusal == Refusal::None || channel < sbus::ProportionalCount, "a refusal names a channel");
-  unsigned firstBad = sbus::ProportionalCount;
+  const Finished finished(calibrator, wanted);
+  const bool good = finished.refusal == Refusal::None;
+  unsigned firstBad = Radio::NoChannel;
   for (uint8_t i = 0; i < sbus::ProportionalCount; i++) {
     CalibratedChannel found = {{0, 0, 0}, 0};
+    const CalibratedChannel &stored = finished.calibration.channels[i];
     const Refusal reason = calibrator.result(i, found);
     require(sbus::isCalibrated(found) == (reason == Refusal::None), "refused, and nothing touched; or found");
-    require(canBe(found), "what is found can be");
-    if (reason != Refusal::None && (wanted >> i & 1) != 0 && firstBad == sbus::ProportionalCount) {
+    require(possibleByRule(found), "what is found can be");
+    if (reason != Refusal::None && (wanted >> i & 1) != 0 && firstBad == Radio::NoChannel) {
       firstBad = i;
-      require(reason == refusal, "the reason is that of the first bad channel");
+      require(reason == finished.refusal, "the reason is that of the first bad channel");
     }
-    if (refusal == Refusal::None && reason == Refusal::NotCentred) {
-      require(sbus::isCalibrated(calibration.channels[i]) && calibration.channels[i].deadZone == 0,
-              "what is not wanted may rest anywhere");
-    } else if (refusal == Refusal::None && reason == Refusal::NotPushed) {
-      require(calibration.channels[i].range.low < calibration.channels[i].range.high, "what is not pushed runs forwards");
-    } else if (refusal == Refusal::None) {
-      require(std::memcmp(&found, &calibration.channels[i], sizeof found) == 0, "finish() gives what result() does");
+    if (good && reason == Refusal::NotCentred) {
+      require(sbus::isCalibrated(stored) && stored.deadZone == 0, "what is not wanted may rest anywhere");
+    } else if (good && reason == Refusal::NotPushed) {
+      require(stored.range.low < stored.range.high, "what is not pushed runs forwards");
+    } else if (good) {
+      require(std::memcmp(&found, &stored, sizeof found) == 0, "finish() gives what result() does");
     }
   }
-  if (refusal == Refusal::None) {
-    require(firstBad == sbus::ProportionalCount && channel == NoChannel, "none wanted is bad, none is named");
-    require(sbus::stateOf(calibration) == StoredState::Good, "what is finished is good");
-    judge(calibration);
-  } else {
-    require(channel == firstBad, "the first bad channel that is wanted is named");
-    requireSame(calibration, Filling, "a refusal leaves the calibration as it is");
+  require(finished.channel == firstBad, "the first bad channel that is wanted is named");
+  require(good == (firstBad == Radio::NoChannel), "all that are wanted are good, or it is refused");
+  require(finished.isGood() == good && finished.isTouched() == good, "good, or left as it is");
+  if (good) {
+    judge(finished.calibration);
   }
-  require(text(refusal)[0] == (refusal == Refusal::None ? '\0' : ' '), "there are words for it");
+  require(text(finished.refusal)[0] == (good ? '\0' : ' '), "there are words for it");
 }
 
 void drive(Input input) {

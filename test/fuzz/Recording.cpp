@@ -1,21 +1,9 @@
 // The recording reader on any text: characters in order and not closer than a wire allows, or one clear error.
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
+#include "fuzz/Require.h"
 #include "line/Recording.h"
-
-namespace {
-
-void require(bool condition, const char *what) {
-  if (!condition) {
-    std::fprintf(stderr, "violated: %s\n", what);
-    std::abort();
-  }
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

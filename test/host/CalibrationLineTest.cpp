@@ -12,10 +12,10 @@ namespace {
 
 constexpr unsigned PeriodMs = 40000;
 
-// Calls `look(ms, channels)` for each frame that the radio has sent, up to but without `untilMs`; those that were lost
+// Calls `each(ms, channels)` for each frame that the radio has sent, up to but without `untilMs`; those that were lost
 // repeat old channels. Returns how many these were.
-template <typename Look>
-unsigned play(unsigned untilMs, Look look) {
+template <typename Each>
+unsigned play(unsigned untilMs, Each each) {
   line::SimulatedReceiver line(line::CalibrationMoves);
   unsigned lost = 0;
   for (unsigned ms = 0; ms < untilMs; ms += 9) {
@@ -31,7 +31,7 @@ unsigned play(unsigned untilMs, Look look) {
     }
     Channels channels;
     sbus::unpack(frame.data(), channels.data());
-    look(ms, channels);
+    each(ms, channels);
   }
   return lost;
 }
@@ -67,23 +67,20 @@ unsigned arrivals(size_t channel, unsigned value) {
 }  // namespace
 
 TEST_CASE("in the first 14 s every stick is at either end a few times, and every switch in all its positions") {
-  const std::array<Range, 18> range = ranges(0, 14000);
-  for (size_t channel = 0; channel < 4; channel++) {
-    CAPTURE(channel);
-    CHECK(range[channel].low == 172);
-    CHECK(range[channel].high == 1811);
-    CHECK(arrivals(channel, 172) >= 3);
-    CHECK(arrivals(channel, 1811) >= 3);
+  const struct {
+    size_t channel;
+    unsigned value, least, most;
+  } rows[] = {{0, 172, 3, 99}, {0, 1811, 3, 99}, {1, 172, 3, 99}, {1, 1811, 3, 99}, {2, 172, 3, 99},
+              {2, 1811, 3, 99}, {3, 172, 3, 99}, {3, 1811, 3, 99}, {4, 172, 4, 4},  {4, 1811, 5, 5},
+              {4, 992, 0, 0},   {5, 172, 4, 4},  {5, 992, 4, 4},   {5, 1811, 4, 4}};
+  for (const auto &row : rows) {
+    INFO("channel ", row.channel, ", value ", row.value);
+    CHECK(arrivals(row.channel, row.value) >= row.least);
+    CHECK(arrivals(row.channel, row.value) <= row.most);
   }
-  CHECK(arrivals(4, 172) == 4);
-  CHECK(arrivals(4, 1811) == 5);
-  CHECK(arrivals(4, 992) == 0);
-  CHECK(arrivals(5, 172) == 4);
-  CHECK(arrivals(5, 992) == 4);
-  CHECK(arrivals(5, 1811) == 4);
 }
 
-TEST_CASE("then sticks rest at their trims, jittering by one, the throttle low; then they are held up and right") {
+TEST_CASE("then sticks rest at their trims, the throttle low, are held up and right, and at last fly gently; CH7.. stand") {
   const struct {
     size_t channel;
     unsigned restLow, restHigh, held;
@@ -91,52 +88,42 @@ TEST_CASE("then sticks rest at their trims, jittering by one, the throttle low; 
               {3, 991, 993, 1811},  {4, 172, 172, 172}, {5, 992, 992, 992}};
   const std::array<Range, 18> rest = ranges(15000, 22000);
   const std::array<Range, 18> held = ranges(23000, 28000);
+  const std::array<Range, 18> flight = ranges(29000, 39500);
   for (const auto &row : rows) {
     CAPTURE(row.channel);
     CHECK(rest[row.channel].low == row.restLow);
     CHECK(rest[row.channel].high == row.restHigh);
     CHECK(held[row.channel].low == row.held);
     CHECK(held[row.channel].high == row.held);
+    if (row.channel < 4) {
+      CHECK(flight[row.channel].low >= 992 - 310);
+      CHECK(flight[row.channel].low < 992 - 150);
+      CHECK(flight[row.channel].high > 992 + 150);
+      CHECK(flight[row.channel].high <= 992 + 310);
+    }
   }
-}
-
-TEST_CASE("at last a gentle flight: each stick moves to both sides of its centre, and none comes near an end") {
-  const std::array<Range, 18> range = ranges(29000, 39500);
-  for (size_t channel = 0; channel < 4; channel++) {
-    CAPTURE(channel);
-    CHECK(range[channel].low >= 992 - 310);
-    CHECK(range[channel].low < 992 - 150);
-    CHECK(range[channel].high > 992 + 150);
-    CHECK(range[channel].high <= 992 + 310);
-  }
-}
-
-TEST_CASE("CH7..CH16 stand still, CH17 and CH18 are off") {
-  const std::array<Range, 18> range = ranges(0, PeriodMs);
+  const std::array<Range, 18> all = ranges(0, PeriodMs);
   for (size_t channel = 6; channel < 18; channel++) {
-    CHECK(range[channel].low == (channel < 16 ? 992 : 0));
-    CHECK(range[channel].high == (channel < 16 ? 992 : 0));
+    CHECK(all[channel].low == (channel < 16 ? 992 : 0));
+    CHECK(all[channel].high == (channel < 16 ? 992 : 0));
   }
 }
 
-TEST_CASE("hands glide: no stick moves by more than 30 in 9 ms, not where it begins again either") {
+TEST_CASE("hands glide: no stick moves by more than 30 in 9 ms, not where it begins again either; two frames in 100 are lost") {
   Channels last{};
   unsigned lastMs = 0;
-  unsigned looks = 0;
+  unsigned frames = 0;
   unsigned jumps = 0;
   play(2 * PeriodMs, [&](unsigned ms, const Channels &channels) {
-    for (size_t i = 0; i < 4 && looks > 0; i++) {
+    for (size_t i = 0; i < 4 && frames > 0; i++) {
       const int step = channels[i] - last[i];
       jumps += std::max(step, -step) > static_cast<int>(30 * (ms - lastMs) / 9);
     }
     last = channels;
     lastMs = ms;
-    looks++;
+    frames++;
   });
-  CHECK(looks > 8000);
+  CHECK(frames > 8000);
   CHECK(jumps == 0);
-}
-
-TEST_CASE("of 100 frames two are lost, as in the flight") {
   CHECK(play(9 * 1000, [](unsigned, const Channels &) {}) == 20);
 }

@@ -8,41 +8,41 @@ namespace {
 // A pause is seen as such if it is longer than a loop period and what the driver holds back.
 const std::vector<Setup> Seen = {
     {6000, 50},    {7000, 50},       {14000, 50},        {9000, 3000, Board, 256},
-    {15000, 3000}, {9000, 50, Bytes}, {9000, 1000, Fifo}};
+    {15000, 3000}, {9000, 50, ByteByByte}, {9000, 1000, Fifo}};
 // Each poll finds a whole frame, so nobody tells a pause from a slow loop.
 const std::vector<Setup> WholeFrames = {{9000, 50, Esp32, 256}, {14000, 3000, Esp32, 256}, {9000, 3000, Esp32, 64},
                                         {14000, 5000, Esp32, 256}};
 const std::vector<Setup> Hidden = {{4000, 50}, {4000, 3000}, {7000, 3000}};
 const std::vector<Setup> InStep = {{4000, 2000}, {4000, 4000}, {6000, 3000}, {6000, 6000}};
-const std::vector<Setup> InStepBytes = {{4000, 2000, Bytes}, {4000, 4000, Bytes}, {6000, 3000, Bytes},
-                                        {7000, 3500, Bytes}, {9000, 3000, Bytes}, {9000, 4500, Bytes}};
-const std::vector<Setup> Buffers = {{9000, 50, Bytes, 31},   {9000, 3000, Board, 31}, {9000, 1000, Fifo, 63},
-                                    {9000, 3000, Bytes, 63}, {9000, 3000, Fifo, 512}};
-const std::vector<Setup> JoinSeen = {{7000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000}, {9000, 1000, Bytes}};
+const std::vector<Setup> InStepBytes = {{4000, 2000, ByteByByte}, {4000, 4000, ByteByByte}, {6000, 3000, ByteByByte},
+                                        {7000, 3500, ByteByByte}, {9000, 3000, ByteByByte}, {9000, 4500, ByteByByte}};
+const std::vector<Setup> Buffers = {{9000, 50, ByteByByte, 31},   {9000, 3000, Board, 31}, {9000, 1000, Fifo, 63},
+                                    {9000, 3000, ByteByByte, 63}, {9000, 3000, Fifo, 512}};
+const std::vector<Setup> JoinSeen = {{7000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte}};
 const std::vector<Setup> Telemetry = {{9000, 50}, {9000, 3000}, {15000, 50}, {15000, 5000}};
 const std::vector<Setup> Telemetry15 = {
-    {15000, 5000}, {15000, 5000, Bytes}, {15000, 5000, Fifo}, {15000, 5000, Esp32, 256}};
+    {15000, 5000}, {15000, 5000, ByteByByte}, {15000, 5000, Fifo}, {15000, 5000, Esp32, 256}};
 const std::vector<Setup> LongTail = {{6000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000, Esp32, 256}};
 const std::vector<Setup> With2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
 const std::vector<Setup> Channels24 = {
-    {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, Bytes}, {9000, 50, Esp32, 256}};
-const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, Bytes},
+    {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, ByteByByte}, {9000, 50, Esp32, 256}};
+const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, ByteByByte},
                                  {9000, 5000, Fifo},  {14000, 5000}};
 const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
 const std::vector<Setup> SlowerLarge = {
-    {4000, 20000, Board, 256}, {9000, 20000, Bytes, 512}, {9000, 20000, Esp32, 256}};
-const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, Bytes, 63}, {14000, 50, Fifo}};
-const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, Bytes, 256}, {14000, 50, Fifo, 256}};
+    {4000, 20000, Board, 256}, {9000, 20000, ByteByByte, 512}, {9000, 20000, Esp32, 256}};
+const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo}};
+const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, ByteByByte, 256}, {14000, 50, Fifo, 256}};
 
 // For Fast S.Bus half of these, and what FrSky's ACCESS receivers send, 4 to 9 ms.
-const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, Bytes}};
+const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, ByteByByte}};
 const std::vector<Setup> FastHidden = {{2000, 50}, {3500, 1500}};
 const std::vector<Setup> FastBlocked = {{3000, 50}, {4500, 50, Board, 256}, {9000, 50}};
 
 // Every driver, every period, and these loops.
 std::vector<Setup> joins(std::initializer_list<uint32_t> loopsUs) {
   std::vector<Setup> setups;
-  for (const Driver &driver : {Board, Bytes, Fifo, Esp32}) {
+  for (const Driver &driver : {Board, ByteByByte, Fifo, Esp32}) {
     for (const uint32_t periodUs : {4000u, 5000u, 6000u, 7000u, 9000u, 11000u, 14000u}) {
       for (const uint32_t loopUs : loopsUs) {
         setups.push_back({periodUs, loopUs, driver, 256});
@@ -52,8 +52,8 @@ std::vector<Setup> joins(std::initializer_list<uint32_t> loopsUs) {
   return setups;
 }
 
-const std::vector<Sticks> Resting = {Sticks::Neutral, Sticks::Equal, Sticks::Failsafe};
-const std::vector<Sticks> Moving = {Sticks::Uniform, Sticks::Smooth, Sticks::Zeros, Sticks::LowChannel16};
+const std::vector<Payload> Resting = {Payload::Neutral, Payload::Equal, Payload::Failsafe};
+const std::vector<Payload> Moving = {Payload::Uniform, Payload::Smooth, Payload::Zeros, Payload::LowChannel16};
 
 constexpr const char *Splices = "zeros, or chance: halves of two frames look like one, or one like halves";
 constexpr const char *Doubtful = "they look like halves of two frames, and are refused until a pause is seen";
@@ -123,7 +123,7 @@ Run fast(Run run) {
 }
 
 // Does not change when the list does.
-uint64_t ownSeed(const Condition &condition, const Setup &setup, Sticks sticks, uint64_t seed) {
+uint64_t ownSeed(const Condition &condition, const Setup &setup, Payload sticks, uint64_t seed) {
   uint64_t mixed = seed;
   for (const char c : condition.name + name(setup) + name(sticks)) {
     mixed = Random(mixed + static_cast<unsigned char>(c)).next();
@@ -171,8 +171,8 @@ const std::vector<Condition> &conditions() {
       {"noise in 1/3, short pauses", noise(1 / 3.), Hidden, Hidden1, {NotBound, 0.005, Glued}},
       {"joined midway", joined(), JoinSeen, None, None},
       {"joined midway, short pauses", joined(), Hidden, {0.005, 0, Splices}, {NotBound, 0.02, Doubtful}},
-      {"joined, failsafe frame", joined(), joins({50, 1000, 3000, 5000}), None, NeverWrong, {Sticks::Failsafe}},
-      {"joined, failsafe frame, slow loops", joined(), joins({10000, 20000}), None, NeverWrong, {Sticks::Failsafe}},
+      {"joined, failsafe frame", joined(), joins({50, 1000, 3000, 5000}), None, NeverWrong, {Payload::Failsafe}},
+      {"joined, failsafe frame, slow loops", joined(), joins({10000, 20000}), None, NeverWrong, {Payload::Failsafe}},
       {"S.BUS2, dropped 1/300", dropped(1 / 300., Kind::Sbus2), Telemetry, {0.003, 0, Splices}, {0.003, 1e-3, Splices}},
       {"S.BUS2 at 15 ms, dropped 1/50", dropped(1 / 50., Kind::Sbus2), Telemetry15, Usual, {1e-3, 2e-4, Splices}},
       {"S.BUS2 at 15 ms, bursts 1/300", with(&Impairments::burst, 1 / 300., Kind::Sbus2), Telemetry15,
@@ -209,8 +209,8 @@ const std::vector<Condition> &conditions() {
   return list;
 }
 
-std::vector<Sticks> Condition::sticks() const {
-  std::vector<Sticks> all = only;
+std::vector<Payload> Condition::sticks() const {
+  std::vector<Payload> all = only;
   if (all.empty()) {
     all = ordinarySticks();
     all.insert(all.end(), deceptiveSticks().begin(), deceptiveSticks().end());
@@ -218,7 +218,7 @@ std::vector<Sticks> Condition::sticks() const {
   return all;
 }
 
-Tally torture(const Condition &condition, const Setup &setup, Sticks sticks, Way way, uint64_t frames, uint64_t seed) {
+Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames, uint64_t seed) {
   Run run = condition.run;
   run.setup = setup;
   run.line.periodUs = setup.periodUs;
@@ -237,7 +237,7 @@ Tally torture(const Condition &condition, const Setup &setup, Sticks sticks, Way
     // Joined at every character of a frame, and anywhere within it, over and over.
     run.joinUs = character * characterUs + seeds.below(characterUs);
     character = (character + 1) % sbus::FrameSize;
-    sum += simulate(run, way, seeds.next());  // in step, each begins at another place of a frame
+    sum += simulate(run, decoder, seeds.next());  // in step, each begins at another place of a frame
   }
   return sum;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "Bench.h"
+#include "Simulation.h"
 
 constexpr unsigned long FastBaud = 200000;
 
@@ -24,15 +24,15 @@ struct Condition {
   std::vector<Setup> setups;
   Limits ordinary;
   Limits deceptive;
-  std::vector<Sticks> only = {};  // else all
+  std::vector<Payload> only = {};  // else all
 
-  std::vector<Sticks> sticks() const;
+  std::vector<Payload> sticks() const;
 };
 
 const std::vector<Condition> &conditions();
 
 // One condition, one setup, one kind of sticks: `frames` or a few more. Each has a seed of its own, made of `seed`.
-Tally torture(const Condition &condition, const Setup &setup, Sticks sticks, Way way, uint64_t frames, uint64_t seed);
+Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames, uint64_t seed);
 
 // "T 9 ms, loop 50 us, board, 64".
 std::string name(const Setup &setup);

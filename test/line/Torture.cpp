@@ -44,13 +44,13 @@ void printHeading(const std::vector<std::string> &cells) {
 struct Column {
   Tally sum;
   Tally worst;
-  Sticks worstSticks = Sticks::Neutral;
+  Payload worstSticks = Payload::Neutral;
 
-  Column(const Condition &condition, Way way) {
-    for (const Sticks sticks : condition.sticks()) {
+  Column(const Condition &condition, Decoder decoder) {
+    for (const Payload sticks : condition.sticks()) {
       Tally tally;
       for (const Setup &setup : condition.setups) {
-        tally += torture(condition, setup, sticks, way, frames, seedOfAll());
+        tally += torture(condition, setup, sticks, decoder, frames, seedOfAll());
       }
       sum += tally;
       // missed / damages, without a division by 0
@@ -67,25 +67,25 @@ struct Column {
 };
 
 void printWorst(const Condition &condition) {
-  const Column ours(condition, Way::Ours);
-  const Column papers(condition, Way::Papers);
+  const Column ours(condition, Decoder::Ours);
+  const Column papers(condition, Decoder::Papers);
   printRow({condition.name, std::to_string(ours.sum.damages()), ours.missed(), std::to_string(ours.sum.wrong),
             std::to_string(ours.sum.late), std::to_string(ours.sum.altered), papers.missed(),
             std::to_string(papers.sum.wrong)});
 }
 
 void printSum(const Condition &condition) {
-  const Tally sum = Column(condition, Way::Ours).sum;
+  const Tally sum = Column(condition, Decoder::Ours).sum;
   printRow({condition.name, std::to_string(sum.damages()), std::to_string(sum.missed), std::to_string(sum.wrong),
             std::to_string(sum.late)});
 }
 
 void printAll(const Condition &condition) {
   for (const Setup &setup : condition.setups) {
-    for (const Sticks sticks : condition.sticks()) {
+    for (const Payload sticks : condition.sticks()) {
       std::vector<std::string> cells = {condition.name, name(setup), name(sticks)};
-      for (const Way way : {Way::Ours, Way::Papers}) {
-        const Tally tally = torture(condition, setup, sticks, way, frames, seedOfAll());
+      for (const Decoder decoder : {Decoder::Ours, Decoder::Papers}) {
+        const Tally tally = torture(condition, setup, sticks, decoder, frames, seedOfAll());
         for (const uint64_t count :
              {tally.damages(), tally.intact, tally.missed, tally.wrong, tally.late, tally.altered}) {
           cells.push_back(std::to_string(count));

@@ -12,21 +12,21 @@ namespace {
 // So many frames of each condition, setup and kind of sticks.
 constexpr uint64_t Frames = 10000;
 
-Tally sumOf(const Condition &condition, const std::vector<Sticks> &group) {
-  const std::vector<Sticks> all = condition.sticks();
+Tally sumOf(const Condition &condition, const std::vector<Payload> &group) {
+  const std::vector<Payload> all = condition.sticks();
   Tally sum;
-  for (const Sticks sticks : group) {
+  for (const Payload sticks : group) {
     if (std::find(all.begin(), all.end(), sticks) == all.end()) {
       continue;
     }
     for (const Setup &setup : condition.setups) {
-      sum += torture(condition, setup, sticks, Way::Ours, framesPerCase(Frames), seedOfAll());
+      sum += torture(condition, setup, sticks, Decoder::Ours, framesPerCase(Frames), seedOfAll());
     }
   }
   return sum;
 }
 
-void hold(const Condition &condition, const std::vector<Sticks> &group, const Limits &limits) {
+void hold(const Condition &condition, const std::vector<Payload> &group, const Limits &limits) {
   INFO(condition.name, ", ", std::string(name(group.front())), " and the like, seed ", seedOfAll());
   const Tally sum = sumOf(condition, group);
   INFO(sum.damages(), " damages, ", sum.intact, " intact frames; ", std::string(limits.reason));
@@ -40,11 +40,11 @@ void hold(const Condition &condition, const std::vector<Sticks> &group, const Li
 }
 
 // A line as issue 3 describes it for other receivers.
-Tally papers(const char *condition, Sticks sticks) {
+Tally papers(const char *condition, Payload sticks) {
   const auto found = std::find_if(conditions().begin(), conditions().end(),
                                   [condition](const Condition &one) { return one.name == condition; });
   REQUIRE(found != conditions().end());
-  return torture(*found, {9000, 50}, sticks, Way::Papers, 20000, seedOfAll());
+  return torture(*found, {9000, 50}, sticks, Decoder::Papers, 20000, seedOfAll());
 }
 
 }  // namespace
@@ -57,10 +57,10 @@ TEST_CASE("every line keeps its bounds") {
 }
 
 TEST_CASE("the bench shows the faults of the paper's way that are known from elsewhere") {
-  const Tally dropped = papers("dropped 1/300", Sticks::Neutral);
+  const Tally dropped = papers("dropped 1/300", Payload::Neutral);
   CHECK(static_cast<double>(dropped.missed) > 4.0 * static_cast<double>(dropped.damaged));  // issue 3: 6.3
-  const Tally inserted = papers("inserted 1/500", Sticks::Smooth);
+  const Tally inserted = papers("inserted 1/500", Payload::Smooth);
   CHECK(static_cast<double>(inserted.wrong) > 0.7 * static_cast<double>(inserted.damaged));  // issue 3: nine of ten
-  CHECK(papers("clean, R7003SB", Sticks::Smooth).missed > 19900);
-  CHECK(papers("clean", Sticks::Smooth).missed == 0);
+  CHECK(papers("clean, R7003SB", Payload::Smooth).missed > 19900);
+  CHECK(papers("clean", Payload::Smooth).missed == 0);
 }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "support/Bytes.h"
 #include "support/KnownFrames.h"
 #include <sbus/Frame.h>
 
 namespace {
 
-constexpr uint8_t LongTail[] = {0x00, 0x03, 0xC0, 0x33, 0x00};  // a Futaba R7003SB
-constexpr uint8_t Telemetry[] = {0x03, 0xC0, 0x2E};             // PX4-Autopilot, sbus2_r7008SB.txt
+constexpr uint8_t Telemetry[] = {0x03, 0xC0, 0x2E};  // PX4-Autopilot, sbus2_r7008SB.txt
 constexpr unsigned Frame24Size = 36;
 
 constexpr double Junk = 1 / 8.;
@@ -67,7 +67,9 @@ void WireLine::sendFrame() {
     bytes[sbus::EndIndex] = static_cast<uint8_t>(Sbus2End + (_number % 4 << 4));
   } else if (_transmission.kind == Kind::R7003SB) {
     bytes[sbus::EndIndex] = R7003End;
-    size += static_cast<unsigned>(std::copy(std::begin(LongTail), std::end(LongTail), bytes + size) - (bytes + size));
+    const Bytes tail = tailOf(R7003End);
+    std::copy(tail.begin(), tail.end(), bytes + size);
+    size += static_cast<unsigned>(tail.size());
   } else if (_transmission.kind == Kind::Channels24) {
     const Frame more = _moreSticks.next();
     std::copy_n(more.begin() + sbus::PayloadIndex, 11, bytes + sbus::FlagsIndex);

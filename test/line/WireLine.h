@@ -8,7 +8,7 @@
 #include "line/LineSettings.h"
 
 #include "support/Random.h"
-#include "Sticks.h"
+#include "Payload.h"
 
 // What the receiver sends.
 enum class Kind {
@@ -32,7 +32,7 @@ struct Impairments {
 struct Transmission {
   Impairments impairments{};
   Kind kind = Kind::Plain;
-  Sticks sticks = Sticks::Neutral;
+  Payload sticks = Payload::Neutral;
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
   uint64_t frames = 20000;
@@ -76,8 +76,8 @@ class WireLine : public line::Line {
   const Transmission _transmission;
   const uint32_t _characterUs;
   Random &_random;
-  StickFrames _sticks;
-  StickFrames _moreSticks;  // CH17 to CH24
+  PayloadFrames _sticks;
+  PayloadFrames _moreSticks;  // CH17 to CH24
 
   uint64_t _framesLeft;
   uint64_t _number = 0;  // of the next frame

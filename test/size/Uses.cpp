@@ -2,8 +2,8 @@
 #include <Arduino.h>
 
 #if defined(USE_PAPERS)
-#include "support/PaperReceiver.h"
-PaperReceiver receiver(Serial1);
+#include "support/PaperDecoder.h"
+PaperDecoder receiver(Serial1);
 #elif defined(USE_DECODER) || defined(USE_ALL_OF_DECODER)
 #include <DecodeSBus.h>
 DecodeSBus receiver(Serial1);

@@ -11,9 +11,6 @@
 using Bytes = std::vector<uint8_t>;
 using Frames = std::vector<Frame>;
 
-// What an R7003SB sends straight after each frame.
-const Bytes R7003Tail = {0x00, 0x03, 0xC0, 0x33, 0x00};
-
 inline Bytes bytesOf(const Frame &frame) {
   return Bytes(frame.begin(), frame.end());
 }
@@ -30,6 +27,11 @@ template <typename T>
 std::vector<T> operator+(std::vector<T> left, const std::vector<T> &right) {
   left.insert(left.end(), right.begin(), right.end());
   return left;
+}
+
+// What an R7003SB, end byte 08, sends straight after each frame; nothing after other end bytes.
+inline Bytes tailOf(uint8_t end) {
+  return end == 0x08 ? Bytes{0x00, 0x03, 0xC0, 0x33, 0x00} : Bytes{};
 }
 
 // `bytes`, a frame or Bytes, from `from` up to but without `to`.

@@ -1,5 +1,4 @@
-// A DecodeSBus on a FakeSerial, and what a sketch does with them. To be included last: Arduino.h's macros min and max
-// break the standard headers after them.
+// A DecodeSBus on a FakeSerial, and what a sketch does with them.
 #pragma once
 
 #include "Bytes.h"
@@ -29,8 +28,8 @@ struct FakeBoard {
 
   explicit FakeBoard(size_t portCapacity = 64) : port(portCapacity) {}
 
-  // Polls that find noise, then a pause: the receiver knows how often it is polled. What was counted until now is left
-  // out of counted().
+  // Polls that find noise, then a pause: the loop period is known. What was counted until now is left out of
+  // counted().
   void settle() {
     for (unsigned noise = 0; noise < 3; noise++) {
       wait(500);
@@ -79,7 +78,7 @@ struct FakeBoard {
   sbus::Counters _before = {};
 };
 
-// An open port whose receiver has settled.
+// An open port whose loop period is known.
 struct OpenBoard : FakeBoard {
   explicit OpenBoard(size_t portCapacity = 64) : FakeBoard(portCapacity) {
     sbus.begin();

@@ -8,8 +8,7 @@
 #include <functional>
 #include <vector>
 
-// Last: its macros min and max break the standard headers after it.
-#include <Arduino.h>
+#include "CleanArduino.h"
 
 class FakeSerial : public HardwareSerial {
  public:

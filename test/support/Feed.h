@@ -1,4 +1,4 @@
-// Feeds a Receiver with polls of a line, as a sketch would, and notes every frame that it delivers.
+// Feeds a FrameFinder with polls of a line, as a sketch would, and notes every frame that it delivers.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,9 +10,9 @@
 #include "board/BoardUart.h"
 #include "sbus/FrameFinder.h"
 
-inline Frame lastFrame(const sbus::FrameFinder &receiver) {
+inline Frame lastFrame(const sbus::FrameFinder &finder) {
   Frame frame;
-  std::memcpy(frame.data(), receiver.frame(), frame.size());
+  std::memcpy(frame.data(), finder.frame(), frame.size());
   return frame;
 }
 
@@ -20,30 +20,26 @@ struct Feeder {
   static constexpr uint32_t CharacterUs = 120;
   static constexpr uint32_t PauseUs = 4000;  // T = 7 ms
 
-  sbus::FrameFinder receiver;
+  sbus::FrameFinder finder;
   uint32_t now;
-  const uint32_t characterUs;
 
-  explicit Feeder(uint32_t startUs = 0, uint32_t characterTime = CharacterUs)
-      : now(startUs), characterUs(characterTime) {
-    receiver.reset(now, static_cast<uint8_t>(characterUs));
-  }
+  explicit Feeder(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
 
   // A poll, now, that finds `bytes`. Returns the frames that it brings.
   Frames poll(const Bytes &bytes) {
     Frames frames;
     if (!bytes.empty()) {
-      receiver.poll(static_cast<unsigned>(bytes.size()), now);
+      finder.poll(static_cast<unsigned>(bytes.size()), now);
     }
     for (size_t at = 0; at < bytes.size();) {
-      const int room = receiver.room();
+      const int room = finder.room();
       REQUIRE(room >= 1);
       const size_t count = std::min(static_cast<size_t>(room), bytes.size() - at);
-      std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), count, receiver.space());
+      std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), count, finder.space());
       at += count;
-      if (const uint8_t *const frame = receiver.received(static_cast<int>(count))) {
-        REQUIRE(frame == receiver.frame());
-        frames.push_back(lastFrame(receiver));
+      if (const uint8_t *const frame = finder.received(static_cast<int>(count))) {
+        REQUIRE(frame == finder.frame());
+        frames.push_back(lastFrame(finder));
       }
     }
     return frames;
@@ -55,61 +51,59 @@ struct Feeder {
     return *this;
   }
 
-  // `bytes` back to back on the wire, a poll whenever `burst` of them have come.
+  // `bytes` back to back on the line, a poll whenever `burst` of them have come.
   Frames feed(const Bytes &bytes, size_t burst = 1) {
     Frames frames;
     for (size_t at = 0; at < bytes.size(); at += burst) {
       const Bytes some = part(bytes, at, at + burst);
-      now += characterUs * static_cast<uint32_t>(some.size());
+      now += CharacterUs * static_cast<uint32_t>(some.size());
       frames = frames + poll(some);
     }
     return frames;
   }
 
-  // Some polls that find noise, `periodUs` apart, then a pause: the receiver knows how often it is polled. What was
-  // counted until now is left out of counted().
+  // Some polls that find noise, `periodUs` apart, then a pause: the loop period is known. What was counted until now is
+  // left out of counted().
   Feeder &settle(uint32_t periodUs = CharacterUs, uint32_t pauseUs = PauseUs) {
     for (unsigned noise = 0; noise < 6; noise++) {
       wait(periodUs).poll({0x55});
     }
-    _before = receiver.counters();
+    _before = finder.counters();
     return wait(pauseUs);
   }
 
-  // settle(), and three frames without 0F in their payload, with pauses: the line's end byte is known.
+  // settle(), and three frames without 0F in their payload, with pauses: the line's kind is known.
   Feeder &lock(uint8_t end = 0x00) {
     settle();
     for (unsigned number = 0; number < 3; number++) {
-      feed(bytesOf(plainFrame(number, end)) + (end == R7003End ? R7003Tail : Bytes{}));
+      feed(bytesOf(plainFrame(number, end)) + tailOf(end));
       wait(PauseUs);
     }
-    REQUIRE(receiver.counters().frames == 3);
-    _before = receiver.counters();
+    REQUIRE(finder.counters().frames == 3);
+    _before = finder.counters();
     return *this;
   }
 
-  sbus::Counters counted() const { return receiver.counters() - _before; }
+  sbus::Counters counted() const { return finder.counters() - _before; }
 
  private:
   sbus::Counters _before = {};
 };
 
-// The frames in `bytes`, without a pause among them, for a receiver that is polled whenever `burst` of them have come.
-// A header follows: it lets go a frame that waits for it.
+// The frames in `bytes`, without a pause among them, polled whenever `burst` of them have come. A header follows: it
+// lets go a frame that waits for it.
 inline Frames feedNew(const Bytes &bytes, size_t burst = 1) {
   Feeder feeder;
   feeder.settle(static_cast<uint32_t>(burst) * Feeder::CharacterUs, 0);
   return feeder.feed(bytes + Bytes{0x0F}, burst);
 }
 
-// A wire: characters and pauses, and what the board's driver and a loop() of some period make of them.
-class FedLine {
+// Characters and pauses, and what the board's driver and a loop() of some period make of them.
+class TimedLine {
  public:
-  explicit FedLine(uint32_t characterUs = line::CharacterUs) : _characterUs(characterUs) {}
-
-  FedLine &send(const Bytes &bytes) {
+  TimedLine &send(const Bytes &bytes) {
     for (const uint8_t byte : bytes) {
-      _us += _characterUs;
+      _us += line::CharacterUs;
       line::Character character;
       character.endUs = _us;
       character.value = byte;
@@ -117,29 +111,22 @@ class FedLine {
     }
     return *this;
   }
-  FedLine &send(const Frame &frame) { return send(bytesOf(frame)); }
+  TimedLine &send(const Frame &frame) { return send(bytesOf(frame)); }
 
-  FedLine &pause(uint64_t us) {
+  TimedLine &pause(uint64_t us) {
     _us += us;
     return *this;
   }
 
-  // What a receiver finds that knows that it is polled every `loopUs`, until 20 ms after the wire's last character.
-  // joined(): one that is begun when the wire's first character comes.
+  // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character.
   Frames frames(uint32_t loopUs) const {
-    Feeder feeder(0, _characterUs);
-    feeder.settle(loopUs);
-    return play(feeder, loopUs);
-  }
-
-  Frames joined(uint32_t loopUs) const {
-    Feeder feeder(0, _characterUs);
-    return play(feeder, loopUs);
+    Feeder feeder;
+    return play(feeder.settle(loopUs), loopUs);
   }
 
   Frames play(Feeder &feeder, uint32_t loopUs) const {
     host::BoardUart uart;
-    uart.open(0, _characterUs);
+    uart.open(0);
     Frames found;
     size_t next = 0;
     const uint32_t start = feeder.now;
@@ -153,14 +140,13 @@ class FedLine {
       feeder.now = start + static_cast<uint32_t>(us);
       found = found + feeder.poll(bytes);
       if (bytes.size() >= 63) {
-        feeder.receiver.broken();
+        feeder.finder.broken();
       }
     }
     return found;
   }
 
  private:
-  const uint32_t _characterUs;
   uint64_t _us = 0;
   std::vector<line::Character> _characters;
 };

@@ -46,6 +46,11 @@ constexpr KnownFrame Sbus2 = {
 
 constexpr KnownFrame KnownFrames[] = {PaperLow, PaperHigh, Neutral, Sbus2};
 
+// A failsafe frame of a real receiver. It has a second reading, which begins with its flags, 0F, and ends before
+// those of the next.
+constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
+                                 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
+
 // Frame number `number` of a line whose CH1 counts, from `first`, and whose other channels stand at `centre`.
 inline Frame countingFrame(uint16_t centre, unsigned first, unsigned number, uint8_t end) {
   Channels channels{};

@@ -1,18 +1,16 @@
 // The stored calibration: whole or refused, and scaling by it: exact at the three points, over all 2048 values.
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
 
+#include "support/CalibrationRules.h"
 #include "support/Random.h"
 #include "support/ShowArrays.h"
-#include "sbus/Calibration.h"
 
 namespace {
 
@@ -25,7 +23,7 @@ constexpr unsigned Size = 132;
 constexpr unsigned Bits = 8 * Size;
 using Stored = std::array<uint8_t, Size>;
 
-constexpr CalibratedChannel Channels[] = {
+constexpr CalibratedChannel Samples[] = {
     {sbus::FrSky, 0},         // what a radio sends that nobody has trimmed
     {sbus::FrSky, 8},         // with the dead zone of a Calibrator
     {sbus::Futaba, 8},        //
@@ -45,7 +43,7 @@ CalibratedChannel reversed(CalibratedChannel channel) {
   return channel;
 }
 
-// Whatever is not sealed in it is FF.
+// Not sealed; channels are not calibrated.
 Calibration empty() {
   Calibration calibration;
   std::memset(&calibration, 0xFF, sizeof calibration);
@@ -63,7 +61,7 @@ Calibration sealedWith(const CalibratedChannel &channel, size_t index = 0) {
 // All kinds of channels, and four that are not calibrated.
 Calibration known() {
   Calibration calibration = empty();
-  std::copy(std::begin(Channels), std::end(Channels), calibration.channels);
+  std::copy(std::begin(Samples), std::end(Samples), calibration.channels);
   seal(calibration);
   return calibration;
 }
@@ -75,69 +73,14 @@ Stored bytesOf(const Calibration &calibration) {
   return bytes;
 }
 
-Calibration read(const Stored &bytes) {
+StoredState stateOf(const Stored &bytes) {
   Calibration calibration;
   std::memcpy(&calibration, bytes.data(), Size);
-  return calibration;
+  return sbus::stateOf(calibration);
 }
 
-StoredState stateOf(const Stored &bytes) {
-  return sbus::stateOf(read(bytes));
-}
-
-// The check value once more, by a table: CRC-16/CCITT-FALSE as catalogues have it.
-uint16_t crcOf(const uint8_t *bytes, size_t count) {
-  std::array<uint16_t, 256> table;
-  for (unsigned i = 0; i < table.size(); i++) {
-    unsigned value = i << 8;
-    for (unsigned step = 0; step < 8; step++) {
-      value = (value & 0x8000) != 0 ? value << 1 ^ 0x1021 : value << 1;
-    }
-    table[i] = static_cast<uint16_t>(value);
-  }
-  unsigned crc = 0xFFFF;
-  for (size_t i = 0; i < count; i++) {
-    crc = (crc << 8 ^ table[(crc >> 8 ^ bytes[i]) & 0xFF]) & 0xFFFF;
-  }
-  return static_cast<uint16_t>(crc);
-}
-
-CalibratedChannel anyNumbers() {
-  const auto number = [] {
-    return *rc::gen::oneOf(rc::gen::arbitrary<uint16_t>(), rc::gen::inRange<uint16_t>(0, 2050),
-                           rc::gen::element<uint16_t>(0, 1, 2047, 2048, 32767, 32768, 65535));
-  };
-  CalibratedChannel channel;
-  channel.range.low = number();
-  channel.range.centre = number();
-  channel.range.high = number();
-  channel.deadZone = number();
-  return channel;
-}
-
-CalibratedChannel anyPossible() {
-  const auto centre = *rc::gen::inRange<int>(1, 2047);
-  const auto low = *rc::gen::inRange<int>(0, centre);
-  const auto high = *rc::gen::inRange<int>(centre + 1, 2048);
-  const auto deadZone = *rc::gen::inRange<int>(0, std::min(centre - low, high - centre));
-  const CalibratedChannel channel = {
-      {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)},
-      static_cast<uint16_t>(deadZone)};
-  return *rc::gen::arbitrary<bool>() ? reversed(channel) : channel;
-}
-
-// As documented, in 64 bits and one rule after the other.
-bool possibleByRule(const CalibratedChannel &channel) {
-  const int64_t low = channel.range.low;
-  const int64_t centre = channel.range.centre;
-  const int64_t high = channel.range.high;
-  const int64_t dead = channel.deadZone;
-  if (low == 0 && centre == 0 && high == 0 && dead == 0) {
-    return true;
-  }
-  const bool forwards = low < centre - dead && centre + dead < high && high <= 2047;
-  const bool backwards = high < centre - dead && centre + dead < low && low <= 2047;
-  return forwards || backwards;
+void change(Stored &bytes, unsigned at, unsigned bits) {
+  bytes[at] = static_cast<uint8_t>(bytes[at] ^ bits);
 }
 
 // Two straight lines from either end of the dead zone, in floating point; `step` is what an end differs by.
@@ -149,7 +92,7 @@ double onTheLines(int raw, const CalibratedChannel &channel, double step) {
   }
   const bool towardsHigh = (raw > centre) == (channel.range.high > centre);
   const int length = std::abs((towardsHigh ? channel.range.high : channel.range.low) - centre) - channel.deadZone;
-  return (towardsHigh ? step : -step) * beyond / length;
+  return std::clamp((towardsHigh ? step : -step) * beyond / length, -40000.0, 40000.0);
 }
 
 }  // namespace
@@ -159,23 +102,12 @@ TEST_CASE("the test's own check value is the one of the catalogues") {
   CHECK(crcOf(digits, 9) == 0x29B1);
 }
 
-TEST_CASE("what is sealed is good: empty, known, or whatever can be") {
-  CHECK(sbus::stateOf(sealedWith({{0, 0, 0}, 0})) == StoredState::Good);
-  CHECK(sbus::stateOf(known()) == StoredState::Good);
-  for (size_t index = 0; index < 16; index++) {
-    for (const CalibratedChannel &channel : Channels) {
-      REQUIRE(sbus::stateOf(sealedWith(channel, index)) == StoredState::Good);
-    }
+TEST_CASE("what is sealed is good, and its check value is the CRC of the 130 bytes before it") {
+  for (const Calibration &calibration : {known(), sealedWith({{0, 0, 0}, 0})}) {
+    CHECK(sbus::stateOf(calibration) == StoredState::Good);
+    CHECK(calibration.version == sbus::CalibrationVersion);
+    CHECK(calibration.checkValue == crcOf(bytesOf(calibration).data(), 130));
   }
-  CHECK(rc::check("stateOf(seal(possible)) == Good, through 132 bytes", [] {
-    Calibration calibration = empty();
-    for (CalibratedChannel &channel : calibration.channels) {
-      channel = anyPossible();
-      RC_ASSERT(sbus::isPossible(channel));
-    }
-    seal(calibration);
-    RC_ASSERT(stateOf(bytesOf(calibration)) == StoredState::Good);
-  }));
 }
 
 TEST_CASE("the 132 bytes are the version, 16 times low, centre, high, dead zone, and the check value, low byte first") {
@@ -190,84 +122,35 @@ TEST_CASE("the 132 bytes are the version, 16 times low, centre, high, dead zone,
   for (size_t i = 0; i < 16; i++) {
     const auto index = static_cast<uint8_t>(i);
     const std::array<uint8_t, 8> expected = {index, 0x01, 0x00, 0x03, index, 0x05, 0x08, 0x00};
-    std::array<uint8_t, 8> found;
-    std::copy_n(bytes.begin() + 2 + static_cast<int>(8 * i), 8, found.begin());
-    CHECK(found == expected);
+    CHECK(std::equal(expected.begin(), expected.end(), bytes.begin() + 2 + static_cast<int>(8 * i)));
   }
   // By Python's binascii.crc_hqx(bytes, 0xFFFF).
   CHECK(bytes[130] == 0xDA);
   CHECK(bytes[131] == 0x9C);
 }
 
-TEST_CASE("the check value is CRC-16/CCITT-FALSE of the 130 bytes before it, whatever they are") {
-  CHECK(rc::check("checkValue == crc(bytes)", [] {
-    Calibration calibration;
-    for (CalibratedChannel &channel : calibration.channels) {
-      channel = anyNumbers();
-    }
-    calibration.version = *rc::gen::arbitrary<uint16_t>();
-    calibration.checkValue = *rc::gen::arbitrary<uint16_t>();
-    seal(calibration);
-    RC_ASSERT(calibration.version == sbus::CalibrationVersion);
-    RC_ASSERT(calibration.checkValue == crcOf(bytesOf(calibration).data(), 130));
-    const Calibration once = calibration;
-    seal(calibration);
-    RC_ASSERT(bytesOf(calibration) == bytesOf(once));
-  }));
-}
-
-TEST_CASE("each of the 1056 bits is guarded: whichever is changed, the calibration is refused") {
-  for (const Calibration &calibration : {known(), sealedWith({{0, 0, 0}, 0})}) {
-    Stored bytes = bytesOf(calibration);
-    for (unsigned bit = 0; bit < Bits; bit++) {
-      CAPTURE(bit);
-      bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
-      REQUIRE(stateOf(bytes) == (bit < 16 ? StoredState::OtherVersion : StoredState::Damaged));
-      bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
-    }
-    REQUIRE(stateOf(bytes) == StoredState::Good);
-  }
-}
-
-TEST_CASE("two changed bits are always refused, and any change within two neighbouring bytes") {
+TEST_CASE("each of the 1056 bits is guarded, and any two; of 10000 changes of any two bytes none is missed") {
   const Stored good = bytesOf(known());
-  Random random(20181);
-  for (unsigned round = 0; round < 4000; round++) {
+  for (unsigned bit = 0; bit < Bits; bit++) {
+    CAPTURE(bit);
     Stored bytes = good;
-    const unsigned one = random.below(Bits);
-    const unsigned other = (one + 1 + random.below(Bits - 1)) % Bits;
-    for (const unsigned bit : {one, other}) {
-      bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
+    change(bytes, bit / 8, 1u << bit % 8);
+    REQUIRE(stateOf(bytes) == (bit < 16 ? StoredState::OtherVersion : StoredState::Damaged));
+    for (unsigned other = bit + 1; other < Bits; other += 97) {
+      Stored twice = bytes;
+      change(twice, other / 8, 1u << other % 8);
+      REQUIRE(stateOf(twice) != StoredState::Good);
     }
-    CAPTURE(one);
-    CAPTURE(other);
-    REQUIRE(stateOf(bytes) != StoredState::Good);
   }
-  for (unsigned round = 0; round < 4000; round++) {
-    Stored bytes = good;
-    const unsigned at = random.below(Size - 1);
-    const unsigned change = 1 + random.below(0xFFFF);
-    bytes[at] = static_cast<uint8_t>(bytes[at] ^ change);
-    bytes[at + 1] = static_cast<uint8_t>(bytes[at + 1] ^ change >> 8);
-    CAPTURE(at);
-    CAPTURE(change);
-    REQUIRE(stateOf(bytes) != StoredState::Good);
-  }
-}
-
-TEST_CASE("of 10000 changes of any two bytes none is missed: 16 bits would miss one in 65536") {
-  const Stored good = bytesOf(known());
   Random random(7);
-  unsigned missed = 0;
   for (unsigned round = 0; round < 10000; round++) {
     Stored bytes = good;
     const unsigned one = random.below(Size);
-    const unsigned other = (one + 1 + random.below(Size - 1)) % Size;
-    bytes[one] = static_cast<uint8_t>(bytes[one] ^ (1 + random.below(255)));
-    bytes[other] = static_cast<uint8_t>(bytes[other] ^ (1 + random.below(255)));
-    missed += stateOf(bytes) == StoredState::Good;
+    change(bytes, one, 1 + random.below(255));
+    change(bytes, (one + 1 + random.below(Size - 1)) % Size, 1 + random.below(255));
+    CAPTURE(round);
+    REQUIRE(stateOf(bytes) != StoredState::Good);
   }
-  CHECK(missed == 0);
 }
 
 TEST_CASE("a calibration that was half written over by another is refused, wherever the power went") {
@@ -284,7 +167,17 @@ TEST_CASE("a calibration that was half written over by another is refused, where
   }
 }
 
-TEST_CASE("storage that nobody has written to holds no calibration: all 00, all FF, or the same byte all over") {
+TEST_CASE("of 65536 versions one is ours, even if the check value is right; erased storage holds none") {
+  for (unsigned version = 0; version < 0x10000; version++) {
+    Calibration calibration = known();
+    calibration.version = static_cast<uint16_t>(version);
+    if (version % 256 == 0) {
+      calibration.checkValue = crcOf(bytesOf(calibration).data(), 130);
+    }
+    if ((sbus::stateOf(calibration) == StoredState::OtherVersion) != (version != 1)) {
+      FAIL("version ", version);
+    }
+  }
   for (unsigned value = 0; value < 256; value++) {
     CAPTURE(value);
     Stored bytes;
@@ -293,25 +186,7 @@ TEST_CASE("storage that nobody has written to holds no calibration: all 00, all 
   }
 }
 
-TEST_CASE("of 65536 versions one is ours, even if the check value is right for the others") {
-  Stored bytes = bytesOf(known());
-  unsigned others = 0;
-  for (unsigned version = 0; version < 0x10000; version++) {
-    bytes[0] = static_cast<uint8_t>(version);
-    bytes[1] = static_cast<uint8_t>(version >> 8);
-    others += stateOf(bytes) == StoredState::OtherVersion;
-  }
-  CHECK(others == 0xFFFF);
-  for (const uint16_t version : {uint16_t{0}, uint16_t{2}, uint16_t{0x0100}, uint16_t{0xFFFF}}) {
-    CAPTURE(version);
-    Calibration calibration = known();
-    calibration.version = version;
-    calibration.checkValue = crcOf(bytesOf(calibration).data(), 130);
-    CHECK(sbus::stateOf(calibration) == StoredState::OtherVersion);
-  }
-}
-
-TEST_CASE("a channel can be or cannot be, rule by rule, on either side of its limit") {
+TEST_CASE("a channel can be or cannot be, rule by rule, on either side of its limit, at any place") {
   const struct {
     const char *rule;
     CalibratedChannel channel;
@@ -328,195 +203,74 @@ TEST_CASE("a channel can be or cannot be, rule by rule, on either side of its li
       {"centre just below high", {{172, 1810, 1811}, 0}, true},
       {"centre below both", {{172, 171, 1811}, 0}, false},
       {"centre above both", {{172, 1812, 1811}, 0}, false},
-      {"backwards, low == centre", {{1811, 1811, 172}, 0}, false},
-      {"backwards, low just above centre", {{1811, 1810, 172}, 0}, true},
-      {"backwards, centre == high", {{1811, 172, 172}, 0}, false},
-      {"backwards, centre just above high", {{1811, 173, 172}, 0}, true},
-      {"backwards, centre below both", {{1811, 171, 172}, 0}, false},
-      {"backwards, centre above both", {{1811, 1812, 172}, 0}, false},
       {"high at its highest", {{0, 1, 2047}, 0}, true},
       {"high above", {{0, 1, 2048}, 0}, false},
       {"high far above", {{0, 1, 65535}, 0}, false},
-      {"low at its highest", {{2047, 1, 0}, 0}, true},
-      {"low above", {{2048, 1, 0}, 0}, false},
-      {"low far above", {{65535, 1, 0}, 0}, false},
       {"all three above", {{3000, 4000, 5000}, 0}, false},
       {"dead zone ends before low", {{992 - 9, 992, 1811}, 8}, true},
       {"dead zone ends at low", {{992 - 8, 992, 1811}, 8}, false},
       {"dead zone ends before high", {{172, 992, 992 + 9}, 8}, true},
       {"dead zone ends at high", {{172, 992, 992 + 8}, 8}, false},
-      {"backwards, dead zone ends before high", {{1811, 992, 992 - 9}, 8}, true},
-      {"backwards, dead zone ends at high", {{1811, 992, 992 - 8}, 8}, false},
-      {"backwards, dead zone ends before low", {{992 + 9, 992, 172}, 8}, true},
-      {"backwards, dead zone ends at low", {{992 + 8, 992, 172}, 8}, false},
       {"dead zone as large as can be", {{0, 1024, 2047}, 1022}, true},
       {"... and one more", {{0, 1024, 2047}, 1023}, false},
       {"dead zone beyond all", {{0, 1024, 2047}, 65535}, false},
   };
   for (const auto &row : rows) {
-    CAPTURE(row.rule);
-    CHECK(sbus::isPossible(row.channel) == row.possible);
-    CHECK(possibleByRule(row.channel) == row.possible);
-    for (const size_t index : {size_t{0}, size_t{9}, size_t{15}}) {
-      CAPTURE(index);
-      CHECK(sbus::stateOf(sealedWith(row.channel, index)) ==
-            (row.possible ? StoredState::Good : StoredState::Impossible));
-    }
-  }
-}
-
-TEST_CASE("a channel is calibrated if its range has a length") {
-  CHECK_FALSE(sbus::isCalibrated({{0, 0, 0}, 0}));
-  CHECK_FALSE(sbus::isCalibrated({{992, 992, 992}, 0}));
-  CHECK(sbus::isCalibrated({sbus::FrSky, 0}));
-  CHECK(sbus::isCalibrated({{1811, 992, 172}, 8}));
-}
-
-TEST_CASE("whatever numbers a channel has, it is judged as the rules say") {
-  CHECK(rc::check("isPossible(channel) == rules(channel)", [] {
-    const CalibratedChannel channel = anyNumbers();
-    RC_ASSERT(sbus::isPossible(channel) == possibleByRule(channel));
-    RC_ASSERT((sbus::stateOf(sealedWith(channel)) == StoredState::Good) == possibleByRule(channel));
-  }));
-}
-
-TEST_CASE("the three points are exactly -1000, 0, +1000 and 988, 1500, 2012 us, backwards and with any dead zone") {
-  const auto isExact = [](const CalibratedChannel &channel) {
-    const sbus::Range &range = channel.range;
-    return channel.toNormalised(range.low) == -1000 && channel.toNormalised(range.centre) == 0 &&
-           channel.toNormalised(range.high) == 1000 && channel.toMicroseconds(range.low) == 988 &&
-           channel.toMicroseconds(range.centre) == 1500 && channel.toMicroseconds(range.high) == 2012;
-  };
-  for (const CalibratedChannel &channel : Channels) {
-    CAPTURE(channel.range.low);
-    CAPTURE(channel.deadZone);
-    CHECK(isExact(channel));
-    CHECK(isExact(reversed(channel)));
-  }
-  CHECK(rc::check("exact at the three points", [isExact] { RC_ASSERT(isExact(anyPossible())); }));
-}
-
-TEST_CASE("all 2048 values lie within half a thousandth and half a microsecond of the lines behind the dead zone") {
-  for (const CalibratedChannel &channel : Channels) {
-    CAPTURE(channel.range.low);
-    CAPTURE(channel.deadZone);
-    for (int raw = 0; raw < Values; raw++) {
-      CAPTURE(raw);
-      const double thousandths = onTheLines(raw, channel, 1000);
-      const double us = 1500 + onTheLines(raw, channel, 512);
-      const auto value = static_cast<uint16_t>(raw);
-      REQUIRE(std::abs(channel.toNormalised(value) - std::clamp(thousandths, -32767.0, 32767.0)) <= 0.5);
-      REQUIRE(std::abs(channel.toMicroseconds(value) - std::clamp(us, -32767.0, 32767.0)) <= 0.5);
-    }
-  }
-}
-
-TEST_CASE("all 2048 values rise from low to high, are 0 in the dead zone, and no count makes more than its part") {
-  for (const CalibratedChannel &channel : Channels) {
-    CAPTURE(channel.range.low);
-    CAPTURE(channel.deadZone);
-    const int direction = channel.range.low < channel.range.high ? 1 : -1;
-    const int centre = channel.range.centre;
-    const int shorter = std::min(std::abs(channel.range.low - centre), std::abs(channel.range.high - centre));
-    const int most = 1000 / (shorter - channel.deadZone) + 1;
-    int last = channel.toNormalised(0);
-    int lastUs = channel.toMicroseconds(0);
-    int zeros = 0;
-    for (int raw = 0; raw < Values; raw++) {
-      CAPTURE(raw);
-      const int value = channel.toNormalised(static_cast<uint16_t>(raw));
-      const int us = channel.toMicroseconds(static_cast<uint16_t>(raw));
-      REQUIRE((value - last) * direction >= 0);
-      REQUIRE((value - last) * direction <= most);
-      REQUIRE((us - lastUs) * direction >= 0);
-      REQUIRE((us - lastUs) * direction <= most);
-      if (std::abs(raw - centre) <= channel.deadZone) {
-        REQUIRE(value == 0);
-        REQUIRE(us == 1500);
-        zeros++;
-      }
-      last = value;
-      lastUs = us;
-    }
-    CHECK(zeros == 2 * channel.deadZone + 1);
-  }
-}
-
-TEST_CASE("a channel reversed has all 2048 values reversed") {
-  for (const CalibratedChannel &channel : Channels) {
-    CAPTURE(channel.range.low);
-    CAPTURE(channel.deadZone);
-    for (int raw = 0; raw < Values; raw++) {
-      CAPTURE(raw);
-      const auto value = static_cast<uint16_t>(raw);
-      REQUIRE(reversed(channel).toNormalised(value) == -channel.toNormalised(value));
-      const int us = channel.toMicroseconds(value);
-      if (std::abs(us) < 29000) {  // beyond, they come to the end of 16 bits
-        REQUIRE(reversed(channel).toMicroseconds(value) - 1500 == 1500 - us);
+    for (const CalibratedChannel &channel : {row.channel, reversed(row.channel)}) {
+      INFO(row.rule, ", channel.range.low ", channel.range.low);
+      CHECK(sbus::isCalibrated(channel) == (channel.range.low != channel.range.high));
+      CHECK(sbus::isPossible(channel) == row.possible);
+      CHECK(possibleByRule(channel) == row.possible);
+      for (const size_t index : {size_t{0}, size_t{9}, size_t{15}}) {
+        CHECK(sbus::stateOf(sealedWith(channel, index)) ==
+              (row.possible ? StoredState::Good : StoredState::Impossible));
       }
     }
   }
 }
 
-TEST_CASE("sides of the same length have the same values, with other signs") {
-  const CalibratedChannel channel = {sbus::Futaba, 8};
-  for (int distance = 0; distance <= 1023; distance++) {
-    CAPTURE(distance);
-    const auto above = static_cast<uint16_t>(1024 + distance);
-    const auto below = static_cast<uint16_t>(1024 - distance);
-    REQUIRE(channel.toNormalised(above) == -channel.toNormalised(below));
-    REQUIRE(channel.toMicroseconds(above) - 1500 == 1500 - channel.toMicroseconds(below));
-  }
-}
-
-TEST_CASE("without a dead zone a channel is scaled as its range is") {
-  CHECK(rc::check("the same as by the range", [] {
-    CalibratedChannel channel = anyPossible();
-    channel.deadZone = 0;
-    for (int raw = 0; raw < Values; raw += 3) {
-      const auto value = static_cast<uint16_t>(raw);
-      RC_ASSERT(channel.toNormalised(value) == sbus::toNormalised(value, channel.range));
-      RC_ASSERT(channel.toMicroseconds(value) == sbus::toMicroseconds(value, channel.range));
+TEST_CASE("all 2048 values lie within half a thousandth and half a microsecond of the lines after the dead zone") {
+  for (const CalibratedChannel &sample : Samples) {
+    for (const CalibratedChannel &channel : {sample, reversed(sample)}) {
+      INFO("channel.range.low ", channel.range.low, ", channel.deadZone ", channel.deadZone);
+      CHECK(isExact(channel));
+      int zeros = 0;
+      for (int raw = 0; raw < Values; raw++) {
+        CAPTURE(raw);
+        const double thousandths = onTheLines(raw, channel, 1000);
+        const double us = 1500 + onTheLines(raw, channel, 512);
+        const auto value = static_cast<uint16_t>(raw);
+        REQUIRE(std::abs(channel.toNormalised(value) - std::clamp(thousandths, -32767.0, 32767.0)) <= 0.5);
+        REQUIRE(std::abs(channel.toMicroseconds(value) - std::clamp(us, -32767.0, 32767.0)) <= 0.5);
+        if (std::abs(raw - channel.range.centre) <= channel.deadZone) {
+          REQUIRE(channel.toNormalised(value) == 0);
+          REQUIRE(channel.toMicroseconds(value) == 1500);
+          zeros++;
+        }
+      }
+      CHECK(zeros == 2 * channel.deadZone + 1);
     }
-  }));
-}
-
-TEST_CASE("a channel that is not calibrated is at its centre, whatever comes") {
-  const CalibratedChannel channel = {{0, 0, 0}, 0};
-  bool centred = true;
-  for (unsigned raw = 0; raw < 0x10000; raw++) {
-    const auto value = static_cast<uint16_t>(raw);
-    centred = centred && channel.toNormalised(value) == 0 && channel.toMicroseconds(value) == 1500;
   }
-  CHECK(centred);
 }
 
-TEST_CASE("no value and no channel, however odd, is undefined, or further than 32767") {
+TEST_CASE("a channel that is not calibrated is at its centre, whatever comes; none, however odd, is further than 32767") {
   const CalibratedChannel odd[] = {
-      {{65535, 65535, 65535}, 65535},
-      {{65535, 0, 65535}, 0},
-      {{0, 65535, 0}, 65534},
-      {{0, 65535, 1}, 65535},
-      {{65535, 32768, 0}, 32767},
-      {{32767, 32768, 32769}, 0},
-      {{1, 0, 65535}, 1},
-      {{500, 1000, 700}, 65535},
-      {{0, 1, 0}, 0},
+      {{0, 0, 0}, 0},          {{65535, 65535, 65535}, 65535}, {{65535, 0, 65535}, 0}, {{0, 65535, 0}, 65534},
+      {{0, 65535, 1}, 65535},  {{65535, 32768, 0}, 32767},     {{32767, 32768, 32769}, 0}, {{1, 0, 65535}, 1},
+      {{500, 1000, 700}, 65535}, {{0, 1, 0}, 0},
   };
   for (const CalibratedChannel &channel : odd) {
     CAPTURE(channel.range.low);
     bool inside = true;
+    bool centred = true;
     for (unsigned raw = 0; raw < 0x10000; raw++) {
       const auto value = static_cast<uint16_t>(raw);
-      inside = inside && channel.toNormalised(value) >= -32767 && channel.toMicroseconds(value) >= -32767;
+      const int16_t thousandths = channel.toNormalised(value);
+      const int16_t us = channel.toMicroseconds(value);
+      inside = inside && thousandths >= -32767 && us >= -32767;
+      centred = centred && thousandths == 0 && us == 1500;
     }
     CHECK(inside);
+    CHECK((centred || channel.range.centre != 0 || channel.range.high != 0));
   }
-  CHECK(rc::check("any channel, any value", [] {
-    const CalibratedChannel channel = anyNumbers();
-    for (unsigned raw = 0; raw < 0x10000; raw += 97) {
-      const auto value = static_cast<uint16_t>(raw);
-      RC_ASSERT(channel.toNormalised(value) >= -32767 && channel.toMicroseconds(value) >= -32767);
-    }
-  }));
 }

@@ -8,7 +8,6 @@
 #include <array>
 #include <vector>
 
-#include "support/FakeClock.h"
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
 
@@ -87,18 +86,14 @@ struct Situation {
 
 using Situations = std::vector<Situation>;
 
-const Situations Usual = {
+const Situations All = {
     {"one frame comes", 3, 9, 1, 0, false},
     {"two frames come", 3, 9, 2, 0, false},
     {"three frames come", 3, 9, 3, 0, false},
     {"two frames come, and the clock goes on by 20 ms", 3, 9, 2, 20, false},
     {"the link is stale, one frame comes", 3, 150, 1, 0, true},
     {"the link is stale, three frames come", 3, 150, 3, 1, true},
-};
-const Situations Aging = {
     {"the link is about to become stale, two frames come", 3, 99, 2, 5, false},
-};
-const Situations First = {
     {"the very first frame comes", 0, 150, 1, 0, true},
     {"the first three frames come", 0, 150, 3, 7, true},
 };
@@ -188,7 +183,7 @@ TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if
         REQUIRE_FALSE(now.board.sbus.newFrame());
         REQUIRE(now.board.counted().frames == now.next);
       },
-      Usual + Aging + First);
+      All);
 }
 
 TEST_CASE("an interrupt so long that the link is stale after it leaves one whole frame, or the channels as they were") {
@@ -206,13 +201,10 @@ TEST_CASE("an interrupt so long that the link is stale after it leaves one whole
         CHECK((whole || !youngFlags));
         CHECK((!youngFlags || decoded.channels != Untouched));
       },
-      {{"two frames come, then 200 ms", 3, 9, 2, 200, false},
-       {"one frame comes, then 200 ms", 3, 9, 1, 200, false}});
+      {{"two frames come, then 200 ms", 3, 9, 2, 200, false}, {"one frame comes, then 200 ms", 3, 9, 1, 200, false}});
 }
 
-namespace {
-
-void checkFrameOk(const Situations &situations) {
+TEST_CASE("SBusFrameOk is false only if the link was stale when it was asked") {
   bool ok = false;
   everyInstruction([&](FakeBoard &board) { ok = board.sbus.SBusFrameOk(); },
                    [&](Scene &now, bool happened) {
@@ -220,10 +212,10 @@ void checkFrameOk(const Situations &situations) {
                      REQUIRE((happened || ok == !situation->stale));
                      REQUIRE(now.board.sbus.SBusFrameOk());
                    },
-                   situations);
+                   All);
 }
 
-void checkLinkState(const Situations &situations) {
+TEST_CASE("linkState is that of one of the frames, and stale or never seen only if it was so when it was asked") {
   sbus::LinkState state{};
   everyInstruction(
       [&](FakeBoard &board) { state = board.sbus.linkState(); },
@@ -233,56 +225,27 @@ void checkLinkState(const Situations &situations) {
                  : lostOf(number)   ? sbus::LinkState::Lossy
                                     : sbus::LinkState::Ok;
         };
-        bool right = situation->stale &&
-                     state == (situation->framesBefore == 0 ? sbus::LinkState::NeverSeen : sbus::LinkState::Stale);
-        for (unsigned number = situation->framesBefore == 0 ? 0 : situation->framesBefore - 1; number < now.next; number++) {
+        const unsigned before = situation->framesBefore;
+        bool right = situation->stale && state == (before == 0 ? sbus::LinkState::NeverSeen : sbus::LinkState::Stale);
+        for (unsigned number = before == 0 ? 0 : before - 1; number < now.next; number++) {
           right = right || state == expected(number);
         }
         REQUIRE(right);
         REQUIRE(now.board.sbus.linkState() == expected(now.next - 1));
       },
-      situations);
+      All);
 }
 
-void checkFrameAge(const Situations &situations) {
+TEST_CASE("frameAge is the age of one of the frames, never below zero, and none before the first") {
   unsigned long age = 0;
   everyInstruction([&](FakeBoard &board) { age = board.sbus.frameAge(); },
                    [&](Scene &, bool) {
                      const bool never = situation->framesBefore == 0 && age == ULONG_MAX;
-                     const unsigned long longest = situation->ageMs + 4 * situation->framesDuring + situation->interruptMs;
-                     REQUIRE((never || age <= longest + 1));
+                     const unsigned long oldest =
+                         situation->ageMs + 4 * situation->framesDuring + situation->interruptMs;
+                     REQUIRE((never || age <= oldest + 1));
                    },
-                   situations);
-}
-
-}  // namespace
-
-TEST_CASE("SBusFrameOk is false only if the link was stale when it was asked") {
-  checkFrameOk(Usual + First);
-}
-
-TEST_CASE("SBusFrameOk is never false if a new frame comes while the old one grows too old") {
-  checkFrameOk(Aging);
-}
-
-TEST_CASE("linkState is that of one of the frames, and stale only if it was so when it was asked") {
-  checkLinkState(Usual);
-}
-
-TEST_CASE("linkState is never stale if a new frame comes while the old one grows too old") {
-  checkLinkState(Aging);
-}
-
-TEST_CASE("linkState is never stale while the very first frame comes") {
-  checkLinkState(First);
-}
-
-TEST_CASE("frameAge is the age of one of the frames, never below zero") {
-  checkFrameAge(Usual + Aging);
-}
-
-TEST_CASE("frameAge is no nonsense while the very first frame comes") {
-  checkFrameAge(First);
+                   All);
 }
 
 TEST_CASE("newFrame and counters count the frames before, those during the interrupt, or some of them") {
@@ -299,10 +262,10 @@ TEST_CASE("newFrame and counters count the frames before, those during the inter
         REQUIRE(frames <= now.next);
         REQUIRE(now.board.sbus.newFrame());
       },
-      Usual + Aging + First);
+      All);
 }
 
-TEST_CASE("this proof finds the fault of a reader that does not look again") {
+TEST_CASE("this proof finds the fault of a reader that does not read anew") {
   static Feeder *line;
   listen();
   interrupt = [] {
@@ -318,7 +281,7 @@ TEST_CASE("this proof finds the fault of a reader that does not look again") {
     line = &now.lock();
     REQUIRE(now.feed(bytesOf(frameOf(0)), 25).size() == 1);
     Channels channels;
-    happened = interrupted(instruction, [&] { sbus::unpack(now.receiver.frame(), channels.data()); });
+    happened = interrupted(instruction, [&] { sbus::unpack(now.finder.frame(), channels.data()); });
     mixtures += channels != channelsOf(0) && channels != channelsOf(1) && channels != channelsOf(2);
   }
   CHECK(mixtures > 20);

@@ -20,7 +20,7 @@ SECTIONS := -ffunction-sections -fdata-sections
 # There are neither threads nor signals.
 DEFINITIONS := -DDOCTEST_CONFIG_NO_POSIX_SIGNALS -DDOCTEST_CONFIG_NO_MULTITHREADING
 ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
-INCLUDES := -I$(HERE)/standin -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -isystem $(OUT)/include
+INCLUDES := -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -isystem $(OUT)/include
 
 LEFT_OUT := $(shell awk '$$1 == "out" { print $$2 }' $(HERE)/CASES)
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))

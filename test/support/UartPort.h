@@ -1,26 +1,25 @@
-// A serial port with the board's receive path or another's. If it is opened at another baud rate than the wire's it
-// hears nothing.
+// A serial port that receives as a board's driver does: characters of a line go in, a sketch reads bytes. Opened at
+// another baud rate than the line's it hears nothing.
 #pragma once
 
 #include <functional>
 #include <utility>
 #include <vector>
 
-#include "support/FakeClock.h"
+#include "CleanArduino.h"
+#include "Driver.h"
+#include "FakeClock.h"
 #include "board/BoardUart.h"
 #include "line/LineSettings.h"
-
-#include "Bench.h"
-
-// Last: its macros min and max break the standard headers after it.
-#include <Arduino.h>
 
 class UartPort : public HardwareSerial {
  public:
   // Before every read `beforeRead` is called: a class that takes in two frames in one call has finished with the first
   // then, and can be asked for it.
-  UartPort(const Driver &driver, size_t buffer, unsigned long wireBaud, std::function<void()> beforeRead)
-      : _driver(driver), _buffer(buffer), _wireBaud(wireBaud), _beforeRead(std::move(beforeRead)) {}
+  explicit UartPort(
+      unsigned long lineBaud = sbus::Baud, const Driver &driver = Board, size_t buffer = 64,
+      std::function<void()> beforeRead = [] {})
+      : _lineBaud(lineBaud), _driver(driver), _buffer(buffer), _beforeRead(std::move(beforeRead)) {}
 
   void begin(unsigned long baud) override { begin(baud, 0); }
   void begin(unsigned long baud, uint32_t) override {
@@ -31,7 +30,7 @@ class UartPort : public HardwareSerial {
 
   // A character has come; nothing else has come up to now.
   void receive(const line::Character &character) {
-    if (_baud != _wireBaud) {
+    if (_baud != _lineBaud) {
       return;
     }
     advance(character.endUs - _characterUs);
@@ -59,24 +58,24 @@ class UartPort : public HardwareSerial {
   int available() override { return _uart.available(); }
   int peek() override { return _uart.peek(); }
   int read() override {
-    _beforeRead();
-    const int value = _uart.read();
-    _bytesRead += value >= 0;
-    return value;
+    uint8_t value;
+    return take(&value, 1) == 1 ? value : -1;
   }
 #if !defined(HOST_PLAIN_CORE)
-  int read(uint8_t *buffer, size_t size) override {
-    _beforeRead();
-    const int count = _uart.read(buffer, size);
-    _bytesRead += static_cast<uint64_t>(count);
-    return count;
-  }
+  int read(uint8_t *buffer, size_t size) override { return take(buffer, size); }
 #endif
   void flush() override {}
   size_t write(uint8_t) override { return 0; }
   operator bool() override { return _uart.isOpen(); }
 
  private:
+  int take(uint8_t *buffer, size_t size) {
+    _beforeRead();
+    const int count = _uart.read(buffer, size);
+    _bytesRead += static_cast<uint64_t>(count);
+    return count;
+  }
+
   // The board's receive path becomes one without its ring: it is idle after each character.
   void handOver() {
     for (const line::Character &character : _fifo) {
@@ -86,9 +85,9 @@ class UartPort : public HardwareSerial {
     _fifo.clear();
   }
 
+  const unsigned long _lineBaud;
   const Driver _driver;
   std::vector<uint8_t> _buffer;
-  const unsigned long _wireBaud;
   const std::function<void()> _beforeRead;
   unsigned long _baud = 0;
   uint32_t _characterUs = 0;

@@ -1,4 +1,4 @@
-// Runs a receiver on a simulated line, behind a port's driver, inside a simulated sketch.
+// Runs a decoder on a simulated line, after a port's driver, inside a simulated sketch.
 #pragma once
 
 #include <cstddef>
@@ -6,19 +6,7 @@
 
 #include "Judge.h"
 #include "WireLine.h"
-
-// Hands so many characters over at once, or fewer when the line has been idle for so long.
-struct Driver {
-  const char *name;
-  unsigned burst;
-  unsigned idleCharacters;
-
-  bool isBoards() const { return burst == 16; }
-};
-constexpr Driver Board = {"board", 16, 1};  // half of its DMA's ring
-constexpr Driver Bytes = {"bytes", 1, 0};   // AVR
-constexpr Driver Fifo = {"FIFO 8", 8, 3};   // RP2040: when it has been idle for 32 bits
-constexpr Driver Esp32 = {"ESP32", 120, 2};
+#include "support/Driver.h"
 
 struct Setup {
   uint32_t periodUs;
@@ -38,7 +26,7 @@ struct Run {
   uint32_t joinUs = 0;
 };
 
-enum class Way { Ours, Papers };
+enum class Decoder { Ours, Papers };
 
 // Ours is class DecodeSBus. It is called after a loop if bytes wait, as from serialEvent1().
-Tally simulate(const Run &run, Way way, uint64_t seed);
+Tally simulate(const Run &run, Decoder decoder, uint64_t seed);

@@ -1,4 +1,4 @@
-#include "Sticks.h"
+#include "Payload.h"
 
 #include <algorithm>
 
@@ -12,33 +12,30 @@ constexpr const char *Names[] = {"uniform", "smooth",   "neutral", "still",  "eq
 
 constexpr uint16_t EqualValues[] = {0, 992, 1024};
 
-constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
-                                 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
-
 }  // namespace
 
-const char *name(Sticks sticks) {
+const char *name(Payload sticks) {
   return Names[static_cast<unsigned>(sticks)];
 }
 
-const std::vector<Sticks> &ordinarySticks() {
-  static const std::vector<Sticks> sticks = {Sticks::Uniform, Sticks::Smooth, Sticks::Neutral,      Sticks::Still,
-                                             Sticks::Equal,   Sticks::Zeros,  Sticks::LowChannel16};
+const std::vector<Payload> &ordinarySticks() {
+  static const std::vector<Payload> sticks = {Payload::Uniform, Payload::Smooth, Payload::Neutral,      Payload::Still,
+                                             Payload::Equal,   Payload::Zeros,  Payload::LowChannel16};
   return sticks;
 }
 
-const std::vector<Sticks> &deceptiveSticks() {
-  static const std::vector<Sticks> sticks = {Sticks::Failsafe, Sticks::Of0FAnd00, Sticks::All0F, Sticks::Shifted,
-                                             Sticks::ShiftedStill};
+const std::vector<Payload> &deceptiveSticks() {
+  static const std::vector<Payload> sticks = {Payload::Failsafe, Payload::Of0FAnd00, Payload::All0F, Payload::Shifted,
+                                             Payload::ShiftedStill};
   return sticks;
 }
 
-StickFrames::StickFrames(Sticks sticks, Random &random) : _sticks(sticks), _random(random) {
+PayloadFrames::PayloadFrames(Payload sticks, Random &random) : _sticks(sticks), _random(random) {
   std::generate_n(_channels.begin(), sbus::ProportionalCount,
                   [this] { return static_cast<uint16_t>(_random.below(2048)); });
 }
 
-Frame StickFrames::next() {
+Frame PayloadFrames::next() {
   if (_number % StandingFrames == 0) {
     change();
   }
@@ -46,31 +43,31 @@ Frame StickFrames::next() {
   move();
   Frame frame = packed();
   switch (_sticks) {
-    case Sticks::Uniform:
+    case Payload::Uniform:
       frame = anyFrame();
       frame[sbus::FlagsIndex] = flags();
       break;
-    case Sticks::Smooth:
-    case Sticks::Zeros:
-    case Sticks::LowChannel16:
+    case Payload::Smooth:
+    case Payload::Zeros:
+    case Payload::LowChannel16:
       break;
-    case Sticks::Neutral:
+    case Payload::Neutral:
       return Neutral.bytes;
-    case Sticks::Still:
-    case Sticks::Equal:
-    case Sticks::ShiftedStill:
+    case Payload::Still:
+    case Payload::Equal:
+    case Payload::ShiftedStill:
       return _still;
-    case Sticks::Failsafe:
+    case Payload::Failsafe:
       return FailsafeFrame;
-    case Sticks::Of0FAnd00:
+    case Payload::Of0FAnd00:
       std::generate_n(frame.begin() + 1, 22, [this] { return _random.chance(0.5) ? sbus::HeaderByte : uint8_t{0}; });
       frame[sbus::FlagsIndex] = 0;
       break;
-    case Sticks::All0F:
+    case Payload::All0F:
       std::fill_n(frame.begin(), sbus::FlagsIndex, sbus::HeaderByte);
       frame[sbus::FlagsIndex] = 0;
       break;
-    case Sticks::Shifted:
+    case Payload::Shifted:
       frame = anyFrame();
       disguise(frame);
       break;
@@ -79,13 +76,13 @@ Frame StickFrames::next() {
 }
 
 // What stands still takes other values.
-void StickFrames::change() {
+void PayloadFrames::change() {
   _place = 3 + _random.below(19);
   _zeros = _random.below(1u << 16) & _random.below(1u << 16);
   _still = anyFrame();
-  if (_sticks == Sticks::ShiftedStill) {
+  if (_sticks == Payload::ShiftedStill) {
     disguise(_still);
-  } else if (_sticks == Sticks::Equal) {
+  } else if (_sticks == Payload::Equal) {
     const uint32_t which = _random.below(4);
     _channels.fill(which < 3 ? EqualValues[which] : static_cast<uint16_t>(_random.below(2048)));
     _channels[16] = _channels[17] = 0;
@@ -93,7 +90,7 @@ void StickFrames::change() {
   }
 }
 
-Frame StickFrames::anyFrame() {
+Frame PayloadFrames::anyFrame() {
   Frame frame{};
   frame[0] = sbus::HeaderByte;
   std::generate_n(frame.begin() + 1, 22, [this] { return _random.byte(); });
@@ -101,27 +98,27 @@ Frame StickFrames::anyFrame() {
 }
 
 // Flags, end byte and header in the payload: the bytes from there to the next frame's same place look like a frame.
-void StickFrames::disguise(Frame &frame) {
+void PayloadFrames::disguise(Frame &frame) {
   frame[_place - 2] = static_cast<uint8_t>(_random.below(4));
   frame[_place - 1] = 0;
   frame[_place] = sbus::HeaderByte;
 }
 
-void StickFrames::move() {
+void PayloadFrames::move() {
   for (unsigned i = 0; i < sbus::ProportionalCount; i++) {
     const int moved = _channels[i] + static_cast<int>(_random.below(41)) - 20;
     _channels[i] = static_cast<uint16_t>(std::clamp<int>(moved, 0, sbus::ChannelMax));
   }
 }
 
-Frame StickFrames::packed() {
+Frame PayloadFrames::packed() {
   Channels channels = _channels;
   for (unsigned i = 0; i < sbus::ProportionalCount; i++) {
-    if (_sticks == Sticks::Zeros && (_zeros >> i & 1) != 0) {
+    if (_sticks == Payload::Zeros && (_zeros >> i & 1) != 0) {
       channels[i] = 0;
     }
   }
-  const bool isLow = _sticks == Sticks::LowChannel16 && _random.chance(0.5);
+  const bool isLow = _sticks == Payload::LowChannel16 && _random.chance(0.5);
   if (isLow) {
     channels[15] = static_cast<uint16_t>(_random.chance(0.5) ? 0 : _random.below(128));
   }
@@ -131,6 +128,6 @@ Frame StickFrames::packed() {
   return frame;
 }
 
-uint8_t StickFrames::flags() {
+uint8_t PayloadFrames::flags() {
   return static_cast<uint8_t>(_random.chance(0.02) ? _random.below(16) : 0);
 }

@@ -1,32 +1,28 @@
-#include "Bench.h"
+#include "Simulation.h"
 
 #include <algorithm>
 #include <memory>
 
-// Last: Arduino.h's macros min and max break the standard headers after it.
-#include "UartPort.h"
+#include "support/UartPort.h"
 
-#include "support/PaperReceiver.h"
+#include "support/PaperDecoder.h"
 
 #include <DecodeSBus.h>
-
-#undef min
-#undef max
 
 namespace {
 
 constexpr uint64_t ClockWrapUs = uint64_t(1) << 32;
 constexpr uint64_t LongestRunUs = ClockWrapUs / 2;  // before the wrap
 
-class Receiver {
+class DecoderUnderTest {
  public:
-  virtual ~Receiver() = default;
+  virtual ~DecoderUnderTest() = default;
   virtual void begin(unsigned long baud) = 0;
   virtual void parse() = 0;
   virtual bool newFrame(Frame &frame) = 0;  // since the last call
 };
 
-class Ours : public Receiver {
+class Ours : public DecoderUnderTest {
  public:
   // Judged are the frames, not the link: failsafe is then the frame's own, and one that waited while loop() was blocked
   // for longer than the timeout is still read.
@@ -52,7 +48,7 @@ class Ours : public Receiver {
   DecodeSBus _sbus;
 };
 
-class Papers : public Receiver {
+class Papers : public DecoderUnderTest {
  public:
   explicit Papers(HardwareSerial &port) : _paper(port) {}
   void begin(unsigned long baud) override { _paper.begin(baud); }
@@ -67,29 +63,29 @@ class Papers : public Receiver {
   }
 
  private:
-  PaperReceiver _paper;
+  PaperDecoder _paper;
   uint32_t _seen = 0;
 };
 
-class Bench {
+class Simulation {
  public:
-  Bench(const Run &run, Way way, uint64_t seed)
+  Simulation(const Run &run, Decoder decoder, uint64_t seed)
       : _run(run),
         _random(seed),
         _beginUs(ClockWrapUs - randomUs(std::min(run.line.frames * run.setup.periodUs, LongestRunUs))),
         _wire(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
-        _port(run.setup.driver, run.setup.buffer, run.line.baud, [this] { takeFrame(); }),
+        _port(run.line.baud, run.setup.driver, run.setup.buffer, [this] { takeFrame(); }),
         _judge(learning(run.setup)) {
-    if (way == Way::Ours) {
-      _receiver = std::make_unique<Ours>(_port);
+    if (decoder == Decoder::Ours) {
+      _decoder = std::make_unique<Ours>(_port);
     } else {
-      _receiver = std::make_unique<Papers>(_port);
+      _decoder = std::make_unique<Papers>(_port);
     }
   }
 
   Tally run() {
     fakeMicros = _beginUs;
-    _receiver->begin(_run.line.baud);
+    _decoder->begin(_run.line.baud);
     _nextBlockUs = _run.blockEveryUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
     do {
       loop();
@@ -146,7 +142,7 @@ class Bench {
 
   void poll() {
     _judge.poll(position() + static_cast<uint64_t>(_port.available()));
-    _receiver->parse();
+    _decoder->parse();
     takeFrame();
     // What the full buffer had no place for stood after all that was in it, and has been read now.
     lose(_port.droppedFull() - _droppedFull);
@@ -155,7 +151,7 @@ class Bench {
 
   void takeFrame() {
     Frame frame;
-    if (_receiver->newFrame(frame)) {
+    if (_decoder->newFrame(frame)) {
       _judge.given(frame, position());
     }
   }
@@ -174,7 +170,7 @@ class Bench {
   WireLine _wire;
   UartPort _port;
   Judge _judge;
-  std::unique_ptr<Receiver> _receiver;
+  std::unique_ptr<DecoderUnderTest> _decoder;
   uint64_t _nextBlockUs = 0;
   uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;
@@ -184,6 +180,6 @@ class Bench {
 
 }  // namespace
 
-Tally simulate(const Run &run, Way way, uint64_t seed) {
-  return Bench(run, way, seed).run();
+Tally simulate(const Run &run, Decoder decoder, uint64_t seed) {
+  return Simulation(run, decoder, seed).run();
 }

@@ -7,7 +7,7 @@
 
 #include "support/Random.h"
 
-enum class Sticks {
+enum class Payload {
   // Ordinary ones, such as receivers send.
   Uniform,       // every channel anywhere, anew in every frame
   Smooth,        // every channel moves by at most 20 a frame
@@ -24,15 +24,15 @@ enum class Sticks {
   ShiftedStill,  // the same, standing still
 };
 
-const char *name(Sticks sticks);
+const char *name(Payload sticks);
 
-const std::vector<Sticks> &ordinarySticks();
-const std::vector<Sticks> &deceptiveSticks();
+const std::vector<Payload> &ordinarySticks();
+const std::vector<Payload> &deceptiveSticks();
 
 // Makes frames with end byte 00. Of the moving ones 2 % carry flags, any.
-class StickFrames {
+class PayloadFrames {
  public:
-  StickFrames(Sticks sticks, Random &random);
+  PayloadFrames(Payload sticks, Random &random);
   Frame next();
 
  private:
@@ -45,7 +45,7 @@ class StickFrames {
 
   static constexpr unsigned StandingFrames = 500;
 
-  const Sticks _sticks;
+  const Payload _sticks;
   Random &_random;
   unsigned _number = 0;
   unsigned _place = 0;  // of the header in the payload, if shifted

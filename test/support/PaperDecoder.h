@@ -13,9 +13,9 @@
 #define SERIAL_SBUS SERIAL_8E2
 #endif
 
-class PaperReceiver {
+class PaperDecoder {
  public:
-  explicit PaperReceiver(HardwareSerial &serial) : _serial(serial) {}
+  explicit PaperDecoder(HardwareSerial &serial) : _serial(serial) {}
 
   void begin(unsigned long baud = 100000) {
     _serial.begin(baud, SERIAL_SBUS);

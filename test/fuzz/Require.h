@@ -1,0 +1,12 @@
+// Ends a fuzz program that finds what must not be.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+inline void require(bool condition, const char *what) {
+  if (!condition) {
+    std::fprintf(stderr, "violated: %s\n", what);
+    std::abort();
+  }
+}

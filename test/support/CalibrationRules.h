@@ -1,0 +1,37 @@
+// The rules of the stored calibration once more, each by itself: the tests hold the library against them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "sbus/Calibration.h"
+
+// A channel is not calibrated, or its numbers stand in order, and the dead zone ends before low and high.
+inline bool possibleByRule(const sbus::CalibratedChannel &channel) {
+  const int low = channel.range.low;
+  const int centre = channel.range.centre;
+  const int high = channel.range.high;
+  const int dead = channel.deadZone;
+  const bool empty = low == 0 && centre == 0 && high == 0 && dead == 0;
+  const bool forwards = low < centre - dead && centre + dead < high && high <= 2047;
+  const bool backwards = high < centre - dead && centre + dead < low && low <= 2047;
+  return empty || forwards || backwards;
+}
+
+// CRC-16/CCITT-FALSE, the bits one after the other, through a register of 16.
+inline uint16_t crcOf(const uint8_t *bytes, size_t count) {
+  unsigned crc = 0xFFFF;
+  for (size_t bit = 0; bit < 8 * count; bit++) {
+    const unsigned next = bytes[bit / 8] >> (7 - bit % 8) & 1u;
+    crc = (crc << 1 & 0xFFFF) ^ ((crc >> 15 ^ next) * 0x1021);
+  }
+  return static_cast<uint16_t>(crc);
+}
+
+// Exactly -1000, 0, +1000 and 988, 1500, 2012 us at the three points.
+inline bool isExact(const sbus::CalibratedChannel &channel) {
+  const sbus::Range &range = channel.range;
+  return channel.toNormalised(range.low) == -1000 && channel.toMicroseconds(range.low) == 988 &&
+         channel.toNormalised(range.centre) == 0 && channel.toMicroseconds(range.centre) == 1500 &&
+         channel.toNormalised(range.high) == 1000 && channel.toMicroseconds(range.high) == 2012;
+}

@@ -1,0 +1,143 @@
+// The frame: what is one, what its bytes mean, and that pack() writes what unpack() reads.
+#include "sbus/Frame.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
+
+// The checks can be made by the compiler, too.
+static_assert(sbus::isFrame(PaperLow.bytes.data()), "the paper's frame is a frame");
+static_assert(!sbus::isEndByte(0x0F), "a header ends no frame");
+
+namespace {
+
+// Futaba S.BUS and FrSky; S.BUS2's four telemetry slots; R7003SB and FASSTest 12CH.
+const std::set<unsigned> EndBytes = {0x00, 0x04, 0x08, 0x14, 0x24, 0x34};
+
+// By both ways of unpacking, which have to agree, and write 18 values and no more.
+Channels unpacked(const Frame &frame) {
+  alignas(4) uint8_t padded[3 + 25];
+  std::copy(frame.begin(), frame.end(), padded + 3);
+  std::array<uint16_t, 20> channels;
+  std::array<uint16_t, 20> aligned;
+  channels.fill(0xABCD);
+  aligned.fill(0xABCD);
+  sbus::unpack(frame.data(), channels.data() + 1);
+  sbus::unpackAligned(padded + 3, aligned.data() + 1);
+  REQUIRE(aligned == channels);
+  REQUIRE(channels.front() == 0xABCD);
+  REQUIRE(channels.back() == 0xABCD);
+  Channels all;
+  std::copy_n(channels.begin() + 1, 18, all.begin());
+  return all;
+}
+
+// pack() writes 25 bytes and no more.
+Frame packed(const Channels &channels, bool failsafe = false, bool lostFrame = false) {
+  std::array<uint8_t, 27> guarded;
+  guarded.fill(0xA5);
+  sbus::pack(guarded.data() + 1, channels.data(), failsafe, lostFrame);
+  REQUIRE(guarded.front() == 0xA5);
+  REQUIRE(guarded.back() == 0xA5);
+  Frame frame;
+  std::copy_n(guarded.begin() + 1, 25, frame.begin());
+  return frame;
+}
+
+}  // namespace
+
+TEST_CASE("a frame begins with 0F, has flags 00..0F, ends with 00 04 08 14 24 34, and nothing else") {
+  for (unsigned byte = 0; byte < 256; byte++) {
+    CAPTURE(byte);
+    const bool isEnd = EndBytes.count(byte) == 1;
+    CHECK(sbus::isEndByte(static_cast<uint8_t>(byte)) == isEnd);
+    CHECK(sbus::isFlagsByte(static_cast<uint8_t>(byte)) == (byte <= 0x0F));
+    CHECK(sbus::isFrame(withByte(PaperLow.bytes, 0, byte).data()) == (byte == 0x0F));
+    CHECK(sbus::isFrame(withByte(PaperLow.bytes, 23, byte).data()) == (byte <= 0x0F));
+    CHECK(sbus::isFrame(withByte(PaperLow.bytes, 24, byte).data()) == isEnd);
+    for (unsigned index = 1; index <= 22; index++) {
+      REQUIRE(sbus::isFrame(withByte(PaperLow.bytes, index, byte).data()));
+    }
+  }
+}
+
+TEST_CASE("known frames are frames, have the channels that are known, and are written to the byte, with end byte 00") {
+  for (const KnownFrame &known : KnownFrames) {
+    CAPTURE(known.source);
+    CHECK(readBitByBit(known.bytes) == known.channels);
+    CHECK(unpacked(known.bytes) == known.channels);
+    CHECK(sbus::isFrame(known.bytes.data()));
+    CHECK_FALSE(sbus::lostFrame(known.bytes.data()));
+    CHECK_FALSE(sbus::failsafe(known.bytes.data()));
+    CHECK(packed(known.channels) == withByte(known.bytes, 24, 0x00));
+  }
+}
+
+TEST_CASE("every channel takes every value 0..2047, both ways, and leaves its neighbours alone") {
+  for (const uint16_t others : {uint16_t{0}, uint16_t{2047}}) {
+    for (unsigned channel = 0; channel < 16; channel++) {
+      for (uint16_t value = 0; value <= 2047; value++) {
+        Channels channels{};
+        std::fill_n(channels.begin(), 16, others);
+        channels[channel] = value;
+        const Frame frame = writeBitByBit(channels);
+        if (unpacked(frame) != channels || packed(channels) != frame) {
+          FAIL("channel ", channel + 1, ", value ", value, ", all others ", others);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("flags bits 0..3 are CH17, CH18, lost frame and failsafe, both ways; header and end byte are not read") {
+  for (unsigned flags = 0; flags < 16; flags++) {
+    CAPTURE(flags);
+    const Frame frame = withByte(PaperLow.bytes, 23, flags);
+    Channels channels = PaperLow.channels;
+    channels[16] = (flags & 1) != 0;
+    channels[17] = (flags & 2) != 0;
+    CHECK(unpacked(frame) == channels);
+    CHECK(unpacked(withByte(withByte(frame, 0, 0xFF), 24, 0xFF)) == channels);
+    CHECK(sbus::lostFrame(frame.data()) == ((flags & 4) != 0));
+    CHECK(sbus::failsafe(frame.data()) == ((flags & 8) != 0));
+    CHECK(packed(channels, (flags & 8) != 0, (flags & 4) != 0) == frame);
+  }
+}
+
+TEST_CASE("a channel above 2047 is sent as 2047 and spills into no neighbour, a switch other than 0 as 1") {
+  const uint16_t values[] = {1, 2, 255, 256, 2048, 2049, 4095, 4096, 32768, 65535};
+  for (const uint16_t value : values) {
+    for (unsigned channel = 0; channel < 18; channel++) {
+      INFO("value ", value, ", channel ", channel);
+      Channels channels{};
+      channels[channel] = value;
+      Channels sent{};
+      sent[channel] = channel < 16 ? std::min(value, uint16_t{2047}) : uint16_t{1};
+      CHECK(packed(channels) == writeBitByBit(sent));
+    }
+  }
+}
+
+TEST_CASE("innerHeader finds a header after the frame's own end byte, telemetry slots aside, else nothing") {
+  const struct {
+    unsigned end, endMask, before;  // the byte before the 0F
+    bool found;
+  } rows[] = {{0x00, 0xFF, 0x00, true},  {0x00, 0xFF, 0x04, false}, {0x04, 0xCF, 0x34, true}, {0x04, 0xCF, 0x00, false},
+              {0x08, 0xFF, 0x08, true}, {0x08, 0xFF, 0x18, false}};
+  for (const auto &row : rows) {
+    for (unsigned index = 2; index < 24; index++) {
+      INFO("before ", row.before, ", index ", index);
+      Frame frame{};
+      frame.fill(0x55);
+      frame[0] = 0x0F;
+      frame[24] = static_cast<uint8_t>(row.end);
+      frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
+      CHECK(sbus::innerHeader(frame.data(), static_cast<uint8_t>(row.endMask)) == (row.found ? static_cast<int>(index) : 25));
+    }
+  }
+}
