@@ -100,24 +100,24 @@ step_boards() { boards/"$1"/run.sh; }
 step_bench() { bench/bench.sh check; }
 step_figures() { ../extras/docs/figures.sh check; }
 
-# Runs step N, and says how it went.
+# Runs step N, and says how it went. (The functions above set `name`.)
 step() {
   line=$(echo "$all" | sed -n "$1p")
-  name=${line%% *}
-  title=$(echo "${line#"$name"}" | sed 's/^ *//')
-  case $name in
-    *-*) "step_${name%%-*}" "${name#*-}" ;;
-    *) "step_$name" ;;
-  esac >"$BUILD/steps/$name.log" 2>&1
-  sum=$(awk -f count.awk "$BUILD/steps/$name.log")
+  this=${line%% *}
+  title=$(echo "${line#"$this"}" | sed 's/^ *//')
+  case $this in
+    *-*) "step_${this%%-*}" "${this#*-}" ;;
+    *) "step_$this" ;;
+  esac >"$BUILD/steps/$this.log" 2>&1
+  sum=$(awk -f count.awk "$BUILD/steps/$this.log")
   (
     flock 8
-    echo "$name" >>"$BUILD/steps/done"
-    [ -z "${V:-}" ] || cat "$BUILD/steps/$name.log"
+    echo "$this" >>"$BUILD/steps/done"
+    [ -z "${V:-}" ] || cat "$BUILD/steps/$this.log"
     echo "[$(wc -l <"$BUILD/steps/done")/$COUNT] $title: $(echo "$sum" | tail -n 1)"
     case $sum in *" 0 failed"*) ;; *)
-      grep -E -m 1 -A 20 'ERROR:|FAILED|error:' "$BUILD/steps/$name.log"
-      echo "... all of it: $BUILD/steps/$name.log"
+      grep -E -m 1 -A 20 'ERROR:|FAILED|error:' "$BUILD/steps/$this.log"
+      echo "... all of it: $BUILD/steps/$this.log"
     esac
   ) 8>"$BUILD/steps/lock"
 }
