@@ -15,7 +15,6 @@ static_assert(!std::is_copy_assignable<sbus::FrameFinder>::value, "a copy's poin
 namespace {
 
 const Bytes Low = bytesOf(PaperLow.bytes);
-
 constexpr uint32_t Loops[] = {50, 500, 1000, 3000};  // us
 
 // Of lines with and without 0F in the payload.
@@ -73,8 +72,8 @@ TEST_CASE("a clean stream gives exactly its frames, in order, in bursts of any s
 TEST_CASE("two polls at the same time are one: the loop period stays what it is") {
   Feeder line;
   line.settle(3000, 0);
-  Bytes bytes = bytesOf(plainFrame(0));
-  for (unsigned number = 1; number < 8; number++) {
+  Bytes bytes;
+  for (unsigned number = 0; number < 8; number++) {
     bytes = bytes + bytesOf(plainFrame(number));
   }
   Frames found;
@@ -211,13 +210,17 @@ TEST_CASE("of many headers in a row each is counted by its cause, but after 24 t
 TEST_CASE("frames lost and failsafe are counted by flag; one found again after others were missed is a resync") {
   Feeder line;
   line.lock();
+  unsigned lost = 0;
+  unsigned failsafe = 0;
   for (unsigned flags = 0; flags < 16; flags++) {
     line.feed(bytesOf(withByte(plainFrame(flags), 23, flags)));
     line.wait(Feeder::PauseUs);
+    lost += flags >> 2 & 1;
+    failsafe += flags >> 3;
+    CHECK(line.counted().frames == 1 + flags);
+    CHECK(line.counted().lostFrames == lost);
+    CHECK(line.counted().failsafeFrames == failsafe);
   }
-  CHECK(line.counted().frames == 16);
-  CHECK(line.counted().lostFrames == 8);
-  CHECK(line.counted().failsafeFrames == 8);
   for (unsigned damage = 0; damage < 5; damage++) {
     CAPTURE(damage);
     CHECK(line.counted().resyncs == damage);
@@ -265,7 +268,13 @@ TEST_CASE("a frame is as old as the poll that brought it, and after more than 20
   }
 }
 
-TEST_CASE("the period is that of the line, within a loop period and a burst") {
+TEST_CASE("the period is that of the line, within a loop period and a burst; a longer interval counts for an eighth") {
+  sbus::Counters counters = {};
+  const uint32_t rows[][2] = {{5000, 0}, {9000, 9000}, {17000, 10000}, {2000, 9000}};  // interval, period after it
+  for (const auto &row : rows) {
+    counters.count(0, row[0]);
+    CHECK(counters.period == row[1]);
+  }
   for (const uint32_t periodUs : {4000u, 6000u, 7000u, 9000u, 14000u, 15000u}) {
     for (const uint32_t loopUs : {50u, 1000u}) {
       INFO("periodUs ", periodUs, ", loopUs ", loopUs);

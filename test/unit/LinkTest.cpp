@@ -121,6 +121,15 @@ TEST_CASE("lossy turns into failsafe after as many lost frames in a row as the l
   }
 }
 
+TEST_CASE("a failsafe frame that is not lost ends the row of lost ones") {
+  OpenBoard board;
+  board.sbus.setLossLimit(2);
+  for (const uint8_t flags : {Lost, Failsafe, Lost}) {
+    board.nextFrame(withFlags(flags));
+  }
+  checkState(board, LinkState::Lossy);
+}
+
 TEST_CASE("more lost frames than a counter of 16 bits holds are still a failsafe, and with a limit of 0 none ever is") {
   for (const bool unlimited : {false, true}) {
     OpenBoard board;
