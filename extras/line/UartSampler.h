@@ -6,7 +6,6 @@
 
 #include "Line.h"
 #include "LineSettings.h"
-#include "board/PortSettings.h"
 
 namespace line {
 
