@@ -1,7 +1,8 @@
 # Builds, with one compiler: CXX, into the folder OUT
 #   unit      the unit programs, OUT/unit/*Test
-#   compile   what only has to compile: OUT/alone/*.ok, each header of the core alone; OUT/macros/*.o, the core behind
-#             Arduino's macros; OUT/cross/*.o, the library for the board's processor (by CROSS, not CXX)
+#   compile   what only has to compile: OUT/alone/*.ok, each header of the core, and the lines, without Arduino or board;
+#             OUT/macros/*.o, the core after Arduino's macros; OUT/cross/*.o, the library for the board's processor (by
+#             CROSS, not CXX)
 #   OUT/line/*, OUT/line-sanitized/*   the torture bench
 # `make list-unit` and `make list-compile` name what these two are made of.
 
@@ -28,7 +29,8 @@ LINE_SOURCES := line/LineSettings.cpp line/UartSampler.cpp line/Recording.cpp li
   line/RecordingWriter.cpp line/SimulatedReceiver.cpp line/CalibrationMoves.cpp
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
-COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o)
+LINES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp))
+COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINES:%=$(OUT)/alone/%.ok) $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o)
 
 unit: $(UNIT)
 compile: $(COMPILE)
@@ -113,6 +115,11 @@ endef
 $(eval $(call line,line,-O2))
 $(eval $(call line,line-sanitized,$(SANITIZE) $(DEBUG)))
 
+# The lines know the core, and no Arduino, no board.
+$(OUT)/alone/line/%.ok: $(EXTRAS)/line/% build.mk
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(WARNINGS) $(DEPENDENCIES) -I$(SRC) -I$(EXTRAS) -fsyntax-only $<
+	@touch $@
 # No include path: the core may include its own folder and the C library, never Arduino.h.
 $(OUT)/alone/%.ok: $(SRC)/% build.mk
 	@mkdir -p $(@D)
