@@ -47,7 +47,7 @@ $(OUT)/%Test: $(OUT)/%Test.o $(OUT)/support/Main.o $(OUT)/board.a
 	$(CXX) $(SANITIZE) $^ -lrapidcheck -o $@
 $(OUT)/unit/PlainCoreTest: $(OUT)/unit/PlainCoreTest.o $(OUT)/support/Main.o $(OUT)/plain.a
 	$(CXX) $(SANITIZE) $^ -o $@
-# PreemptTest stops behind each instruction of the library: as the board has them, without the sanitizers' own.
+# PreemptTest stops after each instruction of the library: as the board has them, without the sanitizers' own.
 $(OUT)/unit/PreemptTest: SANITIZE :=
 $(OUT)/unit/PreemptTest: unit/PreemptTest.cpp support/Main.cpp support/FakeClock.cpp $(SOURCES:%=$(SRC)/%) build.mk
 	@mkdir -p $(@D)

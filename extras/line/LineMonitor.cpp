@@ -12,13 +12,13 @@ void LineMonitor::reset(uint64_t nowUs, uint32_t characterUs) {
   _badCharacters = 0;
 }
 
-void LineMonitor::look(const Character &character) {
+void LineMonitor::put(const Character &character) {
   const uint64_t startUs = character.endUs - _characterUs;
   if (_characters == 0) {
     const uint32_t us = std::min<uint32_t>(_characterUs, UINT8_MAX);  // on a slower line there is no S.Bus
     _finder.reset(static_cast<uint32_t>(startUs), static_cast<uint8_t>(us));
   } else {
-    settle(startUs);
+    idleUntil(startUs);
   }
   _characters++;
   _badCharacters += character.bad;
@@ -31,7 +31,7 @@ void LineMonitor::look(const Character &character) {
   }
 }
 
-void LineMonitor::settle(uint64_t nowUs) {
+void LineMonitor::idleUntil(uint64_t nowUs) {
   if (nowUs >= _lastEndUs + _characterUs) {
     handOver(_lastEndUs + _characterUs);
   }

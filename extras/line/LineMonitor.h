@@ -15,10 +15,10 @@ class LineMonitor {
   // Begins anew on a line whose characters take so long.
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  void look(const Character &character);
+  void put(const Character &character);
 
   // Nothing else has come up to now.
-  void settle(uint64_t nowUs);
+  void idleUntil(uint64_t nowUs);
 
   unsigned long characters() const { return _characters; }
   unsigned long badCharacters() const { return _badCharacters; }

@@ -18,7 +18,7 @@ class RecordingFile {
   explicit RecordingFile(const std::string &name);  // throws std::runtime_error
 
   void opened(const LineSettings &settings) { _writer.opened(settings); }
-  void look(const Character &character) { _writer.look(character); }
+  void put(const Character &character) { _writer.put(character); }
 
   // Ends the last line and closes the file. Returns what has gone wrong, or nothing.
   std::string finish();

@@ -19,7 +19,7 @@ void RecordingWriter::opened(const LineSettings &settings) {
   _out << "# " << text(settings) << '\n';
 }
 
-void RecordingWriter::look(const Character &character) {
+void RecordingWriter::put(const Character &character) {
   if (_onLine == LineMax || character.endUs != _lastEndUs + _settings.characterUs()) {
     endLine();
   }

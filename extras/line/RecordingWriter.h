@@ -17,7 +17,7 @@ class RecordingWriter {
   // The line is set so from now on: a comment says so.
   void opened(const LineSettings &settings);
 
-  void look(const Character &character);
+  void put(const Character &character);
 
   // Ends the last line. Called once, at the end.
   void finish() { endLine(); }

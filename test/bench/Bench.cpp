@@ -15,7 +15,7 @@
 #include "support/FakeClock.h"
 #include "support/KnownFrames.h"
 
-// Last: its macros min and max break the standard headers behind it.
+// Last: its macros min and max break the standard headers after it.
 #include "CleanLine.h"
 
 namespace {
@@ -95,7 +95,7 @@ double perFrame(uint32_t number) {
   return static_cast<double>(number) / MeasuredFrames;
 }
 
-// Behind any lead and at any time.
+// After any lead and at any time.
 Attack worstFound(size_t size) {
   const Attack one = search(size, Tries, 1);
   const Attack other = search(size, Tries, 2);

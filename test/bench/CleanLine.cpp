@@ -2,7 +2,7 @@
 #include "support/FakeClock.h"
 #include "support/KnownFrames.h"
 
-// Last: its macros min and max break the standard headers behind it.
+// Last: its macros min and max break the standard headers after it.
 #include "CleanLine.h"
 
 namespace {

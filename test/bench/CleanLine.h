@@ -13,6 +13,6 @@ struct CleanLine {
 
 constexpr unsigned MeasuredFrames = 96;  // the driver's ring begins anew after 32
 
-// Of MeasuredFrames frames, behind some more. The receiver is called after a pass of loop() if bytes wait.
+// Of MeasuredFrames frames, after some more. The receiver is called after a call of loop() if bytes wait.
 Cost costOursOf(const CleanLine &line);
 Cost costPapersOf(const CleanLine &line);

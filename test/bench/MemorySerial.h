@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// Last: its macros min and max break the standard headers behind it.
+// Last: its macros min and max break the standard headers after it.
 #include <Arduino.h>
 
 class MemorySerial : public HardwareSerial {

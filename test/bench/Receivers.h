@@ -1,4 +1,4 @@
-// Ours and the paper's, each behind a function of its own: so neither is compiled together with the port.
+// Ours and the paper's, each in a function of its own: so neither is compiled together with the port.
 #pragma once
 
 #include <DecodeSBus.h>

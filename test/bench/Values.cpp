@@ -4,7 +4,7 @@
 #include "support/FakeClock.h"
 #include "support/KnownFrames.h"
 
-// Last: their macros min and max break the standard headers behind them.
+// Last: their macros min and max break the standard headers after them.
 #include <EncodeSBus.h>
 
 #include "Cost.h"

@@ -10,7 +10,7 @@
 #include "support/KnownFrames.h"
 #include "support/Random.h"
 
-// Last: its macros min and max break the standard headers behind it.
+// Last: its macros min and max break the standard headers after it.
 #include "Cost.h"
 #undef min
 #undef max

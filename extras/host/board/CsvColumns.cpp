@@ -12,7 +12,7 @@ constexpr size_t ColumnsMax = 64;  // nor are further columns
 
 }  // namespace
 
-void CsvColumns::look(const uint8_t *bytes, size_t size) {
+void CsvColumns::put(const uint8_t *bytes, size_t size) {
   for (size_t i = 0; i < size; i++) {
     if (bytes[i] == '\n') {
       endLine();

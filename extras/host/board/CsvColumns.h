@@ -18,7 +18,7 @@ class CsvColumns {
     std::string highText;
   };
 
-  void look(const uint8_t *bytes, size_t size);
+  void put(const uint8_t *bytes, size_t size);
 
   unsigned long lines() const { return _lines; }
   const std::vector<Range> &columns() const { return _columns; }

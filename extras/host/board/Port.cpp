@@ -63,7 +63,7 @@ void Port::listen(uint64_t nowUs) {
 void Port::receive(uint64_t nowUs) {
   line::Character character;
   while (_line != nullptr && _line->next(nowUs, character)) {
-    _monitor.look(character);
+    _monitor.put(character);
     if (!_uart.isOpen()) {
       _missedClosed++;
       continue;

@@ -49,9 +49,9 @@ bool Sender::next(uint64_t nowUs, line::Character &character) {
     return false;
   }
   character.value &= _dataMask;
-  _sending->monitor.look(character);
+  _sending->monitor.put(character);
   if (_file) {
-    _file->look(character);
+    _file->put(character);
   }
   return true;
 }

@@ -26,7 +26,7 @@ size_t SketchOutput::write(const uint8_t *bytes, size_t size) {
     _lostBeforeBegin += size;
     return 0;
   }
-  _columns.look(bytes, size);
+  _columns.put(bytes, size);
   if (std::fwrite(bytes, 1, size, stdout) != size) {
     leave();
   }

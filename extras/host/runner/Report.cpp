@@ -11,7 +11,7 @@ using Number = unsigned long;
 
 // "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe"
 void reportTraffic(line::LineMonitor &monitor, uint64_t nowUs) {
-  monitor.settle(nowUs);
+  monitor.idleUntil(nowUs);
   const sbus::Counters &counters = monitor.counters();
   std::fprintf(stderr, "%lu characters", monitor.characters());
   if (monitor.badCharacters() > 0) {

@@ -48,7 +48,7 @@ class Ending {
 
   bool reached(uint64_t nowUs) const { return nowUs >= _endUs; }
 
-  void look(uint64_t nowUs) {
+  void check(uint64_t nowUs) {
     if (!reached(nowUs) && (stopRequested != 0 || _line.finished(nowUs) || !_line.failure().empty())) {
       _endUs = nowUs;
     }
@@ -140,7 +140,7 @@ void connectWires(Board &board, const Options &options) {
     board.port(options.on).attach(*line, options.source.settings);
   }
   Ending ending(options, *line);
-  board.onTime([&ending](uint64_t nowUs) { ending.look(nowUs); });
+  board.onTime([&ending](uint64_t nowUs) { ending.check(nowUs); });
   board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real, options.startMs));
 
   setup();

@@ -149,7 +149,7 @@ void LineInput::receive(const line::Character &character) {
   }
   _bad.push_back(character.bad);
   // libsimavr takes a character for one that begins now, and raises RXC1 a character's time later: 110 us, because it
-  // does not notice two stop bits that are set behind the baud rate. It would also hand over at once what is behind a
+  // does not notice two stop bits that are set after the baud rate. It would also hand over at once what is after a
   // character that was fetched late. The time is ours: RXC1 is raised in the next cycle.
   const AtOnce atOnce(_usart);
   avr_raise_irq(avr_io_getirq(_mega.avr(), AVR_IOCTL_UART_GETIRQ('1'), UART_IRQ_INPUT), character.value);

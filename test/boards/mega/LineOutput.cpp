@@ -18,7 +18,7 @@ LineOutput::LineOutput(Mega &mega, int number) : _mega(mega), _number(number) {
 }
 
 // The core sets baud rate and format first, then TXENn. libsimavr counts a parity bit that is not there, and misses a
-// stop bit that is set behind the baud rate: the time of a character is ours.
+// stop bit that is set after the baud rate: the time of a character is ours.
 void LineOutput::controlWritten(avr_irq_t *, uint32_t value, void *output) {
   LineOutput &self = *static_cast<LineOutput *>(output);
   if ((value & TransmitterOn) == 0) {

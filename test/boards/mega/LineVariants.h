@@ -22,7 +22,7 @@ class OneBadCharacter : public line::Line {
       return false;
     }
     character.bad = character.bad || _left == 0;
-    _left--;  // wraps behind it, and 2^32 characters are 143 hours
+    _left--;  // wraps after it, and 2^32 characters are 143 hours
     return true;
   }
 

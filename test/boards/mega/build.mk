@@ -110,7 +110,7 @@ $(OUT)/runner-objects/sbus/%.o: $(ROOT)/src/sbus/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(RUNNER_CXX) -c $< -o $@
 
-# One behind the other: they share their objects.
+# One after the other: they share their objects.
 host:
 	@set -e; for name in $(ON_HOST); do $(MAKE) --no-print-directory -C $(HOST) SKETCH=examples/$$name \
 	  BUILD=$(OUT)/host CXXFLAGS='-O1 -DHOST_PLAIN_CORE'; done

@@ -1,5 +1,5 @@
 // A stand-in for Arduino's Servo library, which Debian does not have: real pulses, timed by timer 5 as that library
-// does it on a Mega, one pulse behind the other, every 20 ms; up to eight servos. It has less: no angles, and attach()
+// does it on a Mega, one pulse after the other, every 20 ms; up to eight servos. It has less: no angles, and attach()
 // takes no limits.
 #pragma once
 
