@@ -6,6 +6,7 @@
 #include "SerialConfig.h"
 #include "support/ShowArrays.h"
 #include "board/BoardTransmitter.h"
+#include "board/PortSettings.h"
 #include "line/UartSampler.h"
 #include "stm32l0_uart.h"
 
