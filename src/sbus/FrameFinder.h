@@ -81,12 +81,10 @@ class FrameFinder {
   static constexpr int Pad = 3;                                 // before a frame: its payload then stands at a word
   static constexpr int Capacity = FrameSize + LongestTail + 7;  // a frame, its tail, and enough to tell what follows
   static_assert((Pad + Capacity) % 4 == 0, "so does the other frame's payload");
-  static constexpr uint8_t Nowhere = 0xFF;
-  static constexpr uint8_t NoPause = 0xFF;
+  static constexpr uint8_t Nowhere = 0xFF, NoPause = 0xFF;
 
   // What judge() says; else how many characters further on a frame may begin.
-  static constexpr int Deliver = -1;
-  static constexpr int Wait = 0;
+  enum : int { Deliver = -1, Wait = 0 };
 
   void learn(unsigned found, uint32_t quiet);
   const uint8_t *search();
