@@ -25,7 +25,7 @@ help:
 	@echo "make test   builds and runs all tests; installs what it lacks"
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
 	@echo "            V=1                   prints everything"
-	@echo "make check  unit tests and examples only: less than a minute"
+	@echo "make check  unit tests and examples only: less than a minute, once built"
 	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
