@@ -22,15 +22,13 @@ CORE_HEADERS := $(patsubst $(SRC)/%,%,$(wildcard $(SRC)/sbus/*.h))
 SOURCES := $(wildcard $(SRC)/*.cpp)
 SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
-# Of the host: how its board receives and sends. Of the lines: what ports of other settings hear, recordings, and the
-# simulated radio.
+# Of the host: how its board receives and sends.
 HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp
-LINE_SOURCES := line/LineSettings.cpp line/UartSampler.cpp line/Recording.cpp line/RecordingFile.cpp \
-  line/RecordingWriter.cpp line/SimulatedReceiver.cpp line/CalibrationMoves.cpp
+LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
-LINES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp))
-COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINES:%=$(OUT)/alone/%.ok) $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o)
+COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \
+  $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o)
 
 unit: $(UNIT)
 compile: $(COMPILE)

@@ -1,5 +1,5 @@
 # Builds the unit programs for the Cortex-M0, with CROSS, into the folder OUT (absolute)
-#   unit         OUT/unit/*Test, but for those that CASES leaves out: from the sources of the host's
+#   unit         OUT/unit/*Test, but for those in LEFT_OUT: from the sources of the host's
 #   alignment    OUT/UnalignedRead and OUT/AlignedRead, which read a word from an odd and from an even address
 # `make list-unit` names the unit programs.
 
@@ -22,7 +22,7 @@ DEFINITIONS := -DDOCTEST_CONFIG_NO_POSIX_SIGNALS -DDOCTEST_CONFIG_NO_MULTITHREAD
 ARDUINO := -I$(HOST)/arduino -I$(HOST)/standin
 INCLUDES := -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -isystem $(OUT)/include
 
-LEFT_OUT := $(shell awk '$$1 == "out" { print $$2 }' $(HERE)/CASES)
+LEFT_OUT := $(shell awk '!/^\#/ { print $$1 }' $(HERE)/LEFT_OUT)
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
 ROOMS := host/board/BoardUart line/LineSettings line/SimulatedReceiver
