@@ -2,9 +2,6 @@
 
 namespace {
 
-// Here a character lasts 255 us. A slower port, or one of 0 baud, is opened as told, but hears no S.Bus.
-constexpr unsigned long SlowestBaud = 47059;
-
 // A frame has come, and within the timeout.
 inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
@@ -16,34 +13,39 @@ inline bool isYoung(sbus::LinkState state) {
 
 }  // namespace
 
-void DecodeSBus::begin(unsigned long baud) {
-  begin(baud, sbus::PortConfig);
-}
-
-void DecodeSBus::begin(unsigned long baud, uint32_t config) {
-  const unsigned long us = baud > SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
+// In line twice: most sketches call only one of the two.
+__attribute__((always_inline)) inline void DecodeSBus::forget(unsigned long baud) {
+  const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
   _finder.reset(micros(), static_cast<uint8_t>(us));
   _link.reset();
   _decoded = 0;
-  sbus::open(_serial, &HardwareSerial::begin, baud, config);
+}
+
+void DecodeSBus::begin(unsigned long baud, uint32_t config) {
+  _port.open(baud, config);
+  forget(baud);
+}
+
+void DecodeSBus::listen(unsigned long baud) {
+  forget(baud);
 }
 
 void DecodeSBus::end() {
-  _serial.end();
+  _port.close();
 }
 
 // Takes in what waits now and no more: what comes meanwhile may stand after a break, and is there at the next call.
 // Never asks the port for more than it has: the STM32L0's would then write past the end of what it is given.
 void DecodeSBus::parseSBusFrame() {
   const uint32_t now = micros();
-  const int found = _serial.available();
+  const int found = _port.available();
   if (found <= 0) {
     return;
   }
   _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
     const int room = _finder.room();
-    const int count = sbus::read(_serial, _finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
+    const int count = _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
     if (count <= 0) {
       return;  // a port that fails
     }
@@ -52,15 +54,14 @@ void DecodeSBus::parseSBusFrame() {
       _link.frame(frame[sbus::FlagsIndex]);
     }
   }
-  if (found > sbus::BufferFull / 2) {
-    // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
-    // has come stands before the break or after it: nobody knows.
-    int more = _serial.available();
-    if (found + more >= sbus::BufferFull) {
+  // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
+  // has come stands before the break or after it: nobody knows.
+  if (static_cast<unsigned>(found) > _port.half()) {
+    int more = _port.available();
+    if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
       _finder.broken();
-      for (int count = 1; more > 0 && count > 0; more -= count) {
-        const int room = _finder.room();
-        count = sbus::read(_serial, _finder.space(), static_cast<size_t>(more < room ? more : room));
+      while (--more >= 0) {
+        _port.drop();
       }
     }
   }

@@ -1,5 +1,5 @@
 /// @file
-/// DecodeSBus: Futaba S.Bus from a hardware serial port.
+/// DecodeSBus: Futaba S.Bus from a serial port.
 ///
 /// After J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper".
 #pragma once
@@ -15,32 +15,41 @@
 ///
 ///     DecodeSBus dSBus(Serial1);
 ///     void setup() { dSBus.begin(); }
-///     void serialEvent1() { dSBus.parseSBusFrame(); }
-///     void loop() { dSBus.decodeSBusFrame(channels, failsafe, lostFrame); }
+///     void loop() {
+///       dSBus.parseSBusFrame();
+///       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
+///     }
 ///
 /// Call all methods from setup(), loop() or serialEventN(). From an interrupt: see extras/docs/interrupts.md.
 class DecodeSBus {
  public:
   // ---- Open and close
 
-  /// `serial` must outlive the object. Nothing is opened yet.
-  explicit DecodeSBus(HardwareSerial &serial) : _serial(serial) {}
+  /// `port`: a hardware serial port, or any other Stream, which the sketch opens (listen()). It must outlive the
+  /// object. Nothing is opened yet.
+  template <typename Port>
+  explicit DecodeSBus(Port &port) : _port(port) {}
 
-  /// Opens the port with SERIAL_SBUS (8E2, inverted), 100000 baud unless told; Fast S.Bus is 200000. A core without
-  /// SERIAL_SBUS opens SERIAL_8E2, and the line needs an inverter. Forgets all frames and counters.
-  void begin(unsigned long baud = sbus::Baud);
+  /// Opens the port: 8E2, inverted if the port can do that (else the line needs an inverter), and 100000 baud unless
+  /// told; Fast S.Bus is 200000. Forgets all frames and counters.
+  ///
+  /// `config`: SERIAL_8E2 for an uninverted line, or another format of the core. What the port cannot do brings no
+  /// frames, and nothing is reported: ask the example Diagnose. At less than 47060 baud nothing is opened. Any other
+  /// Stream stays as it is: use listen().
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
-  /// begin() with another format: begin(100000, SERIAL_8E2) for a receiver's uninverted pad. If the port cannot do it,
-  /// no frames come; nothing is reported.
-  void begin(unsigned long baud, uint32_t config);
+  /// For a port that the sketch has opened: an ESP32's, on pins of your choice, or a SoftwareSerial, which begin()
+  /// cannot open. `baud` is the port's. Forgets all frames and counters.
+  void listen(unsigned long baud = sbus::Baud);
 
-  /// Closes the port. The last frame can still be decoded, until it is stale.
+  /// Closes a hardware serial port; after begin() only, or the Uno R4 crashes, and the nRF52 waits for ever. The last
+  /// frame can still be decoded, until it is stale.
   void end();
 
   // ---- What every loop() calls
 
-  /// Takes in the bytes that wait on the port; never waits itself. Call it at least every 5 ms (2.5 ms at 200000 baud),
-  /// or frames are lost: the core's 64 bytes are full after 7.7 ms of a line without pauses.
+  /// Takes in the bytes that wait on the port; never waits itself. Call it after begin(), at least every 5 ms (2.5 ms
+  /// at 200000 baud), or frames are lost: 64 bytes of a core are full after 7.7 ms of a line without pauses.
   ///
   /// A frame is there at the first call after its last byte. The very first, and the first with another kind of end
   /// byte, may wait for the next frame's first byte.
@@ -84,8 +93,11 @@ class DecodeSBus {
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
  private:
-  HardwareSerial &_serial;
+  void forget(unsigned long baud);
+
+  sbus::Port _port;
   sbus::FrameFinder _finder;
   sbus::Link _link;
+  int _buffer;            // bytes, of the port
   uint32_t _decoded = 0;  // number of the frame that was decoded last
 };

@@ -1,16 +1,12 @@
 #include "EncodeSBus.h"
 
-void EncodeSBus::begin(unsigned long baud) {
-  begin(baud, sbus::PortConfig);
-}
-
 void EncodeSBus::begin(unsigned long baud, uint32_t config) {
   _sent = false;
-  sbus::open(_serial, &HardwareSerial::begin, baud, config);
+  _port.open(baud, config);
 }
 
 void EncodeSBus::end() {
-  _serial.end();
+  _port.close();
 }
 
 bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame) {
@@ -19,12 +15,16 @@ bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame)
   if (_sent && now - _last < _period) {
     return false;
   }
-  if (_serial.availableForWrite() < sbus::FrameSize) {
+  // Some ports never take 25 bytes, and some cannot say: then as many as they have ever taken are enough.
+  const int room = _port.room();
+  if (room > _room) {
+    _room = static_cast<uint8_t>(room < sbus::FrameSize ? room : sbus::FrameSize);
+  } else if (room < _room) {
     return false;
   }
   uint8_t frame[sbus::FrameSize];
   sbus::pack(frame, channels, failsafe, lostFrame);
-  _serial.write(frame, sbus::FrameSize);
+  _port.write(frame, sbus::FrameSize);
   // A little late, and the next frame is expected as if this one had been on time; else from now on. So no pause
   // between two frames is shorter than half of what it should be: receivers need them.
   constexpr uint32_t FrameTime = uint32_t{sbus::FrameSize} * sbus::CharacterTime;

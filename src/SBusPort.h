@@ -1,10 +1,12 @@
 /// @file
-/// All that differs between cores: how a port is opened and read, and what it holds. For sketches it only brings in
-/// what SERIAL_8E2 and the like are made of.
+/// All that differs between cores: how a port is opened and read, and what it holds. It names no board: it asks the
+/// port's class and the core's macros what they can do. extras/docs/boards.md says what that comes to on each board.
 #pragma once
 
 #include <Arduino.h>
 #include <stddef.h>
+
+#include "sbus/Pauses.h"
 
 #if defined(SERIAL_SBUS)
 #include <stm32l0_uart.h>  // the option bits that SERIAL_SBUS is made of; Arduino.h does not bring them in
@@ -12,47 +14,285 @@
 
 namespace sbus {
 
-#if defined(SERIAL_SBUS)
-constexpr auto PortConfig = SERIAL_SBUS;  ///< 8E2, inverted
+// ---- The format: 8 bits, even parity, 2 stop bits; inverted where a format can say so
+
+/// SERIAL_8E2: a macro, or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1; a receiver
+/// takes the second stop bit for a pause.
+#if defined(SERIAL_8E1) && !defined(SERIAL_8E2)
+constexpr auto EvenConfig = SERIAL_8E1;
 #else
-constexpr auto PortConfig = SERIAL_8E2;  ///< the line needs an inverter
+constexpr auto EvenConfig = SERIAL_8E2;
 #endif
 
-/// port.begin(baud, config), as open(port, &HardwareSerial::begin, baud, config): a format is a byte on some cores
-/// (AVR), 32 bits on others.
-template <typename Format>
-void open(HardwareSerial &port, void (HardwareSerial::*begin)(unsigned long, Format), unsigned long baud,
-          uint32_t config) {
-  (port.*begin)(baud, static_cast<Format>(config));
-}
+/// "Inverted", in a format that cannot say so. No core uses this bit.
+constexpr uint32_t InvertedBit = 0x80000000;
 
-/// Of the core's receive buffer, in bytes.
-constexpr int BufferSize = 64;
+/// How begin() opens a port: inverted, if the port can do that.
+#if defined(SERIAL_SBUS)  // STM32L0
+constexpr uint32_t PortConfig = SERIAL_SBUS;
+#elif defined(SERIAL_8E2_RXINV_TXINV)  // Teensy
+constexpr uint32_t PortConfig = SERIAL_8E2_RXINV_TXINV;
+#elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy 3.2
+constexpr uint32_t PortConfig = SERIAL_8E1_RXINV_TXINV;
+#else
+constexpr uint32_t PortConfig = static_cast<uint32_t>(EvenConfig) | InvertedBit;
+#endif
 
-/// A poll that finds this many bytes may have found the buffer full, and then the core has dropped the newest bytes:
-/// the break lies after the last one. One less than it holds, because a core may keep a place free (AVR).
-constexpr int BufferFull = BufferSize - 1;
+// ---- The receive buffer, in bytes
 
-/// As read(): in one call, where the core has read(buffer, size).
-template <typename Port>
-auto readWaiting(Port &port, uint8_t *buffer, size_t size, int) -> decltype(port.read(buffer, size)) {
-  return port.read(buffer, size);
-}
+/// Of a port that nothing is known of: the smallest there is (Pico). A buffer taken for larger than it is mixes frames.
+constexpr unsigned SmallestBuffer = 32;
 
-/// The same byte by byte, elsewhere.
-template <typename Port>
-int readWaiting(Port &port, uint8_t *buffer, size_t size, long) {
-  size_t count = 0;
-  for (int byte; count < size && (byte = port.read()) >= 0; count++) {
-    buffer[count] = static_cast<uint8_t>(byte);
+#if defined(UART_RX_BUFFER_SIZE)  // STM32L0
+constexpr unsigned CoreBuffer = UART_RX_BUFFER_SIZE;
+#elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR, STM32
+constexpr unsigned CoreBuffer = SERIAL_RX_BUFFER_SIZE;
+#elif defined(SERIAL_BUFFER_SIZE)     // SAMD, SAM, nRF52, Uno R4
+constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
+#else
+constexpr unsigned CoreBuffer = SmallestBuffer;
+#endif
+
+/// What a port is given that can be given one: 30 ms of a line without pauses.
+constexpr unsigned WantedBuffer = 256;
+
+// ---- Overloads
+
+/// Of several that fit, the one with the highest number is called.
+template <int Number>
+struct Choice : Choice<Number - 1> {};
+/// Fits all.
+template <>
+struct Choice<0> {};
+
+/// A format, as whatever type the begin() of a core wants: 8, 16 or 32 bits, or an enum.
+struct Config {
+  uint32_t value;  ///< as the core has it, or PortConfig
+  /// The line is to be inverted, and the format cannot say so.
+  bool inverted() const { return (value & InvertedBit) != 0; }
+  /// The conversion.
+  template <typename Format>
+  operator Format() const {
+    return static_cast<Format>(value & ~InvertedBit);
   }
-  return static_cast<int>(count);
+};
+
+/// Before 2.0.3 the ESP32 cannot be told; see Esp32.
+template <typename Port>
+auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
+  port.setRxFIFOFull(LargestBurst);
+}
+/// Leaves it.
+template <typename Port>
+void limitBursts(Port &, Choice<0>) {
 }
 
-/// Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
-/// past the end of `buffer`. Returns how many there were.
-inline int read(HardwareSerial &port, uint8_t *buffer, size_t size) {
-  return readWaiting(port, buffer, size, 0);
+// ---- Kinds of ports, and how each is opened. Inverts: it can invert the line. Buffer: its size, whoever opens it.
+// open() returns the buffer's size; 0: it stays what it was.
+
+/// begin(baud, config), and the format says whether the line is inverted: AVR, SAMD, nRF52, mbed, Uno R4, Teensy,
+/// STM32L0.
+struct ByFormat {
+  static constexpr bool Inverts = (PortConfig & InvertedBit) == 0;
+  static constexpr unsigned Buffer = CoreBuffer;
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config) {
+    port.begin(baud, config);
+    return Buffer;
+  }
+};
+
+/// A format of that type.
+template <typename Format>
+Format as(Format, Config config) {
+  return config;
 }
+
+/// The same, where two enums fit: SAM.
+struct ByEnum : ByFormat {
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config) {
+    port.begin(baud, as(EvenConfig, config));
+    return Buffer;
+  }
+};
+
+/// STM32, whose inversion cannot be taken back. The chips without (F1, F2, F4, L1) ignore it.
+struct Stm32 : ByFormat {
+#if defined(UART_ADVFEATURE_RXINVERT_INIT)
+  static constexpr bool Inverts = true;
+#endif
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config) {
+    if (config.inverted()) {
+      port.setRxInvert();
+      port.setTxInvert();
+    }
+    return ByFormat::open(port, baud, config);
+  }
+};
+
+/// arduino-pico. A port takes its settings only while it is closed.
+struct Pico {
+  static constexpr bool Inverts = true;
+  static constexpr unsigned Buffer = SmallestBuffer;
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config) {
+    port.end();
+    port.setInvertRX(config.inverted());
+    port.setInvertTX(config.inverted());
+    port.setFIFOSize(WantedBuffer);
+    port.begin(baud, config);
+    return WantedBuffer;
+  }
+};
+
+/// ESP32. Its pins are those of setPins(), or the core's. It would hand over 120 characters at once.
+struct Esp32 {
+  static constexpr bool Inverts = true;
+  static constexpr unsigned Buffer = 128;
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config) {
+    const size_t size = port.setRxBufferSize(WantedBuffer);
+    port.begin(baud, config, -1, -1, config.inverted());
+    limitBursts(port, Choice<1>());
+    return size;
+  }
+};
+
+/// ESP8266: mode 0 is SERIAL_FULL, and 1 the pin that sends.
+struct Esp8266 {
+  static constexpr bool Inverts = true;
+  static constexpr unsigned Buffer = 128;
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config) {
+    port.begin(baud, config, Config{0}, 1, config.inverted());
+    return port.getRxBufferSize();
+  }
+};
+
+/// Any Stream that is no hardware serial port: whoever knows it opens it.
+struct OpenAlready {
+  static constexpr bool Inverts = false;
+  static constexpr unsigned Buffer = SmallestBuffer;
+  template <typename Port>
+  static unsigned open(Port &, unsigned long, Config) {
+    return 0;
+  }
+};
+
+/// The kind of a port; called by no one.
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<4>)
+    -> decltype(port->begin(0, Config(), Config(), 1, true), Esp8266());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<4>) -> decltype(port->setInvertRX(true), Pico());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<4>) -> decltype(port->setRxInvert(), Stm32());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<3>) -> decltype(port->begin(0, Config()), ByFormat());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
+template <typename Port>
+OpenAlready kindOf(Port *, Stream *, Choice<1>);
+/// Its type.
+template <typename Port>
+using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Choice<5>()));
+
+/// True if begin() opens this port inverted; false: the line needs an inverter, or whoever opens the port inverts it.
+template <typename Port>
+constexpr bool inverts(Port &) {
+  return KindOf<Port>::Inverts;
+}
+
+/// A port, and what its class can do.
+class Port {
+ public:
+  /// Of any class.
+  template <typename Class>
+  explicit Port(Class &port)
+      : _stream(port), _hardware(hardware(&port)), _open(open<Class>), _half(half(KindOf<Class>::Buffer)) {}
+
+  /// Opens a hardware serial port. `config` is a format of the core, or PortConfig. Not with a baud that S.Bus never
+  /// has: cores divide by 0, or wait for 20 s (ESP32).
+  void open(unsigned long baud, uint32_t config) {
+    const unsigned half = baud > SlowestBaud ? _open(_stream, baud, config) : 0;
+    if (half != 0) {
+      _half = half;
+    }
+  }
+
+  /// Closes a hardware serial port.
+  void close() {
+    if (_hardware != nullptr) {
+      _hardware->end();
+    }
+  }
+
+  /// How many bytes wait.
+  int available() { return _stream.available(); }
+
+  /// Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
+  /// past the end of `buffer`. Returns how many there were.
+  int read(uint8_t *buffer, size_t size) { return read(_hardware, buffer, size, Choice<1>()); }
+
+  /// Throws away one that waits.
+  void drop() { _stream.read(); }
+
+  /// Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
+  unsigned half() const { return _half; }
+
+  /// How many bytes it says that it takes at once; many cores say 0, whatever they take.
+  int room() { return room(_stream, Choice<1>()); }
+
+  /// Writes them all; may wait.
+  void write(const uint8_t *bytes, size_t size) { _stream.write(bytes, size); }
+
+ private:
+  // Returns what half() is then; 0: as before.
+  using Open = unsigned(Stream &port, unsigned long baud, uint32_t config);
+
+  static HardwareSerial *hardware(HardwareSerial *port) { return port; }
+  static HardwareSerial *hardware(Stream *) { return nullptr; }
+
+  static constexpr unsigned half(size_t buffer) { return buffer != 0 ? static_cast<unsigned>(buffer / 2 - 1) : 0; }
+
+  template <typename Class>
+  static unsigned open(Stream &port, unsigned long baud, uint32_t config) {
+    return half(KindOf<Class>::open(static_cast<Class &>(port), baud, Config{config}));
+  }
+
+  // In one call, where HardwareSerial can.
+  template <typename Hardware>
+  auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
+      -> decltype(static_cast<int>(port->read(buffer, size))) {
+    return port != nullptr ? static_cast<int>(port->read(buffer, size)) : read(port, buffer, size, Choice<0>());
+  }
+  // Out of line: in line it would cost a poll of the STM32L0 24 cycles.
+  template <typename Hardware>
+  __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Choice<0>) {
+    size_t count = 0;
+    for (int byte; count < size && (byte = _stream.read()) >= 0; count++) {
+      buffer[count] = static_cast<uint8_t>(byte);
+    }
+    return static_cast<int>(count);
+  }
+
+  template <typename Class>
+  static auto room(Class &port, Choice<1>) -> decltype(port.availableForWrite()) {
+    return port.availableForWrite();
+  }
+  template <typename Class>
+  static int room(Class &, Choice<0>) {  // SAM
+    return 0;
+  }
+
+  Stream &_stream;
+  HardwareSerial *const _hardware;  // null: any Stream
+  Open *const _open;
+  unsigned _half;
+};
 
 }  // namespace sbus

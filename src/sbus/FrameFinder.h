@@ -101,8 +101,6 @@ class FrameFinder {
   bool isHeader(int index) const { return _incoming[index] == HeaderByte; }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
-  uint8_t *_incoming = _frames[1] + Pad;
-  uint8_t *_complete = _frames[0] + Pad;
   Pauses _pauses;
   uint8_t _kind;        // of the line: a row of LineKinds, or UnknownKind
   bool _certain;        // the last frame began where a frame begins
@@ -110,9 +108,11 @@ class FrameFinder {
   bool _idleAfter;      // while the kind is unknown: the line was idle after the last poll's characters
   uint8_t _filled;      // bytes in _incoming
   uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
+  uint8_t _refused;     // headers refused in this poll
   uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
-  uint8_t _refused;     // headers refused in this poll
+  uint8_t *_incoming = _frames[1] + Pad;
+  uint8_t *_complete = _frames[0] + Pad;
   uint32_t _quiet;      // us before the last poll
   uint32_t _frameTime = 0;
   Counters _counters;

@@ -21,6 +21,9 @@ enum class LinkState : uint8_t {
 /// frame, by whoever reads the port; it may interrupt state(), seen() and givenUp().
 class Link {
  public:
+  /// No frame yet.
+  Link() { reset(); }
+
   static constexpr uint16_t DefaultTimeout = 100;    ///< ms: six frames of the slowest receiver known (15 ms)
   static constexpr uint16_t DefaultLossLimit = 100;  ///< frames: 0.6 to 1.5 s
 
@@ -58,12 +61,12 @@ class Link {
   uint32_t age() const { return _age; }
 
  private:
-  uint32_t _agedTime = 0;  // of the frame whose age was asked last
-  uint32_t _age = 0;       // us, of that frame, when it was asked last
+  uint32_t _agedTime;  // of the frame whose age was asked last
+  uint32_t _age;       // us, of that frame, when it was asked last
   uint16_t _timeout = DefaultTimeout;
   uint16_t _lossLimit = DefaultLossLimit;
-  uint16_t _losses = 0;                     // lost frames in a row
-  LinkState _state = LinkState::NeverSeen;  // of the newest frame, when it came
+  uint16_t _losses;  // lost frames in a row
+  LinkState _state;  // of the newest frame, when it came
 };
 
 inline void Link::frame(uint8_t flags) {

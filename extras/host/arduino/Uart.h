@@ -4,6 +4,13 @@
 
 #include "HardwareSerial.h"
 
+// The receive buffer, by the name that the core gives it.
+#if defined(HOST_PLAIN_CORE)
+#define SERIAL_RX_BUFFER_SIZE 64
+#else
+#define UART_RX_BUFFER_SIZE 64
+#endif
+
 namespace host {
 class Port;
 }
