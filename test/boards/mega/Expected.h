@@ -1,6 +1,6 @@
-// What a sketch has to print, to send and to do at its pins, as the line has it. Each row, sent frame and pulse must come
-// from the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a frame
-// ends.
+// What a sketch has to print, to send and to do at its pins, as the line has it. Each row, sent frame and pulse must
+// come from the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a
+// frame ends.
 #pragma once
 
 #include <cstdint>

@@ -26,7 +26,7 @@ constexpr uint32_t ReceiverOn = 0x10;                       // RXENn of UCSRnB
 constexpr uint32_t TransmitterOn = 0x08;                    // TXENn
 constexpr size_t HardwareBuffer = 3;  // characters that the USART holds: two, and one in its shift register
 constexpr struct {
-  char port;
+  uint32_t port;
   int bit;
 } Pins[] = {{'E', 4}, {'E', 5}, {'G', 5}, {'E', 3}};  // the pins 2..5
 
@@ -53,7 +53,7 @@ Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uin
   for (size_t number = 0; number < 3; number++) {
     const avr_uart_t &usart = *_usarts[number];
     on(written(usart.r_ucsrb), [this, number](uint32_t value) { control(number, value); });
-    on(avr_io_getirq(_avr, AVR_IOCTL_UART_GETIRQ(usart.name), UART_IRQ_OUTPUT),
+    on(avr_io_getirq(_avr, AVR_IOCTL_UART_GETIRQ(static_cast<uint32_t>(usart.name)), UART_IRQ_OUTPUT),
        [this, number](uint32_t value) { send(number, static_cast<uint8_t>(value)); });
   }
   auto &read = _avr->io[AVR_DATA_TO_IO(_usarts[1]->r_udr)].r;
@@ -259,12 +259,14 @@ void Mega::send(size_t number, uint8_t byte) {
     character.value = byte;
     _wire.push_back(character);
   } else {
-    if (_lineBegins) {
-      _printed.push_back({us, ""});
+    if (_row.text.empty()) {
+      _row.us = us;
     }
-    _lineBegins = byte == '\n';
-    if (byte != '\r' && byte != '\n') {
-      _printed.back().text += static_cast<char>(byte);
+    if (byte == '\n') {
+      _printed.push_back(_row);
+      _row.text.clear();
+    } else if (byte != '\r') {
+      _row.text += static_cast<char>(byte);
     }
   }
 }

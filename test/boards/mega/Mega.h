@@ -1,5 +1,5 @@
-// An Arduino Mega with an example on it: an ATmega2560 at 16 MHz, simulated by libsimavr, and what is connected to it. It
-// notes all that goes over the line to Serial1, and all that the sketch does.
+// An Arduino Mega with an example on it: an ATmega2560 at 16 MHz, simulated by libsimavr, and what is connected to it.
+// It notes all that goes over the line to Serial1, and all that the sketch does.
 #pragma once
 
 #include <simavr/avr_uart.h>
@@ -91,7 +91,7 @@ class Mega {
   std::deque<line::Character> _received;  // and not yet read
   bool _isOpen = false;
   avr_cycle_count_t _rose[4] = {};
-  bool _lineBegins = true;
+  Printed _row{};  // printed so far
 
   std::vector<line::Character> _characters;
   std::vector<uint64_t> _opened;

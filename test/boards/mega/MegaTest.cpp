@@ -185,16 +185,16 @@ TEST_CASE("SBusFrameOk() falls 100 ms after the line went silent, and 200 us lat
 }
 
 TEST_CASE("Loopback says whether what it sends comes back, once a second") {
-  constexpr char Pass[] = "PASS: 100 frames sent, 100 came back right.\n";
   const std::pair<std::string, std::string> runs[] = {
-      {"wire", Pass},
+      {"wire", "PASS: 100 frames sent, 100 came back right.\n"},
       {"flight", "FAIL: frames come that were not sent. Is a receiver still connected to RX1?\n"},
       {"silent", "FAIL: not a byte comes back. Is TX1 connected to RX1? Are these the pins?\n"},
   };
-  for (const auto &[line, text] : runs) {
-    CAPTURE(line);
-    const Mega mega("Loopback", lineOf(line), text == Pass ? 2 : 1);
-    CHECK(textOf(mega) == (text == Pass ? text + text : text));
+  for (const auto &run : runs) {
+    CAPTURE(run.first);
+    const bool passes = run.first == "wire";
+    const Mega mega("Loopback", lineOf(run.first), passes ? 2 : 1);
+    CHECK(textOf(mega) == (passes ? run.second + run.second : run.second));
     CHECK(mega.mistakes() == "");
   }
 }
@@ -228,10 +228,10 @@ TEST_CASE("Diagnose says what came in each setting, and what to do") {
        "NO SIGNAL: not a byte in any setting.\n"
        "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?\n"},
   };
-  for (const auto &[line, text] : runs) {
-    CAPTURE(line);
+  for (const auto &run : runs) {
+    CAPTURE(run.first);
     const std::regex period("[0-9]+ us");  // it depends on the polls
-    CHECK(std::regex_replace(textOf(Mega("Diagnose", lineOf(line), 1.2)), period, "some us") == text);
+    CHECK(std::regex_replace(textOf(Mega("Diagnose", lineOf(run.first), 1.2)), period, "some us") == run.second);
   }
 }
 
@@ -266,7 +266,8 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints
   const Mega first("Calibrate", lineOf("calibration"), 29);
   std::vector<Printed> rows = first.printed();
   CHECK(textOf(first).rfind(move + "Centre the sticks, but throttle low, and let go.\nStay so.\n"
-                                   "Push both sticks up and right.\n", 0) == 0);
+                                   "Push both sticks up and right.\n",
+                            0) == 0);
   REQUIRE(rows.size() >= 4 + 7);
   rows.erase(rows.begin(), rows.begin() + 4);
   const std::vector<uint8_t> eeprom = first.eeprom();
@@ -276,11 +277,13 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints
   CHECK(first.mistakes() == "");
   CHECK(stored.version == 1);
   for (size_t i = 0; i < 4; i++) {  // as extras/line/CalibrationMoves.cpp has them
-    constexpr uint16_t Moves[][4] = {{172, 1000, 1811, 8}, {1811, 985, 172, 8}, {172, 992, 1811, 0}, {172, 992, 1811, 8}};
+    constexpr uint16_t Moves[][4] = {
+        {172, 1000, 1811, 8}, {1811, 985, 172, 8}, {172, 992, 1811, 0}, {172, 992, 1811, 8}};
     CAPTURE(i);
     CHECK(std::memcmp(&stored.channels[i], Moves[i], sizeof Moves[i]) == 0);
   }
-  CHECK(eeprom.begin() + sizeof stored + std::count(eeprom.begin() + sizeof stored, eeprom.end(), 0xFF) == eeprom.end());
+  CHECK(eeprom.begin() + sizeof stored + std::count(eeprom.begin() + sizeof stored, eeprom.end(), 0xFF) ==
+        eeprom.end());
 
   const Mega again("Calibrate", lineOf("paper"), 1, eeprom);  // prints numbers at once
   CHECK(wrongRow(Expected(again.characters()), again.printed(), mega::calibrated(stored)) == "");

@@ -1,5 +1,5 @@
-// A stand-in for Arduino's Servo library, which Debian does not have: a pulse every 20 ms at each of four pins, one after
-// the other, timed by timer 5 as that library does it on a Mega.
+// A stand-in for Arduino's Servo library, which Debian does not have: a pulse every 20 ms at each of four pins, one
+// after the other, timed by timer 5 as that library does it on a Mega.
 #pragma once
 
 #include <Arduino.h>
@@ -54,9 +54,11 @@ class Servo {
 
  private:
   static constexpr uint8_t Count = 4;
-  static constexpr uint16_t TicksPerUs = 2;          // timer 5 counts 16 MHz / 8
+  static constexpr uint16_t TicksPerUs = 2;            // timer 5 counts 16 MHz / 8
   static constexpr uint16_t Slot = 5000 * TicksPerUs;  // of each servo
-  static constexpr uint16_t Gap = 1000 * TicksPerUs; // before each pulse: an edge has an interrupt of its own
+  // Before each pulse, so that none begins right after the end of one of the simulated receiver's frames: there a
+  // sketch may have read neither that frame nor the one before.
+  static constexpr uint16_t Gap = 1000 * TicksPerUs;
   // The interrupt comes so much before an edge, and waits for it: other interrupts, each shorter than that, do not move
   // the edge, as they do with the real library.
   static constexpr uint16_t Ahead = 24 * TicksPerUs;
