@@ -32,9 +32,7 @@ void loop() {
   if (ok != wasOk) {
     const unsigned long now = micros();
     wasOk = ok;
-    Serial.print("ok,");
-    Serial.print(ok);
-    Serial.print(',');
+    Serial.print(ok ? "ok,1," : "ok,0,");
     Serial.println(now);
   }
   if (timerDisplay >= PERIOD_DISPLAY) {

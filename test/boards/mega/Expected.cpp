@@ -1,10 +1,9 @@
 #include "Expected.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <sstream>
 
 #include "sbus/Scaling.h"
 
@@ -14,59 +13,75 @@ namespace {
 
 constexpr uint64_t TimeoutUs = 100000;
 constexpr uint64_t BusyUs = 2000;  // a loop() that prints takes so long at most
-constexpr double PeriodUs = 9000;  // of the frames that Mixer sends
-constexpr double LatestUs = 1500;  // for each of them
-constexpr double PulsePeriodUs = 20000;
-constexpr double RowTolerance = 0.0006;  // three decimals are printed
-constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
+constexpr uint64_t FrameUs = sbus::FrameSize * line::CharacterUs;
+
+bool isUsable(const SeenFrame &frame) {
+  return frame.number != 0 && !frame.stale;
+}
 
 template <typename Scale>
 Numbers scaled(const Channels &channels, size_t count, Scale scale) {
-  Numbers numbers;
-  for (size_t i = 0; i < count; i++) {
-    numbers.push_back(scale(channels[i]));
+  Numbers numbers(count);
+  std::transform(channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(count), numbers.begin(), scale);
+  return numbers;
+}
+
+bool isWhole(const Frame &frame) {
+  return frame[0] == 0x0F && (frame[23] & 0xF0) == 0 && (frame[24] == 0 || (frame[24] & 0xCF) == 4);
+}
+
+std::string text(const Numbers &numbers) {
+  std::ostringstream all;
+  for (const double number : numbers) {
+    all << (all.tellp() > 0 ? "," : "") << number;
+  }
+  return numbers.empty() ? "nothing" : all.str();
+}
+
+bool same(const Numbers &left, const Numbers &right, double tolerance) {
+  return !left.empty() && std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                                     [=](double a, double b) { return std::abs(a - b) <= tolerance; });
+}
+
+}  // namespace
+
+Numbers decodeSBus(const SeenFrame &frame) {
+  Numbers numbers = allChannels(frame);
+  if (!numbers.empty()) {
+    numbers.resize(4);
+    numbers.push_back(frame.failsafe);
+    numbers.push_back(frame.lostFrame);
   }
   return numbers;
 }
 
-Numbers decodeSBus(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  if (stale || frame.number == 0) {
-    return {};
-  }
-  Numbers numbers(frame.channels.begin(), frame.channels.begin() + 4);
-  numbers.push_back(frame.failsafe);
-  numbers.push_back(frame.lostFrame);
-  return numbers;
+Numbers allChannels(const SeenFrame &frame) {
+  return isUsable(frame) ? Numbers(frame.channels.begin(), frame.channels.end()) : Numbers();
 }
 
-Numbers allChannels(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  return stale || frame.number == 0 ? Numbers() : Numbers(frame.channels.begin(), frame.channels.end());
+Numbers normalized(const SeenFrame &frame) {
+  return scaled(frame.channels, isUsable(frame) ? 4 : 0, [](uint16_t raw) { return sbus::toUnit(raw, sbus::FrSky); });
 }
 
-Numbers normalized(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
-  return scaled(frame.channels, stale || frame.number == 0 ? 0 : 4,
-                [](uint16_t raw) { return sbus::toUnit(raw, sbus::FrSky); });
+Rule calibrated(const sbus::Calibration &calibration) {
+  return [calibration](const SeenFrame &frame) {
+    const sbus::CalibratedChannel *channel = calibration.channels;
+    return scaled(frame.channels, isUsable(frame) ? 4 : 0,
+                  [&channel](uint16_t raw) { return (channel++)->toNormalised(raw); });
+  };
 }
 
-Numbers calibrate(const SeenFrame &frame, bool stale, const sbus::Calibration &calibration) {
-  if (stale || frame.number == 0 || stateOf(calibration) != sbus::StoredState::Good) {
-    return {};
-  }
-  const sbus::CalibratedChannel *channel = calibration.channels;
-  return scaled(frame.channels, 4, [&channel](uint16_t raw) { return (channel++)->toNormalised(raw); });
-}
-
-Numbers servos(const SeenFrame &frame, bool stale, const sbus::Calibration &) {
+Numbers servos(const SeenFrame &frame) {
   Numbers pulses = scaled(frame.held, 4, [](uint16_t raw) {
     return sbus::limited(sbus::toMicroseconds(raw, sbus::FrSky), sbus::LowPulse, sbus::HighPulse);
   });
-  if (frame.failsafe || stale) {
+  if (frame.failsafe || frame.stale) {
     pulses[2] = sbus::LowPulse;
   }
   return pulses;
 }
 
-Numbers mixer(const SeenFrame &frame, bool, const sbus::Calibration &) {
+Numbers mixer(const SeenFrame &frame) {
   if (frame.number == 0) {
     return {};
   }
@@ -74,6 +89,25 @@ Numbers mixer(const SeenFrame &frame, bool, const sbus::Calibration &) {
   row.push_back(std::clamp(row[1] + row[0], -1000.0, 1000.0));
   row.push_back(std::clamp(row[1] - row[0], -1000.0, 1000.0));
   return row;
+}
+
+Numbers mixerSends(const SeenFrame &frame) {
+  const Numbers row = mixer(frame);
+  if (row.empty()) {
+    return {};
+  }
+  Channels channels = frame.channels;
+  channels[0] = sbus::fromNormalised(static_cast<int16_t>(row[2]), sbus::FrSky);
+  channels[1] = sbus::fromNormalised(static_cast<int16_t>(row[3]), sbus::FrSky);
+  channels[2] = frame.stale ? sbus::FrSky.low : channels[2];
+  Frame out = writeBitByBit(channels);
+  out[23] = static_cast<uint8_t>(out[23] | (frame.lostFrame || frame.stale ? 4 : 0) |
+                                 (frame.failsafe || frame.stale ? 8 : 0));
+  return numbersOf(out);
+}
+
+Numbers counters(const SeenFrame &frame) {
+  return {static_cast<double>(frame.number), static_cast<double>(frame.others)};
 }
 
 Numbers numbersOf(const Frame &frame) {
@@ -85,205 +119,78 @@ Numbers numbersOf(const Frame &frame) {
   return numbers;
 }
 
-Numbers mixerSends(const SeenFrame &frame, bool stale, const sbus::Calibration &calibration) {
-  const Numbers row = mixer(frame, stale, calibration);
-  if (row.empty()) {
-    return {};
-  }
-  Channels channels = frame.channels;
-  for (size_t i = 0; i < 2; i++) {
-    channels[i] = sbus::fromNormalised(static_cast<int16_t>(row[2 + i]), sbus::FrSky);
-  }
-  channels[2] = stale ? sbus::FrSky.low : channels[2];
-  Frame out = writeBitByBit(channels);
-  out[23] = static_cast<uint8_t>(out[23] | (frame.lostFrame || stale ? 4 : 0) | (frame.failsafe || stale ? 8 : 0));
-  return numbersOf(out);
-}
-
-Numbers counters(const SeenFrame &frame, bool, const sbus::Calibration &) {
-  return {static_cast<double>(frame.number), static_cast<double>(frame.others)};
-}
-
-struct Sketch {
-  const char *name;
-  Rule row;
-  Rule sending;
-};
-constexpr Sketch Sketches[] = {
-    {"DecodeSBus", decodeSBus, nullptr}, {"AllChannels", allChannels, nullptr}, {"Normalized", normalized, nullptr},
-    {"Calibrate", calibrate, nullptr},   {"Servos", servos, nullptr},           {"Mixer", mixer, mixerSends},
-    {"Counters", counters, nullptr},
-};
-
-// Without end: it holds something that is no number.
-Numbers parse(const std::string &line) {
+Numbers numbersIn(const std::string &row) {
   Numbers numbers;
-  const char *next = line.c_str();
-  char *end = nullptr;
-  do {
+  const char *next = row.c_str();
+  for (char *end = nullptr;; next = end + 1) {
     numbers.push_back(std::strtod(next, &end));
-    if (end == next) {
+    if (end == next || (*end != ',' && *end != '\0')) {
       return {};
     }
-    next = end + 1;
-  } while (*end == ',');
-  return *end == '\r' ? numbers : Numbers();
-}
-
-std::string text(const Numbers &numbers) {
-  std::string all;
-  for (const double number : numbers) {
-    char each[32];
-    std::snprintf(each, sizeof each, "%s%g", all.empty() ? "" : ",", number);
-    all += each;
-  }
-  return all.empty() ? "nothing" : all;
-}
-
-bool same(const Numbers &left, const Numbers &right, double tolerance) {
-  return left.size() == right.size() && !left.empty() &&
-         std::equal(left.begin(), left.end(), right.begin(),
-                    [tolerance](double a, double b) { return std::abs(a - b) <= tolerance; });
-}
-
-// Before the first frame the library says failsafe.
-SeenFrame noFrame() {
-  SeenFrame frame = {{}, {}, true, false, 0, 0};
-  frame.held.fill(sbus::FrSky.centre);
-  return frame;
-}
-
-}  // namespace
-
-Expected::Expected(const std::string &sketch, Mega &mega, Eeprom &eeprom)
-    : _mega(mega),
-      _eeprom(eeprom),
-      _hasPulses(sketch == "Servos"),
-      _hasWords(sketch == "Calibrate" || sketch == "Counters"),
-      _newest(noFrame()),
-      _before(noFrame()) {
-  for (const Sketch &each : Sketches) {
-    if (sketch == each.name) {
-      _row = each.row;
-      _sending = each.sending;
+    if (*end == '\0') {
+      return numbers;
     }
   }
 }
 
-void Expected::frame(const Frame &frame, unsigned long others) {
-  const bool isWhole = frame[0] == 0x0F && (frame[23] & 0xF0) == 0 && (frame[24] == 0 || (frame[24] & 0xCF) == 4);
-  if (!isWhole) {
-    return;
-  }
-  _before = _newest;
-  _newestUs = _mega.clockUs();
-  const Channels channels = readBitByBit(frame);
-  const bool failsafe = (frame[23] & 8) != 0;
-  _newest = {channels, failsafe ? _before.held : channels, failsafe, (frame[23] & 4) != 0, _before.number + 1, others};
-}
-
-Expected::Candidates Expected::candidates(Rule rule) const {
-  const uint64_t age = _mega.clockUs() - _newestUs;
-  const sbus::Calibration calibration = _eeprom.calibration();
-  Candidates all;
-  for (const SeenFrame &frame : {_newest, _before}) {
-    if (age < TimeoutUs + BusyUs) {
-      all.push_back(rule(frame, false, calibration));
+// The first 25 characters after a pause, if all are good, are a frame. Before the first one the library says failsafe.
+Expected::Expected(const std::vector<line::Character> &characters) {
+  SeenFrame none{};
+  none.held.fill(sbus::FrSky.centre);
+  none.failsafe = true;
+  _frames.assign(2, none);
+  Frame bytes{};
+  size_t run = 0;  // characters since the last pause
+  uint64_t lastUs = 0;
+  unsigned good = 0;  // characters that no frame has taken
+  bool isGood = true;
+  for (const line::Character &character : characters) {
+    if (character.endUs > lastUs + line::CharacterUs * 3 / 2) {
+      run = 0;
+      isGood = true;
     }
-    if (age >= TimeoutUs) {
-      all.push_back(rule(frame, true, calibration));
+    lastUs = character.endUs;
+    isGood = isGood && !character.bad;
+    good += !character.bad;
+    if (run < bytes.size()) {
+      bytes[run] = character.value;
     }
-  }
-  return all;
-}
-
-void Expected::printed(char character) {
-  if (_row == nullptr) {
-    return;
-  }
-  if (_line.empty()) {
-    _rows = candidates(_row);
-  }
-  if (character != '\n') {
-    _line += character;
-    return;
-  }
-  if (!_hasWords || std::isalpha(static_cast<unsigned char>(_line[0])) == 0) {
-    check("row", parse(_line), _rows, RowTolerance);
-    _rowCount++;
-  }
-  _line.clear();
-}
-
-void Expected::sent(uint8_t byte) {
-  if (_sending == nullptr) {
-    return;
-  }
-  if (_frameSize == 0) {
-    const double us = static_cast<double>(_mega.clockUs());
-    _frames = candidates(_sending);
-    _firstSentUs = _sentCount == 0 ? us : _firstSentUs;
-    checkTime("sent frame's time", us - _firstSentUs - PeriodUs * static_cast<double>(_sentCount), -50, LatestUs);
-    _sentCount++;
-  }
-  _frame[_frameSize++] = byte;
-  if (_frameSize == _frame.size()) {
-    _frameSize = 0;
-    check("sent frame", numbersOf(_frame), _frames, 0);
-  }
-}
-
-void Expected::pulseBegins(unsigned channel) {
-  if (!_hasPulses) {
-    return;
-  }
-  _pulses[channel] = candidates(_row);
-  if (channel == 0) {
-    const double us = static_cast<double>(_mega.clockUs());
-    if (_pulseCounts[0] > 0) {
-      checkTime("pulse's time", us - _lastPulseUs - PulsePeriodUs, -1, 1);
-    }
-    _lastPulseUs = us;
-  }
-}
-
-void Expected::pulseEnds(unsigned channel, double widthUs) {
-  if (!_hasPulses) {
-    return;
-  }
-  for (Numbers &candidate : _pulses[channel]) {
-    candidate = {candidate[channel]};
-  }
-  check("pulse", {widthUs}, _pulses[channel], PulseTolerance);
-  _pulseCounts[channel]++;
-}
-
-void Expected::check(const char *what, const Numbers &found, const Candidates &candidates, double tolerance) {
-  for (const Numbers &candidate : candidates) {
-    if (same(found, candidate, tolerance)) {
-      return;
+    run++;
+    if (run == bytes.size() && isGood && isWhole(bytes)) {
+      good -= sbus::FrameSize;
+      const SeenFrame &before = _frames.back();
+      const Channels channels = readBitByBit(bytes);
+      const bool failsafe = (bytes[23] & 8) != 0;
+      _frames.push_back({character.endUs, channels, failsafe ? before.held : channels, failsafe, (bytes[23] & 4) != 0,
+                         before.number + 1, good, false});
     }
   }
-  std::string mistake = std::to_string(_mega.clockUs()) + " us: " + what + " " + text(found);
-  for (const Numbers &candidate : candidates) {
-    mistake += (&candidate == &candidates[0] ? ", expected " : " or ") + text(candidate);
-  }
-  _mistakes.push_back(mistake);
 }
 
-void Expected::checkTime(const char *what, double us, double least, double most) {
-  if (us < least || us > most) {
-    check(what, {us}, {}, 0);
+std::string Expected::wrong(uint64_t us, const Numbers &found, const Rule &rule, double tolerance) const {
+  const auto isLater = [](uint64_t time, const SeenFrame &frame) { return time < frame.us; };
+  const auto later = std::upper_bound(_frames.begin() + 2, _frames.end(), us, isLater);
+  const uint64_t age = us - later[-1].us;
+  std::string mistake = std::to_string(us) + " us: " + text(found) + ", expected";
+  for (SeenFrame frame : {later[-1], later[-2]}) {
+    for (const bool stale : {false, true}) {
+      if (stale ? age >= TimeoutUs : age < TimeoutUs + BusyUs) {
+        frame.stale = stale;
+        const Numbers candidate = rule(frame);
+        if (same(found, candidate, tolerance)) {
+          return {};
+        }
+        mistake += " or " + text(candidate);
+      }
+    }
   }
+  return mistake;
 }
 
-bool Expected::report() const {
-  std::fprintf(stderr, "rows: %lu\nsent: %lu\npulses: %lu\n", _rowCount, _sentCount,
-               *std::min_element(_pulseCounts, _pulseCounts + 4));
-  for (const std::string &mistake : _mistakes) {
-    std::fprintf(stderr, "wrong at %s\n", mistake.c_str());
-  }
-  return _mistakes.empty();
+unsigned Expected::count(uint64_t fromUs, uint64_t toUs) const {
+  return static_cast<unsigned>(std::count_if(_frames.begin() + 2, _frames.end(), [=](const SeenFrame &frame) {
+    return frame.us >= fromUs + FrameUs && frame.us <= toUs;
+  }));
 }
 
 }  // namespace mega

@@ -1,13 +1,13 @@
-// Whether a sketch prints, sends and does at its pins what its line says. Each row, pulse and sent frame must come from
-// the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a frame
-// ends.
+// What a sketch has to print, to send and to do at its pins, as the line has it. Each row, sent frame and pulse must
+// come from the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a
+// frame ends.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "Eeprom.h"
 #include "Mega.h"
 #include "sbus/Calibration.h"
 #include "support/BitByBit.h"
@@ -16,62 +16,50 @@ namespace mega {
 
 // A frame of the line, read bit by bit: the library has no part in it.
 struct SeenFrame {
+  uint64_t us;  // it is through
   Channels channels;
   Channels held;  // of the newest frame without failsafe
   bool failsafe;
   bool lostFrame;
-  unsigned long number;  // 0: no frame has come yet
-  unsigned long others;  // undamaged characters before it that belong to no frame
+  unsigned number;  // 0: no frame has come yet
+  unsigned others;  // undamaged characters before it that belong to no frame
+  bool stale;       // no frame has come since, for 100 ms
 };
 
 using Numbers = std::vector<double>;
 
-// What a sketch makes of a frame; empty: it must not make anything of it. `stale`: no frame came for 100 ms.
-using Rule = Numbers (*)(const SeenFrame &frame, bool stale, const sbus::Calibration &calibration);
+// What a sketch makes of a frame; empty: it must not make anything of it.
+using Rule = std::function<Numbers(const SeenFrame &)>;
 
+Numbers decodeSBus(const SeenFrame &frame);
+Numbers allChannels(const SeenFrame &frame);
+Numbers normalized(const SeenFrame &frame);
+Rule calibrated(const sbus::Calibration &calibration);
+Numbers servos(const SeenFrame &frame);
+Numbers mixer(const SeenFrame &frame);
+Numbers mixerSends(const SeenFrame &frame);  // numbersOf() the frame
+Numbers counters(const SeenFrame &frame);
+
+// The channels, then what else there is in the bytes 23, 0 and 24.
+Numbers numbersOf(const Frame &frame);
+
+// "172,992", without end; empty: it is something else.
+Numbers numbersIn(const std::string &row);
+
+// What the line of a run demands.
 class Expected {
  public:
-  // Nothing is checked of a sketch that is not known here.
-  Expected(const std::string &sketch, Mega &mega, Eeprom &eeprom);
+  explicit Expected(const std::vector<line::Character> &characters);
 
-  void frame(const Frame &frame, unsigned long others);  // has just gone over the line; see SeenFrame
-  void printed(char character);                          // begins to leave Serial
-  void sent(uint8_t byte);                               // begins to leave Serial2
-  void pulseBegins(unsigned channel);                    // 0..3
-  void pulseEnds(unsigned channel, double widthUs);
+  // Of `found`, made at `us`: empty if it is what one of the two frames demands; else what is wrong.
+  std::string wrong(uint64_t us, const Numbers &found, const Rule &rule, double tolerance) const;
 
-  // Tells standard error how much was checked, and each mistake. Returns whether there was none.
-  bool report() const;
+  // The frames that began at `fromUs` or later, and were through by `toUs`.
+  unsigned count(uint64_t fromUs, uint64_t toUs) const;
+  uint64_t lastUs() const { return _frames.back().us; }
 
  private:
-  using Candidates = std::vector<Numbers>;
-
-  Candidates candidates(Rule rule) const;
-  void check(const char *what, const Numbers &found, const Candidates &candidates, double tolerance);
-  void checkTime(const char *what, double us, double least, double most);
-
-  Mega &_mega;
-  Eeprom &_eeprom;
-  Rule _row = nullptr;
-  Rule _sending = nullptr;
-  bool _hasPulses = false;
-  bool _hasWords = false;
-  SeenFrame _newest;
-  SeenFrame _before;
-  uint64_t _newestUs = 0;
-
-  std::string _line;  // printed so far,
-  Candidates _rows;   // and what it may be
-  Frame _frame{};     // sent so far,
-  size_t _frameSize = 0;
-  Candidates _frames;  // and what it may be
-  Candidates _pulses[4];
-  double _firstSentUs = 0;
-  double _lastPulseUs = 0;
-  unsigned long _rowCount = 0;
-  unsigned long _sentCount = 0;
-  unsigned long _pulseCounts[4] = {};
-  std::vector<std::string> _mistakes;
+  std::vector<SeenFrame> _frames;
 };
 
 }  // namespace mega

@@ -1,66 +1,82 @@
 #include "Mega.h"
 
+#include <simavr/avr_eeprom.h>
 #include <simavr/avr_extint.h>
+#include <simavr/avr_ioport.h>
 #include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
+#include <simavr/sim_regbit.h>
 
-#include <cstdarg>
-#include <cstdio>
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
-
-#include "line/Line.h"
+#include <utility>
 
 namespace mega {
 
 namespace {
 
-constexpr char Processor[] = "atmega2560";
-constexpr uint8_t ExternalInterrupts = 8;     // INT0..INT7
-constexpr avr_io_addr_t TimerControl = 0x45;  // TCCR0B
-constexpr uint32_t TimerClocked = 0x07;       // CS02:CS00, 0 while it stands still
+constexpr uint32_t CyclesPerUs = 16;
+constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;  // of a line with nothing on it
+constexpr uint8_t ExternalInterrupts = 8;                   // INT0..INT7
+constexpr avr_io_addr_t TimerControl = 0x45;                // TCCR0B
+constexpr uint32_t TimerClocked = 0x07;                     // CS02:CS00, 0 while it stands still
+constexpr uint32_t ReceiverOn = 0x10;                       // RXENn of UCSRnB
+constexpr uint32_t TransmitterOn = 0x08;                    // TXENn
+constexpr size_t HardwareBuffer = 3;  // characters that the USART holds: two, and one in its shift register
+constexpr struct {
+  uint32_t port;
+  int bit;
+} Pins[] = {{'E', 4}, {'E', 5}, {'G', 5}, {'E', 3}};  // the pins 2..5
 
-// libsimavr talks on standard output, which is the sketch's.
-void log(avr_t *, int level, const char *format, va_list arguments) {
-  if (level == LOG_ERROR || level == LOG_WARNING) {
-    std::vfprintf(stderr, format, arguments);
-  }
-}
-
-void doNotSleep(avr_t *, avr_cycle_count_t) {
-}
-
-bool isSet(const avr_t *avr, const avr_regbit_t &bits) {
-  return (avr->data[bits.reg] >> bits.bit & bits.mask) != 0;
+// What Serial has to be set to: 115200 baud, as near as 16 MHz come to it (2.1 %), 8N1.
+bool isSerial(const line::LineSettings &settings) {
+  return std::labs(static_cast<long>(settings.baud) - 115200) <= 115200 / 40 &&
+         settings.format == line::Format{8, line::Parity::None, 1};
 }
 
 }  // namespace
 
-Mega::Mega(const std::string &elf) {
-  avr_global_logger_set(log);
-  _avr = avr_make_mcu_by_name(Processor);
-  if (_avr == nullptr) {
-    throw std::runtime_error(std::string("this libsimavr knows no ") + Processor);
-  }
+Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom)
+    : _avr(avr_make_mcu_by_name("atmega2560")), _line(std::move(line)) {
+  avr_global_logger_set([](avr_t *, int, const char *, va_list) {});
   avr_init(_avr);
-  _avr->sleep = doNotSleep;            // else a sketch that waits for an interrupt waits in real time
-  _avr->run_cycle_limit = UINT32_MAX;  // instructions run in one go, up to the next event; as exact, and faster
+  _avr->sleep = [](avr_t *, avr_cycle_count_t) {};  // else a sketch that waits for an interrupt waits in real time
+  _avr->run_cycle_limit = UINT32_MAX;               // instructions run in one go, up to the next event
   for (uint8_t number = 0; number < ExternalInterrupts; number++) {
-    avr_extint_set_strict_lvl_trig(_avr, number, 0);  // else it looks in every cycle whether such a pin is still low
+    avr_extint_set_strict_lvl_trig(_avr, number, 0);  // else such a pin is polled in every cycle
   }
-  load(elf);
+  load(sketch);
   findUsarts();
-  avr_irq_register_notify(avr_iomem_getirq(_avr, TimerControl, nullptr, AVR_IOMEM_IRQ_ALL), timerStarted, this);
+  on(written(TimerControl), [this](uint32_t value) { _clockZero = (value & TimerClocked) != 0 ? _avr->cycle : 0; });
+  for (size_t number = 0; number < 3; number++) {
+    const avr_uart_t &usart = *_usarts[number];
+    on(written(usart.r_ucsrb), [this, number](uint32_t value) { control(number, value); });
+    on(avr_io_getirq(_avr, AVR_IOCTL_UART_GETIRQ(static_cast<uint32_t>(usart.name)), UART_IRQ_OUTPUT),
+       [this, number](uint32_t value) { send(number, static_cast<uint8_t>(value)); });
+  }
+  auto &read = _avr->io[AVR_DATA_TO_IO(_usarts[1]->r_udr)].r;
+  read.c = dataRead;
+  read.param = this;
+  for (size_t pin = 0; pin < 4; pin++) {
+    on(avr_io_getirq(_avr, AVR_IOCTL_IOPORT_GETIRQ(Pins[pin].port), Pins[pin].bit),
+       [this, pin](uint32_t value) { edge(pin, (value & 1) != 0); });
+  }
+  avr_eeprom_desc_t description = {eeprom.data(), 0, static_cast<uint32_t>(eeprom.size())};
+  avr_ioctl(_avr, AVR_IOCTL_EEPROM_SET, &description);
+  run(seconds);
 }
 
 Mega::~Mega() {
   avr_terminate(_avr);
 }
 
-void Mega::load(const std::string &elf) {
+void Mega::load(const std::string &sketch) {
+  const std::string file = std::string(ELVES "/") + sketch + ".elf";
   elf_firmware_t firmware = {};
-  if (elf_read_firmware(elf.c_str(), &firmware) != 0 || firmware.flashsize == 0) {
-    throw std::runtime_error(elf + ": cannot be read; an .elf file for the " + Processor + " is expected");
+  if (elf_read_firmware(file.c_str(), &firmware) != 0 || firmware.flashsize == 0) {
+    throw std::runtime_error(file + " cannot be read");
   }
   avr_load_firmware(_avr, &firmware);
   _avr->frequency = CyclesPerUs * 1000000;
@@ -71,17 +87,26 @@ void Mega::findUsarts() {
     if (std::strcmp(io->kind, "uart") == 0) {
       avr_uart_t *const usart = reinterpret_cast<avr_uart_t *>(io);  // its first member
       usart->flags = 0;  // neither sleep in real time while the sketch waits, nor print what it sends
-      if (usart->name >= '0' && usart->name < '0' + UsartCount) {
-        _usarts[usart->name - '0'] = usart;
-      }
+      _usarts[usart->name - '0'] = usart;
     }
   }
 }
 
-void Mega::run() {
-  constexpr avr_cycle_count_t Stretch = line::CharacterUs * CyclesPerUs;
-  const avr_cycle_count_t end = _avr->cycle + Stretch;
-  while (_avr->cycle < end) {
+avr_irq_t *Mega::written(avr_io_addr_t address) const {
+  return avr_iomem_getirq(_avr, address, nullptr, AVR_IOMEM_IRQ_ALL);
+}
+
+void Mega::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
+  _callbacks.push_back(std::move(callback));
+  const auto call = [](avr_irq_t *, uint32_t value, void *to) {
+    (*static_cast<std::function<void(uint32_t)> *>(to))(value);
+  };
+  avr_irq_register_notify(irq, call, &_callbacks.back());
+}
+
+void Mega::run(double seconds) {
+  const auto end = static_cast<uint64_t>(seconds * 1e6);
+  for (uint64_t us = 0; us < end; us = clockUs(_avr->cycle)) {
     const int state = avr_run(_avr);
     if (state == cpu_Done || state == cpu_Crashed) {
       throw std::runtime_error("the sketch has crashed at pc " + std::to_string(_avr->pc));
@@ -89,25 +114,170 @@ void Mega::run() {
   }
 }
 
-line::LineSettings Mega::settings(int number) const {
-  const avr_uart_t &usart = *_usarts[number];
-  const uint8_t *const data = _avr->data;
-  const unsigned divisor = 1 + (data[usart.ubrrl.reg] | (data[usart.ubrrh.reg] & 0x0Fu) << 8);
-  const unsigned samples = isSet(_avr, usart.u2x) ? 8 : 16;  // per bit
-  const unsigned format = data[usart.r_ucsrc];
+uint64_t Mega::clockUs(avr_cycle_count_t cycle) const {
+  return (cycle - _clockZero) / CyclesPerUs;
+}
+
+std::vector<uint8_t> Mega::eeprom() const {
+  std::vector<uint8_t> bytes(4096);
+  avr_eeprom_desc_t description = {bytes.data(), 0, static_cast<uint32_t>(bytes.size())};
+  avr_ioctl(_avr, AVR_IOCTL_EEPROM_GET, &description);
+  return bytes;
+}
+
+std::string Mega::mistakes() const {
+  std::string all;
+  for (size_t number = 0; number < 3; number++) {
+    all += _mismatch[number].empty() ? "" : "Serial" + std::to_string(number) + ": " + _mismatch[number] + "\n";
+  }
+  return all + (_lost == 0 ? "" : "Serial1: " + std::to_string(_lost) + " characters were not read in time\n");
+}
+
+// As the port's registers have it.
+line::LineSettings Mega::settings(size_t number) const {
   constexpr line::Parity Parities[] = {line::Parity::None, line::Parity::None, line::Parity::Even, line::Parity::Odd};
+  const avr_uart_t &usart = *_usarts[number];
+  const uint32_t divisor = 1u + _avr->data[usart.ubrrl.reg] + 256u * (_avr->data[usart.ubrrh.reg] & 0x0Fu);
+  const unsigned format = _avr->data[usart.r_ucsrc];
   line::LineSettings settings;
-  settings.baud = _avr->frequency / (samples * divisor);
-  settings.format.dataBits = (format >> 1 & 3) == 3 ? 8 : 7;
+  settings.baud = _avr->frequency / ((avr_regbit_get(_avr, usart.u2x) != 0 ? 8 : 16) * divisor);
+  settings.format.dataBits = 5 + (format >> 1 & 3);
   settings.format.parity = Parities[format >> 4 & 3];
-  settings.format.stopBits = (format >> 3 & 1) != 0 ? 2 : 1;
+  settings.format.stopBits = 1 + (format >> 3 & 1);
   return settings;
 }
 
-void Mega::timerStarted(avr_irq_t *, uint32_t value, void *mega) {
+// The core sets baud rate and format first, then RXENn and TXENn. libsimavr counts a parity bit that is not there, and
+// misses a stop bit that is set after the baud rate: the time of a character is ours.
+void Mega::control(size_t number, uint32_t value) {
+  if ((value & TransmitterOn) != 0) {
+    const line::LineSettings now = settings(number);
+    _usarts[number]->cycles_per_byte = now.format.bits() * (_avr->frequency / now.baud);
+  }
+  if (number == 1) {
+    const bool wasOpen = _isOpen;
+    _isOpen = (value & ReceiverOn) != 0;
+    if (_isOpen && !wasOpen) {
+      open();
+    }
+  }
+}
+
+void Mega::open() {
+  const uint64_t us = clockUs(_avr->cycle);
+  _sampler.open(us, settings(1), {});
+  _received.clear();
+  showReceived();
+  if (_opened.empty()) {
+    if (_line.source) {
+      _line.source->opened(us);
+    }
+    avr_cycle_timer_register(_avr, 1, characterThrough, this);
+  }
+  _opened.push_back(us);
+}
+
+bool Mega::next(line::Character &character) {
+  if (_line.source) {
+    return _line.source->next(_line.cutUs, character);
+  }
+  if (_wire.empty()) {
+    return false;
+  }
+  character = _wire.front();
+  _wire.pop_front();
+  return true;
+}
+
+avr_cycle_count_t Mega::characterThrough(avr_t *, avr_cycle_count_t when, void *mega) {
   Mega &self = *static_cast<Mega *>(mega);
-  if ((value & TimerClocked) != 0) {
-    self._clockZero = self._avr->cycle;
+  if (self._isComing) {
+    self._next.bad = self._next.bad || self._characters.size() == self._line.bad;
+    self._characters.push_back(self._next);
+    self.receive(self._next);
+  }
+  do {
+    self._isComing = self.next(self._next);
+  } while (self._isComing && self._next.endUs <= self._opened[0]);
+  return self._isComing ? self._clockZero + self._next.endUs * CyclesPerUs : when + PollCycles;
+}
+
+void Mega::receive(const line::Character &character) {
+  if (!_isOpen) {
+    return;
+  }
+  if (const std::string mismatch = line::mismatch(settings(1), {}); !mismatch.empty()) {
+    _mismatch[1] = mismatch;
+  }
+  _sampler.put(character);
+  for (line::Character seen; _sampler.next(character.endUs, seen);) {
+    if (_received.size() == HardwareBuffer) {
+      _lost++;
+    } else {
+      _received.push_back(seen);
+      showReceived();
+    }
+  }
+}
+
+// RXC1, and UPE1 of the oldest one: libsimavr has no parity, and a time of its own for what comes.
+void Mega::showReceived() {
+  avr_uart_t &usart = *_usarts[1];
+  avr_regbit_setto(_avr, usart.upe, !_received.empty() && _received.front().bad);
+  if (_received.empty()) {
+    avr_regbit_clear(_avr, usart.rxc.raised);
+    avr_clear_interrupt(_avr, &usart.rxc);
+  } else {
+    avr_raise_interrupt(_avr, &usart.rxc);
+  }
+}
+
+uint8_t Mega::dataRead(avr_t *, avr_io_addr_t, void *mega) {
+  std::deque<line::Character> &received = static_cast<Mega *>(mega)->_received;
+  if (received.empty()) {
+    return 0;
+  }
+  const uint8_t value = received.front().value;
+  received.pop_front();
+  static_cast<Mega *>(mega)->showReceived();
+  return value;
+}
+
+// A character begins to leave a TX pin.
+void Mega::send(size_t number, uint8_t byte) {
+  const uint64_t us = clockUs(_avr->cycle);
+  const bool isRight = number == 0 ? isSerial(settings(0)) : settings(number) == line::LineSettings();
+  if (!isRight) {
+    _mismatch[number] = "sends with " + text(settings(number));
+  }
+  if (number == 2) {
+    _sent.push_back({us, byte});
+  } else if (number == 1) {
+    line::Character character;
+    _wireUs = std::max(us + 1, _wireUs) + line::CharacterUs;  // rounded up: then it really is through
+    character.endUs = _wireUs;
+    character.value = byte;
+    _wire.push_back(character);
+  } else {
+    if (_row.text.empty()) {
+      _row.us = us;
+    }
+    if (byte == '\n') {
+      _printed.push_back(_row);
+      _row.text.clear();
+    } else if (byte != '\r') {
+      _row.text += static_cast<char>(byte);
+    }
+  }
+}
+
+// Called whenever something is written to the port, be it to another pin.
+void Mega::edge(size_t pin, bool high) {
+  if (high && _rose[pin] == 0) {
+    _rose[pin] = _avr->cycle;
+  } else if (!high && _rose[pin] != 0) {
+    _pulses[pin].push_back({clockUs(_rose[pin]), static_cast<double>(_avr->cycle - _rose[pin]) / CyclesPerUs});
+    _rose[pin] = 0;
   }
 }
 

@@ -1,50 +1,105 @@
-// An Arduino Mega: an ATmega2560 at 16 MHz, simulated by libsimavr, that runs the sketch of an .elf file.
+// An Arduino Mega with an example on it: an ATmega2560 at 16 MHz, simulated by libsimavr, and what is connected to it.
+// It notes all that goes over the line to Serial1, and all that the sketch does.
 #pragma once
 
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 
 #include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "line/Line.h"
 #include "line/LineSettings.h"
+#include "line/UartSampler.h"
 
 namespace mega {
 
-constexpr uint32_t CyclesPerUs = 16;
+// The line at RX of Serial1. In front of the pin, and after each TX pin, there is an inverter.
+struct Line {
+  std::unique_ptr<line::Line> source;  // null: a wire from TX of Serial1
+  uint64_t cutUs = UINT64_MAX;         // here it falls silent
+  size_t bad = SIZE_MAX;               // the character, counted from 0, that has a wrong parity bit
+};
+
+// All times in us, as the sketch's micros() counts.
+struct Printed {
+  uint64_t us;  // its first character begins
+  std::string text;
+};
+struct Sent {
+  uint64_t us;  // it begins
+  uint8_t byte;
+};
+struct Pulse {
+  uint64_t us;  // it begins
+  double widthUs;
+};
 
 class Mega {
  public:
-  // Throws std::runtime_error if the file cannot be loaded.
-  explicit Mega(const std::string &elf);
+  // Runs the sketch for so long. The EEPROM begins with these bytes. Throws
+  // std::runtime_error if the sketch has not been built, or crashes.
+  Mega(const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom = {});
   ~Mega();
   Mega(const Mega &) = delete;  // libsimavr has been given its address
   Mega &operator=(const Mega &) = delete;
 
-  // Runs the sketch for about a character's time. Throws if it crashes.
-  void run();
+  const std::vector<line::Character> &characters() const { return _characters; }  // on the line
+  const std::vector<uint64_t> &opened() const { return _opened; }                 // when Serial1 was
+  const std::vector<Printed> &printed() const { return _printed; }                // lines on Serial, without their ends
+  const std::vector<Sent> &sent() const { return _sent; }                         // on Serial2
+  const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }     // 0..3: the pins 2..5
+  std::vector<uint8_t> eeprom() const;
 
-  // What the sketch's micros() counts from: timer 0 was set going in this cycle, some before setup().
-  avr_cycle_count_t clockZero() const { return _clockZero; }
-  uint64_t clockUs() const { return (_avr->cycle - _clockZero) / CyclesPerUs; }
-
-  avr_t *avr() { return _avr; }
-  avr_uart_t &usart(int number) { return *_usarts[number]; }  // 0..3
-
-  // What the sketch has set a port to, as its registers have it.
-  line::LineSettings settings(int number) const;
+  // What was wrong with the ports: "Serial1: baud rate, format"; empty if all went well.
+  std::string mistakes() const;
 
  private:
-  static constexpr int UsartCount = 4;
+  static uint8_t dataRead(avr_t *avr, avr_io_addr_t address, void *mega);
+  static avr_cycle_count_t characterThrough(avr_t *avr, avr_cycle_count_t when, void *mega);
 
-  static void timerStarted(avr_irq_t *, uint32_t value, void *mega);
-
-  void load(const std::string &elf);
+  uint64_t clockUs(avr_cycle_count_t cycle) const;
+  avr_irq_t *written(avr_io_addr_t address) const;
+  void on(avr_irq_t *irq, std::function<void(uint32_t)> callback);
+  void run(double seconds);
+  void load(const std::string &sketch);
   void findUsarts();
+  line::LineSettings settings(size_t number) const;
+  void control(size_t number, uint32_t value);
+  void open();
+  bool next(line::Character &character);
+  void receive(const line::Character &character);
+  void showReceived();
+  void send(size_t number, uint8_t byte);
+  void edge(size_t pin, bool high);
 
   avr_t *_avr;
-  avr_uart_t *_usarts[UsartCount] = {};
-  avr_cycle_count_t _clockZero = 0;
+  avr_uart_t *_usarts[4] = {};
+  std::deque<std::function<void(uint32_t)>> _callbacks;  // libsimavr has been given their addresses
+  avr_cycle_count_t _clockZero = 0;                      // micros() counts from here, some before setup()
+
+  Line _line;
+  std::deque<line::Character> _wire;  // sent by TX of Serial1, and on its way
+  uint64_t _wireUs = 0;               // the last of them is through
+  line::Character _next;              // on its way,
+  bool _isComing = false;             // if there is one
+  line::UartSampler _sampler;
+  std::deque<line::Character> _received;  // and not yet read
+  bool _isOpen = false;
+  avr_cycle_count_t _rose[4] = {};
+  Printed _row{};  // printed so far
+
+  std::vector<line::Character> _characters;
+  std::vector<uint64_t> _opened;
+  std::vector<Printed> _printed;
+  std::vector<Sent> _sent;
+  std::vector<Pulse> _pulses[4];
+  std::string _mismatch[3];  // of the ports' settings, when characters came or were sent
+  size_t _lost = 0;          // characters that were not read in time
 };
 
 }  // namespace mega

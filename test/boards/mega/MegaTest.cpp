@@ -1,0 +1,296 @@
+// Runs the examples, as they stand, on a simulated Arduino Mega.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "Expected.h"
+#include "Mega.h"
+#include "line/Source.h"
+
+namespace {
+
+using mega::Expected;
+using mega::Line;
+using mega::Mega;
+using mega::Printed;
+using mega::Rule;
+
+constexpr double RowTolerance = 0.0006;  // three decimals are printed
+constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
+
+// "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "silent"; "wire": from
+// TX1; else a recording.
+Line lineOf(const std::string &name) {
+  line::Source source;
+  source.silent = name == "silent";
+  source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
+  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
+    source.recording = "../../recordings/" + name + ".txt";
+  }
+  Line line;
+  line.source = name == "wire" ? nullptr : source.open();
+  line.cutUs = name == "cut" ? 2000000 : line.cutUs;
+  return line;
+}
+
+// All that it prints.
+std::string textOf(const Mega &mega) {
+  std::string text;
+  for (const Printed &line : mega.printed()) {
+    text += line.text + "\n";
+  }
+  return text;
+}
+
+// The same, but for what Counters says of SBusFrameOk().
+std::vector<Printed> rowsOf(const Mega &mega) {
+  std::vector<Printed> rows;
+  std::copy_if(mega.printed().begin(), mega.printed().end(), std::back_inserter(rows),
+               [](const Printed &line) { return line.text.rfind("ok,", 0) != 0; });
+  return rows;
+}
+
+// These return the first mistake; empty: there is none.
+std::string wrongRow(const Expected &expected, const std::vector<Printed> &rows, const Rule &rule) {
+  std::string wrong;
+  for (size_t i = 0; i < rows.size() && wrong.empty(); i++) {
+    wrong = expected.wrong(rows[i].us, mega::numbersIn(rows[i].text), rule, RowTolerance);
+  }
+  return wrong;
+}
+
+// Each frame begins 9 ms after the one before it.
+std::string wrongSent(const Expected &expected, const std::vector<mega::Sent> &sent) {
+  std::string wrong;
+  Frame frame;
+  for (size_t first = 0; first + frame.size() <= sent.size() && wrong.empty(); first += frame.size()) {
+    for (size_t i = 0; i < frame.size(); i++) {
+      frame[i] = sent[first + i].byte;
+    }
+    const uint64_t us = sent[first].us;
+    const uint64_t inTime = sent[0].us + first / frame.size() * 9000;
+    wrong = us + 50 < inTime || us > inTime + 1500 ? std::to_string(us) + " us: at the wrong time"
+                                                   : expected.wrong(us, mega::numbersOf(frame), mega::mixerSends, 0);
+  }
+  return wrong;
+}
+
+// One each 20 ms.
+std::string wrongPulse(const Expected &expected, const std::vector<mega::Pulse> &pulses, size_t channel) {
+  const Rule rule = [channel](const mega::SeenFrame &frame) { return mega::Numbers{mega::servos(frame)[channel]}; };
+  std::string wrong;
+  for (size_t i = 0; i < pulses.size() && wrong.empty(); i++) {
+    const uint64_t us = pulses[i].us;
+    const uint64_t period = i == 0 ? 20000 : us - pulses[i - 1].us;
+    wrong = period < 19999 || period > 20001 ? std::to_string(us) + " us: at the wrong time"
+                                             : expected.wrong(us, {pulses[i].widthUs}, rule, PulseTolerance);
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("What the examples print, send and do at their pins is what stands on the line, and comes in time") {
+  struct Run {
+    std::string sketch;
+    std::string line;
+    double seconds;
+    size_t rows;  // so many at least
+    Rule rule;
+    size_t sent = 0;
+    size_t pulses = 0;
+  };
+  const Run runs[] = {
+      {"AllChannels", "flight", 4, 19, mega::allChannels},
+      {"AllChannels", "frsky-neutral", 1.2, 1, mega::allChannels},
+      {"AllChannels", "paper", 1.2, 2, mega::allChannels},
+      {"AllChannels", "sbus2", 1.2, 4, mega::allChannels},
+      {"DecodeSBus", "flight", 13, 64, mega::decodeSBus},  // from 9.5 s to 12.5 s the radio is off
+      {"DecodeSBus", "frsky-neutral", 1.2, 1, mega::decodeSBus},
+      {"DecodeSBus", "paper", 1.2, 2, mega::decodeSBus},
+      {"DecodeSBus", "sbus2", 1.2, 4, mega::decodeSBus},
+      {"DecodeSBus", "cut", 3, 10, mega::decodeSBus},  // and no row when the line has fallen silent
+      {"Mixer", "flight", 13, 64, mega::mixer, 1430},
+      {"Mixer", "frsky-neutral", 1.2, 2, mega::mixer, 35},
+      {"Mixer", "paper", 1.2, 3, mega::mixer, 57},
+      {"Mixer", "sbus2", 1.2, 5, mega::mixer, 104},
+      {"Mixer", "cut", 3, 14, mega::mixer, 330},  // goes on: after 100 ms both flags are set, the throttle is closed
+      {"Normalized", "flight", 4, 19, mega::normalized},
+      {"Normalized", "frsky-neutral", 1.2, 1, mega::normalized},
+      {"Normalized", "paper", 1.2, 2, mega::normalized},
+      {"Normalized", "sbus2", 1.2, 4, mega::normalized},
+      {"Servos", "flight", 13, 64, mega::servos, 0, 649},
+      {"Servos", "frsky-neutral", 1.2, 2, mega::servos, 0, 23},
+      {"Servos", "paper", 1.2, 3, mega::servos, 0, 33},
+      {"Servos", "sbus2", 1.2, 5, mega::servos, 0, 54},
+      {"Servos", "cut", 3, 14, mega::servos, 0, 149},   // after 100 ms the throttle is closed, and the others hold
+      {"Servos", "silent", 1, 4, mega::servos, 0, 49},  // the throttle is closed, and the others are centred
+      {"Counters", "flight", 5.5, 5, mega::counters},   // each frame is seen, and not a byte is left over
+  };
+  for (const Run &run : runs) {
+    CAPTURE(run.sketch);
+    CAPTURE(run.line);
+    const Mega mega(run.sketch, lineOf(run.line), run.seconds);
+    const Expected expected(mega.characters());
+    const std::vector<Printed> rows = rowsOf(mega);
+    CHECK(wrongRow(expected, rows, run.rule) == "");
+    CHECK(rows.size() >= run.rows);
+    CHECK(wrongSent(expected, mega.sent()) == "");
+    CHECK(mega.sent().size() >= run.sent * sbus::FrameSize);
+    for (size_t pin = 0; pin < 4; pin++) {
+      CAPTURE(pin);
+      CHECK(wrongPulse(expected, mega.pulses(pin), pin) == "");
+      CHECK(mega.pulses(pin).size() >= run.pulses);
+    }
+    CHECK(mega.mistakes() == "");
+  }
+}
+
+TEST_CASE("A character with a wrong parity is lost, and one frame: 24 bytes are left over") {
+  for (const size_t character : {500u, 501u, 523u, 524u}) {  // of the 20th frame
+    CAPTURE(character);
+    Line line = lineOf("flight");
+    line.bad = character;
+    const Mega mega("Counters", std::move(line), 1.1);
+    const std::vector<Printed> rows = rowsOf(mega);
+    REQUIRE(rows.size() == 1);
+    CHECK(wrongRow(Expected(mega.characters()), rows, mega::counters) == "");
+    CHECK(mega::numbersIn(rows[0].text)[1] == 24);
+    CHECK(mega.mistakes() == "");
+  }
+}
+
+// It counts from the poll that found the frame, a loop period after its end, and is asked in every loop().
+TEST_CASE("SBusFrameOk() falls 100 ms after the line went silent, and 200 us later at the most") {
+  const Mega mega("Counters", lineOf("cut"), 3);
+  std::vector<double> changes;
+  for (const Printed &line : mega.printed()) {
+    if (line.text.rfind("ok,", 0) == 0) {
+      CHECK(line.text[3] == (changes.empty() ? '1' : '0'));
+      changes.push_back(mega::numbersIn(line.text.substr(5))[0]);
+    }
+  }
+  REQUIRE(changes.size() == 2);
+  const double afterUs = changes[1] - static_cast<double>(Expected(mega.characters()).lastUs());
+  CHECK(afterUs >= 100000);
+  CHECK(afterUs <= 100200);
+}
+
+TEST_CASE("Loopback says whether what it sends comes back, once a second") {
+  const std::pair<std::string, std::string> runs[] = {
+      {"wire", "PASS: 100 frames sent, 100 came back right.\n"},
+      {"flight", "FAIL: frames come that were not sent. Is a receiver still connected to RX1?\n"},
+      {"silent", "FAIL: not a byte comes back. Is TX1 connected to RX1? Are these the pins?\n"},
+  };
+  for (const auto &run : runs) {
+    CAPTURE(run.first);
+    const bool passes = run.first == "wire";
+    const Mega mega("Loopback", lineOf(run.first), passes ? 2 : 1);
+    CHECK(textOf(mega) == (passes ? run.second + run.second : run.second));
+    CHECK(mega.mistakes() == "");
+  }
+}
+
+TEST_CASE("Diagnose says what came in each setting, and what to do") {
+  const std::pair<std::string, std::string> runs[] = {
+      {"frsky-neutral",
+       "begin(100000, SERIAL_8E2): 3 frames, 15 bytes of no frame\n"
+       "begin(200000, SERIAL_8E2): 0 frames, 0 bytes of no frame\n"
+       "NO FRAMES: bytes come, but few frames or none.\n"
+       "Connect the grounds. Is the port set to S.Bus? Is an inverter missing, or one too many?\n"
+       "dSBus.begin(100000, SERIAL_8E2): 6 frames a second and 0 damaged, some us from one to the next; "
+       "0 % with the lost-frame flag\n"},
+      {"paper",
+       "begin(100000, SERIAL_8E2): 6 frames, 0 bytes of no frame\n"
+       "begin(200000, SERIAL_8E2): 0 frames, 0 bytes of no frame\n"
+       "ALL WELL.\n"
+       "There is nothing to cure.\n"
+       "dSBus.begin(100000, SERIAL_8E2): 12 frames a second and 0 damaged, some us from one to the next; "
+       "0 % with the lost-frame flag\n"},
+      {"sbus2",
+       "begin(100000, SERIAL_8E2): 7 frames, 3 bytes of no frame\n"
+       "begin(200000, SERIAL_8E2): 0 frames, 99 bytes of no frame\n"
+       "ALL WELL.\n"
+       "There is nothing to cure.\n"
+       "dSBus.begin(100000, SERIAL_8E2): 14 frames a second and 0 damaged, some us from one to the next; "
+       "0 % with the lost-frame flag\n"},
+      {"silent",
+       "begin(100000, SERIAL_8E2): 0 frames, 0 bytes of no frame\n"
+       "begin(200000, SERIAL_8E2): 0 frames, 0 bytes of no frame\n"
+       "NO SIGNAL: not a byte in any setting.\n"
+       "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?\n"},
+  };
+  for (const auto &run : runs) {
+    CAPTURE(run.first);
+    const std::regex period("[0-9]+ us");  // it depends on the polls
+    CHECK(std::regex_replace(textOf(Mega("Diagnose", lineOf(run.first), 1.2)), period, "some us") == run.second);
+  }
+}
+
+TEST_CASE("Diagnose counts the frames of each trial, and finds the failsafe when the radio is off") {
+  const Mega mega("Diagnose", lineOf("flight"), 15);
+  const Expected expected(mega.characters());
+  size_t trials = 0;
+  std::string words;
+  for (const Printed &line : mega.printed()) {
+    unsigned long baud = 0, frames = 0;
+    if (std::sscanf(line.text.c_str(), "begin(%lu, SERIAL_8E2): %lu frames", &baud, &frames) == 2) {
+      REQUIRE(trials < mega.opened().size());
+      CHECK(baud == (trials % 2 == 0 ? 100000 : 200000));
+      CHECK(frames == (trials % 2 == 0 ? expected.count(mega.opened()[trials], line.us) : 0));
+      trials++;
+    } else if (line.text.rfind("dSBus", 0) != 0) {
+      words += line.text + "\n";
+    }
+  }
+  CHECK(trials == 15);
+  std::string said;
+  for (int i = 0; i < 7; i++) {
+    said += i < 5 ? "ALL WELL.\nThere is nothing to cure.\n"
+                  : "FAILSAFE: the receiver is well, but has given the radio up.\nSwitch the radio on, or bind them.\n";
+  }
+  CHECK(words == said);
+  CHECK(mega.mistakes() == "Serial1: baud rate\n");  // a port that is set wrongly does not go unnoticed
+}
+
+TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints by them") {
+  const std::string move = "Move all sticks, sliders and switches to all their ends.\n";
+  const Mega first("Calibrate", lineOf("calibration"), 29);
+  std::vector<Printed> rows = first.printed();
+  CHECK(textOf(first).rfind(move + "Centre the sticks, but throttle low, and let go.\nStay so.\n"
+                                   "Push both sticks up and right.\n",
+                            0) == 0);
+  REQUIRE(rows.size() >= 4 + 7);
+  rows.erase(rows.begin(), rows.begin() + 4);
+  const std::vector<uint8_t> eeprom = first.eeprom();
+  sbus::Calibration stored;
+  std::memcpy(&stored, eeprom.data(), sizeof stored);
+  CHECK(wrongRow(Expected(first.characters()), rows, mega::calibrated(stored)) == "");
+  CHECK(first.mistakes() == "");
+  CHECK(stored.version == 1);
+  for (size_t i = 0; i < 4; i++) {  // as extras/line/CalibrationMoves.cpp has them
+    constexpr uint16_t Moves[][4] = {
+        {172, 1000, 1811, 8}, {1811, 985, 172, 8}, {172, 992, 1811, 0}, {172, 992, 1811, 8}};
+    CAPTURE(i);
+    CHECK(std::memcmp(&stored.channels[i], Moves[i], sizeof Moves[i]) == 0);
+  }
+  CHECK(eeprom.begin() + sizeof stored + std::count(eeprom.begin() + sizeof stored, eeprom.end(), 0xFF) ==
+        eeprom.end());
+
+  const Mega again("Calibrate", lineOf("paper"), 1, eeprom);  // prints numbers at once
+  CHECK(wrongRow(Expected(again.characters()), again.printed(), mega::calibrated(stored)) == "");
+  CHECK(again.printed().size() >= 2);
+  CHECK(again.eeprom() == eeprom);
+
+  std::vector<uint8_t> changed = eeprom;
+  changed[50] = 1;  // of CH7, was 0: begins anew
+  CHECK(textOf(Mega("Calibrate", lineOf("calibration"), 1, changed)) == move);
+}
