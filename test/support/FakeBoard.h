@@ -64,9 +64,9 @@ struct FakeBoard {
     frame(next);
   }
 
-  // The sketch asks for everything; `before` is what its channels hold until then.
-  Decoded decode(const Channels &before = Untouched) {
-    Decoded decoded = {before, false, false};
+  // The sketch asks for everything.
+  Decoded decode() {
+    Decoded decoded = {Untouched, false, false};
     sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
     return decoded;
   }

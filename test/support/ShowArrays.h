@@ -26,8 +26,7 @@ struct StringMaker<std::vector<std::array<T, Size>>> {
   static String convert(const std::vector<std::array<T, Size>> &arrays) {
     String text;
     for (const auto &array : arrays) {
-      text += "\n    ";
-      text += StringMaker<std::array<T, Size>>::convert(array);
+      text += "\n    " + toString(array);
     }
     return text;
   }

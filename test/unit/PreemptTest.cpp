@@ -157,7 +157,7 @@ void everyInstruction(const Reader &reader, const Check &check, const Situations
 TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if it was the newest") {
   Decoded decoded;
   everyInstruction(
-      [&](FakeBoard &board) { decoded = board.decode(Untouched); },
+      [&](FakeBoard &board) { decoded = board.decode(); },
       [&](Scene &now, bool) {
         unsigned given = UINT32_MAX;  // the number of the frame
         for (unsigned number = 0; number < now.next; number++) {
@@ -189,7 +189,7 @@ TEST_CASE("decodeSBusFrame gives one frame, its own flags, and newFrame tells if
 TEST_CASE("an interrupt so long that the link is stale after it leaves one whole frame, or the channels as they were") {
   Decoded decoded;
   everyInstruction(
-      [&](FakeBoard &board) { decoded = board.decode(Untouched); },
+      [&](FakeBoard &board) { decoded = board.decode(); },
       [&](Scene &now, bool) {
         bool whole = decoded.channels == Untouched;
         for (unsigned number = 0; number < now.next; number++) {
