@@ -16,11 +16,7 @@ struct Decoded {
 };
 
 // What the channels of a sketch hold before a frame is decoded: no frame holds that.
-const Channels Untouched = [] {
-  Channels channels;
-  channels.fill(4711);
-  return channels;
-}();
+constexpr Channels Untouched = {4711};
 
 struct FakeBoard {
   FakeSerial port;

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <sstream>
 #include <vector>
 
 namespace doctest {
@@ -13,11 +12,11 @@ namespace doctest {
 template <typename T, size_t Size>
 struct StringMaker<std::array<T, Size>> {
   static String convert(const std::array<T, Size> &values) {
-    std::ostringstream out;
+    String text;
     for (const T value : values) {
-      out << unsigned{value} << ' ';
+      text += toString(unsigned{value}) + " ";
     }
-    return out.str().c_str();
+    return text;
   }
 };
 

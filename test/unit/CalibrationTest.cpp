@@ -183,17 +183,12 @@ TEST_CASE("all 2048 values lie within half a thousandth and half a microsecond o
   }
 }
 
-TEST_CASE(
-    "a channel that is not calibrated is at its centre, whatever comes; none, however odd, is further than 32767") {
+TEST_CASE("not calibrated is at the centre, whatever comes; no channel, however odd, is further than 32767") {
   const CalibratedChannel odd[] = {
       {{0, 0, 0}, 0},
-      {{65535, 65535, 65535}, 65535},
       {{65535, 0, 65535}, 0},
-      {{0, 65535, 0}, 65534},
       {{0, 65535, 1}, 65535},
       {{65535, 32768, 0}, 32767},
-      {{32767, 32768, 32769}, 0},
-      {{1, 0, 65535}, 1},
       {{500, 1000, 700}, 65535},
       {{0, 1, 0}, 0},
   };

@@ -21,11 +21,7 @@ using sbus::Trial;
 struct Came {
   Counters counters = {};
 
-  static Came frames(uint32_t frames) {
-    Came came;
-    came.counters.frames = frames;
-    return came;
-  }
+  static Came frames(uint32_t count) { return Came().with(&Counters::frames, count); }
   static Came bytes(uint32_t count) { return Came().skipped(count); }
   Came lost(uint32_t count) const { return with(&Counters::lostFrames, count); }
   Came failsafe(uint32_t count) const { return with(&Counters::failsafeFrames, count); }
@@ -50,22 +46,18 @@ const Came Good = Came::frames(55);
 
 // Half a second with the settings in the order in which a sketch tries them. The first is meant.
 Diagnosis diagnosisOf(const std::vector<Came> &came, uint32_t ms = 500) {
-  const struct {
-    unsigned long baud;
-    bool inverted;
-  } settings[] = {{100000, true}, {200000, true}, {100000, false}, {200000, false}};
+  Trial trials[] = {{100000, true, ms, {}}, {200000, true, ms, {}}, {100000, false, ms, {}}, {200000, false, ms, {}}};
   Diagnosis diagnosis;
   for (size_t i = 0; i < came.size(); i++) {
-    diagnosis.add({settings[i].baud, settings[i].inverted, ms, came[i].counters});
+    trials[i].counters = came[i].counters;
+    diagnosis.add(trials[i]);
   }
   return diagnosis;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "a setting is believed if more than a frame every 100 ms comes with it; then of several faults the one to cure "
-    "first") {
+TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults the one to be cured first counts") {
   const struct {
     const char *what;
     std::vector<Came> came;

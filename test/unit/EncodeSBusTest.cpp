@@ -42,8 +42,7 @@ TEST_CASE("begin opens the port as DecodeSBus does, and sends nothing; end close
   CHECK(port.closings == 1);
 }
 
-TEST_CASE(
-    "the first frame is sent at once, byte for byte as a receiver sends these channels and flags; after begin again") {
+TEST_CASE("the first frame after begin is sent at once, byte for byte as receivers send these channels and flags") {
   Sender sender;
   for (const KnownFrame &known : {PaperLow, PaperHigh, Neutral}) {
     for (const unsigned flags : {0x00u, 0x04u, 0x08u, 0x0Cu}) {
@@ -57,9 +56,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "called in every loop(), frames are due every period, and late calls do not add up, across a wrap of micros() "
-    "too") {
+TEST_CASE("called in every loop() it sends every period, late calls do not add up, across a wrap of micros() too") {
   const struct {
     uint16_t period;
     uint32_t loop;  // us

@@ -88,8 +88,7 @@ TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, a pause
   CHECK(line.feed(part(Low, 16), 9) == Frames{PaperLow.bytes});
 }
 
-TEST_CASE(
-    "two buffers take turns, a frame is handed out where it came in, its payload at a multiple of four, and stays") {
+TEST_CASE("two buffers take turns, a frame stays where it came in, its payload at a multiple of four") {
   Feeder line;
   line.lock();
   for (unsigned number = 3; number < 6; number++) {
@@ -114,7 +113,6 @@ TEST_CASE("each cause of refusal has its counter, and what belongs to no frame i
     Bytes bytes;
     unsigned byEnd, byFlags, byExtra;
   } rows[] = {
-      {"nothing is wrong", bytesOf(plainFrame(5)), 0, 0, 0},
       {"end byte 55", bytesOf(withByte(plainFrame(5), 24, 0x55)), 1, 0, 0},
       {"flags bit 4", bytesOf(withByte(plainFrame(5), 23, 0x10)), 0, 1, 0},
       {"a byte is missing: the next header stands at the end", without(plainFrame(5), 7), 1, 0, 0},
@@ -129,16 +127,15 @@ TEST_CASE("each cause of refusal has its counter, and what belongs to no frame i
       INFO(row.what, ", burst ", burst);
       Feeder line;
       line.lock();
-      const bool good = row.bytes == bytesOf(plainFrame(5));
-      CHECK(line.feed(row.bytes, burst).size() == good);
-      CHECK(lastFrame(line.finder) == plainFrame(good ? 5 : 2));  // 2: of lock()
+      CHECK(line.feed(row.bytes, burst).empty());
+      CHECK(lastFrame(line.finder) == plainFrame(2));  // of lock()
       CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(plainFrame(6)), burst) == Frames{plainFrame(6)});
       const sbus::Counters counters = line.counted();
-      CHECK(counters.frames == 1 + good);
+      CHECK(counters.frames == 1);
       CHECK(counters.refusedByEnd == row.byEnd);
       CHECK(counters.refusedByFlags == row.byFlags);
       CHECK(counters.refusedByExtra == row.byExtra);
-      CHECK(counters.skippedBytes == (good ? 0 : row.bytes.size()));
+      CHECK(counters.skippedBytes == row.bytes.size());
       CHECK(counters.overflows == 0);
     }
   }
@@ -165,17 +162,13 @@ TEST_CASE("of many headers in a row each is counted by its cause, but after 24 t
 TEST_CASE("frames lost and failsafe are counted by flag; one found again after others were missed is a resync") {
   Feeder line;
   line.lock();
-  unsigned lost = 0;
-  unsigned failsafe = 0;
-  for (unsigned flags = 0; flags < 16; flags++) {
-    line.feed(bytesOf(withByte(plainFrame(flags), 23, flags)));
+  for (const unsigned flags : {0x00u, 0x03u, 0x04u, 0x08u, 0x08u, 0x0Cu}) {
+    line.feed(bytesOf(withByte(plainFrame(5), 23, flags)));
     line.wait(Feeder::PauseUs);
-    lost += flags >> 2 & 1;
-    failsafe += flags >> 3;
-    CHECK(line.counted().frames == 1 + flags);
-    CHECK(line.counted().lostFrames == lost);
-    CHECK(line.counted().failsafeFrames == failsafe);
   }
+  CHECK(line.counted().frames == 6);
+  CHECK(line.counted().lostFrames == 2);
+  CHECK(line.counted().failsafeFrames == 3);
   for (unsigned damage = 0; damage < 5; damage++) {
     CAPTURE(damage);
     CHECK(line.counted().resyncs == damage);
@@ -242,8 +235,7 @@ TEST_CASE("the period is that of the line; a longer interval counts for an eight
   }
 }
 
-TEST_CASE(
-    "of every make every frame is delivered, whatever its flags, telemetry and tail, and of another make after it") {
+TEST_CASE("of every make every frame is delivered, with flags, telemetry and tail, and of another make after it") {
   const struct Make {
     const char *name;
     std::vector<uint8_t> ends;
@@ -299,9 +291,7 @@ TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH
   }
 }
 
-TEST_CASE(
-    "frames with header 2F, and 36-byte frames without flags at 23, that come in between cost none, and none is "
-    "wrong") {
+TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between cost none, and none is wrong") {
   for (const bool longOnes : {false, true}) {
     TimedLine line;
     Frames sent;

@@ -12,8 +12,7 @@ constexpr uint32_t Never = 0;
 
 }  // namespace
 
-TEST_CASE(
-    "the shortest time without bytes that tells a pause, at 200000 baud half of it; more than that was found: none") {
+TEST_CASE("the shortest time without bytes that tells a pause, half of it at 200000 baud; many bytes tell none") {
   const struct {
     const char *what;
     uint32_t periodUs;  // of the polls, at 100000 baud
@@ -84,8 +83,7 @@ TEST_CASE("a solid line tells no pause, however long the loop period is, up to t
   }
 }
 
-TEST_CASE(
-    "the line was idle after a burst if the poll came a character later than it takes, and it is no driver's own") {
+TEST_CASE("the line was idle after a burst if the poll came a character later, and it is no driver's burst") {
   const struct {
     unsigned bytes;
     uint32_t us;  // at 100000 baud

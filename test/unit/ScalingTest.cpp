@@ -12,13 +12,11 @@ namespace {
 
 constexpr int Values = 2048;
 
-struct NamedRange {
+constexpr struct {
   const char *name;
   sbus::Range range;
   bool isExact;  // no side is longer than 1000: thousandths tell all raw values apart
-};
-
-constexpr NamedRange Ranges[] = {
+} Ranges[] = {
     {"FrSky", sbus::FrSky, true},
     {"Futaba", sbus::Futaba, true},
     {"Futaba, +-140 %", {78, 1024, 1964}, true},
@@ -31,7 +29,7 @@ constexpr NamedRange Ranges[] = {
 }  // namespace
 
 TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1000, 0, +1000, and back") {
-  for (const NamedRange &row : Ranges) {
+  for (const auto &row : Ranges) {
     const struct {
       uint16_t raw;
       int16_t us, thousandths;
@@ -46,9 +44,8 @@ TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1
   }
 }
 
-TEST_CASE(
-    "all 2048 values lie within half a unit of the straight lines, clamped to 32767, and come back as they were") {
-  for (const NamedRange &row : Ranges) {
+TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped to 32767, and come back") {
+  for (const auto &row : Ranges) {
     CAPTURE(row.name);
     for (int raw = 0; raw < Values; raw++) {
       CAPTURE(raw);
