@@ -20,7 +20,7 @@ TEST_CASE("the constructor leaves the port alone; begin opens it once, 100000 ba
         (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN | STM32L0_UART_OPTION_STOP_2 |
          STM32L0_UART_OPTION_RX_INVERT | STM32L0_UART_OPTION_TX_INVERT));
   for (const unsigned long baud : {0ul, 9600ul, 115200ul, 200000ul, 4294967295ul}) {
-    for (const uint32_t config : {SERIAL_SBUS, SERIAL_8E2, SERIAL_8N1}) {
+    for (const uint32_t config : {uint32_t{SERIAL_SBUS}, uint32_t{SERIAL_8E2}, uint32_t{SERIAL_8N1}}) {
       config == SERIAL_SBUS ? board.sbus.begin(baud) : board.sbus.begin(baud, config);
       CHECK(board.port.openings.back().baud == baud);
       CHECK(board.port.openings.back().config == config);
