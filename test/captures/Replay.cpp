@@ -2,8 +2,8 @@
 //
 //   Replay FOLDER
 //
-// Of the files below it is known what a right decoder finds; of any other file the counts are printed, and it is checked
-// that every frame delivered stands in the recording.
+// Of the files below it is known what a right decoder finds; of any other file the counts are printed, and it is
+// checked that every frame delivered stands in the recording.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -21,17 +21,11 @@
 
 namespace {
 
-// What the sketch got of a frame, and where the recording has it.
-struct Found {
-  Channels channels;
-  bool failsafe;
-  bool lostFrame;
-  int end;  // byte; -1: no such frame in the recording
-};
+using EndBytes = std::map<int, unsigned>;  // end byte -> how many frames
 
 struct Expected {
-  std::map<int, unsigned> ends;  // end byte -> how many frames
-  Channels channels;             // of every frame; flags are 0
+  EndBytes ends;
+  Channels channels;  // of every frame; flags are 0
 };
 
 const std::map<std::string, Expected> Known = {
@@ -42,15 +36,16 @@ const std::map<std::string, Expected> Known = {
      {{{0x00, 1}}, {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}}},
 };
 
-// The end byte of the first frame in `characters` from `from` on that has these values; `from` is then after it.
-int endOf(const std::vector<line::Character> &characters, size_t &from, const Found &found) {
+// The end byte of the first frame in `characters` from `from` on that reads so, or -1; `from` is then after it.
+int endOf(const std::vector<line::Character> &characters, size_t &from, const Channels &channels, bool failsafe,
+          bool lostFrame) {
   for (size_t at = from; at + 25 <= characters.size(); at++) {
     Frame frame;
     for (size_t i = 0; i < 25; i++) {
       frame[i] = characters[at + i].value;
     }
-    if (sbus::isFrame(frame.data()) && readBitByBit(frame) == found.channels &&
-        sbus::lostFrame(frame.data()) == found.lostFrame && sbus::failsafe(frame.data()) == found.failsafe) {
+    if (sbus::isFrame(frame.data()) && readBitByBit(frame) == channels && sbus::lostFrame(frame.data()) == lostFrame &&
+        sbus::failsafe(frame.data()) == failsafe) {
       from = at + 25;
       return frame[24];
     }
@@ -75,13 +70,15 @@ std::vector<line::Character> withNoise(const std::vector<line::Character> &recor
   return characters;
 }
 
-std::vector<Found> replay(const std::vector<line::Character> &recorded, uint32_t loopUs) {
+// Says what is wrong, or nothing.
+std::string replay(const std::vector<line::Character> &recorded, uint32_t loopUs, const Expected *expected) {
   const std::vector<line::Character> characters = withNoise(recorded, loopUs);
   const uint64_t start = fakeMicros + 1000;
   UartPort port;
   DecodeSBus dSBus(port);
   dSBus.begin();
-  std::vector<Found> all;
+  std::string wrong;
+  EndBytes ends;
   size_t from = 0;
   size_t next = 0;
   for (uint64_t after = 0; after < 20000; after += next == characters.size() ? loopUs : 0) {
@@ -92,64 +89,48 @@ std::vector<Found> replay(const std::vector<line::Character> &recorded, uint32_t
       port.receive(character);
     }
     port.advance(fakeMicros);
-    const uint32_t before = dSBus.counters().frames;
     dSBus.parseSBusFrame();
-    // Two frames in one poll would be one to the sketch.
-    if (dSBus.counters().frames > before + 1) {
-      std::printf("two frames in one poll\n");
-    }
     if (dSBus.newFrame()) {
-      Found found = {};
-      dSBus.decodeSBusFrame(found.channels.data(), found.failsafe, found.lostFrame);
-      found.end = endOf(characters, from, found);
-      all.push_back(found);
+      Channels channels;
+      bool failsafe, lostFrame;
+      dSBus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
+      const int end = endOf(characters, from, channels, failsafe, lostFrame);
+      ends[end]++;
+      if (end < 0) {
+        wrong = "a frame that is not in the recording, or not there, was delivered";
+      } else if (expected != nullptr && (channels != expected->channels || failsafe || lostFrame)) {
+        wrong = "a frame with other values than known was delivered";
+      }
     }
   }
   const sbus::Counters counters = dSBus.counters();
-  std::printf("%u frames, refused by end %u, by flags %u, by extra %u, bytes skipped %u, resynchronised %u, T = %u us\n",
-              counters.frames, counters.refusedByEnd, counters.refusedByFlags, counters.refusedByExtra,
-              counters.skippedBytes, counters.resyncs, counters.period);
-  return all;
-}
-
-// Says what is wrong, or nothing.
-std::string judge(const std::vector<Found> &all, const Expected *expected) {
-  std::map<int, unsigned> ends;
-  for (const Found &found : all) {
-    if (found.end < 0) {
-      return "a frame that is not in the recording, or not there, was delivered";
+  std::printf(
+      "%u frames, refused by end %u, by flags %u, by extra %u, bytes skipped %u, resynchronised %u, T = %u us\n",
+      counters.frames, counters.refusedByEnd, counters.refusedByFlags, counters.refusedByExtra, counters.skippedBytes,
+      counters.resyncs, counters.period);
+  if (wrong.empty() && expected != nullptr && ends != expected->ends) {
+    wrong = "end bytes are not what is known:";
+    for (const auto &end : ends) {
+      wrong += " " + std::to_string(end.first) + " x" + std::to_string(end.second);
     }
-    if (expected != nullptr && (found.channels != expected->channels || found.failsafe || found.lostFrame)) {
-      return "a frame with other values than known was delivered";
-    }
-    ends[found.end]++;
   }
-  if (expected == nullptr || ends == expected->ends) {
-    return {};
-  }
-  std::string text = "end bytes";
-  for (const auto &end : ends) {
-    text += " " + std::to_string(end.first) + " x" + std::to_string(end.second);
-  }
-  return text + " are not what is known";
+  return wrong;
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 2 || !std::filesystem::is_directory(argv[1])) {
-    std::printf("FAILED captures: a folder with recordings is expected, there is no %s\n", argc == 2 ? argv[1] : "argument");
-    return 1;
-  }
+  const std::string folder = argc == 2 ? argv[1] : "";
+  std::error_code missing;
   std::set<std::filesystem::path> files;
-  for (const auto &entry : std::filesystem::directory_iterator(argv[1])) {
+  for (const auto &entry : std::filesystem::directory_iterator(folder, missing)) {
     if (entry.path().extension() == ".txt") {
       files.insert(entry.path());
     }
   }
   bool failed = files.empty();
   if (failed) {
-    std::printf("FAILED captures: there is no *.txt in %s\n", argv[1]);
+    std::printf("FAILED captures: there is no *.txt in the folder \"%s\"\n", folder.c_str());
   }
   for (const std::filesystem::path &file : files) {
     const std::string name = file.filename().string();
@@ -164,8 +145,7 @@ int main(int argc, char **argv) {
     const auto known = Known.find(name);
     for (const uint32_t loopUs : {50u, 3000u}) {
       std::printf("%s, loop() of %u us: ", name.c_str(), loopUs);
-      const std::string wrong =
-          judge(replay(recording.characters, loopUs), known == Known.end() ? nullptr : &known->second);
+      const std::string wrong = replay(recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
       std::printf("%s captures/%s, loop() of %u us%s%s\n", wrong.empty() ? "ok" : "FAILED", name.c_str(), loopUs,
                   wrong.empty() ? (known == Known.end() ? ", of which nothing is known" : "") : ": ", wrong.c_str());
       failed = failed || !wrong.empty();

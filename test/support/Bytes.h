@@ -59,23 +59,15 @@ inline Frame withByte(Frame frame, size_t index, unsigned byte) {
 // True if `some` are `all`, in order, with any left out.
 inline bool isPartOf(const Frames &some, const Frames &all) {
   auto at = all.begin();
-  for (const Frame &frame : some) {
+  return std::all_of(some.begin(), some.end(), [&](const Frame &frame) {
     at = std::find(at, all.end(), frame);
-    if (at == all.end()) {
-      return false;
-    }
-    ++at;
-  }
-  return true;
+    return at != all.end() && at++ != all.end();
+  });
 }
 
-// What was counted since `before`; the period is the newer one.
+// What was counted since `before`, up to which nothing went wrong.
 inline sbus::Counters operator-(sbus::Counters now, const sbus::Counters &before) {
-  for (uint32_t sbus::Counters::*const count :
-       {&sbus::Counters::frames, &sbus::Counters::lostFrames, &sbus::Counters::failsafeFrames,
-        &sbus::Counters::refusedByEnd, &sbus::Counters::refusedByFlags, &sbus::Counters::refusedByExtra,
-        &sbus::Counters::skippedBytes, &sbus::Counters::resyncs, &sbus::Counters::overflows}) {
-    now.*count -= before.*count;
-  }
+  now.frames -= before.frames;
+  now.skippedBytes -= before.skippedBytes;
   return now;
 }

@@ -1,8 +1,10 @@
 // The rules of the stored calibration once more, each by itself: the tests hold the library against them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "sbus/Calibration.h"
 
@@ -34,4 +36,17 @@ inline bool isExact(const sbus::CalibratedChannel &channel) {
   return channel.toNormalised(range.low) == -1000 && channel.toMicroseconds(range.low) == 988 &&
          channel.toNormalised(range.centre) == 0 && channel.toMicroseconds(range.centre) == 1500 &&
          channel.toNormalised(range.high) == 1000 && channel.toMicroseconds(range.high) == 2012;
+}
+
+// Two straight lines from either end of the dead zone, in floating point, clamped as the library does: `centre` at the
+// range's centre, `step` less at its low, and `step` more at its high.
+inline double onTheLines(int raw, const sbus::CalibratedChannel &channel, double centre, double step) {
+  const sbus::Range &range = channel.range;
+  const int beyond = std::abs(raw - range.centre) - channel.deadZone;
+  if (beyond <= 0) {
+    return centre;
+  }
+  const bool towardsHigh = (raw > range.centre) == (range.high > range.centre);
+  const int length = std::abs((towardsHigh ? range.high : range.low) - range.centre) - channel.deadZone;
+  return std::clamp(centre + (towardsHigh ? step : -step) * beyond / length, -32767.0, 32767.0);
 }

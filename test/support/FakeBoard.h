@@ -16,11 +16,7 @@ struct Decoded {
 };
 
 // What the channels of a sketch hold before a frame is decoded: no frame holds that.
-const Channels Untouched = [] {
-  Channels channels;
-  channels.fill(4711);
-  return channels;
-}();
+constexpr Channels Untouched = {4711};
 
 struct FakeBoard {
   FakeSerial port;
@@ -64,9 +60,9 @@ struct FakeBoard {
     frame(next);
   }
 
-  // The sketch asks for everything; `before` is what its channels hold until then.
-  Decoded decode(const Channels &before = Untouched) {
-    Decoded decoded = {before, false, false};
+  // The sketch asks for everything.
+  Decoded decode() {
+    Decoded decoded = {Untouched, false, false};
     sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
     return decoded;
   }

@@ -29,10 +29,8 @@ class FakeSerial : public HardwareSerial {
   unsigned asked = 0;      // available()
   unsigned overasked = 0;  // read() of more than was there
 
-  // Called before each of these: what comes in while a sketch reads.
-  std::function<void()> beforeRead = [] {};
-  std::function<void()> beforeAvailable = [] {};
-  bool readFails = false;  // -1, as no core should answer
+  std::function<void()> beforeRead = [] {};  // what comes in while a sketch reads
+  bool readFails = false;                    // -1, as no core should answer
 
   // What comes in between the two times that the board's core reads its count, if it is asked for more than is there.
   // It then hands over up to 12 bytes more than it was asked for, after the end of the buffer.
@@ -62,7 +60,6 @@ class FakeSerial : public HardwareSerial {
   }
   int available() override {
     asked++;
-    beforeAvailable();
     return static_cast<int>(_waiting.size());
   }
   int peek() override { return _waiting.empty() ? -1 : _waiting.front(); }

@@ -121,15 +121,11 @@ class TimedLine {
   // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character.
   Frames frames(uint32_t loopUs) const {
     Feeder feeder;
-    return play(feeder.settle(loopUs), loopUs);
-  }
-
-  Frames play(Feeder &feeder, uint32_t loopUs) const {
+    const uint32_t start = feeder.settle(loopUs).now;
     host::BoardUart uart;
     uart.open(0);
     Frames found;
     size_t next = 0;
-    const uint32_t start = feeder.now;
     for (uint64_t us = loopUs; us <= _us + 20000 + loopUs; us += loopUs) {
       for (; next < _characters.size() && _characters[next].endUs <= us; next++) {
         uart.receive(_characters[next]);

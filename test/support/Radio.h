@@ -35,19 +35,7 @@ struct Radio {
     move({rest.low, rest.high});
   }
 
-  // All sixteen, each as `good` has a bit for it: the others stand still.
-  explicit Radio(unsigned good) : Radio() {
-    for (const uint16_t value : {uint16_t{172}, uint16_t{1811}, Rest}) {
-      for (unsigned i = 0; i < 16; i++) {
-        channels[i] = (good >> i & 1) != 0 ? value : Rest;
-      }
-      feed();
-    }
-    calibrator.centre();
-    feed();
-  }
-
-  void feed(bool failsafe = false, bool lostFrame = false) { calibrator.feed(channels.data(), failsafe, lostFrame); }
+  void feed() { calibrator.feed(channels.data(), false, false); }
 
   // CH1.
   void move(std::initializer_list<int> values) {

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <sstream>
 #include <vector>
 
 namespace doctest {
@@ -13,11 +12,11 @@ namespace doctest {
 template <typename T, size_t Size>
 struct StringMaker<std::array<T, Size>> {
   static String convert(const std::array<T, Size> &values) {
-    std::ostringstream out;
+    String text;
     for (const T value : values) {
-      out << unsigned{value} << ' ';
+      text += toString(unsigned{value}) + " ";
     }
-    return out.str().c_str();
+    return text;
   }
 };
 
@@ -26,8 +25,7 @@ struct StringMaker<std::vector<std::array<T, Size>>> {
   static String convert(const std::vector<std::array<T, Size>> &arrays) {
     String text;
     for (const auto &array : arrays) {
-      text += "\n    ";
-      text += StringMaker<std::array<T, Size>>::convert(array);
+      text += "\n    " + toString(array);
     }
     return text;
   }

@@ -6,87 +6,61 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "support/ShowArrays.h"
-#include "sbus/Scaling.h"
+#include "support/CalibrationRules.h"
 
 namespace {
 
 constexpr int Values = 2048;
 
-struct NamedRange {
+constexpr struct {
   const char *name;
   sbus::Range range;
+  bool isExact;  // no side is longer than 1000: thousandths tell all raw values apart
+} Ranges[] = {
+    {"FrSky", sbus::FrSky, true},
+    {"Futaba", sbus::Futaba, true},
+    {"Futaba, +-140 %", {78, 1024, 1964}, true},
+    {"the whole of it", {0, 1024, 2047}, false},
+    {"backwards", {1811, 992, 172}, true},
+    {"one side short", {900, 1000, 2000}, true},
+    {"as short as can be", {1000, 1001, 1002}, true},
 };
-
-constexpr NamedRange Ranges[] = {
-    {"FrSky", sbus::FrSky},
-    {"Futaba", sbus::Futaba},
-    {"Futaba, +-140 %", {78, 1024, 1964}},
-    {"the whole of it", {0, 1024, 2047}},
-    {"backwards", {1811, 992, 172}},
-    {"one side short", {900, 1000, 2000}},
-    {"as short as can be", {1000, 1001, 1002}},
-};
-
-int longerSide(const sbus::Range &range) {
-  return std::max(std::abs(range.high - range.centre), std::abs(range.low - range.centre));
-}
-
-// The two straight lines, in floating point. `low`, `centre` and `high` are what the three points become.
-double onTheLines(int raw, const sbus::Range &range, double low, double centre, double high) {
-  const bool upper = range.high > range.low ? raw >= range.centre : raw <= range.centre;
-  const double end = upper ? high : low;
-  const double length = (upper ? range.high : range.low) - range.centre;
-  return centre + (end - centre) * (raw - range.centre) / length;
-}
 
 }  // namespace
 
-TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1000, 0, +1000, both ways") {
-  for (const NamedRange &row : Ranges) {
-    CAPTURE(row.name);
-    const sbus::Range &range = row.range;
-    CHECK(sbus::toMicroseconds(range.low, range) == 988);
-    CHECK(sbus::toMicroseconds(range.centre, range) == 1500);
-    CHECK(sbus::toMicroseconds(range.high, range) == 2012);
-    CHECK(sbus::toNormalised(range.low, range) == -1000);
-    CHECK(sbus::toNormalised(range.centre, range) == 0);
-    CHECK(sbus::toNormalised(range.high, range) == 1000);
-    CHECK(sbus::fromMicroseconds(988, range) == range.low);
-    CHECK(sbus::fromMicroseconds(1500, range) == range.centre);
-    CHECK(sbus::fromMicroseconds(2012, range) == range.high);
-    CHECK(sbus::fromNormalised(-1000, range) == range.low);
-    CHECK(sbus::fromNormalised(0, range) == range.centre);
-    CHECK(sbus::fromNormalised(1000, range) == range.high);
-  }
-}
-
-TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped to 32767, and come back as they were") {
-  for (const NamedRange &row : Ranges) {
-    CAPTURE(row.name);
-    for (int raw = 0; raw < Values; raw++) {
-      CAPTURE(raw);
-      const auto value = static_cast<uint16_t>(raw);
-      const double exactUs = std::clamp(onTheLines(raw, row.range, 988, 1500, 2012), -32767.0, 32767.0);
-      const double exact = std::clamp(onTheLines(raw, row.range, -1000, 0, 1000), -32767.0, 32767.0);
-      const int16_t us = sbus::toMicroseconds(value, row.range);
-      const int16_t thousandths = sbus::toNormalised(value, row.range);
-      REQUIRE(std::abs(us - exactUs) <= 0.5);
-      REQUIRE(std::abs(thousandths - exact) <= 0.5);
-      if (std::abs(us) < 32767) {
-        REQUIRE(std::abs(sbus::fromMicroseconds(us, row.range) - raw) <= 1);
-      }
-      if (std::abs(thousandths) < 32767 && longerSide(row.range) <= 1000) {
-        REQUIRE(sbus::fromNormalised(thousandths, row.range) == raw);
-      }
+TEST_CASE("the three points of every range are exactly 988, 1500, 2012 us and -1000, 0, +1000, and back") {
+  for (const auto &row : Ranges) {
+    const struct {
+      uint16_t raw;
+      int16_t us, thousandths;
+    } points[] = {{row.range.low, 988, -1000}, {row.range.centre, 1500, 0}, {row.range.high, 2012, 1000}};
+    for (const auto &point : points) {
+      INFO(row.name, ", raw ", point.raw);
+      CHECK(sbus::toMicroseconds(point.raw, row.range) == point.us);
+      CHECK(sbus::toNormalised(point.raw, row.range) == point.thousandths);
+      CHECK(sbus::fromMicroseconds(point.us, row.range) == point.raw);
+      CHECK(sbus::fromNormalised(point.thousandths, row.range) == point.raw);
     }
   }
 }
 
-TEST_CASE("a FrSky's pulses are Betaflight's within 1 us, -100 % to +100 %") {
-  for (int raw = 172; raw <= 1811; raw++) {
-    CAPTURE(raw);
-    REQUIRE(std::abs(sbus::toMicroseconds(static_cast<uint16_t>(raw), sbus::FrSky) - (5.0 * raw / 8 + 880)) <= 1);
+TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped to 32767, and come back") {
+  for (const auto &row : Ranges) {
+    CAPTURE(row.name);
+    for (int raw = 0; raw < Values; raw++) {
+      CAPTURE(raw);
+      const auto value = static_cast<uint16_t>(raw);
+      const int16_t us = sbus::toMicroseconds(value, row.range);
+      const int16_t thousandths = sbus::toNormalised(value, row.range);
+      REQUIRE(std::abs(us - onTheLines(raw, {row.range, 0}, 1500, 512)) <= 0.5);
+      REQUIRE(std::abs(thousandths - onTheLines(raw, {row.range, 0}, 0, 1000)) <= 0.5);
+      if (std::abs(us) < 32767) {
+        REQUIRE(std::abs(sbus::fromMicroseconds(us, row.range) - raw) <= 1);
+      }
+      if (std::abs(thousandths) < 32767 && row.isExact) {
+        REQUIRE(sbus::fromNormalised(thousandths, row.range) == raw);
+      }
+    }
   }
 }
 
