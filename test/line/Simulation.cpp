@@ -73,7 +73,7 @@ class Simulation {
       : _run(run),
         _random(seed),
         _beginUs(ClockWrapUs - randomUs(std::min(run.line.frames * run.setup.periodUs, LongestRunUs))),
-        _wire(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
+        _line(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
         _port(run.line.baud, run.setup.driver, run.setup.buffer, [this] { takeFrame(); }),
         _judge(learning(run.setup)) {
     if (decoder == Decoder::Ours) {
@@ -93,9 +93,9 @@ class Simulation {
       if (_port.available() > 0) {
         poll();
       }
-    } while (!_wire.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
+    } while (!_line.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
     Tally tally = _judge.finish();
-    tally.disturbed = _wire.noiseCharacters() + _blocks;
+    tally.disturbed = _line.noiseCharacters() + _blocks;
     return tally;
   }
 
@@ -117,8 +117,8 @@ class Simulation {
     }
     fakeMicros += _run.inStep ? periodUs : periodUs * 9 / 10 + randomUs(periodUs / 5 + 1);
     // Loops in which nothing can come are not worth the time.
-    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 5 * _characterUs + 2 * periodUs) {
-      const uint64_t nextUs = std::min(_wire.nextUs(), _nextBlockUs);
+    if (!_line.finished(fakeMicros) && fakeMicros >= _lastEndUs + 5 * _characterUs + 2 * periodUs) {
+      const uint64_t nextUs = std::min(_line.nextUs(), _nextBlockUs);
       if (nextUs > fakeMicros + periodUs) {
         fakeMicros += (nextUs - fakeMicros) / periodUs * periodUs;
       }
@@ -127,8 +127,8 @@ class Simulation {
 
   void receive() {
     line::Character character;
-    while (_wire.next(fakeMicros, character)) {
-      for (SentFrame frame; _wire.nextSent(frame);) {
+    while (_line.next(fakeMicros, character)) {
+      for (SentFrame frame; _line.nextSent(frame);) {
         _judge.sent(frame);
       }
       if (character.endUs < _beginUs + _characterUs && !character.bad) {
@@ -167,7 +167,7 @@ class Simulation {
   const uint32_t _characterUs = _run.line.characterUs();
   Random _random;
   const uint64_t _beginUs;  // such that micros() wraps during the run
-  WireLine _wire;
+  DamagedLine _line;
   UartPort _port;
   Judge _judge;
   std::unique_ptr<DecoderUnderTest> _decoder;

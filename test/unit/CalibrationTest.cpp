@@ -8,8 +8,8 @@
 #include <cstring>
 #include <utility>
 
+#include "line/Random.h"
 #include "support/CalibrationRules.h"
-#include "support/Random.h"
 #include "support/ShowArrays.h"
 
 namespace {
@@ -142,7 +142,7 @@ TEST_CASE("each of the 1056 bits is guarded, and any two; of 10000 changes of an
       REQUIRE(stateOf(twice) != StoredState::Good);
     }
   }
-  Random random(7);
+  line::Random random(7);
   for (unsigned round = 0; round < 10000; round++) {
     Stored bytes = good;
     const unsigned one = random.below(Size);
