@@ -92,7 +92,7 @@ $(eval $(call archive,plain,-DHOST_PLAIN_CORE))
 
 # The torture bench, fast, and a second time under the sanitizers. OUT/VARIANT/TortureTest holds the bounds,
 # OUT/VARIANT/Torture prints the table.
-LINE_PARTS := Conditions Judge Payload Simulation WireLine
+LINE_PARTS := Conditions Judge Payload Simulation DamagedLine
 LINE_INCLUDES := -Iline $(ROOMS) $(ARDUINO)
 define line_rule
 $(OUT)/$1/%.o: $3/%.cpp build.mk

@@ -9,10 +9,11 @@ struct Cost {
   uint32_t portCalls = 0;     // of the port's methods, which on a board cost more than here
   uint32_t frames = 0;
 
-  void add(const Cost &other) {
+  Cost &operator+=(const Cost &other) {
     instructions += other.instructions;
     portCalls += other.portCalls;
     frames += other.frames;
+    return *this;
   }
 };
 
@@ -20,9 +21,20 @@ struct Cost {
 // that takes other than a fixed number of instructions per call and byte.
 bool calibrate();
 
-// What the port takes to be asked for room, and for a frame: the instructions of its methods, without the calls.
-uint32_t costOfPortsOwn(MemorySerial &port);
+// Instructions of the port's methods themselves, without the calls.
+uint32_t portsOwn(const MemorySerial::Calls &calls);
+uint32_t portsOwnOfSending();  // asked for room, and given a frame
 
 // Hands `count` bytes over, at fakeMicros, and measures the one call that takes them in.
-Cost take(Ours &ours, const uint8_t *bytes, size_t count);
-Cost take(Papers &papers, const uint8_t *bytes, size_t count);
+template <typename Receiver>
+Cost take(Receiver &receiver, const uint8_t *bytes, size_t count) {
+  Cost cost;
+  const uint32_t before = receiver.frames();
+  receiver.port.put(bytes, count);
+  cost.instructions = instructions::of([&] { receiver.parse(); });
+  const MemorySerial::Calls &calls = receiver.port.calls;
+  cost.instructions -= portsOwn(calls);
+  cost.portCalls = calls.available + calls.singleReads + calls.reads;
+  cost.frames = receiver.frames() - before;
+  return cost;
+}

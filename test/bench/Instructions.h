@@ -6,8 +6,6 @@
 
 namespace instructions {
 
-constexpr uint32_t Most = 1000000;  // in one go: SysTick has 24 bits
-
 inline volatile uint32_t &sysTick(unsigned index) {
   return reinterpret_cast<volatile uint32_t *>(0xE000E010)[index];  // control, reload value, current value
 }
@@ -18,20 +16,15 @@ inline void start() {
   sysTick(0) = 5;  // counts down, at the processor's clock, without interrupt
 }
 
-// It counts down.
-inline uint32_t between(uint32_t before, uint32_t after) {
-  return static_cast<uint32_t>((uint64_t{(before - after) & 0xFFFFFF} * 125 + 1024) / 2048);
-}
-
-// What `work` takes, the call with it: from setting up the arguments to the return.
+// What `work` takes, the call with it: from setting up the arguments to the return. A million at most.
 template <typename Work>
 __attribute__((noinline)) uint32_t of(const Work &work) {
   const uint32_t before = sysTick(2);
   __asm__ volatile("" ::: "memory");
   work();
   __asm__ volatile("" ::: "memory");
-  const uint32_t all = between(before, sysTick(2));
-  return all - 1;  // of the two readings, one lies in between
+  const uint32_t ticks = (before - sysTick(2)) & 0xFFFFFF;
+  return static_cast<uint32_t>((uint64_t{ticks} * 125 + 1024) / 2048) - 1;  // of the two readings, one lies in between
 }
 
 // 300 instructions count as 300, and none as none.

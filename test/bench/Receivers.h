@@ -1,19 +1,58 @@
-// Ours and the paper's, each in a function of its own: so neither is compiled together with the port.
+// Ours and the paper's, each at a port of its own.
 #pragma once
+
+#include "support/CleanArduino.h"
 
 #include <DecodeSBus.h>
 
-#include "MemorySerial.h"
 #include "support/PaperDecoder.h"
+
+// A serial port in memory, as small as can be. What its methods take is the same for the same number of bytes, so it
+// can be subtracted.
+class MemorySerial : public HardwareSerial {
+ public:
+  struct Calls {
+    uint32_t available;
+    uint32_t singleReads;
+    uint32_t reads;  // read(buffer, size)
+    uint32_t bytes;  // by these
+  };
+  Calls calls = Calls();
+
+  // What waits: kept where it is. The calls are counted from here on.
+  void put(const uint8_t *bytes, size_t count) {
+    _next = bytes;
+    _end = bytes + count;
+    calls = Calls();
+  }
+
+  int available() override;
+  int peek() override { return -1; }
+  int read() override;
+  int read(uint8_t *buffer, size_t size) override;
+  void flush() override {}
+  size_t write(uint8_t) override { return 0; }
+  size_t write(const uint8_t *bytes, size_t size) override;  // all are sent at once, and gone
+  int availableForWrite() override;
+  operator bool() override { return true; }
+
+ private:
+  const uint8_t *_next = nullptr;
+  const uint8_t *_end = nullptr;
+};
 
 struct Ours {
   MemorySerial port;
   DecodeSBus receiver{port};
+
+  void parse();
+  uint32_t frames() const { return receiver.counters().frames; }
 };
+
 struct Papers {
   MemorySerial port;
   PaperDecoder receiver{port};
-};
 
-void parse(Ours &ours);
-void parse(Papers &papers);
+  void parse();
+  uint32_t frames() const { return receiver.frames(); }
+};

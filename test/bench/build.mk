@@ -1,5 +1,5 @@
-# Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints how
-# many bytes of flash each way of unpacking takes, as NAME=BYTES. The start-up code is that of ../boards/cortex-m0.
+# Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints for sed
+# how many bytes of flash each @NAME, a way of unpacking, takes. The start-up code is that of ../boards/cortex-m0.
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../..
@@ -16,8 +16,8 @@ SECTIONS := -ffunction-sections -fdata-sections
 INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-MEASURED := MemorySerial Receivers UnpackWays
-PARTS := Bench CleanLine Cost Lines Values Worst
+MEASURED := Receivers UnpackWays
+PARTS := BadLines Bench Cost Frames Values
 
 bench: $(OUT)/Bench
 .PHONY: bench sizes
@@ -46,6 +46,6 @@ $(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,-std=gn
 # unpack() calls unpackGroup(), or has it in line.
 sizes: $(OUT)/src/sbus/Frame.o $(OUT)/UnpackWays.o
 	@arm-none-eabi-nm --radix=d -S -C $^ | awk 'sub(/\(unsigned.*/, "") { name = $$NF; sub(/.*:/, "", name); \
-	  size[name == "unpackGroup" ? "unpack" : name] += $$2 } END { for (name in size) print name "=" size[name] }'
+	  size[name == "unpackGroup" ? "unpack" : name] += $$2 } END { for (name in size) print "s/@" name " /" size[name] " /" }'
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

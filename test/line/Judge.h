@@ -1,16 +1,16 @@
-// Holds what a sketch was given against what stood on the wire.
+// Holds what a sketch was given against what stood on the line.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 
-#include "WireLine.h"
+#include "DamagedLine.h"
 
 struct Tally {
-  uint64_t damaged = 0;    // frames that did not reach the sketch whole: damaged on the wire, or the buffer was full
+  uint64_t damaged = 0;    // frames that did not reach the sketch whole: damaged on the line, or the buffer was full
   uint64_t intact = 0;     // all others
   uint64_t missed = 0;     // of these: never given to the sketch
-  uint64_t wrong = 0;      // given to the sketch, but never on the wire as a frame, at its true place
+  uint64_t wrong = 0;      // given to the sketch, but never on the line as a frame, at its true place
   uint64_t late = 0;       // in lock, and given later than at the first poll that had its last byte
   uint64_t altered = 0;    // damaged, and given: all its characters were there, and it looked like a frame
   uint64_t disturbed = 0;  // characters in pauses, and blocked loops
@@ -29,7 +29,7 @@ class Judge {
  public:
   explicit Judge(uint64_t learning) : _learning(learning) {}
 
-  // The wire brings `frame`, later than all before.
+  // The line brings `frame`, later than all before.
   void sent(const SentFrame &frame);
 
   // The characters from `first` on, up to but without `after`, never reached the sketch.

@@ -1,11 +1,12 @@
 // What the pilot's sticks put into the frames: the payload decides how easily a receiver is misled.
 #pragma once
 
-#include "support/BitByBit.h"
-
 #include <vector>
 
-#include "support/Random.h"
+#include "line/Random.h"
+#include "support/BitByBit.h"
+
+using line::Random;
 
 enum class Payload {
   // Ordinary ones, such as receivers send.

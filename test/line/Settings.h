@@ -1,7 +1,6 @@
 // Settings from the environment: FRAMES=1000000 SEED=7 make torture
 #pragma once
 
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,11 +12,9 @@ inline uint64_t setting(const char *name, uint64_t otherwise, uint64_t least = 0
     return otherwise;
   }
   char *end = nullptr;
-  errno = 0;
   const uint64_t value = std::strtoull(text, &end, 10);
-  if (*text < '0' || *text > '9' || *end != 0 || errno != 0 || value < least) {
-    std::fprintf(stderr, "%s=%s: a number is expected, %llu or more\n", name, text,
-                 static_cast<unsigned long long>(least));
+  if (*text == '-' || *end != 0 || value < least) {
+    std::fprintf(stderr, "%s=%s: a number is expected, %u or more\n", name, text, static_cast<unsigned>(least));
     std::exit(2);
   }
   return value;

@@ -1,7 +1,6 @@
 #include "Simulation.h"
 
 #include <algorithm>
-#include <memory>
 
 #include "support/UartPort.h"
 
@@ -11,18 +10,8 @@
 
 namespace {
 
-constexpr uint64_t ClockWrapUs = uint64_t(1) << 32;
-constexpr uint64_t LongestRunUs = ClockWrapUs / 2;  // before the wrap
-
-class DecoderUnderTest {
- public:
-  virtual ~DecoderUnderTest() = default;
-  virtual void begin(unsigned long baud) = 0;
-  virtual void parse() = 0;
-  virtual bool newFrame(Frame &frame) = 0;  // since the last call
-};
-
-class Ours : public DecoderUnderTest {
+// Two ways of receiving. newFrame(): since the last call.
+class Ours {
  public:
   // Judged are the frames, not the link: failsafe is then the frame's own, and one that waited while loop() was blocked
   // for longer than the timeout is still read.
@@ -30,9 +19,9 @@ class Ours : public DecoderUnderTest {
     _sbus.setLossLimit(0);
     _sbus.setTimeout(0);
   }
-  void begin(unsigned long baud) override { _sbus.begin(baud); }
-  void parse() override { _sbus.parseSBusFrame(); }
-  bool newFrame(Frame &frame) override {
+  void begin(unsigned long baud) { _sbus.begin(baud); }
+  void parse() { _sbus.parseSBusFrame(); }
+  bool newFrame(Frame &frame) {
     if (!_sbus.newFrame()) {
       return false;
     }
@@ -48,12 +37,12 @@ class Ours : public DecoderUnderTest {
   DecodeSBus _sbus;
 };
 
-class Papers : public DecoderUnderTest {
+class Papers {
  public:
   explicit Papers(HardwareSerial &port) : _paper(port) {}
-  void begin(unsigned long baud) override { _paper.begin(baud); }
-  void parse() override { _paper.parseSBusFrame(); }
-  bool newFrame(Frame &frame) override {
+  void begin(unsigned long baud) { _paper.begin(baud); }
+  void parse() { _paper.parseSBusFrame(); }
+  bool newFrame(Frame &frame) {
     if (_paper.frames() == _seen) {
       return false;
     }
@@ -67,25 +56,20 @@ class Papers : public DecoderUnderTest {
   uint32_t _seen = 0;
 };
 
+template <typename Receiver>
 class Simulation {
  public:
-  Simulation(const Run &run, Decoder decoder, uint64_t seed)
+  Simulation(const Run &run, uint64_t seed)
       : _run(run),
         _random(seed),
-        _beginUs(ClockWrapUs - randomUs(std::min(run.line.frames * run.setup.periodUs, LongestRunUs))),
-        _wire(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
+        _beginUs(MicrosWrap - randomUs(std::min(run.line.frames * run.setup.periodUs, MicrosWrap / 2))),
+        _line(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
         _port(run.line.baud, run.setup.driver, run.setup.buffer, [this] { takeFrame(); }),
-        _judge(learning(run.setup)) {
-    if (decoder == Decoder::Ours) {
-      _decoder = std::make_unique<Ours>(_port);
-    } else {
-      _decoder = std::make_unique<Papers>(_port);
-    }
-  }
+        _judge(learning(run.setup)) {}
 
   Tally run() {
     fakeMicros = _beginUs;
-    _decoder->begin(_run.line.baud);
+    _receiver.begin(_run.line.baud);
     _nextBlockUs = _run.blockEveryUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
     do {
       loop();
@@ -93,9 +77,9 @@ class Simulation {
       if (_port.available() > 0) {
         poll();
       }
-    } while (!_wire.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
+    } while (!_line.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
     Tally tally = _judge.finish();
-    tally.disturbed = _wire.noiseCharacters() + _blocks;
+    tally.disturbed = _line.noiseCharacters() + _blocks;
     return tally;
   }
 
@@ -117,8 +101,8 @@ class Simulation {
     }
     fakeMicros += _run.inStep ? periodUs : periodUs * 9 / 10 + randomUs(periodUs / 5 + 1);
     // Loops in which nothing can come are not worth the time.
-    if (!_wire.finished(fakeMicros) && fakeMicros >= _lastEndUs + 5 * _characterUs + 2 * periodUs) {
-      const uint64_t nextUs = std::min(_wire.nextUs(), _nextBlockUs);
+    if (!_line.finished(fakeMicros) && fakeMicros >= _lastEndUs + 5 * _characterUs + 2 * periodUs) {
+      const uint64_t nextUs = std::min(_line.nextUs(), _nextBlockUs);
       if (nextUs > fakeMicros + periodUs) {
         fakeMicros += (nextUs - fakeMicros) / periodUs * periodUs;
       }
@@ -127,8 +111,8 @@ class Simulation {
 
   void receive() {
     line::Character character;
-    while (_wire.next(fakeMicros, character)) {
-      for (SentFrame frame; _wire.nextSent(frame);) {
+    while (_line.next(fakeMicros, character)) {
+      for (SentFrame frame; _line.nextSent(frame);) {
         _judge.sent(frame);
       }
       if (character.endUs < _beginUs + _characterUs && !character.bad) {
@@ -142,7 +126,7 @@ class Simulation {
 
   void poll() {
     _judge.poll(position() + static_cast<uint64_t>(_port.available()));
-    _decoder->parse();
+    _receiver.parse();
     takeFrame();
     // What the full buffer had no place for stood after all that was in it, and has been read now.
     lose(_port.droppedFull() - _droppedFull);
@@ -151,7 +135,7 @@ class Simulation {
 
   void takeFrame() {
     Frame frame;
-    if (_decoder->newFrame(frame)) {
+    if (_receiver.newFrame(frame)) {
       _judge.given(frame, position());
     }
   }
@@ -167,10 +151,10 @@ class Simulation {
   const uint32_t _characterUs = _run.line.characterUs();
   Random _random;
   const uint64_t _beginUs;  // such that micros() wraps during the run
-  WireLine _wire;
+  DamagedLine _line;
   UartPort _port;
+  Receiver _receiver{_port};
   Judge _judge;
-  std::unique_ptr<DecoderUnderTest> _decoder;
   uint64_t _nextBlockUs = 0;
   uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;
@@ -181,5 +165,5 @@ class Simulation {
 }  // namespace
 
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed) {
-  return Simulation(run, decoder, seed).run();
+  return decoder == Decoder::Ours ? Simulation<Ours>(run, seed).run() : Simulation<Papers>(run, seed).run();
 }

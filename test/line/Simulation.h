@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "Judge.h"
-#include "WireLine.h"
+#include "DamagedLine.h"
 #include "support/Driver.h"
 
 struct Setup {

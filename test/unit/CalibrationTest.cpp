@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "line/Random.h"
 #include "support/CalibrationRules.h"
 #include "support/ShowArrays.h"
 

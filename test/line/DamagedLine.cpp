@@ -1,4 +1,4 @@
-#include "WireLine.h"
+#include "DamagedLine.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ constexpr uint32_t SilenceUs = 100000;
 
 }  // namespace
 
-WireLine::WireLine(const Transmission &transmission, uint64_t startUs, Random &random)
+DamagedLine::DamagedLine(const Transmission &transmission, uint64_t startUs, Random &random)
     : _transmission(transmission),
       _characterUs(transmission.characterUs()),
       _random(random),
@@ -26,7 +26,7 @@ WireLine::WireLine(const Transmission &transmission, uint64_t startUs, Random &r
       _frameUs(startUs),
       _timeUs(startUs) {}
 
-bool WireLine::next(uint64_t nowUs, line::Character &character) {
+bool DamagedLine::next(uint64_t nowUs, line::Character &character) {
   if (finished(nowUs) || nextUs() > nowUs) {
     return false;
   }
@@ -35,18 +35,18 @@ bool WireLine::next(uint64_t nowUs, line::Character &character) {
   return true;
 }
 
-bool WireLine::finished(uint64_t /*nowUs*/) const {
+bool DamagedLine::finished(uint64_t /*nowUs*/) const {
   return _characters.empty() && _framesLeft == 0;
 }
 
-uint64_t WireLine::nextUs() {
+uint64_t DamagedLine::nextUs() {
   while (_characters.empty() && _framesLeft != 0) {
     sendFrame();
   }
   return _characters.front().endUs;
 }
 
-bool WireLine::nextSent(SentFrame &frame) {
+bool DamagedLine::nextSent(SentFrame &frame) {
   if (_sent.empty()) {
     return false;
   }
@@ -55,7 +55,7 @@ bool WireLine::nextSent(SentFrame &frame) {
   return true;
 }
 
-void WireLine::sendFrame() {
+void DamagedLine::sendFrame() {
   _framesLeft--;
   _timeUs = _frameUs;
 
@@ -84,7 +84,7 @@ void WireLine::sendFrame() {
   _number++;
 }
 
-void WireLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent) {
+void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent) {
   const Impairments &impairments = _transmission.impairments;
   bool whole = _transmission.kind != Kind::Channels24;
   for (unsigned i = 0; i < size; i++) {
@@ -127,7 +127,7 @@ void WireLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent
 }
 
 // What stands between this frame and the next.
-void WireLine::sendBetween(uint8_t end) {
+void DamagedLine::sendBetween(uint8_t end) {
   const uint64_t characters = _characters.size();
   if (end == Sbus2End && _transmission.kind == Kind::Sbus2 && _number % 8 == 0) {
     _timeUs += 2000;
@@ -153,7 +153,7 @@ void WireLine::sendBetween(uint8_t end) {
   _frameUs = std::max(nextFrameUs, _timeUs) + (stops ? SilenceUs + _random.below(SilenceUs) : 0);
 }
 
-void WireLine::send(uint8_t value, bool bad) {
+void DamagedLine::send(uint8_t value, bool bad) {
   _timeUs += _characterUs;
   line::Character character;
   character.endUs = _timeUs;

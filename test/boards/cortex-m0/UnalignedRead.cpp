@@ -4,11 +4,8 @@
 #include <stdio.h>
 
 int main() {
-  static const uint32_t words[2] = {0x03020100, 0x07060504};
-  const char *volatile address = reinterpret_cast<const char *>(words);
-#if defined(ODD_ADDRESS)
-  address = address + 1;
-#endif
+  static const uint32_t words[2] = {};
+  const char *volatile address = reinterpret_cast<const char *>(words) + 1;
   uint32_t word;
   __asm__ volatile("ldr %0, [%1]" : "=r"(word) : "r"(address));
   printf("read %08lx\n", static_cast<unsigned long>(word));

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+namespace line {
+
 class Random {
  public:
   explicit Random(uint64_t seed) : _state(seed) {}
@@ -25,3 +27,5 @@ class Random {
  private:
   uint64_t _state;
 };
+
+}  // namespace line

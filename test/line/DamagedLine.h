@@ -1,14 +1,12 @@
-// A receiver on a bad wire: its frames, and what becomes of them on the way.
+// A receiver on a bad line: its frames, and what becomes of them on the way.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 
+#include "Payload.h"
 #include "line/Line.h"
 #include "line/LineSettings.h"
-
-#include "support/Random.h"
-#include "Payload.h"
 
 // What the receiver sends.
 enum class Kind {
@@ -28,7 +26,7 @@ struct Impairments {
   double noise = 0;     // of a pause: it holds one character, anything, anywhere
 };
 
-// What goes over the wire, and how fast.
+// What goes over the line, and how fast.
 struct Transmission {
   Impairments impairments{};
   Kind kind = Kind::Plain;
@@ -41,7 +39,7 @@ struct Transmission {
   uint32_t characterUs() const { return line::LineSettings{baud}.characterUs(); }
 };
 
-// A frame as it stood on the wire. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
+// A frame as it stood on the line. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
 struct SentFrame {
   Frame bytes{};
   bool intact = true;     // all there, nothing in between, and header, flags and end byte are those of a frame
@@ -51,10 +49,10 @@ struct SentFrame {
   uint64_t after = 0;     // number of the good character after it
 };
 
-class WireLine : public line::Line {
+class DamagedLine : public line::Line {
  public:
   // The first frame begins at `startUs`.
-  WireLine(const Transmission &transmission, uint64_t startUs, Random &random);
+  DamagedLine(const Transmission &transmission, uint64_t startUs, Random &random);
 
   bool next(uint64_t nowUs, line::Character &character) override;
   bool finished(uint64_t nowUs) const override;
