@@ -1,7 +1,6 @@
 // Arduino.h of the stand-ins: one core, CORE, and what sketches expect of all.
 #pragma once
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -124,6 +124,9 @@ int Uart::read() {
 }
 
 int Uart::read(uint8_t *buffer, size_t size) {
+  if (world.beforeRead) {
+    world.beforeRead();
+  }
   const size_t count = std::min(size, static_cast<size_t>(available()));
   for (size_t i = 0; i < count; i++) {
     buffer[i] = _buffer[_first];

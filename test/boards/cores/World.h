@@ -1,6 +1,7 @@
 // What stands around the port: the time, the line, what was sent and printed.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct World {
   std::vector<Sent> sent;
   std::string printed;
   unsigned crashes = 0;
+  // A library that takes in two frames in one call has finished with the first before it reads the second.
+  std::function<void()> beforeRead;
   unsigned long dropped = 0;  // bytes, because the buffer was full
 };
 

@@ -24,8 +24,8 @@ samd := Samd gnu++11
 stm32 := Stm32 gnu++17
 stm32f4 := Stm32 gnu++17 -DSTM32F4
 stm32l0 := Stm32L0 gnu++11
-teensy32 := Teensy gnu++17 -DTEENSY32
-teensy4 := Teensy gnu++17
+teensy32 := Teensy32 gnu++17
+teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
@@ -66,12 +66,12 @@ $(OUT)/$1/README.o: $(OUT)/README.cpp
 	@mkdir -p $$(@D)
 	$(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g' $$<,cat $$<) | \
 	  $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
-$(OUT)/$1/%.ok: $(HERE)/build.mk
-	@mkdir -p $$(@D)
+$(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino
 	@touch $$@
 $(OUT)/$1/%.refused: $(ROOT)/examples/%/ $(HERE)/build.mk
-	@mkdir -p $$(@D)
+	@mkdir -p $$(@D) && rm -f $$@
 	! $(CXX) $$($1_board) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error:' $$@ | grep -q '#error "[^"]*only the STM32L0 core'
 endef
