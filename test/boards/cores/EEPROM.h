@@ -1,4 +1,4 @@
-// EEPROM.h of the cores that have one. EEPROM_EMULATED: it wants begin() and commit().
+// EEPROM.h of the cores that have one. EEPROM_EMULATED: it wants begin(), commit() and end().
 #pragma once
 
 #include <Arduino.h>
@@ -12,6 +12,7 @@ class EEPROMClass {
 #if defined(EEPROM_EMULATED)
   bool begin(size_t size);
   bool commit();
+  bool end();
 #endif
   uint8_t read(int address);
   void write(int address, uint8_t value);

@@ -31,9 +31,8 @@ uno-r4 := UnoR4 gnu++17
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
 refused = $(if $(filter nano33 stm32f4 stm32l0,$1),,Background)
-# Some have no EEPROM.h. To the examples a Nano 33 is as the Pico, and an STM32F4 as an STM32.
-left_out = $(if $(filter nano33 stm32f4,$1),$(EXAMPLES),$(if $(filter mbed nrf52 sam samd,$1),Calibrate))
-compiled = $(filter-out $(call refused,$1) $(call left_out,$1),$(EXAMPLES))
+# To them a Nano 33 is as the Pico, and an STM32F4 as an STM32.
+compiled = $(if $(filter nano33 stm32f4,$1),,$(filter-out $(call refused,$1),$(EXAMPLES)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(patsubst %,$(OUT)/$(core)/%.refused,$(call refused,$(core))))
 
