@@ -93,27 +93,29 @@ void putOnLine(unsigned frames, unsigned long baud, bool inverted, uint64_t peri
   }
 }
 
-struct Delivered {
+struct Delivered : sim::Reader {
+  DecodeSBus *asked = nullptr;
   Numbers numbers;
   unsigned wrong = 0;       // were not on the line so, or not yet, or out of order
   unsigned lossyPolls = 0;  // before which the port has lost bytes
 
   void poll(DecodeSBus &dSBus) {
     const unsigned long before = world.dropped;
-    world.beforeRead = [&] { look(dSBus); };
+    asked = &dSBus;
+    world.reader = this;
     dSBus.parseSBusFrame();
-    world.beforeRead = nullptr;
-    look(dSBus);
+    world.reader = nullptr;
+    beforeRead();
     lossyPolls += world.dropped != before;
   }
 
-  void look(DecodeSBus &dSBus) {
-    if (!dSBus.newFrame()) {
+  void beforeRead() override {
+    if (!asked->newFrame()) {
       return;
     }
     Channels channels{};
     bool failsafe, lostFrame;
-    dSBus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
+    asked->decodeSBusFrame(channels.data(), failsafe, lostFrame);
     const unsigned number = channels[0] - 900u;
     const bool known = writeBitByBit(channels) == frameOf(number) && world.next >= (number + 1) * 25 &&
                        (numbers.empty() || number > numbers.back());
@@ -228,6 +230,7 @@ TEST_CASE("every frame from the third on is delivered, in order, and nothing ove
         CHECK(delivered.numbers == (Hears || opening.byHand ? fromThird(Frames, delivered.numbers) : Numbers{}));
         CHECK(delivered.wrong == 0);
         CHECK(dSBus.counters().overflows == 0);
+        CHECK((opening.byHand || SBUS_PORT.uart.burst() <= sbus::LargestBurst));
         CHECK((world.crashes == 0) == (Core.takes8E2 || opening.byHand));
       }
     }
