@@ -71,13 +71,17 @@ void switchOn() {
 }
 
 // CH1 and CH3 count.
-Frame frameOf(unsigned number) {
+Channels channelsOf(unsigned number) {
   Channels channels;
   channels.fill(992);
   channels[16] = channels[17] = 0;
   channels[0] = static_cast<uint16_t>(900 + number);
   channels[2] = static_cast<uint16_t>(300 + number);
-  return writeBitByBit(channels);
+  return channels;
+}
+
+Frame frameOf(unsigned number) {
+  return writeBitByBit(channelsOf(number));
 }
 
 void putOnLine(unsigned frames, unsigned long baud, bool inverted, uint64_t periodUs) {
@@ -117,7 +121,7 @@ struct Delivered : sim::Reader {
     bool failsafe, lostFrame;
     asked->decodeSBusFrame(channels.data(), failsafe, lostFrame);
     const unsigned number = channels[0] - 900u;
-    const bool known = writeBitByBit(channels) == frameOf(number) && world.next >= (number + 1) * 25 &&
+    const bool known = channels == channelsOf(number) && world.next >= (number + 1) * 25 &&
                        (numbers.empty() || number > numbers.back());
     wrong += !known || failsafe || lostFrame;
     numbers.push_back(number);
@@ -307,7 +311,7 @@ struct Sending {
   // Writes for a second; `dSBus`, if any, is on the same port.
   void loop(EncodeSBus &eSBus, unsigned loopUs, DecodeSBus *dSBus = nullptr) {
     for (const uint64_t endUs = world.nowUs + 1000000; world.nowUs < endUs; world.nowUs += loopUs) {
-      const Channels channels = readBitByBit(frameOf(frames));
+      const Channels channels = channelsOf(frames);
       const uint64_t before = world.nowUs;
       frames += eSBus.write(channels.data(), false, false);
       waitedUs = std::max(waitedUs, static_cast<unsigned>(world.nowUs - before));

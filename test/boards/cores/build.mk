@@ -57,7 +57,7 @@ $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/Enco
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/CoresTest.o: $(HERE)/CoresTest.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
-	$(CXX) $(TEST) -O1 $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
+	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $$($1_board) -O1 $$(DEPENDENCIES) -c $$< -o $$@
