@@ -98,6 +98,5 @@ class DecodeSBus {
   sbus::Port _port;
   sbus::FrameFinder _finder;
   sbus::Link _link;
-  int _buffer;            // bytes, of the port
   uint32_t _decoded = 0;  // number of the frame that was decoded last
 };
