@@ -40,7 +40,6 @@ namespace {
 using sim::world;
 using Numbers = std::vector<unsigned>;  // of frames, from 0 on
 
-constexpr unsigned FrameUs = 3000;
 constexpr bool Hears = Core.baud > 98000 && Core.baud < 102000;
 constexpr uint32_t Uninverted = static_cast<uint32_t>(sbus::EvenConfig);
 
@@ -220,8 +219,8 @@ const Opening Openings[] = {
 TEST_CASE("every frame from the third on is delivered, in order, and nothing overflows") {
   constexpr unsigned Frames = 60;
   for (const Opening &opening : Openings) {
-    for (const unsigned periodUs : {7000, 9000, 14000}) {
-      for (const unsigned loopUs : {50, 1000, 3000}) {
+    for (const unsigned periodUs : {7000u, 9000u, 14000u}) {
+      for (const unsigned loopUs : {50u, 1000u, 3000u}) {
         INFO(opening.name);
         CAPTURE(periodUs);
         CAPTURE(loopUs);
@@ -256,13 +255,13 @@ TEST_CASE("nothing is delivered of a line of the other polarity") {
 
 TEST_CASE("blocked for up to 100 ms now and then, no frame is wrong, and what the port loses is noticed") {
   constexpr unsigned Frames = 150;
-  for (const unsigned periodUs : {7000, 9000, 14000}) {
-    for (const unsigned loopUs : {50, 1000, 3000}) {
+  for (const unsigned periodUs : {7000u, 9000u, 14000u}) {
+    for (const unsigned loopUs : {50u, 1000u, 3000u}) {
       for (const bool byHand : {false, true}) {
         CAPTURE(periodUs);
         CAPTURE(loopUs);
         CAPTURE(byHand);
-        for (const unsigned blockedUs : {12000, 30000, 100000}) {
+        for (const unsigned blockedUs : {12000u, 30000u, 100000u}) {
           CAPTURE(blockedUs);
           switchOn();
           DecodeSBus dSBus(SBUS_PORT);
@@ -282,7 +281,7 @@ TEST_CASE("blocked for up to 100 ms now and then, no frame is wrong, and what th
 }
 
 TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin() leaves it as it is") {
-  for (const unsigned loopUs : {50, 1000, 3000}) {
+  for (const unsigned loopUs : {50u, 1000u, 3000u}) {
     CAPTURE(loopUs);
     switchOn();
     Software software(63);
@@ -387,7 +386,7 @@ TEST_CASE("a Stream with room for less than a frame is given whole frames, too")
 }
 
 TEST_CASE("what EncodeSBus sends comes back to a DecodeSBus on the same port") {
-  for (const unsigned loopUs : {50, 1000, 3000}) {
+  for (const unsigned loopUs : {50u, 1000u, 3000u}) {
     CAPTURE(loopUs);
     switchOn();
     world.looped = true;
