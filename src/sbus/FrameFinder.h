@@ -113,7 +113,7 @@ class FrameFinder {
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
   uint8_t *_incoming = _frames[1] + Pad;
   uint8_t *_complete = _frames[0] + Pad;
-  uint32_t _quiet;      // us before the last poll
+  uint32_t _quiet;  // us before the last poll
   uint32_t _frameTime = 0;
   Counters _counters;
   alignas(4) uint8_t _frames[2][Pad + Capacity];
