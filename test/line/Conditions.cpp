@@ -27,6 +27,8 @@ const std::vector<Setup> LongTail = {{6000, 50}, {9000, 50}, {9000, 3000}, {1500
 const std::vector<Setup> With2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
 const std::vector<Setup> Channels24 = {
     {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, ByteByByte}, {9000, 50, Esp32, 256}};
+const std::vector<Setup> Channels24Fast = {{7000, 50},   {7000, 1000},             {7000, 50, ByteByByte},
+                                           {9000, 1000}, {9000, 1000, ByteByByte}, {14000, 50, ByteByByte}};
 const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, ByteByByte},
                                  {9000, 5000, Fifo},  {14000, 5000}};
 const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
@@ -182,6 +184,8 @@ const std::vector<Condition> &conditions() {
       {"R7003SB, dropped 1/300", dropped(1 / 300., Kind::R7003SB), LongTail, Usual, {1e-3, 2e-4, Splices}},
       {"24 channels, resting", of(Kind::Channels24), Channels24, None, None, Resting},
       {"24 channels, moving", of(Kind::Channels24), Channels24, {0, 0.001, Remains}, None, Moving},
+      {"24 channels, resting, quick loops", of(Kind::Channels24), Channels24Fast, None, None, Resting},
+      {"24 channels, moving, quick loops", of(Kind::Channels24), Channels24Fast, None, None, Moving},
       {"24 channels, resting, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.02, Remains},
        {0, 0.02, Remains}, Resting},
       {"24 channels, moving, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.006, Remains}, None,
