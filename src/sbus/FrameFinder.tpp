@@ -185,12 +185,8 @@ __attribute__((always_inline)) inline int FrameFinderOf<Format>::judge(int start
               (filled > size + MostNoise && frame[size + 1] != HeaderByte))) {
     return 1;
   }
+  // A line of longer frames, or shorter ones: a part of one, or of two, may look like a frame.
   if (kind != _kind && _isOther) {
-    return 1;
-  }
-  // The rest of a longer frame (of FrSky's 24 channels at rest 2298 are believed without this, 427 with it).
-  const int sincePause = pauseAt <= 0 ? -pauseAt : _sincePause + start;
-  if (kind != _kind && sincePause > MostNoise && sincePause <= Format::OtherSize - Size) {
     return 1;
   }
   // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).
