@@ -35,6 +35,8 @@ class DecodeSBusOf {
   /// Opens the port: 8E2, inverted if the port can do that (else the line needs an inverter), and 100000 baud unless
   /// told; Fast S.Bus is 200000. Forgets all frames and counters.
   ///
+  /// An ESP32 takes the core's pins for the port, which on an older core are the flash's: extras/docs/boards.md.
+  ///
   /// `config`: SERIAL_8E2 for an uninverted line, or another format of the core. What the port cannot do brings no
   /// frames, and nothing is reported: ask the example Diagnose. At less than 47060 baud nothing is opened. Any other
   /// Stream stays as it is: use listen().

@@ -40,8 +40,8 @@ class EncodeSBusOf {
   /// begin(). True if it has sent; the first frame is sent at once.
   ///
   /// It waits for nothing if the port has room for 25 bytes. A port that never has, or cannot say, is given the frame
-  /// as soon as it has as much room as ever, and the core waits until it has taken all: up to 3 ms (Pico, Uno R4, mbed,
-  /// Due).
+  /// as soon as it has as much room as ever, and the core waits until it has taken all: up to 3 ms (Uno R4,
+  /// mbed).
   ///
   /// `channels` are 18: CH1..CH16, clamped to 2047, then CH17 and CH18, where any but 0 is sent as 1. EncodeSBus24 has
   /// 24, CH1..CH24, clamped to 2047. The period stays exact while a loop period is less than half of the pause; after a

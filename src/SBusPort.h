@@ -45,10 +45,12 @@ constexpr unsigned SmallestBuffer = 32;
 
 #if defined(UART_RX_BUFFER_SIZE)  // STM32L0
 constexpr unsigned CoreBuffer = UART_RX_BUFFER_SIZE;
-#elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR, STM32
+#elif defined(SERIAL_RX_BUFFER_SIZE)   // AVR, STM32
 constexpr unsigned CoreBuffer = SERIAL_RX_BUFFER_SIZE;
-#elif defined(SERIAL_BUFFER_SIZE)     // SAMD, SAM, nRF52, Uno R4
+#elif defined(SERIAL_BUFFER_SIZE)      // SAMD, SAM, nRF52, Uno R4
 constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
+#elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy, whose headers do not say it
+constexpr unsigned CoreBuffer = 64;
 #else
 constexpr unsigned CoreBuffer = SmallestBuffer;
 #endif
@@ -86,6 +88,18 @@ auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void(
 /// Leaves it.
 template <typename Port>
 void limitBursts(Port &, Choice<0>) {
+}
+
+/// arduino-pico: a queue of the wanted size.
+template <typename Port>
+auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
+  port.setFIFOSize(WantedBuffer);
+  return WantedBuffer;
+}
+/// Its SerialPIO: the sketch has said the size; it is not known here.
+template <typename Port>
+unsigned enlarge(Port &, Choice<0>) {
+  return SmallestBuffer;
 }
 
 // ---- Kinds of ports, and how each is opened. Inverts: it can invert the line. Buffer: its size, whoever opens it.
@@ -142,9 +156,9 @@ struct Pico {
     port.end();
     port.setInvertRX(config.inverted());
     port.setInvertTX(config.inverted());
-    port.setFIFOSize(WantedBuffer);
+    const unsigned size = enlarge(port, Choice<1>());
     port.begin(baud, config);
-    return WantedBuffer;
+    return size;
   }
 };
 
