@@ -168,7 +168,7 @@ struct Esp32 {
   static constexpr unsigned Buffer = 128;
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
-    const size_t size = port.setRxBufferSize(WantedBuffer);
+    const unsigned size = port.setRxBufferSize(WantedBuffer);
     port.begin(baud, config, -1, -1, config.inverted());
     limitBursts(port, Choice<1>());
     return size;

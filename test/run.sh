@@ -19,6 +19,7 @@ unit-clang++     unit tests, clang++
 boards-cortex-m0 Cortex-M0: unit tests
 boards-mega      Arduino Mega: examples
 fuzz             libFuzzer
+boards-cores     other cores: library and examples on stand-ins
 examples-g++     examples and recordings, g++
 examples-clang++ examples and recordings, clang++
 bench            what the library costs

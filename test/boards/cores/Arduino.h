@@ -1,0 +1,31 @@
+// Arduino.h of the stand-ins: one core, CORE, and what sketches expect of all.
+#pragma once
+
+#include <stdlib.h>
+#include <string.h>
+
+#include CORE
+
+// The port that a receiver is on.
+#if !defined(SBUS_PORT)
+#define SBUS_PORT Serial1
+extern Console Serial;
+#endif
+
+void setup();
+void loop();
+uint32_t millis();  // 32 bits, as on all boards
+uint32_t micros();
+void delay(unsigned long ms);
+void delayMicroseconds(unsigned us);
+void yield();
+
+#define LOW 0
+#define HIGH 1
+#define INPUT 0
+#define OUTPUT 1
+#define LED_BUILTIN 13
+inline void pinMode(uint32_t, uint32_t) {
+}
+inline void digitalWrite(uint32_t, uint32_t) {
+}

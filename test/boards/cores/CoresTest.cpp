@@ -1,0 +1,419 @@
+// DecodeSBus and EncodeSBus on the ports of one core, CORE: every frame comes, none is mixed, whole ones are sent.
+#include <Arduino.h>
+#include <DecodeSBus.h>
+#include <EncodeSBus.h>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "World.h"
+#include "support/BitByBit.h"
+
+#if defined(ESP8266)
+HardwareSerial Serial, Serial1(1);
+#else
+decltype(Serial1) Serial1;
+Console Serial;
+#endif
+void serialEvent1() __attribute__((weak));
+
+namespace doctest {
+
+template <>
+struct StringMaker<std::vector<unsigned>> {
+  static String convert(const std::vector<unsigned> &numbers) {
+    String text;
+    for (const unsigned number : numbers) {
+      text += toString(number) + " ";
+    }
+    return text;
+  }
+};
+
+}  // namespace doctest
+
+namespace {
+
+using sim::world;
+using Numbers = std::vector<unsigned>;  // of frames, from 0 on
+
+constexpr unsigned FrameUs = 3000;
+constexpr bool Hears = Core.baud > 98000 && Core.baud < 102000;
+constexpr uint32_t Uninverted = static_cast<uint32_t>(sbus::EvenConfig);
+
+// A SoftwareSerial: any Stream.
+class Software : public Simulated<Stream> {
+ public:
+  explicit Software(unsigned transmitter) : Simulated<Stream>({63, 1, 1, transmitter, 0, false}) {
+    uart.open({100000, 2, false, false});
+  }
+#if defined(PRINT_WITHOUT_ROOM)
+  int availableForWrite() {
+    return uart.room();
+  }
+#else
+  int availableForWrite() override {
+    return uart.room();
+  }
+#endif
+};
+
+// The board, switched on.
+void switchOn() {
+  const uint64_t now = world.nowUs;
+  world = sim::World();
+  world.nowUs = now;
+  using Port = decltype(SBUS_PORT);
+  new (&SBUS_PORT) Port();
+}
+
+// CH1 and CH3 count.
+Frame frameOf(unsigned number) {
+  Channels channels;
+  channels.fill(992);
+  channels[16] = channels[17] = 0;
+  channels[0] = static_cast<uint16_t>(900 + number);
+  channels[2] = static_cast<uint16_t>(300 + number);
+  return writeBitByBit(channels);
+}
+
+void putOnLine(unsigned frames, unsigned long baud, bool inverted, uint64_t periodUs) {
+  world.baud = baud;
+  world.inverted = inverted;
+  const uint64_t characterUs = 12 * 1000000 / baud;
+  for (unsigned number = 0; number < frames; number++) {
+    uint64_t us = world.nowUs + 5000 + number * periodUs;
+    for (const uint8_t byte : frameOf(number)) {
+      us += characterUs;
+      world.line.push_back({us, byte});
+    }
+  }
+}
+
+struct Delivered {
+  Numbers numbers;
+  unsigned wrong = 0;       // were not on the line so, or not yet, or out of order
+  unsigned lossyPolls = 0;  // before which the port has lost bytes
+
+  void poll(DecodeSBus &dSBus) {
+    const unsigned long before = world.dropped;
+    world.beforeRead = [&] { look(dSBus); };
+    dSBus.parseSBusFrame();
+    world.beforeRead = nullptr;
+    look(dSBus);
+    lossyPolls += world.dropped != before;
+  }
+
+  void look(DecodeSBus &dSBus) {
+    if (!dSBus.newFrame()) {
+      return;
+    }
+    Channels channels{};
+    bool failsafe, lostFrame;
+    dSBus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
+    const unsigned number = channels[0] - 900u;
+    const bool known = writeBitByBit(channels) == frameOf(number) && world.next >= (number + 1) * 25 &&
+                       (numbers.empty() || number > numbers.back());
+    wrong += !known || failsafe || lostFrame;
+    numbers.push_back(number);
+  }
+
+  // Loops until the line has ended. Each loop takes `loopUs`, now and then `blockedUs` more.
+  void loop(DecodeSBus &dSBus, unsigned loopUs, unsigned blockedUs = 0) {
+    const uint64_t endUs = world.line.back().endUs + 10000;
+    for (uint64_t nextBlock = world.nowUs + 150000; world.nowUs < endUs; world.nowUs += loopUs) {
+      poll(dSBus);
+      if (blockedUs != 0 && world.nowUs >= nextBlock) {
+        world.nowUs += blockedUs;
+        nextBlock = world.nowUs + 151300;
+      }
+    }
+  }
+};
+
+// The third of `frames` up to the last; the first ones may be there, too.
+Numbers fromThird(unsigned frames, const Numbers &numbers) {
+  Numbers expected;
+  for (unsigned number = numbers.empty() ? 2 : std::min(numbers.front(), 2u); number < frames; number++) {
+    expected.push_back(number);
+  }
+  return expected;
+}
+
+void open(DecodeSBus &dSBus) {
+  if (Hears) {
+    dSBus.begin();
+    return;
+  }
+#if defined(OPENED_BY_HAND)
+  openByHand();
+#endif
+  dSBus.listen();
+}
+
+struct Opening {
+  const char *name;
+  void (*open)(DecodeSBus &dSBus);
+  unsigned long baud;
+  bool inverted;
+  bool byHand;  // opened by the sketch
+};
+
+const Opening Openings[] = {
+    {"begin()", [](DecodeSBus &dSBus) { dSBus.begin(); }, 100000, Core.inverts, false},
+    {"begin(), twice",
+     [](DecodeSBus &dSBus) {
+       dSBus.begin();
+       dSBus.begin();
+     },
+     100000, Core.inverts, false},
+    {"begin(), end(), begin()",
+     [](DecodeSBus &dSBus) {
+       dSBus.begin();
+       dSBus.end();
+       dSBus.begin();
+     },
+     100000, Core.inverts, false},
+    {"begin(100000, SERIAL_8E2), begin()",
+     [](DecodeSBus &dSBus) {
+       dSBus.begin(100000, Uninverted);
+       dSBus.begin();
+     },
+     100000, Core.inverts, false},
+    {"begin(0), begin()",
+     [](DecodeSBus &dSBus) {
+       dSBus.begin(0);
+       CHECK_FALSE(SBUS_PORT.uart.isOpen());
+       dSBus.begin();
+     },
+     100000, Core.inverts, false},
+    {"begin(200000)", [](DecodeSBus &dSBus) { dSBus.begin(200000); }, 200000, Core.inverts, false},
+    {"begin(100000, SERIAL_8E2)", [](DecodeSBus &dSBus) { dSBus.begin(100000, Uninverted); }, 100000, false, false},
+#if defined(OPENED_BY_HAND)
+    {"listen(), opened as the core wants it",
+     [](DecodeSBus &dSBus) {
+       openByHand();
+       dSBus.listen();
+     },
+     100000, Core.inverts, true},
+#else
+    {"listen(), opened uninverted",
+     [](DecodeSBus &dSBus) {
+       SBUS_PORT.begin(100000, sbus::EvenConfig);
+       dSBus.listen();
+     },
+     100000, false, true},
+#endif
+};
+
+}  // namespace
+
+TEST_CASE("every frame from the third on is delivered, in order, and nothing overflows") {
+  constexpr unsigned Frames = 60;
+  for (const Opening &opening : Openings) {
+    for (const unsigned periodUs : {7000, 9000, 14000}) {
+      for (const unsigned loopUs : {50, 1000, 3000}) {
+        INFO(opening.name);
+        CAPTURE(periodUs);
+        CAPTURE(loopUs);
+        switchOn();
+        DecodeSBus dSBus(SBUS_PORT);
+        opening.open(dSBus);
+        putOnLine(Frames, opening.baud, opening.inverted, periodUs);
+        Delivered delivered;
+        delivered.loop(dSBus, loopUs);
+        CHECK(delivered.numbers == (Hears || opening.byHand ? fromThird(Frames, delivered.numbers) : Numbers{}));
+        CHECK(delivered.wrong == 0);
+        CHECK(dSBus.counters().overflows == 0);
+        CHECK((world.crashes == 0) == (Core.takes8E2 || opening.byHand));
+      }
+    }
+  }
+}
+
+TEST_CASE("nothing is delivered of a line of the other polarity") {
+  for (const Opening &opening : Openings) {
+    INFO(opening.name);
+    switchOn();
+    DecodeSBus dSBus(SBUS_PORT);
+    opening.open(dSBus);
+    putOnLine(10, opening.baud, !opening.inverted, 9000);
+    Delivered delivered;
+    delivered.loop(dSBus, 1000);
+    CHECK(delivered.numbers == Numbers{});
+  }
+}
+
+TEST_CASE("blocked for up to 100 ms now and then, no frame is wrong, and what the port loses is noticed") {
+  constexpr unsigned Frames = 150;
+  for (const unsigned periodUs : {7000, 9000, 14000}) {
+    for (const unsigned loopUs : {50, 1000, 3000}) {
+      for (const bool byHand : {false, true}) {
+        CAPTURE(periodUs);
+        CAPTURE(loopUs);
+        CAPTURE(byHand);
+        for (const unsigned blockedUs : {12000, 30000, 100000}) {
+          CAPTURE(blockedUs);
+          switchOn();
+          DecodeSBus dSBus(SBUS_PORT);
+          const Opening *const opening = byHand ? std::end(Openings) - 1 : Openings;
+          byHand ? opening->open(dSBus) : open(dSBus);
+          putOnLine(Frames, 100000, opening->inverted, periodUs);
+          Delivered delivered;
+          delivered.loop(dSBus, loopUs, blockedUs);
+          CHECK(delivered.wrong == 0);
+          CHECK(delivered.numbers.size() >= Frames / 2);
+          CHECK(dSBus.counters().overflows >= delivered.lossyPolls);
+          CHECK(dSBus.counters().overflows <= Frames * periodUs / (151300 + blockedUs) + 1);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin() leaves it as it is") {
+  for (const unsigned loopUs : {50, 1000, 3000}) {
+    CAPTURE(loopUs);
+    switchOn();
+    Software software(63);
+    DecodeSBus dSBus(software);
+    loopUs == 50 ? dSBus.begin() : dSBus.listen();
+    putOnLine(60, 100000, false, 9000);
+    Delivered delivered;
+    delivered.loop(dSBus, loopUs);
+    CHECK(delivered.numbers == fromThird(60, delivered.numbers));
+    CHECK(delivered.wrong == 0);
+    CHECK(dSBus.counters().overflows == 0);
+    CHECK_FALSE(sbus::inverts(software));
+  }
+}
+
+TEST_CASE("inverts() says what the port can do") {
+  CHECK(sbus::inverts(SBUS_PORT) == Core.inverts);
+}
+
+namespace {
+
+struct Sending {
+  unsigned frames = 0, waitedUs = 0;
+  Delivered returned;
+
+  // Writes for a second; `dSBus`, if any, is on the same port.
+  void loop(EncodeSBus &eSBus, unsigned loopUs, DecodeSBus *dSBus = nullptr) {
+    for (const uint64_t endUs = world.nowUs + 1000000; world.nowUs < endUs; world.nowUs += loopUs) {
+      const Channels channels = readBitByBit(frameOf(frames));
+      const uint64_t before = world.nowUs;
+      frames += eSBus.write(channels.data(), false, false);
+      waitedUs = std::max(waitedUs, static_cast<unsigned>(world.nowUs - before));
+      if (dSBus != nullptr) {
+        returned.poll(*dSBus);
+      }
+    }
+    world.nowUs += 10000;
+    if (dSBus != nullptr) {
+      returned.poll(*dSBus);
+    }
+  }
+};
+
+// The bytes are whole frames; no pause within them, and none between them is shorter.
+void checkSent(unsigned frames, uint64_t pauseUs) {
+  REQUIRE(world.sent.size() == frames * 25);
+  unsigned wrong = 0, torn = 0, close = 0;
+  for (size_t i = 0; i < world.sent.size(); i++) {
+    wrong += world.sent[i].value != frameOf(static_cast<unsigned>(i / 25))[i % 25];
+    const uint64_t gap =
+        i == 0 ? pauseUs : world.sent[i].beginUs - std::min(world.sent[i - 1].endUs, world.sent[i].beginUs);
+    (i % 25 == 0 ? close : torn) += i % 25 == 0 ? gap < pauseUs : gap > 2;
+  }
+  CHECK(wrong == 0);
+  CHECK(torn == 0);
+  CHECK(close == 0);
+}
+
+}  // namespace
+
+TEST_CASE("EncodeSBus sends whole frames, with pauses, and waits 3.1 ms at most") {
+  struct Row {
+    uint16_t periodUs;
+    unsigned loopUs, least, most;  // frames in a second
+    uint64_t pauseUs;
+  };
+  for (const Row &row : {Row{9000, 50, 111, 112, 5900}, Row{9000, 1000, 111, 112, 3900}, Row{4000, 50, 249, 250, 850},
+                         Row{1000, 50, 250, 450, 0}}) {
+    CAPTURE(row.periodUs);
+    CAPTURE(row.loopUs);
+    switchOn();
+    EncodeSBus eSBus(SBUS_PORT);
+    eSBus.begin();
+    eSBus.setPeriod(row.periodUs);
+    Sending sending;
+    sending.loop(eSBus, row.loopUs);
+    if (!Core.takes8E2) {
+      CHECK(world.sent.empty());
+      continue;
+    }
+    checkSent(sending.frames, Hears ? row.pauseUs : 0);
+    CHECK(sending.frames >= row.least);
+    CHECK(sending.frames <= row.most);
+    CHECK(sending.waitedUs <= (row.periodUs >= 4000 ? Core.waitsUs : Core.counts ? 0 : 3100));
+    const sim::Settings &settings = world.sent[0].settings;
+    CHECK(settings.baud == Core.baud);
+    CHECK(settings.evenStops == Core.stops);
+    CHECK(settings.txInverted == Core.inverts);
+    CHECK(world.crashes == 0);
+  }
+}
+
+TEST_CASE("a Stream with room for less than a frame is given whole frames, too") {
+  switchOn();
+  Software software(15);
+  EncodeSBus eSBus(software);
+  Sending sending;
+  sending.loop(eSBus, 50);
+  checkSent(sending.frames, 5900);
+  CHECK(sending.frames >= 111);
+  CHECK(sending.waitedUs == 1200);
+}
+
+TEST_CASE("what EncodeSBus sends comes back to a DecodeSBus on the same port") {
+  for (const unsigned loopUs : {50, 1000, 3000}) {
+    CAPTURE(loopUs);
+    switchOn();
+    world.looped = true;
+    DecodeSBus dSBus(SBUS_PORT);
+    EncodeSBus eSBus(SBUS_PORT);
+    open(dSBus);
+    Sending sending;
+    sending.loop(eSBus, loopUs, &dSBus);
+    CHECK(sending.frames >= 110);
+    CHECK(sending.returned.numbers == fromThird(sending.frames, sending.returned.numbers));
+    CHECK(sending.returned.wrong == 0);
+    CHECK(dSBus.counters().overflows == 0);
+    CHECK(world.crashes == 0);
+  }
+}
+
+TEST_CASE("README.md's ten lines print the throttle of every frame from the third on") {
+  constexpr unsigned Frames = 60;
+  switchOn();
+  setup();
+  putOnLine(Frames, 100000, Core.inverts, 9000);
+  while (world.nowUs < world.line.back().endUs + 10000) {
+    loop();
+    if (Core.callsSerialEvent1 && serialEvent1 != nullptr && SBUS_PORT.available() > 0) {
+      serialEvent1();
+    }
+  }
+  Numbers printed;
+  for (size_t at = 0, end; (end = world.printed.find("\r\n", at)) != std::string::npos; at = end + 2) {
+    const unsigned number = static_cast<unsigned>(std::stoul(world.printed.substr(at, end - at))) - 300;
+    if (printed.empty() || number != printed.back()) {
+      printed.push_back(number);
+    }
+  }
+  CHECK(printed == (Hears ? fromThird(Frames, printed) : Numbers{}));
+}

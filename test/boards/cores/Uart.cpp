@@ -1,0 +1,199 @@
+#include "Uart.h"
+
+#include <algorithm>
+
+#include "World.h"
+
+namespace sim {
+
+World world;
+
+void print(char c) {
+  world.printed += c;
+}
+
+Uart::Uart(const Facts &facts, Drops drops, bool wired)
+    : _facts(facts), _drops(drops), _wired(wired), _size(facts.buffer), _burst(facts.burst) {
+}
+
+void Uart::crash() const {
+  world.crashes++;
+}
+
+void Uart::fault(unsigned what) const {
+  if (!_open && (_facts.faults & what) != 0) {
+    crash();
+  }
+}
+
+void Uart::open(const Settings &settings) {
+  if (settings.baud == 0) {
+    _open = false;
+    fault(NoBaud);
+    return;
+  }
+  _open = true;
+  _openedUs = _lastUs = world.nowUs;
+  _first = _count = _filled = _position = 0;
+  _settings = settings;
+}
+
+void Uart::change(const Settings &settings) {
+  if (_open) {
+    receive();
+    _settings = settings;
+  } else {
+    open(settings);
+  }
+}
+
+void Uart::close() {
+  fault(End);
+  if (_open) {
+    flush();
+  }
+  _open = false;
+}
+
+// Within 2 %: beyond, the second stop bit is out of place.
+bool Uart::hears() const {
+  const double ratio = static_cast<double>(_settings.baud) / static_cast<double>(world.baud);
+  return _settings.evenStops != 0 && ratio > 0.98 && ratio < 1.02 && _settings.rxInverted == world.inverted;
+}
+
+void Uart::handOver() {
+  for (unsigned i = 0; i < _filled; i++) {
+    if (_count == _size) {
+      world.dropped++;
+      if (_drops == Newest) {
+        continue;
+      }
+      _first = (_first + 1) % Largest;
+      _count--;
+    }
+    _buffer[(_first + _count++) % Largest] = _fifo[i];
+  }
+  _filled = 0;
+}
+
+void Uart::receive() {
+  if (!_wired || !_open) {
+    return;
+  }
+  const uint64_t characterUs = 12 * 1000000 / world.baud;
+  const auto idleUntil = [&](uint64_t us) {
+    if (us >= _lastUs + _facts.idle * characterUs) {
+      handOver();
+    }
+  };
+  const auto take = [&](uint64_t endUs, uint8_t value, bool heard) {
+    world.next++;
+    if (endUs < _openedUs + characterUs || !heard) {
+      return;
+    }
+    idleUntil(endUs - characterUs);
+    _lastUs = endUs;
+    _fifo[_filled++] = value;
+    _position++;
+    if (_facts.ring ? _position % _burst == 0 : _filled >= _burst) {
+      handOver();
+    }
+  };
+  if (world.looped) {
+    while (world.next < world.sent.size() && world.sent[world.next].endUs <= world.nowUs) {
+      const Sent &sent = world.sent[world.next];
+      take(sent.endUs, sent.value, _settings.evenStops != 0 && sent.settings.txInverted == _settings.rxInverted);
+    }
+  } else {
+    while (world.next < world.line.size() && world.line[world.next].endUs <= world.nowUs) {
+      take(world.line[world.next].endUs, world.line[world.next].value, hears());
+    }
+  }
+  idleUntil(world.nowUs);
+}
+
+int Uart::available() {
+  fault(Available);
+  receive();
+  return _open ? static_cast<int>(_count) : 0;
+}
+
+int Uart::read() {
+  uint8_t byte;
+  return read(&byte, 1) == 1 ? byte : -1;
+}
+
+int Uart::read(uint8_t *buffer, size_t size) {
+  if (world.beforeRead) {
+    world.beforeRead();
+  }
+  const size_t count = std::min(size, static_cast<size_t>(available()));
+  for (size_t i = 0; i < count; i++) {
+    buffer[i] = _buffer[_first];
+    _first = (_first + 1) % Largest;
+    _count--;
+  }
+  return static_cast<int>(count);
+}
+
+unsigned Uart::pending() const {
+  const auto waits = [](const Sent &sent) { return sent.endUs > world.nowUs; };
+  return static_cast<unsigned>(std::find_if_not(world.sent.rbegin(), world.sent.rend(), waits) - world.sent.rbegin());
+}
+
+int Uart::room() {
+  fault(Room);
+  return _open ? static_cast<int>(_facts.transmitter - pending()) : 0;
+}
+
+size_t Uart::write(uint8_t byte) {
+  fault(Write);
+  if (!_open) {
+    return 0;
+  }
+  if (!_wired) {
+    print(static_cast<char>(byte));
+    return 1;
+  }
+  if (_facts.transmitter != 0 && pending() >= _facts.transmitter) {
+    world.nowUs = world.sent[world.sent.size() - _facts.transmitter].endUs;
+  }
+  const uint64_t characterNs = (1 + 8 + 1 + _settings.evenStops) * 1000000000ull / _settings.baud;
+  const uint64_t beginNs = std::max(world.nowUs * 1000, _freeNs);
+  _freeNs = beginNs + characterNs;
+  world.sent.push_back({beginNs / 1000, (_freeNs + 999) / 1000, byte, _settings});
+  if (_facts.transmitter == 0) {
+    flush();
+  }
+  return 1;
+}
+
+void Uart::flush() {
+  if (pending() != 0) {
+    world.nowUs = world.sent.back().endUs;
+  }
+}
+
+}  // namespace sim
+
+// Time, for sketch and library.
+uint32_t micros();
+uint32_t millis();
+void delay(unsigned long ms);
+void delayMicroseconds(unsigned us);
+void yield();
+
+uint32_t micros() {
+  return static_cast<uint32_t>(sim::world.nowUs);
+}
+uint32_t millis() {
+  return static_cast<uint32_t>(sim::world.nowUs / 1000);
+}
+void delay(unsigned long ms) {
+  sim::world.nowUs += ms * 1000;
+}
+void delayMicroseconds(unsigned us) {
+  sim::world.nowUs += us;
+}
+void yield() {
+}

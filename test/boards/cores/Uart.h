@@ -1,0 +1,92 @@
+// A simulated UART, as a core's port class has it: what differs between cores are Facts and Settings. C++11, since the
+// stand-ins' Arduino.h includes it.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace sim {
+
+// What a core does not survive: with a port that is closed, or begin(0). Bits of Facts::faults.
+enum : unsigned { End = 1, Available = 2, Write = 4, Room = 8, NoBaud = 16 };
+
+struct Facts {
+  unsigned buffer;       // bytes that wait to be read
+  unsigned burst;        // they come so many at once, or when the line has been idle
+  unsigned idle;         // ... for so many characters
+  unsigned transmitter;  // bytes that write() takes at once; 0: it waits until each has been sent
+  unsigned faults;
+  bool ring;  // the bursts' ends stand at places of a ring, so pauses do not move them
+};
+
+enum Drops { Newest, Oldest };
+
+struct Settings {
+  unsigned long baud;
+  unsigned evenStops;  // stop bits of 8 bits with even parity; 0: another format
+  bool rxInverted, txInverted;
+};
+
+// `config` as Settings::evenStops.
+template <typename Config>
+unsigned evenStops(Config config, Config e1, Config e2) {
+  return config == e2 ? 2 : config == e1 ? 1 : 0;
+}
+
+class Uart {
+ public:
+  // Not wired: receives nothing, and what it sends is printed().
+  explicit Uart(const Facts &facts, Drops drops = Newest, bool wired = true);
+
+  void open(const Settings &settings);    // with an empty buffer
+  void change(const Settings &settings);  // of an open port, or opens it
+  void close();
+  bool isOpen() const { return _open; }
+  void crash() const;
+  const Settings &settings() const { return _settings; }
+  void setBuffer(size_t size) { _size = static_cast<unsigned>(size); }
+  void setBurst(unsigned burst) { _burst = burst; }
+
+  int available();
+  int peek() { return available() > 0 ? _buffer[_first] : -1; }
+  int read();
+  int read(uint8_t *buffer, size_t size);
+
+  unsigned pending() const;  // bytes that have not been sent
+  int room();                // free bytes of the transmitter
+  size_t write(uint8_t byte);
+  void flush();
+
+ private:
+  static constexpr unsigned Largest = 512;
+
+  void receive();
+  void handOver();
+  bool hears() const;
+  void fault(unsigned what) const;
+
+  const Facts _facts;
+  const Drops _drops;
+  const bool _wired;
+  Settings _settings = {};
+  bool _open = false;
+  uint64_t _openedUs = 0, _lastUs = 0, _freeNs = 0;
+  unsigned _size, _burst;
+  uint8_t _buffer[Largest] = {}, _fifo[Largest] = {};
+  unsigned _first = 0, _count = 0, _filled = 0, _position = 0;
+};
+
+void print(char c);  // what a sketch says over USB
+
+// What the tests expect of a core.
+struct Known {
+  bool inverts;            // its ports, by themselves
+  bool callsSerialEvent1;  // after each loop()
+  unsigned long baud;      // what 100000 becomes
+  unsigned stops;          // stop bits that it sends
+  unsigned waitsUs;        // EncodeSBus::write(), every 9 ms
+  bool counts;             // it says how much it takes: then write() never waits
+  bool takes8E2;           // false: an assertion fails
+};
+
+}  // namespace sim

@@ -1,0 +1,39 @@
+// What stands around the port: the time, the line, what was sent and printed.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "Uart.h"
+#include "line/Line.h"
+
+namespace sim {
+
+struct Sent {
+  uint64_t beginUs, endUs;
+  uint8_t value;
+  Settings settings;
+};
+
+struct World {
+  uint64_t nowUs = 1000000;
+
+  // What comes in: characters of even parity, at the pin.
+  unsigned long baud = sbus::Baud;
+  bool inverted = true;
+  bool looped = false;  // what was sent comes back, whatever its polarity
+  std::vector<line::Character> line;
+  size_t next = 0;  // of `line`, or of `sent`
+
+  std::vector<Sent> sent;
+  std::string printed;
+  unsigned crashes = 0;
+  // A library that takes in two frames in one call has finished with the first before it reads the second.
+  std::function<void()> beforeRead;
+  unsigned long dropped = 0;  // bytes, because the buffer was full
+};
+
+extern World world;
+
+}  // namespace sim

@@ -1,0 +1,93 @@
+# Builds the library, the examples and README.md's sketch against the stand-ins of the cores' ports, into the folder OUT
+# (absolute)
+#   OUT/CORE/CoresTest     the program that runs frames through them, both ways
+#   OUT/CORE/NAME.ok       examples that compile
+#   OUT/CORE/NAME.refused  what the compiler says to those that are not for this core
+# `make list` names all of these.
+
+HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
+ROOT := $(abspath $(HERE)/../../..)
+HOST := $(ROOT)/extras/host
+
+# The stand-in, its variant, and the core's C++ (platform.txt).
+CORES := avr esp32 esp32-2.0 esp8266 mbed nano33 nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
+avr := Avr gnu++11
+esp32 := Esp32 gnu++2b
+esp32-2.0 := Esp32 gnu++11 -DESP32_2
+esp8266 := Esp8266 gnu++17
+mbed := Mbed gnu++14
+nano33 := Mbed gnu++14 -DNANO33
+nrf52 := Nrf52 gnu++11
+pico := Pico gnu++2b
+sam := Sam gnu++11
+samd := Samd gnu++11
+stm32 := Stm32 gnu++17
+stm32f4 := Stm32 gnu++17 -DSTM32F4
+stm32l0 := Stm32L0 gnu++11
+teensy32 := Teensy32 gnu++17
+teensy4 := Teensy4 gnu++17
+uno-r4 := UnoR4 gnu++17
+
+EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
+# Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
+refused = $(if $(filter nano33 stm32f4 stm32l0,$1),,Background)
+# To them a Nano 33 is as the Pico, and an STM32F4 as an STM32.
+compiled = $(if $(filter nano33 stm32f4,$1),,$(filter-out $(call refused,$1),$(EXAMPLES)))
+ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
+  $(patsubst %,$(OUT)/$(core)/%.refused,$(call refused,$(core))))
+
+all: $(ALL)
+list:
+	@printf '%s\n' $(ALL)
+.PHONY: all list
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+include $(ROOT)/extras/setup/flags.mk
+FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
+TEST := -std=gnu++17 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
+SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
+
+# $1: the core. The host's Servo.h serves all but the ESP32, which has ESP32Servo.h.
+define core_rules
+$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino)
+$1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
+$(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
+  $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/CoresTest.o: $(HERE)/CoresTest.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
+$(OUT)/$1/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$(CXX) $$($1_board) $$(DEPENDENCIES) -c $$< -o $$@
+$(OUT)/$1/README.o: $(OUT)/README.cpp
+	@mkdir -p $$(@D)
+	$(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g' $$<,cat $$<) | \
+	  $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
+$(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
+	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino
+	@touch $$@
+$(OUT)/$1/%.refused: $(ROOT)/examples/%/ $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
+	! $(CXX) $$($1_board) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
+	grep -m 1 'error:' $$@ | grep -q '#error "[^"]*only the STM32L0 core'
+endef
+$(foreach core,$(CORES),$(eval $(call core_rules,$(core))))
+
+# The first sketch of README.md. On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
+$(OUT)/README.cpp: $(ROOT)/README.md $(HERE)/build.mk
+	@mkdir -p $(@D)
+	awk '/^```$$/ && inside { exit } inside { print } /^```cpp$$/ { inside = 1 }' $< >$@
+$(OUT)/Uart.o: $(HERE)/Uart.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(CXX) $(TEST) -O1 $(DEPENDENCIES) -c $< -o $@
+$(OUT)/Main.o: $(ROOT)/test/support/Main.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(DEPENDENCIES) -c $< -o $@
+$(OUT)/sbus/%.o: $(ROOT)/src/sbus/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(CXX) $(BOARD) $(FLAGS) -O1 $(DEPENDENCIES) -c $< -o $@
+
+-include $(shell find $(OUT) -name '*.d' 2>/dev/null)

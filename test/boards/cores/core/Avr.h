@@ -1,0 +1,25 @@
+// github.com/arduino/ArduinoCore-avr 1.8.8 (11b9130): cores/arduino/HardwareSerial.h, HardwareSerial_private.h.
+#pragma once
+
+#include "../Stream.h"
+
+#define ARDUINO_ARCH_AVR
+#define SERIAL_RX_BUFFER_SIZE 64  // one place stays free
+#define SERIAL_8N1 0x06
+#define SERIAL_8E1 0x26
+#define SERIAL_8E2 0x2E
+
+class HardwareSerial : public Simulated<Stream> {
+ public:
+  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false}) {}
+  void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
+  void begin(unsigned long baud, uint8_t config) {
+    uart.open({baud, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), false, false});
+  }
+  void end() { uart.close(); }
+  int availableForWrite() override { return uart.room(); }
+  operator bool() { return true; }
+};
+extern HardwareSerial Serial1, Serial2;
+
+constexpr sim::Known Core = {false, true, 100000, 2, 0, true, true};

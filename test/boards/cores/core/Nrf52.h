@@ -1,0 +1,50 @@
+// github.com/adafruit/Adafruit_nRF52_Arduino 1.7.0 (fa129c2): cores/nRF5/HardwareSerial.h, Uart.h and .cpp, main.cpp. 100000
+// baud becomes 115200; a sketch can put that right, by NRF_UARTE0->BAUDRATE.
+#pragma once
+
+#include "../Stream.h"
+
+#define ARDUINO_ARCH_NRF52
+#define NRF52_SERIES
+#define NO_EEPROM
+#define SERIAL_BUFFER_SIZE 64  // one place stays free
+#define SERIAL_8N1 0x00
+#define SERIAL_8E1 0x0E
+#define SERIAL_8E2 0x1E
+
+class HardwareSerial : public Stream {
+ public:
+  virtual void begin(unsigned long) = 0;
+  virtual void begin(unsigned long baud, uint16_t config) = 0;
+  virtual void end() = 0;
+  using Print::write;
+  virtual operator bool() = 0;
+};
+class Uart : public Simulated<HardwareSerial> {
+ public:
+  Uart() : Simulated<HardwareSerial>({63, 1, 1, 64, sim::End | sim::Write | sim::Room, false}) {}
+  void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
+  void begin(unsigned long baud, uint16_t config) override {
+    if (!uart.isOpen()) {
+      const unsigned long real = baud <= 76800 ? baud : baud <= 115200 ? 115200 : 230400;
+      uart.open({real, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), false, false});
+    }
+  }
+  void end() override { uart.close(); }
+  int availableForWrite() override { return uart.room() == 64 ? 64 : 0; }  // one transfer at a time
+  using Print::write;
+  size_t write(const uint8_t *bytes, size_t size) override {
+    uart.flush();
+    return Print::write(bytes, size);
+  }
+  operator bool() override { return uart.isOpen(); }
+};
+extern Uart Serial1, Serial2;
+
+constexpr sim::Known Core = {false, false, 115200, 2, 0, true, true};
+
+#define OPENED_BY_HAND
+inline void openByHand() {
+  Serial1.begin(115200, SERIAL_8E2);
+  Serial1.uart.change({100000, 2, false, false});  // as NRF_UARTE0->BAUDRATE = 0x0199A000 does
+}

@@ -1,0 +1,46 @@
+// github.com/GrumpyOldPizza/ArduinoCore-stm32l0 1.6.18 (b1cf1cd): cores/arduino/HardwareSerial.h, Uart.h;
+// system/STM32L0xx/Source/stm32l0_uart.c. The formats are made of names that Arduino.h does not bring in.
+#pragma once
+
+#include "../Stream.h"
+#include "PinDescription.h"
+
+#define ARDUINO_ARCH_STM32L0
+#define UART_RX_BUFFER_SIZE 64
+#define SERIAL_8N1 (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_NONE | STM32L0_UART_OPTION_STOP_1)
+#define SERIAL_8E1 (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN | STM32L0_UART_OPTION_STOP_1)
+#define SERIAL_8E2 (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN | STM32L0_UART_OPTION_STOP_2)
+#define SERIAL_SBUS (SERIAL_8E2 | STM32L0_UART_OPTION_RX_INVERT | STM32L0_UART_OPTION_TX_INVERT)
+
+class HardwareSerial : public Stream {
+ public:
+  virtual void begin(unsigned long) {}
+  virtual void begin(unsigned long, uint32_t) {}
+  virtual void end() {}
+  using Stream::read;
+  virtual int read(uint8_t *buffer, size_t size) = 0;
+  virtual operator bool() = 0;
+};
+class Uart : public Simulated<HardwareSerial> {
+ public:
+  Uart() : Simulated<HardwareSerial>({64, 16, 1, 64, 0, true}) {}
+  void begin(unsigned long baud) override { begin(baud, 0); }
+  void begin(unsigned long baud, uint32_t config) override;  // below, where its bits are known
+  void begin(unsigned long baud, uint8_t *buffer, size_t size);
+  void begin(unsigned long baud, uint32_t config, uint8_t *buffer, size_t size);
+  void end() override { uart.close(); }
+  using Simulated<HardwareSerial>::read;
+  int read(uint8_t *buffer, size_t size) override { return uart.read(buffer, size); }
+  int availableForWrite() override { return uart.room(); }
+  void onReceive(void (*callback)());
+  operator bool() override { return true; }
+};
+extern Uart Serial1, Serial2;
+
+// The values are extras/host's.
+inline void Uart::begin(unsigned long baud, uint32_t config) {
+  constexpr uint32_t E1 = 0x12, E2 = 0x13, Rx = 0x20, Tx = 0x40;
+  uart.open({baud, sim::evenStops(config & ~(Rx | Tx), E1, E2), (config & Rx) != 0, (config & Tx) != 0});
+}
+
+constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};

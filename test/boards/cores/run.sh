@@ -1,0 +1,36 @@
+#!/bin/sh
+# Compiles the library and the examples, as they stand, against stand-ins of the cores that people own, and says "ok cores:
+# ..." or "FAILED cores: ..." of each; then runs frames through each core's ports, CoresTest.cpp. BUILD is the folder for
+# what is built, absolute; CXX a compiler for this PC.
+set -u
+cd "$(dirname "$0")" || exit 1
+out="${BUILD:-$PWD/../../../build/test}/cores"
+
+build() {
+  "${MAKE:-make}" --no-print-directory -s -f build.mk OUT="$out" CXX="${CXX:-g++}" "$@"
+}
+
+printf '\ncores: library and examples on stand-ins of the ports of other cores\n'
+mkdir -p "$out"
+build -k all 2>&1
+targets=$(build list) || echo "FAILED cores: build.mk"
+for target in $targets; do
+  name=${target#"$out/"}
+  core=${name%%/*}
+  name=${name#*/}
+  case $name in
+    *.ok) what="${name%.ok} compiles without a warning" ;;
+    *.refused) what="${name%.refused} does not compile, and says that only the STM32L0 core has what it needs" ;;
+    *) what="CoresTest is built" ;;
+  esac
+  # The others are removed before they are made.
+  if [ -e "$target" ] && { [ "$name" != CoresTest ] || build -q "$target" >/dev/null 2>&1; }; then echo "ok cores: $core: $what"; else echo "FAILED cores: $core: $what"; fi
+  if [ "$name" = CoresTest ]; then
+    printf '%s:\n' "$core"
+    timeout 60 "$target" --no-version --no-intro >"$target.log" 2>&1
+    status=$?
+    cat "$target.log"
+    [ "$status" -eq 0 ] || grep -q '^\[doctest\] test cases:.*[1-9][0-9]* failed' "$target.log" ||
+      echo "FAILED cores: $core: CoresTest ended with status $status before its end"
+  fi
+done
