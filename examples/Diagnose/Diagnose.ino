@@ -11,8 +11,8 @@
 #include <DecodeSBus.h>
 #include <sbus/Diagnosis.h>
 
-auto &port = Serial1;  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
-DecodeSBus dSBus(port);
+auto &input = Serial1;  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(input);
 
 struct Setting {
   unsigned long baud;
@@ -27,7 +27,7 @@ const Setting SETTINGS[] = {
     {100000, sbus::EvenConfig, "begin(100000, sbus::EvenConfig): "},
     {200000, sbus::EvenConfig, "begin(200000, sbus::EvenConfig): "},
 };
-const uint8_t SETTING_COUNT = sbus::opensBothWays(port) ? 4 : 2;
+const uint8_t SETTING_COUNT = sbus::opensBothWays(input) ? 4 : 2;
 const uint32_t TRIAL = 500;  // ms
 
 sbus::Diagnosis diagnosis;
@@ -39,7 +39,7 @@ void print(uint32_t number, const char *text) {
 
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
-  while (port.read() >= 0) {  // what came before
+  while (input.read() >= 0) {  // what came before
   }
   const uint32_t start = millis();
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
