@@ -222,6 +222,21 @@ constexpr bool inverts(Port &) {
   return KindOf<Port>::Inverts;
 }
 
+/// Once it has been opened inverted, it stays so.
+template <typename Kind>
+constexpr bool staysInverted(Kind) {
+  return false;
+}
+constexpr bool staysInverted(Stm32) {
+  return true;
+}
+
+/// True if begin() opens this port inverted or uninverted, as it is told, and as often as it is told.
+template <typename Port>
+constexpr bool opensBothWays(Port &port) {
+  return inverts(port) && !staysInverted(KindOf<Port>());
+}
+
 /// A port, and what its class can do.
 class Port {
  public:
