@@ -1,109 +1,26 @@
-#include "DecodeSBus.h"
+#include "DecodeSBus.tpp"
 
-namespace {
+SBUS_COMPILE_DECODER(sbus::Frame16)
 
-// A frame has come, and within the timeout.
-inline bool isYoung(sbus::LinkState state) {
-  return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
-}
-
-// A compiler barrier: what parseSBusFrame() writes may change at any instruction. (clang moves reads past
-// __atomic_signal_fence(). A macro, because -Os makes a call of an inline function.)
-#define READ_ANEW() __asm__ volatile("" ::: "memory")
-
-}  // namespace
-
-// In line twice: most sketches call only one of the two.
-__attribute__((always_inline)) inline void DecodeSBus::forget(unsigned long baud) {
-  const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
-  _finder.reset(micros(), static_cast<uint8_t>(us));
-  _link.reset();
-  _decoded = 0;
-}
-
-void DecodeSBus::begin(unsigned long baud, uint32_t config) {
-  _port.open(baud, config);
-  forget(baud);
-}
-
-void DecodeSBus::listen(unsigned long baud) {
-  forget(baud);
-}
-
-void DecodeSBus::end() {
-  _port.close();
-}
-
-// Takes in what waits now and no more: what comes meanwhile may stand after a break, and is there at the next call.
-// Never asks the port for more than it has: the STM32L0's would then write past the end of what it is given.
-void DecodeSBus::parseSBusFrame() {
-  const uint32_t now = micros();
-  const int found = _port.available();
-  if (found <= 0) {
-    return;
-  }
-  _finder.poll(static_cast<unsigned>(found), now);
-  for (int waiting = found; waiting > 0;) {
-    const int room = _finder.room();
-    const int count = _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
-    if (count <= 0) {
-      return;  // a port that fails
-    }
-    waiting -= count;
-    if (const uint8_t *const frame = _finder.received(count)) {
-      _link.frame(frame[sbus::FlagsIndex]);
-    }
-  }
-  // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
-  // has come stands before the break or after it: nobody knows.
-  if (static_cast<unsigned>(found) > _port.half()) {
-    int more = _port.available();
-    if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
-      _finder.broken();
-      while (--more >= 0) {
-        _port.drop();
-      }
-    }
-  }
-}
-
-// A frame that comes in between is younger than the clock that was read: then everything is read again.
-sbus::LinkState DecodeSBus::linkState() {
+// What is found too old is told by its number: the clock may wrap afterwards, and a newer frame may come meanwhile.
+bool DecodeSBus::decodeExtraChannels(uint16_t channels[]) {
   for (;;) {
-    const uint32_t time = _finder.frameTime();
+    const uint32_t number = _finder.counters().extraFrames;
     READ_ANEW();
-    const sbus::LinkState state = _link.state(time, micros());
+    if (number == _staleExtra) {
+      return false;
+    }
+    if (_link.isStale(micros() - _finder.extraTime())) {
+      READ_ANEW();
+      if (number == _finder.counters().extraFrames) {
+        _staleExtra = number;
+      }
+      continue;
+    }
+    sbus::unpackExtra(_finder.extra(), channels);
     READ_ANEW();
-    if (time == _finder.frameTime()) {
-      return state;
+    if (number == _finder.counters().extraFrames) {
+      return true;
     }
   }
-}
-
-bool DecodeSBus::SBusFrameOk() {
-  return isYoung(linkState());
-}
-
-unsigned long DecodeSBus::frameAge() {
-  return linkState() == sbus::LinkState::NeverSeen ? ULONG_MAX : _link.age() / 1000;
-}
-
-void DecodeSBus::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
-  if (!isYoung(linkState())) {
-    failsafe = true;
-    lostFrame = true;
-    return;
-  }
-  // A frame that completes meanwhile moves the one being read to where the next comes in: then read the newer one.
-  uint32_t number;
-  do {
-    number = _finder.counters().frames;
-    READ_ANEW();
-    const uint8_t *const frame = _finder.newest();
-    sbus::unpackAligned(frame, channels);
-    lostFrame = sbus::lostFrame(frame);
-    failsafe = _link.givenUp();
-    READ_ANEW();
-  } while (number != _finder.counters().frames);
-  _decoded = number;
 }

@@ -20,18 +20,22 @@
 ///       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
 ///     }
 ///
-/// Call all methods from setup(), loop() or serialEventN(). From an interrupt: see extras/docs/interrupts.md.
-class DecodeSBus {
+/// DecodeSBus24 is the same for FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN(). From an
+/// interrupt: see extras/docs/interrupts.md.
+template <typename Format>
+class DecodeSBusOf {
  public:
   // ---- Open and close
 
   /// `port`: a hardware serial port, or any other Stream, which the sketch opens (listen()). It must outlive the
   /// object. Nothing is opened yet.
   template <typename Port>
-  explicit DecodeSBus(Port &port) : _port(port) {}
+  explicit DecodeSBusOf(Port &port) : _port(port) {}
 
   /// Opens the port: 8E2, inverted if the port can do that (else the line needs an inverter), and 100000 baud unless
   /// told; Fast S.Bus is 200000. Forgets all frames and counters.
+  ///
+  /// An ESP32 takes the core's pins for the port, which on an older core are the flash's: extras/docs/boards.md.
   ///
   /// `config`: SERIAL_8E2 for an uninverted line, or another format of the core. What the port cannot do brings no
   /// frames, and nothing is reported: ask the example Diagnose. At less than 47060 baud nothing is opened. Any other
@@ -58,7 +62,8 @@ class DecodeSBus {
   /// True while the newest frame is younger than the timeout; false before the first frame.
   bool SBusFrameOk();
 
-  /// The newest frame: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1. Call it as often as you like.
+  /// The newest frame: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1; of DecodeSBus24 24 values, CH1..CH24
+  /// as 0..2047. Call it as often as you like.
   ///
   /// - lostFrame: this radio frame did not arrive, the channels are old ones; comes and goes in flight
   /// - failsafe: the receiver has given the link up, the channels are its failsafe setting; or it has reported lost
@@ -92,11 +97,29 @@ class DecodeSBus {
   /// How many lost frames in a row count as failsafe: 1..65535, 100 unless told; 0: no number does.
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
- private:
+ protected:
   void forget(unsigned long baud);
 
   sbus::Port _port;
-  sbus::FrameFinder _finder;
+  sbus::FrameFinderOf<Format> _finder;
   sbus::Link _link;
-  uint32_t _decoded = 0;  // number of the frame that was decoded last
+  uint32_t _decoded = 0;     // number of the frame that was decoded last
+  uint32_t _staleExtra = 0;  // number of the frame with further channels that was found too old
 };
+
+/// Sixteen channels and two switches, as nearly all receivers send them; and what Futaba's FASSTest 26 adds.
+class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
+ public:
+  /// As DecodeSBusOf().
+  template <typename Port>
+  explicit DecodeSBus(Port &port) : DecodeSBusOf(port) {}
+
+  /// The newest CH17..CH32, 16 values, 0..2047, of Futaba's FASSTest 26, which sends them in frames of their own. True
+  /// if such a frame has come within the timeout; else `channels` is left alone. Flags and switches are those of
+  /// decodeSBusFrame(). Call it once an hour at least.
+  bool decodeExtraChannels(uint16_t channels[]);
+};
+
+/// The 24 channels of FrSky's ACCESS and TD receivers, if they are set to "SBUS 24". A line of 16 channels brings it no
+/// frame: counters().otherFrames counts then, as that of DecodeSBus does on a line of 24.
+using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;

@@ -1,15 +1,18 @@
 #include "EncodeSBus.h"
 
-void EncodeSBus::begin(unsigned long baud, uint32_t config) {
+template <typename Format>
+void EncodeSBusOf<Format>::begin(unsigned long baud, uint32_t config) {
   _sent = false;
   _port.open(baud, config);
 }
 
-void EncodeSBus::end() {
+template <typename Format>
+void EncodeSBusOf<Format>::end() {
   _port.close();
 }
 
-bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame) {
+template <typename Format>
+bool EncodeSBusOf<Format>::write(const uint16_t channels[], bool failsafe, bool lostFrame) {
   const uint32_t now = micros();
   const uint32_t late = now - _last - _period;  // us; wraps if it is too early
   if (_sent && now - _last < _period) {
@@ -18,18 +21,21 @@ bool EncodeSBus::write(const uint16_t channels[], bool failsafe, bool lostFrame)
   // Some ports never take 25 bytes, and some cannot say: then as many as they have ever taken are enough.
   const int room = _port.room();
   if (room > _room) {
-    _room = static_cast<uint8_t>(room < sbus::FrameSize ? room : sbus::FrameSize);
+    _room = static_cast<uint8_t>(room < Format::Size ? room : Format::Size);
   } else if (room < _room) {
     return false;
   }
-  uint8_t frame[sbus::FrameSize];
-  sbus::pack(frame, channels, failsafe, lostFrame);
-  _port.write(frame, sbus::FrameSize);
+  uint8_t frame[Format::Size];
+  Format::pack(frame, channels, failsafe, lostFrame);
+  _port.write(frame, Format::Size);
   // A little late, and the next frame is expected as if this one had been on time; else from now on. So no pause
   // between two frames is shorter than half of what it should be: receivers need them.
-  constexpr uint32_t FrameTime = uint32_t{sbus::FrameSize} * sbus::CharacterTime;
+  constexpr uint32_t FrameTime = uint32_t{Format::Size} * sbus::CharacterTime;
   const uint32_t tolerable = _period > FrameTime ? (_period - FrameTime) / 2 : 0;
   _last = _sent && late < tolerable ? now - late : now;
   _sent = true;
   return true;
 }
+
+template class EncodeSBusOf<sbus::Frame16>;
+template class EncodeSBusOf<sbus::Frame24>;

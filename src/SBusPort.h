@@ -45,10 +45,12 @@ constexpr unsigned SmallestBuffer = 32;
 
 #if defined(UART_RX_BUFFER_SIZE)  // STM32L0
 constexpr unsigned CoreBuffer = UART_RX_BUFFER_SIZE;
-#elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR, STM32
+#elif defined(SERIAL_RX_BUFFER_SIZE)   // AVR, STM32
 constexpr unsigned CoreBuffer = SERIAL_RX_BUFFER_SIZE;
-#elif defined(SERIAL_BUFFER_SIZE)     // SAMD, SAM, nRF52, Uno R4
+#elif defined(SERIAL_BUFFER_SIZE)      // SAMD, SAM, nRF52, Uno R4
 constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
+#elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy, whose headers do not say it
+constexpr unsigned CoreBuffer = 64;
 #else
 constexpr unsigned CoreBuffer = SmallestBuffer;
 #endif
@@ -77,14 +79,27 @@ struct Config {
   }
 };
 
-/// Before 2.0.3 the ESP32 cannot be told; see Esp32.
+/// An ESP32 hands over 120 characters at once, so whole frames, and no pause is seen for sure. 8 of them, and the two
+/// idle ones that it waits for, are fewer than Pauses.h expects. Before 2.0.3 it cannot be told.
 template <typename Port>
 auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
-  port.setRxFIFOFull(LargestBurst);
+  port.setRxFIFOFull(8);
 }
 /// Leaves it.
 template <typename Port>
 void limitBursts(Port &, Choice<0>) {
+}
+
+/// arduino-pico: a queue of the wanted size.
+template <typename Port>
+auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
+  port.setFIFOSize(WantedBuffer);
+  return WantedBuffer;
+}
+/// Its SerialPIO: the sketch has said the size; it is not known here.
+template <typename Port>
+unsigned enlarge(Port &, Choice<0>) {
+  return SmallestBuffer;
 }
 
 // ---- Kinds of ports, and how each is opened. Inverts: it can invert the line. Buffer: its size, whoever opens it.
@@ -141,13 +156,13 @@ struct Pico {
     port.end();
     port.setInvertRX(config.inverted());
     port.setInvertTX(config.inverted());
-    port.setFIFOSize(WantedBuffer);
+    const unsigned size = enlarge(port, Choice<1>());
     port.begin(baud, config);
-    return WantedBuffer;
+    return size;
   }
 };
 
-/// ESP32. Its pins are those of setPins(), or the core's. It would hand over 120 characters at once.
+/// ESP32. Its pins are those of setPins(), or the core's.
 struct Esp32 {
   static constexpr bool Inverts = true;
   static constexpr unsigned Buffer = 128;
@@ -205,6 +220,21 @@ using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>
 template <typename Port>
 constexpr bool inverts(Port &) {
   return KindOf<Port>::Inverts;
+}
+
+/// Once it has been opened inverted, it stays so.
+template <typename Kind>
+constexpr bool staysInverted(Kind) {
+  return false;
+}
+constexpr bool staysInverted(Stm32) {
+  return true;
+}
+
+/// True if begin() opens this port inverted or uninverted, as it is told, and as often as it is told.
+template <typename Port>
+constexpr bool opensBothWays(Port &port) {
+  return inverts(port) && !staysInverted(KindOf<Port>());
 }
 
 /// A port, and what its class can do.

@@ -14,6 +14,8 @@
 #include <DecodeSBus.h>
 #include <elapsedMillis.h>
 
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+
 const int FIRST = 1;                       // the first channel on the line, 1..18
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
@@ -22,11 +24,6 @@ bool failsafe;
 bool lostFrame;
 
 elapsedMillis timerDisplay;
-DecodeSBus dSBus(Serial1);
-
-void serialEvent1() {
-  dSBus.parseSBusFrame();
-}
 
 void setup() {
   Serial.begin(115200);
@@ -34,6 +31,7 @@ void setup() {
 }
 
 void loop() {
+  dSBus.parseSBusFrame();
   if (timerDisplay < PERIOD_DISPLAY) {
     return;
   }

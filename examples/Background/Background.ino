@@ -11,14 +11,16 @@
   line (55 or 56 from an R-XSR, one every 9 ms), the age of the newest in ms (4294967295 before the first), and the
   throttle, 0..2047.
 
-  Serial1.onReceive() is the STM32L0 core's. It runs at PendSV level: above loop(), below all interrupts.
+  For the STM32L0 alone: its core calls back at PendSV level, above loop() and below all interrupts.
 */
 
 #include <DecodeSBus.h>
 
 #if !defined(SERIAL_SBUS)
-#error "Background needs Serial1.onReceive(), which only the STM32L0 core has. Elsewhere keep loop() short instead."
+#error "Background needs Serial1.onReceive() as only the STM32L0 core has it. Elsewhere keep loop() short instead."
 #endif
+
+DecodeSBus dSBus(Serial1);  // RX: D0
 
 const unsigned long WORK = 500;  // ms
 
@@ -26,8 +28,6 @@ uint16_t channels[18];
 bool failsafe;
 bool lostFrame;
 uint32_t framesBefore = 0;
-
-DecodeSBus dSBus(Serial1);
 
 // From now on nobody else may call parseSBusFrame().
 void received() {

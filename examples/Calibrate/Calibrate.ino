@@ -1,5 +1,5 @@
 /*
-  Calibrate: finds out what your radio really sends, and keeps it in EEPROM.
+  Calibrate: finds out what your radio really sends, and keeps it in EEPROM. Boards without any forget it.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
 
@@ -7,15 +7,17 @@
 */
 
 #include <DecodeSBus.h>
-#include <EEPROM.h>
 #include <elapsedMillis.h>
 #include <sbus/Calibrator.h>
+
+#include "Storage.h"
+
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
 
 uint16_t channels[18];
 bool failsafe, lostFrame;
 sbus::Calibration calibration;
 sbus::Calibrator calibrator;
-DecodeSBus dSBus(Serial1);
 
 void listen(const char *text, unsigned long ms) {
   Serial.print(text);
@@ -29,7 +31,7 @@ void listen(const char *text, unsigned long ms) {
 void setup() {
   Serial.begin(115200);
   dSBus.begin();
-  EEPROM.get(0, calibration);
+  load(EEPROM, calibration);
 }
 
 void loop() {
@@ -51,7 +53,7 @@ void loop() {
   uint8_t bad = 0;
   const sbus::Refusal refusal = calibrator.finish(0x000F, calibration, bad);  // CH1..CH4 must be good
   if (refusal == sbus::Refusal::None) {
-    EEPROM.put(0, calibration);
+    Serial.println(store(EEPROM, calibration) ? "Stored." : "Not stored: the EEPROM does not hold it.");
   } else {
     Serial.print("Not stored: CH");
     Serial.print(bad + 1);

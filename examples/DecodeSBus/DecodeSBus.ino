@@ -16,6 +16,8 @@
 #include <DecodeSBus.h>
 #include <elapsedMillis.h>
 
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
 uint16_t channels[18];
@@ -23,9 +25,9 @@ bool failsafe;
 bool lostFrame;
 
 elapsedMillis timerDisplay;
-DecodeSBus dSBus(Serial1);
 
-// Called after every loop() while bytes wait on Serial1; not an interrupt.
+// The paper's way: called after every loop() while bytes wait on Serial1; not an interrupt. The cores of Uno R4, SAMD,
+// mbed and ESP8266 never call it: there loop() does all.
 void serialEvent1() {
   dSBus.parseSBusFrame();
 }
@@ -36,6 +38,7 @@ void setup() {
 }
 
 void loop() {
+  dSBus.parseSBusFrame();
   if (timerDisplay < PERIOD_DISPLAY) {
     return;
   }

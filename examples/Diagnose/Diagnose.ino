@@ -1,18 +1,18 @@
 /*
   Diagnose: no frames, or bad ones? Says what is wrong with the line, and the cure.
 
-  Wiring (Tlera Grasshopper, FrSky R-XSR):
-    R-XSR S-BUS_OUT -> D0 (RX1)
-    R-XSR +5V       -> 5V
-    R-XSR GND       -> GND
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
 
   Opens the port in every way that a receiver may need, half a second each, prints over USB what came, then the verdict,
-  and begins again. Switch the radio on and open the Serial Monitor. A board whose core has no SERIAL_SBUS needs an
-  inverter in the signal wire, see README.md.
+  and begins again. Switch the radio on and open the Serial Monitor. A port that cannot invert the line needs an
+  inverter in the signal wire, and is only tried at both baud rates.
 */
 
 #include <DecodeSBus.h>
 #include <sbus/Diagnosis.h>
+
+auto &input = Serial1;  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(input);
 
 struct Setting {
   unsigned long baud;
@@ -20,18 +20,16 @@ struct Setting {
   const char *text;
 };
 
-const Setting SETTINGS[] = {  // the first is what dSBus.begin() opens
-#if defined(SERIAL_SBUS)
-  {100000, SERIAL_SBUS, "begin(100000, SERIAL_SBUS): "},
-  {200000, SERIAL_SBUS, "begin(200000, SERIAL_SBUS): "},
-#endif
-  {100000, SERIAL_8E2, "begin(100000, SERIAL_8E2): "},
-  {200000, SERIAL_8E2, "begin(200000, SERIAL_8E2): "},
+// The first is what dSBus.begin() opens.
+const Setting SETTINGS[] = {
+    {100000, sbus::PortConfig, "begin(100000): "},
+    {200000, sbus::PortConfig, "begin(200000): "},
+    {100000, sbus::EvenConfig, "begin(100000, sbus::EvenConfig): "},
+    {200000, sbus::EvenConfig, "begin(200000, sbus::EvenConfig): "},
 };
-const uint8_t SETTING_COUNT = sizeof SETTINGS / sizeof SETTINGS[0];
+const uint8_t SETTING_COUNT = sbus::opensBothWays(input) ? 4 : 2;
 const uint32_t TRIAL = 500;  // ms
 
-DecodeSBus dSBus(Serial1);
 sbus::Diagnosis diagnosis;
 
 void print(uint32_t number, const char *text) {
@@ -41,13 +39,14 @@ void print(uint32_t number, const char *text) {
 
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
+  while (input.read() >= 0) {  // what came before
+  }
   const uint32_t start = millis();
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
     dSBus.parseSBusFrame();
   }
-  dSBus.end();
   const sbus::Counters counters = dSBus.counters();
-  diagnosis.add({setting.baud, setting.config != SERIAL_8E2, TRIAL, counters});
+  diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters});
   Serial.print(setting.text);
   print(counters.frames, " frames, ");
   print(counters.skippedBytes, " bytes of no frame\r\n");

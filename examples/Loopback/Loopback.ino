@@ -9,14 +9,14 @@
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
 
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+EncodeSBus eSBus(Serial1);  // TX: D1
+
 const uint16_t FRAMES = 100;
 const uint32_t PATIENCE = 50;  // ms, for the last of them to come back
 
 uint16_t sent, right, wrong;
 uint32_t sentTime;
-
-DecodeSBus dSBus(Serial1);
-EncodeSBus eSBus(Serial1);
 
 // Frame number n: CH1 is the number, and all other channels follow from it. CH17 is failsafe, too, and CH18 lost frame.
 void fill(uint16_t channels[], uint16_t n) {
@@ -33,6 +33,7 @@ void setup() {
 }
 
 void loop() {
+  dSBus.parseSBusFrame();
   uint16_t channels[18], expected[18];
   bool failsafe, lostFrame;
   fill(channels, sent);
@@ -40,7 +41,6 @@ void loop() {
     sent++;
     sentTime = millis();
   }
-  dSBus.parseSBusFrame();
   if (dSBus.newFrame()) {
     dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
     fill(expected, channels[0]);

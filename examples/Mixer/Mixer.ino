@@ -2,11 +2,11 @@
   Mixer: reads a receiver, mixes, and sends S.Bus on, to a flight controller or to S.Bus servos.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
-    A2 (TX2) -> the S.Bus input of what comes next, GND -> its GND
+    D1 (TX1) -> the S.Bus input of what comes next, GND -> its GND
 
   For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All
-  other channels and both flags pass. When no frame has come for 100 ms, it goes on sending: both flags set, throttle closed. Sends
-  "aileron,elevator,left,right" over USB five times a second, each -1000..+1000.
+  other channels and both flags pass. When no frame has come for 100 ms it goes on: both flags set, throttle closed.
+  Sends "aileron,elevator,left,right" over USB five times a second, each -1000..+1000.
 */
 
 #include <DecodeSBus.h>
@@ -14,18 +14,18 @@
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+EncodeSBus eSBus(Serial1);  // TX: D1; or another port, which then wants eSBus.begin()
+
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
 uint16_t in[18];
 bool failsafe, lostFrame;
 elapsedMillis timerDisplay;
-DecodeSBus dSBus(Serial1);
-EncodeSBus eSBus(Serial2);
 
 void setup() {
   Serial.begin(115200);
-  dSBus.begin();
-  eSBus.begin();
+  dSBus.begin();  // opens the port both ways
 }
 
 void loop() {

@@ -15,6 +15,8 @@
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
 uint16_t channels[18];
@@ -22,11 +24,6 @@ bool failsafe;
 bool lostFrame;
 
 elapsedMillis timerDisplay;
-DecodeSBus dSBus(Serial1);
-
-void serialEvent1() {
-  dSBus.parseSBusFrame();
-}
 
 void setup() {
   Serial.begin(115200);
@@ -38,6 +35,7 @@ float normalized(uint16_t value) {
 }
 
 void loop() {
+  dSBus.parseSBusFrame();
   if (timerDisplay < PERIOD_DISPLAY) {
     return;
   }

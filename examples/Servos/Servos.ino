@@ -13,32 +13,38 @@
 #include <sbus/Scaling.h>
 #if defined(SERIAL_SBUS)
 #include "GrasshopperServo.h"  // the STM32L0 core has no Servo library
+#elif defined(ESP32)
+#include <ESP32Servo.h>  // from the Library Manager
 #else
 #include <Servo.h>
 #endif
 
-const int FIRST_PIN = 2;
+DecodeSBus dSBus(Serial1);        // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+const int PINS[] = {2, 3, 4, 5};  // of the servos; other boards: the same page
+
 const int THROTTLE = 2;                    // CH3, counted from 0
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
-int16_t pulses[] = {sbus::CentrePulse, sbus::CentrePulse, sbus::LowPulse, sbus::CentrePulse};  // us, until a frame comes
+// us, until a frame comes
+int16_t pulses[] = {sbus::CentrePulse, sbus::CentrePulse, sbus::LowPulse, sbus::CentrePulse};
 Servo servos[4];
+bool tellsRoom = false;
 elapsedMillis timerDisplay;
-DecodeSBus dSBus(Serial1);
 
 void setup() {
   Serial.begin(115200);
   dSBus.begin();
   for (int i = 0; i < 4; i++) {
     servos[i].writeMicroseconds(pulses[i]);  // before it sends any: the throttle begins closed
-    servos[i].attach(FIRST_PIN + i);
+    servos[i].attach(PINS[i]);
+    servos[i].writeMicroseconds(pulses[i]);  // some libraries forget what was before (ESP32, Uno R4)
   }
 }
 
 void loop() {
+  dSBus.parseSBusFrame();
   uint16_t channels[18];
   bool failsafe, lostFrame;
-  dSBus.parseSBusFrame();
   dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
   for (int i = 0; i < 4; i++) {
     if (!failsafe) {
@@ -48,7 +54,9 @@ void loop() {
     }
     servos[i].writeMicroseconds(pulses[i]);
   }
-  if (timerDisplay >= PERIOD_DISPLAY && Serial.availableForWrite() > 24) {  // never waits: servos come first
+  // Never waits: servos come first. Where Serial always says 0 it may (mbed, Uno R4 WiFi).
+  tellsRoom = tellsRoom || Serial.availableForWrite() > 0;
+  if (timerDisplay >= PERIOD_DISPLAY && (Serial.availableForWrite() > 24 || !tellsRoom)) {
     timerDisplay = 0;
     for (int i = 0; i < 4; i++) {
       Serial.print(pulses[i]);

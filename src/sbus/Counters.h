@@ -21,6 +21,9 @@ struct Counters {
   uint32_t skippedBytes;  ///< bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
   uint32_t resyncs;       ///< frames found again after others had been missed
   uint32_t overflows;     ///< polls that found the port's buffer full: it has most probably dropped bytes
+  uint32_t extraFrames;   ///< frames with header 2F: DecodeSBus::decodeExtraChannels() has their channels
+  uint32_t otherFrames;   ///< before the first frame: as many bytes between two pauses as a frame of 24 channels has;
+                          ///< for DecodeSBus24, one of 16
   uint32_t period;        ///< us between frames delivered, smoothed over some eight; 0 before the second
 
   /// A frame with these flags is delivered, `interval` us after the one before.

@@ -57,7 +57,7 @@ const char *cure(Finding finding) {
     case Finding::NoSignal:
       return "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?";
     case Finding::NoFrames:
-      return "Connect the grounds. Is the port set to S.Bus? Is an inverter missing, or one too many?";
+      return "Connect GND. Is it S.Bus? Inverter missing, or one too many? Can the port do 100000 8E2 (no nRF52)?";
     case Finding::WrongInversion:
       return "Open the port with that one, or put in an inverter, or take one out.";
     case Finding::WrongBaud:

@@ -38,8 +38,8 @@ enum class Finding : uint8_t {
   AllWell,
 };
 
-/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.2 KB of RAM in a sketch that
-/// calls this or cure(), and nothing in others.
+/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.2 KB of RAM in a sketch
+/// that calls this or cure(), and nothing in others.
 const char *text(Finding finding);
 
 /// What to do about it, in words of the same kind.

@@ -26,25 +26,52 @@ void unpackGroup(const uint8_t *in, uint16_t *out) {
   out[7] = (byte(9) >> 5 | byte(10) << 3) & mask;
 }
 
+void unpackGroups(const uint8_t *frame, uint16_t *channels, uint8_t groups) {
+  const uint8_t *in = frame + PayloadIndex;
+  for (; groups > 0; groups--, in += GroupBytes, channels += GroupChannels) {
+    unpackGroup(in, channels);
+  }
+}
+
 inline void unpackSwitches(uint8_t flags, uint16_t *channels) {
   channels[16] = flags & FlagChannel17;
   channels[17] = (flags & FlagChannel18) / FlagChannel18;
 }
 
-}  // namespace
-
-int innerHeader(const uint8_t *frame, uint8_t endMask) {
-  for (int i = 2; i < FrameSize; i++) {
-    if (frame[i] == HeaderByte && ((frame[i - 1] ^ frame[EndIndex]) & endMask) == 0) {
-      return i;
+// Writes the header and the payload; returns where the flags go.
+uint8_t *packChannels(uint8_t *out, const uint16_t *channels, uint8_t count) {
+  *out++ = HeaderByte;
+  uint32_t bits = 0;  // not yet written, the oldest lowest; never more than 7 + 11
+  uint8_t waiting = 0;
+  for (uint8_t i = 0; i < count; i++) {
+    const uint32_t value = channels[i] > ChannelMax ? ChannelMax : channels[i];
+    bits |= value << waiting;
+    for (waiting = static_cast<uint8_t>(waiting + 11); waiting >= 8; waiting = static_cast<uint8_t>(waiting - 8)) {
+      *out++ = static_cast<uint8_t>(bits & 0xFF);
+      bits >>= 8;
     }
   }
-  return FrameSize;
+  return out;
+}
+
+inline void packEnd(uint8_t *out, int switches, bool failsafe, bool lostFrame) {
+  out[0] = static_cast<uint8_t>(switches | (lostFrame ? FlagLostFrame : 0) | (failsafe ? FlagFailsafe : 0));
+  out[1] = 0x00;
+}
+
+}  // namespace
+
+int innerHeader(const uint8_t *frame, int size, uint8_t endMask) {
+  const uint8_t end = frame[size - 1];
+  int i = 2;
+  while (i < size && (frame[i] != HeaderByte || ((frame[i - 1] ^ end) & endMask) != 0)) {
+    i++;
+  }
+  return i;
 }
 
 void unpack(const uint8_t *frame, uint16_t *channels) {
-  unpackGroup(frame + PayloadIndex, channels);
-  unpackGroup(frame + PayloadIndex + GroupBytes, channels + GroupChannels);
+  unpackGroups(frame, channels, 2);
   unpackSwitches(frame[FlagsIndex], channels);
 }
 
@@ -74,22 +101,22 @@ void unpackAligned(const uint8_t *frame, uint16_t *channels) {
   unpackSwitches(static_cast<uint8_t>(w5 >> 16), channels);
 }
 
+void unpackExtra(const uint8_t *frame, uint16_t *channels) {
+  unpackGroups(frame, channels, 2);
+}
+
+void unpack24(const uint8_t *frame, uint16_t *channels) {
+  unpackGroups(frame, channels, 3);
+}
+
 void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
-  uint8_t *out = frame;
-  *out++ = HeaderByte;
-  uint32_t bits = 0;  // not yet written, the oldest lowest; never more than 7 + 11
-  uint8_t count = 0;
-  for (uint8_t i = 0; i < ProportionalCount; i++) {
-    const uint32_t value = channels[i] > ChannelMax ? ChannelMax : channels[i];
-    bits |= value << count;
-    for (count = static_cast<uint8_t>(count + 11); count >= 8; count = static_cast<uint8_t>(count - 8)) {
-      *out++ = static_cast<uint8_t>(bits & 0xFF);
-      bits >>= 8;
-    }
-  }
-  *out++ = static_cast<uint8_t>((channels[16] != 0 ? FlagChannel17 : 0) | (channels[17] != 0 ? FlagChannel18 : 0) |
-                                (lostFrame ? FlagLostFrame : 0) | (failsafe ? FlagFailsafe : 0));
-  *out = 0x00;
+  uint8_t *const flags = packChannels(frame, channels, ProportionalCount);
+  packEnd(flags, (channels[16] != 0 ? FlagChannel17 : 0) | (channels[17] != 0 ? FlagChannel18 : 0), failsafe,
+          lostFrame);
+}
+
+void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
+  packEnd(packChannels(frame, channels, ChannelCount24), 0, failsafe, lostFrame);
 }
 
 }  // namespace sbus

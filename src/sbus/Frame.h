@@ -1,8 +1,9 @@
 /// @file
-/// The S.Bus frame: what its 25 bytes mean, and nothing about how they are found.
+/// The S.Bus frame: what its bytes mean, and nothing about how they are found.
 ///
 /// Sources: J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", chapter 2, for the layout; captures of real
-/// receivers for the end bytes other than 0x00.
+/// receivers for the end bytes other than 0x00; github.com/nseinlet/Modelisme, src/FrSky_SBus.cpp, for FrSky's 24
+/// channels; github.com/iNavFlight/inav, pull request 10270, for Futaba's frames with header 2F.
 ///
 /// Plain C++11: no Arduino, no heap, no library calls. Every function may be called from any context.
 #pragma once
@@ -19,11 +20,16 @@ constexpr uint8_t BitsPerCharacter = 12;  ///< start, 8 data, parity, 2 stop
 constexpr uint8_t CharacterTime = 120;    ///< us, at 100000 baud
 
 // The frame: header, 16 channels of 11 bits, flags, end byte.
-constexpr uint8_t FrameSize = 25;     ///< bytes
-constexpr uint8_t HeaderByte = 0x0F;  ///< the first; the payload may hold it, too
-constexpr uint8_t PayloadIndex = 1;   ///< of the first of 22 bytes
-constexpr uint8_t FlagsIndex = 23;    ///< of the flags byte
-constexpr uint8_t EndIndex = 24;      ///< of the end byte
+constexpr uint8_t FrameSize = 25;      ///< bytes
+constexpr uint8_t HeaderByte = 0x0F;   ///< the first; the payload may hold it, too
+constexpr uint8_t ExtraHeader = 0x2F;  ///< of a frame with CH17..CH32: Futaba FASSTest 26 sends one before each frame
+constexpr uint8_t PayloadIndex = 1;    ///< of the first of 22 bytes
+constexpr uint8_t FlagsIndex = 23;     ///< of the flags byte
+constexpr uint8_t EndIndex = 24;       ///< of the end byte
+
+// The same with FrSky's 24 channels (ACCESS and TD receivers): CH17 and CH18 are no switches then.
+constexpr uint8_t FrameSize24 = 36;     ///< bytes, the payload 33 of them
+constexpr uint8_t ChannelCount24 = 24;  ///< CH1..CH24, 0..2047
 
 // The channels: 16 proportional ones, then two switches.
 constexpr uint8_t ProportionalCount = 16;  ///< CH1..CH16, 0..2047
@@ -98,9 +104,9 @@ constexpr bool failsafe(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagFailsafe) != 0;
 }
 
-/// Where an end byte, the same as that of `frame` (25 bytes) in the bits of `endMask`, and a header follow each other
-/// within it, as between two frames: the header's index. 25 if nowhere.
-int innerHeader(const uint8_t *frame, uint8_t endMask);
+/// Where an end byte, the same as that of `frame` (`size` bytes) in the bits of `endMask`, and a header follow each
+/// other within it, as between two frames: the header's index. `size` if nowhere.
+int innerHeader(const uint8_t *frame, int size, uint8_t endMask);
 
 /// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.
@@ -110,8 +116,47 @@ void unpack(const uint8_t *frame, uint16_t *channels);
 /// instructions instead of 160 on a Cortex-M0+, and 18 bytes less (`make bench`).
 void unpackAligned(const uint8_t *frame, uint16_t *channels);
 
+/// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.
+void unpackExtra(const uint8_t *frame, uint16_t *channels);
+
 /// Writes a whole frame, 25 bytes with end byte 00, of 18 `channels`: the exact inverse of unpack(). CH1..CH16 are
 /// clamped to 2047, CH17 and CH18 other than 0 are 1.
 void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame);
+
+/// Writes the 24 channels of a 36-byte `frame` to `channels`: CH1..CH24, 0..2047.
+void unpack24(const uint8_t *frame, uint16_t *channels);
+
+/// Writes such a frame, of 24 `channels`, clamped to 2047: the exact inverse of unpack24().
+void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame);
+
+/// What differs between a frame of 16 channels and one of 24, for what is written once for both.
+struct Frame16 {
+  static constexpr uint8_t Size = FrameSize;         ///< bytes, the flags and the end byte last
+  static constexpr uint8_t Channels = ChannelCount;  ///< that unpack() writes
+  static constexpr uint8_t Kinds = UnknownKind;      ///< rows of LineKinds that such lines have
+  static constexpr uint8_t OtherSize = FrameSize24;  ///< bytes of the other
+  static constexpr bool HasExtra = true;             ///< frames with header 2F may come between
+  /// As its unpack functions.
+  static void unpack(const uint8_t *frame, uint16_t *channels) { unpackAligned(frame, channels); }
+  /// As its pack functions.
+  static void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
+    sbus::pack(frame, channels, failsafe, lostFrame);
+  }
+};
+
+/// The same for 24.
+struct Frame24 {
+  static constexpr uint8_t Size = FrameSize24;         ///< bytes
+  static constexpr uint8_t Channels = ChannelCount24;  ///< that unpack() writes
+  static constexpr uint8_t Kinds = 1;                  ///< end byte 00 only
+  static constexpr uint8_t OtherSize = FrameSize;      ///< bytes of the other
+  static constexpr bool HasExtra = false;              ///< nothing comes between
+  /// As its unpack functions.
+  static void unpack(const uint8_t *frame, uint16_t *channels) { unpack24(frame, channels); }
+  /// As its pack functions.
+  static void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
+    pack24(frame, channels, failsafe, lostFrame);
+  }
+};
 
 }  // namespace sbus

@@ -33,14 +33,17 @@ namespace sbus {
 /// What is refused is scanned again from its second byte on. extras/docs/receiver.md has each rule, and what it is
 /// worth.
 ///
+/// `Format` is Frame16 or Frame24; what is said of 25 bytes goes for 36 then.
+///
 /// All calls come from the context that reads the port. Only frame() and what stands below it may also be called from
 /// one that received() interrupts (extras/docs/interrupts.md).
-class FrameFinder {
+template <typename Format>
+class FrameFinderOf {
  public:
   /// As reset() at the time 0, for 100000 baud.
-  FrameFinder() { reset(0, CharacterTime); }
-  FrameFinder(const FrameFinder &) = delete;             ///< its pointers lead into itself
-  FrameFinder &operator=(const FrameFinder &) = delete;  ///< for the same reason
+  FrameFinderOf() { reset(0, CharacterTime); }
+  FrameFinderOf(const FrameFinderOf &) = delete;             ///< its pointers lead into itself
+  FrameFinderOf &operator=(const FrameFinderOf &) = delete;  ///< for the same reason
 
   /// Forgets everything, the counters too. `now` in us, `characterTime` in us: 120 at 100000 baud, 60 at 200000.
   void reset(uint32_t now, uint8_t characterTime);
@@ -57,7 +60,7 @@ class FrameFinder {
   /// `count` bytes, 1..room(), were written to space(). Returns the frame that they completed (25 bytes), or nullptr.
   const uint8_t *received(int count) {
     _filled = static_cast<uint8_t>(_filled + count);
-    return _filled < FrameSize && isHeader(0) ? nullptr : search();
+    return _filled < Format::Size && isHeader(0) ? nullptr : search();
   }
 
   /// The port lost bytes after the last one received: the incoming frame will never be complete. Counts as an overflow.
@@ -74,14 +77,23 @@ class FrameFinder {
   /// is below zero if a frame comes in between.
   uint32_t frameTime() const { return _frameTime; }
 
+  /// The last complete frame with header 2F, 25 bytes; of no meaning before the first, counters().extraFrames tells.
+  /// What was read of it is good only if that has not changed meanwhile.
+  const uint8_t *extra() const { return _extra; }
+
+  /// When it was complete, in us.
+  uint32_t extraTime() const { return _extraTime; }
+
   /// What was seen since reset(); all 0 before the first byte.
   const Counters &counters() const { return _counters; }
 
  private:
-  static constexpr int Pad = 3;                                 // before a frame: its payload then stands at a word
-  static constexpr int Capacity = FrameSize + LongestTail + 7;  // a frame, its tail, and enough to tell what follows
-  static_assert((Pad + Capacity) % 4 == 0, "so does the other frame's payload");
+  static constexpr int Pad = 3;  // before a frame: its payload then stands at a word
+  // A frame, its tail, and enough to tell what follows; so many that the other frame's payload stands at a word, too.
+  static constexpr int Capacity = (Pad + Format::Size + LongestTail + 10) / 4 * 4 - Pad;
   static constexpr uint8_t Nowhere = 0xFF, NoPause = 0xFF;
+
+  static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
   // What judge() says; else how many characters further on a frame may begin.
   enum : int { Deliver = -1, Wait = 0 };
@@ -91,6 +103,7 @@ class FrameFinder {
   bool isUsual() const;
   bool scan();
   bool find();
+  bool takesExtra();
   int firstHeader(int from) const;
   uint8_t kindAt(int start);
   int judge(int start, uint8_t kind);
@@ -98,6 +111,10 @@ class FrameFinder {
   const uint8_t *deliver();
   void skip(int count);
   void drop(int count);
+  static uint8_t kindOf(uint8_t end) {
+    const uint8_t kind = kindOfEnd(end);
+    return Format::Kinds == UnknownKind || kind < Format::Kinds ? kind : UnknownKind;
+  }
   bool isHeader(int index) const { return _incoming[index] == HeaderByte; }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
@@ -109,18 +126,22 @@ class FrameFinder {
   uint8_t _filled;      // bytes in _incoming
   uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
   uint8_t _refused;     // headers refused in this poll
+  bool _isOther;        // while the kind is unknown: frames of the other size have been seen
   uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
   uint8_t *_incoming = _frames[1] + Pad;
   uint8_t *_complete = _frames[0] + Pad;
-  uint32_t _quiet;      // us before the last poll
+  uint32_t _quiet;  // us before the last poll
   uint32_t _frameTime = 0;
   Counters _counters;
   alignas(4) uint8_t _frames[2][Pad + Capacity];
+  uint8_t _extra[Format::HasExtra ? FrameSize : 1];
+  uint32_t _extraTime;
 };
 
 // Here, as received(): with no call most polls cost some 100 cycles a frame less.
-inline void FrameFinder::poll(unsigned found, uint32_t now) {
+template <typename Format>
+inline void FrameFinderOf<Format>::poll(unsigned found, uint32_t now) {
   const uint32_t quiet = _pauses.quiet(now);
   if (quiet == 0) {
     return;  // it is still the same poll
@@ -135,5 +156,8 @@ inline void FrameFinder::poll(unsigned found, uint32_t now) {
     learn(found, quiet);
   }
 }
+
+/// Of 16 channels, as nearly all receivers send them.
+using FrameFinder = FrameFinderOf<Frame16>;
 
 }  // namespace sbus

@@ -53,8 +53,11 @@ class Link {
     const uint32_t before = _agedTime == time ? _age : 0;
     _agedTime = time;
     _age = now - time >= before ? now - time : UINT32_MAX;
-    return _age >= _timeout * 1000UL && _timeout != 0 && seen() ? LinkState::Stale : _state;
+    return isStale(_age) && seen() ? LinkState::Stale : _state;
   }
+
+  /// True if a frame of this age, in us, is as old as the timeout.
+  bool isStale(uint32_t age) const { return age >= _timeout * 1000UL && _timeout != 0; }
 
   /// Age of the newest frame in us when state() was called last; UINT32_MAX once the clock has wrapped. Of no meaning
   /// before the first.

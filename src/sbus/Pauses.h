@@ -6,15 +6,12 @@
 
 namespace sbus {
 
-/// Characters that a port may hand over at once; SBusPort.h sees to it.
-constexpr unsigned LargestBurst = 16;
-
 /// Here a character lasts 255 us, the longest that Pauses knows. S.Bus is faster.
 constexpr unsigned long SlowestBaud = 47059;
 
 /// A port hands bytes over late and in bursts: on the Grasshopper when 16 have come, or when the line has been idle for
-/// one character. A loop() then polls it once a loop period. So without a pause on the line the time between two polls
-/// that find bytes is no longer than
+/// one character. No port that begin() opens has longer ones (SBusPort.h). A loop() then polls it once a loop period.
+/// So without a pause on the line the time between two polls that find bytes is no longer than
 ///
 ///     a burst lasts          +  a loop period:  if it is, there was a pause; nor longer than
 ///     the bytes found last   +  a loop period:  if it is, there was a pause, too.
@@ -71,7 +68,7 @@ class Pauses {
 
  private:
   static constexpr unsigned AssumedPeriod = 4000;  // us: of a loop() whose period is not known
-  static constexpr unsigned BurstSize = LargestBurst + 1;  // characters: with the idle one
+  static constexpr unsigned BurstSize = 17;        // characters: 16 of the Grasshopper's burst, and the idle one
   static constexpr unsigned HalfBurst = 8;         // characters: ports hand over 8 or 16 of them
   static constexpr unsigned Tolerance = 8;         // loop periods differ by an eighth, and some characters may be lost
   static constexpr unsigned LongestPeriod = 8000;  // us: some more than the 5 ms that DecodeSBus.h asks for

@@ -8,7 +8,7 @@ namespace {
 // A pause is seen as such if it is longer than a loop period and what the driver holds back.
 const std::vector<Setup> Seen = {
     {6000, 50},    {7000, 50},       {14000, 50},        {9000, 3000, Board, 256},
-    {15000, 3000}, {9000, 50, ByteByByte}, {9000, 1000, Fifo}};
+    {15000, 3000}, {9000, 50, ByteByByte}, {9000, 1000, Fifo}, {9000, 50, Esp32Told, 256}, {14000, 3000, Esp32Told, 256}};
 // Each poll finds a whole frame, so nobody tells a pause from a slow loop.
 const std::vector<Setup> WholeFrames = {{9000, 50, Esp32, 256}, {14000, 3000, Esp32, 256}, {9000, 3000, Esp32, 64},
                                         {14000, 5000, Esp32, 256}};
@@ -18,7 +18,8 @@ const std::vector<Setup> InStepBytes = {{4000, 2000, ByteByByte}, {4000, 4000, B
                                         {7000, 3500, ByteByByte}, {9000, 3000, ByteByByte}, {9000, 4500, ByteByByte}};
 const std::vector<Setup> Buffers = {{9000, 50, ByteByByte, 31},   {9000, 3000, Board, 31}, {9000, 1000, Fifo, 63},
                                     {9000, 3000, ByteByByte, 63}, {9000, 3000, Fifo, 512}};
-const std::vector<Setup> JoinSeen = {{7000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte}};
+const std::vector<Setup> JoinSeen = {
+    {7000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte}, {9000, 1000, Esp32Told, 256}};
 const std::vector<Setup> Telemetry = {{9000, 50}, {9000, 3000}, {15000, 50}, {15000, 5000}};
 const std::vector<Setup> Telemetry15 = {
     {15000, 5000}, {15000, 5000, ByteByByte}, {15000, 5000, Fifo}, {15000, 5000, Esp32, 256}};
@@ -26,12 +27,15 @@ const std::vector<Setup> LongTail = {{6000, 50}, {9000, 50}, {9000, 3000}, {1500
 const std::vector<Setup> With2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
 const std::vector<Setup> Channels24 = {
     {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, ByteByByte}, {9000, 50, Esp32, 256}};
+const std::vector<Setup> Channels24Fast = {{7000, 50},   {7000, 1000},             {7000, 50, ByteByByte},
+                                           {9000, 1000}, {9000, 1000, ByteByByte}, {14000, 50, ByteByByte}};
 const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, ByteByByte},
                                  {9000, 5000, Fifo},  {14000, 5000}};
 const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
 const std::vector<Setup> SlowerLarge = {
     {4000, 20000, Board, 256}, {9000, 20000, ByteByByte, 512}, {9000, 20000, Esp32, 256}};
-const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo}};
+const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo},
+                                    {9000, 50, Esp32Told, 256}};
 const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, ByteByByte, 256}, {14000, 50, Fifo, 256}};
 
 // For Fast S.Bus half of these, and what FrSky's ACCESS receivers send, 4 to 9 ms.
@@ -180,6 +184,8 @@ const std::vector<Condition> &conditions() {
       {"R7003SB, dropped 1/300", dropped(1 / 300., Kind::R7003SB), LongTail, Usual, {1e-3, 2e-4, Splices}},
       {"24 channels, resting", of(Kind::Channels24), Channels24, None, None, Resting},
       {"24 channels, moving", of(Kind::Channels24), Channels24, {0, 0.001, Remains}, None, Moving},
+      {"24 channels, resting, quick loops", of(Kind::Channels24), Channels24Fast, None, None, Resting},
+      {"24 channels, moving, quick loops", of(Kind::Channels24), Channels24Fast, None, None, Moving},
       {"24 channels, resting, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.02, Remains},
        {0, 0.02, Remains}, Resting},
       {"24 channels, moving, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.006, Remains}, None,

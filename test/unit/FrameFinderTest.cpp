@@ -119,7 +119,6 @@ TEST_CASE("each cause of refusal has its counter, and what belongs to no frame i
       {"a byte too many: CH16 stands at the flags", with(plainFrame(5), 7, 0xA5), 0, 1, 0},
       {"another kind of end byte, and then noise", bytesOf(plainFrame(5, 0x04)) + Bytes{0xA5}, 0, 0, 1},
       {"36 bytes without an end at 24", part(plainFrame(5), 0, 23) + Bytes(13, 0x20), 1, 0, 0},
-      {"header 2F is no header at all", bytesOf(withByte(plainFrame(5), 0, 0x2F)), 0, 0, 0},
       {"noise", Bytes(10, 0xA5), 0, 0, 0},
   };
   for (const auto &row : rows) {

@@ -123,7 +123,7 @@ TEST_CASE("innerHeader finds a header after the frame's own end byte, telemetry 
       frame[0] = 0x0F;
       frame[24] = static_cast<uint8_t>(row.end);
       frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
-      CHECK(sbus::innerHeader(frame.data(), static_cast<uint8_t>(row.endMask)) ==
+      CHECK(sbus::innerHeader(frame.data(), 25, static_cast<uint8_t>(row.endMask)) ==
             (row.found ? static_cast<int>(index) : 25));
     }
   }

@@ -233,7 +233,7 @@ TEST_CASE("every frame from the third on is delivered, in order, and nothing ove
         CHECK(delivered.numbers == (Hears || opening.byHand ? fromThird(Frames, delivered.numbers) : Numbers{}));
         CHECK(delivered.wrong == 0);
         CHECK(dSBus.counters().overflows == 0);
-        CHECK((opening.byHand || SBUS_PORT.uart.burst() <= sbus::LargestBurst));
+        CHECK((opening.byHand || SBUS_PORT.uart.burst() <= 16));
         CHECK((world.crashes == 0) == (Core.takes8E2 || opening.byHand));
       }
     }

@@ -170,9 +170,9 @@ Expected::Expected(const std::vector<line::Character> &characters) {
 std::string Expected::wrong(uint64_t us, const Numbers &found, const Rule &rule, double tolerance) const {
   const auto isLater = [](uint64_t time, const SeenFrame &frame) { return time < frame.us; };
   const auto later = std::upper_bound(_frames.begin() + 2, _frames.end(), us, isLater);
-  const uint64_t age = us - later[-1].us;
   std::string mistake = std::to_string(us) + " us: " + text(found) + ", expected";
   for (SeenFrame frame : {later[-1], later[-2]}) {
+    const uint64_t age = us - frame.us;
     for (const bool stale : {false, true}) {
       if (stale ? age >= TimeoutUs : age < TimeoutUs + BusyUs) {
         frame.stale = stale;

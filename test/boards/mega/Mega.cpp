@@ -155,9 +155,9 @@ void Mega::control(size_t number, uint32_t value) {
     _usarts[number]->cycles_per_byte = now.format.bits() * (_avr->frequency / now.baud);
   }
   if (number == 1) {
-    const bool wasOpen = _isOpen;
+    const bool asBefore = _isOpen && settings(1) == _settings;
     _isOpen = (value & ReceiverOn) != 0;
-    if (_isOpen && !wasOpen) {
+    if (_isOpen && !asBefore) {
       open();
     }
   }
@@ -165,7 +165,8 @@ void Mega::control(size_t number, uint32_t value) {
 
 void Mega::open() {
   const uint64_t us = clockUs(_avr->cycle);
-  _sampler.open(us, settings(1), {});
+  _settings = settings(1);
+  _sampler.open(us, _settings, {});
   _received.clear();
   showReceived();
   if (_opened.empty()) {
@@ -250,9 +251,10 @@ void Mega::send(size_t number, uint8_t byte) {
   if (!isRight) {
     _mismatch[number] = "sends with " + text(settings(number));
   }
-  if (number == 2) {
+  if (number != 0) {
     _sent.push_back({us, byte});
-  } else if (number == 1) {
+  }
+  if (number == 1) {
     line::Character character;
     _wireUs = std::max(us + 1, _wireUs) + line::CharacterUs;  // rounded up: then it really is through
     character.endUs = _wireUs;

@@ -51,7 +51,7 @@ class Mega {
   const std::vector<line::Character> &characters() const { return _characters; }  // on the line
   const std::vector<uint64_t> &opened() const { return _opened; }                 // when Serial1 was
   const std::vector<Printed> &printed() const { return _printed; }                // lines on Serial, without their ends
-  const std::vector<Sent> &sent() const { return _sent; }                         // on Serial2
+  const std::vector<Sent> &sent() const { return _sent; }                         // on Serial1 and Serial2
   const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }     // 0..3: the pins 2..5
   std::vector<uint8_t> eeprom() const;
 
@@ -90,6 +90,7 @@ class Mega {
   line::UartSampler _sampler;
   std::deque<line::Character> _received;  // and not yet read
   bool _isOpen = false;
+  line::LineSettings _settings;  // then
   avr_cycle_count_t _rose[4] = {};
   Printed _row{};  // printed so far
 

@@ -1,0 +1,131 @@
+// DecodeSBusOf, for the two files that compile it: in one file the compiler would take less of it in line.
+#include "DecodeSBus.h"
+
+namespace {
+
+// A frame has come, and within the timeout.
+inline bool isYoung(sbus::LinkState state) {
+  return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
+}
+
+// A compiler barrier: what parseSBusFrame() writes may change at any instruction. (clang moves reads past
+// __atomic_signal_fence(). A macro, because -Os makes a call of an inline function.)
+#define READ_ANEW() __asm__ volatile("" ::: "memory")
+
+}  // namespace
+
+// In line twice: most sketches call only one of the two.
+template <typename Format>
+__attribute__((always_inline)) inline void DecodeSBusOf<Format>::forget(unsigned long baud) {
+  const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
+  _finder.reset(micros(), static_cast<uint8_t>(us));
+  _link.reset();
+  _decoded = 0;
+  _staleExtra = 0;
+}
+
+template <typename Format>
+void DecodeSBusOf<Format>::begin(unsigned long baud, uint32_t config) {
+  _port.open(baud, config);
+  forget(baud);
+}
+
+template <typename Format>
+void DecodeSBusOf<Format>::listen(unsigned long baud) {
+  forget(baud);
+}
+
+template <typename Format>
+void DecodeSBusOf<Format>::end() {
+  _port.close();
+}
+
+// Takes in what waits now and no more: what comes meanwhile may stand after a break, and is there at the next call.
+// Never asks the port for more than it has: the STM32L0's would then write past the end of what it is given.
+template <typename Format>
+void DecodeSBusOf<Format>::parseSBusFrame() {
+  const uint32_t now = micros();
+  const int found = _port.available();
+  if (found <= 0) {
+    return;
+  }
+  _finder.poll(static_cast<unsigned>(found), now);
+  for (int waiting = found; waiting > 0;) {
+    const int room = _finder.room();
+    const int count = _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
+    if (count <= 0) {
+      return;  // a port that fails
+    }
+    waiting -= count;
+    if (const uint8_t *const frame = _finder.received(count)) {
+      _link.frame(frame[Format::Size - 2]);
+    }
+  }
+  // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
+  // has come stands before the break or after it: nobody knows.
+  if (static_cast<unsigned>(found) > _port.half()) {
+    int more = _port.available();
+    if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
+      _finder.broken();
+      while (--more >= 0) {
+        _port.drop();
+      }
+    }
+  }
+}
+
+// A frame that comes in between is younger than the clock that was read: then everything is read again.
+template <typename Format>
+sbus::LinkState DecodeSBusOf<Format>::linkState() {
+  for (;;) {
+    const uint32_t time = _finder.frameTime();
+    READ_ANEW();
+    const sbus::LinkState state = _link.state(time, micros());
+    READ_ANEW();
+    if (time == _finder.frameTime()) {
+      return state;
+    }
+  }
+}
+
+template <typename Format>
+bool DecodeSBusOf<Format>::SBusFrameOk() {
+  return isYoung(linkState());
+}
+
+template <typename Format>
+unsigned long DecodeSBusOf<Format>::frameAge() {
+  return linkState() == sbus::LinkState::NeverSeen ? ULONG_MAX : _link.age() / 1000;
+}
+
+template <typename Format>
+void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
+  if (!isYoung(linkState())) {
+    failsafe = true;
+    lostFrame = true;
+    return;
+  }
+  // A frame that completes meanwhile moves the one being read to where the next comes in: then read the newer one.
+  uint32_t number;
+  do {
+    number = _finder.counters().frames;
+    READ_ANEW();
+    const uint8_t *const frame = _finder.newest();
+    Format::unpack(frame, channels);
+    lostFrame = (frame[Format::Size - 2] & sbus::FlagLostFrame) != 0;
+    failsafe = _link.givenUp();
+    READ_ANEW();
+  } while (number != _finder.counters().frames);
+  _decoded = number;
+}
+
+// Member by member: of a whole class nothing would be compiled in line.
+#define SBUS_COMPILE_DECODER(Format)                                               \
+  template void DecodeSBusOf<Format>::begin(unsigned long, uint32_t);              \
+  template void DecodeSBusOf<Format>::listen(unsigned long);                       \
+  template void DecodeSBusOf<Format>::end();                                       \
+  template void DecodeSBusOf<Format>::parseSBusFrame();                            \
+  template bool DecodeSBusOf<Format>::SBusFrameOk();                               \
+  template void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t[], bool &, bool &); \
+  template sbus::LinkState DecodeSBusOf<Format>::linkState();                      \
+  template unsigned long DecodeSBusOf<Format>::frameAge();

@@ -1,0 +1,3 @@
+#include "FrameFinder.tpp"
+
+SBUS_COMPILE_FINDER(sbus::Frame24)
