@@ -15,7 +15,7 @@ out=$BUILD/size
 common="-Os -std=gnu++11 -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections"
 # What a core calls, by the names that C and C++ give it.
 roots=$(for name in setup loop serialEvent1; do echo ",--undefined=$name,--undefined=_Z${#name}${name}v"; done | tr -d '\n')
-linking="-nostdlib -Wl,--gc-sections,--unresolved-symbols=ignore-all,--entry=0$roots"
+linking="-nostdlib -Wl,--gc-sections,--entry=0$roots"
 
 # shellcheck disable=SC2086  # the flags are words
 avr() {
@@ -30,14 +30,23 @@ arm() {
 }
 
 # program CHIP PROGRAM LIBRARIES WHAT...: WHAT, a source and its flags, with ours and what is needed of these
+#
+# What the core and the C library would bring is an empty function here. (GNU ld 2.44 for ARM refuses to pass over it.)
 # shellcheck disable=SC2086
 program() {
   chip=$1
   program=$2
   needed=$3
   shift 3
-  $chip $linking "$out/$chip"/*.o "$@" -x none $needed -o "$program"
+  $chip -r -nostdlib "$out/$chip"/*.o "$@" -x none $needed -o "$program.o"
+  undefined "$program.o" | while read -r symbol; do
+    [ "$chip" = avr ] || echo ".thumb_func"
+    printf '.global %s\n.type %s, %%function\n%s:\n' "$symbol" "$symbol" "$symbol"
+  done >"$program.s"
+  $chip $linking "$out/$chip"/*.o "$@" -x assembler "$program.s" -x none $needed -o "$program"
 }
+
+undefined() { case $1 in */avr-*) avr-nm -u "$1" ;; *) arm-none-eabi-nm -u "$1" ;; esac | sed -n 's/^ *U //p'; }
 
 # flash PROGRAM, ram PROGRAM
 sections() { case $1 in */avr-* | */mega/*) avr-size -A "$1" ;; *) arm-none-eabi-size -A "$1" ;; esac; }
