@@ -23,7 +23,7 @@ SOURCES := $(wildcard $(SRC)/*.cpp)
 SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
 # Of the host: how its board receives and sends.
-HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp
+HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp board/PortWatch.cpp
 LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))

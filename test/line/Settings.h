@@ -13,7 +13,7 @@ inline uint64_t setting(const char *name, uint64_t otherwise, uint64_t least = 0
   }
   char *end = nullptr;
   const uint64_t value = std::strtoull(text, &end, 10);
-  if (*text == '-' || *end != 0 || value < least) {
+  if (*text < '0' || *text > '9' || *end != 0 || value < least || value == UINT64_MAX) {
     std::fprintf(stderr, "%s=%s: a number is expected, %u or more\n", name, text, static_cast<unsigned>(least));
     std::exit(2);
   }

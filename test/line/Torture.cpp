@@ -4,7 +4,6 @@
 //   ONLY=x      only the lines whose name has x in it
 //   FULL=1      one row for each line, setup and kind of sticks
 //   SUMMARY=1   only the receiver, sums only, FRAMES=1000 unless told
-#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -126,6 +125,10 @@ int main() {
     printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "altered, handed over",
                   "the paper's: missed per damaged", "wrong"});
   }
-  std::for_each(chosen.begin(), chosen.end(), summary ? printSum : full ? printAll : printWorst);
+  size_t number = 0;
+  for (const Condition &condition : chosen) {
+    std::fprintf(stderr, "%zu of %zu: %s\n", ++number, chosen.size(), condition.name.c_str());
+    (summary ? printSum : full ? printAll : printWorst)(condition);
+  }
   return 0;
 }

@@ -30,7 +30,7 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
   const line::Source &source = options.source;
   std::unique_ptr<line::Line> line = source.open();
   std::fprintf(stderr, "Serial%d: %s", options.on, source.text().c_str());
-  if (source.recording.empty()) {
+  if (options.seconds > 0 && source.recording.empty()) {
     std::fprintf(stderr, ", %g s; Ctrl-C stops it\n", options.seconds);
   } else {
     std::fprintf(stderr, "; Ctrl-C stops it\n");

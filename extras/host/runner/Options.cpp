@@ -134,7 +134,7 @@ Options parseOptions(int argc, char **argv) {
       ->check(CLI::Range(1, 1000000).description(""))
       ->type_name("N");
   app.add_option("--start-ms", options.startMs, "what millis() starts from (0)")->type_name("N");
-  app.add_flag("--pty", options.pty, "offer the sketch's Serial on a pseudo-terminal as well");
+  app.add_flag("--pty", options.pty, "offer the sketch's Serial on a pseudo-terminal as well: wait for its reader, and run until Ctrl-C");
 
   try {
     app.parse(argc, argv);
@@ -148,7 +148,7 @@ Options parseOptions(int argc, char **argv) {
   } catch (const CLI::ParseError &error) {
     std::exit(app.exit(error));
   }
-  if (options.seconds == 0 && options.source.recording.empty() && options.port.empty()) {
+  if (options.seconds == 0 && options.source.recording.empty() && options.port.empty() && !options.pty) {
     options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // once
   }
   return options;

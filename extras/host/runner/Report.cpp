@@ -135,6 +135,16 @@ void reportOutput(const SketchOutput &output) {
   std::fputc('\n', stderr);
 }
 
+// Most sketches print a few times a second, and only while the link is fresh.
+void reportShortRecording(Board &board, const Options &options) {
+  constexpr uint64_t ShortUs = 1000000;
+  if (!options.source.recording.empty() && board.output().columns().lines() == 0 && board.clock().nowUs() < ShortUs) {
+    std::fprintf(stderr,
+                 "the recording is too short for this sketch: it prints now and then, and only of a link that is there. "
+                 "Record a second or more\n");
+  }
+}
+
 }  // namespace
 
 void printReport(Board &board, const Options &options) {
@@ -154,6 +164,7 @@ void printReport(Board &board, const Options &options) {
   reportSenders(board, options);
   reportServos(board.servoPins());
   reportOutput(board.output());
+  reportShortRecording(board, options);
 }
 
 }  // namespace host

@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "MakeLine.h"
@@ -16,6 +19,7 @@
 #include "Report.h"
 #include "Uart.h"
 #include "board/Board.h"
+#include "board/PortWatch.h"
 
 void setup();
 void loop();
@@ -97,6 +101,18 @@ void runSerialEvents() {
   }
 }
 
+// A simulated or recorded line begins when somebody reads; a real one does not wait.
+void waitForReader(const line::PseudoTerminal &terminal) {
+  std::fprintf(stderr, "waiting until a program opens %s; Ctrl-C stops it\n", terminal.name().c_str());
+  while (!terminal.hasReader()) {
+    if (stopRequested != 0) {
+      std::exit(EXIT_SUCCESS);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::fprintf(stderr, "it is open: the sketch starts\n");
+}
+
 // Standard input and output, and the pseudo-terminal, as the sketch's Serial.
 void prepareUsb(Board &board, const Options &options) {
   board.output().setLineByLine(!options.simulatedTime);
@@ -104,6 +120,9 @@ void prepareUsb(Board &board, const Options &options) {
   if (options.pty) {
     auto terminal = std::make_unique<line::PseudoTerminal>();
     std::fprintf(stderr, "Serial (USB) is on %s as well\n", terminal->name().c_str());
+    if (options.port.empty()) {
+      waitForReader(*terminal);
+    }
     board.input().attach(*terminal);
     board.output().attach(std::move(terminal));
   }
@@ -123,7 +142,7 @@ void connectWires(Board &board, const Options &options) {
   for (const WireOption &wire : options.wires) {
     board.connect(wire.from, wire.to);
     std::fprintf(stderr, "Serial%d: its RX is wired to TX of Serial%d", wire.to, wire.from);
-    if (options.on == 0) {
+    if (options.on == 0 && options.seconds > 0) {
       std::fprintf(stderr, ", %g s; Ctrl-C stops it", options.seconds);
     }
     std::fputc('\n', stderr);
@@ -134,13 +153,20 @@ void connectWires(Board &board, const Options &options) {
   Board &board = Board::instance();
   prepareFiles(board, options);
   const std::unique_ptr<line::Line> line = makeLine(options);
-  prepareUsb(board, options);
   connectWires(board, options);
+  prepareUsb(board, options);
   if (options.on != 0) {
     board.port(options.on).attach(*line, options.source.settings);
   }
   Ending ending(options, *line);
-  board.onTime([&ending](uint64_t nowUs) { ending.check(nowUs); });
+  PortWatch watch(options.port, board.port(std::max(options.on, 1)).monitor());
+  board.onTime([&ending, &watch](uint64_t nowUs) {
+    const std::string amiss = watch.check(nowUs);
+    if (!amiss.empty()) {
+      std::fprintf(stderr, "%s\n", amiss.c_str());
+    }
+    ending.check(nowUs);
+  });
   board.setClock(Clock(options.simulatedTime ? Clock::Pace::Simulated : Clock::Pace::Real, options.startMs));
 
   setup();

@@ -48,10 +48,13 @@ PseudoTerminal::~PseudoTerminal() {
   close(_handle);
 }
 
-void PseudoTerminal::write(const uint8_t *bytes, size_t size) {
+bool PseudoTerminal::hasReader() const {
   pollfd state = {_handle, POLLOUT, 0};
-  const bool someoneListens = poll(&state, 1, 0) == 1 && (state.revents & POLLHUP) == 0;
-  if (someoneListens && ::write(_handle, bytes, size) < 0) {
+  return poll(&state, 1, 0) == 1 && (state.revents & POLLHUP) == 0;
+}
+
+void PseudoTerminal::write(const uint8_t *bytes, size_t size) {
+  if (hasReader() && ::write(_handle, bytes, size) < 0) {
     return;  // full, or the reader has just gone: the bytes are lost
   }
 }

@@ -16,6 +16,8 @@ class PseudoTerminal {
 
   const std::string &name() const { return _name; }  // what a reader opens
 
+  bool hasReader() const;
+
   // Never waits: what nobody reads is lost, as it is on the board's USB.
   void write(const uint8_t *bytes, size_t size);
 

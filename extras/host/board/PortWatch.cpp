@@ -1,0 +1,27 @@
+#include "PortWatch.h"
+
+namespace host {
+
+std::string PortWatch::check(uint64_t nowUs) {
+  if (_device.empty() || nowUs < _nextUs) {
+    return {};
+  }
+  const bool first = _nextUs == 0;
+  const bool characters = _monitor.characters() != _characters;
+  const bool frames = _monitor.counters().frames != _frames;
+  _nextUs = nowUs + PeriodUs;
+  _characters = _monitor.characters();
+  _frames = _monitor.counters().frames;
+  if (first) {
+    return "waiting for frames from " + _device;
+  }
+  const std::string time = std::to_string(nowUs / 1000000) + " s: ";
+  if (!characters) {
+    return time + "nothing comes from " + _device +
+           ". Is it the right port, the receiver powered and bound, S-BUS_OUT at RXD, GND at GND?";
+  }
+  return frames ? "" : time + "no frames in what comes from " + _device +
+                           ". Is the adapter's RXD inverted? See extras/docs/ftdi.md";
+}
+
+}  // namespace host
