@@ -31,7 +31,8 @@ arm() {
 
 # program CHIP PROGRAM LIBRARIES WHAT...: WHAT, a source and its flags, with ours and what is needed of these
 #
-# What the core and the C library would bring is an empty function here. (GNU ld 2.44 for ARM refuses to pass over it.)
+# What the core and the C library would bring is an empty function here (but what avr-ld's script defines). GNU ld 2.44 for
+# ARM refuses to pass over it.
 # shellcheck disable=SC2086
 program() {
   chip=$1
@@ -46,7 +47,7 @@ program() {
   $chip $linking "$out/$chip"/*.o "$@" -x assembler "$program.s" -x none $needed -o "$program"
 }
 
-undefined() { case $1 in */avr-*) avr-nm -u "$1" ;; *) arm-none-eabi-nm -u "$1" ;; esac | sed -n 's/^ *U //p'; }
+undefined() { case $1 in */avr-*) avr-nm -u "$1" ;; *) arm-none-eabi-nm -u "$1" ;; esac | sed -n '/__data_load/d;s/^ *U //p'; }
 
 # flash PROGRAM, ram PROGRAM
 sections() { case $1 in */avr-* | */mega/*) avr-size -A "$1" ;; *) arm-none-eabi-size -A "$1" ;; esac; }
