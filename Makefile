@@ -1,11 +1,18 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
 
+.DEFAULT_GOAL := help
+
+.PHONY: zip release
+zip:
+	@sh extras/setup/zip.sh
+release:
+	@sh extras/setup/release.sh '$(VERSION)' '$(URL)'
+
 # make knows no names with spaces. In a folder that has one the work is done in a copy whose name has none; what is built
 # lands in build/ here all the same.
 ifneq ($(words $(CURDIR)),1)
 copy := /tmp/DecodeSBus-$(shell id -u)-$(shell pwd | cksum | cut -d' ' -f1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
-.DEFAULT_GOAL := help
 Makefile: ;
 %::
 	@mkdir -p build '$(copy)'
@@ -33,6 +40,8 @@ help:
 	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
 	@echo "make figures  writes the tables of extras/docs/measured.md anew (torture, size, bench); some minutes"
 	@echo "make docs   the API reference, build/docs/html/index.html"
+	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
+	@echo "make release VERSION=x.y.z URL=https://...  sets both, dates CHANGELOG.md, says what is left to do"
 	@echo "make clean  removes build/"
 
 SKETCH ?= examples/DecodeSBus
@@ -51,7 +60,7 @@ ARM := gcc-arm-none-eabi libnewlib-arm-none-eabi
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  $(AVR) libsimavr-dev $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
+	  git unzip $(AVR) libsimavr-dev $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

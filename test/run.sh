@@ -26,6 +26,7 @@ bench            what the library costs
 table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
+package          the ZIP, and a release
 captures         recordings of real receivers
 figures          the figures of measured.md'
 quick='unit-g++         unit tests, g++
@@ -95,6 +96,7 @@ step_captures() {
 }
 
 step_rules() { line/without.sh check; }
+step_package() { ./package.sh; }
 step_fuzz() { ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
 step_boards() { boards/"$1"/run.sh; }

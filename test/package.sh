@@ -1,0 +1,83 @@
+#!/bin/sh
+# What users get, made in a scratch repository: the ZIP of `make zip`, and the changes of `make release`. Says "ok ..." or
+# "FAILED ...".
+# BUILD: an absolute folder for what is built.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+out=${BUILD:-$PWD/build/test}/package
+host=$PWD/extras/host
+scratch="$out/a clone"  # a folder with a space
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok package: $2"; else echo "FAILED package: $2"; fi
+}
+
+printf '\npackage: the ZIP, and a release\n'
+command -v git >/dev/null && command -v unzip >/dev/null || { echo "skipped package: needs git and unzip"; exit; }
+rm -rf "$out"
+mkdir -p "$scratch"
+tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$scratch"
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
+unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE MAKEFLAGS MAKELEVEL
+git() { command git -C "$scratch" -c user.name=Test -c user.email=test@localhost "$@"; }
+git init -q && git add -A && git commit -q -m Test || { verdict 1 "a scratch repository"; exit; }
+version=$(sed -n 's/^version=//p' library.properties)
+
+made=$(make -s -C "$scratch" zip)
+[ "$made" = "build/DecodeSBus-$version.zip" ] && unzip -q "$scratch/$made" -d "$out/libraries"
+verdict $? "make zip writes build/DecodeSBus-$version.zip, and it unzips"
+library=$out/libraries/DecodeSBus
+[ "$(ls "$out/libraries")" = DecodeSBus ] &&
+  [ "$(ls "$library" | tr '\n' ' ')" = "CHANGELOG.md LICENSE README.md examples extras keywords.txt library.json library.properties src " ] &&
+  [ "$(ls "$library/extras")" = docs ]
+verdict $? "one folder, and in it what a library has"
+failed=0
+for source in "$library"/src/*.cpp "$library"/src/sbus/*.cpp "$library"/examples/DecodeSBus/DecodeSBus.ino; do
+  g++ -std=gnu++11 -fsyntax-only -DARDUINO=10819 -I"$library/src" -I"$host/arduino" -I"$host/standin" \
+    -x c++ -include Arduino.h "$source" || failed=1
+done
+verdict $failed "the library and the first example compile from it"
+
+# refused WHAT VERSION URL: a release that is refused, with one line, and nothing is changed
+refused() {
+  what=$1
+  git status --porcelain >"$out/before"
+  make -s -C "$scratch" release VERSION="$2" URL="$3" >"$out/refused" 2>&1
+  status=$?
+  git status --porcelain >"$out/after"
+  [ $status -ne 0 ] && [ "$(grep -vc '^make' "$out/refused")" -eq 1 ] && cmp "$out/before" "$out/after"
+  verdict $? "a release is refused: $what"
+}
+
+url=https://github.com/somebody/DecodeSBus
+for wrong in '' 1 1.2 1.2.3.4 v1.2.3 1.2.x 01.2.3 1.2.3-rc1 "$version" 0.0.9; do
+  refused "VERSION=$wrong" "$wrong" $url
+done
+for wrong in '' github.com/somebody/DecodeSBus http://github.com/somebody 'https://a.b/&' https://decodesbus.example/'|'; do
+  refused "URL=$wrong" 9.9.9 "$wrong"
+done
+touch "$scratch/src/new.h"
+refused "a file that git does not know" 9.9.9 $url
+rm "$scratch/src/new.h"
+echo >>"$scratch/README.md"
+refused "a file that has changed" 9.9.9 $url
+git checkout -q README.md
+
+release() {  # VERSION
+  make -s -C "$scratch" release VERSION="$1" URL=$url >"$out/release" 2>&1 &&
+    grep -qx "version=$1" "$scratch/library.properties" && grep -qx "url=$url" "$scratch/library.properties" &&
+    [ "$(grep -c "\"version\": \"$1\",\$" "$scratch/library.json")" -eq 1 ] &&
+    [ "$(grep -c "\"homepage\": \"$url\",\$" "$scratch/library.json")" -eq 1 ] &&
+    grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
+    [ "$(git status --porcelain | tr -d '\n')" = " M CHANGELOG.md M library.json M library.properties" ] &&
+    grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release"
+}
+release 9.9.9
+verdict $? "make release sets version, address and the changelog's heading, and says what is left"
+git commit -q -a -m Release
+refused "nothing is unreleased" 9.10.0 $url
+printf '\n## Unreleased\n\n- New.\n' >>"$scratch/CHANGELOG.md"
+git commit -q -a -m Next
+release 9.10.0
+verdict $? "9.10.0 is more than 9.9.9"
+rm -rf "$scratch"
