@@ -46,7 +46,7 @@ help:
 
 SKETCH ?= examples/DecodeSBus
 sketch_name = $(notdir $(SKETCH:/=))
-sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS)
+sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS $(if $(PTY),| sed 's/--seconds [0-9]*//'))
 
 demo:
 	@sh extras/setup/need.sh g++ libcli11-dev libserialport-dev
@@ -56,11 +56,13 @@ demo:
 
 CAPTURES ?=
 AVR := gcc-avr avr-libc arduino-core-avr
-ARM := gcc-arm-none-eabi libnewlib-arm-none-eabi
+# Debian 14 has picolibc for newlib.
+ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
+ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  git unzip $(AVR) libsimavr-dev $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
+	  git unzip $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:
@@ -80,11 +82,11 @@ size:
 	@$(MAKE) --no-print-directory -C test size
 
 bench:
-	@sh extras/setup/need.sh $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
+	@sh extras/setup/need.sh $(ARM) $(ARM_CXX) qemu-system-arm
 	@$(MAKE) --no-print-directory -C test bench
 
 figures:
-	@sh extras/setup/need.sh g++ $(AVR) $(ARM) libstdc++-arm-none-eabi-newlib qemu-system-arm
+	@sh extras/setup/need.sh g++ $(AVR) $(ARM) $(ARM_CXX) qemu-system-arm
 	@extras/docs/figures.sh
 
 docs:

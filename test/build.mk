@@ -127,7 +127,7 @@ $(OUT)/macros/%.o: $(SRC)/%.cpp compile/ArduinoMacros.h build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(BOARD) $(WARNINGS) $(DEPENDENCIES) -include compile/ArduinoMacros.h -c $< -o $@
 
-cross = $(CROSS) $(BOARD) $(WARNINGS) -Os -mcpu=cortex-m0plus -mthumb $(DEPENDENCIES) $1 -c $< -o $@
+cross = $(CROSS) $(shell ../extras/setup/arm-specs.sh) $(BOARD) $(WARNINGS) -Os -mcpu=cortex-m0plus -mthumb $(DEPENDENCIES) $1 -c $< -o $@
 $(OUT)/cross/sbus/%.o: $(SRC)/sbus/%.cpp build.mk
 	@mkdir -p $(@D)
 	$(call cross)

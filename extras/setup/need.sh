@@ -3,7 +3,8 @@
 #
 #   sh extras/setup/need.sh g++ doctest-dev ...
 #
-# Silent and quick where nothing is missing. `clang-sanitizers` stands for the run-time library of the clang at hand,
+# 'a|b' is a, or where apt has none b. 'a?' is left out with a line that says so where apt has none: the tests that need it
+# are then skipped. Silent and quick where nothing is missing. `clang-sanitizers` stands for the run-time library of the clang at hand,
 # whose package carries clang's version in its name.
 set -u
 
@@ -23,36 +24,82 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
   exit 0
 fi
 
+names() { echo "${1%\?}" | tr '|' ' '; }
+
+any_installed() {  # PACKAGE...
+  for name in "$@"; do
+    installed "$name" && return
+  done
+  return 1
+}
+
+# shellcheck disable=SC2046  # names, to be split
 missing() {
   for package in "$@"; do
     case $package in
       clang-sanitizers) clang_sanitizers ;;
-      *) installed "$package" || echo "$package" ;;
+      *) any_installed $(names "$package") || echo "$package" ;;
     esac
   done
 }
 
-install() {
+# The first of the names that apt can install, or nothing.
+first_known() {
+  for name in $(names "$1"); do
+    if [ -n "$(apt-cache madison "$name" 2>/dev/null)" ]; then
+      echo "$name"
+      return
+    fi
+  done
+}
+
+# What is to be installed for the packages given. A fresh machine has no lists yet: then apt knows nothing.
+to_install() {
+  for package in "$@"; do
+    name=$(first_known "$package")
+    case $name$package in
+      *\?) if [ -n "$name" ]; then echo "$name"; else
+        echo "apt has no $(names "$package"): what needs it is left out" >&2
+      fi ;;
+      *) echo "${name:-$(names "$package" | cut -d' ' -f1)}" ;;
+    esac
+  done
+}
+
+as_root() {
   if [ "$(id -u)" = 0 ]; then
-    as_root=
+    "$@"
   elif command -v sudo >/dev/null 2>&1; then
-    as_root=sudo
+    sudo "$@"
   else
-    echo "Missing packages, and no sudo to install them with. As root: apt-get install $*" >&2
+    echo "Missing packages, and no sudo to install them with. As root: apt-get install $list" >&2
     exit 1
   fi
+}
+
+update() { as_root apt-get update -q >&2 || exit 1; }
+
+install() {
   echo "Installing what is missing: $*" >&2
-  $as_root apt-get update -q >&2 &&
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@" >&2 || {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@" >&2 || {
     echo "That did not work. By hand: apt-get install $*" >&2
     exit 1
   }
 }
 
+[ -z "$(missing "$@")" ] && exit 0
+list=$(missing "$@")
+# Not for what apt is known to have not: nobody wants that in every run.
+# shellcheck disable=SC2086  # lists of packages, to be split
+if [ -z "$(apt-cache madison make 2>/dev/null)" ] || [ -n "$(to_install $list 2>/dev/null)" ]; then
+  update
+fi
 # Twice at the most: only an installed clang can say which run-time library it wants.
 for round in first second; do
   list=$(missing "$@")
-  [ -z "$list" ] && exit 0
-  # shellcheck disable=SC2086  # a list of packages, to be split
-  install $list
+  # shellcheck disable=SC2086
+  chosen=$(to_install $list)
+  [ -z "$chosen" ] && exit 0
+  # shellcheck disable=SC2086
+  install $chosen
 done

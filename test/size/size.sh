@@ -17,6 +17,8 @@ common="-Os -std=gnu++11 -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffun
 roots=$(for name in setup loop serialEvent1; do echo ",--undefined=$name,--undefined=_Z${#name}${name}v"; done | tr -d '\n')
 linking="-nostdlib -Wl,--gc-sections,--entry=0$roots"
 
+specs=$("$root/extras/setup/arm-specs.sh")
+
 # shellcheck disable=SC2086  # the flags are words
 avr() {
   avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR $common -w \
@@ -25,7 +27,7 @@ avr() {
 
 # shellcheck disable=SC2086
 arm() {
-  arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common \
+  arm-none-eabi-g++ $specs -mcpu=cortex-m0plus -mthumb -DARDUINO=10819 $common \
     -I"$host/arduino" -I.. -I"$root/src" -I"$host/standin" "$@"
 }
 
