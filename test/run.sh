@@ -27,6 +27,7 @@ table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
 package          the ZIP, and a release
+uses             every public function is used by a sketch
 captures         recordings of real receivers
 figures          the figures of measured.md'
 quick='unit-g++         unit tests, g++
@@ -97,6 +98,7 @@ step_captures() {
 
 step_rules() { line/without.sh check; }
 step_package() { ./package.sh; }
+step_uses() { ./uses.sh; }
 step_fuzz() { ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
 step_boards() {

@@ -66,18 +66,24 @@ to_install() {
   done
 }
 
+# shellcheck disable=SC2086  # a list of packages, to be split
 as_root() {
   if [ "$(id -u)" = 0 ]; then
     "$@"
   elif command -v sudo >/dev/null 2>&1; then
     sudo "$@"
   else
-    echo "Missing packages, and no sudo to install them with. As root: apt-get install $list" >&2
+    echo "Missing packages, and no sudo to install them with. As root: apt-get install $(to_install $list 2>/dev/null | tr '\n' ' ')" >&2
     exit 1
   fi
 }
 
-update() { as_root apt-get update -q >&2 || exit 1; }
+update() {
+  as_root apt-get update -q >&2 || {
+    echo "That did not work. By hand: apt-get update" >&2
+    exit 1
+  }
+}
 
 install() {
   echo "Installing what is missing: $*" >&2
