@@ -269,10 +269,9 @@ class Port {
 
   // Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
   // past the end of `buffer`. Returns how many there were.
-  int read(uint8_t *buffer, size_t size) { return read(_hardware, buffer, size, Choice<1>()); }
-
-  // Throws away one that waits.
-  void drop() { _stream.read(); }
+  __attribute__((always_inline)) int read(uint8_t *buffer, size_t size) {
+    return read(_hardware, buffer, size, Choice<1>());
+  }
 
   // Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
   unsigned half() const { return _half; }
@@ -299,7 +298,7 @@ class Port {
 
   // In one call, where HardwareSerial can.
   template <typename Hardware>
-  auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
+  __attribute__((always_inline)) auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
       -> decltype(static_cast<int>(port->read(buffer, size))) {
     return port != nullptr ? static_cast<int>(port->read(buffer, size)) : read(port, buffer, size, Choice<0>());
   }
