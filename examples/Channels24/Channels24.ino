@@ -1,8 +1,8 @@
 /*
   Channels24: all 24 channels of an FrSky receiver on a line.
 
-  Set the receiver to 24 channels: ETHOS has "SBUS 24" in the receiver's options, EdgeTX a switch "SBUS24". No curves?
-  It still sends 16, or is not of the series ACCESS or TD: the example Diagnose tells.
+  Set the receiver to 24 channels on the radio: in ETHOS "SBUS 24", not "SBUS 16"; in EdgeTX switch "SBUS24" on in the
+  receiver's options. Receivers of the series ACCESS and TD can do it. No numbers? The example Diagnose tells why.
 
   Wiring (Tlera Grasshopper, FrSky ACCESS or TD receiver):
     SBUS OUT -> D0 (RX1)
