@@ -13,8 +13,8 @@ uint32_t refused(const Counters &counters) {
   return counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra;
 }
 
-// In FASSTest 26 a frame with header 2F comes before each frame; the first one is never taken. So many are missing. (One
-// in a line without is noise.)
+// In FASSTest 26 a frame with header 2F comes before each frame; the first one is never taken. So many are missing.
+// (One in a line without is noise.)
 uint32_t missingExtraFrames(const Counters &counters) {
   const bool expected = counters.extraFrames > counters.frames / 2;
   return expected && counters.extraFrames + 1 < counters.frames ? counters.frames - 1 - counters.extraFrames : 0;

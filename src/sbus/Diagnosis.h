@@ -39,7 +39,7 @@ enum class Finding : uint8_t {
   AllWell,
 };
 
-/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.2 KB of RAM in a sketch
+/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.3 KB of RAM in a sketch
 /// that calls this or cure(), and nothing in others.
 const char *text(Finding finding);
 
