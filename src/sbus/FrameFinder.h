@@ -126,7 +126,7 @@ class FrameFinderOf {
   uint8_t _filled;      // bytes in _incoming
   uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
   uint8_t _refused;     // headers refused in this poll
-  bool _isOther;        // while the kind is unknown: frames of the other size have been seen
+  uint8_t _others;      // while the kind is unknown: above 0, frames of the other size have been seen
   uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
   uint8_t *_incoming = _frames[1] + Pad;

@@ -10,6 +10,7 @@ namespace {
 constexpr int MostNoise = 4;             // characters; more in a row are no noise
 constexpr int LeastBurst = 5;            // characters: so many come at once if loop() was blocked
 constexpr int FarOff = FrameSize24 + 1;  // characters skipped; more need not be known
+constexpr uint8_t LongMemory = 8;        // pauses without a frame of the other size until that is forgotten
 constexpr uint32_t LongBlock = 20000;    // us without a poll: what waited in the port is old
 
 }  // namespace
@@ -21,7 +22,7 @@ void FrameFinderOf<Format>::reset(uint32_t now, uint8_t characterTime) {
   _idleAfter = false;
   _certain = false;
   _filled = 0;
-  _isOther = false;
+  _others = 0;
   broken();
   _skipped = 0;
   _counters = Counters();
@@ -41,14 +42,17 @@ void FrameFinderOf<Format>::broken() {
 template <typename Format>
 void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
-  if (_pauseBefore) {
-    const int size = _sincePause + _filled;
-    if (size == Format::OtherSize) {
-      _counters.otherFrames++;
-      _isOther = true;
-    } else if (size == Size) {
-      _isOther = false;
-    }
+  if (!_pauseBefore) {
+    return;
+  }
+  const int size = _sincePause + _filled;  // characters between two pauses
+  if (size == Format::OtherSize) {
+    _counters.otherFrames++;
+    _others = LongMemory;
+  } else if (size == Size) {
+    _others = 0;
+  } else if (_others > 0) {
+    _others--;
   }
 }
 
@@ -186,7 +190,7 @@ __attribute__((always_inline)) inline int FrameFinderOf<Format>::judge(int start
     return 1;
   }
   // A line of longer frames, or shorter ones: a part of one, or of two, may look like a frame.
-  if (kind != _kind && _isOther) {
+  if (kind != _kind && _others > 0) {
     return 1;
   }
   // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).

@@ -39,7 +39,7 @@ TEST_CASE("the shortest time without bytes that tells a pause, half of it at 200
     for (const uint8_t characterTime : {uint8_t{120}, uint8_t{60}}) {
       const uint32_t least = characterTime == 60 ? row.fastUs : row.us;
       for (const uint32_t quietUs : {least - 1, least, uint32_t{8000}, uint32_t{200000}}) {
-        for (const uint32_t start : {0u, 0u - row.periodUs * Many}) {  // the clock wraps
+        for (const uint32_t start : {uint32_t{0}, uint32_t{0} - row.periodUs * Many}) {  // the clock wraps
           INFO(row.what, ", characterTime ", unsigned{characterTime}, ", quietUs ", quietUs, ", start ", start);
           sbus::Pauses pauses;
           pauses.reset(start, characterTime);

@@ -71,6 +71,7 @@ class Simulated : public Base {
  public:
   explicit Simulated(const sim::Facts &facts, sim::Drops drops = sim::Newest, bool wired = true)
       : uart(facts, drops, wired) {}
+  using Base::read;
   int available() override { return uart.available(); }
   int peek() override { return uart.peek(); }
   int read() override { return uart.read(); }

@@ -30,12 +30,12 @@ void Uart::open(const Settings &settings) {
   if (settings.baud == 0) {
     _open = false;
     fault(NoBaud);
-    return;
   }
   _open = true;
   _openedUs = _lastUs = world.nowUs;
   _first = _count = _filled = _position = 0;
   _settings = settings;
+  _settings.baud = std::max(settings.baud, 1ul);
 }
 
 void Uart::change(const Settings &settings) {
@@ -124,8 +124,8 @@ int Uart::read() {
 }
 
 int Uart::read(uint8_t *buffer, size_t size) {
-  if (world.beforeRead) {
-    world.beforeRead();
+  if (world.reader != nullptr) {
+    world.reader->beforeRead();
   }
   const size_t count = std::min(size, static_cast<size_t>(available()));
   for (size_t i = 0; i < count; i++) {

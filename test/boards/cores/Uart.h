@@ -46,6 +46,7 @@ class Uart {
   const Settings &settings() const { return _settings; }
   void setBuffer(size_t size) { _size = static_cast<unsigned>(size); }
   void setBurst(unsigned burst) { _burst = burst; }
+  unsigned burst() const { return _burst; }
 
   int available();
   int peek() { return available() > 0 ? _buffer[_first] : -1; }

@@ -1,7 +1,6 @@
 // What stands around the port: the time, the line, what was sent and printed.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,12 @@ struct Sent {
   uint64_t beginUs, endUs;
   uint8_t value;
   Settings settings;
+};
+
+// A library that takes in two frames in one call has finished with the first before it reads the second.
+class Reader {
+ public:
+  virtual void beforeRead() = 0;
 };
 
 struct World {
@@ -29,8 +34,7 @@ struct World {
   std::vector<Sent> sent;
   std::string printed;
   unsigned crashes = 0;
-  // A library that takes in two frames in one call has finished with the first before it reads the second.
-  std::function<void()> beforeRead;
+  Reader *reader = nullptr;
   unsigned long dropped = 0;  // bytes, because the buffer was full
 };
 

@@ -45,7 +45,7 @@ list:
 
 include $(ROOT)/extras/setup/flags.mk
 FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
-TEST := -std=gnu++17 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
+TEST := -std=gnu++14 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
 
 # $1: the core. The host's Servo.h serves all but the ESP32, which has ESP32Servo.h.
@@ -60,7 +60,7 @@ $(OUT)/$1/CoresTest.o: $(HERE)/CoresTest.cpp $(HERE)/build.mk
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
-	$(CXX) $$($1_board) $$(DEPENDENCIES) -c $$< -o $$@
+	$(CXX) $$($1_board) -O1 $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/README.o: $(OUT)/README.cpp
 	@mkdir -p $$(@D)
 	$(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g' $$<,cat $$<) | \
