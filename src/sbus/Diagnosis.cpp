@@ -130,8 +130,8 @@ Finding Diagnosis::finding() const {
     return Finding::PolledTooSeldom;
   }
   if (!framesCome) {
-    // Of 55 frames 54 are told by their size, 45 with 30 disturbances a second; at most one in a wrong setting, and 3 on
-    // a line of 16 channels with 3000.
+    // Of 55 frames 54 are told by their size, 45 with 30 disturbances a second; at most one in a wrong setting, and 3
+    // on a line of 16 channels with 3000.
     return counters.otherFrames * PeriodMax > _trial.ms ? Finding::Channels24 : Finding::NoFrames;
   }
   const uint32_t damaged = damagedFrames(counters);
