@@ -81,7 +81,7 @@ class FrameFinderOf {
   /// What was read of it is good only if that has not changed meanwhile.
   const uint8_t *extra() const { return _extra; }
 
-  /// When it was complete, in us.
+  /// Its age counts from here, in us: from the poll before the one that found what follows it. So it is never too young.
   uint32_t extraTime() const { return _extraTime; }
 
   /// What was seen since reset(); all 0 before the first byte.

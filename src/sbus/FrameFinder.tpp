@@ -129,7 +129,7 @@ inline bool FrameFinderOf<Format>::takesExtra() {
   if ((pauseAfter || isHeader(FrameSize)) && isFlagsByte(_incoming[FlagsIndex]) &&
       endsKind(_incoming[EndIndex], _kind)) {
     memcpy(_extra, _incoming, FrameSize);
-    _extraTime = _pauses.lastPoll();
+    _extraTime = _pauses.lastPoll() - _quiet;  // at the latest: what follows it came with this poll
     _counters.extraFrames++;
     _incoming += FrameSize;
     drop(FrameSize);
