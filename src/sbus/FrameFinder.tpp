@@ -118,7 +118,7 @@ inline bool FrameFinderOf<Format>::find() {
 // straight before a frame would else take that frame for its own.
 template <typename Format>
 inline bool FrameFinderOf<Format>::takesExtra() {
-  if (_incoming[0] != ExtraHeader || _kind == UnknownKind || (_skipped != 0 && _pauseAt != 0) ||
+  if (_incoming[0] != ExtraHeader || _kind == UnknownKind || (_skipped != 0 && _pauseAt > FrameSize) ||
       (_pauseAt > 0 && _pauseAt < FrameSize)) {
     return false;
   }
