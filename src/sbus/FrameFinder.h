@@ -149,11 +149,11 @@ inline void FrameFinderOf<Format>::poll(unsigned found, uint32_t now) {
   _quiet = quiet;
   _refused = 0;
   _pauseBefore = _pauses.pauseBefore(found, quiet);
-  if (_pauseBefore) {
-    _pauseAt = _filled;
-  }
   if (_kind == UnknownKind) {
     learn(found, quiet);
+  }
+  if (_pauseBefore) {
+    _pauseAt = _filled;
   }
 }
 

@@ -42,7 +42,7 @@ template <typename Format>
 void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
   if (_pauseBefore) {
-    const int size = _sincePause + _filled;
+    const int size = _pauseAt != Nowhere ? _filled - _pauseAt : _sincePause + _filled;
     if (size == Format::OtherSize) {
       _counters.otherFrames++;
       _isOther = true;
