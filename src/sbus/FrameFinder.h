@@ -91,7 +91,7 @@ class FrameFinderOf {
   static constexpr int Pad = 3;  // before a frame: its payload then stands at a word
   // A frame, its tail, and enough to tell what follows; so many that the other frame's payload stands at a word, too.
   static constexpr int Capacity = (Pad + Format::Size + LongestTail + 10) / 4 * 4 - Pad;
-  static constexpr uint8_t Nowhere = 0xFF, NoPause = 0xFF;
+  static constexpr uint8_t Nowhere = 0xFF;
 
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
@@ -127,7 +127,8 @@ class FrameFinderOf {
   uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
   uint8_t _refused;     // headers refused in this poll
   bool _isOther;        // while the kind is unknown: frames of the other size have been seen
-  uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
+  bool _onlyNoise;      // since the last frame: neither a pause nor a header
+  uint8_t _sincePause;  // while the kind is unknown: characters since a pause, or FarOff
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
   uint8_t *_incoming = _frames[1] + Pad;
   uint8_t *_complete = _frames[0] + Pad;
@@ -149,11 +150,11 @@ inline void FrameFinderOf<Format>::poll(unsigned found, uint32_t now) {
   _quiet = quiet;
   _refused = 0;
   _pauseBefore = _pauses.pauseBefore(found, quiet);
-  if (_kind == UnknownKind) {
-    learn(found, quiet);
-  }
   if (_pauseBefore) {
     _pauseAt = _filled;
+  }
+  if (_kind == UnknownKind) {
+    learn(found, quiet);
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int MostNoise = 4;             // characters; more in a row are no noise
 constexpr int LeastBurst = 5;            // characters: so many come at once if loop() was blocked
-constexpr int FarOff = FrameSize24 + 1;  // characters skipped; more need not be known
+constexpr int FarOff = FrameSize24 + 1;  // characters; more need not be known
 constexpr uint32_t LongBlock = 20000;    // us without a poll: what waited in the port is old
 
 }  // namespace
@@ -32,6 +32,7 @@ void FrameFinderOf<Format>::broken() {
   _counters.overflows++;
   _counters.skippedBytes += _filled;
   _skipped = FarOff;
+  _onlyNoise = false;
   _sincePause = FarOff;
   _filled = 0;
   _pauseAt = Nowhere;
@@ -42,14 +43,15 @@ template <typename Format>
 void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
   if (_pauseBefore) {
-    const int size = _pauseAt != Nowhere ? _filled - _pauseAt : _sincePause + _filled;
-    if (size == Format::OtherSize) {
+    if (_sincePause == Format::OtherSize) {
       _counters.otherFrames++;
       _isOther = true;
-    } else if (size == Size) {
+    } else if (_sincePause == Size) {
       _isOther = false;
     }
+    _sincePause = 0;
   }
+  _sincePause = static_cast<uint8_t>(static_cast<int>(found) < FarOff - _sincePause ? _sincePause + found : FarOff);
 }
 
 template <typename Format>
@@ -222,7 +224,7 @@ inline const uint8_t *FrameFinderOf<Format>::deliver() {
     _counters.resyncs++;
   }
   _skipped = static_cast<int8_t>(-LineKinds[_kind].tailSize);
-  _sincePause = NoPause;
+  _onlyNoise = true;
   const uint32_t time = _pauses.lastPoll() - (_quiet > LongBlock ? _quiet : 0);
   _counters.count(frame[FlagsAt], time - _frameTime);
   _frameTime = time;
@@ -235,14 +237,11 @@ void FrameFinderOf<Format>::skip(int count) {
   if (_skipped < FarOff) {
     _skipped = static_cast<int8_t>(_skipped + count);
   }
-  if (_pauseAt <= count) {
-    _sincePause = static_cast<uint8_t>(count - _pauseAt);
-  } else if (_sincePause < FarOff) {
-    _sincePause = static_cast<uint8_t>(_sincePause + count);
-  } else if (isHeader(0)) {
-    _sincePause = FarOff;
-  } else if (_sincePause == NoPause && _skipped > MostNoise) {
+  if (_pauseAt <= count || isHeader(0)) {
+    _onlyNoise = false;
+  } else if (_onlyNoise && _skipped > MostNoise) {
     _kind = UnknownKind;
+    _sincePause = FarOff;
   }
   _counters.skippedBytes += static_cast<unsigned>(count);
   _incoming += count;
