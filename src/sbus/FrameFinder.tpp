@@ -43,15 +43,21 @@ template <typename Format>
 void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
   if (_pauseBefore) {
-    if (_sincePause == Format::OtherSize) {
-      _counters.otherFrames++;
-      _isOther = true;
-    } else if (_sincePause == Size) {
+    if (_sincePause >= Size && _sincePause <= Size + LongestTail) {
       _isOther = false;
     }
+    _isOther = _isOther || mayBeOther();
+    _counters.otherFrames += _sincePause == Format::OtherSize;
     _sincePause = 0;
   }
   _sincePause = static_cast<uint8_t>(static_cast<int>(found) < FarOff - _sincePause ? _sincePause + found : FarOff);
+  _isOther = _isOther || (_idleAfter && mayBeOther());
+}
+
+// The characters since a pause: a frame of the other size, or one that has lost some.
+template <typename Format>
+inline bool FrameFinderOf<Format>::mayBeOther() const {
+  return _sincePause <= Format::OtherSize && _sincePause > Format::OtherSize - LeastBurst;
 }
 
 template <typename Format>
@@ -111,6 +117,9 @@ inline bool FrameFinderOf<Format>::find() {
     }
     start = ++_refused < Size - 1 ? firstHeader(start + step) : _filled;
   }
+  if (Format::HasExtra && _pauseAt < start && _incoming[_pauseAt] == ExtraHeader) {
+    start = _pauseAt;  // takesExtra() is asked next
+  }
   skip(start);
   return false;
 }
@@ -133,6 +142,7 @@ inline bool FrameFinderOf<Format>::takesExtra() {
     memcpy(_extra, _incoming, FrameSize);
     _extraTime = _pauses.lastPoll() - _quiet;  // at the latest: what follows it came with this poll
     _counters.extraFrames++;
+    _onlyNoise = false;
     _incoming += FrameSize;
     drop(FrameSize);
   }
