@@ -103,7 +103,6 @@ class FrameFinderOf {
   bool isUsual() const;
   bool scan();
   bool find();
-  bool mayBeOther() const;
   bool takesExtra();
   int firstHeader(int from) const;
   uint8_t kindAt(int start);

@@ -43,21 +43,15 @@ template <typename Format>
 void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
   if (_pauseBefore) {
-    if (_sincePause >= Size && _sincePause <= Size + LongestTail) {
+    if (_sincePause == Format::OtherSize) {
+      _counters.otherFrames++;
+      _isOther = true;
+    } else if (_sincePause == Size) {
       _isOther = false;
     }
-    _isOther = _isOther || mayBeOther();
-    _counters.otherFrames += _sincePause == Format::OtherSize;
     _sincePause = 0;
   }
   _sincePause = static_cast<uint8_t>(static_cast<int>(found) < FarOff - _sincePause ? _sincePause + found : FarOff);
-  _isOther = _isOther || (_idleAfter && mayBeOther());
-}
-
-// The characters since a pause: a frame of the other size, or one that has lost some.
-template <typename Format>
-inline bool FrameFinderOf<Format>::mayBeOther() const {
-  return _sincePause <= Format::OtherSize && _sincePause > Format::OtherSize - LeastBurst;
 }
 
 template <typename Format>

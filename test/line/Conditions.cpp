@@ -83,6 +83,8 @@ constexpr const char *Glued = "noise straight before a frame hides its pause, an
 constexpr const char *Between = "after other characters what looks like halves of two frames is refused";
 constexpr const char *Inside = "a block within a frame looks like a pause if few of its characters are left";
 constexpr const char *Larger = "who found 63 bytes takes the port's buffer for full";
+constexpr const char *Gap = "the pause between the two may be 0.6 ms, and is not seen: then they are as one";
+constexpr const char *Remains = "the first frame has lost a character, and what is left of it is one of 25";
 constexpr const char *LongLoop = "of a loop period above 8 ms no pause is seen for sure";
 
 constexpr const char *FirstPause = "where pauses are seen now and then, the first frame has to stand at one";
@@ -178,8 +180,9 @@ const std::vector<Condition> &conditions() {
       {"clean, R7003SB", of(Kind::R7003SB), LongTail, None, None},
       {"clean, odd 2F frames between", of(Kind::Odd2F), Odd2F, None, None},
       {"clean, 2F frames", of(Kind::With2F), With2F, None, None},
-      {"2F frames, dropped 1/300", dropped(1 / 300., Kind::With2F), With2F, Usual, Usual},
-      {"2F frames, bursts 1/500", with(&Impairments::burst, 1 / 500., Kind::With2F), With2F, Usual, {1e-3, 1e-3, Junk}},
+      {"2F frames, dropped 1/300", dropped(1 / 300., Kind::With2F), With2F, {0.02, 0, Gap}, {0.3, 2e-4, Gap}},
+      {"2F frames, bursts 1/500", with(&Impairments::burst, 1 / 500., Kind::With2F), With2F, {0.02, 0.004, Gap},
+       {0.3, 0.03, Gap}},
       {"dropped 1/500", dropped(1 / 500.), Seen, Usual, Usual},
       {"dropped 1/500, short pauses", dropped(1 / 500.), Hidden, Hidden1, Hidden2},
       {"dropped 1/300", dropped(1 / 300.), Seen, Usual, Usual},
@@ -227,7 +230,8 @@ const std::vector<Condition> &conditions() {
       {"16 channels into 24, dropped 1/300", by24(dropped(1 / 300.)), Other, None, None, NotMadeUp},
       {"24 channels into 16", of(Kind::Channels24), Channels24, None, None, NotMadeUp},
       {"24 channels into 16, quick loops", of(Kind::Channels24), Channels24Fast, None, None, NotMadeUp},
-      {"24 channels into 16, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, None, None, NotMadeUp},
+      {"24 channels into 16, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.005, Remains},
+       None, NotMadeUp},
       {"loop of 5 ms", plain(), Slow, {2e-4, 0, Inside}, {0.005, 0, Doubtful}},
       {"loop of 20 ms", plain(), Slower, {0.2, 1e-4, LongLoop}, {NotBound, 1 / 500., LongLoop}},
       {"loop of 20 ms, large buffers", plain(), SlowerLarge, {0.1, 1e-4, Larger}, {NotBound, 1e-4, LongLoop}},

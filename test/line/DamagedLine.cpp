@@ -69,6 +69,7 @@ void DamagedLine::sendFrame() {
     SentFrame sent;
     sent.extra = true;
     sendImpaired(extra.data(), sbus::FrameSize, sent);
+    sent.straight = false;  // it waits for what follows, at any place
     _sent.push_back(sent);
     _timeUs += 600 + _random.below(5400);
   }
@@ -165,6 +166,7 @@ void DamagedLine::sendBetween(uint8_t end) {
     SentFrame sent;
     sent.extra = true;
     sendImpaired(extra.data(), sbus::FrameSize, sent);
+    sent.straight = false;  // it waits for what follows, at any place
     _sent.push_back(sent);
     nextFrameUs = std::max(nextFrameUs, _timeUs + 1000 + _random.below(3000));
   }
