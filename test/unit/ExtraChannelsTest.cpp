@@ -198,3 +198,17 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
     }
   }
 }
+
+TEST_CASE("a 2F frame after a damaged frame is not lost with it") {
+  for (size_t missing = 1; missing < 25; missing++) {
+    for (const bool neutral : {false, true}) {
+      INFO("missing ", missing, ", neutral ", neutral);
+      Feeder line;
+      line.lock().feed(without(neutral ? neutralFrame(1) : plainFrame(1), missing));
+      line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(7)));
+      line.wait(Feeder::PauseUs);
+      CHECK(line.feed(bytesOf(plainFrame(8))) == Frames{plainFrame(8)});
+      CHECK(line.counted().extraFrames == 1);
+    }
+  }
+}
