@@ -97,7 +97,9 @@ class DecodeSBusOf {
   /// How many lost frames in a row count as failsafe: 1..65535, 100 unless told; 0: no number does.
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
- protected:
+ private:
+  friend class DecodeSBus;  // for the further channels
+
   void forget(unsigned long baud);
 
   sbus::Port _port;

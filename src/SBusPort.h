@@ -38,9 +38,11 @@ constexpr uint32_t PortConfig = SERIAL_8E1_RXINV_TXINV;
 constexpr uint32_t PortConfig = static_cast<uint32_t>(EvenConfig) | InvertedBit;
 #endif
 
+/// @cond  Not for sketches.
+
 // ---- The receive buffer, in bytes
 
-/// Of a port that nothing is known of: the smallest there is (Pico). A buffer taken for larger than it is mixes frames.
+// Of a port that nothing is known of: the smallest there is (Pico). A buffer taken for larger than it is mixes frames.
 constexpr unsigned SmallestBuffer = 32;
 
 #if defined(UART_RX_BUFFER_SIZE)  // STM32L0
@@ -55,60 +57,65 @@ constexpr unsigned CoreBuffer = 64;
 constexpr unsigned CoreBuffer = SmallestBuffer;
 #endif
 
-/// What a port is given that can be given one: 30 ms of a line without pauses.
+// What a port is given that can be given one: 30 ms of a line without pauses.
 constexpr unsigned WantedBuffer = 256;
 
 // ---- Overloads
 
-/// Of several that fit, the one with the highest number is called.
+// Of several that fit, the one with the highest number is called.
 template <int Number>
 struct Choice : Choice<Number - 1> {};
-/// Fits all.
+// Fits all.
 template <>
 struct Choice<0> {};
 
-/// A format, as whatever type the begin() of a core wants: 8, 16 or 32 bits, or an enum.
+// A format, as whatever type the begin() of a core wants: 8, 16 or 32 bits, or an enum.
 struct Config {
-  uint32_t value;  ///< as the core has it, or PortConfig
-  /// The line is to be inverted, and the format cannot say so.
+  uint32_t value;  // as the core has it, or PortConfig
+  // The line is to be inverted, and the format cannot say so.
   bool inverted() const { return (value & InvertedBit) != 0; }
-  /// The conversion.
+  // The conversion.
   template <typename Format>
   operator Format() const {
     return static_cast<Format>(value & ~InvertedBit);
   }
 };
 
-/// An ESP32 hands over 120 characters at once, so whole frames, and no pause is seen for sure. 8 of them, and the two
-/// idle ones that it waits for, are fewer than Pauses.h expects. Before 2.0.3 it cannot be told.
+// An ESP32 hands over 120 characters at once, so whole frames, and no pause is seen for sure. 8 of them, and the two
+// idle ones that it waits for, are fewer than Pauses.h expects. Before 2.0.3 it cannot be told.
 template <typename Port>
 auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
   port.setRxFIFOFull(8);
 }
-/// Leaves it.
+// Leaves it.
 template <typename Port>
 void limitBursts(Port &, Choice<0>) {
 }
 
-/// arduino-pico: a queue of the wanted size.
+// arduino-pico: a queue of the wanted size.
 template <typename Port>
 auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
   port.setFIFOSize(WantedBuffer);
   return WantedBuffer;
 }
-/// Its SerialPIO: the sketch has said the size; it is not known here.
+// Its SerialPIO: the sketch has said the size; it is not known here.
 template <typename Port>
 unsigned enlarge(Port &, Choice<0>) {
   return SmallestBuffer;
 }
 
-// ---- Kinds of ports, and how each is opened. Inverts: it can invert the line. Buffer: its size, whoever opens it.
-// open() returns the buffer's size; 0: it stays what it was.
+// ---- Kinds of ports, and how each is opened
+//
+// Inverts   begin() can invert the line
+// BothWays  it can also be opened uninverted afterwards
+// Buffer    size of the receive buffer, whoever opened the port
+// open()    opens it, and returns that size; 0: it stays what it was
 
-/// begin(baud, config), and the format says whether the line is inverted: AVR, SAMD, nRF52, mbed, Uno R4, Teensy,
-/// STM32L0.
+// begin(baud, config), and the format says whether the line is inverted: AVR, SAMD, nRF52, mbed, Uno R4, Teensy,
+// STM32L0.
 struct ByFormat {
   static constexpr bool Inverts = (PortConfig & InvertedBit) == 0;
+  static constexpr bool BothWays = Inverts;
   static constexpr unsigned Buffer = CoreBuffer;
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
@@ -117,13 +124,13 @@ struct ByFormat {
   }
 };
 
-/// A format of that type.
+// A format of that type.
 template <typename Format>
 Format as(Format, Config config) {
   return config;
 }
 
-/// The same, where two enums fit: SAM.
+// The same, where two enums fit: SAM.
 struct ByEnum : ByFormat {
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
@@ -132,11 +139,12 @@ struct ByEnum : ByFormat {
   }
 };
 
-/// STM32, whose inversion cannot be taken back. The chips without (F1, F2, F4, L1) ignore it.
+// STM32, whose inversion cannot be taken back. The chips without (F1, F2, F4, L1) ignore it.
 struct Stm32 : ByFormat {
 #if defined(UART_ADVFEATURE_RXINVERT_INIT)
   static constexpr bool Inverts = true;
 #endif
+  static constexpr bool BothWays = false;
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
     if (config.inverted()) {
@@ -147,9 +155,9 @@ struct Stm32 : ByFormat {
   }
 };
 
-/// arduino-pico. A port takes its settings only while it is closed.
+// arduino-pico. A port takes its settings only while it is closed.
 struct Pico {
-  static constexpr bool Inverts = true;
+  static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = SmallestBuffer;
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
@@ -162,9 +170,9 @@ struct Pico {
   }
 };
 
-/// ESP32. Its pins are those of setPins(), or the core's.
+// ESP32. Its pins are those of setPins(), or the core's.
 struct Esp32 {
-  static constexpr bool Inverts = true;
+  static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
@@ -175,9 +183,9 @@ struct Esp32 {
   }
 };
 
-/// ESP8266: mode 0 is SERIAL_FULL, and 1 the pin that sends.
+// ESP8266: mode 0 is SERIAL_FULL, and 1 the pin that sends.
 struct Esp8266 {
-  static constexpr bool Inverts = true;
+  static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
   template <typename Port>
   static unsigned open(Port &port, unsigned long baud, Config config) {
@@ -186,9 +194,9 @@ struct Esp8266 {
   }
 };
 
-/// Any Stream that is no hardware serial port: whoever knows it opens it.
+// Any Stream that is no hardware serial port: whoever knows it opens it.
 struct OpenAlready {
-  static constexpr bool Inverts = false;
+  static constexpr bool Inverts = false, BothWays = false;
   static constexpr unsigned Buffer = SmallestBuffer;
   template <typename Port>
   static unsigned open(Port &, unsigned long, Config) {
@@ -196,7 +204,7 @@ struct OpenAlready {
   }
 };
 
-/// The kind of a port; called by no one.
+// The kind of a port; called by no one.
 template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Choice<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
 template <typename Port>
@@ -212,9 +220,11 @@ template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
 template <typename Port>
 OpenAlready kindOf(Port *, Stream *, Choice<1>);
-/// Its type.
+// Its type.
 template <typename Port>
 using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Choice<5>()));
+
+/// @endcond
 
 /// True if begin() opens this port inverted; false: the line needs an inverter, or whoever opens the port inverts it.
 template <typename Port>
@@ -222,31 +232,24 @@ constexpr bool inverts(Port &) {
   return KindOf<Port>::Inverts;
 }
 
-/// Once it has been opened inverted, it stays so.
-template <typename Kind>
-constexpr bool staysInverted(Kind) {
-  return false;
-}
-constexpr bool staysInverted(Stm32) {
-  return true;
-}
-
 /// True if begin() opens this port inverted or uninverted, as it is told, and as often as it is told.
 template <typename Port>
-constexpr bool opensBothWays(Port &port) {
-  return inverts(port) && !staysInverted(KindOf<Port>());
+constexpr bool opensBothWays(Port &) {
+  return KindOf<Port>::BothWays;
 }
 
-/// A port, and what its class can do.
+/// @cond
+
+// A port, and what its class can do.
 class Port {
  public:
-  /// Of any class.
+  // Of any class.
   template <typename Class>
   explicit Port(Class &port)
       : _stream(port), _hardware(hardware(&port)), _open(open<Class>), _half(half(KindOf<Class>::Buffer)) {}
 
-  /// Opens a hardware serial port. `config` is a format of the core, or PortConfig. Not with a baud that S.Bus never
-  /// has: cores divide by 0, or wait for 20 s (ESP32).
+  // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Not with a baud that S.Bus never
+  // has: cores divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
     const unsigned half = baud > SlowestBaud ? _open(_stream, baud, config) : 0;
     if (half != 0) {
@@ -254,30 +257,29 @@ class Port {
     }
   }
 
-  /// Closes a hardware serial port.
+  // Closes a hardware serial port.
   void close() {
     if (_hardware != nullptr) {
       _hardware->end();
     }
   }
 
-  /// How many bytes wait.
+  // How many bytes wait.
   int available() { return _stream.available(); }
 
-  /// Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
-  /// past the end of `buffer`. Returns how many there were.
-  int read(uint8_t *buffer, size_t size) { return read(_hardware, buffer, size, Choice<1>()); }
+  // Reads `size` bytes, which are there: never more than available() said, because the STM32L0's core would then write
+  // past the end of `buffer`. Returns how many there were.
+  __attribute__((always_inline)) int read(uint8_t *buffer, size_t size) {
+    return read(_hardware, buffer, size, Choice<1>());
+  }
 
-  /// Throws away one that waits.
-  void drop() { _stream.read(); }
-
-  /// Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
+  // Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
   unsigned half() const { return _half; }
 
-  /// How many bytes it says that it takes at once; many cores say 0, whatever they take.
+  // How many bytes it says that it takes at once; many cores say 0, whatever they take.
   int room() { return room(_stream, Choice<1>()); }
 
-  /// Writes them all; may wait.
+  // Writes them all; may wait.
   void write(const uint8_t *bytes, size_t size) { _stream.write(bytes, size); }
 
  private:
@@ -296,7 +298,7 @@ class Port {
 
   // In one call, where HardwareSerial can.
   template <typename Hardware>
-  auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
+  __attribute__((always_inline)) auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
       -> decltype(static_cast<int>(port->read(buffer, size))) {
     return port != nullptr ? static_cast<int>(port->read(buffer, size)) : read(port, buffer, size, Choice<0>());
   }
@@ -324,5 +326,7 @@ class Port {
   Open *const _open;
   unsigned _half;
 };
+
+/// @endcond
 
 }  // namespace sbus

@@ -5,6 +5,7 @@
 #   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has extras/host/OPTIONS, to
 #                                  which a second of frames says nothing
 #   golden/README.csv              what README.md's ten lines print
+#   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
 # "golden.sh COMPILER update" writes the golden files anew instead.
@@ -89,6 +90,7 @@ for sketch in "$build"/sketch/*; do
   verdict $? "the sketch $name of the docs is built"
 done
 golden README "$build/README" --seconds 1
+golden receivers "$build/receivers" --channels 32 --seconds 0.3
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
 

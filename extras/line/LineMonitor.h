@@ -22,14 +22,18 @@ class LineMonitor {
 
   unsigned long characters() const { return _characters; }
   unsigned long badCharacters() const { return _badCharacters; }
-  const sbus::Counters &counters() const { return _finder.counters(); }
+  // True if frames have 24 channels, not 16.
+  bool has24() const { return _finder24.counters().frames > _finder.counters().frames; }
+  const sbus::Counters &counters() const { return has24() ? _finder24.counters() : _finder.counters(); }
 
  private:
+  void resetFinders(uint64_t nowUs, uint32_t characterUs);
   void handOver(uint64_t nowUs);
 
   std::array<uint8_t, 16> _burst{};
   size_t _waiting = 0;  // bytes of it
   sbus::FrameFinder _finder;
+  sbus::FrameFinderOf<sbus::Frame24> _finder24;
   uint32_t _characterUs = CharacterUs;
   uint64_t _lastEndUs = 0;
   unsigned long _characters = 0;

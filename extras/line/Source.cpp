@@ -6,7 +6,6 @@
 #include "RecordedLine.h"
 #include "RecordingFile.h"
 #include "SilentLine.h"
-#include "SimulatedReceiver.h"
 
 namespace line {
 
@@ -17,7 +16,7 @@ std::unique_ptr<Line> Source::open() const {
   } else if (silent) {
     line = std::make_unique<SilentLine>();
   } else {
-    line = std::make_unique<SimulatedReceiver>(choreography(sticks), settings.characterUs());
+    line = std::make_unique<SimulatedReceiver>(choreography(sticks), settings.characterUs(), channels);
   }
   if (noise > 0) {
     line = std::make_unique<NoisyLine>(std::move(line), noise, settings.characterUs());
@@ -26,9 +25,11 @@ std::unique_ptr<Line> Source::open() const {
 }
 
 std::string Source::text() const {
-  return !recording.empty() ? "recording " + recording + ", once"
-         : silent           ? "a line with nothing on it"
-                            : "simulated FrSky R-XSR";
+  return !recording.empty()                 ? "recording " + recording + ", once"
+         : silent                           ? "a line with nothing on it"
+         : channels == Channels::TwentyFour ? "simulated FrSky receiver of 24 channels"
+         : channels == Channels::ThirtyTwo  ? "simulated Futaba receiver, FASSTest 26"
+                                            : "simulated FrSky R-XSR";
 }
 
 }  // namespace line

@@ -7,14 +7,17 @@
 #include "Choreography.h"
 #include "Line.h"
 #include "LineSettings.h"
+#include "SimulatedReceiver.h"
 
 namespace line {
 
 struct Source {
-  std::string recording;           // a file's name; empty: the simulated receiver
-  bool silent = false;             // nothing comes
-  Sticks sticks = Sticks::Flight;  // of the simulated receiver
-  unsigned noise = 0;              // disturbances per second
+  std::string recording;  // a file's name; empty: the simulated receiver
+  bool silent = false;    // nothing comes
+  // Of the simulated receiver.
+  Sticks sticks = Sticks::Flight;
+  Channels channels = Channels::Sixteen;
+  unsigned noise = 0;  // disturbances per second
   LineSettings settings;
 
   // Throws std::runtime_error if the recording cannot be read.

@@ -13,11 +13,15 @@ uint32_t refused(const Counters &counters) {
   return counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra;
 }
 
-// 25 bytes were skipped after each frame: a whole one of another kind. A damaged one has mostly lost a character.
-bool anotherFollowsEach(const Counters &counters) {
-  const uint32_t between = counters.resyncs * FrameSize;
-  return counters.resyncs + 1 >= counters.frames && counters.skippedBytes >= between &&
-         counters.skippedBytes < between + 2 * FrameSize;  // the first and the last may be there in part
+// In FASSTest 26 a frame with header 2F comes before each frame; the first one is never taken. So many are missing.
+// (One in a line without is noise.)
+uint32_t missingExtraFrames(const Counters &counters) {
+  const bool expected = counters.extraFrames > counters.frames / 2;
+  return expected && counters.extraFrames + 1 < counters.frames ? counters.frames - 1 - counters.extraFrames : 0;
+}
+
+uint32_t framesOfEitherSize(const Counters &counters) {
+  return counters.frames + counters.otherFrames;
 }
 
 }  // namespace
@@ -28,6 +32,8 @@ const char *text(Finding finding) {
       return "NO SIGNAL: not a byte in any setting.";
     case Finding::NoFrames:
       return "NO FRAMES: bytes come, but few frames or none.";
+    case Finding::Channels24:
+      return "24 CHANNELS: frames come, but of 24 channels, not of 16.";
     case Finding::WrongInversion:
       return "WRONG INVERSION: frames come with the other one only.";
     case Finding::WrongBaud:
@@ -58,6 +64,8 @@ const char *cure(Finding finding) {
       return "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?";
     case Finding::NoFrames:
       return "Connect GND. Is it S.Bus? Inverter missing, or one too many? Can the port do 100000 8E2 (no nRF52)?";
+    case Finding::Channels24:
+      return "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.";
     case Finding::WrongInversion:
       return "Open the port with that one, or put in an inverter, or take one out.";
     case Finding::WrongBaud:
@@ -81,12 +89,12 @@ const char *cure(Finding finding) {
 }
 
 uint32_t damagedFrames(const Counters &counters) {
-  if (counters.resyncs == 0 || anotherFollowsEach(counters)) {
+  if (counters.resyncs == 0) {
     return 0;
   }
   const uint32_t skipped = (counters.skippedBytes + DamagedSize / 2) / DamagedSize;
   const uint32_t headers = refused(counters);
-  return skipped < headers ? skipped : headers;
+  return (skipped < headers ? skipped : headers) + missingExtraFrames(counters);
 }
 
 void Diagnosis::add(const Trial &trial) {
@@ -94,7 +102,7 @@ void Diagnosis::add(const Trial &trial) {
     _meantBaud = trial.baud;
     _meantInverted = trial.inverted;
   }
-  if (_count == 0 || trial.counters.frames > seen().frames) {
+  if (_count == 0 || framesOfEitherSize(trial.counters) > framesOfEitherSize(seen())) {
     _trial = trial;
     _best = _count;
   }
@@ -122,7 +130,9 @@ Finding Diagnosis::finding() const {
     return Finding::PolledTooSeldom;
   }
   if (!framesCome) {
-    return Finding::NoFrames;
+    // Of 55 frames 54 are told by their size, 45 with 30 disturbances a second; at most one in a wrong setting, and 3
+    // on a line of 16 channels with 3000.
+    return counters.otherFrames * PeriodMax > _trial.ms ? Finding::Channels24 : Finding::NoFrames;
   }
   const uint32_t damaged = damagedFrames(counters);
   if (damaged > 1 + counters.frames / DamagedPart) {

@@ -14,7 +14,7 @@
 
 namespace sbus {
 
-/// What was tried, and what came. All trials of a round last equally long.
+/// What was tried, and what came to a DecodeSBus. All trials of a round last equally long.
 struct Trial {
   unsigned long baud;  ///< of the port
   bool inverted;       ///< the port inverts
@@ -26,6 +26,7 @@ struct Trial {
 enum class Finding : uint8_t {
   NoSignal,               ///< not a byte, with any setting
   NoFrames,               ///< bytes, but with no setting a frame every PeriodMax
+  Channels24,             ///< the same, but frames of 24 channels come: they want a DecodeSBus24
   WrongInversion,         ///< frames come, but with the other inversion than the one that is meant
   WrongBaud,              ///< the same of the baud rate
   WrongInversionAndBaud,  ///< of both
@@ -38,7 +39,7 @@ enum class Finding : uint8_t {
   AllWell,
 };
 
-/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.2 KB of RAM in a sketch
+/// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.3 KB of RAM in a sketch
 /// that calls this or cure(), and nothing in others.
 const char *text(Finding finding);
 
@@ -46,7 +47,7 @@ const char *text(Finding finding);
 const char *cure(Finding finding);
 
 /// About how many frames came damaged. Refused headers do not tell, as each 0F of a damaged frame may be one; but its
-/// bytes are skipped. 0 if no gap was survived, and for FASSTest 26, where a frame with further channels follows each.
+/// bytes are skipped. FASSTest 26: those with header 2F, too. 0 if no gap was survived.
 uint32_t damagedFrames(const Counters &counters);
 
 /// One round of trials. All calls from one context.
@@ -64,7 +65,7 @@ class Diagnosis {
   /// with 0F may be the beginning of a frame: if nothing else came, they pass for NoSignal.
   Finding finding() const;
 
-  /// The trial with the most frames, counted from 0; 0 if none has any, and before the first.
+  /// The trial with the most frames, of either size, counted from 0; 0 if none has any, and before the first.
   uint8_t best() const { return _best; }
 
   /// What came in that trial.

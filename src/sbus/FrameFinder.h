@@ -81,7 +81,8 @@ class FrameFinderOf {
   /// What was read of it is good only if that has not changed meanwhile.
   const uint8_t *extra() const { return _extra; }
 
-  /// When it was complete, in us.
+  /// Its age counts from here, in us: from the poll before the one that found what follows it. So it is never too
+  /// young.
   uint32_t extraTime() const { return _extraTime; }
 
   /// What was seen since reset(); all 0 before the first byte.
@@ -91,7 +92,7 @@ class FrameFinderOf {
   static constexpr int Pad = 3;  // before a frame: its payload then stands at a word
   // A frame, its tail, and enough to tell what follows; so many that the other frame's payload stands at a word, too.
   static constexpr int Capacity = (Pad + Format::Size + LongestTail + 10) / 4 * 4 - Pad;
-  static constexpr uint8_t Nowhere = 0xFF, NoPause = 0xFF;
+  static constexpr uint8_t Nowhere = 0xFF;
 
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
@@ -126,8 +127,9 @@ class FrameFinderOf {
   uint8_t _filled;      // bytes in _incoming
   uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
   uint8_t _refused;     // headers refused in this poll
-  bool _isOther;        // while the kind is unknown: frames of the other size have been seen
-  uint8_t _sincePause;  // characters skipped since a pause; FarOff; or NoPause: only noise has followed the last frame
+  uint8_t _others;      // while the kind is unknown: above 0, frames of the other size have been seen
+  bool _onlyNoise;      // since the last frame: neither a pause nor a header
+  uint8_t _sincePause;  // while the kind is unknown: characters since a pause, or FarOff
   int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
   uint8_t *_incoming = _frames[1] + Pad;
   uint8_t *_complete = _frames[0] + Pad;

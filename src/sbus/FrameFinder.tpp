@@ -9,7 +9,8 @@ namespace {
 
 constexpr int MostNoise = 4;             // characters; more in a row are no noise
 constexpr int LeastBurst = 5;            // characters: so many come at once if loop() was blocked
-constexpr int FarOff = FrameSize24 + 1;  // characters skipped; more need not be known
+constexpr int FarOff = FrameSize24 + 1;  // characters; more need not be known
+constexpr uint8_t LongMemory = 8;        // pauses without a frame of the other size until that is forgotten
 constexpr uint32_t LongBlock = 20000;    // us without a poll: what waited in the port is old
 
 }  // namespace
@@ -21,7 +22,7 @@ void FrameFinderOf<Format>::reset(uint32_t now, uint8_t characterTime) {
   _idleAfter = false;
   _certain = false;
   _filled = 0;
-  _isOther = false;
+  _others = 0;
   broken();
   _skipped = 0;
   _counters = Counters();
@@ -32,6 +33,7 @@ void FrameFinderOf<Format>::broken() {
   _counters.overflows++;
   _counters.skippedBytes += _filled;
   _skipped = FarOff;
+  _onlyNoise = false;
   _sincePause = FarOff;
   _filled = 0;
   _pauseAt = Nowhere;
@@ -42,14 +44,17 @@ template <typename Format>
 void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
   _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
   if (_pauseBefore) {
-    const int size = _sincePause + _filled;
-    if (size == Format::OtherSize) {
+    if (_sincePause == Format::OtherSize) {
       _counters.otherFrames++;
-      _isOther = true;
-    } else if (size == Size) {
-      _isOther = false;
+      _others = LongMemory;
+    } else if (_sincePause == Size) {
+      _others = 0;
+    } else if (_others > 0) {
+      _others--;
     }
+    _sincePause = 0;
   }
+  _sincePause = static_cast<uint8_t>(static_cast<int>(found) < FarOff - _sincePause ? _sincePause + found : FarOff);
 }
 
 template <typename Format>
@@ -109,6 +114,9 @@ inline bool FrameFinderOf<Format>::find() {
     }
     start = ++_refused < Size - 1 ? firstHeader(start + step) : _filled;
   }
+  if (Format::HasExtra && _pauseAt < start && _incoming[_pauseAt] == ExtraHeader) {
+    start = _pauseAt;  // takesExtra() is asked next
+  }
   skip(start);
   return false;
 }
@@ -118,7 +126,7 @@ inline bool FrameFinderOf<Format>::find() {
 // straight before a frame would else take that frame for its own.
 template <typename Format>
 inline bool FrameFinderOf<Format>::takesExtra() {
-  if (_incoming[0] != ExtraHeader || _kind == UnknownKind || (_skipped != 0 && _pauseAt != 0) ||
+  if (_incoming[0] != ExtraHeader || _kind == UnknownKind || (_skipped != 0 && _pauseAt > FrameSize) ||
       (_pauseAt > 0 && _pauseAt < FrameSize)) {
     return false;
   }
@@ -129,8 +137,9 @@ inline bool FrameFinderOf<Format>::takesExtra() {
   if ((pauseAfter || isHeader(FrameSize)) && isFlagsByte(_incoming[FlagsIndex]) &&
       endsKind(_incoming[EndIndex], _kind)) {
     memcpy(_extra, _incoming, FrameSize);
-    _extraTime = _pauses.lastPoll();
+    _extraTime = _pauses.lastPoll() - _quiet;  // at the latest: what follows it came with this poll
     _counters.extraFrames++;
+    _onlyNoise = false;
     _incoming += FrameSize;
     drop(FrameSize);
   }
@@ -186,7 +195,7 @@ __attribute__((always_inline)) inline int FrameFinderOf<Format>::judge(int start
     return 1;
   }
   // A line of longer frames, or shorter ones: a part of one, or of two, may look like a frame.
-  if (kind != _kind && _isOther) {
+  if (kind != _kind && _others > 0) {
     return 1;
   }
   // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).
@@ -222,7 +231,7 @@ inline const uint8_t *FrameFinderOf<Format>::deliver() {
     _counters.resyncs++;
   }
   _skipped = static_cast<int8_t>(-LineKinds[_kind].tailSize);
-  _sincePause = NoPause;
+  _onlyNoise = true;
   const uint32_t time = _pauses.lastPoll() - (_quiet > LongBlock ? _quiet : 0);
   _counters.count(frame[FlagsAt], time - _frameTime);
   _frameTime = time;
@@ -235,14 +244,11 @@ void FrameFinderOf<Format>::skip(int count) {
   if (_skipped < FarOff) {
     _skipped = static_cast<int8_t>(_skipped + count);
   }
-  if (_pauseAt <= count) {
-    _sincePause = static_cast<uint8_t>(count - _pauseAt);
-  } else if (_sincePause < FarOff) {
-    _sincePause = static_cast<uint8_t>(_sincePause + count);
-  } else if (isHeader(0)) {
-    _sincePause = FarOff;
-  } else if (_sincePause == NoPause && _skipped > MostNoise) {
+  if (_pauseAt <= count || isHeader(0)) {
+    _onlyNoise = false;
+  } else if (_onlyNoise && _skipped > MostNoise) {
     _kind = UnknownKind;
+    _sincePause = FarOff;
   }
   _counters.skippedBytes += static_cast<unsigned>(count);
   _incoming += count;

@@ -1,4 +1,5 @@
 // Replays recordings of real receivers through DecodeSBus on the board's driver, and says "ok ..." or "FAILED ...".
+// Those of 24 channels go through DecodeSBus24.
 //
 //   Replay FOLDER
 //
@@ -13,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "support/BitByBit.h"
 #include "support/UartPort.h"
 #include "line/Recording.h"
 
@@ -25,8 +25,23 @@ using EndBytes = std::map<int, unsigned>;  // end byte -> how many frames
 
 struct Expected {
   EndBytes ends;
-  Channels channels;  // of every frame; flags are 0
+  std::vector<uint16_t> channels;  // of every frame; flags are 0
 };
+
+// The channels of a frame of either size, bit by bit (support/BitByBit.h).
+template <typename Format>
+std::vector<uint16_t> channelsOf(const uint8_t *frame) {
+  std::vector<uint16_t> channels(Format::Channels);
+  for (size_t bit = 0; bit < (Format::Size - 3) * 8u; bit++) {
+    const unsigned value = (frame[1 + bit / 8] >> bit % 8 & 1) != 0 ? 1u << bit % 11 : 0u;
+    channels[bit / 11] = static_cast<uint16_t>(channels[bit / 11] | value);
+  }
+  if (Format::Channels == sbus::ChannelCount) {
+    channels[16] = frame[23] & 1;
+    channels[17] = frame[23] >> 1 & 1;
+  }
+  return channels;
+}
 
 const std::map<std::string, Expected> Known = {
     {"r7008sb-sbus2.txt",
@@ -37,17 +52,20 @@ const std::map<std::string, Expected> Known = {
 };
 
 // The end byte of the first frame in `characters` from `from` on that reads so, or -1; `from` is then after it.
-int endOf(const std::vector<line::Character> &characters, size_t &from, const Channels &channels, bool failsafe,
-          bool lostFrame) {
-  for (size_t at = from; at + 25 <= characters.size(); at++) {
-    Frame frame;
-    for (size_t i = 0; i < 25; i++) {
+template <typename Format>
+int endOf(const std::vector<line::Character> &characters, size_t &from, const std::vector<uint16_t> &channels,
+          bool failsafe, bool lostFrame) {
+  const unsigned flags = (failsafe ? 8 : 0) | (lostFrame ? 4 : 0);
+  for (size_t at = from; at + Format::Size <= characters.size(); at++) {
+    uint8_t frame[Format::Size];
+    for (size_t i = 0; i < Format::Size; i++) {
       frame[i] = characters[at + i].value;
     }
-    if (sbus::isFrame(frame.data()) && readBitByBit(frame) == channels && sbus::lostFrame(frame.data()) == lostFrame &&
-        sbus::failsafe(frame.data()) == failsafe) {
-      from = at + 25;
-      return frame[24];
+    const uint8_t end = frame[Format::Size - 1];
+    if (frame[0] == 0x0F && (frame[Format::Size - 2] & 0xFC) == flags && sbus::isEndByte(end) &&
+        channelsOf<Format>(frame) == channels) {
+      from = at + Format::Size;
+      return end;
     }
   }
   return -1;
@@ -71,11 +89,12 @@ std::vector<line::Character> withNoise(const std::vector<line::Character> &recor
 }
 
 // Says what is wrong, or nothing.
+template <typename Format>
 std::string replay(const std::vector<line::Character> &recorded, uint32_t loopUs, const Expected *expected) {
   const std::vector<line::Character> characters = withNoise(recorded, loopUs);
   const uint64_t start = fakeMicros + 1000;
   UartPort port;
-  DecodeSBus dSBus(port);
+  DecodeSBusOf<Format> dSBus(port);
   dSBus.begin();
   std::string wrong;
   EndBytes ends;
@@ -91,10 +110,10 @@ std::string replay(const std::vector<line::Character> &recorded, uint32_t loopUs
     port.advance(fakeMicros);
     dSBus.parseSBusFrame();
     if (dSBus.newFrame()) {
-      Channels channels;
+      std::vector<uint16_t> channels(Format::Channels);
       bool failsafe, lostFrame;
       dSBus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
-      const int end = endOf(characters, from, channels, failsafe, lostFrame);
+      const int end = endOf<Format>(characters, from, channels, failsafe, lostFrame);
       ends[end]++;
       if (end < 0) {
         wrong = "a frame that is not in the recording, or not there, was delivered";
@@ -104,10 +123,14 @@ std::string replay(const std::vector<line::Character> &recorded, uint32_t loopUs
     }
   }
   const sbus::Counters counters = dSBus.counters();
+  if (Format::HasExtra && counters.frames == 0 && counters.otherFrames != 0) {
+    return replay<sbus::Frame24>(recorded, loopUs, expected);
+  }
   std::printf(
-      "%u frames, refused by end %u, by flags %u, by extra %u, bytes skipped %u, resynchronised %u, T = %u us\n",
-      counters.frames, counters.refusedByEnd, counters.refusedByFlags, counters.refusedByExtra, counters.skippedBytes,
-      counters.resyncs, counters.period);
+      "%u frames of %u channels, %u with header 2F, refused by end %u, by flags %u, by extra %u, bytes skipped %u, "
+      "resynchronised %u, T = %u us\n",
+      counters.frames, Format::Channels, counters.extraFrames, counters.refusedByEnd, counters.refusedByFlags,
+      counters.refusedByExtra, counters.skippedBytes, counters.resyncs, counters.period);
   if (wrong.empty() && expected != nullptr && ends != expected->ends) {
     wrong = "end bytes are not what is known:";
     for (const auto &end : ends) {
@@ -145,7 +168,8 @@ int main(int argc, char **argv) {
     const auto known = Known.find(name);
     for (const uint32_t loopUs : {50u, 3000u}) {
       std::printf("%s, loop() of %u us: ", name.c_str(), loopUs);
-      const std::string wrong = replay(recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
+      const std::string wrong =
+          replay<sbus::Frame16>(recording.characters, loopUs, known == Known.end() ? nullptr : &known->second);
       std::printf("%s captures/%s, loop() of %u us%s%s\n", wrong.empty() ? "ok" : "FAILED", name.c_str(), loopUs,
                   wrong.empty() ? (known == Known.end() ? ", of which nothing is known" : "") : ": ", wrong.c_str());
       failed = failed || !wrong.empty();

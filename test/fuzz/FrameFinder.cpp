@@ -3,7 +3,8 @@
 // The input: operations of one byte and what they need.
 //   0xxxxxxx          a poll after so many hundreds of us, with the bytes that have come since
 //   10xxxxxx          the next x + 1 bytes of the input come in
-//   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08
+//   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08; x = 14: one with header
+//                     2F; x = 15: one of 36 bytes
 //   1110xxxx          2^x * 20 us pass
 //   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13), reset and polls that find noise
 //                     (x = 14), a poll without time (x = 15)
@@ -13,10 +14,12 @@
 
 #include "fuzz/Require.h"
 #include "sbus/FrameFinder.h"
+#include "support/Bytes.h"
 #include "support/KnownFrames.h"
 
 namespace {
 
+template <typename Format>
 class Sketch {
  public:
   Sketch() {
@@ -75,6 +78,7 @@ class Sketch {
     _afterFrame = 0;
     _skippedAtStart = _finder.counters().skippedBytes;
     _framesAtStart = _finder.counters().frames;
+    _extrasAtStart = _finder.counters().extraFrames;
     _roomAtStart = static_cast<uint32_t>(_finder.room());
   }
 
@@ -87,7 +91,9 @@ class Sketch {
     _frames = counters.frames;
     const uint32_t frames = counters.frames - _framesAtStart;
     const uint32_t skipped = counters.skippedBytes - _skippedAtStart;
-    require(_fed.size() == 25 * frames + skipped + heldBytes(), "bytes fed == 25 a frame + skipped + held");
+    const uint32_t extras = counters.extraFrames - _extrasAtStart;
+    require(_fed.size() == Size * frames + 25 * extras + skipped + heldBytes(),
+            "bytes fed == those of all frames + skipped + held");
     require((_finder.frame() != nullptr) == (counters.frames != 0), "frame() is there from the first frame on");
     if (!complete) {
       return;
@@ -96,30 +102,32 @@ class Sketch {
     const uint8_t *const frame = _finder.frame();
     require(delivered == frame, "received() returns frame()");
     require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
-    require(sbus::isFrame(frame), "a delivered frame is a frame");
-    require(_fed.size() >= heldBytes() + 25, "a frame's bytes have come since the last break");
-    const size_t begin = _fed.size() - heldBytes() - 25;
+    require(frame[0] == 0x0F && sbus::isFlagsByte(frame[Size - 2]), "a delivered frame is a frame");
+    require(Size == 36 ? frame[Size - 1] == 0 : sbus::isEndByte(frame[Size - 1]), "a delivered frame ends as one");
+    require(_fed.size() >= heldBytes() + Size, "a frame's bytes have come since the last break");
+    const size_t begin = _fed.size() - heldBytes() - Size;
     require(begin >= _afterFrame, "frames do not overlap");
-    require(std::memcmp(_fed.data() + begin, frame, 25) == 0, "a delivered frame stands in the line, byte for byte");
-    _afterFrame = begin + 25;
+    require(std::memcmp(_fed.data() + begin, frame, Size) == 0, "a delivered frame stands in the line, byte for byte");
+    _afterFrame = begin + Size;
   }
 
-  sbus::FrameFinder _finder;
+  static constexpr uint32_t Size = Format::Size;
+
+  sbus::FrameFinderOf<Format> _finder;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
   std::vector<uint8_t> _waiting;
   std::vector<uint8_t> _fed;  // since the last break
   size_t _afterFrame = 0;
   uint32_t _frames = 0;
   uint32_t _framesAtStart = 0;
+  uint32_t _extrasAtStart = 0;
   uint32_t _skippedAtStart = 0;
   uint32_t _roomAtStart = 0;
 };
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  Sketch sketch;
+template <typename Format>
+void run(const uint8_t *data, size_t size) {
+  Sketch<Format> sketch;
   for (size_t at = 0; at < size; at++) {
     const uint8_t operation = data[at];
     if (operation < 0x80) {
@@ -128,6 +136,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     } else if (operation < 0xC0) {
       for (unsigned left = (operation & 0x3Fu) + 1; left > 0 && at + 1 < size; left--) {
         sketch.arrive(data[++at]);
+      }
+    } else if (operation == 0xCE || operation == 0xCF) {
+      for (const uint8_t byte : operation == 0xCE ? bytesOf(extraFrame(1)) : bytesOf(longFrame(1, true))) {
+        sketch.arrive(byte);
       }
     } else if (operation < 0xE0) {
       for (const uint8_t byte : neutralFrame(operation & 0x1F, (operation & 0x10) != 0 ? R7003End : 0x00)) {
@@ -148,5 +160,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
   }
   sketch.poll();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  run<sbus::Frame16>(data, size);
+  run<sbus::Frame24>(data, size);
   return 0;
 }

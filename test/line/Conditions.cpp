@@ -24,11 +24,27 @@ const std::vector<Setup> Telemetry = {{9000, 50}, {9000, 3000}, {15000, 50}, {15
 const std::vector<Setup> Telemetry15 = {
     {15000, 5000}, {15000, 5000, ByteByByte}, {15000, 5000, Fifo}, {15000, 5000, Esp32, 256}};
 const std::vector<Setup> LongTail = {{6000, 50}, {9000, 50}, {9000, 3000}, {15000, 3000, Esp32, 256}};
-const std::vector<Setup> With2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
+const std::vector<Setup> Odd2F = {{14000, 50}, {14000, 3000}, {15000, 50}};
+const std::vector<Setup> With2F = {
+    {15000, 50}, {18000, 50}, {20000, 50}, {18000, 3000}, {18000, 50, ByteByByte}, {18000, 1000, Fifo},
+    {18000, 50, Esp32Told, 256}};
 const std::vector<Setup> Channels24 = {
     {7000, 50}, {9000, 50}, {9000, 3000}, {14000, 3000, ByteByByte}, {9000, 50, Esp32, 256}};
 const std::vector<Setup> Channels24Fast = {{7000, 50},   {7000, 1000},             {7000, 50, ByteByByte},
                                            {9000, 1000}, {9000, 1000, ByteByByte}, {14000, 50, ByteByByte}};
+// Of 36 characters; the short pauses are 0.7 ms.
+const std::vector<Setup> Seen24 = {
+    {7000, 50}, {9000, 50}, {14000, 50}, {11000, 3000, Board, 256}, {15000, 3000}, {9000, 50, ByteByByte},
+    {9000, 1000, Fifo}, {9000, 50, Esp32Told, 256}, {15000, 3000, Esp32Told, 256}};
+const std::vector<Setup> Hidden24 = {{5000, 50}, {5000, 3000}, {8000, 3000}};
+const std::vector<Setup> JoinSeen24 = {{9000, 50}, {11000, 3000}, {15000, 3000}, {9000, 1000, ByteByByte},
+                                       {9000, 1000, Esp32Told, 256}};
+const std::vector<Setup> Slow24 = {{9000, 5000}, {9000, 5000, ByteByByte}, {9000, 5000, Fifo}, {14000, 5000}};
+const std::vector<Setup> Blocked24 = {{7000, 50}, {9000, 50}, {9000, 50, ByteByByte, 63}, {14000, 50, Fifo},
+                                      {9000, 50, Esp32Told, 256}};
+// Of 25 characters, which a class for 36 reads.
+const std::vector<Setup> Other = {{7000, 50}, {7000, 1000}, {9000, 50}, {9000, 1000}, {14000, 50}, {14000, 1000},
+                                  {7000, 50, ByteByByte}, {9000, 1000, ByteByByte}, {14000, 1000, ByteByByte}};
 const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, ByteByByte},
                                  {9000, 5000, Fifo},  {14000, 5000}};
 const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
@@ -56,17 +72,19 @@ std::vector<Setup> joins(std::initializer_list<uint32_t> loopsUs) {
   return setups;
 }
 
-const std::vector<Payload> Resting = {Payload::Neutral, Payload::Equal, Payload::Failsafe};
-const std::vector<Payload> Moving = {Payload::Uniform, Payload::Smooth, Payload::Zeros, Payload::LowChannel16};
+// A made-up payload holds whole frames of the other size.
+const std::vector<Payload> NotMadeUp = {Payload::Uniform, Payload::Smooth, Payload::Neutral,      Payload::Still,
+                                        Payload::Equal,   Payload::Zeros,  Payload::LowChannel16, Payload::Failsafe};
 
 constexpr const char *Splices = "zeros, or chance: halves of two frames look like one, or one like halves";
 constexpr const char *Doubtful = "they look like halves of two frames, and are refused until a pause is seen";
 constexpr const char *Junk = "altered characters: junk, or flipped bits";
 constexpr const char *Glued = "noise straight before a frame hides its pause, and may be a header";
 constexpr const char *Between = "after other characters what looks like halves of two frames is refused";
-constexpr const char *Remains = "what a loss leaves of 36 characters can be a frame before a pause";
 constexpr const char *Inside = "a block within a frame looks like a pause if few of its characters are left";
 constexpr const char *Larger = "who found 63 bytes takes the port's buffer for full";
+constexpr const char *Gap = "the pause between the two may be 0.6 ms, and is not seen: then they are as one";
+constexpr const char *Remains = "the first frame has lost a character, and what is left of it is one of 25";
 constexpr const char *LongLoop = "of a loop period above 8 ms no pause is seen for sure";
 
 constexpr const char *FirstPause = "where pauses are seen now and then, the first frame has to stand at one";
@@ -121,6 +139,14 @@ Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
   run.blockEveryUs = 1000 * everyMs;
   return run;
 }
+Run by24(Run run) {
+  run.reads24 = true;
+  return run;
+}
+Run long24(Run run) {
+  run.line.kind = Kind::Channels24;
+  return by24(run);
+}
 Run fast(Run run) {
   run.line.baud = FastBaud;
   return run;
@@ -152,7 +178,11 @@ const std::vector<Condition> &conditions() {
       {"clean, loop in step, bytes", inStep(), InStepBytes, Rare, Hidden3},
       {"clean, S.BUS2 with telemetry", of(Kind::Sbus2), Telemetry, {1e-4, 0, Between}, {1e-4, 0, Between}},
       {"clean, R7003SB", of(Kind::R7003SB), LongTail, None, None},
-      {"clean, 2F frames between", of(Kind::With2F), With2F, None, None},
+      {"clean, odd 2F frames between", of(Kind::Odd2F), Odd2F, None, None},
+      {"clean, 2F frames", of(Kind::With2F), With2F, None, None},
+      {"2F frames, dropped 1/300", dropped(1 / 300., Kind::With2F), With2F, {0.02, 0, Gap}, {0.3, 5e-4, Gap}},
+      {"2F frames, bursts 1/500", with(&Impairments::burst, 1 / 500., Kind::With2F), With2F, {0.02, 0.004, Gap},
+       {0.3, 0.03, Gap}},
       {"dropped 1/500", dropped(1 / 500.), Seen, Usual, Usual},
       {"dropped 1/500, short pauses", dropped(1 / 500.), Hidden, Hidden1, Hidden2},
       {"dropped 1/300", dropped(1 / 300.), Seen, Usual, Usual},
@@ -182,14 +212,27 @@ const std::vector<Condition> &conditions() {
       {"S.BUS2 at 15 ms, bursts 1/300", with(&Impairments::burst, 1 / 300., Kind::Sbus2), Telemetry15,
        {1e-3, 2e-4, Junk}, {1e-3, 1e-3, Junk}},
       {"R7003SB, dropped 1/300", dropped(1 / 300., Kind::R7003SB), LongTail, Usual, {1e-3, 2e-4, Splices}},
-      {"24 channels, resting", of(Kind::Channels24), Channels24, None, None, Resting},
-      {"24 channels, moving", of(Kind::Channels24), Channels24, {0, 0.001, Remains}, None, Moving},
-      {"24 channels, resting, quick loops", of(Kind::Channels24), Channels24Fast, None, None, Resting},
-      {"24 channels, moving, quick loops", of(Kind::Channels24), Channels24Fast, None, None, Moving},
-      {"24 channels, resting, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.02, Remains},
-       {0, 0.02, Remains}, Resting},
-      {"24 channels, moving, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.006, Remains}, None,
-       Moving},
+      {"24 channels, clean", long24(plain()), Seen24, None, None},
+      {"24 channels, clean, short pauses", long24(plain()), Hidden24, None, Hidden3},
+      {"24 channels, dropped 1/300", long24(dropped(1 / 300.)), Seen24, Usual, Usual},
+      {"24 channels, dropped 1/300, short pauses", long24(dropped(1 / 300.)), Hidden24, Hidden1, Hidden2},
+      {"24 channels, dropped 1/50", long24(dropped(1 / 50.)), Seen24, {1e-3, 5e-5, Splices}, {1e-3, 1e-4, Splices}},
+      {"24 channels, bursts 1/500", long24(with(&Impairments::burst, 1 / 500.)), Seen24, {1e-3, 5e-5, Junk},
+       {1e-3, 1e-3, Junk}},
+      {"24 channels, two bits flipped 1/300", long24(with(&Impairments::flipped, 1 / 300.)), Seen24, Usual,
+       {1e-3, 5e-4, Junk}},
+      {"24 channels, noise in 1/10 of the pauses", long24(noise(1 / 10.)), Seen24, {0.002, 1e-4, Glued},
+       {0.3, 5e-4, Glued}},
+      {"24 channels, joined midway", long24(joined()), JoinSeen24, None, None},
+      {"24 channels, loop of 5 ms", long24(plain()), Slow24, {2e-4, 0, Inside}, {0.005, 0, Doubtful}},
+      {"24 channels, blocked 2 to 10 ms every 97 ms", long24(blocked(2, 10, 97)), Blocked24, {0.1, 0, Inside},
+       {0.2, 0.005, Inside}},
+      {"16 channels into 24", by24(plain()), Other, None, None, NotMadeUp},
+      {"16 channels into 24, dropped 1/300", by24(dropped(1 / 300.)), Other, None, None, NotMadeUp},
+      {"24 channels into 16", of(Kind::Channels24), Channels24, None, None, NotMadeUp},
+      {"24 channels into 16, quick loops", of(Kind::Channels24), Channels24Fast, None, None, NotMadeUp},
+      {"24 channels into 16, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, {0, 0.005, Remains},
+       None, NotMadeUp},
       {"loop of 5 ms", plain(), Slow, {2e-4, 0, Inside}, {0.005, 0, Doubtful}},
       {"loop of 20 ms", plain(), Slower, {0.2, 1e-4, LongLoop}, {NotBound, 1 / 500., LongLoop}},
       {"loop of 20 ms, large buffers", plain(), SlowerLarge, {0.1, 1e-4, Larger}, {NotBound, 1e-4, LongLoop}},
@@ -242,7 +285,7 @@ Tally torture(const Condition &condition, const Setup &setup, Payload sticks, De
   for (uint64_t done = 0; done < frames; done += run.line.frames) {
     // Joined at every character of a frame, and anywhere within it, over and over.
     run.joinUs = character * characterUs + seeds.below(characterUs);
-    character = (character + 1) % sbus::FrameSize;
+    character = (character + 1) % (run.reads24 ? sbus::FrameSize24 : sbus::FrameSize);
     sum += simulate(run, decoder, seeds.next());  // in step, each begins at another place of a frame
   }
   return sum;

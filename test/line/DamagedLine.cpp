@@ -9,10 +9,15 @@
 namespace {
 
 constexpr uint8_t Telemetry[] = {0x03, 0xC0, 0x2E};  // PX4-Autopilot, sbus2_r7008SB.txt
-constexpr unsigned Frame24Size = 36;
-
 constexpr double Junk = 1 / 8.;
 constexpr uint32_t SilenceUs = 100000;
+
+bool isFrame(const SentFrame &sent) {
+  const uint8_t end = sent.bytes[sent.size - 1];
+  return sent.bytes[0] == (sent.extra ? sbus::ExtraHeader : sbus::HeaderByte) &&
+         sbus::isFlagsByte(sent.bytes[sent.size - 2]) &&
+         (sent.size == sbus::FrameSize24 ? end == 0 : sbus::isEndByte(end));
+}
 
 }  // namespace
 
@@ -58,10 +63,21 @@ bool DamagedLine::nextSent(SentFrame &frame) {
 void DamagedLine::sendFrame() {
   _framesLeft--;
   _timeUs = _frameUs;
+  if (_transmission.kind == Kind::With2F) {
+    Frame extra = _moreSticks.next();
+    extra[0] = sbus::ExtraHeader;
+    SentFrame sent;
+    sent.extra = true;
+    sendImpaired(extra.data(), sbus::FrameSize, sent);
+    sent.straight = false;  // it waits for what follows, at any place
+    _sent.push_back(sent);
+    _timeUs += 600 + _random.below(5400);
+  }
 
   const Frame frame = _sticks.next();
-  uint8_t bytes[Frame24Size] = {};
+  uint8_t bytes[sbus::FrameSize24] = {};
   unsigned size = sbus::FrameSize;
+  SentFrame sent;
   std::copy(frame.begin(), frame.end(), bytes);
   if (_transmission.kind == Kind::Sbus2) {
     bytes[sbus::EndIndex] = static_cast<uint8_t>(Sbus2End + (_number % 4 << 4));
@@ -73,11 +89,13 @@ void DamagedLine::sendFrame() {
   } else if (_transmission.kind == Kind::Channels24) {
     const Frame more = _moreSticks.next();
     std::copy_n(more.begin() + sbus::PayloadIndex, 11, bytes + sbus::FlagsIndex);
-    bytes[Frame24Size - 2] = frame[sbus::FlagsIndex];
-    bytes[Frame24Size - 1] = 0;
-    size = Frame24Size;
+    if (_transmission.sticks == Payload::LowChannel16) {  // CH24 as CH16
+      bytes[sbus::FrameSize24 - 3] = frame[sbus::FlagsIndex - 1];
+    }
+    bytes[sbus::FrameSize24 - 2] = frame[sbus::FlagsIndex];
+    bytes[sbus::FrameSize24 - 1] = 0;
+    size = sent.size = sbus::FrameSize24;
   }
-  SentFrame sent;
   sendImpaired(bytes, size, sent);
   _sent.push_back(sent);
   sendBetween(bytes[sbus::EndIndex]);
@@ -86,7 +104,7 @@ void DamagedLine::sendFrame() {
 
 void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent) {
   const Impairments &impairments = _transmission.impairments;
-  bool whole = _transmission.kind != Kind::Channels24;
+  bool whole = true;
   for (unsigned i = 0; i < size; i++) {
     uint8_t value = bytes[i];
     if (_random.chance(impairments.flipped)) {
@@ -113,17 +131,17 @@ void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &s
     }
     send(value, bad);
     whole = whole && !bad;
-    if (i < sbus::FrameSize) {
+    if (i < sent.size) {
       sent.bytes[i] = value;
       sent.altered = sent.altered || value != bytes[i];
     }
-    if (i == sbus::EndIndex) {
+    if (i == sent.size - 1) {
       sent.after = _good;
-      sent.intact = whole && sbus::isFrame(sent.bytes.data());
+      sent.intact = whole && isFrame(sent);
       sent.straight = sent.straight && !sent.altered;
     }
   }
-  _straight = whole && sent.intact && !sent.altered;
+  _straight = whole && sent.intact && !sent.altered && (!sent.extra || sent.straight);
 }
 
 // What stands between this frame and the next.
@@ -141,11 +159,15 @@ void DamagedLine::sendBetween(uint8_t end) {
     send(_random.byte());
     _noiseCharacters++;
   }
-  if (_transmission.kind == Kind::With2F && _number % 3 == 1) {
+  if (_transmission.kind == Kind::Odd2F && _number % 3 == 1) {
     _timeUs += 600;
-    for (unsigned i = 0; i < sbus::FrameSize; i++) {
-      send(i == 0 ? 0x2F : _random.byte());
-    }
+    Frame extra = _moreSticks.next();
+    extra[0] = sbus::ExtraHeader;
+    SentFrame sent;
+    sent.extra = true;
+    sendImpaired(extra.data(), sbus::FrameSize, sent);
+    sent.straight = false;  // it waits for what follows, at any place
+    _sent.push_back(sent);
     nextFrameUs = std::max(nextFrameUs, _timeUs + 1000 + _random.below(3000));
   }
   _straight = _straight && _characters.size() == characters;

@@ -13,7 +13,8 @@ enum class Kind {
   Plain,
   Sbus2,       // end bytes 04, 14, 24, 34 in turn; every other 04 is answered by telemetry, three bytes after 2 ms
   R7003SB,     // end byte 08 and five more bytes straight after the frame
-  With2F,      // after every third frame a 2F frame
+  With2F,      // Futaba's further channels: a 2F frame 0.6 to 6 ms before each frame
+  Odd2F,       // after every third frame a 2F frame, no matter where that stands
   Channels24,  // 36-byte frames only
 };
 
@@ -41,7 +42,9 @@ struct Transmission {
 
 // A frame as it stood on the line. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
 struct SentFrame {
-  Frame bytes{};
+  LongFrame bytes{};
+  unsigned size = sbus::FrameSize;
+  bool extra = false;     // its header is 2F
   bool intact = true;     // all there, nothing in between, and header, flags and end byte are those of a frame
   bool altered = false;   // not what the receiver sent
   bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that one
@@ -67,6 +70,7 @@ class DamagedLine : public line::Line {
 
  private:
   void sendFrame();
+  // `size` bytes: the frame, and what belongs to it.
   void sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent);
   void sendBetween(uint8_t end);
   void send(uint8_t value, bool bad = false);
@@ -75,7 +79,7 @@ class DamagedLine : public line::Line {
   const uint32_t _characterUs;
   Random &_random;
   PayloadFrames _sticks;
-  PayloadFrames _moreSticks;  // CH17 to CH24
+  PayloadFrames _moreSticks;  // CH17 to CH24, or CH32
 
   uint64_t _framesLeft;
   uint64_t _number = 0;  // of the next frame

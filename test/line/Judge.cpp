@@ -12,6 +12,9 @@ Tally &Tally::operator+=(const Tally &other) {
 
 void Judge::sent(const SentFrame &frame) {
   _entries.push_back({frame, _sent++, false});
+  if (frame.size != _size) {
+    _entries.back().frame.intact = false;
+  }
   if (_entries.size() > Window) {
     settleOldest();
   }
@@ -32,12 +35,17 @@ void Judge::poll(uint64_t position) {
   _had = position;
 }
 
-void Judge::given(const Frame &frame, uint64_t position) {
+bool Judge::isThat(const uint8_t *frame, const LongFrame &sent) const {
+  const unsigned flags = _size - 2;
+  return std::equal(frame + 1, frame + flags, sent.begin() + 1) && ((frame[flags] ^ sent[flags]) & _flagsMask) == 0;
+}
+
+void Judge::given(const uint8_t *frame, uint64_t position) {
   // The newest first: of frames that are alike it is the best that can be said for a receiver.
   for (size_t i = _entries.size(); i-- > 0;) {
     Entry &entry = _entries[i];
     if (entry.frame.intact && !entry.given && entry.frame.after <= position && position < entry.frame.after + Reach &&
-        std::equal(frame.begin(), frame.end() - 1, entry.frame.bytes.begin())) {
+        isThat(frame, entry.frame.bytes)) {
       entry.given = true;
       _firstGiven = std::min(_firstGiven, entry.number);
       _tally.altered += entry.frame.altered;

@@ -27,7 +27,9 @@ struct Tally {
 // frames, as long as none was given, and a last one that is not in lock: it may wait for what follows.
 class Judge {
  public:
-  explicit Judge(uint64_t learning) : _learning(learning) {}
+  // Of frames of `size` bytes; others are damaged. Of the flags only those of `flagsMask` are given to the sketch.
+  Judge(uint64_t learning, unsigned size, unsigned flagsMask)
+      : _learning(learning), _size(size), _flagsMask(flagsMask) {}
 
   // The line brings `frame`, later than all before.
   void sent(const SentFrame &frame);
@@ -38,8 +40,9 @@ class Judge {
   // A poll begins, and has all characters before `position`.
   void poll(uint64_t position);
 
-  // The sketch has been given `frame` when it had read all characters before `position`. Its end byte is not looked at.
-  void given(const Frame &frame, uint64_t position);
+  // The sketch has been given `frame` when it had read all characters before `position`. Header and end byte are not
+  // looked at.
+  void given(const uint8_t *frame, uint64_t position);
 
   // The sum.
   Tally finish();
@@ -51,12 +54,15 @@ class Judge {
     bool given;
   };
 
+  bool isThat(const uint8_t *frame, const LongFrame &sent) const;
   void settleOldest();
 
   static constexpr size_t Window = 128;    // frames: half a second of the densest line
   static constexpr uint64_t Reach = 100;  // characters: what is given later is not that frame, but one like it
 
   const uint64_t _learning;
+  const unsigned _size;
+  const unsigned _flagsMask;
   std::deque<Entry> _entries;
   uint64_t _sent = 0;
   uint64_t _firstGiven = UINT64_MAX;  // number of the frame

@@ -1,6 +1,7 @@
 #include "Simulation.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "support/UartPort.h"
 
@@ -10,18 +11,19 @@
 
 namespace {
 
-// Two ways of receiving. newFrame(): since the last call.
+// Ways of receiving. newFrame(): since the last call, and so newExtra(). Judged are the frames, not the link: failsafe is
+// then the frame's own, and one that waited while loop() was blocked for longer than the timeout is still read.
 class Ours {
  public:
-  // Judged are the frames, not the link: failsafe is then the frame's own, and one that waited while loop() was blocked
-  // for longer than the timeout is still read.
+  static constexpr unsigned Size = sbus::FrameSize, FlagsMask = 0x0F;
+
   explicit Ours(HardwareSerial &port) : _sbus(port) {
     _sbus.setLossLimit(0);
     _sbus.setTimeout(0);
   }
   void begin(unsigned long baud) { _sbus.begin(baud); }
   void parse() { _sbus.parseSBusFrame(); }
-  bool newFrame(Frame &frame) {
+  bool newFrame(LongFrame &frame) {
     if (!_sbus.newFrame()) {
       return false;
     }
@@ -32,24 +34,65 @@ class Ours {
     sbus::pack(frame.data(), channels.data(), failsafe, lostFrame);
     return true;
   }
+  bool newExtra(LongFrame &frame) {
+    const uint32_t count = _sbus.counters().extraFrames;
+    Channels channels{};
+    if (count == _extras || !_sbus.decodeExtraChannels(channels.data())) {
+      return false;
+    }
+    _extras = count;
+    sbus::pack(frame.data(), channels.data(), false, false);
+    return true;
+  }
 
  private:
   DecodeSBus _sbus;
+  uint32_t _extras = 0;
+};
+
+class Ours24 {
+ public:
+  static constexpr unsigned Size = sbus::FrameSize24, FlagsMask = 0x0C;
+
+  explicit Ours24(HardwareSerial &port) : _sbus(port) {
+    _sbus.setLossLimit(0);
+    _sbus.setTimeout(0);
+  }
+  void begin(unsigned long baud) { _sbus.begin(baud); }
+  void parse() { _sbus.parseSBusFrame(); }
+  bool newFrame(LongFrame &frame) {
+    if (!_sbus.newFrame()) {
+      return false;
+    }
+    LongChannels channels{};
+    bool failsafe = false;
+    bool lostFrame = false;
+    _sbus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
+    sbus::pack24(frame.data(), channels.data(), failsafe, lostFrame);
+    return true;
+  }
+  bool newExtra(LongFrame &) { return false; }
+
+ private:
+  DecodeSBus24 _sbus;
 };
 
 class Papers {
  public:
+  static constexpr unsigned Size = sbus::FrameSize, FlagsMask = 0x0F;
+
   explicit Papers(HardwareSerial &port) : _paper(port) {}
   void begin(unsigned long baud) { _paper.begin(baud); }
   void parse() { _paper.parseSBusFrame(); }
-  bool newFrame(Frame &frame) {
+  bool newFrame(LongFrame &frame) {
     if (_paper.frames() == _seen) {
       return false;
     }
     _seen = _paper.frames();
-    std::copy_n(_paper.frame(), frame.size(), frame.begin());
+    std::copy_n(_paper.frame(), Size, frame.begin());
     return true;
   }
+  bool newExtra(LongFrame &) { return false; }
 
  private:
   PaperDecoder _paper;
@@ -65,7 +108,8 @@ class Simulation {
         _beginUs(MicrosWrap - randomUs(std::min(run.line.frames * run.setup.periodUs, MicrosWrap / 2))),
         _line(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
         _port(run.line.baud, run.setup.driver, run.setup.buffer, [this] { takeFrame(); }),
-        _judge(learning(run.setup)) {}
+        _judge(learning(run.setup), Receiver::Size, Receiver::FlagsMask),
+        _extraJudge(learning(run.setup), Receiver::Size, 0) {}
 
   Tally run() {
     fakeMicros = _beginUs;
@@ -79,6 +123,11 @@ class Simulation {
       }
     } while (!_line.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
     Tally tally = _judge.finish();
+    if constexpr (std::is_same<Receiver, Ours>::value) {
+      Tally extra = _extraJudge.finish();
+      extra.late = 0;
+      tally += extra;
+    }
     tally.disturbed = _line.noiseCharacters() + _blocks;
     return tally;
   }
@@ -113,7 +162,7 @@ class Simulation {
     line::Character character;
     while (_line.next(fakeMicros, character)) {
       for (SentFrame frame; _line.nextSent(frame);) {
-        _judge.sent(frame);
+        (frame.extra ? _extraJudge : _judge).sent(frame);
       }
       if (character.endUs < _beginUs + _characterUs && !character.bad) {
         lose(1);
@@ -125,7 +174,9 @@ class Simulation {
   }
 
   void poll() {
-    _judge.poll(position() + static_cast<uint64_t>(_port.available()));
+    const uint64_t has = position() + static_cast<uint64_t>(_port.available());
+    _judge.poll(has);
+    _extraJudge.poll(has);
     _receiver.parse();
     takeFrame();
     // What the full buffer had no place for stood after all that was in it, and has been read now.
@@ -134,9 +185,12 @@ class Simulation {
   }
 
   void takeFrame() {
-    Frame frame;
+    LongFrame frame;
+    if (_receiver.newExtra(frame)) {
+      _extraJudge.given(frame.data(), position());
+    }
     if (_receiver.newFrame(frame)) {
-      _judge.given(frame, position());
+      _judge.given(frame.data(), position());
     }
   }
 
@@ -144,6 +198,7 @@ class Simulation {
   uint64_t position() const { return _port.bytesRead() + _lost; }
   void lose(uint64_t characters) {
     _judge.lost(position(), position() + characters);
+    _extraJudge.lost(position(), position() + characters);
     _lost += characters;
   }
 
@@ -155,6 +210,7 @@ class Simulation {
   UartPort _port;
   Receiver _receiver{_port};
   Judge _judge;
+  Judge _extraJudge;  // of frames with header 2F
   uint64_t _nextBlockUs = 0;
   uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;
@@ -165,5 +221,8 @@ class Simulation {
 }  // namespace
 
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed) {
-  return decoder == Decoder::Ours ? Simulation<Ours>(run, seed).run() : Simulation<Papers>(run, seed).run();
+  if (decoder == Decoder::Papers) {
+    return Simulation<Papers>(run, seed).run();
+  }
+  return run.reads24 ? Simulation<Ours24>(run, seed).run() : Simulation<Ours>(run, seed).run();
 }

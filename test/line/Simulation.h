@@ -18,6 +18,7 @@ struct Setup {
 struct Run {
   Transmission line{};  // its period is the setup's
   Setup setup{};
+  bool reads24 = false;      // ours is class DecodeSBus24, else DecodeSBus
   bool inStep = false;       // a loop takes exactly its period, else give or take 10 %
   uint32_t blockFromUs = 0;  // one loop takes so long
   uint32_t blockToUs = 0;    // or up to so long
@@ -28,5 +29,7 @@ struct Run {
 
 enum class Decoder { Ours, Papers };
 
-// Ours is class DecodeSBus. It is called after a loop if bytes wait, as from serialEvent1().
+// It is called after a loop if bytes wait, as from serialEvent1().
+// Of a line with Futaba's further channels (Kind::With2F) the tally is that of both kinds of frames; late are those with
+// header 0F only: the others wait for what follows them.
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed);

@@ -11,7 +11,8 @@
 using Bytes = std::vector<uint8_t>;
 using Frames = std::vector<Frame>;
 
-inline Bytes bytesOf(const Frame &frame) {
+template <size_t Size>
+Bytes bytesOf(const std::array<uint8_t, Size> &frame) {
   return Bytes(frame.begin(), frame.end());
 }
 
@@ -51,7 +52,8 @@ inline Bytes with(const Frame &frame, size_t index, uint8_t inserted) {
   return part(frame, 0, index) + Bytes{inserted} + part(frame, index);
 }
 
-inline Frame withByte(Frame frame, size_t index, unsigned byte) {
+template <size_t Size>
+std::array<uint8_t, Size> withByte(std::array<uint8_t, Size> frame, size_t index, unsigned byte) {
   frame[index] = static_cast<uint8_t>(byte);
   return frame;
 }
@@ -69,5 +71,6 @@ inline bool isPartOf(const Frames &some, const Frames &all) {
 inline sbus::Counters operator-(sbus::Counters now, const sbus::Counters &before) {
   now.frames -= before.frames;
   now.skippedBytes -= before.skippedBytes;
+  now.extraFrames -= before.extraFrames;
   return now;
 }

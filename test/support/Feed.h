@@ -10,20 +10,24 @@
 #include "board/BoardUart.h"
 #include "sbus/FrameFinder.h"
 
-inline Frame lastFrame(const sbus::FrameFinder &finder) {
-  Frame frame;
+template <typename Format>
+std::array<uint8_t, Format::Size> lastFrame(const sbus::FrameFinderOf<Format> &finder) {
+  std::array<uint8_t, Format::Size> frame;
   std::memcpy(frame.data(), finder.frame(), frame.size());
   return frame;
 }
 
-struct Feeder {
+template <typename Format>
+struct FeederOf {
   static constexpr uint32_t CharacterUs = 120;
   static constexpr uint32_t PauseUs = 4000;  // T = 7 ms
 
-  sbus::FrameFinder finder;
+  using Frames = std::vector<std::array<uint8_t, Format::Size>>;
+
+  sbus::FrameFinderOf<Format> finder;
   uint32_t now;
 
-  explicit Feeder(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
+  explicit FeederOf(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
 
   // A poll, now, that finds `bytes`. Returns the frames that it brings.
   Frames poll(const Bytes &bytes) {
@@ -46,7 +50,7 @@ struct Feeder {
   }
 
   // `us` without a byte and without a poll.
-  Feeder &wait(uint32_t us) {
+  FeederOf &wait(uint32_t us) {
     now += us;
     return *this;
   }
@@ -64,7 +68,7 @@ struct Feeder {
 
   // Some polls that find noise, `periodUs` apart, then a pause: the loop period is known. What was counted until now is
   // left out of counted().
-  Feeder &settle(uint32_t periodUs = CharacterUs, uint32_t pauseUs = PauseUs) {
+  FeederOf &settle(uint32_t periodUs = CharacterUs, uint32_t pauseUs = PauseUs) {
     for (unsigned noise = 0; noise < 6; noise++) {
       wait(periodUs).poll({0x55});
     }
@@ -73,7 +77,7 @@ struct Feeder {
   }
 
   // settle(), and three frames without 0F in their payload, with pauses: the line's kind is known.
-  Feeder &lock(uint8_t end = 0x00) {
+  FeederOf &lock(uint8_t end = 0x00) {
     settle();
     for (unsigned number = 0; number < 3; number++) {
       feed(bytesOf(plainFrame(number, end)) + tailOf(end));
@@ -89,6 +93,8 @@ struct Feeder {
  private:
   sbus::Counters _before = {};
 };
+
+using Feeder = FeederOf<sbus::Frame16>;
 
 // The frames in `bytes`, without a pause among them, polled whenever `burst` of them have come. A header follows: it
 // lets go a frame that waits for it.
@@ -111,20 +117,25 @@ class TimedLine {
     }
     return *this;
   }
-  TimedLine &send(const Frame &frame) { return send(bytesOf(frame)); }
+  template <size_t Size>
+  TimedLine &send(const std::array<uint8_t, Size> &frame) {
+    return send(bytesOf(frame));
+  }
 
   TimedLine &pause(uint64_t us) {
     _us += us;
     return *this;
   }
 
-  // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character.
-  Frames frames(uint32_t loopUs) const {
-    Feeder feeder;
+  // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character. `counters`:
+  // what it has counted.
+  template <typename Format = sbus::Frame16>
+  typename FeederOf<Format>::Frames frames(uint32_t loopUs, sbus::Counters *counters = nullptr) const {
+    FeederOf<Format> feeder;
     const uint32_t start = feeder.settle(loopUs).now;
     host::BoardUart uart;
     uart.open(0);
-    Frames found;
+    typename FeederOf<Format>::Frames found;
     size_t next = 0;
     for (uint64_t us = loopUs; us <= _us + 20000 + loopUs; us += loopUs) {
       for (; next < _characters.size() && _characters[next].endUs <= us; next++) {
@@ -138,6 +149,9 @@ class TimedLine {
       if (bytes.size() >= 63) {
         feeder.finder.broken();
       }
+    }
+    if (counters != nullptr) {
+      *counters = feeder.counted();
     }
     return found;
   }

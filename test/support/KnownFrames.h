@@ -46,6 +46,18 @@ constexpr KnownFrame Sbus2 = {
 
 constexpr KnownFrame KnownFrames[] = {PaperLow, PaperHigh, Neutral, Sbus2};
 
+// FrSky's 24 channels: github.com/nseinlet/Modelisme, src/FrSky_SBus.cpp, which says that CH1 is 1025 and CH2 1024. The
+// others are worked out bit by bit.
+struct KnownLongFrame {
+  LongFrame bytes;
+  LongChannels channels;
+};
+constexpr KnownLongFrame Published24 = {
+    {0x0F, 0x01, 0x04, 0x20, 0x00, 0xFF, 0x07, 0x40, 0x00, 0x02, 0x10, 0x80, 0x2C, 0x64, 0x21, 0x0B, 0x59, 0x08,
+     0x40, 0x00, 0x02, 0x10, 0x80, 0x2C, 0x64, 0x21, 0x0B, 0x59, 0x08, 0x40, 0x00, 0x02, 0x10, 0x80, 0x00, 0x00},
+    {1025, 1024, 1024, 1023, 1024, 1024, 1024, 1024, 1068, 1068, 1068, 1068,
+     1024, 1024, 1024, 1024, 1068, 1068, 1068, 1068, 1024, 1024, 1024, 1024}};
+
 // A failsafe frame of a real receiver. It has a second reading, which begins with its flags, 0F, and ends before
 // those of the next.
 constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
@@ -71,4 +83,19 @@ inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) {
 // With Futaba's centre, 1024: no 0F in the payload at all.
 inline Frame plainFrame(unsigned number, uint8_t end = 0x00) {
   return countingFrame(1024, 1024, number, end);
+}
+
+// Frame number `number` of 24 channels, plain or neutral.
+inline LongFrame longFrame(unsigned number, bool neutral = false) {
+  LongChannels channels;
+  channels.fill(neutral ? 992 : 1024);
+  channels[0] = static_cast<uint16_t>(1000 + number);
+  return writeBitByBit(channels);
+}
+
+// Frame number `number` of Futaba's further channels.
+inline Frame extraFrame(unsigned number, uint8_t end = 0x00) {
+  Frame frame = countingFrame(1500, 300, number, end);
+  frame[0] = 0x2F;
+  return frame;
 }

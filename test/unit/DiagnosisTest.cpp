@@ -31,6 +31,8 @@ struct Came {
   Came skipped(uint32_t count) const { return with(&Counters::skippedBytes, count); }
   Came resyncs(uint32_t count) const { return with(&Counters::resyncs, count); }
   Came overflows(uint32_t count) const { return with(&Counters::overflows, count); }
+  Came other(uint32_t count) const { return with(&Counters::otherFrames, count); }
+  Came extra(uint32_t count) const { return with(&Counters::extraFrames, count); }
 
  private:
   Came with(uint32_t Counters::*counter, uint32_t count) const {
@@ -80,6 +82,18 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"as many with another", {Good, Noise, Good, Noise}, Finding::AllWell, 0},
       {"more with another", {Good, Noise, Came::frames(56), Noise}, Finding::WrongInversion, 2},
       {"another later has fewer", {Noise, Came::frames(40), Came::frames(30), Noise}, Finding::WrongBaud, 1},
+      {"24 channels", {Came::bytes(1980).other(54), Noise, Noise, Noise}, Finding::Channels24, 0},
+      {"24 channels, a frame of them every 100 ms", {Came::bytes(1980).other(5)}, Finding::NoFrames, 0},
+      {"one more of them", {Came::bytes(1980).other(6)}, Finding::Channels24, 0},
+      {"24 channels, the other inversion", {Noise, Noise, Noise.other(54), Noise}, Finding::Channels24, 2},
+      {"24 channels, the other baud rate", {Noise, Noise.other(54), Noise.other(1), Noise}, Finding::Channels24, 1},
+      {"24 channels, a frame by chance with another",
+       {Noise.other(54), Noise, Came::frames(1), Noise},
+       Finding::Channels24,
+       0},
+      {"24 channels, polled too seldom", {Noise.other(6).overflows(1)}, Finding::PolledTooSeldom, 0},
+      {"16 channels, so noisy that three have the size of 24", {Came::bytes(1302).other(3)}, Finding::NoFrames, 0},
+      {"16 channels, six such before the first", {Good.other(6), Noise, Noise, Noise}, Finding::AllWell, 0},
       {"a wrong setting comes before the radio", {Noise, Noise, Good.failsafe(55), Noise}, Finding::WrongInversion, 2},
       {"and before slow polls", {Noise, Noise, Good.overflows(9), Noise}, Finding::WrongInversion, 2},
       // The setting is right.
@@ -103,7 +117,9 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"opened within a frame", {Good.byEnd(4).skipped(24)}, Finding::AllWell, 0},
       {"S.BUS2, eight sensors", {Came::frames(33).skipped(216).resyncs(8)}, Finding::AllWellAndMore, 0},
       {"an R7003SB", {Came::frames(33).skipped(165)}, Finding::AllWellAndMore, 0},
-      {"FASSTest 26", {Came::frames(28).byEnd(54).skipped(685).resyncs(27)}, Finding::AllWellAndMore, 0},
+      {"FASSTest 26", {Came::frames(28).extra(27).skipped(25)}, Finding::AllWell, 0},
+      {"FASSTest 26, eight sensors", {Came::frames(28).extra(27).skipped(190).resyncs(7)}, Finding::AllWellAndMore, 0},
+      {"FASSTest 26, some noise", {Came::frames(27).extra(18).skipped(226).resyncs(8)}, Finding::Damaged, 0},
       {"just so many bytes", {Came::frames(33).skipped(58)}, Finding::AllWellAndMore, 0},
       {"one less", {Came::frames(33).skipped(57)}, Finding::AllWell, 0},
       {"bytes of one damaged frame", {Came::frames(54).byEnd(1).skipped(24 + 60).resyncs(1)}, Finding::AllWell, 0},
@@ -159,14 +175,14 @@ TEST_CASE("damaged frames are counted, not their headers: some noise, much noise
       {"refused for all three reasons", Came::frames(50).byEnd(1).byFlags(1).byExtra(1).skipped(500).resyncs(9), 3},
       {"the rest of a frame", Good.byEnd(2).skipped(20), 0},
       {"before the first frame nobody knows", Came::bytes(1977).byEnd(219), 0},
-      {"FASSTest 26", Came::frames(28).byEnd(54).skipped(685).resyncs(27), 0},
+      {"FASSTest 26", Came::frames(28).extra(27).skipped(25), 0},
+      {"FASSTest 26, 30 a second, 8 of those with header 2F are missing",
+       Came::frames(27).extra(18).skipped(226).resyncs(8), 8},
+      {"FASSTest 26, 5 and 4", Came::frames(24).extra(19).byEnd(4).skipped(322).resyncs(7), 8},
+      {"FASSTest 26, one missing", Came::frames(28).extra(26).skipped(49).resyncs(1), 1},
+      {"one more than half of them", Came::frames(28).extra(15).skipped(300).resyncs(9), 12},
+      {"half of them: as if there were none", Came::frames(28).extra(14).skipped(300).resyncs(9), 0},
       {"every second frame has lost a byte", Came::frames(28).byEnd(27).skipped(27 * 24).resyncs(27), 27},
-      {"FASSTest 26, at its fewest", Came::frames(28).byEnd(54).skipped(675).resyncs(27), 0},
-      {"a byte less", Came::frames(28).byEnd(54).skipped(674).resyncs(27), 28},
-      {"FASSTest 26, at its most", Came::frames(28).byEnd(54).skipped(724).resyncs(27), 0},
-      {"a byte more", Came::frames(28).byEnd(54).skipped(725).resyncs(27), 30},
-      {"a frame without another", Came::frames(29).byEnd(54).skipped(685).resyncs(27), 29},
-      {"FASSTest 26, two damaged", Came::frames(26).byEnd(9).skipped(26 * 25 + 48).resyncs(24), 9},
       {"as many gaps, but far more skipped", Came::frames(6).byEnd(100).skipped(1000).resyncs(5), 42},
   };
   for (const auto &row : rows) {

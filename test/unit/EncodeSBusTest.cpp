@@ -134,3 +134,49 @@ TEST_CASE("on one port both ways work at once") {
   CHECK(board.channels() == PaperHigh.channels);
   CHECK(board.port.openings.size() == 1);
 }
+
+TEST_CASE("EncodeSBus24 sends 24 channels and both flags, every period, and pauses no shorter than half of theirs") {
+  for (const unsigned flags : {0x00u, 0x04u, 0x08u, 0x0Cu}) {
+    CAPTURE(flags);
+    FakeSerial port;
+    EncodeSBus24 sbus(port);
+    sbus.begin();
+    CHECK(sbus.write(Published24.channels.data(), flags >= 0x08, (flags & 0x04) != 0));
+    CHECK(port.written == bytesOf(withByte(Published24.bytes, 34, flags)));
+  }
+  const struct {
+    int most;  // bytes that the port takes
+    int less;
+  } ports[] = {{64, 35}, {36, 35}, {35, 34}};
+  for (const auto &row : ports) {
+    CAPTURE(row.most);
+    FakeSerial port;
+    EncodeSBus24 sbus(port);
+    sbus.begin();
+    port.placesToWrite = row.most;
+    CHECK(sbus.write(Published24.channels.data(), false, false));
+    fakeMicros += 9000;
+    port.placesToWrite = row.less;
+    CHECK_FALSE(sbus.write(Published24.channels.data(), false, false));
+    port.placesToWrite = row.most;
+    CHECK(sbus.write(Published24.channels.data(), false, false));
+    CHECK(port.written.size() == 72);
+  }
+  const uint32_t rows[][3] = {  // period, late, from there to the next: a frame takes 4320 us
+      {9000, 0, 9000}, {9000, 2339, 6661}, {9000, 2340, 9000}, {6000, 839, 5161}, {6000, 840, 6000}};
+  for (const auto &row : rows) {
+    INFO("period ", row[0], ", late ", row[1]);
+    fakeMicros = 1000;
+    FakeSerial port;
+    EncodeSBus24 sbus(port);
+    sbus.begin();
+    sbus.setPeriod(static_cast<uint16_t>(row[0]));
+    CHECK(sbus.write(Published24.channels.data(), false, false));
+    fakeMicros += row[0] + row[1];
+    CHECK(sbus.write(Published24.channels.data(), false, false));
+    fakeMicros += row[2] - 1;
+    CHECK_FALSE(sbus.write(Published24.channels.data(), false, false));
+    fakeMicros += 1;
+    CHECK(sbus.write(Published24.channels.data(), false, false));
+  }
+}

@@ -21,7 +21,7 @@ Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
 }
 
 // FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
-Bytes longFrame(unsigned number, unsigned flagsPlace, unsigned endPlace) {
+Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace) {
   const Frame beginning = withByte(withByte(neutralFrame(number), 23, flagsPlace), 24, endPlace);
   return bytesOf(beginning) + Bytes(9, 0x3E) + Bytes{0x08, 0x00};  // failsafe
 }
@@ -281,7 +281,7 @@ TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH
         INFO("flagsPlace ", flagsPlace, ", endPlace ", endPlace, ", loopUs ", loopUs);
         TimedLine line;
         for (unsigned number = 0; number < 40; number++) {
-          line.send(longFrame(number, flagsPlace, endPlace)).pause(9000 - 36 * 120);
+          line.send(frame36(number, flagsPlace, endPlace)).pause(9000 - 36 * 120);
         }
         CHECK(line.frames(loopUs).empty());
       }
@@ -296,7 +296,7 @@ TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between
     for (unsigned number = 0; number < 40; number++) {
       sent.push_back(frameOf(number % 2 != 0, number));
       line.send(sent.back()).pause(4000);
-      line.send(longOnes ? longFrame(number, 0xE0, 0x00) : bytesOf(withByte(neutralFrame(number), 0, 0x2F)))
+      line.send(longOnes ? frame36(number, 0xE0, 0x00) : bytesOf(withByte(neutralFrame(number), 0, 0x2F)))
           .pause(4000);
     }
     for (const uint32_t loopUs : {50u, 500u, 1000u, 2000u}) {
@@ -318,7 +318,7 @@ TEST_CASE("where 25 bytes were known 36-byte frames are believed once at the mos
     line.lock();
     Frames found;
     for (unsigned number = 0; number < 40; number++) {
-      found = found + line.feed(longFrame(number, 0x03, 0x00), row.burst);
+      found = found + line.feed(frame36(number, 0x03, 0x00), row.burst);
       line.wait(Feeder::PauseUs);
     }
     CHECK(found.size() <= row.most);

@@ -35,6 +35,24 @@ Frame packed(const Channels &channels, bool failsafe = false, bool lostFrame = f
   return frame;
 }
 
+LongChannels unpacked(const LongFrame &frame) {
+  LongChannels channels;
+  sbus::unpack24(frame.data(), channels.data());
+  return channels;
+}
+
+LongFrame packed(const LongChannels &channels, bool failsafe = false, bool lostFrame = false) {
+  LongFrame frame;
+  sbus::pack24(frame.data(), channels.data(), failsafe, lostFrame);
+  return frame;
+}
+
+std::array<uint16_t, 16> unpackedExtra(const Frame &frame) {
+  std::array<uint16_t, 16> channels;
+  sbus::unpackExtra(frame.data(), channels.data());
+  return channels;
+}
+
 }  // namespace
 
 TEST_CASE("a frame begins with 0F, has flags 00..0F, ends with 00 04 08 14 24 34, and nothing else") {
@@ -109,6 +127,59 @@ TEST_CASE("a channel above 2047 is sent as 2047 and spills into no neighbour, a 
   }
 }
 
+TEST_CASE("of 24 channels every one takes every value 0..2047, both ways, and leaves its neighbours alone") {
+  for (const uint16_t others : {uint16_t{0}, uint16_t{2047}}) {
+    for (unsigned channel = 0; channel < 24; channel++) {
+      for (uint16_t value = 0; value <= 2047; value++) {
+        LongChannels channels;
+        channels.fill(others);
+        channels[channel] = value;
+        const LongFrame frame = writeBitByBit(channels);
+        if (unpacked(frame) != channels || packed(channels) != frame) {
+          FAIL("channel ", channel + 1, ", value ", value, ", all others ", others);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the published frame of 24 channels has the channels that are known, and is written to the byte") {
+  CHECK(readBitByBit(Published24.bytes) == Published24.channels);
+  CHECK(unpacked(Published24.bytes) == Published24.channels);
+  CHECK(packed(Published24.channels) == Published24.bytes);
+}
+
+TEST_CASE("of 24 channels one above 2047 is sent as 2047; byte 34 has lost frame and failsafe, byte 35 is 00") {
+  for (unsigned channel = 0; channel < 24; channel++) {
+    for (const uint16_t value : {uint16_t{2048}, uint16_t{4096}, uint16_t{65535}}) {
+      INFO("channel ", channel, ", value ", value);
+      LongChannels channels{}, sent{};
+      channels[channel] = value;
+      sent[channel] = 2047;
+      CHECK(packed(channels) == writeBitByBit(sent));
+    }
+  }
+  for (const unsigned flags : {0x00u, 0x04u, 0x08u, 0x0Cu}) {
+    const LongFrame frame = withByte(Published24.bytes, 34, flags);
+    CHECK(packed(Published24.channels, (flags & 8) != 0, (flags & 4) != 0) == frame);
+    CHECK(unpacked(withByte(withByte(frame, 0, 0xFF), 35, 0xFF)) == Published24.channels);
+  }
+}
+
+TEST_CASE("a frame with header 2F has 16 channels, packed as in any other, whatever its flags are") {
+  for (const KnownFrame &known : KnownFrames) {
+    for (unsigned channel = 0; channel < 16; channel++) {
+      for (const unsigned value : {0u, 1u, 682u, 1365u, 2046u, 2047u}) {
+        Channels channels = known.channels;
+        channels[channel] = static_cast<uint16_t>(value);
+        const Frame frame = withByte(withByte(writeBitByBit(channels), 0, 0x2F), 23, 0xFF);
+        CHECK(unpackedExtra(frame) == readPayload<16>(frame));
+        CHECK(unpackedExtra(frame)[channel] == value);
+      }
+    }
+  }
+}
+
 TEST_CASE("innerHeader finds a header after the frame's own end byte, telemetry slots aside, else nothing") {
   const struct {
     unsigned end, endMask, before;  // the byte before the 0F
@@ -116,15 +187,17 @@ TEST_CASE("innerHeader finds a header after the frame's own end byte, telemetry 
   } rows[] = {{0x00, 0xFF, 0x00, true},  {0x00, 0xFF, 0x04, false}, {0x04, 0xCF, 0x34, true},
               {0x04, 0xCF, 0x00, false}, {0x08, 0xFF, 0x08, true},  {0x08, 0xFF, 0x18, false}};
   for (const auto &row : rows) {
-    for (unsigned index = 2; index < 24; index++) {
-      INFO("before ", row.before, ", index ", index);
-      Frame frame{};
-      frame.fill(0x55);
-      frame[0] = 0x0F;
-      frame[24] = static_cast<uint8_t>(row.end);
-      frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
-      CHECK(sbus::innerHeader(frame.data(), 25, static_cast<uint8_t>(row.endMask)) ==
-            (row.found ? static_cast<int>(index) : 25));
+    for (const unsigned size : {25u, 36u}) {
+      for (unsigned index = 2; index < size - 1; index++) {
+        INFO("before ", row.before, ", index ", index, ", size ", size);
+        LongFrame frame{};
+        frame.fill(0x55);
+        frame[0] = 0x0F;
+        frame[size - 1] = static_cast<uint8_t>(row.end);
+        frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
+        CHECK(sbus::innerHeader(frame.data(), static_cast<int>(size), static_cast<uint8_t>(row.endMask)) ==
+              static_cast<int>(row.found ? index : size));
+      }
     }
   }
 }

@@ -246,6 +246,75 @@ TEST_CASE("newFrame and counters count the frames before, those during the inter
       });
 }
 
+TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array alone if the newest is stale") {
+  using Extra = std::array<uint16_t, 16>;
+  const Extra nothing = {4711};
+  static OpenBoard *board;
+  static unsigned next, during;  // 2F frames: the number of the next, and how many come in during the interrupt
+  static uint64_t interruptMs;
+  static const auto receive = [] {
+    board->wait(4 * Ms);
+    board->frame(withByte(frameOf(next++), 0, 0x2F));
+    board->wait(1 * Ms);
+    board->frame(frameOf(0));
+  };
+  const auto extra = [](unsigned number) { return readPayload<16>(frameOf(number)); };
+  listen();
+  interrupt = [] {
+    for (unsigned i = 0; i < during; i++) {
+      receive();
+    }
+    fakeMicros += interruptMs * Ms;
+  };
+  const struct {
+    doctest::String what;
+    uint64_t ageMs;
+    unsigned during;
+    uint64_t interruptMs;
+    bool stale;  // without the interrupt
+  } rows[] = {{"one comes", 9, 1, 0, false},
+              {"two come", 9, 2, 0, false},
+              {"one comes, then 200 ms", 9, 1, 200, false},
+              {"two come, then 200 ms", 9, 2, 200, false},
+              {"the channels are about to become stale, one comes", 95, 1, 0, false},
+              {"they are stale, one comes", 150, 1, 0, true},
+              {"they are stale, two come, then 200 ms", 150, 2, 200, true}};
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    during = row.during;
+    interruptMs = row.interruptMs;
+    unsigned long instruction = 0;
+    bool happened = true;
+    while (happened) {
+      instruction++;
+      CAPTURE(instruction);
+      fakeMicros = 1000000 + instruction * 131;
+      OpenBoard now;
+      board = &now;
+      for (next = 0; next < 3;) {
+        receive();
+      }
+      now.wait(row.ageMs * Ms - 1 * Ms - FakeBoard::FrameUs);
+      Extra channels = nothing;
+      bool decoded = false;
+      happened = interrupted(instruction, [&] { decoded = now.sbus.decodeExtraChannels(channels.data()); });
+      if (!happened) {
+        CHECK(instruction > 3);
+        CHECK(decoded == !row.stale);
+        interrupt();
+      }
+      bool right = !decoded && channels == nothing && (row.stale || row.interruptMs != 0);
+      for (unsigned number = row.stale ? 3 : 2; number < next; number++) {
+        right = right || (decoded && channels == extra(number));
+      }
+      REQUIRE(right);
+      channels = nothing;
+      REQUIRE(now.sbus.decodeExtraChannels(channels.data()) == (row.interruptMs == 0));
+      REQUIRE(channels == (row.interruptMs == 0 ? extra(next - 1) : nothing));
+    }
+  }
+}
+
 TEST_CASE("this proof finds the fault of a reader that does not read anew") {
   static Feeder *line;
   listen();

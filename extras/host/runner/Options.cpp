@@ -112,6 +112,16 @@ Options parseOptions(int argc, char **argv) {
       ->excludes(port)
       ->excludes(recording)
       ->excludes(silent);
+  const std::map<int, line::Channels> kinds = {
+      {16, line::Channels::Sixteen}, {24, line::Channels::TwentyFour}, {32, line::Channels::ThirtyTwo}};
+  int channels = 16;
+  auto *channelsOption =
+      app.add_option("--channels", channels, "of the simulated receiver; 24: FrSky's, 32: Futaba's FASSTest 26 (16)");
+  channelsOption->check(CLI::IsMember({16, 24, 32}).description(""))
+      ->type_name("16|24|32")
+      ->excludes(port)
+      ->excludes(recording)
+      ->excludes(silent);
   auto *on = app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)");
   on->check(CLI::Range(1, 3).description(""))->type_name("1|2|3");
   app.add_option("--wire", wires, "a wire from TX of one port to RX of another or the same; may be given several times")
@@ -139,12 +149,13 @@ Options parseOptions(int argc, char **argv) {
   try {
     app.parse(argc, argv);
     options.source.sticks = movements.at(sticks);
+    options.source.channels = kinds.at(channels);
     options.source.settings.polarity = port->count() > 0         ? line::Polarity::Either
                                        : uninverted->count() > 0 ? line::Polarity::Uninverted
                                                                  : line::Polarity::Inverted;
     addWires(wires, options);
     addSent(sent, options);
-    settleLine({recording, port, lineBaud, uninverted, noise, silent, sticksOption, on}, options);
+    settleLine({recording, port, lineBaud, uninverted, noise, silent, sticksOption, channelsOption, on}, options);
   } catch (const CLI::ParseError &error) {
     std::exit(app.exit(error));
   }

@@ -17,8 +17,11 @@ void reportTraffic(line::LineMonitor &monitor, uint64_t nowUs) {
   if (monitor.badCharacters() > 0) {
     std::fprintf(stderr, " (%lu bad)", monitor.badCharacters());
   }
-  std::fprintf(stderr, ", %lu frames, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
-               Number{counters.lostFrames}, Number{counters.failsafeFrames});
+  std::fprintf(stderr, ", %lu frames%s, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
+               monitor.has24() ? " of 24 channels" : "", Number{counters.lostFrames}, Number{counters.failsafeFrames});
+  if (counters.extraFrames > 0) {
+    std::fprintf(stderr, ", and %lu with CH17..CH32", Number{counters.extraFrames});
+  }
 }
 
 // What the port made of the line with settings that both had.

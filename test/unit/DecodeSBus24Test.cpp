@@ -1,0 +1,234 @@
+// FrSky's 24 channels: which frames of 36 bytes are found, what the class makes of them, and that no line is taken for
+// one of the other size.
+#include <doctest/doctest.h>
+
+#include <climits>
+
+#include "support/Feed.h"
+#include "support/FakeBoard.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
+
+#include <EncodeSBus.h>
+
+using sbus::LinkState;
+
+namespace {
+
+using Feeder24 = FeederOf<sbus::Frame24>;
+using LongFrames = Feeder24::Frames;
+
+constexpr LongChannels UntouchedLong = {4711};
+
+struct Board24 {
+  FakeSerial port;
+  DecodeSBus24 sbus{port};
+
+  Board24() {
+    sbus.begin();
+    for (unsigned noise = 0; noise < 3; noise++) {
+      fakeMicros += 500;
+      take({0x55});
+    }
+  }
+
+  void take(const Bytes &bytes) {
+    fakeMicros += 120 * bytes.size();
+    port.arrive(bytes);
+    sbus.parseSBusFrame();
+  }
+
+  // After a pause, as the board hands it over.
+  void frame(const LongFrame &frame) {
+    fakeMicros += 4 * Ms;
+    take(part(frame, 0, 16));
+    take(part(frame, 16, 32));
+    fakeMicros += 120;
+    take(part(frame, 32));
+  }
+
+  void expect(const LongChannels &channels, bool failsafe, bool lostFrame) {
+    LongChannels decoded = UntouchedLong;
+    bool isFailsafe = !failsafe, isLost = !lostFrame;
+    sbus.decodeSBusFrame(decoded.data(), isFailsafe, isLost);
+    CHECK(decoded == channels);
+    CHECK(isFailsafe == failsafe);
+    CHECK(isLost == lostFrame);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("of frames of 36 bytes every one is found, at loops of any period, and none is a resync") {
+  for (const bool neutral : {false, true}) {
+    for (const uint64_t pauseUs : {700u, 2700u, 4700u, 9700u}) {
+      TimedLine line;
+      LongFrames sent;
+      for (unsigned number = 0; number < 30; number++) {
+        sent.push_back(withByte(longFrame(number, neutral), 34, number % 10 < 5 ? 0x00 : 0x0F));
+        line.send(sent.back()).pause(pauseUs);
+      }
+      for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
+        INFO("neutral ", neutral, ", pauseUs ", pauseUs, ", loopUs ", loopUs);
+        sbus::Counters counters;
+        CHECK(line.frames<sbus::Frame24>(loopUs, &counters) == sent);
+        CHECK(counters.skippedBytes == 0);
+        CHECK(counters.resyncs == 0);
+        CHECK(counters.otherFrames == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("36 bytes are refused for a wrong header, flags or end byte, each by its own counter, and for a pause inside") {
+  const struct {
+    doctest::String what;
+    Bytes bytes, afterPause;
+    unsigned byEnd, byFlags, byExtra;
+  } rows[] = {
+      {"header 2F", bytesOf(withByte(longFrame(5), 0, 0x2F)), {}, 0, 0, 0},
+      {"flags bit 4", bytesOf(withByte(longFrame(5), 34, 0x10)), {}, 0, 1, 0},
+      {"end byte 04 of S.BUS2", bytesOf(withByte(longFrame(5), 35, 0x04)), {}, 1, 0, 0},
+      {"end byte 08 of an R7003SB", bytesOf(withByte(longFrame(5), 35, 0x08)), {}, 1, 0, 0},
+      {"a pause inside", part(longFrame(5), 0, 20), part(longFrame(5), 20), 0, 0, 1},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    Feeder24 line;
+    line.settle();
+    for (unsigned number = 0; number < 3; number++) {
+      line.feed(bytesOf(longFrame(number)));
+      line.wait(Feeder24::PauseUs);
+    }
+    CHECK(line.feed(row.bytes) == LongFrames{});
+    if (!row.afterPause.empty()) {
+      CHECK(line.wait(8000).feed(row.afterPause) == LongFrames{});
+    }
+    CHECK(line.wait(Feeder24::PauseUs).feed(bytesOf(longFrame(6))) == LongFrames{longFrame(6)});
+    const sbus::Counters counters = line.counted();
+    CHECK(counters.refusedByEnd == row.byEnd);
+    CHECK(counters.refusedByFlags == row.byFlags);
+    CHECK(counters.refusedByExtra == row.byExtra);
+    CHECK(counters.skippedBytes == 36);
+  }
+}
+
+TEST_CASE("a line of the other size brings no frame, and each of its frames is counted, but for the last") {
+  for (const bool neutral : {false, true}) {
+    for (const uint64_t pauseUs : {2700u, 4700u, 9700u}) {
+      TimedLine longs, shorts;
+      for (unsigned number = 0; number < 40; number++) {
+        longs.send(longFrame(number, neutral)).pause(pauseUs);
+        shorts.send(neutral ? neutralFrame(number) : plainFrame(number)).pause(pauseUs);
+      }
+      for (const uint32_t loopUs : {50u, 500u}) {
+        INFO("neutral ", neutral, ", pauseUs ", pauseUs, ", loopUs ", loopUs);
+        sbus::Counters counters;
+        CHECK(longs.frames(loopUs, &counters).empty());
+        CHECK(counters.otherFrames == 39);
+        CHECK(shorts.frames<sbus::Frame24>(loopUs, &counters).empty());
+        CHECK(counters.otherFrames == 39);
+        CHECK(shorts.frames(loopUs, &counters).size() == 40);
+        CHECK(counters.otherFrames == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("after frames of the other size one of the own size between two pauses, and all are believed again") {
+  for (const unsigned others : {1u, 2u, 20u}) {
+    CAPTURE(others);
+    Feeder line;
+    Feeder24 line24;
+    line.settle();
+    line24.settle();
+    for (unsigned number = 0; number < others; number++) {
+      CHECK(line.feed(bytesOf(longFrame(number))).empty());
+      CHECK(line24.feed(bytesOf(plainFrame(number))).empty());
+      line.wait(Feeder::PauseUs);
+      line24.wait(Feeder::PauseUs);
+    }
+    unsigned found = 0, found24 = 0;
+    for (unsigned number = 0; number < 5; number++) {
+      found += static_cast<unsigned>(line.feed(bytesOf(plainFrame(number))).size());
+      found24 += static_cast<unsigned>(line24.feed(bytesOf(longFrame(number))).size());
+      line.wait(Feeder::PauseUs);
+      line24.wait(Feeder::PauseUs);
+    }
+    CHECK(found >= 4);
+    CHECK(found24 >= 4);
+    CHECK(line.counted().otherFrames == others);
+    CHECK(line24.counted().otherFrames == others);
+  }
+}
+
+TEST_CASE("DecodeSBus24 gives 24 channels, and the flags of byte 34; the link is judged by them and by the timeout") {
+  const struct {
+    unsigned flags;
+    LinkState state;
+  } rows[] = {{0x00, LinkState::Ok},       {0x03, LinkState::Ok},       {0x04, LinkState::Lossy},
+              {0x08, LinkState::Failsafe}, {0x0C, LinkState::Failsafe}};
+  for (const auto &row : rows) {
+    CAPTURE(row.flags);
+    Board24 board;
+    CHECK(board.port.openings.back().baud == 100000);
+    CHECK(board.sbus.linkState() == LinkState::NeverSeen);
+    board.expect(UntouchedLong, true, true);
+    for (unsigned number = 0; number < 3; number++) {
+      board.frame(longFrame(number));
+    }
+    const LongFrame frame = withByte(Published24.bytes, 34, row.flags);
+    board.frame(frame);
+    CHECK(board.sbus.counters().frames == 4);
+    CHECK(board.sbus.counters().lostFrames == ((row.flags & 4) != 0));
+    CHECK(board.sbus.counters().failsafeFrames == ((row.flags & 8) != 0));
+    CHECK(board.sbus.linkState() == row.state);
+    CHECK(board.sbus.newFrame());
+    CHECK(board.sbus.frameAge() == 0);
+    board.expect(Published24.channels, (row.flags & 8) != 0, (row.flags & 4) != 0);
+    CHECK_FALSE(board.sbus.newFrame());
+    fakeMicros += 99 * Ms;
+    board.expect(Published24.channels, (row.flags & 8) != 0, (row.flags & 4) != 0);
+    fakeMicros += 1 * Ms;
+    CHECK(board.sbus.linkState() == LinkState::Stale);
+    board.expect(UntouchedLong, true, true);
+    board.sbus.begin();
+    CHECK(board.sbus.linkState() == LinkState::NeverSeen);
+    CHECK(board.sbus.frameAge() == ULONG_MAX);
+  }
+}
+
+TEST_CASE("what EncodeSBus24 sends DecodeSBus24 reads, and DecodeSBus counts as other frames; the other way round too") {
+  Board24 board24;
+  OpenBoard board;
+  FakeSerial port24, port;
+  EncodeSBus24 encoder24(port24);
+  EncodeSBus encoder(port);
+  encoder24.begin();
+  encoder.begin();
+  for (unsigned number = 0; number < 10; number++) {
+    CHECK(encoder24.write(readBitByBit(longFrame(number)).data(), false, false));
+    CHECK(encoder.write(readBitByBit(plainFrame(number)).data(), false, false));
+    fakeMicros += 9 * Ms;
+  }
+  const auto send = [](const Bytes &bytes, size_t size, auto &to) {
+    for (size_t at = 0; at < bytes.size(); at += size) {
+      fakeMicros += 4 * Ms;
+      for (size_t i = at; i < at + size; i++) {
+        to.take({bytes[i]});
+      }
+    }
+  };
+  Board24 wrong24;
+  OpenBoard wrong;
+  send(port24.written, 36, board24);
+  send(port24.written, 36, wrong);
+  send(port.written, 25, board);
+  send(port.written, 25, wrong24);
+  CHECK(board24.sbus.counters().frames == 10);
+  CHECK(board.sbus.counters().frames == 10);
+  CHECK(wrong24.sbus.counters().frames == 0);
+  CHECK(wrong.sbus.counters().frames == 0);
+  CHECK(wrong24.sbus.counters().otherFrames == 9);
+  CHECK(wrong.sbus.counters().otherFrames == 9);
+}

@@ -1,0 +1,214 @@
+// Futaba's further channels: which frames with header 2F are believed, what they cost the others, and how long
+// decodeExtraChannels() gives them.
+#include <doctest/doctest.h>
+
+#include "support/Feed.h"
+#include "support/FakeBoard.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
+
+namespace {
+
+using Extra = std::array<uint16_t, 16>;
+
+constexpr Extra Nothing = {4711};
+
+Extra channelsOf(const Frame &frame) {
+  return readPayload<16>(frame);
+}
+
+Extra lastExtra(const sbus::FrameFinder &finder) {
+  Extra channels = Nothing;
+  sbus::unpackExtra(finder.extra(), channels.data());
+  return channels;
+}
+
+// What decodeExtraChannels() gives; Nothing if nothing.
+Extra extraOf(FakeBoard &board) {
+  Extra channels = Nothing;
+  const bool decoded = board.sbus.decodeExtraChannels(channels.data());
+  CHECK(decoded == (channels != Nothing));
+  return channels;
+}
+
+// A 2F frame, and a frame after a pause.
+void receive(FakeBoard &board, unsigned number) {
+  board.wait(6 * Ms);
+  board.frame(extraFrame(number));
+  board.wait(3 * Ms);
+  board.frame(plainFrame(number));
+}
+
+}  // namespace
+
+TEST_CASE("a 2F frame before each 0F frame, at any pause: all of both come, no byte is skipped, nothing is a resync") {
+  for (const uint8_t end : {uint8_t{0x00}, uint8_t{0x04}, uint8_t{0x34}}) {
+    for (const uint64_t pauseUs : {0u, 120u, 600u, 2000u, 6000u, 9000u}) {
+      for (const bool neutral : {false, true}) {
+        TimedLine line;
+        Frames sent;
+        for (unsigned number = 0; number < 20; number++) {
+          sent.push_back(neutral ? neutralFrame(number, end) : plainFrame(number, end));
+          line.send(withByte(neutral ? neutralFrame(number, end) : extraFrame(number, end), 0, 0x2F)).pause(pauseUs);
+          line.send(sent.back()).pause(9000);
+        }
+        for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
+          INFO("end ", end, ", pauseUs ", pauseUs, ", neutral ", neutral, ", loopUs ", loopUs);
+          sbus::Counters counters;
+          CHECK(line.frames(loopUs, &counters) == sent);
+          CHECK(counters.extraFrames == 19);  // before the first frame the kind is not known
+          CHECK(counters.skippedBytes == 25);
+          CHECK(counters.resyncs == 0);
+          CHECK(counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra == (neutral ? 2 : 0));  // of it
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a 2F frame is believed with a header or a pause after it, at the first byte of either, and else not") {
+  for (unsigned next = 0; next < 256; next++) {
+    for (const uint32_t pauseUs : {uint32_t{0}, Feeder::PauseUs}) {
+      INFO("next ", next, ", pauseUs ", pauseUs);
+      Feeder line;
+      line.lock().feed(bytesOf(extraFrame(7)));
+      CHECK(line.counted().extraFrames == 0);
+      line.wait(pauseUs).feed({static_cast<uint8_t>(next)});
+      const bool believed = pauseUs != 0 || next == 0x0F;
+      CHECK(line.counted().extraFrames == believed);
+      if (believed) {
+        CHECK(lastExtra(line.finder) == channelsOf(extraFrame(7)));
+      }
+      CHECK(line.finder.frame() != nullptr);
+      CHECK(lastFrame(line.finder) == plainFrame(2));  // of lock()
+    }
+  }
+}
+
+TEST_CASE("a 2F frame is not believed if its form is wrong, a pause lies in it, or no frame is expected there") {
+  const Bytes whole = bytesOf(extraFrame(7));
+  const struct {
+    doctest::String what;
+    Bytes bytes, afterPause;
+    unsigned extras;
+  } rows[] = {
+      {"as it should be", whole, {}, 1},
+      {"digital channels and flags", bytesOf(withByte(extraFrame(7), 23, 0x0F)), {}, 1},
+      {"flags bit 4", bytesOf(withByte(extraFrame(7), 23, 0x10)), {}, 0},
+      {"another kind's end byte", bytesOf(extraFrame(7, 0x04)), {}, 0},
+      {"no end byte", bytesOf(extraFrame(7, 0x55)), {}, 0},
+      {"another header", bytesOf(withByte(extraFrame(7), 0, 0x3F)), {}, 0},
+      {"a byte is missing", without(extraFrame(7), 7), {}, 0},
+      {"a byte too many", with(extraFrame(7), 7, 0xA5), {}, 0},
+      {"after a byte of noise", Bytes{0xA5} + whole, {}, 0},
+      {"after noise and a pause", {0xA5}, whole, 1},
+      {"a pause after its header", part(whole, 0, 1), part(whole, 1), 0},
+      {"a pause after 12 bytes", part(whole, 0, 12), part(whole, 12), 0},
+      {"a pause before its end", part(whole, 0, 24), part(whole, 24), 0},
+      {"2F straight before a frame", {0x2F}, {}, 0},
+  };
+  for (const auto &row : rows) {
+    for (const uint32_t pauseUs : {uint32_t{0}, Feeder::PauseUs}) {
+      for (const size_t burst : {1u, 5u}) {
+        INFO(row.what, ", pauseUs ", pauseUs, ", burst ", burst);
+        Feeder line;
+        line.lock().feed(row.bytes, burst);
+        if (!row.afterPause.empty()) {
+          line.wait(8000).feed(row.afterPause, burst);
+        }
+        line.wait(pauseUs);
+        CHECK(line.feed(bytesOf(plainFrame(8)), burst) == Frames{plainFrame(8)});
+        const sbus::Counters counters = line.counted();
+        CHECK(counters.extraFrames == row.extras);
+        CHECK(counters.skippedBytes == row.bytes.size() + row.afterPause.size() - 25 * row.extras);
+      }
+    }
+  }
+}
+
+TEST_CASE("a 2F frame is believed only once the line's kind is known, and never where that has none") {
+  Feeder line;
+  line.settle().feed(bytesOf(extraFrame(0)));
+  CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(1)) + bytesOf(plainFrame(0))).empty());
+  CHECK(line.counted().extraFrames == 0);
+  CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(2)) + bytesOf(plainFrame(1))).size() == 2);
+  CHECK(line.counted().extraFrames == 1);
+
+  Feeder tailed;  // an R7003SB
+  tailed.lock(R7003End).feed(bytesOf(extraFrame(0, 0x00)));
+  tailed.wait(Feeder::PauseUs).feed(bytesOf(plainFrame(3, R7003End)) + tailOf(R7003End));
+  CHECK(tailed.counted().extraFrames == 0);
+}
+
+TEST_CASE("a 2F frame is never younger than true: it was there before the pause after it, or before a block") {
+  for (const uint32_t pauseUs : {3000u, 20000u, 10000000u}) {
+    for (const bool atOnce : {false, true}) {  // the 0F frame's first byte with it, in a poll after the pause
+      INFO("pauseUs ", pauseUs, ", atOnce ", atOnce);
+      Feeder line;
+      line.lock();
+      uint32_t here = line.now - Feeder::PauseUs;  // the last poll of lock()
+      if (atOnce) {
+        line.wait(pauseUs).poll(bytesOf(extraFrame(7)) + Bytes{0x0F});
+      } else {
+        line.feed(bytesOf(extraFrame(7)));
+        here = line.now;
+        line.wait(pauseUs).poll({0x0F});
+      }
+      REQUIRE(line.counted().extraFrames == 1);
+      CHECK(line.finder.extraTime() == here);
+    }
+  }
+}
+
+TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and leaves the array alone before and after") {
+  const struct {
+    int timeoutMs;  // -1: not set, 100
+    uint64_t goodMs;
+  } rows[] = {{-1, 99}, {20, 19}, {65535, 65534}, {0, 3600 * 1000}};
+  for (const auto &row : rows) {
+    for (const uint64_t start : {5000 * Ms, MicrosWrap - 60 * Ms}) {
+      INFO("timeoutMs ", row.timeoutMs, ", start ", start);
+      fakeMicros = start;
+      OpenBoard board;
+      if (row.timeoutMs >= 0) {
+        board.sbus.setTimeout(static_cast<uint16_t>(row.timeoutMs));
+      }
+      CHECK(extraOf(board) == Nothing);
+      receive(board, 0);  // before the kind is known
+      CHECK(extraOf(board) == Nothing);
+      receive(board, 1);
+      CHECK(extraOf(board) == channelsOf(extraFrame(1)));
+      receive(board, 2);
+      const uint64_t age = FakeBoard::FrameUs + 3 * Ms;  // of the 2F frame: a pause and a frame have followed it
+      CHECK(board.channels() == readBitByBit(plainFrame(2)));
+      board.wait(row.goodMs * Ms - age);
+      CHECK(extraOf(board) == channelsOf(extraFrame(2)));
+      CHECK(extraOf(board) == channelsOf(extraFrame(2)));
+      board.wait(1 * Ms);
+      CHECK((extraOf(board) == Nothing) == (row.timeoutMs != 0));
+      board.wait(MicrosWrap - 1 * Ms);  // the clock says what it said
+      CHECK((extraOf(board) == Nothing) == (row.timeoutMs != 0));
+      board.settle();
+      receive(board, 3);
+      receive(board, 4);
+      CHECK(extraOf(board) == channelsOf(extraFrame(4)));
+      board.sbus.begin();
+      CHECK(extraOf(board) == Nothing);
+      CHECK(board.sbus.counters().extraFrames == 0);
+    }
+  }
+}
+
+TEST_CASE("a 2F frame after a damaged frame is not lost with it") {
+  for (size_t missing = 1; missing < 25; missing++) {
+    for (const bool neutral : {false, true}) {
+      INFO("missing ", missing, ", neutral ", neutral);
+      Feeder line;
+      line.lock().feed(without(neutral ? neutralFrame(1) : plainFrame(1), missing));
+      line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(7)));
+      line.wait(Feeder::PauseUs);
+      CHECK(line.feed(bytesOf(plainFrame(8))) == Frames{plainFrame(8)});
+      CHECK(line.counted().extraFrames == 1);
+    }
+  }
+}
