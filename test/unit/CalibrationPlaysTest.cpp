@@ -13,7 +13,7 @@ using sbus::Refusal;
 
 namespace {
 
-constexpr int DefaultRuns = 200;
+constexpr int DefaultRuns = 60;
 
 // One channel of one radio, the hand on it, and the steps. Positions are -1..+1: + is up or right.
 class Play {
