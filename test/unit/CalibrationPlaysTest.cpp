@@ -28,8 +28,14 @@ class Play {
   int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(_random); }
   bool chance() { return between(0, 1) == 1; }
 
-  void untrimmed() { _trim = 0; }
-  void wrongOnceIn(int frames) { _wrongIn = between(1, frames); }
+  Play &untrimmed() {
+    _trim = 0;
+    return *this;
+  }
+  Play &wrongOnceIn(int frames) {
+    _wrongIn = between(1, frames);
+    return *this;
+  }
 
   void frame() {
     const double half = (_make.high - _make.low) / 2.0;
@@ -47,31 +53,40 @@ class Play {
     _radio.channels[0] = static_cast<uint16_t>(raw < 0 ? 0 : raw > 2047 ? 2047 : raw);
     _radio.feed();
   }
-  void loseFrames() { _flagged = true; }
+  Play &loseFrames() {
+    _flagged = true;
+    return *this;
+  }
 
-  void hold(int frames) {
+  Play &hold(int frames) {
     while (frames-- > 0) {
       frame();
     }
+    return *this;
   }
-  void put(double to) { _at = to; }
-  void glide(double to) {
+  Play &put(double to) {
+    _at = to;
+    return *this;
+  }
+  Play &glide(double to) {
     const int frames = between(15, 60);
     const double from = _at;
     for (int i = 1; i <= frames; i++) {
       _at = from + (to - from) * i / frames;
       frame();
     }
+    return *this;
   }
   // A round in `period` frames.
-  void stir(int frames, double reach) {
+  Play &stir(int frames, double reach) {
     const int period = between(60, 200);
     for (int i = 0; i < frames; i++) {
       _at = reach * std::cos(6.2831853 * i / period);
       frame();
     }
+    return *this;
   }
-  void sweep(double low, double high) {
+  Play &sweep(double low, double high) {
     const bool lowFirst = chance();
     for (int i = between(1, 3); i > 0; i--) {
       glide(lowFirst ? low : high);
@@ -79,19 +94,28 @@ class Play {
       glide(lowFirst ? high : low);
       hold(between(2, 20));
     }
+    return *this;
   }
 
-  void centre() { _radio.calibrator.centre(); }
-  void high() { _radio.calibrator.high(); }
-  void restAt(double at) {
+  Play &centre() {
+    _radio.calibrator.centre();
+    return *this;
+  }
+  Play &high() {
+    _radio.calibrator.high();
+    return *this;
+  }
+  Play &restAt(double at) {
     glide(at);
     centre();
     hold(between(50, 200));
+    return *this;
   }
-  void pushTo(double at) {
+  Play &pushTo(double at) {
     high();
     glide(at);
     hold(between(100, 300));
+    return *this;
   }
 
   double switchPosition(int count) { return 2.0 * between(0, count - 1) / (count - 1) - 1; }
@@ -119,7 +143,10 @@ class Play {
     }
     return out;
   }
-  void isThrottle() { _throttle = true; }
+  Play &isThrottle() {
+    _throttle = true;
+    return *this;
+  }
 
  private:
   std::mt19937 _random;
@@ -134,10 +161,8 @@ class Play {
   bool _throttle = false;
 };
 
-void throttle(Play &play) {
-  play.isThrottle();
-  play.untrimmed();
-  play.put(-1);
+Play &throttle(Play &play) {
+  return play.isThrottle().untrimmed().put(-1);
 }
 
 constexpr int Some = -1, NotCounted = -2;  // some are accepted; the direction of what is not wanted is the radio's
@@ -149,217 +174,61 @@ const struct {
   int turned, off;
   unsigned wanted;
 } Rows[] = {
-    {"as told",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(1);
-     },
-     100, 0, 0, 1},
-    {"throttle as told",
-     [](Play &p) {
-       throttle(p);
-       p.sweep(-1, 1);
-       p.restAt(-1);
-       p.pushTo(1);
-     },
-     100, 0, 0, 1},
-    {"stirred fast",
-     [](Play &p) {
-       p.stir(400, 1);
-       p.restAt(0);
-       p.pushTo(1);
-     },
-     100, 0, 0, 1},
+    {"as told", [](Play &p) { p.sweep(-1, 1).restAt(0).pushTo(1); }, 100, 0, 0, 1},
+    {"throttle as told", [](Play &p) { throttle(p).sweep(-1, 1).restAt(-1).pushTo(1); }, 100, 0, 0, 1},
+    {"stirred fast", [](Play &p) { p.stir(400, 1).restAt(0).pushTo(1); }, 100, 0, 0, 1},
     {"pushed the wrong way first",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.high();
-       p.glide(-1);
-       p.hold(100);
-       p.glide(1);
-       p.hold(150);
-     },
-     100, 0, 0, 1},
+     [](Play &p) { p.sweep(-1, 1).restAt(0).high().glide(-1).hold(100).glide(1).hold(150); }, 100, 0, 0, 1},
     {"moved one way in the first step",
      [](Play &p) {
        const bool up = p.chance();
-       p.sweep(up ? 0 : -1, up ? 1 : 0);
-       p.restAt(0);
-       p.pushTo(1);
+       p.sweep(up ? 0 : -1, up ? 1 : 0).restAt(0).pushTo(1);
      },
      0, 0, 0, 1},
-    {"moved half way in the first step",
-     [](Play &p) {
-       p.sweep(-0.5, 0.5);
-       p.restAt(0);
-       p.pushTo(1);
-     },
-     0, 0, 0, 1},
-    {"third step left out",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-     },
-     0, 0, 0, 1},
-    {"pushed, then stirred",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(1);
-       p.stir(p.between(100, 300), 1);
-     },
-     Some, 0, 0, 1},
-    {"pushed, then let go",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(1);
-       p.glide(0);
-       p.hold(p.between(30, 200));
-     },
-     0, 0, 0, 1},
-    {"not pushed",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(0);
-     },
-     0, 0, 0, 1},
+    {"moved half way in the first step", [](Play &p) { p.sweep(-0.5, 0.5).restAt(0).pushTo(1); }, 0, 0, 0, 1},
+    {"third step left out", [](Play &p) { p.sweep(-1, 1).restAt(0); }, 0, 0, 0, 1},
+    {"pushed, then stirred", [](Play &p) { p.sweep(-1, 1).restAt(0).pushTo(1).stir(p.between(100, 300), 1); }, Some, 0,
+     0, 1},
+    {"pushed, then let go", [](Play &p) { p.sweep(-1, 1).restAt(0).pushTo(1).glide(0).hold(p.between(30, 200)); }, 0, 0,
+     0, 1},
+    {"not pushed", [](Play &p) { p.sweep(-1, 1).restAt(0).pushTo(0); }, 0, 0, 0, 1},
     {"throttle up in the second step, then down and up",
-     [](Play &p) {
-       throttle(p);
-       p.sweep(-1, 1);
-       p.restAt(1);
-       p.high();
-       p.glide(-1);
-       p.hold(p.between(0, 100));
-       p.glide(1);
-       p.hold(100);
-     },
-     0, 0, 0, 1},
-    {"one wrong value in the first step",
-     [](Play &p) {
-       p.wrongOnceIn(60);
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(1);
-     },
-     100, 0, 0, 1},
+     [](Play &p) { throttle(p).sweep(-1, 1).restAt(1).high().glide(-1).hold(p.between(0, 100)).glide(1).hold(100); }, 0,
+     0, 0, 1},
+    {"one wrong value in the first step", [](Play &p) { p.wrongOnceIn(60).sweep(-1, 1).restAt(0).pushTo(1); }, 100, 0,
+     0, 1},
     {"one wrong value in the second step",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.glide(0);
-       p.centre();
-       p.wrongOnceIn(50);
-       p.hold(50);
-       p.pushTo(1);
-     },
-     0, 0, 0, 1},
-    {"one wrong value in the third step",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.wrongOnceIn(115);
-       p.pushTo(1);
-     },
-     100, 0, 0, 1},
+     [](Play &p) { p.sweep(-1, 1).glide(0).centre().wrongOnceIn(50).hold(50).pushTo(1); }, 0, 0, 0, 1},
+    {"one wrong value in the third step", [](Play &p) { p.sweep(-1, 1).restAt(0).wrongOnceIn(115).pushTo(1); }, 100, 0,
+     0, 1},
     {"one wrong value in the third step's last frame",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(1);
-       p.wrongOnceIn(1);
-       p.hold(1);
-     },
-     100, 0, 0, 1},
-    {"does not rest",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.centre();
-       p.stir(200, 1);
-       p.pushTo(1);
-     },
-     0, 0, 0, 1},
+     [](Play &p) { p.sweep(-1, 1).restAt(0).pushTo(1).wrongOnceIn(1).hold(1); }, 100, 0, 0, 1},
+    {"does not rest", [](Play &p) { p.sweep(-1, 1).centre().stir(200, 1).pushTo(1); }, 0, 0, 0, 1},
     {"a switch of three positions",
      [](Play &p) {
        p.untrimmed();
        for (const double at : {-1, 0, 1, 0, -1}) {
-         p.put(at);
-         p.hold(p.between(20, 60));
+         p.put(at).hold(p.between(20, 60));
        }
-       p.put(0);
-       p.centre();
-       p.hold(60);
-       p.high();
-       p.put(1);
-       p.hold(100);
+       p.put(0).centre().hold(60).high().put(1).hold(100);
      },
      100, 0, 0, 1},
     {"... left where it was in the third step, not wanted",
-     [](Play &p) {
-       p.untrimmed();
-       p.sweep(-1, 1);
-       p.put(p.switchPosition(3));
-       p.centre();
-       p.hold(60);
-       p.high();
-       p.hold(100);
-     },
-     Some, NotCounted, 0, 0},
+     [](Play &p) { p.untrimmed().sweep(-1, 1).put(p.switchPosition(3)).centre().hold(60).high().hold(100); }, Some,
+     NotCounted, 0, 0},
     {"a switch of six positions, not wanted",
      [](Play &p) {
-       p.isThrottle();
-       p.untrimmed();
-       p.sweep(-1, 1);
-       p.put(p.switchPosition(2) * 0.6);
-       p.centre();
-       p.hold(60);
-       p.high();
-       p.hold(100);
+       p.isThrottle().untrimmed().sweep(-1, 1).put(p.switchPosition(2) * 0.6).centre().hold(60).high().hold(100);
      },
      Some, NotCounted, 0, 0},
-    {"a slider left in the middle",
-     [](Play &p) {
-       p.untrimmed();
-       p.hold(200);
-       p.centre();
-       p.hold(60);
-       p.high();
-       p.hold(100);
-     },
-     0, 0, 0, 0},
-    {"radio off in the first step, stick at one end",
-     [](Play &p) {
-       p.glide(1);
-       p.hold(50);
-       p.restAt(0);
-       p.pushTo(1);
-     },
-     0, 0, 0, 1},
-    {"radio off in the second step",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.centre();
-       p.pushTo(1);
-     },
-     0, 0, 0, 1},
+    {"a slider left in the middle", [](Play &p) { p.untrimmed().hold(200).centre().hold(60).high().hold(100); }, 0, 0,
+     0, 0},
+    {"radio off in the first step, stick at one end", [](Play &p) { p.glide(1).hold(50).restAt(0).pushTo(1); }, 0, 0, 0,
+     1},
+    {"radio off in the second step", [](Play &p) { p.sweep(-1, 1).centre().pushTo(1); }, 0, 0, 0, 1},
     {"radio off in the third step, before the push",
-     [](Play &p) {
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.high();
-       p.hold(p.between(0, 200));
-     },
-     0, 0, 0, 1},
-    {"frames lost, failsafe values with their flag",
-     [](Play &p) {
-       p.loseFrames();
-       p.sweep(-1, 1);
-       p.restAt(0);
-       p.pushTo(1);
-     },
+     [](Play &p) { p.sweep(-1, 1).restAt(0).high().hold(p.between(0, 200)); }, 0, 0, 0, 1},
+    {"frames lost, failsafe values with their flag", [](Play &p) { p.loseFrames().sweep(-1, 1).restAt(0).pushTo(1); },
      100, 0, 0, 1},
 };
 
