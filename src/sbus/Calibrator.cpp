@@ -8,6 +8,23 @@ constexpr int16_t EndPart = 16;    // a channel that rests within 1/16 of its tr
 constexpr int16_t CentrePart = 4;  // one that rests at least 1/4 of it from both is centred: trims move it so far
 constexpr int16_t PushPart = 4;    // a push moves it by more than 1/4
 
+// Sticks have their centre here, trims of 25 % and all makes considered; none has an end here.
+constexpr uint16_t MiddleMin = 700;
+constexpr uint16_t MiddleMax = 1350;
+
+constexpr uint8_t WrongFrame = 8;                                      // it takes as many right ones to make up for it
+constexpr uint8_t HeldMost = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong ones in the last frames do no harm
+
+constexpr uint16_t smaller(uint16_t a, uint16_t b) {
+  return a < b ? a : b;
+}
+constexpr uint16_t larger(uint16_t a, uint16_t b) {
+  return a > b ? a : b;
+}
+constexpr bool isInMiddle(uint16_t value) {
+  return value >= MiddleMin && value <= MiddleMax;
+}
+
 }  // namespace
 
 const char *text(Refusal refusal) {
@@ -15,37 +32,55 @@ const char *text(Refusal refusal) {
     case Refusal::None:
       return "";
     case Refusal::NeverSeen:
-      return " was not seen";
+      return " was not seen: switch the radio on";
     case Refusal::HardlyMoved:
-      return " hardly moved";
+      return " hardly moved: move it to both ends";
     case Refusal::CentreOutside:
-      return " rests where it has never been while it moved";
+      return " went further than while it moved: move it to both ends";
     case Refusal::NotStill:
-      return " did not stand still";
+      return " did not stand still: let go of it";
     case Refusal::NotCentred:
-      return " rests neither near the middle nor at an end";
+      return " rests neither near the middle nor at an end: centre it";
     case Refusal::NotPushed:
-      return " was not pushed";
+      return " is where it rested: push it up or right";
+    case Refusal::MovedOneWay:
+      return " moved one way only: move it to both ends";
+    case Refusal::NotRested:
+      return " has not rested: let go of it";
+    case Refusal::NotHeld:
+      return " was not held: hold it up or right until told";
   }
   return "";
 }
 
-void Calibrator::Extent::include(uint16_t value) {
-  if (value < low) {
-    low = value;
-  }
-  if (value > high) {
-    high = value;
+void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {
+  low = smaller(low, lowest);
+  high = larger(high, highest);
+}
+
+void Calibrator::Hold::follow(uint16_t value) {
+  if (frames > 0 && (value > place ? value - place : place - value) <= StillMax) {
+    frames = smaller(static_cast<uint16_t>(frames + 1), HeldMost);
+    place =
+        static_cast<uint16_t>(place + (value > place) - (value < place));  // or the first one, if far off, would stay
+  } else if (frames > WrongFrame) {
+    frames = static_cast<uint16_t>(frames - WrongFrame);
+  } else {
+    *this = {value, 1};
   }
 }
 
 // What was seen in this step and the ones after it is forgotten.
 void Calibrator::begin(Step step) {
   _step = step;
-  for (uint8_t i = step; i < StepCount; i++) {
+  _frames = 0;
+  for (uint8_t i = step; i < High; i++) {
     for (Extent &seen : _seen[i]) {
       seen = {UINT16_MAX, 0};
     }
+  }
+  for (Lately &lately : _lately) {
+    lately.hold = {0, 0};
   }
 }
 
@@ -53,9 +88,33 @@ void Calibrator::feed(const uint16_t channels[], bool failsafe, bool lostFrame) 
   if (failsafe || lostFrame) {
     return;
   }
-  for (uint8_t i = 0; i < ProportionalCount; i++) {
-    _seen[_step][i].include(channels[i] < ChannelMax ? channels[i] : ChannelMax);
+  if (_frames < SeenFrames) {
+    _frames++;
   }
+  for (uint8_t i = 0; i < ProportionalCount; i++) {
+    const uint16_t value = smaller(channels[i], ChannelMax);
+    if (_step == High) {
+      _lately[i].hold.follow(value);
+    } else if (_step == Centre) {
+      _seen[Centre][i].include(value);
+    } else {
+      const Window window = _lately[i].window;
+      if (_frames == SeenFrames) {
+        _seen[Travel][i].include(larger(value, larger(window.last, window.before)),
+                                 smaller(value, smaller(window.last, window.before)));
+      }
+      _lately[i].window = {value, window.last};
+    }
+  }
+}
+
+bool Calibrator::reached(uint8_t channel, uint16_t &low, uint16_t &high) const {
+  if (channel >= ProportionalCount || _seen[Travel][channel].low > _seen[Travel][channel].high) {
+    return false;
+  }
+  low = _seen[Travel][channel].low;
+  high = _seen[Travel][channel].high;
+  return true;
 }
 
 Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const {
@@ -64,36 +123,48 @@ Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &cal
   }
   Extent travel = _seen[Travel][channel];
   const Extent &rest = _seen[Centre][channel];
-  const Extent &push = _seen[High][channel];
-  if (!travel.seen() || !rest.seen() || (_step == High && !push.seen())) {
+  const Hold &hold = _lately[channel].hold;
+  const bool pushed = _step == High;
+  if (!travel.seen()) {
     return Refusal::NeverSeen;
   }
-  if (travel.high - travel.low < TravelMin) {
+  if (travel.high < travel.low + TravelMin) {
     return Refusal::HardlyMoved;
+  }
+  if (!rest.seen()) {
+    return isInMiddle(travel.low) || isInMiddle(travel.high) ? Refusal::MovedOneWay : Refusal::NotRested;
   }
   if (rest.high - rest.low > StillMax) {
     return Refusal::NotStill;
   }
-  if (rest.low + StillMax < travel.low || rest.high > travel.high + StillMax) {
+  if (pushed && hold.frames < HeldFrames) {
+    return Refusal::NotHeld;
+  }
+  const uint16_t further = static_cast<uint16_t>((travel.high - travel.low) / EndPart);
+  const uint16_t lowest = pushed ? smaller(rest.low, hold.place) : rest.low;
+  const uint16_t highest = pushed ? larger(rest.high, hold.place) : rest.high;
+  if (lowest + further < travel.low || highest > travel.high + further) {
     return Refusal::CentreOutside;
   }
-  travel.include(rest.low);
-  travel.include(rest.high);
+  travel.include(lowest, highest);
   const int16_t length = static_cast<int16_t>(travel.high - travel.low);
   const int16_t resting = static_cast<int16_t>((rest.low + rest.high + 1) / 2);
   const int16_t below = static_cast<int16_t>(resting - travel.low);
   const int16_t above = static_cast<int16_t>(travel.high - resting);
   const int16_t nearest = below < above ? below : above;
   const bool centred = nearest >= length / CentrePart;
-  if (!centred && nearest > length / EndPart && wanted) {
+  const bool atEnd = nearest <= length / EndPart;
+  if (atEnd && isInMiddle(static_cast<uint16_t>(resting))) {
+    return Refusal::MovedOneWay;
+  }
+  if (!centred && !atEnd && wanted) {
     return Refusal::NotCentred;
   }
-  const int16_t fallen = static_cast<int16_t>(push.seen() ? resting - push.low : 0);
-  const int16_t risen = static_cast<int16_t>(push.seen() ? push.high - resting : 0);
-  if (push.seen() && wanted && fallen <= length / PushPart && risen <= length / PushPart) {
+  const int16_t risen = static_cast<int16_t>(pushed ? hold.place - resting : 0);
+  const bool backwards = risen < -(length / PushPart);
+  if (wanted && !backwards && risen <= length / PushPart) {
     return Refusal::NotPushed;
   }
-  const bool backwards = fallen > length / PushPart && fallen > risen;
   const uint16_t jitter = static_cast<uint16_t>(resting - rest.low);
   const uint16_t middle = static_cast<uint16_t>((travel.low + travel.high + 1) / 2);
   calibrated.range.low = backwards ? travel.high : travel.low;

@@ -22,10 +22,12 @@ struct Radio {
 
   sbus::Calibrator calibrator;
   Channels channels;  // all rest but those that are moved
+  bool backwards = false;
 
   Radio() { channels.fill(Rest); }
 
-  // CH1 goes through its travel, then rests.
+  // CH1 goes through its travel, rests, and is held at its high end; at its low end if it rests less than 1/4 below the
+  // high one.
   Radio(Extent travel, Extent rest, int deadZone = -1) : Radio() {
     if (deadZone >= 0) {
       calibrator.setDeadZone(static_cast<uint16_t>(deadZone));
@@ -33,17 +35,32 @@ struct Radio {
     move({travel.low, travel.high});
     calibrator.centre();
     move({rest.low, rest.high});
+    const int low = travel.low < travel.high ? travel.low : travel.high;
+    const int high = travel.low < travel.high ? travel.high : travel.low;
+    backwards = high - rest.low <= (high - low) / 4;
+    calibrator.high();
+    hold(backwards ? low : high);
   }
 
   void feed() { calibrator.feed(channels.data(), false, false); }
 
-  // CH1.
-  void move(std::initializer_list<int> values) {
-    for (const int value : values) {
-      channels[0] = static_cast<uint16_t>(value);
+  void feed(int frames) {
+    while (frames-- > 0) {
       feed();
     }
   }
+
+  // CH1.
+  void stay(int value, int frames) {
+    channels[0] = static_cast<uint16_t>(value);
+    feed(frames);
+  }
+  void move(std::initializer_list<int> values) {
+    for (const int value : values) {
+      stay(value, sbus::Calibrator::SeenFrames);
+    }
+  }
+  void hold(int value) { stay(value, 100); }  // long enough to forget any place before
 
   sbus::Refusal refusal(uint8_t channel = 0) const {
     sbus::CalibratedChannel found;

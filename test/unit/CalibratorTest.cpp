@@ -25,12 +25,19 @@ TEST_CASE(
       {"jitters by 32", {172, 1811}, {976, 1008}, Refusal::None},
       {"jitters by 33", {172, 1811}, {976, 1009}, Refusal::NotStill},
       {"jitters by 33 at its low end", {172, 1811}, {172, 205}, Refusal::NotStill},
-      {"rests 32 below", {172, 1811}, {140, 140}, Refusal::None},
-      {"rests 33 below", {172, 1811}, {139, 139}, Refusal::CentreOutside},
-      {"rests 32 above", {172, 1811}, {1843, 1843}, Refusal::None},
-      {"rests 33 above", {172, 1811}, {1844, 1844}, Refusal::CentreOutside},
-      {"rests 33 below, at 0", {33, 1811}, {0, 0}, Refusal::CentreOutside},
-      {"rests 32 above, at 2047", {172, 2015}, {2047, 2047}, Refusal::None},
+      {"rests 1/16 below", {172, 1811}, {70, 70}, Refusal::None},
+      {"... and one", {172, 1811}, {69, 69}, Refusal::CentreOutside},
+      {"rests 1/16 above", {172, 1811}, {1913, 1913}, Refusal::None},
+      {"... and one", {172, 1811}, {1914, 1914}, Refusal::CentreOutside},
+      {"rests 1/16 and one below, at 0", {107, 1811}, {0, 0}, Refusal::CentreOutside},
+      {"rests above, at 2047", {172, 1945}, {2047, 2047}, Refusal::None},
+      {"rests at its low end in the middle of the scale", {992, 1811}, {992, 992}, Refusal::MovedOneWay},
+      {"... at its high end", {172, 1000}, {1000, 1000}, Refusal::MovedOneWay},
+      {"... 1/16 above it", {992, 1811}, {1043, 1043}, Refusal::MovedOneWay},
+      {"699 is not in the middle", {699, 1811}, {699, 699}, Refusal::None},
+      {"700 is", {700, 1811}, {700, 700}, Refusal::MovedOneWay},
+      {"1350 is", {172, 1350}, {1350, 1350}, Refusal::MovedOneWay},
+      {"1351 is not", {172, 1351}, {1351, 1351}, Refusal::None},
       {"rests at low", {200, 1800}, {200, 200}, Refusal::None},
       {"1/16 above low", {200, 1800}, {300, 300}, Refusal::None},
       {"1/16 above low, half a count more", {200, 1800}, {300, 301}, Refusal::NotCentred},
@@ -40,10 +47,10 @@ TEST_CASE(
       {"1/4 below high, less one", {200, 1800}, {1401, 1401}, Refusal::NotCentred},
       {"1/16 below high, and one", {200, 1800}, {1699, 1699}, Refusal::NotCentred},
       {"1/16 below high", {200, 1800}, {1700, 1700}, Refusal::None},
-      {"415 / 16 is 25", {800, 1215}, {825, 825}, Refusal::None},
-      {"... not 26", {800, 1215}, {826, 826}, Refusal::NotCentred},
-      {"415 / 4 is 103", {800, 1215}, {903, 903}, Refusal::None},
-      {"... not 102", {800, 1215}, {902, 902}, Refusal::NotCentred},
+      {"415 / 16 is 25", {200, 615}, {225, 225}, Refusal::None},
+      {"... not 26", {200, 615}, {226, 226}, Refusal::NotCentred},
+      {"415 / 4 is 103", {200, 615}, {303, 303}, Refusal::None},
+      {"... not 102", {200, 615}, {302, 302}, Refusal::NotCentred},
       {"of two reasons the first: hardly moved, jitters", {800, 1199}, {900, 1100}, Refusal::HardlyMoved},
       {"jitters, rests elsewhere", {1000, 1811}, {200, 300}, Refusal::NotStill},
       {"rests elsewhere, and nowhere near", {1000, 1811}, {800, 800}, Refusal::CentreOutside},
@@ -60,7 +67,8 @@ TEST_CASE(
       const auto low = static_cast<uint16_t>(row.travel.low);
       const auto high = static_cast<uint16_t>(row.travel.high);
       const auto middle = static_cast<uint16_t>((low + high + 1) / 2);
-      CHECK(Finished(radio.calibrator, 0x0000)[0] == Numbers{low, middle, high, 0});
+      CHECK(Finished(radio.calibrator, 0x0000)[0] ==
+            (radio.backwards ? Numbers{high, middle, low, 0} : Numbers{low, middle, high, 0}));
     }
   }
 }
@@ -78,7 +86,7 @@ TEST_CASE("what is found: ends, centre and dead zone") {
       {"... below its travel", {172, 1811}, {150, 160}, -1, {150, 981, 1811, 0}},
       {"... with a dead zone told", {172, 1811}, {172, 172}, 50, {172, 992, 1811, 0}},
       {"... that its trim holds 1/20 up", {172, 1811}, {254, 254}, -1, {172, 992, 1811, 0}},
-      {"... above its travel", {172, 1811}, {1830, 1840}, -1, {172, 1006, 1840, 0}},
+      {"... above its travel", {172, 1811}, {1830, 1840}, -1, {1840, 1006, 172, 0}},
       {"middles are rounded up", {172, 1811}, {1000, 1001}, -1, {172, 1001, 1811, 8}},
       {"jitters by 8 either way", {172, 1811}, {992, 1008}, -1, {172, 1000, 1811, 8}},
       {"by 9 downwards", {172, 1811}, {991, 1008}, -1, {172, 1000, 1811, 9}},
@@ -89,7 +97,7 @@ TEST_CASE("what is found: ends, centre and dead zone") {
       {"one more", {172, 1811}, {1000, 1000}, 100, {172, 1000, 1811, 99}},
       {"the largest, in the shortest travel, off its middle", {800, 1200}, {900, 900}, 99, {800, 900, 1200, 99}},
       {"values above 2047 are 2047", {0, 65535}, {1024, 1024}, -1, {0, 1024, 2047, 8}},
-      {"... resting there, too", {1000, 2048}, {3000, 65535}, -1, {1000, 1524, 2047, 0}},
+      {"... resting there, too", {1000, 2048}, {3000, 65535}, -1, {2047, 1524, 1000, 0}},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -102,34 +110,46 @@ TEST_CASE("what is found: ends, centre and dead zone") {
   }
 }
 
-TEST_CASE("not seen before it has moved, rested, and been pushed if that was begun; a step forgets those after it") {
+TEST_CASE(
+    "result() is what is still to be done, step by step; a step forgets those after it; frames with a flag do not "
+    "count") {
   constexpr Numbers Forwards = {172, 1000, 1811, 20};
   constexpr Numbers Backwards = {1811, 1000, 172, 20};
-  constexpr Numbers NotSeen = Radio::NotTouched;
+  constexpr Numbers None = Radio::NotTouched;
   constexpr int Centre = -1, High = -2, Begin = -3;  // calls; what is not below 0 is a value of CH1
   const struct {
     std::vector<int> steps;
+    Refusal refusal;
     Numbers found;
   } rows[] = {
-      {{}, NotSeen},
-      {{172, 1811}, NotSeen},
-      {{172, 1811, Centre}, NotSeen},
-      {{172, 1811, Centre, 1000}, Forwards},
-      {{172, 1811, Centre, 1000, High}, NotSeen},
-      {{172, 1811, Centre, 1000, High, 172}, Backwards},
-      {{Centre, 1000}, NotSeen},
-      {{172, 1811, High, 172}, NotSeen},
-      {{172, 1811, Centre, 400, 1600, Centre}, NotSeen},
-      {{172, 1811, Centre, 400, 1600, Centre, 1000}, Forwards},
-      {{172, 1811, Centre, 1000, High, 1811, High}, NotSeen},
-      {{172, 1811, Centre, 1000, High, 1811, High, 172}, Backwards},
-      {{172, 1811, Centre, 400, High, 172, Centre}, NotSeen},
-      {{172, 1811, Centre, 400, High, 172, Centre, 1000}, Forwards},
-      {{0, 2047, Begin, 172, 1811, Centre, 1000}, Forwards},
-      {{0, 2047, Centre, 0, 2047, Begin, 172, 1811}, NotSeen},
-      {{0, 2047, Centre, 0, 2047, Begin, 172, 1811, Centre, 1000}, Forwards},
-      {{0, 2047, Centre, 0, 2047, High, 0, 2047, Begin}, NotSeen},
-      {{0, 2047, Centre, 0, 2047, High, 0, 2047, Begin, 172, 1811, Centre, 1000}, Forwards},
+      {{}, Refusal::NeverSeen, None},
+      {{172}, Refusal::HardlyMoved, None},
+      {{172, 700}, Refusal::MovedOneWay, None},
+      {{172, 1350}, Refusal::MovedOneWay, None},
+      {{172, 1351}, Refusal::NotRested, None},
+      {{1811, 699}, Refusal::NotRested, None},
+      {{1811, 700}, Refusal::MovedOneWay, None},
+      {{172, 1811}, Refusal::NotRested, None},
+      {{172, 1811, Centre}, Refusal::NotRested, None},
+      {{172, 1811, Centre, 1000}, Refusal::NotPushed, None},
+      {{172, 1811, Centre, 1000, High}, Refusal::NotHeld, None},
+      {{172, 1811, Centre, 1000, High, 1811}, Refusal::None, Forwards},
+      {{172, 1811, Centre, 1000, High, 172}, Refusal::None, Backwards},
+      {{172, 1811, Centre, 1000, High, 172, 1811}, Refusal::None, Forwards},
+      {{172, 1811, Centre, 1000, High, 1811, 172}, Refusal::None, Backwards},
+      {{172, 1811, Centre, 1000, High, 172, 1000}, Refusal::NotPushed, None},
+      {{172, 1811, Centre, 1000, High, 172, High}, Refusal::NotHeld, None},
+      {{172, 1811, Centre, 1000, High, 1811, High, 172}, Refusal::None, Backwards},
+      {{Centre, 1000}, Refusal::NeverSeen, None},
+      {{172, 1811, High, 172}, Refusal::NotRested, None},
+      {{172, 1811, Centre, 400, 1600}, Refusal::NotStill, None},
+      {{172, 1811, Centre, 400, 1600, Centre}, Refusal::NotRested, None},
+      {{172, 1811, Centre, 400, 1600, Centre, 1000, High, 1811}, Refusal::None, Forwards},
+      {{172, 1811, Centre, 400, High, 172, Centre, 1000}, Refusal::NotPushed, None},
+      {{0, 2047, Begin}, Refusal::NeverSeen, None},
+      {{0, 2047, Begin, 172, 1811, Centre, 1000, High, 1811}, Refusal::None, Forwards},
+      {{0, 2047, Centre, 0, 2047, Begin, 172, 1811}, Refusal::NotRested, None},
+      {{0, 2047, Centre, 0, 2047, High, 0, Begin, 172, 1811, Centre, 1000, High, 172}, Refusal::None, Backwards},
   };
   for (const auto &row : rows) {
     INFO("row ", &row - rows);
@@ -139,12 +159,17 @@ TEST_CASE("not seen before it has moved, rested, and been pushed if that was beg
       for (const unsigned flags : {1u, 2u, 3u}) {
         Channels lost;
         lost.fill(flags == 1 ? 0 : 2047);
-        radio.calibrator.feed(lost.data(), (flags & 1) != 0, (flags & 2) != 0);
+        for (int i = 0; i < 100; i++) {
+          radio.calibrator.feed(lost.data(), (flags & 1) != 0, (flags & 2) != 0);
+        }
       }
     };
+    bool high = false;
     for (const int step : row.steps) {
       lostFrames();
-      if (step >= 0) {
+      if (step >= 0 && high) {
+        radio.hold(step);
+      } else if (step >= 0) {
         radio.move({step});
       } else if (step == Centre) {
         radio.calibrator.centre();
@@ -153,58 +178,101 @@ TEST_CASE("not seen before it has moved, rested, and been pushed if that was beg
       } else {
         radio.calibrator.begin();
       }
+      high = step == High || (step >= 0 && high);
     }
     lostFrames();
     CHECK(radio.found() == row.found);
-    CHECK(radio.refusal() == (row.found == NotSeen ? Refusal::NeverSeen : Refusal::None));
+    CHECK(radio.refusal() == row.refusal);
+    CHECK(Finished(radio.calibrator, 0x0001).refusal == row.refusal);
   }
 }
 
-TEST_CASE("one that falls by more than 1/4 of its travel, and more than it rises, runs backwards; less is no push") {
+TEST_CASE("one that is held more than 1/4 of its travel below where it rested runs backwards; less is no push") {
   const struct {
     const char *what;
-    Extent travel;
     int rest;
-    std::vector<int> pushed;
-    char runs;  // +, -, or not known
+    int held;
+    Refusal refusal;
+    Numbers found;  // not wanted, too
   } rows[] = {
-      {"to its high end", {200, 1800}, 1000, {1800}, '+'},
-      {"stays, as a switch does", {200, 1800}, 1000, {1000}, '?'},
-      {"falls by 1/4", {200, 1800}, 1000, {600}, '?'},
-      {"falls by 1/4 and one", {200, 1800}, 1000, {599}, '-'},
-      {"rises by 1/4", {200, 1800}, 1000, {1400}, '?'},
-      {"rises by 1/4 and one", {200, 1800}, 1000, {1401}, '+'},
-      {"falls beyond its low end", {200, 1800}, 1000, {0}, '-'},
-      {"rises beyond its high end, and beyond 2047", {200, 1800}, 1000, {65535}, '+'},
-      {"a throttle that rises", {200, 1800}, 200, {1800}, '+'},
-      {"a throttle that stays low", {200, 1800}, 200, {200}, '?'},
-      {"a throttle that is low at its high values, and falls", {200, 1800}, 1800, {200}, '-'},
-      {"off its middle, falls by 1/4: all there is", {200, 1800}, 600, {200}, '?'},
-      {"falls, and is let go", {172, 1811}, 992, {172, 1000, 992}, '-'},
-      {"falls further than it rises", {172, 1811}, 992, {600, 172, 1811}, '-'},
-      {"falls by 410, and rises by as much, or less", {172, 1811}, 992, {582, 1401}, '-'},
-      {"falls and rises by 410", {172, 1811}, 992, {582, 1402}, '+'},
-      {"falls by 409, rises by 410", {172, 1811}, 992, {583, 1402}, '+'},
-      {"rises, and is let go beyond its rest", {172, 1811}, 992, {1811, 900}, '+'},
-      {"all the way up and down", {172, 1811}, 992, {0, 2047}, '+'},
+      {"at its high end", 1000, 1800, Refusal::None, {200, 1000, 1800, 8}},
+      {"stays, as a switch does", 1000, 1000, Refusal::NotPushed, {200, 1000, 1800, 8}},
+      {"falls by 1/4", 1000, 600, Refusal::NotPushed, {200, 1000, 1800, 8}},
+      {"... and one", 1000, 599, Refusal::None, {1800, 1000, 200, 8}},
+      {"rises by 1/4", 1000, 1400, Refusal::NotPushed, {200, 1000, 1800, 8}},
+      {"... and one", 1000, 1401, Refusal::None, {200, 1000, 1800, 8}},
+      {"1/16 beyond its low end", 1000, 100, Refusal::None, {1800, 1000, 100, 8}},
+      {"... and one", 1000, 99, Refusal::CentreOutside, {0, 0, 0, 0}},
+      {"1/16 beyond its high end", 1000, 1900, Refusal::None, {200, 1000, 1900, 8}},
+      {"... and one", 1000, 1901, Refusal::CentreOutside, {0, 0, 0, 0}},
+      {"beyond 2047", 1000, 65535, Refusal::CentreOutside, {0, 0, 0, 0}},
+      {"a throttle that rises", 200, 1800, Refusal::None, {200, 1000, 1800, 0}},
+      {"a throttle that stays low", 200, 200, Refusal::NotPushed, {200, 1000, 1800, 0}},
+      {"a throttle that is low at its high values, and falls", 1800, 200, Refusal::None, {1800, 1000, 200, 0}},
+      {"off its middle, falls by 1/4: all there is", 600, 200, Refusal::NotPushed, {200, 600, 1800, 8}},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
-    Radio radio(row.travel, {row.rest, row.rest});
-    const Numbers before = radio.found();
+    Radio radio({200, 1800}, {row.rest, row.rest});
     radio.calibrator.high();
-    for (const int value : row.pushed) {
-      radio.move({value});
-    }
-    CHECK(radio.refusal() == (row.runs == '?' ? Refusal::NotPushed : Refusal::None));
-    CHECK(radio.found() == (row.runs == '?'   ? Radio::NotTouched
-                            : row.runs == '-' ? Numbers{before[2], before[1], before[0], before[3]}
-                                              : before));
-    // Not wanted, it runs forwards.
+    radio.hold(row.held);
+    CHECK(radio.refusal() == row.refusal);
+    CHECK(radio.found() == (row.refusal == Refusal::None ? row.found : Radio::NotTouched));
     const Finished finished(radio.calibrator, 0x0000);
     CHECK(finished.refusal == Refusal::None);
-    CHECK(finished[0] == (row.runs == '-' ? radio.found() : before));
-    CHECK(Finished(radio.calibrator, 0x0001).refusal == radio.refusal());
+    CHECK(finished[0] == row.found);
+    CHECK(Finished(radio.calibrator, 0x0001).refusal == row.refusal);
+  }
+}
+
+TEST_CASE("an end counts when three frames in a row have seen it; reached() gives what counts") {
+  for (const int wrong : {0, 2047}) {
+    for (int frames = 1; frames <= 4; frames++) {
+      CAPTURE(wrong);
+      CAPTURE(frames);
+      Radio radio;
+      uint16_t low = 11, high = 22;
+      CHECK_FALSE(radio.calibrator.reached(0, low, high));
+      radio.move({172});
+      for (int often = 0; often < 10; often++) {
+        radio.stay(wrong, frames);
+        radio.move({1811, 172});
+      }
+      CHECK(radio.calibrator.reached(0, low, high));
+      CHECK(low == (frames >= 3 && wrong == 0 ? 0 : 172));
+      CHECK(high == (frames >= 3 && wrong != 0 ? 2047 : 1811));
+      CHECK_FALSE(radio.calibrator.reached(16, low, high));
+    }
+  }
+}
+
+TEST_CASE("held is what 64 frames say, within 32 counts; two wrong ones at the end do no harm, three do") {
+  const struct {
+    const char *what;
+    int jitter, frames, wrong, after;
+    Refusal refusal;
+  } rows[] = {
+      {"63 frames", 0, 63, 0, 0, Refusal::NotHeld},
+      {"64 frames", 0, 64, 0, 0, Refusal::None},
+      {"jitters by 32", 32, 64, 0, 0, Refusal::None},
+      {"jitters by 33", 33, 64, 0, 0, Refusal::NotHeld},
+      {"two wrong ones", 0, 80, 2, 0, Refusal::None},
+      {"two wrong ones, one frame too early", 0, 79, 2, 0, Refusal::NotHeld},
+      {"three wrong ones", 0, 300, 3, 0, Refusal::NotHeld},
+      {"... and 8 right ones", 0, 300, 3, 8, Refusal::None},
+  };
+  for (const auto &row : rows) {
+    for (const int wrong : {0, 2047}) {
+      CAPTURE(row.what);
+      Radio radio({172, 1811}, {992, 992});
+      radio.calibrator.high();
+      for (int i = 0; i < row.frames; i++) {
+        radio.stay(i % 2 == 0 ? 1800 : 1800 - row.jitter, 1);
+      }
+      radio.stay(wrong, row.wrong);
+      radio.stay(1800, row.after);
+      CHECK(radio.refusal() == row.refusal);
+    }
   }
 }
 
@@ -215,7 +283,9 @@ TEST_CASE("CH1..CH16 are found one by one, whatever their neighbours do; CH17 an
     for (unsigned i = 0; i < 16; i++) {
       sixteen.push_back(static_cast<uint16_t>(offset + factor * i));
     }
-    radio.calibrator.feed(sixteen.data(), false, false);
+    for (int frames = 0; frames < sbus::Calibrator::SeenFrames; frames++) {
+      radio.calibrator.feed(sixteen.data(), false, false);
+    }
   };
   feedSixteen(10, 100);
   feedSixteen(10, 1700);
@@ -223,9 +293,9 @@ TEST_CASE("CH1..CH16 are found one by one, whatever their neighbours do; CH17 an
   feedSixteen(12, 900);
   radio.calibrator.high();
   for (unsigned i = 0; i < 16; i++) {
-    radio.channels[i] = i % 3 == 0 ? 100 : 1811;
+    radio.channels[i] = static_cast<uint16_t>((i % 3 == 0 ? 100 : 1700) + 10 * i);
   }
-  radio.feed();
+  radio.feed(sbus::Calibrator::HeldFrames);
   for (unsigned i = 0; i < 256; i++) {
     CAPTURE(i);
     const auto low = static_cast<uint16_t>(100 + 10 * i);
@@ -251,14 +321,16 @@ TEST_CASE("finish names the first bad one of those wanted, or seals all that are
   for (const auto &row : rows) {
     INFO("good ", row.good, ", wanted ", row.wanted);
     Radio radio;
-    for (const uint16_t value : {uint16_t{172}, uint16_t{1811}, Radio::Rest}) {
+    for (const uint16_t value : {uint16_t{172}, uint16_t{1811}, Radio::Rest, uint16_t{1810}}) {
       if (value == Radio::Rest) {
         radio.calibrator.centre();
+      } else if (value == 1810) {
+        radio.calibrator.high();
       }
       for (unsigned i = 0; i < 16; i++) {
         radio.channels[i] = (row.good >> i & 1) != 0 ? value : Radio::Rest;
       }
-      radio.feed();
+      radio.feed(sbus::Calibrator::HeldFrames);
     }
     const Finished finished(radio.calibrator, row.wanted);
     CHECK(finished.refusal == (row.channel < 0 ? Refusal::None : Refusal::HardlyMoved));
@@ -272,15 +344,16 @@ TEST_CASE("finish names the first bad one of those wanted, or seals all that are
   CHECK(Finished(Radio().calibrator, 0x0400).refusal == Refusal::NeverSeen);
 }
 
-TEST_CASE("each refusal has words of its own that stand after a channel's name, and None has none") {
+TEST_CASE("each refusal has words of its own that stand after a channel's name and say what to do, and None has none") {
   std::set<std::string> seen;
-  for (unsigned number = 1; number <= static_cast<unsigned>(Refusal::NotPushed); number++) {
+  for (unsigned number = 1; number <= static_cast<unsigned>(Refusal::NotHeld); number++) {
     const std::string words = text(static_cast<Refusal>(number));
     CAPTURE(words);
     CHECK(words.size() > 8);
-    CHECK(words.size() < 64);
+    CHECK(words.size() < 80);
     CHECK(words[0] == ' ');
-    CHECK(words.find_first_not_of(" abcdefghijklmnopqrstuvwxyz") == std::string::npos);
+    CHECK(words.find(": ") != std::string::npos);  // what to do
+    CHECK(words.find_first_not_of(" abcdefghijklmnopqrstuvwxyz:") == std::string::npos);
     CHECK(seen.insert(words).second);
   }
   CHECK(std::string(text(Refusal::None)).empty());

@@ -98,7 +98,7 @@ TEST_CASE("whatever stick a radio has, it is found: exact at its three points, c
     const auto backwards = *rc::gen::arbitrary<bool>();
     Radio radio({low, high}, {rest + jitter, rest - jitter});
     radio.calibrator.high();
-    radio.move({backwards ? low : high});
+    radio.hold(backwards ? low : high);
     const Finished finished(radio.calibrator, 0x0001);
     RC_ASSERT(finished.isGood());
     const CalibratedChannel &found = finished.calibration.channels[0];
