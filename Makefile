@@ -2,7 +2,8 @@
 
 .DEFAULT_GOAL := help
 
-.PHONY: zip release
+work := help demo test check torture fuzz size bench figures docs clean
+.PHONY: $(work) zip release
 zip:
 	@sh extras/setup/zip.sh
 release:
@@ -13,8 +14,7 @@ release:
 ifneq ($(words $(CURDIR)),1)
 copy := /tmp/DecodeSBus-$(shell id -u)-$(shell pwd | cksum | cut -d' ' -f1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
-Makefile: ;
-%::
+$(work):
 	@mkdir -p build '$(copy)'
 	@find '$(copy)' -mindepth 1 -maxdepth 1 -exec rm -rf {} +
 	@tar cf - --exclude=./build --exclude=./.git . | tar xf - -C '$(copy)'
@@ -22,7 +22,6 @@ Makefile: ;
 	@$(MAKE) --no-print-directory -C '$(copy)' $@ $(call absolute,CAPTURES) $(call absolute,RECORDING)
 else
 
-.PHONY: help demo test check torture fuzz size bench figures docs clean
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
 	@echo "            SKETCH=examples/NAME  another sketch"
