@@ -122,8 +122,8 @@ inline bool FrameFinderOf<Format>::find() {
 }
 
 // A frame with further channels stands where a frame is expected, or may: true while it is not known. It is believed
-// only there, on a line whose kind has such frames, and with a header or a pause after it: a noise character 2F
-// straight before a frame would else take that frame for its own.
+// only there, on a line whose kind is known, and with a header or a pause after it: a noise character 2F straight
+// before a frame would else take that frame for its own.
 template <typename Format>
 inline bool FrameFinderOf<Format>::takesExtra() {
   if (_incoming[0] != ExtraHeader || _kind == UnknownKind || (_skipped != 0 && _pauseAt > FrameSize) ||

@@ -64,13 +64,7 @@ void DamagedLine::sendFrame() {
   _framesLeft--;
   _timeUs = _frameUs;
   if (_transmission.kind == Kind::With2F) {
-    Frame extra = _moreSticks.next();
-    extra[0] = sbus::ExtraHeader;
-    SentFrame sent;
-    sent.extra = true;
-    sendImpaired(extra.data(), sbus::FrameSize, sent);
-    sent.straight = false;  // it waits for what follows, at any place
-    _sent.push_back(sent);
+    sendExtra();
     _timeUs += 600 + _random.below(5400);
   }
 
@@ -144,6 +138,16 @@ void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &s
   _straight = whole && sent.intact && !sent.altered && (!sent.extra || sent.straight);
 }
 
+void DamagedLine::sendExtra() {
+  Frame extra = _moreSticks.next();
+  extra[0] = sbus::ExtraHeader;
+  SentFrame sent;
+  sent.extra = true;
+  sendImpaired(extra.data(), sbus::FrameSize, sent);
+  sent.straight = false;  // it waits for what follows, at any place
+  _sent.push_back(sent);
+}
+
 // What stands between this frame and the next.
 void DamagedLine::sendBetween(uint8_t end) {
   const uint64_t characters = _characters.size();
@@ -161,13 +165,7 @@ void DamagedLine::sendBetween(uint8_t end) {
   }
   if (_transmission.kind == Kind::Odd2F && _number % 3 == 1) {
     _timeUs += 600;
-    Frame extra = _moreSticks.next();
-    extra[0] = sbus::ExtraHeader;
-    SentFrame sent;
-    sent.extra = true;
-    sendImpaired(extra.data(), sbus::FrameSize, sent);
-    sent.straight = false;  // it waits for what follows, at any place
-    _sent.push_back(sent);
+    sendExtra();
     nextFrameUs = std::max(nextFrameUs, _timeUs + 1000 + _random.below(3000));
   }
   _straight = _straight && _characters.size() == characters;

@@ -72,6 +72,7 @@ class DamagedLine : public line::Line {
   void sendFrame();
   // `size` bytes: the frame, and what belongs to it.
   void sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent);
+  void sendExtra();
   void sendBetween(uint8_t end);
   void send(uint8_t value, bool bad = false);
 

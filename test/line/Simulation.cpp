@@ -13,48 +13,12 @@ namespace {
 
 // Ways of receiving. newFrame(): since the last call, and so newExtra(). Judged are the frames, not the link: failsafe is
 // then the frame's own, and one that waited while loop() was blocked for longer than the timeout is still read.
-class Ours {
+template <typename Decoder, typename Format, unsigned Mask>
+class OursOf {
  public:
-  static constexpr unsigned Size = sbus::FrameSize, FlagsMask = 0x0F;
+  static constexpr unsigned Size = Format::Size, FlagsMask = Mask;
 
-  explicit Ours(HardwareSerial &port) : _sbus(port) {
-    _sbus.setLossLimit(0);
-    _sbus.setTimeout(0);
-  }
-  void begin(unsigned long baud) { _sbus.begin(baud); }
-  void parse() { _sbus.parseSBusFrame(); }
-  bool newFrame(LongFrame &frame) {
-    if (!_sbus.newFrame()) {
-      return false;
-    }
-    Channels channels{};
-    bool failsafe = false;
-    bool lostFrame = false;
-    _sbus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
-    sbus::pack(frame.data(), channels.data(), failsafe, lostFrame);
-    return true;
-  }
-  bool newExtra(LongFrame &frame) {
-    const uint32_t count = _sbus.counters().extraFrames;
-    Channels channels{};
-    if (count == _extras || !_sbus.decodeExtraChannels(channels.data())) {
-      return false;
-    }
-    _extras = count;
-    sbus::pack(frame.data(), channels.data(), false, false);
-    return true;
-  }
-
- private:
-  DecodeSBus _sbus;
-  uint32_t _extras = 0;
-};
-
-class Ours24 {
- public:
-  static constexpr unsigned Size = sbus::FrameSize24, FlagsMask = 0x0C;
-
-  explicit Ours24(HardwareSerial &port) : _sbus(port) {
+  explicit OursOf(HardwareSerial &port) : _sbus(port) {
     _sbus.setLossLimit(0);
     _sbus.setTimeout(0);
   }
@@ -68,14 +32,34 @@ class Ours24 {
     bool failsafe = false;
     bool lostFrame = false;
     _sbus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
-    sbus::pack24(frame.data(), channels.data(), failsafe, lostFrame);
+    Format::pack(frame.data(), channels.data(), failsafe, lostFrame);
     return true;
   }
   bool newExtra(LongFrame &) { return false; }
 
- private:
-  DecodeSBus24 _sbus;
+ protected:
+  Decoder _sbus;
 };
+
+class Ours : public OursOf<DecodeSBus, sbus::Frame16, 0x0F> {
+ public:
+  using OursOf::OursOf;
+  bool newExtra(LongFrame &frame) {
+    const uint32_t count = _sbus.counters().extraFrames;
+    Channels channels{};
+    if (count == _extras || !_sbus.decodeExtraChannels(channels.data())) {
+      return false;
+    }
+    _extras = count;
+    sbus::pack(frame.data(), channels.data(), false, false);
+    return true;
+  }
+
+ private:
+  uint32_t _extras = 0;
+};
+
+using Ours24 = OursOf<DecodeSBus24, sbus::Frame24, 0x0C>;
 
 class Papers {
  public:
