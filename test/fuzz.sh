@@ -7,7 +7,7 @@
 # The same seed each time, so that a failure comes again; FUZZ_SEED=n is another.
 set -u
 cd "$(dirname "$0")" || exit 1
-export BUILD="${BUILD:-$PWD/../build/test}"
+export BUILD="${BUILD:-$(cd .. && pwd)/build/test}"
 seconds="${SECONDS_EACH:-10}"
 seed="${FUZZ_SEED:-20181}"
 most=3000000 # runs: enough for ten seconds of a quick machine

@@ -12,7 +12,7 @@
 set -u
 cd "$(dirname "$0")" || exit 1
 compiler=$1
-build="${BUILD:-$PWD/../build/test}/golden/$compiler"
+build="${BUILD:-$(cd .. && pwd)/build/test}/golden/$compiler"
 sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 examples=$(cd ../examples && ls)
 recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')

@@ -9,7 +9,7 @@
 # so is a program that crashes.
 set -u
 cd "$(dirname "$0")" || exit 1
-export BUILD="${BUILD:-$PWD/../build/test}"
+export BUILD="${BUILD:-$(cd .. && pwd)/build/test}"
 export RC_PARAMS="${RC_PARAMS:-seed=20181}"  # any number: the same one, so that a failure comes again
 
 # The longest first. What is before the dash is a function below, what is after it its argument.

@@ -7,7 +7,7 @@
 set -u
 cd "$(dirname "$0")" || exit 1
 page=measured.md
-export BUILD="${BUILD:-$PWD/../../build/test}"
+export BUILD="${BUILD:-$(cd ../.. && pwd)/build/test}"
 unset FRAMES SEED ONLY FULL WITHOUT
 out=$BUILD/figures
 mkdir -p "$out"

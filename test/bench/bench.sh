@@ -7,7 +7,7 @@
 # BUILD is the folder for what is built, absolute.
 set -u
 cd "$(dirname "$0")" || exit 1
-out="${BUILD:-$PWD/../../build/test}/bench"
+out="${BUILD:-$(cd ../.. && pwd)/build/test}/bench"
 # One instruction takes 2^10 ns, which are 16.384 ticks of the processor's clock: so the clock counts instructions.
 export QEMU_OPTIONS="-icount shift=10,sleep=off"
 

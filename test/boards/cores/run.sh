@@ -4,7 +4,7 @@
 # what is built, absolute; CXX a compiler for this PC.
 set -u
 cd "$(dirname "$0")" || exit 1
-out="${BUILD:-$PWD/../../../build/test}/cores"
+out="${BUILD:-$(cd ../../.. && pwd)/build/test}/cores"
 
 build() {
   "${MAKE:-make}" --no-print-directory -s -f build.mk OUT="$out" CXX="${CXX:-g++}" "$@"

@@ -4,7 +4,7 @@
 # which program is left out. BUILD is the folder for what is built, absolute.
 set -u
 cd "$(dirname "$0")" || exit 1
-BUILD="${BUILD:-$PWD/../../../build/test}"
+BUILD="${BUILD:-$(cd ../../.. && pwd)/build/test}"
 out="$BUILD/cortex-m0"
 host="$BUILD/g++"
 

@@ -3,7 +3,7 @@
 # them on a simulated one, MegaTest.cpp. BUILD is the folder for what is built, absolute; CXX a compiler for this PC.
 set -u
 cd "$(dirname "$0")" || exit 1
-out="${BUILD:-$PWD/../../../build/test}/mega"
+out="${BUILD:-$(cd ../../.. && pwd)/build/test}/mega"
 
 build() {
   "${MAKE:-make}" --no-print-directory -f build.mk OUT="$out" CXX="${CXX:-g++}" "$@"
