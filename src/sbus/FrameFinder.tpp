@@ -10,6 +10,7 @@ namespace {
 constexpr int MostNoise = 4;             // characters; more in a row are no noise
 constexpr int LeastBurst = 5;            // characters: so many come at once if loop() was blocked
 constexpr int FarOff = FrameSize24 + 1;  // characters; more need not be known
+constexpr int LongAgo = UINT8_MAX;       // characters: a line without a pause in them shows none
 constexpr uint8_t LongMemory = 8;        // pauses without a frame of the other size until that is forgotten
 constexpr uint32_t LongBlock = 20000;    // us without a poll: what waited in the port is old
 
@@ -34,7 +35,7 @@ void FrameFinderOf<Format>::broken() {
   _counters.skippedBytes += _filled;
   _skipped = FarOff;
   _onlyNoise = false;
-  _sincePause = FarOff;
+  _sincePause = LongAgo;
   _filled = 0;
   _pauseAt = Nowhere;
 }
@@ -49,12 +50,14 @@ void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
       _others = LongMemory;
     } else if (_sincePause == Size) {
       _others = 0;
+    } else if (_sincePause > _filled && _sincePause < LongAgo) {
+      _others |= 1;  // characters came straight before what waits in the buffer
     } else if (_others > 0) {
       _others--;
     }
     _sincePause = 0;
   }
-  _sincePause = static_cast<uint8_t>(static_cast<int>(found) < FarOff - _sincePause ? _sincePause + found : FarOff);
+  _sincePause = static_cast<uint8_t>(static_cast<int>(found) < LongAgo - _sincePause ? _sincePause + found : LongAgo);
 }
 
 template <typename Format>
@@ -126,10 +129,15 @@ inline bool FrameFinderOf<Format>::find() {
 // before a frame would else take that frame for its own.
 template <typename Format>
 inline bool FrameFinderOf<Format>::takesExtra() {
-  if (_incoming[0] != ExtraHeader || _kind == UnknownKind || (_skipped != 0 && _pauseAt > FrameSize) ||
+  if (_incoming[0] != ExtraHeader || (_skipped != 0 && _pauseAt > FrameSize) ||
       (_pauseAt > 0 && _pauseAt < FrameSize)) {
     return false;
   }
+  if (_kind == UnknownKind) {
+    _sincePause = LongAgo;  // the first frame may follow without a pause
+    return false;
+  }
+  _onlyNoise = false;
   const bool pauseAfter = _pauseAt == FrameSize;
   if (!pauseAfter && _filled <= FrameSize) {
     return true;
@@ -139,7 +147,8 @@ inline bool FrameFinderOf<Format>::takesExtra() {
     memcpy(_extra, _incoming, FrameSize);
     _extraTime = _pauses.lastPoll() - _quiet;  // at the latest: what follows it came with this poll
     _counters.extraFrames++;
-    _onlyNoise = false;
+    _certain = true;
+    _skipped = 0;
     _incoming += FrameSize;
     drop(FrameSize);
   }
@@ -195,18 +204,21 @@ __attribute__((always_inline)) inline int FrameFinderOf<Format>::judge(int start
     return 1;
   }
   // A line of longer frames, or shorter ones: a part of one, or of two, may look like a frame.
-  if (kind != _kind && _others > 0) {
+  if (kind != _kind && (_others > 0 || (!pauseAfter && pauseAt != 0 && _sincePause < LongAgo))) {
     return 1;
   }
   // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).
   const bool certain = ((pauseAfter || pauseAt == 0) && _pauses.areSure()) || (_certain && _skipped == -start);
   const int inner = certain ? Size : innerHeader(frame, Size, line.endMask);
   if (inner < Size) {
-    return inner;
+    // A pause after it may make it certain yet, unless so few characters may be the rest of a frame before. Straight
+    // after a frame none waits.
+    return pauseAfter || filled > size || inner < Size / 2 || _skipped == -start ? inner : Wait;
   }
   skip(start);
   _kind = kind;
   _idleAfter = false;
+  _sincePause = LongAgo;
   _certain = certain || _skipped == 0;
   return Deliver;
 }
@@ -232,7 +244,8 @@ inline const uint8_t *FrameFinderOf<Format>::deliver() {
   }
   _skipped = static_cast<int8_t>(-LineKinds[_kind].tailSize);
   _onlyNoise = true;
-  const uint32_t time = _pauses.lastPoll() - (_quiet > LongBlock ? _quiet : 0);
+  const bool waited = _pauseAt <= LongestTail;  // for the pause after it: it was there at the poll before
+  const uint32_t time = _pauses.lastPoll() - (waited || _quiet > LongBlock ? _quiet : 0);
   _counters.count(frame[FlagsAt], time - _frameTime);
   _frameTime = time;
   return frame;
@@ -248,7 +261,6 @@ void FrameFinderOf<Format>::skip(int count) {
     _onlyNoise = false;
   } else if (_onlyNoise && _skipped > MostNoise) {
     _kind = UnknownKind;
-    _sincePause = FarOff;
   }
   _counters.skippedBytes += static_cast<unsigned>(count);
   _incoming += count;

@@ -12,6 +12,10 @@ Tally &Tally::operator+=(const Tally &other) {
 
 void Judge::sent(const SentFrame &frame) {
   _entries.push_back({frame, _sent++, false});
+  if (_broken) {
+    _entries.back().frame.straight = false;
+    _broken = false;
+  }
   if (frame.size != _size) {
     _entries.back().frame.intact = false;
   }
@@ -27,6 +31,13 @@ void Judge::lost(uint64_t first, uint64_t after) {
   for (Entry &entry : _entries) {
     const bool hit = entry.frame.after > first && entry.frame.first < after;
     entry.frame.intact = entry.frame.intact && !hit;
+  }
+}
+
+void Judge::broken() {
+  _broken = true;
+  for (Entry &entry : _entries) {
+    entry.frame.straight = entry.frame.straight && entry.given;
   }
 }
 

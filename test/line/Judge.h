@@ -23,7 +23,8 @@ struct Tally {
 
 // Characters are numbered as in SentFrame: those that the port could receive.
 //
-// In lock is a frame that stands straight after one that was given. Not counted as missed are the first `learning`
+// In lock is a frame that stands straight after one that was given, with no break in between. Not counted as missed are
+// the first `learning`
 // frames, as long as none was given, and a last one that is not in lock: it may wait for what follows.
 class Judge {
  public:
@@ -36,6 +37,9 @@ class Judge {
 
   // The characters from `first` on, up to but without `after`, never reached the sketch.
   void lost(uint64_t first, uint64_t after);
+
+  // The receiver takes it that the port has lost characters.
+  void broken();
 
   // A poll begins, and has all characters before `position`.
   void poll(uint64_t position);
@@ -66,6 +70,7 @@ class Judge {
   std::deque<Entry> _entries;
   uint64_t _sent = 0;
   uint64_t _firstGiven = UINT64_MAX;  // number of the frame
+  bool _broken = false;  // since the newest frame began
   bool _lastSettledGiven = false;
   uint64_t _had = 0;        // the newest poll has, or has read, all characters before this
   uint64_t _hadBefore = 0;  // the same of the poll before it

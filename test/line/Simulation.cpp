@@ -36,6 +36,7 @@ class OursOf {
     return true;
   }
   bool newExtra(LongFrame &) { return false; }
+  uint32_t breaks() const { return _sbus.counters().overflows; }
 
  protected:
   Decoder _sbus;
@@ -77,6 +78,7 @@ class Papers {
     return true;
   }
   bool newExtra(LongFrame &) { return false; }
+  uint32_t breaks() const { return 0; }
 
  private:
   PaperDecoder _paper;
@@ -161,8 +163,12 @@ class Simulation {
     const uint64_t has = position() + static_cast<uint64_t>(_port.available());
     _judge.poll(has);
     _extraJudge.poll(has);
+    const uint32_t breaks = _receiver.breaks();
     _receiver.parse();
     takeFrame();
+    if (_receiver.breaks() != breaks) {
+      _judge.broken();
+    }
     // What the full buffer had no place for stood after all that was in it, and has been read now.
     lose(_port.droppedFull() - _droppedFull);
     _droppedFull = _port.droppedFull();

@@ -85,6 +85,24 @@ TEST_CASE("a 2F frame is believed with a header or a pause after it, at the firs
   }
 }
 
+TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and after a damaged frame the next 2F frame") {
+  for (const bool extraDamaged : {true, false}) {
+    for (const size_t lost : {1u, 5u, 12u, 24u}) {
+      INFO("extraDamaged ", extraDamaged, ", lost ", lost);
+      Feeder line;
+      line.lock();
+      // Without a pause between: it may be too short to be seen.
+      const Frame extra = withByte(neutralFrame(7), 0, 0x2F), frame = neutralFrame(8);
+      const Frames found = line.feed(extraDamaged ? without(extra, lost) + bytesOf(frame) : bytesOf(extra) + without(frame, lost));
+      CHECK(found == (extraDamaged ? Frames{frame} : Frames{}));
+      CHECK(line.counted().extraFrames == !extraDamaged);
+      line.wait(Feeder::PauseUs);
+      CHECK(line.feed(bytesOf(withByte(FailsafeFrame, 0, 0x2F)) + bytesOf(FailsafeFrame)) == Frames{FailsafeFrame});
+      CHECK(line.counted().extraFrames == 1 + !extraDamaged);
+    }
+  }
+}
+
 TEST_CASE("a 2F frame is not believed if its form is wrong, a pause lies in it, or no frame is expected there") {
   const Bytes whole = bytesOf(extraFrame(7));
   const struct {

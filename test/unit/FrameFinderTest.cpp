@@ -274,6 +274,51 @@ TEST_CASE("of every make every frame is delivered, with flags, telemetry and tai
   }
 }
 
+TEST_CASE("a frame that waited for the pause after it is as old as the poll that had its last byte") {
+  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 5000}) {
+    Feeder line(start);
+    CHECK(line.settle().feed(Low).empty());
+    const uint32_t complete = line.now;
+    CHECK(line.wait(14000).feed({0x0F}).size() == 1);
+    CHECK(line.finder.frameTime() == complete);
+  }
+}
+
+TEST_CASE("where pauses are seen the first frame stands at one: before it are no characters without a pause between") {
+  for (size_t before = 0; before < 60; before++) {
+    for (const bool header : {false, true}) {
+      INFO("before ", before, ", header ", header);
+      Feeder line;
+      CHECK(line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{})).empty() == (before > 0 || !header));
+      line.wait(Feeder::PauseUs);
+      CHECK(line.feed({0x0F}).empty() == (before > 0 || header));
+      CHECK(line.feed(part(Low, 1)).empty() == (before > 0));
+      line.wait(Feeder::PauseUs);
+      CHECK(line.feed({0x0F}).size() == (before > 0));
+    }
+  }
+}
+
+TEST_CASE("a failsafe frame whose place is not certain is there once a pause is seen after it") {
+  const Bytes failsafe = bytesOf(FailsafeFrame);
+  for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {  // a noise character 55 hides the pause before it
+    Feeder line;
+    CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());
+    const uint32_t complete = line.now;
+    CHECK(line.wait(Feeder::PauseUs).feed({next}) == Frames{FailsafeFrame});
+    CHECK(line.finder.frameTime() == complete);
+    Feeder without;
+    CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
+  }
+  // The rest of one, and one that has lost as many characters: a pause after them says nothing.
+  for (const size_t lost : {2u, 5u, 11u}) {
+    Feeder line;
+    const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
+    line.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) + part(failsafe, 10 + lost));
+    CHECK(line.wait(Feeder::PauseUs).feed({0x0F}).empty());
+  }
+}
+
 TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH17 and CH18 are") {
   for (const unsigned flagsPlace : {0x00u, 0x03u, 0x08u, 0x0Fu, 0xE0u}) {
     for (const unsigned endPlace : {0x00u, 0x04u, 0x08u, 0x14u, 0x34u}) {
