@@ -24,8 +24,8 @@ struct Tally {
 // Characters are numbered as in SentFrame: those that the port could receive.
 //
 // In lock is a frame that stands straight after one that was given, with no break in between. Not counted as missed are
-// the first `learning`
-// frames, as long as none was given, and a last one that is not in lock: it may wait for what follows.
+// the first `learning` frames, as long as none was given, and a last one that is not in lock: it may wait for what
+// follows.
 class Judge {
  public:
   // Of frames of `size` bytes; others are damaged. Of the flags only those of `flagsMask` are given to the sketch.
