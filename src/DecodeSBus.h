@@ -55,8 +55,8 @@ class DecodeSBusOf {
   /// Takes in the bytes that wait on the port; never waits itself. Call it after begin(), at least every 5 ms (2.5 ms
   /// at 200000 baud), or frames are lost: 64 bytes of a core are full after 7.7 ms of a line without pauses.
   ///
-  /// A frame is there at the first call after its last byte. The very first, and the first with another kind of end
-  /// byte, may wait for the next frame's first byte.
+  /// A frame is there at the first call after its last byte. The very first, the first with another kind of end byte,
+  /// and one after a damaged frame may wait for the next frame's first byte; they are as old as they are.
   void parseSBusFrame();
 
   /// True while the newest frame is younger than the timeout; false before the first frame.
