@@ -3,7 +3,7 @@
 
   Wiring (Tlera Grasshopper, FrSky R-XSR):
     R-XSR S-BUS_OUT -> D0 (RX1)
-    R-XSR +5V       -> 5V
+    R-XSR +5V       -> VIN
     R-XSR GND       -> GND
 
   Sends a line "CH1,CH2, ... CH16,CH17,CH18" over USB five times a second: CH1..CH16 are 0..2047, CH17 and CH18 are 0

@@ -3,7 +3,7 @@
 
   Wiring (Tlera Grasshopper, FrSky R-XSR):
     R-XSR S-BUS_OUT -> D0 (RX1)
-    R-XSR +5V       -> 5V
+    R-XSR +5V       -> VIN
     R-XSR GND       -> GND
 
   The port calls parseSBusFrame() itself when bytes have come, in the middle of whatever loop() does, and the newest

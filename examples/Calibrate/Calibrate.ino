@@ -1,7 +1,7 @@
 /*
   Calibrate: finds out what your radio really sends, and keeps it in EEPROM. Boards without any forget it.
 
-  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
   Do what it says in the Serial Monitor. Then it sends CH1..CH4, -1000..+1000. Send it a letter to begin anew.
 */

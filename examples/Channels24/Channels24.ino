@@ -6,7 +6,7 @@
 
   Wiring (Tlera Grasshopper, FrSky ACCESS or TD receiver):
     SBUS OUT -> D0 (RX1)
-    +5V      -> 5V
+    +5V      -> VIN
     GND      -> GND
 
   Sends a line "CH1,CH2, ... CH23,CH24" over USB five times a second, each 0..2047. For the Serial Monitor, a file or a

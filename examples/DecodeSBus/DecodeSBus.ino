@@ -3,7 +3,7 @@
 
   Wiring (Tlera Grasshopper, FrSky R-XSR):
     R-XSR S-BUS_OUT -> D0 (RX1)
-    R-XSR +5V       -> 5V
+    R-XSR +5V       -> VIN
     R-XSR GND       -> GND
 
   Sends a line "CH1,CH2,CH3,CH4,failsafe,lostFrame" over USB five times a second, for Serial Oscilloscope

@@ -1,7 +1,7 @@
 /*
   Diagnose: no frames, or bad ones? Says what is wrong with the line, and the cure.
 
-  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
   Opens the port in every way that a receiver may need, half a second each, prints over USB what came, then the verdict,
   and begins again. Switch the radio on and open the Serial Monitor. A port that cannot invert the line needs an

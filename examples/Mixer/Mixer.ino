@@ -1,7 +1,7 @@
 /*
   Mixer: reads a receiver, mixes, and sends S.Bus on, to a flight controller or to S.Bus servos.
 
-  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
     D1 (TX1) -> the S.Bus input of what comes next, GND -> its GND
 
   For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All

@@ -1,7 +1,7 @@
 /*
   Servos: CH1..CH4 to four servos or speed controllers, and what they do when the radio is gone.
 
-  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> 5V, GND -> GND
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
     D2..D5 -> the signal wires of CH1..CH4; the servos have a supply of their own, and its GND goes to GND
 
   On failsafe, and when no frame has come for 100 ms, the throttle closes and the rest holds where it is. Take the
