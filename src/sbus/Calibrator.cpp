@@ -162,7 +162,7 @@ Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &cal
   }
   const int16_t risen = static_cast<int16_t>(pushed ? hold.place - resting : 0);
   const bool backwards = risen < -(length / PushPart);
-  if (wanted && !backwards && risen <= length / PushPart) {
+  if ((wanted || !pushed) && !backwards && risen <= length / PushPart) {
     return Refusal::NotPushed;
   }
   const uint16_t jitter = static_cast<uint16_t>(resting - rest.low);
@@ -176,6 +176,7 @@ Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &cal
 
 Refusal Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const {
   Calibration found;
+  bool any = false;
   for (uint8_t i = 0; i < ProportionalCount; i++) {
     const bool isWanted = (wanted >> i & 1) != 0;
     found.channels[i] = {{0, 0, 0}, 0};
@@ -184,6 +185,11 @@ Refusal Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &c
       channel = i;
       return refusal;
     }
+    any = any || refusal == Refusal::None;
+  }
+  if (!any) {
+    channel = 0;
+    return result(0, found.channels[0]);
   }
   seal(found);
   calibration = found;

@@ -79,11 +79,12 @@ class Calibrator {
   Refusal result(uint8_t channel, CalibratedChannel &calibrated) const { return measure(channel, true, calibrated); }
 
   /// All channels. Refusal::None: `calibration` is sealed, `channel` is left alone. Else why the first wanted channel
-  /// that is not good was refused, `channel` (0..15) is which, and `calibration` is left alone.
+  /// that is not good was refused, `channel` (0..15) is which, and `calibration` is left alone. If none is wanted and
+  /// none is good, that is CH1.
   ///
   /// `wanted` has a bit set for each channel that must be good (bit 0: CH1). Of the others, NotCentred ones (a knob, a
   /// switch of six positions) have their centre in the middle of their travel, NotPushed ones do not run backwards, and
-  /// the rest are not calibrated. So without the third step, no channel that is wanted is good.
+  /// the rest are not calibrated. Without the third step no channel is good.
   Refusal finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const;
 
  private:

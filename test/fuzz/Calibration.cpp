@@ -88,16 +88,19 @@ void checkResults(const sbus::Calibrator &calibrator, uint16_t wanted) {
   const Finished finished(calibrator, wanted);
   const bool good = finished.refusal == Refusal::None;
   unsigned firstBad = Radio::NoChannel;
+  bool any = false;
   for (uint8_t i = 0; i < sbus::ProportionalCount; i++) {
     CalibratedChannel found = {{0, 0, 0}, 0};
     const CalibratedChannel &stored = finished.calibration.channels[i];
     const Refusal reason = calibrator.result(i, found);
     require(sbus::isCalibrated(found) == (reason == Refusal::None), "refused, and nothing touched; or found");
     require(possibleByRule(found), "what is found can be");
-    if (reason != Refusal::None && (wanted >> i & 1) != 0 && firstBad == Radio::NoChannel) {
+    const bool named = wanted == 0 ? !good : (wanted >> i & 1) != 0;  // nothing wanted, nothing found: CH1 is named
+    if (reason != Refusal::None && named && firstBad == Radio::NoChannel) {
       firstBad = i;
       require(reason == finished.refusal, "the reason is that of the first bad channel");
     }
+    any = any || (good ? sbus::isCalibrated(stored) : reason == Refusal::None);
     if (good && reason == Refusal::NotCentred) {
       require(sbus::isCalibrated(stored) && stored.deadZone == 0, "what is not wanted may rest anywhere");
     } else if (good && reason == Refusal::NotPushed) {
@@ -108,6 +111,7 @@ void checkResults(const sbus::Calibrator &calibrator, uint16_t wanted) {
   }
   require(finished.channel == firstBad, "the first bad channel that is wanted is named");
   require(good == (firstBad == Radio::NoChannel), "all that are wanted are good, or it is refused");
+  require(wanted != 0 || any == good, "none is wanted: refused if none is good");
   require(finished.isGood() == good && finished.isTouched() == good, "good, or left as it is");
   if (good) {
     judge(finished.calibration);

@@ -219,8 +219,9 @@ TEST_CASE("one that is held more than 1/4 of its travel below where it rested ru
     CHECK(radio.refusal() == row.refusal);
     CHECK(radio.found() == (row.refusal == Refusal::None ? row.found : Radio::NotTouched));
     const Finished finished(radio.calibrator, 0x0000);
-    CHECK(finished.refusal == Refusal::None);
-    CHECK(finished[0] == row.found);
+    const bool any = row.refusal != Refusal::CentreOutside;
+    CHECK(finished.refusal == (any ? Refusal::None : row.refusal));
+    CHECK((!any || finished[0] == row.found));
     CHECK(Finished(radio.calibrator, 0x0001).refusal == row.refusal);
   }
 }
@@ -314,9 +315,9 @@ TEST_CASE("finish names the first bad one of those wanted, or seals all that are
     unsigned good, wanted;
     int channel;  // -1: none
   } rows[] = {
-      {0xFFFF, 0xFFFF, -1}, {0x0000, 0x0000, -1}, {0x0000, 0xFFFF, 0},  {0x0000, 0x8000, 15}, {0x7FFF, 0xFFFF, 15},
+      {0xFFFF, 0xFFFF, -1}, {0x0000, 0x0000, 0},  {0x0000, 0xFFFF, 0},  {0x0000, 0x8000, 15}, {0x7FFF, 0xFFFF, 15},
       {0x7FFF, 0x7FFF, -1}, {0x000F, 0x001F, 4},  {0x000F, 0x000F, -1}, {0xFFF0, 0x0008, 3},  {0x0FF0, 0xFFF0, 12},
-      {0xFEFF, 0xFFFF, 8},  {0xA5C3, 0x0001, -1}, {0x0001, 0x0001, -1}, {0xFFFE, 0x0001, 0},
+      {0xFEFF, 0xFFFF, 8},  {0xA5C3, 0x0001, -1}, {0x0001, 0x0001, -1}, {0xFFFE, 0x0001, 0},  {0x8000, 0x0000, -1},
   };
   for (const auto &row : rows) {
     INFO("good ", row.good, ", wanted ", row.wanted);
@@ -342,6 +343,27 @@ TEST_CASE("finish names the first bad one of those wanted, or seals all that are
     }
   }
   CHECK(Finished(Radio().calibrator, 0x0400).refusal == Refusal::NeverSeen);
+}
+
+TEST_CASE("without the third step finish refuses, whatever is wanted") {
+  Radio radio;
+  radio.channels.fill(172);
+  radio.feed(sbus::Calibrator::SeenFrames);
+  radio.channels.fill(1811);
+  radio.feed(sbus::Calibrator::SeenFrames);
+  radio.calibrator.centre();
+  radio.channels.fill(Radio::Rest);
+  radio.feed(sbus::Calibrator::SeenFrames);
+  for (const bool begun : {false, true}) {
+    for (const unsigned wanted : {0x0000u, 0x0001u, 0xFFFFu}) {
+      CAPTURE(wanted);
+      const Finished finished(radio.calibrator, wanted);
+      CHECK(finished.refusal == (begun ? Refusal::NotHeld : Refusal::NotPushed));
+      CHECK(finished.channel == 0);
+      CHECK_FALSE(finished.isTouched());
+    }
+    radio.calibrator.high();
+  }
 }
 
 TEST_CASE("each refusal has words of its own that stand after a channel's name and say what to do, and None has none") {
