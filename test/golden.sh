@@ -26,7 +26,7 @@ verdict() {  # STATUS WHAT
 golden() {
   name=$1
   shift
-  timeout 60 "$@" --simulated-time <"${input:-/dev/null}" >"$build/$name.all" 2>"$build/$name.err"
+  timeout 300 "$@" --simulated-time <"${input:-/dev/null}" >"$build/$name.all" 2>"$build/$name.err"
   status=$?
   tail -n 20 "$build/$name.all" >"$build/$name.csv"
   if [ "$status" -ne 0 ]; then
@@ -48,7 +48,7 @@ program() {
 
 bad_recording() {  # PROGRAM MESSAGE
   file=${2%%:*}
-  (cd recordings/bad && timeout 60 "$1" --simulated-time --recording "$file") >"$build/out" 2>"$build/err"
+  (cd recordings/bad && timeout 300 "$1" --simulated-time --recording "$file") >"$build/out" 2>"$build/err"
   status=$?
   printf '%s\n' "$2" | cmp - "$build/err" && [ "$status" -ne 0 ] && [ ! -s "$build/out" ]
   verdict $? "recordings/bad/$file"
@@ -93,6 +93,16 @@ golden README "$build/README" --seconds 1
 golden receivers "$build/receivers" --channels 32 --seconds 0.3
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
+
+# silence RECORDING WORDS: a recording that brings no line, and the reason given
+silence() {
+  echo "$1" >"$build/silence.txt"
+  timeout 300 "$build/DecodeSBus" --simulated-time --recording "$build/silence.txt" >"$build/out" 2>"$build/err" &&
+    grep -q "$2" "$build/err" && [ ! -s "$build/out" ]
+  verdict $? "a recording of which nothing is printed: $2"
+}
+silence '120 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00' 'ends before this sketch prints'
+silence '120 E5 03 1F' 'has no frame'
 
 while IFS= read -r message; do
   bad_recording "$build/DecodeSBus" "$message"

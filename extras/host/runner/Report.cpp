@@ -138,13 +138,18 @@ void reportOutput(const SketchOutput &output) {
   std::fputc('\n', stderr);
 }
 
-// Most sketches print a few times a second, and only while the link is fresh.
-void reportShortRecording(Board &board, const Options &options) {
+// Why a recording has brought no line: most sketches print a few times a second, and only while the link is fresh.
+void reportSilence(Board &board, const Options &options) {
   constexpr uint64_t ShortUs = 1000000;
-  if (!options.source.recording.empty() && board.output().columns().lines() == 0 && board.clock().nowUs() < ShortUs) {
+  if (options.source.recording.empty() || options.on == 0 || board.output().columns().lines() > 0) {
+    return;
+  }
+  if (board.port(options.on).monitor().counters().frames == 0) {
+    std::fprintf(stderr, "the recording has no frame; SKETCH=examples/Diagnose says what is wrong with a line\n");
+  } else if (board.clock().nowUs() < ShortUs) {
     std::fprintf(stderr,
-                 "the recording is too short for this sketch: it prints now and then, and only of a link that is there. "
-                 "Record a second or more\n");
+                 "the recording ends before this sketch prints: the examples print every 0.2 s, and only while frames "
+                 "come. Record a second or more\n");
   }
 }
 
@@ -167,7 +172,7 @@ void printReport(Board &board, const Options &options) {
   reportSenders(board, options);
   reportServos(board.servoPins());
   reportOutput(board.output());
-  reportShortRecording(board, options);
+  reportSilence(board, options);
 }
 
 }  // namespace host
