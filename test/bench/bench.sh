@@ -16,7 +16,7 @@ build() {
 }
 
 run() {
-  timeout 120 ../boards/cortex-m0/qemu.sh "$out/Bench" "$@"
+  timeout 600 ../boards/cortex-m0/qemu.sh "$out/Bench" "$@"
 }
 
 mkdir -p "$out"

@@ -27,7 +27,7 @@ for target in $targets; do
   if [ -e "$target" ] && { [ "$name" != CoresTest ] || build -q "$target" >/dev/null 2>&1; }; then echo "ok cores: $core: $what"; else echo "FAILED cores: $core: $what"; fi
   if [ "$name" = CoresTest ]; then
     printf '%s:\n' "$core"
-    timeout 60 "$target" --no-version --no-intro >"$target.log" 2>&1
+    timeout 300 "$target" --no-version --no-intro >"$target.log" 2>&1
     status=$?
     cat "$target.log"
     [ "$status" -eq 0 ] || grep -q '^\[doctest\] test cases:.*[1-9][0-9]* failed' "$target.log" ||

@@ -18,7 +18,7 @@ verdict() {  # STATUS WHAT
 
 alignment() {
   build alignment
-  timeout 20 ./qemu.sh "$out/UnalignedRead" >"$out/log" 2>&1
+  timeout 120 ./qemu.sh "$out/UnalignedRead" >"$out/log" 2>&1
   [ $? -eq 99 ] && grep -q '^HardFault' "$out/log" && ! grep -q read "$out/log"
   verdict $? "a word at an odd address is a fault, and ends the program"
 }
@@ -36,8 +36,8 @@ unit() {  # PROGRAM
     verdict 1 "$1 does not build"
     return
   fi
-  timeout 60 "$host/unit/$1" >"$out/$1.host.log" 2>&1
-  timeout 60 ./qemu.sh "$out/unit/$1" >"$log" 2>&1
+  timeout 300 "$host/unit/$1" >"$out/$1.host.log" 2>&1
+  timeout 300 ./qemu.sh "$out/unit/$1" >"$log" 2>&1
   status=$?
   sums "$log" >"$log.sums"
   [ "$status" -eq 0 ] && grep -q 'test cases: *[1-9]' "$log.sums" && sums "$out/$1.host.log" | diff - "$log.sums"

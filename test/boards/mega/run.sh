@@ -22,7 +22,7 @@ for target in $targets; do
   esac
   if build -q "$target" >/dev/null 2>&1; then echo "ok mega: $what"; else echo "FAILED mega: $what"; fi
 done
-timeout 900 "$out/MegaTest" --no-version --no-intro >"$out/log" 2>&1
+timeout 1800 "$out/MegaTest" --no-version --no-intro >"$out/log" 2>&1
 status=$?
 cat "$out/log"
 [ "$status" -eq 0 ] || grep -q '^\[doctest\] test cases:.*[1-9][0-9]* failed' "$out/log" ||
