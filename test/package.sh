@@ -50,7 +50,7 @@ refused() {
 }
 
 url=https://github.com/somebody/DecodeSBus
-for wrong in '' 1 1.2 1.2.3.4 v1.2.3 1.2.x 01.2.3 1.2.3-rc1 "$version" 0.0.9; do
+for wrong in '' 1 1.2 1.2.3.4 v1.2.3 1.2.x 01.2.3 1.2.3-rc1 0.0.9; do
   refused "VERSION=$wrong" "$wrong" $url
 done
 for wrong in '' github.com/somebody/DecodeSBus http://github.com/somebody 'https://a.b/&' https://decodesbus.example/'|'; do
@@ -72,12 +72,16 @@ release() {  # VERSION
     [ "$(git status --porcelain | tr -d '\n')" = " M CHANGELOG.md M library.json M library.properties" ] &&
     grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release"
 }
+release "$version"
+verdict $? "the version of library.properties is released, if it is not yet"
+git checkout -q .
 release 9.9.9
 verdict $? "make release sets version, address and the changelog's heading, and says what is left"
 git commit -q -a -m Release
 refused "nothing is unreleased" 9.10.0 $url
 printf '\n## Unreleased\n\n- New.\n' >>"$scratch/CHANGELOG.md"
 git commit -q -a -m Next
+refused "it has been released" 9.9.9 $url
 release 9.10.0
 verdict $? "9.10.0 is more than 9.9.9"
 rm -rf "$scratch"

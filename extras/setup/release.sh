@@ -18,8 +18,9 @@ whole "$version" "$number\.$number\.$number" || refuse "VERSION=$version: three 
 whole "$url" 'https://[a-z0-9.-]+\.[a-z]+(:[0-9]+)?(/[A-Za-z0-9._~/-]*)?' ||
   refuse "URL=$url: the project's address is expected, as in https://github.com/NAME/DecodeSBus"
 last=$(sed -n 's/^version=//p' library.properties)
-[ "$version" != "$last" ] && [ "$(printf '%s\n' "$version" "$last" | sort -t. -k1,1n -k2,2n -k3,3n | tail -n 1)" = "$version" ] ||
-  refuse "VERSION=$version: more than $last is expected"
+[ "$(printf '%s\n' "$version" "$last" | sort -t. -k1,1n -k2,2n -k3,3n | tail -n 1)" = "$version" ] ||
+  refuse "VERSION=$version: $last or more is expected"
+! grep -q "^## $version, " CHANGELOG.md || refuse "VERSION=$version: more is expected, CHANGELOG.md has that as released"
 [ -z "$(git status --porcelain)" ] || refuse "There are changes that are not committed: see git status"
 grep -qx '## Unreleased' CHANGELOG.md || refuse 'CHANGELOG.md: the heading "## Unreleased" is expected'
 
