@@ -17,6 +17,7 @@ command -v git >/dev/null && command -v unzip >/dev/null || { echo "skipped pack
 rm -rf "$out"
 mkdir -p "$scratch"
 tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$scratch"
+printf '# Changelog\n\n## Unreleased\n\n- New.\n' >"$scratch/CHANGELOG.md" # as before any release: ours may have been released
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE MAKEFLAGS MAKELEVEL
 git() { command git -C "$scratch" -c user.name=Test -c user.email=test@localhost "$@"; }
