@@ -2,10 +2,21 @@
 
 #include <algorithm>
 
+#include "Text.h"
+
 namespace line {
 
+namespace {
+
+constexpr int64_t Never = INT64_MAX / 2;
+
+}  // namespace
+
 void WireDecoder::signals(const std::vector<std::string> &names) {
-  _names = names;
+  for (const std::string &name : names) {
+    const std::string inQuotes = quoted(name);
+    _names.push_back(inQuotes.substr(1, inQuotes.size() - 2));
+  }
   _samples.resize(names.size());
 }
 
@@ -51,11 +62,11 @@ void WireDecoder::choose() {
   _samples.clear();
 }
 
-void WireDecoder::finish(int64_t endNs) {
+void WireDecoder::finish(int64_t endNs, bool cutOff) {
   if (!_decoder) {
     choose();
   }
-  if (_decoder && _decoder->until(endNs, _character)) {
+  if (_decoder && _decoder->until(_lastNs < endNs || cutOff ? endNs : Never, _character)) {
     _onCharacter(_character);
   }
 }

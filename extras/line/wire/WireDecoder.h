@@ -22,6 +22,7 @@ class WireDecoder : public LevelSink {
 
   void signals(const std::vector<std::string> &names) override;
   void level(size_t signal, int64_t ns, bool high) override {
+    _lastNs = ns;
     if (!_decoder) {
       collect(signal, ns, high);
     } else if (signal == _chosen) {
@@ -29,8 +30,9 @@ class WireDecoder : public LevelSink {
     }
   }
 
-  // The capture ends at `endNs`. A character that is not through by then is left out.
-  void finish(int64_t endNs);
+  // The capture ends at `endNs`. A character that is not through by then is left out, unless the capture ends with an
+  // edge: the wire stays so then, since a change would have been told. Not if it is `cutOff`.
+  void finish(int64_t endNs, bool cutOff);
 
   bool found() const { return _decoder.has_value(); }
   const FoundWire &wire() const { return _wire; }
@@ -65,6 +67,7 @@ class WireDecoder : public LevelSink {
   FoundWire _wire;
   std::optional<CharacterDecoder> _decoder;  // none before a signal is chosen
   WireCharacter _character;
+  int64_t _lastNs = INT64_MIN;  // of the newest level
 };
 
 }  // namespace line

@@ -21,12 +21,14 @@ int bitsOf(double pulseNs, double bitNs) {
              : 0;
 }
 
-// The bit time near `bitNs` that fits the pulses best; 0 if a quarter of them does not fit. A wire's high pulses may all
-// be longer than its low ones, since the threshold is not half way up its slopes: by least squares over both unknowns.
+// The bit time near `bitNs` that fits the pulses best; 0 if a quarter of them does not fit, or nearly all last an even
+// number of bits: then they are bits of half the speed. A wire's high pulses may all be longer than its low ones, since
+// the threshold is not half way up its slopes: by least squares over both unknowns.
 double fit(const std::vector<Level> &levels, double bitNs) {
   double bits2 = 0, bitsSign = 0, bitsNs = 0, signNs = 0;
   int fitting = 0;
   int misfits = 0;
+  int odd = 0;
   for (size_t i = 0; i + 1 < levels.size(); i++) {
     const double ns = static_cast<double>(levels[i + 1].ns - levels[i].ns);
     if (i == 0 || ns > (LongestPulse + 0.5) * bitNs) {
@@ -39,13 +41,14 @@ double fit(const std::vector<Level> &levels, double bitNs) {
     }
     const double sign = levels[i].high ? 1 : -1;
     fitting++;
+    odd += bits % 2;
     bits2 += bits * bits;
     bitsSign += bits * sign;
     bitsNs += bits * ns;
     signNs += sign * ns;
   }
   const double determinant = bits2 * fitting - bitsSign * bitsSign;
-  if (fitting < 4 || misfits > fitting / 3 || determinant <= 0) {
+  if (fitting < 4 || misfits > fitting / 3 || odd < fitting / 8 || determinant <= 0) {
     return 0;
   }
   return (bitsNs * fitting - bitsSign * signNs) / determinant;
