@@ -24,7 +24,7 @@ SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
 # Of the host: how its board receives and sends.
 HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp board/PortWatch.cpp
-LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp))
+LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/wire/*.cpp))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \

@@ -32,10 +32,6 @@ const char *yes(bool is) {
   return is ? "true" : "false";
 }
 
-bool isOdd(unsigned bits) {
-  return __builtin_parity(bits) != 0;
-}
-
 // In quotation marks. The names of signals are printable.
 std::string json(const std::string &text) {
   std::string quoted = "\"";
@@ -193,7 +189,7 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
 std::string DecodeOutput::fault(const line::WireCharacter &character) const {
   // On the wire, as an oscilloscope shows it.
   const int idle = _inverted ? 0 : 1;
-  const int parity = isOdd(character.value) ? idle : 1 - idle;
+  const int parity = line::isOdd(character.value) ? idle : 1 - idle;
   const std::string parityError =
       character.parityWrong ? print("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity) : "";
   const std::string framingError =

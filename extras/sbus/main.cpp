@@ -12,6 +12,8 @@ namespace {
 
 void addVerbs(CLI::App &app) {
   tool::addHex(app);
+  tool::addDecode(app);
+  tool::addWave(app);
 }
 
 // Of the verb that was asked for, if any.

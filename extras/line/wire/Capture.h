@@ -44,8 +44,8 @@ class CaptureReader {
   // The lines read; after an error the last one is wrong.
   uint64_t lines() const { return _lines; }
 
-  // How far the capture is known: the time of its last sample.
-  int64_t endNs() const { return _endNs; }
+  // How far the capture is known: the time of the last sample that was read.
+  virtual int64_t endNs() { return _endNs; }
 
   // Between two samples; 0 if the format does not tell.
   double periodNs() const { return _periodNs; }

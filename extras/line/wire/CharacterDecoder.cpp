@@ -2,17 +2,6 @@
 
 namespace line {
 
-namespace {
-
-bool isOdd(unsigned bits) {
-  bits ^= bits >> 8;
-  bits ^= bits >> 4;
-  bits ^= bits >> 2;
-  return ((bits ^ bits >> 1) & 1) != 0;
-}
-
-}  // namespace
-
 bool CharacterDecoder::until(int64_t ns, WireCharacter &character) {
   if (_bit == Waiting) {
     return false;

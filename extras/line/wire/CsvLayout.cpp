@@ -117,12 +117,16 @@ void Header::row(const Fields &fields) {
 // there is no more.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
-  bool cutOff = head.size() >= CaptureHeadMax && head.back() != '\n';
+  const bool cutOff = head.size() >= CaptureHeadMax && head.back() != '\n';
   uint64_t lines = 0;
   while (!head.empty() && rows.size() < RowsMax) {
     const std::string_view line = takeLine(head);
     Fields fields;
     splitRow(line, layout.separator, fields);
+    if (fields.empty()) {
+      lines++;
+      continue;
+    }
     const bool isOne = !isComment(line) && isRow(fields);
     if (rows.size() > 1 && (!isOne || (head.empty() && cutOff))) {
       break;
@@ -145,7 +149,7 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
 }
 
 char separatorOf(std::string_view head) {
-  constexpr std::string_view Separators = ",;\t";
+  constexpr std::string_view Separators = ";\t,";  // a comma beside another one is a decimal point
   size_t lines[Separators.size()] = {};
   for (size_t row = 0; row < RowsMax && !head.empty(); row++) {
     const std::string_view line = takeLine(head);
@@ -207,11 +211,17 @@ void splitRow(std::string_view row, char separator, std::vector<std::string_view
 
 std::string findLayout(std::string_view head, CsvLayout &layout) {
   layout.separator = separatorOf(head);
+  std::string points(head);
+  if (layout.separator != ',') {
+    layout.decimalMark = ',';
+    std::replace(points.begin(), points.end(), ',', '.');
+    head = points;
+  }
   Header header;
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
-    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope (with "
-           "decimal points), or bits as 0 and 1 are expected";
+    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope, or bits "
+           "as 0 and 1 are expected";
   }
   for (size_t i = 0; i < rows.front().size(); i++) {
     if (!rows.front()[i].empty()) {
@@ -235,6 +245,12 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   for (const Fields &row : rows) {
     for (const size_t column : layout.columns) {
       layout.analogue = layout.analogue || (column < row.size() && !row[column].empty() && !isLogic(row[column]));
+    }
+  }
+  if (layout.analogue && layout.timeColumn != CsvLayout::None && rows.size() > 1) {
+    double begin, end;  // each row is a sample
+    if (parseNumber(rows.front()[layout.timeColumn], begin) && parseNumber(rows.back()[layout.timeColumn], end)) {
+      layout.periodNs = std::max(0.0, (end - begin) * layout.timeUnitNs / static_cast<double>(rows.size() - 1));
     }
   }
   layout.names = namesOf(header, layout.columns);

@@ -13,6 +13,7 @@ struct CsvLayout {
 
   std::string name;  // "PulseView CSV"
   char separator = ',';
+  char decimalMark = '.';
   std::vector<std::string> names;  // of the signals
   std::vector<size_t> columns;     // theirs
   bool analogue = false;           // volts; else 0 and 1

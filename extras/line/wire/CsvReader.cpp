@@ -20,10 +20,6 @@ CsvReader::CsvReader(CsvLayout layout, LevelSink &sink) : CaptureReader(sink), _
   _sink.signals(_layout.names);
 }
 
-std::string CsvReader::format() const {
-  return _layout.name;
-}
-
 std::string CsvReader::put(std::string_view lines) {
   while (_lines < _layout.headLines && !lines.empty()) {
     takeLine(lines);
@@ -36,7 +32,7 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   double value = _layout.startNs + static_cast<double>(_row) * _layout.periodNs;
   if (_layout.timeColumn != CsvLayout::None) {
     splitRow(row, _layout.separator, _fields);
-    if (_layout.timeColumn >= _fields.size() || !parseNumber(_fields[_layout.timeColumn], value)) {
+    if (_layout.timeColumn >= _fields.size() || !parseNumber(_fields[_layout.timeColumn], value, _layout.decimalMark)) {
       const std::string_view word = _layout.timeColumn < _fields.size() ? _fields[_layout.timeColumn] : "";
       return quoted(word) + " is not a time: a number is expected in column " + std::to_string(_layout.timeColumn + 1);
     }
@@ -53,10 +49,17 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   return {};
 }
 
+// Most rows are not looked at; the last one's time is.
+int64_t CsvReader::endNs() {
+  int64_t ns;
+  return !_last.empty() && rowTime(_last, ns).empty() ? ns : _endNs;
+}
+
 // Most rows are as the row before, and then are not looked at any closer.
 std::string DigitalReader::rows(std::string_view text) {
   const bool timed = _layout.timeColumn == 0;
   std::string_view last = _last;
+  std::string error;
   while (!text.empty()) {
     const std::string_view row = takeLine(text);
     _lines++;
@@ -67,9 +70,9 @@ std::string DigitalReader::rows(std::string_view text) {
                                   (isDigit(row.front()) || row.front() == '-')
                             : row == _values;
     if (!same || _row == 0) {
-      std::string error = changed(row);
+      error = changed(row);
       if (!error.empty()) {
-        return error;
+        break;
       }
       _values = timed ? row.substr(std::min(row.size(), row.find(_layout.separator))) : row;
     }
@@ -77,7 +80,7 @@ std::string DigitalReader::rows(std::string_view text) {
     _row++;
   }
   _last = std::string(last);
-  return {};
+  return error;
 }
 
 std::string DigitalReader::changed(std::string_view row) {
@@ -106,13 +109,6 @@ std::string DigitalReader::changed(std::string_view row) {
     }
   }
   return {};
-}
-
-// The last row may be one without a change: it tells how far the capture goes.
-std::string DigitalReader::finish() {
-  int64_t ns;
-  _row -= _layout.timeColumn != CsvLayout::None && _row > 0;
-  return _last.empty() ? "has no rows" : rowTime(_last, ns);
 }
 
 AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink) : CsvReader(std::move(layout), sink) {
@@ -180,7 +176,7 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
       at++;
     }
     double volts = 0;
-    if (!takeNumber(at, end, volts)) {
+    if (!takeNumber(at, end, volts, _layout.decimalMark)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
       return quoted(word) + " is no voltage: a number is expected in column " + std::to_string(column + 1);
     }
@@ -190,12 +186,6 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
   }
   _rows.push_back(row);
   return {};
-}
-
-std::string AnalogueReader::finish() {
-  int64_t ns;
-  _row -= _row > 0;
-  return _last.empty() ? "has no rows" : rowTime(_last, ns);
 }
 
 }  // namespace line

@@ -13,7 +13,8 @@ class CsvReader : public CaptureReader {
   CsvReader(CsvLayout layout, LevelSink &sink);
 
   std::string put(std::string_view lines) override;
-  std::string format() const override;
+  std::string format() const override { return _layout.name; }
+  int64_t endNs() override;
 
  protected:
   // Rows with their LF. Each that is taken counts in _lines.
@@ -25,26 +26,24 @@ class CsvReader : public CaptureReader {
   const CsvLayout _layout;
   std::vector<std::string_view> _fields;
   uint64_t _row = 0;  // the next one's number, from 0
+  std::string _last;  // the last one that was good
 };
 
 class DigitalReader : public CsvReader {
  public:
   using CsvReader::CsvReader;
-  std::string finish() override;
 
  private:
   std::string rows(std::string_view text) override;
   std::string changed(std::string_view row);
 
-  std::string _last;    // the row before
-  std::string _values;  // and what stands in it after its time
+  std::string _values;  // of the row before: what stands in it after its time
   std::vector<char> _levels;
 };
 
 class AnalogueReader : public CsvReader {
  public:
   AnalogueReader(CsvLayout layout, LevelSink &sink);
-  std::string finish() override;
 
  private:
   struct Signal {
@@ -62,7 +61,6 @@ class AnalogueReader : public CsvReader {
 
   std::vector<Signal> _signals;
   std::vector<std::string_view> _rows;  // at hand
-  std::string _last;
 };
 
 }  // namespace line

@@ -49,7 +49,7 @@ std::string quoted(std::string_view word) {
   return text + (word.size() > Shown ? "...\"" : "\"");
 }
 
-bool takeNumber(const char *&at, const char *end, double &value) {
+bool takeNumber(const char *&at, const char *end, double &value, char mark) {
   const char *p = at;
   const bool negative = p < end && *p == '-';
   p += p < end && (*p == '-' || *p == '+') ? 1 : 0;
@@ -57,8 +57,8 @@ bool takeNumber(const char *&at, const char *end, double &value) {
   int exponent = 0;
   bool any = false;
   bool fraction = false;
-  for (; p < end && (isDigit(*p) || (*p == '.' && !fraction)); p++) {
-    if (*p == '.') {
+  for (; p < end && (isDigit(*p) || ((*p == '.' || *p == mark) && !fraction)); p++) {
+    if (!isDigit(*p)) {
       fraction = true;
       continue;
     }
@@ -95,10 +95,10 @@ bool takeNumber(const char *&at, const char *end, double &value) {
   return true;
 }
 
-bool parseNumber(std::string_view word, double &value) {
+bool parseNumber(std::string_view word, double &value, char mark) {
   const char *at = word.data();
   const char *end = at + word.size();
-  return takeNumber(at, end, value) && at == end;
+  return takeNumber(at, end, value, mark) && at == end;
 }
 
 }  // namespace line

@@ -9,27 +9,26 @@
 
 namespace line {
 
-// Characters go in, text comes out. A bad character is one with a wrong parity bit.
+// Characters go in, in their order, and text comes out. A bad character gets a wrong parity bit.
 class VcdWriter {
  public:
-  explicit VcdWriter(const LineSettings &settings);
+  // 100000 or 200000 baud: a bit then lasts whole microseconds.
+  explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
 
-  // What stands before the first character.
-  std::string begin();
-
-  // Characters in their order. One that begins before the last one ended is put right after it.
+  // A character that begins at the time 0 has no edge before it: then all are later by one character.
   std::string put(const Character &character);
 
-  // The line stays idle for a character or two: some decoders want to see that.
-  std::string finish();
+  // The line stays idle for a character.
+  std::string finish() const;
 
  private:
-  std::string bits(unsigned count, bool active);
+  void level(uint64_t us, bool active, std::string &text);
 
   const LineSettings _settings;
-  const uint64_t _bitNs;
-  uint64_t _ns = 0;      // up to here the wire is written
-  bool _active = false;  // it is so there
+  uint64_t _laterUs = 0;
+  uint64_t _endUs = 0;  // of the last character
+  bool _begun = false;
+  bool _active = false;  // the wire is so after its newest edge
 };
 
 }  // namespace line

@@ -66,7 +66,11 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
   if (!_decoder) {
     choose();
   }
-  if (_decoder && _decoder->until(_lastNs < endNs || cutOff ? endNs : Never, _character)) {
+  if (!_decoder) {
+    return;
+  }
+  const bool goesOn = _lastNs >= endNs && !cutOff;
+  if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {
     _onCharacter(_character);
   }
 }

@@ -30,8 +30,8 @@ class WireDecoder : public LevelSink {
     }
   }
 
-  // The capture ends at `endNs`. A character that is not through by then is left out, unless the capture ends with an
-  // edge: the wire stays so then, since a change would have been told. Not if it is `cutOff`.
+  // The capture ends at `endNs`. A character that is not through by then is left out; but if the capture ends with an
+  // edge, and is not `cutOff`, the wire stayed so, and the last character is taken if that makes it a good one.
   void finish(int64_t endNs, bool cutOff);
 
   bool found() const { return _decoder.has_value(); }

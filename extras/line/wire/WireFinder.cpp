@@ -139,12 +139,12 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   if (lengths.empty()) {
     return "has no pulses: is the probe on S-BUS_OUT, and the receiver on?";
   }
-  const double sampledNs = periodNs > 0 ? periodNs : gridNs(lengths);
-  const bool mayBeSampled = periodNs > 0 || sampledNs < ShortestBitNs * 1.9;  // else slow bits look the same
-  if (sampledNs * SamplesPerBit > ShortestBitNs * 2 && mayBeSampled) {
-    return tooSlow(sampledNs, ShortestBitNs * 2);
-  }
   const double shortest = static_cast<double>(lengths[lengths.size() / 20]);
+  const double grid = gridNs(lengths);
+  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * shortest ? grid : 0;  // the grid may be that of bits
+  if (sampledNs * SamplesPerBit > 2 * ShortestBitNs) {
+    return tooSlow(sampledNs, 2 * ShortestBitNs);
+  }
   const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(shortest);
   if (best.good + best.bad == 0) {
     const double baud = 1e9 / std::max(shortest, 1.0);
