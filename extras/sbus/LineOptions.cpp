@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
+#include "line/RecordingFile.h"
+
 namespace tool {
 
 namespace {
@@ -17,10 +19,15 @@ void refuse(const std::vector<const CLI::Option *> &options, const std::string &
 
 }  // namespace
 
+unsigned long baudOf(unsigned long told, const std::string &recording) {
+  const unsigned long recorded = told > 0 || recording.empty() ? 0 : line::recordedBaud(recording);
+  return told > 0 ? told : recorded == 2 * sbus::Baud ? recorded : sbus::Baud;
+}
+
 LineOptions::LineOptions(CLI::App &verb) {
-  verb.add_option("--baud", _baud, "of the line: 100000, or 200000 for Fast S.Bus (100000)")
+  verb.add_option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
-      ->type_name("N");
+      ->type_name("100000|200000");
   const CLI::Option *const channels =
       verb.add_option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
           ->check(CLI::IsMember({16, 24, 32}).description(""))
@@ -55,7 +62,7 @@ line::Source LineOptions::source(const std::string &recording) const {
                     : _channels == 32 ? line::Channels::ThirtyTwo
                                       : line::Channels::Sixteen;
   source.noise = _noise;
-  source.settings.baud = _baud;
+  source.settings.baud = baud(recording);
   source.settings.polarity =
       _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
   return source;

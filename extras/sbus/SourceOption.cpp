@@ -31,14 +31,6 @@ Kind kindOf(const std::string &name) {
   return S_ISCHR(status.st_mode) ? Kind::Port : S_ISFIFO(status.st_mode) ? Kind::Stream : Kind::File;
 }
 
-line::LineSettings sketchSettings() {
-  line::LineSettings settings;
-  settings.baud = 115200;
-  settings.format = {8, line::Parity::None, 1};
-  settings.polarity = line::Polarity::Either;
-  return settings;
-}
-
 }  // namespace
 
 SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(verb), _recordings(recordings) {
@@ -54,8 +46,8 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
 
 line::LineSettings SourceOption::settings() const {
   line::LineSettings settings;
-  settings.baud = _options.baud();
-  return _csv->count() > 0 ? sketchSettings() : settings;
+  settings.baud = _options.baud(kindOf(_name) == Kind::File ? _name : "");
+  return _csv->count() > 0 ? line::csvSettings() : settings;
 }
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {

@@ -11,7 +11,12 @@
 namespace {
 
 void addVerbs(CLI::App &app) {
+  tool::addPorts(app);
   tool::addHex(app);
+  tool::addCsv(app);
+  tool::addRecord(app);
+  tool::addReplay(app);
+  tool::addSimulate(app);
   tool::addDecode(app);
   tool::addWave(app);
 }

@@ -4,7 +4,7 @@
 #include <deque>
 #include <string>
 
-#include "OpenPort.h"
+#include "PortFile.h"
 #include "line/Line.h"
 
 namespace line {
@@ -25,8 +25,7 @@ class SerialPort : public Line {
   void take(uint8_t byte, uint64_t nowUs);
 
   std::string _device;
-  PortHandle _port;
-  int _file;
+  PortFile _port;
   uint32_t _characterUs;
   std::string _failure;
 
