@@ -14,6 +14,7 @@ void addVerbs(CLI::App &app) {
   tool::addPorts(app);
   tool::addHex(app);
   tool::addCsv(app);
+  tool::addPlot(app);
   tool::addRecord(app);
   tool::addReplay(app);
   tool::addSimulate(app);
