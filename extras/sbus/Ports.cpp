@@ -83,7 +83,8 @@ void addLine(std::string &text, const std::string &line) {
 std::string describe(sp_port *port) {
   const std::string device = sp_get_port_name(port);
   const std::string description = textOf(sp_get_port_description(port));
-  std::string text = device + (description.empty() || description == device ? "" : "  " + description) + "\n";
+  const bool isName = device.find(description) != std::string::npos;
+  std::string text = device + (isName ? "" : "  " + description) + "\n";
   addLine(text, usbText(port));
   addLine(text, known(port));
   addLine(text, latencyText(device));

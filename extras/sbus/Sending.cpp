@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "Output.h"
@@ -60,6 +61,32 @@ class Way {
   std::unique_ptr<line::SendingPort> _port;
 };
 
+// What is back to back goes out in one piece, or the system would put pauses into it.
+class Bursts {
+ public:
+  explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}
+
+  void put(const line::Character &character) {
+    _lastEndUs = character.endUs;
+    if (!character.bad) {
+      _bytes.push_back(character.value);
+    }
+  }
+
+  // Once nothing more belongs to it; empty before.
+  std::vector<uint8_t> take(uint64_t nowUs) {
+    const bool ready = nowUs >= _lastEndUs + 2 * _characterUs || _bytes.size() >= BurstMax;
+    return ready ? std::exchange(_bytes, {}) : std::vector<uint8_t>();
+  }
+
+ private:
+  static constexpr size_t BurstMax = 64;
+
+  uint32_t _characterUs;
+  std::vector<uint8_t> _bytes;
+  uint64_t _lastEndUs = 0;
+};
+
 }  // namespace
 
 Sending::Sending(CLI::App &verb) {
@@ -76,20 +103,17 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
   unsigned long sent = 0;
   unsigned long bad = 0;
   while (true) {
-    std::vector<uint8_t> bytes;
+    Bursts bursts(input->settings().characterUs());
     input->run(
         [&](const line::Character &character) {
-          if (character.bad) {
-            bad++;
-          } else {
-            bytes.push_back(character.value);
-          }
+          bad += character.bad;
+          bursts.put(character);
         },
         [&](uint64_t nowUs) {
+          const std::vector<uint8_t> bytes = bursts.take(nowUs);
+          sent += bytes.size();
           if (!bytes.empty()) {
             way.send(nowUs, bytes);
-            sent += bytes.size();
-            bytes.clear();
           }
         });
     if (!loop || stopped()) {

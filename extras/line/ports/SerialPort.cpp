@@ -62,7 +62,9 @@ void SerialPort::poll(uint64_t nowUs) {
   }
 }
 
-// USB brings characters in bursts. They go on at the pace of the line, or a burst would overrun the board's buffer.
+// USB brings a frame in pieces. They go on at the pace of the line, or they would overrun the board's buffer, and so much
+// later that the next piece is there before they have gone: else there were pauses within frames. A pause on the line
+// that is shorter is lost, which a decoder can bear.
 void SerialPort::take(uint8_t byte, uint64_t nowUs) {
   Character character;
   character.value = byte;
@@ -84,7 +86,7 @@ void SerialPort::take(uint8_t byte, uint64_t nowUs) {
       break;
   }
   _mark = Mark::None;
-  _lastEndUs = std::max(_lastEndUs + _characterUs, nowUs);
+  _lastEndUs = nowUs <= _lastEndUs ? _lastEndUs + _characterUs : nowUs + LaterUs;
   character.endUs = _lastEndUs;
   _waiting.push_back(character);
 }

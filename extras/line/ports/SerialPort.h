@@ -21,6 +21,8 @@ class SerialPort : public Line {
   // An adapter marks a bad character as FF 00 character, and sends FF as FF FF.
   enum class Mark { None, Escape, Bad };
 
+  static constexpr uint64_t LaterUs = 2000;
+
   void poll(uint64_t nowUs);
   void take(uint8_t byte, uint64_t nowUs);
 
