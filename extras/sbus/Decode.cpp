@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <deque>
 #include <memory>
 #include <stdexcept>
@@ -67,6 +68,9 @@ class Frames {
 };
 
 void run(const Options &options) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    std::signal(signal, SIG_DFL);  // it waits for standard input, and leaves nothing behind
+  }
   DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters);
   Frames frames(output);
   line::WireDecoder wire(

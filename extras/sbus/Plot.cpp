@@ -48,7 +48,9 @@ class Shade {
 // Takes a line, of S.Bus or of a sketch's rows, and draws it.
 class Plotter {
  public:
-  Plotter(const PlotOptions &options, uint32_t characterUs) : _columns(parseColumns(options.columns)) {
+  // `rowsHaveTimes`: a sketch's rows come when they are printed; else their numbers stand for the time.
+  Plotter(const PlotOptions &options, uint32_t characterUs, bool rowsHaveTimes)
+      : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
     for (const CsvColumn &column : _columns) {
       if (column.kind != CsvColumn::Kind::Channel) {
         throw CLI::ValidationError("--columns", "channels are expected, such as ch1-ch4: flags are shaded by themselves");
@@ -78,11 +80,11 @@ class Plotter {
     const double end = ms(_lastUs);
     _failsafe.at(end, false, _picture.spans);
     _lost.at(end, false, _picture.spans);
-    _picture.title = name;
+    _picture.title = name == "-" ? "standard input" : name.substr(name.rfind('/') + 1);
     _picture.yTitle = "raw";
     _picture.xBegin = ms(_firstUs);
     _picture.xEnd = end > _picture.xBegin ? end : _picture.xBegin + 1;
-    _picture.xTitle = "ms";
+    _picture.xTitle = _rows.recognised() && !_rowsHaveTimes ? "rows" : "ms";
     return svg(_picture);
   }
 
@@ -109,7 +111,7 @@ class Plotter {
 
   void takeRow(uint64_t nowUs) {
     const line::CsvRow &row = _rows.row();
-    const bool joined = begin(nowUs);
+    const bool joined = begin(_rowsHaveTimes ? nowUs : _lastUs + 1000);
     bool failsafe = false;
     bool lostFrame = false;
     size_t curve = 0;
@@ -130,6 +132,7 @@ class Plotter {
   bool begin(uint64_t us) {
     const bool silence = _lastUs != 0 && us - _lastUs > SilenceUs && !_rows.recognised();
     if (silence) {
+      shade(false, false);
       _picture.spans.push_back({Span::Kind::NoFrames, ms(_lastUs), ms(us)});
     }
     const bool joined = _lastUs != 0 && !silence;
@@ -144,6 +147,7 @@ class Plotter {
   }
 
   const std::vector<CsvColumn> _columns;
+  const bool _rowsHaveTimes;
   line::Observer _observer;
   line::CsvRows _rows;
   Picture _picture;
@@ -155,7 +159,7 @@ class Plotter {
 
 void run(const SourceOption &source, const PlotOptions &options) {
   const std::unique_ptr<Input> input = source.open();
-  Plotter plotter(options, input->settings().characterUs());
+  Plotter plotter(options, input->settings().characterUs(), source.name().rfind("/dev/", 0) == 0);
   input->run([&](const line::Character &character) { plotter.put(character); },
              [&](uint64_t nowUs) { plotter.idleUntil(nowUs); });
   const std::string picture = plotter.finish(source.name());

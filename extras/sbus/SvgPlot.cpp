@@ -14,23 +14,32 @@ constexpr double PlotWidth = Width - Left - Right, PlotHeight = Height - Top - B
 constexpr double LineHeight = 15;
 
 // Okabe and Ito's hues, which colour-blind people can tell apart; darker on white, lighter on black. Further curves are
-// dashed. The shades differ by a pattern, too.
+// dashed. The shades differ by a pattern, too. No CSS variables: many viewers do not know them.
+struct Palette {
+  const char *page, *text, *grid, *failsafe, *lost, *silent;
+  const char *curves[8];
+};
 constexpr size_t Colours = 8;
-constexpr const char *Style =
-    "svg{--page:#fff;--text:#24292f;--grid:#d8dee4;--c0:#0072b2;--c1:#c04d00;--c2:#007a5a;--c3:#a3447c;--c4:#8a6100;"
-    "--c5:#2a8fc0;--c6:#5f4bb6;--c7:#57606a;--failsafe:#cf222e;--lost:#bf8700;--silent:#6e7781}\n"
-    "@media(prefers-color-scheme:dark){svg{--page:#0d1117;--text:#e6edf3;--grid:#30363d;--c0:#56b4e9;--c1:#ff8f4d;"
-    "--c2:#2fc79a;--c3:#e59ac8;--c4:#f0c040;--c5:#9ad7f5;--c6:#b3a5ff;--c7:#b1bac4;--failsafe:#ff7b72;--lost:#e3b341;"
-    "--silent:#8b949e}}\n"
-    "text{font:12px system-ui,sans-serif;fill:var(--text)}.title{font-size:15px;font-weight:600}"
-    ".grid{stroke:var(--grid)}.curve{fill:none;stroke-width:1.6;stroke-linejoin:round}.name{font-weight:600}"
-    ".lead{fill:none;opacity:.5}";
+constexpr Palette Light = {"#fff",    "#24292f", "#d8dee4", "#cf222e", "#bf8700", "#6e7781",
+                           {"#0072b2", "#c04d00", "#007a5a", "#a3447c", "#8a6100", "#2a8fc0", "#5f4bb6", "#57606a"}};
+constexpr Palette Dark = {"#0d1117", "#e6edf3", "#30363d", "#ff7b72", "#e3b341", "#8b949e",
+                          {"#56b4e9", "#ff8f4d", "#2fc79a", "#e59ac8", "#f0c040", "#9ad7f5", "#b3a5ff", "#b1bac4"}};
 
 template <typename... Values>
 std::string print(const char *format, Values... values) {
-  char text[300];
+  char text[400];
   std::snprintf(text, sizeof text, format, values...);
   return text;
+}
+
+std::string style(const Palette &palette) {
+  std::string text = print(".page{fill:%s}text{fill:%s}.grid{stroke:%s}", palette.page, palette.text, palette.grid) +
+                     print(".failsafe{fill:%s;stroke:%s}.lost{fill:%s;stroke:%s}.silent{fill:%s;stroke:%s}\n", palette.failsafe,
+                           palette.failsafe, palette.lost, palette.lost, palette.silent, palette.silent);
+  for (size_t i = 0; i < Colours; i++) {
+    text += print(".c%zu{stroke:%s}.n%zu{fill:%s}", i, palette.curves[i], i, palette.curves[i]);
+  }
+  return text + "\n";
 }
 
 std::string escaped(const std::string &text) {
@@ -76,9 +85,12 @@ class Drawing {
   std::string text() {
     _text = print("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" role=\"img\">\n",
                   Width, Height, Width, Height);
-    _text += "<title>" + escaped(_picture.title) + "</title>\n<style>\n" + Style + "\n</style>\n";
+    _text += "<title>" + escaped(_picture.title) + "</title>\n<style>\ntext{font:12px system-ui,sans-serif}" +
+             ".title{font-size:15px;font-weight:600}.name{font-weight:600}.curve,.lead{fill:none;stroke-linejoin:round}" +
+             ".curve{stroke-width:1.6}.lead{opacity:.5}.d1{stroke-dasharray:6 3}.d2,.d3{stroke-dasharray:2 3}\n" + style(Light) +
+             "@media(prefers-color-scheme:dark){\n" + style(Dark) + "}\n</style>\n";
     _text += "<defs>" + pattern("failsafe", 45) + pattern("lost", -45) + pattern("silent", 0) + "</defs>\n";
-    _text += "<rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>\n";
+    _text += "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
     _text += print("<text class=\"title\" x=\"%.0f\" y=\"26\">", Left) + escaped(_picture.title) + "</text>\n";
     spans();
     axes();
@@ -94,15 +106,11 @@ class Drawing {
   static std::string pattern(const char *name, int angle) {
     return print("<pattern id=\"%s\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(%d)\">",
                  name, angle) +
-           print("<rect width=\"6\" height=\"6\" style=\"fill:var(--%s);opacity:.12\"/><path d=\"M0 0V6\" "
-                 "style=\"stroke:var(--%s);opacity:.45\"/></pattern>", name, name);
+           print("<g class=\"%s\"><rect width=\"6\" height=\"6\" stroke=\"none\" opacity=\".12\"/>"
+                 "<path d=\"M0 0V6\" opacity=\".45\"/></g></pattern>", name);
   }
 
-  static std::string colour(size_t curve) {
-    const size_t round = curve / Colours;
-    return print("stroke:var(--c%zu)%s", curve % Colours,
-                 round == 0 ? "" : round == 1 ? ";stroke-dasharray:6 3" : ";stroke-dasharray:2 3");
-  }
+  static std::string look(size_t curve) { return print("c%zu d%zu", curve % Colours, curve / Colours); }
 
   // What is shaded, and a legend of it below the axis.
   void spans() {
@@ -143,11 +151,11 @@ class Drawing {
     std::string grid;
     for (double y = _y.first(); y <= _y.to; y += _y.step) {
       grid += print("M%.0f %.1fH%.0f", Left, py(y), Left + PlotWidth);
-      label(Left - 8, py(y) + 4, "end", print("%g", std::round(y / _y.step) * _y.step));
+      label(Left - 8, py(y) + 4, "end", print("%g", std::round(y / _y.step) * _y.step + 0.0));
     }
     for (double x = _x.first(); x <= _x.to + _x.step / 1000; x += _x.step) {
       grid += print("M%.1f %.0fV%.0f", px(x), Top, Top + PlotHeight);
-      label(px(x), Top + PlotHeight + 18, "middle", print("%.10g", std::round(x / _x.step) * _x.step));
+      label(px(x), Top + PlotHeight + 18, "middle", print("%.10g", std::round(x / _x.step) * _x.step + 0.0));
     }
     _text += "<path class=\"grid\" d=\"" + grid + "\"/>\n";
     label(Left + PlotWidth, Top + PlotHeight + 36, "end", _picture.xTitle);
@@ -176,7 +184,7 @@ class Drawing {
         }
         from = to;
       }
-      _text += "<path class=\"curve\" style=\"" + colour(i) + "\" d=\"" + path + "\"/>\n";
+      _text += "<path class=\"curve " + look(i) + "\" d=\"" + path + "\"/>\n";
     }
   }
 
@@ -207,10 +215,10 @@ class Drawing {
     for (const Name &name : all) {
       const Curve &curve = _picture.curves[name.curve];
       const double x = px(curve.points.back().x);
-      _text += "<path class=\"lead\" style=\"" + colour(name.curve) +
+      _text += "<path class=\"lead " + look(name.curve) +
                print("\" d=\"M%.1f %.1fL%.0f %.1f\"/>\n", x, name.end, Left + PlotWidth + 14, name.y);
-      _text += print("<text class=\"name\" x=\"%.0f\" y=\"%.1f\" style=\"fill:var(--c%zu)\">", Left + PlotWidth + 18,
-                     name.y + 4, name.curve % Colours) +
+      _text += print("<text class=\"name n%zu\" x=\"%.0f\" y=\"%.1f\">", name.curve % Colours, Left + PlotWidth + 18,
+                     name.y + 4) +
                escaped(curve.name) + "</text>\n";
     }
   }

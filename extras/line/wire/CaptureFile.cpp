@@ -38,7 +38,7 @@ CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
   while (more && end.error.empty()) {
     errno = 0;
     const size_t count = std::fread(block.data() + filled, 1, block.size() - filled, file.get());
-    if (std::ferror(file.get()) != 0 && errno != EINTR) {  // Ctrl-C: what was good is shown
+    if (std::ferror(file.get()) != 0) {
       throw std::runtime_error(name + ": cannot be read (" + std::strerror(errno) + ")");
     }
     filled += count;

@@ -146,7 +146,10 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
     return tooSlow(sampledNs, 2 * ShortestBitNs);
   }
   const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(shortest);
-  if (best.good + best.bad == 0) {
+  constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
+  const bool lastsABit =
+      std::abs(shortest - ShortestBitNs) < SampleNs || std::abs(shortest - 2 * ShortestBitNs) < SampleNs;
+  if (best.good + best.bad == 0 || !lastsABit) {
     const double baud = 1e9 / std::max(shortest, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
            " baud do: 10 us or 5 us are expected, within 3 %";
