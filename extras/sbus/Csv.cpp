@@ -108,7 +108,7 @@ void addCsv(CLI::App &app) {
                    "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
       ->type_name("LIST");
   verb->add_option("--rate", options->rate, "rows a second (5)")
-      ->check(CLI::Range(0.01, 1000.0).description(""))
+      ->check(numberBetween(0.01, 1000))
       ->type_name("N");
   options->everyFrame = verb->add_flag("--every-frame", "a row for each frame, whatever the rate");
   options->header = verb->add_flag("--header", "the columns' names in the first row");

@@ -20,7 +20,7 @@ void addSimulate(CLI::App &app) {
   };
   const auto options = std::make_shared<Options>(*verb);
   verb->add_option("--seconds", options->seconds, "end after so many seconds")
-      ->check(CLI::Validator(checkSeconds, ""))
+      ->check(seconds())
       ->type_name("S");
   verb->callback([options] {
     options->sending.run(
