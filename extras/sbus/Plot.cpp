@@ -1,9 +1,6 @@
 // sbus plot: the curves of the channels, as a picture.
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -13,6 +10,7 @@
 #include "SvgPlot.h"
 #include "Verbs.h"
 #include "line/CsvRows.h"
+#include "line/RecordingFile.h"
 
 namespace tool {
 
@@ -48,7 +46,7 @@ class Shade {
 // Takes a line, of S.Bus or of a sketch's rows, and draws it.
 class Plotter {
  public:
-  // `rowsHaveTimes`: a sketch's rows come when they are printed; else their numbers stand for the time.
+  // `rowsHaveTimes`: a sketch's rows come when they were printed; else their numbers stand for the time.
   Plotter(const PlotOptions &options, uint32_t characterUs, bool rowsHaveTimes)
       : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
     for (const CsvColumn &column : _columns) {
@@ -159,7 +157,7 @@ class Plotter {
 
 void run(const SourceOption &source, const PlotOptions &options) {
   const std::unique_ptr<Input> input = source.open();
-  Plotter plotter(options, input->settings().characterUs(), source.name().rfind("/dev/", 0) == 0);
+  Plotter plotter(options, input->settings().characterUs(), source.name() != "-");
   input->run([&](const line::Character &character) { plotter.put(character); },
              [&](uint64_t nowUs) { plotter.idleUntil(nowUs); });
   const std::string picture = plotter.finish(source.name());
@@ -168,11 +166,11 @@ void run(const SourceOption &source, const PlotOptions &options) {
     flush();
     return;
   }
-  std::ofstream file(options.output, std::ios::binary);
-  file << picture;
-  file.close();
-  if (!file) {
-    throw std::runtime_error(options.output + ": cannot be written (" + std::strerror(errno) + "); name another file");
+  line::LineFile file(options.output);
+  file.write(picture);
+  const std::string failure = file.finish();
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
   }
 }
 

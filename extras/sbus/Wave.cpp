@@ -1,12 +1,10 @@
 // sbus wave: the wire of a recording, as a value change dump that a logic analyser's software shows.
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
+#include "LineOptions.h"
 #include "Output.h"
 #include "Verbs.h"
 #include "line/RecordingFile.h"
@@ -19,7 +17,7 @@ namespace {
 struct Options {
   std::string recording;
   std::string output;
-  line::LineSettings settings;
+  unsigned long baud = 0;  // not told
   bool uninverted = false;
 };
 
@@ -33,19 +31,21 @@ void wave(const line::Recording &recording, const line::LineSettings &settings, 
   put(writer.finish());
 }
 
-void run(Options options) {
-  options.settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
-  const line::Recording recording = line::readRecording(options.recording, options.settings.characterUs());
+void run(const Options &options) {
+  line::LineSettings settings;
+  settings.baud = baudOf(options.baud, options.recording);
+  settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
   if (options.output.empty()) {
-    wave(recording, options.settings, write);
+    wave(recording, settings, write);
     flush();
     return;
   }
-  std::ofstream file(options.output, std::ios::binary);
-  wave(recording, options.settings, [&file](const std::string &text) { file << text; });
-  file.close();
-  if (!file) {
-    throw std::runtime_error(options.output + ": cannot be written (" + std::strerror(errno) + "); name another file");
+  line::LineFile file(options.output);
+  wave(recording, settings, [&file](const std::string &text) { file.write(text); });
+  const std::string failure = file.finish();
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
   }
 }
 
@@ -58,7 +58,7 @@ void addWave(CLI::App &app) {
       ->required()
       ->type_name("");
   verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
-  verb->add_option("--baud", options->settings.baud, "of the line: 100000, or 200000 for Fast S.Bus (100000)")
+  verb->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("N");
   verb->add_flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");

@@ -6,7 +6,7 @@ _sbus() {
   local line="--baud --channels --sticks --silent --noise --uninverted"
   local source="$line --csv --seconds --simulated-time"
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="ports hex csv record replay simulate --help --help-all --version"
+    words="ports hex csv plot record replay simulate decode wave --help --help-all --version"
   else
     case $before in
       --baud) words="100000 200000" ;;
@@ -14,23 +14,26 @@ _sbus() {
       --sticks) words="flight calibration" ;;
       --color) words="auto always never" ;;
       --columns) words="ch1-ch4,failsafe,lostframe ch1-ch18 ch1-ch24 ch1-ch32 time state age" ;;
-      --noise | --seconds | --rate | --speed) return ;;
-      --to) ;;
+      --noise | --seconds | --rate | --speed | --signal) return ;;
+      --to | --output | -o) ;;
       *)
         case $verb in
           hex) words="$source --color" ;;
           csv) words="$source --columns --rate --every-frame --header" ;;
+          plot) words="$source --columns --output" ;;
+          decode) words="--signal --csv --json --characters" ;;
+          wave) words="--output --baud --uninverted" ;;
           record) words="$source" ;;
           replay) words="--to --baud --speed --loop" ;;
           simulate) words="$line --to --seconds" ;;
         esac
         words="$words --help"
-        case $verb in hex | csv | record) words="$words sim" ;; esac
+        case $verb in hex | csv | plot | record) words="$words sim" ;; esac
         ;;
     esac
   fi
   COMPREPLY=($(compgen -W "$words" -- "$word"))
-  if [ "$COMP_CWORD" -gt 1 ] && [[ $word != -* ]] && { [ "$before" = --to ] || [[ $before != --* ]]; }; then
+  if [ "$COMP_CWORD" -gt 1 ] && [[ $word != -* ]] && { [ "$before" = --to ] || [ "$before" = --output ] || [ "$before" = -o ] || [[ $before != --* ]]; }; then
     COMPREPLY+=($(compgen -f -- "$word"))
     compopt -o filenames 2>/dev/null
   fi

@@ -5,6 +5,7 @@
 #   tool/REFUSALS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
+#   captures of the wire       tool/wire.sh
 #   the manual and the completion
 # "run.sh update" writes tool/golden anew instead. BUILD: an absolute folder for what is built.
 set -u
@@ -183,6 +184,8 @@ player simulate --seconds 1
 timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}.$' "$work/out")" -ge 2 ]
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
+
+SBUS=$sbus BUILD=$work tool/wire.sh
 
 # ---- What comes with it
 

@@ -128,10 +128,11 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
       continue;
     }
     const bool isOne = !isComment(line) && isRow(fields);
-    if (rows.size() > 1 && (!isOne || (head.empty() && cutOff))) {
+    const bool fits = isOne && (rows.empty() || fields.size() == rows.front().size());
+    if (rows.size() > 1 && (!fits || (head.empty() && cutOff))) {
       break;
     }
-    if (rows.size() == 1 && (!isOne || fields.size() != rows.front().size())) {
+    if (rows.size() == 1 && !fits) {
       header.row(rows.front());
       rows.clear();
     }
