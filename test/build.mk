@@ -24,7 +24,7 @@ SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
 # Of the host: how its board receives and sends.
 HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp board/PortWatch.cpp
-LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp))
+LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/wire/*.cpp))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \
@@ -144,6 +144,7 @@ fuzz: $(FUZZ)
 list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
+$(OUT)/fuzz/Wire: $(wildcard $(EXTRAS)/line/wire/*.cpp) $(EXTRAS)/line/LineSettings.cpp
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/BitByBit.h build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(WARNINGS) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(DEBUG) \

@@ -4,6 +4,14 @@
 
 namespace line {
 
+bool isOdd(unsigned bits) {
+  bool odd = false;
+  for (; bits != 0; bits &= bits - 1) {
+    odd = !odd;
+  }
+  return odd;
+}
+
 uint32_t LineSettings::bitNs() const {
   constexpr unsigned long SecondNs = 1000000000;
   return static_cast<uint32_t>(SecondNs / std::clamp(baud, 1ul, SecondNs));

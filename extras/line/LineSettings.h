@@ -16,6 +16,9 @@ enum class Polarity {
 
 enum class Parity { None, Even, Odd };
 
+// True if the number of ones is odd: even parity then adds another one.
+bool isOdd(unsigned bits);
+
 // A character: a start bit, then these.
 struct Format {
   unsigned dataBits = 8;

@@ -1,5 +1,7 @@
 #include "RecordingWriter.h"
 
+#include <algorithm>
+
 namespace line {
 
 namespace {
@@ -9,32 +11,41 @@ constexpr unsigned LineMax = sbus::FrameSize;
 
 }  // namespace
 
+void RecordingWriter::comment(const std::string &text) {
+  endLine();
+  _done += "# " + text + '\n';
+}
+
 void RecordingWriter::opened(const LineSettings &settings) {
   if (_opened && settings == _settings) {
     return;
   }
-  endLine();
   _opened = true;
   _settings = settings;
-  _out << "# " << text(settings) << '\n';
+  comment(text(settings));
 }
 
 void RecordingWriter::put(const Character &character) {
-  if (_onLine == LineMax || character.endUs != _lastEndUs + _settings.characterUs()) {
+  const uint64_t earliestUs = _lastEndUs == 0 ? 0 : _lastEndUs + _settings.characterUs();
+  const uint64_t endUs = std::max(character.endUs, earliestUs);
+  if (_onLine == LineMax || endUs != earliestUs) {
     endLine();
   }
   if (_onLine == 0) {
-    _out << character.endUs;
+    _line = std::to_string(endUs);
   }
   constexpr char Digits[] = "0123456789ABCDEF";
-  _out << ' ' << Digits[character.value >> 4] << Digits[character.value & 0xF];
-  _lastEndUs = character.endUs;
+  _line += ' ';
+  _line += Digits[character.value >> 4];
+  _line += Digits[character.value & 0xF];
+  _line += character.bad ? "!" : "";
+  _lastEndUs = endUs;
   _onLine++;
 }
 
 void RecordingWriter::endLine() {
   if (_onLine != 0) {
-    _out << '\n';
+    _done += _line + '\n';
     _onLine = 0;
   }
 }

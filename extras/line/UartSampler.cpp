@@ -8,14 +8,6 @@ namespace {
 
 constexpr uint64_t NsPerUs = 1000;
 
-bool isOdd(unsigned bits) {
-  bool odd = false;
-  for (; bits != 0; bits >>= 1) {
-    odd ^= (bits & 1) != 0;
-  }
-  return odd;
-}
-
 unsigned dataOf(unsigned bits, const Format &format) {
   return bits & ((1u << format.dataBits) - 1);
 }

@@ -18,17 +18,17 @@ constexpr uint64_t Second = 1000000;
 std::vector<std::string> said(const std::string &device, uint64_t fromUs, uint64_t toUs, bool noise = false) {
   line::SimulatedReceiver receiver;
   receiver.opened(0);
-  line::LineMonitor monitor;
-  PortWatch watch(device, monitor);
+  line::Observer observer;
+  PortWatch watch(device, observer);
   std::vector<std::string> lines;
   for (uint64_t nowUs = 0; nowUs < 10 * Second; nowUs += 500) {
     for (line::Character character; receiver.next(nowUs, character);) {
       if (nowUs >= fromUs && nowUs < toUs) {
         character.value = noise ? uint8_t{0x55} : character.value;
-        monitor.put(character);
+        observer.put(character);
       }
     }
-    monitor.idleUntil(nowUs);
+    observer.idleUntil(nowUs);
     const std::string line = watch.check(nowUs);
     if (!line.empty()) {
       lines.push_back(line.substr(0, line.find('.')));

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "line/CsvRows.h"
+
 namespace host {
 
 class CsvColumns {
@@ -24,10 +26,9 @@ class CsvColumns {
   const std::vector<Range> &columns() const { return _columns; }
 
  private:
-  void endLine();
-  void lookAt(size_t column, const std::string &field);
+  void lookAt(size_t column, const line::CsvField &field);
 
-  std::string _line;
+  line::CsvRows _rows;
   unsigned long _lines = 0;
   std::vector<Range> _columns;
 };

@@ -7,7 +7,7 @@ namespace host {
 void Port::attach(line::Line &line, const line::LineSettings &wire) {
   _line = &line;
   _wire = wire;
-  _monitor.reset(0, wire.characterUs());
+  _observer.reset(0, wire.characterUs());
   _receptions.clear();
   if (_uart.isOpen()) {
     listen(0);  // a constructor of the sketch has opened it before main()
@@ -63,7 +63,7 @@ void Port::listen(uint64_t nowUs) {
 void Port::receive(uint64_t nowUs) {
   line::Character character;
   while (_line != nullptr && _line->next(nowUs, character)) {
-    _monitor.put(character);
+    _observer.put(character);
     if (!_uart.isOpen()) {
       _missedClosed++;
       continue;

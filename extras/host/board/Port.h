@@ -7,7 +7,7 @@
 #include "PortSettings.h"
 #include "Sender.h"
 #include "line/Line.h"
-#include "line/LineMonitor.h"
+#include "line/Observer.h"
 #include "line/LineSettings.h"
 #include "line/UartSampler.h"
 
@@ -49,7 +49,7 @@ class Port {
   const PortSettings &settings() const { return _settings; }  // as it was opened last
 
   // For the report.
-  line::LineMonitor &monitor() { return _monitor; }
+  line::Observer &observer() { return _observer; }
   const std::vector<Reception> &receptions() const { return _receptions; }  // one for each of the settings used
   bool everOpened() const { return _everOpened; }
   unsigned long missedClosed() const { return _missedClosed; }  // characters that found the port closed
@@ -63,7 +63,7 @@ class Port {
   PortSettings _settings;
   BoardUart _uart;
   Sender _sender;
-  line::LineMonitor _monitor;
+  line::Observer _observer;
   line::UartSampler _sampler;
   bool _agrees = false;  // the port is set as the wire wants it: then nothing has to be sampled
   bool _everOpened = false;

@@ -7,11 +7,11 @@ std::string PortWatch::check(uint64_t nowUs) {
     return {};
   }
   const bool first = _nextUs == 0;
-  const bool characters = _monitor.characters() != _characters;
-  const bool frames = _monitor.counters().frames != _frames;
+  const bool characters = _observer.characters() != _characters;
+  const bool frames = _observer.counters().frames != _frames;
   _nextUs = nowUs + PeriodUs;
-  _characters = _monitor.characters();
-  _frames = _monitor.counters().frames;
+  _characters = _observer.characters();
+  _frames = _observer.counters().frames;
   if (first) {
     return "waiting for frames from " + _device;
   }

@@ -35,7 +35,7 @@ void Sender::open(uint64_t nowUs, const PortSettings &settings) {
   if (same == _sendings.end()) {
     _sending = &_sendings.emplace_back();
     _sending->settings = settings;
-    _sending->monitor.reset(nowUs, settings.tx.characterUs());
+    _sending->observer.reset(nowUs, settings.tx.characterUs());
   } else {
     _sending = &*same;
   }
@@ -49,7 +49,7 @@ bool Sender::next(uint64_t nowUs, line::Character &character) {
     return false;
   }
   character.value &= _dataMask;
-  _sending->monitor.put(character);
+  _sending->observer.put(character);
   if (_file) {
     _file->put(character);
   }

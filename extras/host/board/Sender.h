@@ -7,7 +7,7 @@
 
 #include "BoardTransmitter.h"
 #include "PortSettings.h"
-#include "line/LineMonitor.h"
+#include "line/Observer.h"
 #include "line/RecordingFile.h"
 
 namespace host {
@@ -15,7 +15,7 @@ namespace host {
 // What was sent while the port had certain settings.
 struct Sending {
   PortSettings settings;
-  line::LineMonitor monitor;
+  line::Observer observer;
 };
 
 class Sender {

@@ -10,15 +10,15 @@ namespace {
 using Number = unsigned long;
 
 // "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe"
-void reportTraffic(line::LineMonitor &monitor, uint64_t nowUs) {
-  monitor.idleUntil(nowUs);
-  const sbus::Counters &counters = monitor.counters();
-  std::fprintf(stderr, "%lu characters", monitor.characters());
-  if (monitor.badCharacters() > 0) {
-    std::fprintf(stderr, " (%lu bad)", monitor.badCharacters());
+void reportTraffic(line::Observer &observer, uint64_t nowUs) {
+  observer.idleUntil(nowUs);
+  const sbus::Counters &counters = observer.counters();
+  std::fprintf(stderr, "%lu characters", observer.characters());
+  if (observer.badCharacters() > 0) {
+    std::fprintf(stderr, " (%lu bad)", observer.badCharacters());
   }
   std::fprintf(stderr, ", %lu frames%s, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
-               monitor.has24() ? " of 24 channels" : "", Number{counters.lostFrames}, Number{counters.failsafeFrames});
+               observer.has24() ? " of 24 channels" : "", Number{counters.lostFrames}, Number{counters.failsafeFrames});
   if (counters.extraFrames > 0) {
     std::fprintf(stderr, ", and %lu with CH17..CH32", Number{counters.extraFrames});
   }
@@ -86,13 +86,13 @@ void reportWire(Board &board, const WireOption &wire) {
 void reportSender(Board &board, int number, bool recorded) {
   bool any = false;
   for (Sending &sending : board.port(number).sender().sendings()) {
-    if (sending.monitor.characters() == 0) {
+    if (sending.observer.characters() == 0) {
       continue;
     }
     any = true;
     std::fprintf(stderr, "Serial%d sent at %s: ", number, text(sending.settings.tx).c_str());
-    reportTraffic(sending.monitor, board.clock().nowUs());
-    const unsigned long period = sending.monitor.counters().period;
+    reportTraffic(sending.observer, board.clock().nowUs());
+    const unsigned long period = sending.observer.counters().period;
     if (period > 0) {
       std::fprintf(stderr, ", one every %lu us", period);
     }
@@ -160,7 +160,7 @@ void printReport(Board &board, const Options &options) {
   std::fprintf(stderr, "%.3f s", static_cast<double>(nowUs) / 1e6);
   if (options.on != 0) {
     std::fprintf(stderr, "; on the line: ");
-    reportTraffic(board.port(options.on).monitor(), nowUs);
+    reportTraffic(board.port(options.on).observer(), nowUs);
   }
   std::fputc('\n', stderr);
   if (options.on != 0) {

@@ -159,7 +159,7 @@ void connectWires(Board &board, const Options &options) {
     board.port(options.on).attach(*line, options.source.settings);
   }
   Ending ending(options, *line);
-  PortWatch watch(options.port, board.port(std::max(options.on, 1)).monitor());
+  PortWatch watch(options.port, board.port(std::max(options.on, 1)).observer());
   board.onTime([&ending, &watch](uint64_t nowUs) {
     const std::string amiss = watch.check(nowUs);
     if (!amiss.empty()) {

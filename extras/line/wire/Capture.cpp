@@ -1,0 +1,78 @@
+#include "Capture.h"
+
+#include "BitsReader.h"
+#include "CsvReader.h"
+#include "Text.h"
+#include "VcdReader.h"
+
+namespace line {
+
+namespace {
+
+// Only 0, 1 and blanks, but for comments, and more than one bit in some line: else it may be a column of samples.
+bool isBits(std::string_view head) {
+  bool any = false;
+  while (!head.empty()) {
+    std::string_view line = takeLine(head);
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.find_first_not_of("01 \t") != std::string_view::npos) {
+      return false;
+    }
+    any = any || line.size() > 1;
+  }
+  return any;
+}
+
+// The project's own recordings: a time, then bytes in hexadecimal.
+bool isRecording(std::string_view head) {
+  while (!head.empty()) {
+    const std::string_view line = trimmed(takeLine(head));
+    if (line.empty() || line.front() == '#') {
+      continue;
+    }
+    const size_t space = line.find(' ');
+    const std::string_view time = line.substr(0, space);
+    return space != std::string_view::npos && time.find_first_not_of("0123456789") == std::string_view::npos &&
+           line.substr(space).find_first_not_of(" \t0123456789ABCDEFabcdef") == std::string_view::npos;
+  }
+  return false;
+}
+
+std::string whyUnknown(std::string_view head) {
+  if (trimmed(head).empty()) {
+    return "is empty: a capture of a wire is expected";
+  }
+  if (head.substr(0, 2) == "PK") {
+    return "is a session of PulseView or Logic 2: export it as VCD or as CSV";
+  }
+  if (head.substr(0, 8) == "<SALEAE>") {
+    return "is Logic 2's binary export: export it as CSV";
+  }
+  if (isRecording(head)) {
+    return "is a recording of characters, not a capture of the wire: sbus hex shows it, sbus wave makes a capture of it";
+  }
+  return {};
+}
+
+}  // namespace
+
+OpenedCapture openCapture(std::string_view head, LevelSink &sink) {
+  OpenedCapture opened;
+  if (trimmed(head).substr(0, 1) == "$") {
+    opened.reader = std::make_unique<VcdReader>(sink);
+  } else if (isBits(head)) {
+    opened.reader = std::make_unique<BitsReader>(sink);
+  } else {
+    CsvLayout layout;
+    opened.error = whyUnknown(head);
+    opened.error = opened.error.empty() ? findLayout(head, layout) : opened.error;
+    if (opened.error.empty() && layout.analogue) {
+      opened.reader = std::make_unique<AnalogueReader>(layout, sink);
+    } else if (opened.error.empty()) {
+      opened.reader = std::make_unique<DigitalReader>(layout, sink);
+    }
+  }
+  return opened;
+}
+
+}  // namespace line

@@ -1,0 +1,262 @@
+#include "CsvLayout.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "Capture.h"
+#include "Text.h"
+
+namespace line {
+
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+constexpr size_t RowsMax = 2000;  // of the head, that are looked at
+
+bool isComment(std::string_view line) {
+  return !line.empty() && (line.front() == ';' || line.front() == '#');
+}
+
+// 0, 1, or that nobody knows.
+bool isLogic(std::string_view field) {
+  return field.size() == 1 && std::string_view("01xXzZ").find(field.front()) != std::string_view::npos;
+}
+
+bool isNumber(std::string_view field) {
+  double value;
+  return parseNumber(field, value);
+}
+
+// Numbers, or nothing; at least one number.
+bool isRow(const Fields &fields) {
+  const auto fits = [](std::string_view field) { return field.empty() || isLogic(field) || isNumber(field); };
+  return std::all_of(fields.begin(), fields.end(), fits) && std::any_of(fields.begin(), fields.end(), isNumber);
+}
+
+// True if one of the words of `text`, in lower case, is one of `words`.
+bool hasWord(std::string_view text, std::initializer_list<std::string_view> words) {
+  const std::string small = lower(text);
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; };
+  for (size_t from = 0; from < small.size();) {
+    size_t to = from;
+    while (to < small.size() && isLetter(small[to])) {
+      to++;
+    }
+    if (std::find(words.begin(), words.end(), std::string_view(small).substr(from, to - from)) != words.end()) {
+      return true;
+    }
+    from = to + 1;
+  }
+  return false;
+}
+
+// The period of "1 MHz" or "1000000"; 0 if it is none.
+double periodOf(std::string_view rate) {
+  const char *at = rate.data();
+  const char *end = at + rate.size();
+  double number = 0;
+  if (!takeNumber(at, end, number) || number <= 0) {
+    return 0;
+  }
+  const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
+  const double hertz = unit == "ghz" ? 1e9 : unit == "mhz" ? 1e6 : unit == "khz" ? 1e3 : 1;
+  return 1e9 / (number * hertz);
+}
+
+// What stands before the rows.
+struct Header {
+  std::vector<std::string> titles;  // of the columns
+  std::vector<std::string> names;   // of the signals, from a comment
+  double startNs = 0;
+  double periodNs = 0;
+  bool sigrok = false;
+
+  void comment(std::string_view line);
+  void row(const Fields &fields);
+};
+
+// "; Samplerate: 1 MHz", "; Channels (2/8): D0, D1"
+void Header::comment(std::string_view line) {
+  const std::string small = lower(line);
+  sigrok = sigrok || small.find("sigrok") != std::string::npos;
+  const size_t colon = line.find(": ");
+  if (colon == std::string_view::npos) {
+    return;
+  }
+  const std::string_view value = line.substr(colon + 2);
+  if (small.find("samplerate:") != std::string::npos || small.find("sample rate:") != std::string::npos) {
+    periodNs = periodOf(value);
+  } else if (small.find("channels (") != std::string::npos) {
+    Fields fields;
+    splitRow(value, ',', fields);
+    names.assign(fields.begin(), fields.end());
+  }
+}
+
+void Header::row(const Fields &fields) {
+  if (std::none_of(fields.begin(), fields.end(), isNumber)) {
+    const bool units = !fields.empty() && fields.front().substr(0, 1) == "(";
+    titles.resize(units ? std::max(titles.size(), fields.size()) : fields.size());
+    for (size_t i = 0; i < fields.size(); i++) {
+      titles[i] = units ? titles[i] + " " + std::string(fields[i]) : std::string(fields[i]);
+    }
+    return;
+  }
+  // Rigol's: under "Start" and "Increment" stand the first row's time and that between two rows.
+  for (size_t i = 0; i < titles.size() && i < fields.size(); i++) {
+    double seconds;
+    if (parseNumber(fields[i], seconds)) {
+      startNs = hasWord(titles[i], {"start"}) ? seconds * 1e9 : startNs;
+      periodNs = hasWord(titles[i], {"increment"}) && seconds > 0 ? seconds * 1e9 : periodNs;
+    }
+  }
+}
+
+// The first rows, and what stands before them. They have the same number of fields, and are two at the least, unless
+// there is no more.
+std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
+  std::vector<Fields> rows;
+  const bool cutOff = head.size() >= CaptureHeadMax && head.back() != '\n';
+  uint64_t lines = 0;
+  while (!head.empty() && rows.size() < RowsMax) {
+    const std::string_view line = takeLine(head);
+    Fields fields;
+    splitRow(line, layout.separator, fields);
+    if (fields.empty()) {
+      lines++;
+      continue;
+    }
+    const bool isOne = !isComment(line) && isRow(fields);
+    const bool fits = isOne && (rows.empty() || fields.size() == rows.front().size());
+    if (rows.size() > 1 && (!fits || (head.empty() && cutOff))) {
+      break;
+    }
+    if (rows.size() == 1 && !fits) {
+      header.row(rows.front());
+      rows.clear();
+    }
+    if (isOne) {
+      layout.headLines = rows.empty() ? lines : layout.headLines;
+      rows.push_back(fields);
+    } else if (isComment(line)) {
+      header.comment(line);
+    } else {
+      header.row(fields);
+    }
+    lines++;
+  }
+  return rows;
+}
+
+char separatorOf(std::string_view head) {
+  constexpr std::string_view Separators = ";\t,";  // a comma beside another one is a decimal point
+  size_t lines[Separators.size()] = {};
+  for (size_t row = 0; row < RowsMax && !head.empty(); row++) {
+    const std::string_view line = takeLine(head);
+    for (size_t i = 0; i < Separators.size() && !isComment(line); i++) {
+      lines[i] += line.find(Separators[i]) != std::string_view::npos;
+    }
+  }
+  return Separators[static_cast<size_t>(std::max_element(lines, lines + Separators.size()) - lines)];
+}
+
+double unitOf(std::string_view title) {
+  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})                                ? 1
+         : hasWord(title, {"us", "\xC2\xB5s", "\xCE\xBCs", "microsecond", "microseconds"}) ? 1e3
+         : hasWord(title, {"ms", "millisecond", "milliseconds"})                             ? 1e6
+                                                                                             : 1e9;
+}
+
+bool isTime(std::string_view title) {
+  return hasWord(title, {"time", "s", "sec", "second", "seconds", "x", "t"}) || unitOf(title) != 1e9;
+}
+
+// Each is later than the one before.
+bool grows(const std::vector<Fields> &rows, size_t column) {
+  double before = 0;
+  for (size_t i = 0; i < rows.size(); i++) {
+    double value;
+    if (column >= rows[i].size() || !parseNumber(rows[i][column], value) || (i > 0 && value <= before)) {
+      return false;
+    }
+    before = value;
+  }
+  return rows.size() > 2;
+}
+
+std::vector<std::string> namesOf(const Header &header, const std::vector<size_t> &columns) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < columns.size(); i++) {
+    std::string name = header.names.size() == columns.size() ? header.names[i]
+                       : columns[i] < header.titles.size()   ? header.titles[columns[i]]
+                                                             : "";
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) {
+      name = std::to_string(columns[i] + 1);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void splitRow(std::string_view row, char separator, std::vector<std::string_view> &fields) {
+  fields.clear();
+  while (!row.empty()) {
+    const size_t size = row.find(separator);
+    fields.push_back(trimmed(row.substr(0, size)));
+    row.remove_prefix(size == std::string_view::npos ? row.size() : size + 1);
+  }
+}
+
+std::string findLayout(std::string_view head, CsvLayout &layout) {
+  layout.separator = separatorOf(head);
+  std::string points(head);
+  if (layout.separator != ',') {
+    layout.decimalMark = ',';
+    std::replace(points.begin(), points.end(), ',', '.');
+    head = points;
+  }
+  Header header;
+  const std::vector<Fields> rows = takeRows(head, layout, header);
+  if (rows.empty()) {
+    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope, or bits "
+           "as 0 and 1 are expected";
+  }
+  for (size_t i = 0; i < rows.front().size(); i++) {
+    if (!rows.front()[i].empty()) {
+      layout.columns.push_back(i);
+    }
+  }
+  const size_t first = layout.columns.front();
+  const std::string title = first < header.titles.size() ? header.titles[first] : "";
+  if (layout.columns.size() > 1 && (isTime(title) || grows(rows, first))) {
+    layout.columns.erase(layout.columns.begin());
+    const bool counts = header.periodNs > 0 && unitOf(title) == 1e9 && !hasWord(title, {"time", "s", "second", "seconds"});
+    layout.timeColumn = counts ? CsvLayout::None : first;
+    layout.timeUnitNs = unitOf(title);
+  }
+  if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
+    return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", is "
+           "expected";
+  }
+  layout.startNs = header.startNs;
+  layout.periodNs = header.periodNs;
+  for (const Fields &row : rows) {
+    for (const size_t column : layout.columns) {
+      layout.analogue = layout.analogue || (column < row.size() && !row[column].empty() && !isLogic(row[column]));
+    }
+  }
+  if (layout.analogue && layout.timeColumn != CsvLayout::None && rows.size() > 1) {
+    double begin, end;  // each row is a sample
+    if (parseNumber(rows.front()[layout.timeColumn], begin) && parseNumber(rows.back()[layout.timeColumn], end)) {
+      layout.periodNs = std::max(0.0, (end - begin) * layout.timeUnitNs / static_cast<double>(rows.size() - 1));
+    }
+  }
+  layout.names = namesOf(header, layout.columns);
+  layout.name = header.sigrok ? "PulseView CSV" : layout.analogue ? "oscilloscope's CSV" : "logic analyser's CSV";
+  return {};
+}
+
+}  // namespace line

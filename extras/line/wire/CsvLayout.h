@@ -1,0 +1,34 @@
+// What the columns of a capture's CSV are: of a logic analyser or an oscilloscope, told from its first rows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace line {
+
+struct CsvLayout {
+  static constexpr size_t None = SIZE_MAX;
+
+  std::string name;  // "PulseView CSV"
+  char separator = ',';
+  char decimalMark = '.';
+  std::vector<std::string> names;  // of the signals
+  std::vector<size_t> columns;     // theirs
+  bool analogue = false;           // volts; else 0 and 1
+  size_t timeColumn = None;
+  double timeUnitNs = 1e9;
+  // Where there is no time, the first row's, and between two rows.
+  double startNs = 0;
+  double periodNs = 0;
+  uint64_t headLines = 0;  // before the first row
+};
+
+// Returns what is wrong and what is expected, or nothing. `head`: the file's first lines.
+std::string findLayout(std::string_view head, CsvLayout &layout);
+
+// The fields of a row; a separator at its end does not begin another one.
+void splitRow(std::string_view row, char separator, std::vector<std::string_view> &fields);
+
+}  // namespace line

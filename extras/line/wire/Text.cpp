@@ -1,0 +1,104 @@
+#include "Text.h"
+
+namespace line {
+
+namespace {
+
+constexpr int PowerMax = 40;  // of ten; nothing that is measured needs more
+
+struct Powers {
+  double of[2 * PowerMax + 1];
+  constexpr Powers() : of() {
+    double up = 1;
+    double down = 1;
+    for (int i = 0; i <= PowerMax; i++, up *= 10, down /= 10) {
+      of[PowerMax + i] = up;
+      of[PowerMax - i] = down;
+    }
+  }
+};
+constexpr Powers TenTo;
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto goes = [](char c) { return isBlank(c) || c == '"'; };
+  while (!text.empty() && goes(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && goes(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+std::string lower(std::string_view text) {
+  std::string small(text);
+  for (char &c : small) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return small;
+}
+
+std::string quoted(std::string_view word) {
+  constexpr size_t Shown = 20;
+  std::string text = "\"";
+  for (const char c : word.substr(0, Shown)) {
+    text += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return text + (word.size() > Shown ? "...\"" : "\"");
+}
+
+bool takeNumber(const char *&at, const char *end, double &value, char mark) {
+  const char *p = at;
+  const bool negative = p < end && *p == '-';
+  p += p < end && (*p == '-' || *p == '+') ? 1 : 0;
+  uint64_t mantissa = 0;
+  int exponent = 0;
+  bool any = false;
+  bool fraction = false;
+  for (; p < end && (isDigit(*p) || ((*p == '.' || *p == mark) && !fraction)); p++) {
+    if (!isDigit(*p)) {
+      fraction = true;
+      continue;
+    }
+    any = true;
+    if (mantissa < 1000000000000000000u / 10) {
+      mantissa = mantissa * 10 + static_cast<uint64_t>(*p - '0');
+      exponent -= fraction ? 1 : 0;
+    } else if (!fraction && exponent < PowerMax) {
+      exponent++;
+    }
+  }
+  if (!any) {
+    return false;
+  }
+  if (p < end && (*p == 'e' || *p == 'E')) {
+    const char *e = p + 1;
+    const bool minus = e < end && *e == '-';
+    e += e < end && (*e == '-' || *e == '+') ? 1 : 0;
+    int power = 0;
+    if (e < end && isDigit(*e)) {
+      for (; e < end && isDigit(*e); e++) {
+        power = power < 1000 ? power * 10 + (*e - '0') : power;
+      }
+      exponent += minus ? -power : power;
+      p = e;
+    }
+  }
+  if (exponent > PowerMax) {
+    return false;
+  }
+  value = exponent < -PowerMax ? 0 : static_cast<double>(mantissa) * TenTo.of[PowerMax + exponent];
+  value = negative ? -value : value;
+  at = p;
+  return true;
+}
+
+bool parseNumber(std::string_view word, double &value, char mark) {
+  const char *at = word.data();
+  const char *end = at + word.size();
+  return takeNumber(at, end, value, mark) && at == end;
+}
+
+}  // namespace line

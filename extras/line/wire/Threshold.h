@@ -1,0 +1,36 @@
+// Makes a wire's levels of its voltages.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace line {
+
+// Where low ends and high begins, told from the voltages alone: what lies between is neither, and changes nothing, so
+// that noise on a slope makes one edge.
+class Threshold {
+ public:
+  Threshold() = default;
+
+  // Looks for two levels among the voltages. False if there is only one, and its noise.
+  bool find(const std::vector<double> &volts);
+
+  // What a wire that was `high` is at this voltage.
+  bool isHigh(double volts, bool high) const { return high ? volts > _low : volts >= _high; }
+
+  double middle() const { return (_low + _high) / 2; }
+  double swing() const { return (_high - _low) / (2 * Hysteresis); }
+
+ private:
+  static constexpr double Hysteresis = 0.15;  // of the swing, on either side of the middle
+
+  Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
+
+  // A converter's last digit goes to and fro, too, but no bit is that short.
+  bool lasts(const std::vector<double> &volts) const;
+
+  double _low = 0;   // up to here it is low
+  double _high = 0;  // from here on it is high
+};
+
+}  // namespace line

@@ -1,0 +1,34 @@
+// The wire of a line as a value change dump, so that a logic analyser's software shows it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "../Line.h"
+#include "../LineSettings.h"
+
+namespace line {
+
+// Characters go in, in their order, and text comes out. A bad character gets a wrong parity bit.
+class VcdWriter {
+ public:
+  // 100000 or 200000 baud: a bit then lasts whole microseconds.
+  explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
+
+  // A character that begins at the time 0 has no edge before it: then all are later by one character.
+  std::string put(const Character &character);
+
+  // The line stays idle for a character.
+  std::string finish() const;
+
+ private:
+  void level(uint64_t us, bool active, std::string &text);
+
+  const LineSettings _settings;
+  uint64_t _laterUs = 0;
+  uint64_t _endUs = 0;  // of the last character
+  bool _begun = false;
+  bool _active = false;  // the wire is so after its newest edge
+};
+
+}  // namespace line

@@ -1,0 +1,95 @@
+#include "WireDecoder.h"
+
+#include <algorithm>
+
+#include "Text.h"
+
+namespace line {
+
+namespace {
+
+constexpr int64_t Never = INT64_MAX / 2;
+
+}  // namespace
+
+void WireDecoder::signals(const std::vector<std::string> &names) {
+  for (const std::string &name : names) {
+    const std::string inQuotes = quoted(name);
+    _names.push_back(inQuotes.substr(1, inQuotes.size() - 2));
+  }
+  _samples.resize(names.size());
+}
+
+void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
+  std::vector<Level> &sample = _samples[signal];
+  if (!isWanted(signal) || (!sample.empty() && sample.back().high == high)) {
+    return;
+  }
+  sample.push_back({ns, high});
+  if (sample.size() < SampleMax) {
+    return;
+  }
+  if (findWire(sample).found()) {
+    choose();
+  } else {
+    sample.erase(sample.begin(), sample.begin() + SampleMax / 2);
+  }
+}
+
+void WireDecoder::choose() {
+  for (size_t i = 0; i < _samples.size(); i++) {
+    const FoundWire wire = findWire(_samples[i]);
+    if (!wire.found()) {
+      continue;
+    }
+    if (_wire.found()) {
+      const size_t worse = wire.share() > _wire.share() ? _chosen : i;
+      _others.push_back(_names[worse]);
+    }
+    if (wire.share() > _wire.share()) {
+      _wire = wire;
+      _chosen = i;
+    }
+  }
+  if (!_wire.found()) {
+    return;
+  }
+  _decoder.emplace(_wire.settings.polarity, _wire.bitNs);
+  _onFound();
+  for (const Level &level : _samples[_chosen]) {
+    decode(level.ns, level.high);
+  }
+  _samples.clear();
+}
+
+void WireDecoder::finish(int64_t endNs, bool cutOff) {
+  if (!_decoder) {
+    choose();
+  }
+  if (!_decoder) {
+    return;
+  }
+  const bool goesOn = _lastNs >= endNs && !cutOff;
+  if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {
+    _onCharacter(_character);
+  }
+}
+
+std::string WireDecoder::failure(double periodNs) const {
+  constexpr size_t Shown = 8;
+  std::string names;
+  std::string reasons;
+  for (size_t i = 0; i < _names.size() && i < Shown; i++) {
+    names += (i > 0 ? ", " : "") + _names[i];
+    if (isWanted(i)) {
+      const std::vector<Level> &sample = _samples[i];
+      reasons += (reasons.empty() ? "" : "; ") + ("signal " + _names[i] + " ") +
+                 whyNotFound(sample, findWire(sample), periodNs);
+    }
+  }
+  names += _names.size() > Shown ? ", ..." : "";
+  const bool known = std::find(_names.begin(), _names.end(), _wanted) != _names.end() || _wanted.empty();
+  return known ? reasons : "there is no signal " + _wanted + ": one of " + names + " is expected";
+}
+
+}  // namespace line

@@ -1,0 +1,73 @@
+// The characters of a capture: of the signal that carries S.Bus, however fast it is and whichever way up.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Capture.h"
+#include "CharacterDecoder.h"
+#include "WireFinder.h"
+
+namespace line {
+
+// It keeps the newest edges of each signal until one is found to be S.Bus; then it decodes that one, and forgets the
+// others.
+class WireDecoder : public LevelSink {
+ public:
+  // `signal`: the name of the only one to be looked at; empty: all. `found` is called once, before the first character.
+  WireDecoder(std::string signal, std::function<void()> found, std::function<void(const WireCharacter &)> character)
+      : _wanted(std::move(signal)), _onFound(std::move(found)), _onCharacter(std::move(character)) {}
+
+  void signals(const std::vector<std::string> &names) override;
+  void level(size_t signal, int64_t ns, bool high) override {
+    _lastNs = ns;
+    if (!_decoder) {
+      collect(signal, ns, high);
+    } else if (signal == _chosen) {
+      decode(ns, high);
+    }
+  }
+
+  // The capture ends at `endNs`. A character that is not through by then is left out; but if the capture ends with an
+  // edge, and is not `cutOff`, the wire stayed so, and the last character is taken if that makes it a good one.
+  void finish(int64_t endNs, bool cutOff);
+
+  bool found() const { return _decoder.has_value(); }
+  const FoundWire &wire() const { return _wire; }
+  const std::string &signal() const { return _names[_chosen]; }
+
+  // Signals beside the chosen one that carry S.Bus, too.
+  const std::vector<std::string> &others() const { return _others; }
+
+  // Why none was found, after finish(). `periodNs`: between two samples, 0 if it is not known.
+  std::string failure(double periodNs) const;
+
+ private:
+  static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
+
+
+  void collect(size_t signal, int64_t ns, bool high);
+  bool isWanted(size_t signal) const { return _wanted.empty() || _names[signal] == _wanted; }
+  void choose();
+  void decode(int64_t ns, bool high) {
+    if (_decoder->level(ns, high, _character)) {
+      _onCharacter(_character);
+    }
+  }
+
+  const std::string _wanted;
+  const std::function<void()> _onFound;
+  const std::function<void(const WireCharacter &)> _onCharacter;
+  std::vector<std::string> _names;  // of the signals
+  std::vector<std::vector<Level>> _samples;  // of each signal
+  std::vector<std::string> _others;
+  size_t _chosen = 0;
+  FoundWire _wire;
+  std::optional<CharacterDecoder> _decoder;  // none before a signal is chosen
+  WireCharacter _character;
+  int64_t _lastNs = INT64_MIN;  // of the newest level
+};
+
+}  // namespace line

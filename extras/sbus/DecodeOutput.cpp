@@ -1,0 +1,220 @@
+#include "DecodeOutput.h"
+
+#include <cstdio>
+
+#include "Output.h"
+
+namespace tool {
+
+namespace {
+
+template <typename... Values>
+std::string print(const char *format, Values... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::string hex(uint8_t byte) {
+  return print("%02X", byte);
+}
+
+double ms(int64_t ns) {
+  return static_cast<double>(ns) / 1e6;
+}
+
+// To a tenth of a microsecond: a sample more or less is no more.
+std::string us(int64_t ns) {
+  return print("%.1f", static_cast<double>(ns) / 1e3);
+}
+
+const char *yes(bool is) {
+  return is ? "true" : "false";
+}
+
+// In quotation marks. The names of signals are printable.
+std::string json(const std::string &text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+}  // namespace
+
+void DecodeOutput::begin(const line::WireDecoder &wire) {
+  const line::FoundWire &found = wire.wire();
+  _inverted = found.settings.polarity == line::Polarity::Inverted;
+  const double measured = 1e9 / found.bitNs;
+  switch (_form) {
+    case Form::Table: {
+      std::string others;
+      for (const std::string &name : wire.others()) {
+        others += (others.empty() ? ", as does " : ", ") + name;
+      }
+      write(print("signal %s carries S.Bus%s: %s (measured %.0f, %+.2f %%)\n", wire.signal().c_str(), others.c_str(),
+                  text(found.settings).c_str(), measured, 100 * found.deviation()));
+      if (_showsCharacters) {
+        write("\n     time ms  byte\n");
+      }
+      break;
+    }
+    case Form::Csv:
+      if (_showsCharacters) {
+        write("time_us,byte,parity_error,framing_error\n");
+      }
+      break;
+    case Form::Json:
+      write("{\"type\":\"wire\",\"signal\":" + json(wire.signal()) + ",\"baud\":" + std::to_string(found.settings.baud) +
+            print(",\"measured_baud\":%.0f,\"inverted\":%s}\n", measured, yes(_inverted)));
+  }
+}
+
+void DecodeOutput::character(const line::WireCharacter &character) {
+  _characters++;
+  _parityErrors += character.parityWrong;
+  _framingErrors += character.stopWrong;
+  if (!_showsCharacters) {
+    return;
+  }
+  const std::string byte = hex(character.value);
+  switch (_form) {
+    case Form::Table:
+      write(print("%12.4f  ", ms(character.startNs)) + byte + (character.bad() ? "  " + fault(character) : "") + '\n');
+      break;
+    case Form::Csv:
+      write(us(character.startNs) + "," + byte + print(",%d,%d\n", character.parityWrong, character.stopWrong));
+      break;
+    case Form::Json:
+      write("{\"type\":\"character\",\"time_us\":" + us(character.startNs) + ",\"byte\":\"" + byte +
+            print("\",\"parity_error\":%s,\"framing_error\":%s}\n", yes(character.parityWrong), yes(character.stopWrong)));
+  }
+}
+
+void DecodeOutput::stretch(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters,
+                           const line::Values &values) {
+  if (_showsCharacters) {
+    return;
+  }
+  if (stretch.isFrame()) {
+    frame(stretch, characters.front().startNs, values);
+  } else {
+    noFrame(stretch, characters);
+  }
+}
+
+void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const line::Values &values) {
+  const bool extra = stretch.kind == line::Stretch::Kind::Extra;
+  const size_t from = extra ? 16 : 0;  // an extra frame's channels come after the others
+  const size_t to = stretch.kind == line::Stretch::Kind::Frame24 ? 24 : from + 16;
+  const std::string end = hex(stretch.characters.back().value);
+  const bool newHead = _columns != to;
+  _columns = to;
+  switch (_form) {
+    case Form::Table: {
+      std::string head = "\n     time ms";
+      std::string row = print("%12.4f", ms(startNs));
+      for (size_t i = from; i < to; i++) {
+        head += print(" %5s", ("CH" + std::to_string(i + 1)).c_str());
+        row += print(" %5u", values.raw[i]);
+      }
+      if (to == 16) {
+        head += "  CH17 CH18";
+        row += print("  %4d %4d", values.switches[0], values.switches[1]);
+      }
+      row += "   " + end + (extra ? "" : values.lostFrame ? "  lost frame" : "") +
+             (extra ? "" : values.failsafe ? "  FAILSAFE" : "");
+      write((newHead ? head + "  end\n" : "") + row + '\n');
+      break;
+    }
+    case Form::Csv: {
+      if (extra) {
+        break;  // its channels would stand in other columns
+      }
+      std::string head = "time_us";
+      std::string row = us(startNs);
+      for (size_t i = from; i < to; i++) {
+        head += ",CH" + std::to_string(i + 1);
+        row += "," + std::to_string(values.raw[i]);
+      }
+      if (to == 16) {
+        head += ",CH17,CH18";
+        row += print(",%d,%d", values.switches[0], values.switches[1]);
+      }
+      row += print(",%d,%d,", values.lostFrame, values.failsafe) + end;
+      write((newHead ? head + ",lost_frame,failsafe,end\n" : "") + row + '\n');
+      break;
+    }
+    case Form::Json: {
+      std::string row = "{\"type\":\"frame\",\"time_us\":" + us(startNs) + ",\"first\":" + std::to_string(from + 1) +
+                        ",\"channels\":";
+      for (size_t i = from; i < to; i++) {
+        row += (i == from ? "[" : ",") + std::to_string(values.raw[i]);
+      }
+      row += "]";
+      if (to == 16) {
+        row += print(",\"ch17\":%s,\"ch18\":%s", yes(values.switches[0]), yes(values.switches[1]));
+      }
+      if (!extra) {
+        row += print(",\"lost_frame\":%s,\"failsafe\":%s", yes(values.lostFrame), yes(values.failsafe));
+      }
+      write(row + ",\"end\":\"" + end + "\"}\n");
+    }
+  }
+}
+
+void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters) {
+  std::string bytes;
+  for (const line::WireCharacter &character : characters) {
+    bytes += (bytes.empty() ? "" : " ") + hex(character.value) + (character.bad() ? "!" : "");
+  }
+  const int64_t startNs = characters.front().startNs;
+  if (_form == Form::Json) {
+    write("{\"type\":\"no_frame\",\"time_us\":" + us(startNs) + ",\"bytes\":\"" + bytes + "\",\"why\":\"" + why(stretch) +
+          "\"}\n");
+  }
+  if (_form != Form::Table) {
+    return;
+  }
+  write(print("%12.4f ", ms(startNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
+  for (size_t i = 0; i < characters.size(); i++) {
+    if (characters[i].bad()) {
+      write(print("%12.4f     ", ms(characters[i].startNs)) + "byte " + std::to_string(i) + ", " +
+            hex(characters[i].value) + ": " + fault(characters[i]) + '\n');
+    }
+  }
+}
+
+std::string DecodeOutput::fault(const line::WireCharacter &character) const {
+  // On the wire, as an oscilloscope shows it.
+  const int idle = _inverted ? 0 : 1;
+  const int parity = line::isOdd(character.value) ? idle : 1 - idle;
+  const std::string parityError =
+      character.parityWrong ? print("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity) : "";
+  const std::string framingError =
+      character.stopWrong ? print("framing error, the first stop bit is %d on the wire, %d is expected", 1 - idle, idle) : "";
+  return parityError + (character.bad() && character.parityWrong && character.stopWrong ? "; " : "") + framingError;
+}
+
+void DecodeOutput::end(const std::string &name, const line::CaptureEnd &capture, const line::Observer &observer) const {
+  const sbus::Counters &counters = observer.counters();
+  switch (_form) {
+    case Form::Table:
+      write("\n" + name + ", " + capture.format + ": " + std::to_string(_characters) + " characters, " +
+            std::to_string(_parityErrors) + " parity errors, " + std::to_string(_framingErrors) + " framing errors; " +
+            std::to_string(counters.frames) + " frames, " + std::to_string(counters.lostFrames) + " lost, " +
+            std::to_string(counters.failsafeFrames) + " in failsafe" +
+            (counters.frames > 1 ? print(", every %.2f ms", static_cast<double>(observer.gaps().mean()) / 1000) : "") + '\n');
+      break;
+    case Form::Csv:
+      break;
+    case Form::Json:
+      write("{\"type\":\"end\",\"characters\":" + std::to_string(_characters) + ",\"parity_errors\":" +
+            std::to_string(_parityErrors) + ",\"framing_errors\":" + std::to_string(_framingErrors) + ",\"frames\":" +
+            std::to_string(counters.frames) + ",\"lost_frames\":" + std::to_string(counters.lostFrames) +
+            ",\"failsafe_frames\":" + std::to_string(counters.failsafeFrames) + "}\n");
+  }
+}
+
+}  // namespace tool

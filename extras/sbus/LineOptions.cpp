@@ -1,0 +1,88 @@
+#include "LineOptions.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+
+#include "line/RecordingFile.h"
+
+namespace tool {
+
+namespace {
+
+void refuse(const std::vector<const CLI::Option *> &options, const std::string &reason) {
+  for (const CLI::Option *option : options) {
+    if (option->count() > 0) {
+      throw CLI::ValidationError(option->get_name(), reason);
+    }
+  }
+}
+
+}  // namespace
+
+unsigned long baudOf(unsigned long told, const std::string &recording) {
+  const unsigned long recorded = told > 0 || recording.empty() ? 0 : line::recordedBaud(recording);
+  return told > 0 ? told : recorded == 2 * sbus::Baud ? recorded : sbus::Baud;
+}
+
+LineOptions::LineOptions(CLI::App &verb) {
+  verb.add_option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("100000|200000");
+  const CLI::Option *const channels =
+      verb.add_option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
+          ->check(CLI::IsMember({16, 24, 32}).description(""))
+          ->type_name("16|24|32");
+  const CLI::Option *const sticks =
+      verb.add_option("--sticks", _sticks, "what the person at the radio of sim does (flight)")
+          ->check(CLI::IsMember({"flight", "calibration"}).description(""))
+          ->type_name("flight|calibration");
+  _silent = verb.add_flag("--silent", "nothing comes from sim");
+  const CLI::Option *const noise = verb.add_option("--noise", _noise, "disturbances a second, on sim or a recording")
+                                       ->check(numberBetween(1, 100000))
+                                       ->type_name("N");
+  _uninverted = verb.add_flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
+  _simulated = {channels, sticks, _silent};
+  _disturbing = {noise, _uninverted};
+}
+
+void LineOptions::refuseSimulated(const std::string &what) const {
+  refuse(_simulated, "is of sim, the built-in receiver; leave it out for " + what);
+}
+
+void LineOptions::refuseDisturbing(const std::string &what) const {
+  refuse(_disturbing, "is of sim or a recording; leave it out for " + what);
+}
+
+line::Source LineOptions::source(const std::string &recording) const {
+  line::Source source;
+  source.recording = recording;
+  source.silent = _silent->count() > 0;
+  source.sticks = _sticks == "flight" ? line::Sticks::Flight : line::Sticks::Calibration;
+  source.channels = _channels == 24   ? line::Channels::TwentyFour
+                    : _channels == 32 ? line::Channels::ThirtyTwo
+                                      : line::Channels::Sixteen;
+  source.noise = _noise;
+  source.settings.baud = baud(recording);
+  source.settings.polarity =
+      _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  return source;
+}
+
+// "nan" is refused, too.
+CLI::Validator numberBetween(double low, double high) {
+  const auto check = [low, high](const std::string &text) {
+    char *end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    char expected[80];
+    std::snprintf(expected, sizeof expected, "a number from %.10g to %.10g is expected", low, high);
+    return *end == '\0' && number >= low && number <= high ? std::string() : expected;
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator seconds() {
+  return numberBetween(0.001, 366.0 * 24 * 60 * 60);
+}
+
+}  // namespace tool

@@ -1,0 +1,49 @@
+// The options that say what is on a line: how it is set, and what the built-in receiver sends.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "line/Source.h"
+
+namespace tool {
+
+// `told`, else what the recording says, else 100000; `recording` may be empty.
+unsigned long baudOf(unsigned long told, const std::string &recording);
+
+class LineOptions {
+ public:
+  // Adds them to a verb; it must not move afterwards.
+  explicit LineOptions(CLI::App &verb);
+  LineOptions(const LineOptions &) = delete;
+  LineOptions &operator=(const LineOptions &) = delete;
+
+  // Throws CLI::ValidationError if one was given that has no meaning there: `what` is "a port" or the like.
+  void refuseSimulated(const std::string &what) const;   // those of the built-in receiver
+  void refuseDisturbing(const std::string &what) const;  // --noise and --uninverted
+
+  // As the options have it; the built-in receiver, unless `recording` is a file's name.
+  line::Source source(const std::string &recording = {}) const;
+
+  // --baud, else what the recording says, else 100000.
+  unsigned long baud(const std::string &recording = {}) const { return baudOf(_baud, recording); }
+
+ private:
+  unsigned long _baud = 0;  // not told
+  std::string _sticks = "flight";
+  int _channels = 16;
+  unsigned _noise = 0;
+  std::vector<const CLI::Option *> _simulated;
+  std::vector<const CLI::Option *> _disturbing;
+  const CLI::Option *_silent;
+  const CLI::Option *_uninverted;
+};
+
+// Of an option that takes a number.
+CLI::Validator numberBetween(double low, double high);
+
+// Of --seconds: up to a year.
+CLI::Validator seconds();
+
+}  // namespace tool

@@ -1,0 +1,191 @@
+// sbus plot: the curves of the channels, as a picture.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "CsvColumn.h"
+#include "Output.h"
+#include "SourceOption.h"
+#include "SvgPlot.h"
+#include "Verbs.h"
+#include "line/CsvRows.h"
+#include "line/RecordingFile.h"
+
+namespace tool {
+
+namespace {
+
+struct PlotOptions {
+  std::string columns = "ch1-ch4";
+  std::string output;
+};
+
+constexpr uint64_t SilenceUs = sbus::Link::DefaultTimeout * 1000;
+
+// What is shaded while it is so, of one kind.
+class Shade {
+ public:
+  explicit Shade(Span::Kind kind) : _kind(kind) {}
+
+  void at(double ms, bool is, std::vector<Span> &spans) {
+    if (is && !_is) {
+      _from = ms;
+    } else if (!is && _is) {
+      spans.push_back({_kind, _from, ms});
+    }
+    _is = is;
+  }
+
+ private:
+  Span::Kind _kind;
+  bool _is = false;
+  double _from = 0;
+};
+
+// Takes a line, of S.Bus or of a sketch's rows, and draws it.
+class Plotter {
+ public:
+  // `rowsHaveTimes`: a sketch's rows come when they were printed; else their numbers stand for the time.
+  Plotter(const PlotOptions &options, uint32_t characterUs, bool rowsHaveTimes)
+      : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
+    for (const CsvColumn &column : _columns) {
+      if (column.kind != CsvColumn::Kind::Channel) {
+        throw CLI::ValidationError("--columns", "channels are expected, such as ch1-ch4: flags are shaded by themselves");
+      }
+    }
+    _observer.reset(0, characterUs);
+    _observer.listen([this](const line::Stretch &stretch) { takeFrame(stretch); });
+  }
+
+  void put(const line::Character &character) {
+    const bool complete = _rows.put(character);
+    if (complete && _rows.recognised() && _rows.isRow()) {
+      takeRow(character.endUs);
+    }
+    if (!_rows.recognised()) {
+      _observer.put(character);
+    }
+  }
+
+  void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
+
+  std::string finish(const std::string &name) {
+    _observer.finish();
+    if (_lastUs == 0) {
+      throw std::runtime_error(name + ": there is nothing to be drawn: no frames came; sbus doctor says why");
+    }
+    const double end = ms(_lastUs);
+    _failsafe.at(end, false, _picture.spans);
+    _lost.at(end, false, _picture.spans);
+    _picture.title = name == "-" ? "standard input" : name.substr(name.rfind('/') + 1);
+    _picture.yTitle = "raw";
+    _picture.xBegin = ms(_firstUs);
+    _picture.xEnd = end > _picture.xBegin ? end : _picture.xBegin + 1;
+    _picture.xTitle = _rows.recognised() && !_rowsHaveTimes ? "rows" : "ms";
+    return svg(_picture);
+  }
+
+ private:
+  static double ms(uint64_t us) { return static_cast<double>(us) / 1000; }
+
+  void takeFrame(const line::Stretch &stretch) {
+    if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {
+      return;
+    }
+    const line::Values &values = _observer.newest();
+    requireColumns(_columns, values);
+    _picture.curves.resize(_columns.size());
+    const bool joined = begin(stretch.endUs());
+    for (size_t i = 0; i < _columns.size(); i++) {
+      const unsigned channel = _columns[i].channel;
+      const bool isSwitch = values.count == 16 && channel > 16;
+      const double value = isSwitch ? values.switches[channel - 17] : values.raw[channel - 1];
+      _picture.curves[i].name = "CH" + std::to_string(channel);
+      _picture.curves[i].points.push_back({ms(_lastUs), value, joined});
+    }
+    shade(values.failsafe, values.lostFrame);
+  }
+
+  void takeRow(uint64_t nowUs) {
+    const line::CsvRow &row = _rows.row();
+    const bool joined = begin(_rowsHaveTimes ? nowUs : _lastUs + 1000);
+    bool failsafe = false;
+    bool lostFrame = false;
+    size_t curve = 0;
+    for (size_t i = 0; i < row.size(); i++) {
+      const std::string name = line::csvName(i, row.size());
+      if (name == "failsafe" || name == "lostFrame") {
+        (name == "failsafe" ? failsafe : lostFrame) = row[i].value != 0;
+        continue;
+      }
+      _picture.curves.resize(std::max(_picture.curves.size(), curve + 1));
+      _picture.curves[curve].name = name;
+      _picture.curves[curve++].points.push_back({ms(_lastUs), row[i].value, joined});
+    }
+    shade(failsafe, lostFrame);
+  }
+
+  // The next point is at `us`. True if it is joined to the one before.
+  bool begin(uint64_t us) {
+    const bool silence = _lastUs != 0 && us - _lastUs > SilenceUs && !_rows.recognised();
+    if (silence) {
+      shade(false, false);
+      _picture.spans.push_back({Span::Kind::NoFrames, ms(_lastUs), ms(us)});
+    }
+    const bool joined = _lastUs != 0 && !silence;
+    _firstUs = _lastUs == 0 ? us : _firstUs;
+    _lastUs = us;
+    return joined;
+  }
+
+  void shade(bool failsafe, bool lostFrame) {
+    _failsafe.at(ms(_lastUs), failsafe, _picture.spans);
+    _lost.at(ms(_lastUs), lostFrame && !failsafe, _picture.spans);
+  }
+
+  const std::vector<CsvColumn> _columns;
+  const bool _rowsHaveTimes;
+  line::Observer _observer;
+  line::CsvRows _rows;
+  Picture _picture;
+  Shade _failsafe{Span::Kind::Failsafe};
+  Shade _lost{Span::Kind::LostFrame};
+  uint64_t _firstUs = 0;
+  uint64_t _lastUs = 0;
+};
+
+void run(const SourceOption &source, const PlotOptions &options) {
+  const std::unique_ptr<Input> input = source.open();
+  Plotter plotter(options, input->settings().characterUs(), source.name() != "-");
+  input->run([&](const line::Character &character) { plotter.put(character); },
+             [&](uint64_t nowUs) { plotter.idleUntil(nowUs); });
+  const std::string picture = plotter.finish(source.name());
+  if (options.output.empty()) {
+    write(picture);
+    flush();
+    return;
+  }
+  line::LineFile file(options.output);
+  file.write(picture);
+  const std::string failure = file.finish();
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
+  }
+}
+
+}  // namespace
+
+void addPlot(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("plot", "the curves of the channels as a picture, SVG");
+  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  const auto options = std::make_shared<PlotOptions>();
+  verb->add_option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
+      ->type_name("LIST");
+  verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.svg");
+  verb->footer("It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
+               "frames are shaded.");
+  verb->callback([source, options] { run(*source, *options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,36 @@
+// Curves as a picture: an SVG that is light on a light page and dark on a dark one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tool {
+
+struct Curve {
+  struct Point {
+    double x, y;
+    bool joined;  // to the point before it
+  };
+  std::string name;
+  std::vector<Point> points;  // x grows
+};
+
+struct Span {
+  enum class Kind { LostFrame, Failsafe, NoFrames };
+  Kind kind;
+  double from, to;
+};
+
+struct Picture {
+  std::string title;
+  std::string xTitle;  // "ms"
+  std::string yTitle;
+  std::vector<Curve> curves;
+  std::vector<Span> spans;  // shaded
+  double xEnd = 0;          // of the axis, which begins at xBegin
+  double xBegin = 0;
+};
+
+std::string svg(const Picture &picture);
+
+}  // namespace tool

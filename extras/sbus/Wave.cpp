@@ -1,0 +1,68 @@
+// sbus wave: the wire of a recording, as a value change dump that a logic analyser's software shows.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "LineOptions.h"
+#include "Output.h"
+#include "Verbs.h"
+#include "line/RecordingFile.h"
+#include "line/wire/VcdWriter.h"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  std::string recording;
+  std::string output;
+  unsigned long baud = 0;  // not told
+  bool uninverted = false;
+};
+
+// The whole text of the wire goes to `put`, piece by piece.
+template <typename Put>
+void wave(const line::Recording &recording, const line::LineSettings &settings, Put put) {
+  line::VcdWriter writer(settings);
+  for (const line::Character &character : recording.characters) {
+    put(writer.put(character));
+  }
+  put(writer.finish());
+}
+
+void run(const Options &options) {
+  line::LineSettings settings;
+  settings.baud = baudOf(options.baud, options.recording);
+  settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
+  if (options.output.empty()) {
+    wave(recording, settings, write);
+    flush();
+    return;
+  }
+  line::LineFile file(options.output);
+  wave(recording, settings, [&file](const std::string &text) { file.write(text); });
+  const std::string failure = file.finish();
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
+  }
+}
+
+}  // namespace
+
+void addWave(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("wave", "the wire of a recording as VCD, for PulseView and the like");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
+      ->required()
+      ->type_name("");
+  verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
+  verb->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("N");
+  verb->add_flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,70 @@
+// The readers of captures on any text: characters in order, or one clear error; blocks of any size make no difference.
+#include <string>
+#include <vector>
+
+#include "fuzz/Require.h"
+#include "line/wire/CsvReader.h"
+#include "line/wire/WireDecoder.h"
+
+namespace {
+
+struct Result {
+  std::vector<line::WireCharacter> characters;
+  std::string error;
+  uint64_t lines = 0;
+  bool analogue = false;
+};
+
+void requireText(const std::string &text) {
+  require(text.size() < 4000, "messages are short");
+  for (const char c : text) {
+    require(c >= ' ' && c <= '~', "messages can be shown on a terminal");
+  }
+}
+
+Result decode(const std::string &text, bool byLines) {
+  Result result;
+  line::WireDecoder decoder(
+      "", [] {}, [&result](const line::WireCharacter &character) { result.characters.push_back(character); });
+  line::OpenedCapture opened = line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder);
+  result.error = opened.error;
+  require(opened.error.empty() == (opened.reader != nullptr), "a reader, or an error");
+  if (!opened.reader) {
+    return result;
+  }
+  result.analogue = dynamic_cast<line::AnalogueReader *>(opened.reader.get()) != nullptr;
+  for (size_t from = 0; from < text.size() && result.error.empty();) {
+    const size_t end = byLines ? std::min(text.find('\n', from), text.size() - 1) + 1 : text.size();
+    result.error = opened.reader->put(std::string_view(text).substr(from, end - from));
+    from = end;
+  }
+  result.lines = opened.reader->lines();
+  result.error = result.error.empty() ? opened.reader->finish() : result.error;
+  decoder.finish(opened.reader->endNs(), !result.error.empty());
+  if (!decoder.found()) {
+    require(result.characters.empty(), "no characters of a wire that was not found");
+    requireText(decoder.failure(opened.reader->periodNs()));
+  }
+  return result;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  const std::string text(data, data + size);
+  const Result whole = decode(text, false);
+  requireText(whole.error);
+  require(whole.lines <= 1 + size, "the line of an error is in the text");
+  require(whole.characters.size() <= size, "no more characters than edges");
+  for (size_t i = 1; i < whole.characters.size(); i++) {
+    // Ten bits and a half, of 5 us at the least, and 3 % less.
+    require(whole.characters[i].startNs >= whole.characters[i - 1].startNs + 50000, "characters do not overlap");
+  }
+  const Result pieces = decode(text, true);
+  if (!whole.analogue) {  // a threshold is found block by block
+    require(pieces.error == whole.error && pieces.lines == whole.lines, "errors do not depend on the blocks");
+    require(pieces.characters.size() == whole.characters.size(), "characters do not depend on the blocks");
+  }
+  return 0;
+}

@@ -1,0 +1,257 @@
+// What a person is shown of a line: every character once, each frame where it stood, and the numbers beside it.
+#include "line/Observer.h"
+
+#include <doctest/doctest.h>
+
+#include "line/SimulatedReceiver.h"
+#include "support/KnownFrames.h"
+
+using line::Character;
+using line::Observer;
+using line::Stretch;
+
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+constexpr uint64_t PeriodUs = 9000;
+
+// A line, and what its observer said of it.
+struct Watched {
+  Observer observer;
+  std::vector<Stretch> stretches;
+  uint64_t us = 0;
+
+  explicit Watched(uint32_t characterUs = line::CharacterUs) : _characterUs(characterUs) {
+    observer.reset(0, characterUs);
+    observer.listen([this](const Stretch &stretch) { stretches.push_back(stretch); });
+  }
+
+  Watched &send(const Bytes &bytes, size_t bad = SIZE_MAX) {
+    for (size_t i = 0; i < bytes.size(); i++) {
+      us += _characterUs;
+      Character character;
+      character.endUs = us;
+      character.value = bytes[i];
+      character.bad = i == bad;
+      observer.put(character);
+    }
+    return *this;
+  }
+
+  Watched &pause(uint64_t pauseUs) {
+    us += pauseUs;
+    observer.idleUntil(us);
+    return *this;
+  }
+
+  // A frame of 16 channels, each `value`, and the pause to the next.
+  Watched &frame(uint16_t value, bool failsafe = false, bool lostFrame = false, uint64_t periodUs = PeriodUs) {
+    return send(frameOf(value, failsafe, lostFrame)).pause(periodUs - 25 * _characterUs);
+  }
+
+  static Bytes frameOf(uint16_t value, bool failsafe = false, bool lostFrame = false) {
+    uint16_t channels[sbus::ChannelCount];
+    std::fill_n(channels, sbus::ChannelCount, value);
+    channels[16] = 1;
+    channels[17] = 0;
+    Bytes bytes(sbus::FrameSize);
+    sbus::pack(bytes.data(), channels, failsafe, lostFrame);
+    return bytes;
+  }
+
+  size_t frames() const {
+    return static_cast<size_t>(
+        std::count_if(stretches.begin(), stretches.end(), [](const Stretch &stretch) { return stretch.isFrame(); }));
+  }
+
+ private:
+  uint32_t _characterUs;
+};
+
+Bytes bytesOf(const Stretch &stretch) {
+  Bytes bytes;
+  for (const Character &character : stretch.characters) {
+    bytes.push_back(character.value);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("frames: bytes, time, channels, rate and gaps") {
+  Watched line;
+  for (unsigned number = 0; number < 200; number++) {
+    line.frame(static_cast<uint16_t>(1000 + number));
+  }
+  REQUIRE(line.stretches.size() == 200);
+  CHECK(bytesOf(line.stretches[7]) == Watched::frameOf(1007));
+  CHECK(line.stretches[7].endUs() == 7 * PeriodUs + 25 * 120);
+  CHECK(why(line.stretches[7]).empty());
+  CHECK(line.observer.newest().endUs == 199 * PeriodUs + 3000);
+  CHECK(line.observer.newest().count == 16);
+  CHECK(line.observer.newest().raw[15] == 1199);
+  CHECK(line.observer.newest().switches[0]);
+  CHECK_FALSE(line.observer.newest().switches[1]);
+  CHECK(line.observer.gaps().count == 199);
+  CHECK(line.observer.gaps().low == PeriodUs);
+  CHECK(line.observer.gaps().mean() == PeriodUs);
+  CHECK(line.observer.gaps().high == PeriodUs);
+  CHECK(line.observer.travel(3).low == 1000);
+  CHECK(line.observer.travel(3).high == 1199);
+  CHECK(line.observer.framesPerSecond(line.us) == 111);
+  CHECK(line.observer.framesPerSecond(line.us + 500000) == 55);
+  CHECK(line.observer.framesPerSecond(line.us + 1000000) == 0);
+  CHECK(line.observer.ageUs(line.us) == 6000);
+  CHECK(line.observer.characters() == 5000);
+}
+
+TEST_CASE("gaps differ; marks begin anew") {
+  Watched line;
+  line.frame(992).frame(172, false, false, 12000).frame(1811).frame(992);
+  CHECK(line.observer.gaps().low == 9000);
+  CHECK(line.observer.gaps().mean() == 10000);
+  CHECK(line.observer.gaps().high == 12000);
+  line.observer.resetMarks();
+  CHECK(line.observer.gaps().count == 0);
+  line.frame(1000);
+  CHECK(line.observer.gaps().high == 9000);
+  CHECK(line.observer.travel(0).low == 1000);
+}
+
+TEST_CASE("the link: its state, and the flags of frames that are shown but leave no marks") {
+  Watched line;
+  CHECK(line.observer.state(0) == sbus::LinkState::NeverSeen);
+  line.frame(992);
+  CHECK(line.observer.state(line.us) == sbus::LinkState::Ok);
+  line.frame(500, false, true);
+  CHECK(line.observer.state(line.us) == sbus::LinkState::Lossy);
+  CHECK(line.observer.newest().lostFrame);
+  line.frame(172, true, true);
+  CHECK(line.observer.state(line.us) == sbus::LinkState::Failsafe);
+  CHECK(line.observer.newest().raw[0] == 172);
+  CHECK(line.observer.travel(0).low == 992);
+  CHECK(line.observer.travel(0).count == 1);
+  CHECK(line.observer.state(line.observer.newest().endUs + 99999) == sbus::LinkState::Failsafe);
+  CHECK(line.observer.state(line.observer.newest().endUs + 100000) == sbus::LinkState::Stale);
+  CHECK(line.observer.ageUs(line.observer.newest().endUs + 5000000000) == 5000000000);
+}
+
+TEST_CASE("what is no frame stands between the frames, with the reason") {
+  const Bytes good = Watched::frameOf(992);
+  Bytes shortened = good;
+  shortened.erase(shortened.begin() + 5);
+  Bytes flags = good;
+  flags[23] = 0x40;
+  const struct {
+    const char *what;
+    Bytes bytes;
+    size_t bad;
+    const char *reason;
+  } cases[] = {
+      {"telemetry", {0x03, 0xC0, 0x2E}, SIZE_MAX, "no header"},
+      {"a bad character in a frame", good, 9, "1 bad character, no end byte"},
+      {"a byte is missing", shortened, SIZE_MAX, "no end byte"},
+      {"unused flags", flags, SIZE_MAX, "no end byte, unused flags set"},
+      {"one bad character", {0x55}, 0, "1 bad character"},
+  };
+  for (const auto &each : cases) {
+    CAPTURE(each.what);
+    Watched line;
+    line.frame(992).frame(1000).frame(992);
+    line.send(each.bytes, each.bad).pause(4000);
+    line.frame(1000).frame(992);
+    line.observer.finish();
+    REQUIRE(line.stretches.size() == 6);
+    const Stretch &stretch = line.stretches[3];
+    CHECK(stretch.kind == Stretch::Kind::NoFrame);
+    CHECK(bytesOf(stretch) == each.bytes);
+    CHECK(why(stretch) == each.reason);
+    CHECK(line.frames() == 5);
+    CHECK(line.observer.counters().frames == 5);
+  }
+}
+
+TEST_CASE("telemetry is told at the next pause, not with the next frame") {
+  Watched line;
+  line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).pause(2000);
+  REQUIRE(line.stretches.size() == 4);
+  CHECK(line.stretches[3].characters.size() == 3);
+}
+
+TEST_CASE("a bad character within a frame's time is not lost") {
+  Watched line;
+  line.frame(992).frame(1000);
+  Bytes bytes = Watched::frameOf(1100);
+  bytes.insert(bytes.begin() + 12, 0x77);
+  line.send(bytes, 12).pause(6000);
+  REQUIRE(line.frames() == 3);
+  CHECK(bytesOf(line.stretches[2]) == bytes);
+  CHECK(line.observer.newest().raw[9] == 1100);
+  CHECK(line.observer.badCharacters() == 1);
+}
+
+TEST_CASE("bad characters only: they are all told, and none is kept for long") {
+  Watched line;
+  for (unsigned i = 0; i < 1000; i++) {
+    line.send({static_cast<uint8_t>(i)}, 0);
+  }
+  CHECK(line.stretches.size() >= 29);
+  line.observer.finish();
+  size_t told = 0;
+  for (const Stretch &stretch : line.stretches) {
+    told += stretch.characters.size();
+    CHECK(stretch.characters.size() <= 25);
+  }
+  CHECK(told == 1000);
+}
+
+TEST_CASE("the simulated receivers: each character once, in its order, and every frame") {
+  const struct {
+    line::Channels channels;
+    unsigned count;
+    Stretch::Kind kind;
+    size_t frames;
+    size_t extra;
+    uint64_t gapUs;
+  } cases[] = {
+      {line::Channels::Sixteen, 16, Stretch::Kind::Frame, 110, 0, 9000},
+      {line::Channels::TwentyFour, 24, Stretch::Kind::Frame24, 110, 0, 9000},
+      {line::Channels::ThirtyTwo, 32, Stretch::Kind::Frame, 55, 55, 18000},
+  };
+  for (const auto &each : cases) {
+    CAPTURE(each.count);
+    for (const uint32_t characterUs : {120u, 60u}) {
+      CAPTURE(characterUs);
+      line::SimulatedReceiver receiver(line::Flight, characterUs, each.channels);
+      Watched watched(characterUs);
+      std::vector<Character> sent;
+      for (Character character; receiver.next(1000000, character);) {
+        watched.observer.put(character);
+        sent.push_back(character);
+      }
+      watched.observer.finish();
+      CHECK(watched.observer.newest().count == each.count);
+      CHECK(watched.observer.has24() == (each.count == 24));
+      CHECK(watched.observer.gaps().low == each.gapUs);
+      CHECK(watched.observer.gaps().high == each.gapUs);
+      size_t at = 0;
+      size_t frames = 0;
+      size_t extra = 0;
+      for (const Stretch &stretch : watched.stretches) {
+        frames += stretch.kind == each.kind;
+        extra += stretch.kind == Stretch::Kind::Extra;
+        for (const Character &character : stretch.characters) {
+          REQUIRE(at < sent.size());
+          REQUIRE(character.endUs == sent[at].endUs);
+          REQUIRE(character.value == sent[at++].value);
+        }
+      }
+      CHECK(at == sent.size());
+      CHECK(frames >= each.frames);  // the second's last one may be cut off
+      CHECK(frames <= each.frames + 1);
+      CHECK(extra >= each.extra);
+      CHECK(extra <= each.extra + 1);
+    }
+  }
+}

@@ -1,0 +1,300 @@
+// Captures of the wire itself: which format, which signal, which way up and how fast; then the characters.
+#include "line/wire/WireDecoder.h"
+
+#include <doctest/doctest.h>
+
+#include "line/wire/VcdWriter.h"
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
+#include "support/WireText.h"
+
+using line::WireCharacter;
+
+namespace {
+
+// What a text holds. It is handed over in blocks of whole lines, as a file is.
+struct Decoded {
+  std::vector<WireCharacter> characters;
+  std::string error;  // the place and what is wrong
+  std::string failure;
+  std::string signal;
+  line::FoundWire wire;
+
+  explicit Decoded(const std::string &text, const std::string &only = "", size_t blockMax = 5000) {
+    line::WireDecoder decoder(
+        only, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
+    line::OpenedCapture opened = line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder);
+    error = opened.error;
+    if (!opened.reader) {
+      return;
+    }
+    for (size_t from = 0; from < text.size() && error.empty();) {
+      const size_t end = text.size() - from <= blockMax ? text.size() : text.rfind('\n', from + blockMax) + 1;
+      error = opened.reader->put(std::string_view(text).substr(from, end - from));
+      from = end;
+    }
+    error = error.empty() ? opened.reader->finish() : error;
+    error = error.empty() ? "" : std::to_string(opened.reader->lines()) + ": " + error;
+    decoder.finish(opened.reader->endNs(), !error.empty());
+    if (decoder.found()) {
+      signal = decoder.signal();
+      wire = decoder.wire();
+    } else {
+      failure = decoder.failure(opened.reader->periodNs());
+    }
+  }
+
+  Bytes bytes() const {
+    Bytes all;
+    for (const WireCharacter &character : characters) {
+      CHECK_FALSE(character.bad());
+      all.push_back(character.value);
+    }
+    return all;
+  }
+};
+
+TestWire wireOf(double bitNs = 10000, bool inverted = true) {
+  TestWire wire;
+  wire.bitNs = bitNs;
+  wire.inverted = inverted;
+  for (const KnownFrame &frame : KnownFrames) {
+    wire.bytes(frame.bytes);
+    wire.pause(4000000);
+  }
+  return wire;
+}
+
+const Bytes All = join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, Sbus2.bytes});
+
+bool holds(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("each format, 100000 and 200000 baud within 3 %, either way up: the same bytes at their times") {
+  for (const TestFormat format : TestFormats) {
+    for (const double nominalNs : {10000.0, 5000.0}) {
+      for (const double clock : {0.975, 1.0, 1.025}) {
+        for (const bool inverted : {true, false}) {
+          INFO("format ", static_cast<int>(format), ", bit ", nominalNs, " ns, clock ", clock, ", inverted ", inverted);
+          const TestWire wire = wireOf(nominalNs * clock, inverted);
+          const Decoded decoded(textOf(wire, format));
+          CHECK(decoded.error == "");
+          CHECK(decoded.failure == "");
+          CHECK(holds(decoded.signal, "RX"));
+          CHECK(decoded.bytes() == All);
+          CHECK(decoded.wire.settings.baud == (nominalNs > 7000 ? 100000 : 200000));
+          CHECK((decoded.wire.settings.polarity == line::Polarity::Inverted) == inverted);
+          CHECK(decoded.wire.bitNs == doctest::Approx(wire.bitNs).epsilon(0.005));
+          REQUIRE(decoded.characters.size() == All.size());
+          const int64_t first = decoded.characters.front().startNs;
+          const bool shifted = format == TestFormat::Saleae || format == TestFormat::Scope || format == TestFormat::Rigol;
+          CHECK(std::abs(first - (shifted ? 1000000 : 2000000)) <= 2000);
+          CHECK(std::abs(decoded.characters.back().startNs - first - static_cast<int64_t>(wire.ns - 6e6 - 12 * wire.bitNs)) <= 2000);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("of several signals the one that carries S.Bus is found, or the one that was asked for") {
+  for (const TestFormat format : {TestFormat::Vcd, TestFormat::Saleae, TestFormat::PulseView}) {
+    const std::string text = textOf(wireOf(), format, true);
+    INFO("format ", static_cast<int>(format));
+    CHECK(Decoded(text).signal == "RX");
+    CHECK(Decoded(text).bytes() == All);
+    CHECK(Decoded(text, "RX").bytes() == All);
+    CHECK(holds(Decoded(text, "TX").failure, "there is no signal TX: one of "));
+  }
+  CHECK(holds(Decoded(textOf(wireOf(), TestFormat::PulseView, true), "CLK").failure,
+              "signal CLK is no S.Bus: its shortest pulses last 3.0 us, as bits of 333333 baud do"));
+}
+
+TEST_CASE("S.Bus that begins after a million edges of noise") {
+  TestWire wire;
+  uint32_t random = 1;
+  for (int i = 0; i < 1000000; i++) {
+    random = random * 1664525 + 1013904223;
+    wire.ns += 1000 + (random >> 16);
+    wire.edges.push_back(wire.ns);
+  }
+  wire.pause(1e6);
+  for (int i = 0; i < 20; i++) {
+    wire.bytes(PaperLow.bytes);
+    wire.pause(6e6);
+  }
+  const Decoded decoded(textOf(wire, TestFormat::Saleae));
+  size_t good = 0;
+  for (const WireCharacter &character : decoded.characters) {
+    good += !character.bad();
+  }
+  CHECK(good >= 450);  // of 500: the rest is where the noise still was in the sample
+}
+
+TEST_CASE("the paper's bits, chapter 4.1: a framing error in byte 2, a parity error in byte 3, all others good") {
+  const Decoded decoded(
+      "1 00001111 1001 00111000 0001 00111111 1101 00000111 1001 00101011 1001 11111100 1001 00011100 0001 10101111 1001");
+  const Bytes expected = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};
+  REQUIRE(decoded.characters.size() == expected.size());
+  for (size_t i = 0; i < expected.size(); i++) {
+    INFO("byte ", i);
+    CHECK(decoded.characters[i].value == expected[i]);
+    CHECK(decoded.characters[i].startNs == static_cast<int64_t>(i) * 120000);
+    CHECK(decoded.characters[i].stopWrong == (i == 2));
+    CHECK(decoded.characters[i].parityWrong == (i == 3));
+  }
+  CHECK(decoded.wire.settings.polarity == line::Polarity::Inverted);
+}
+
+TEST_CASE("a UART's rules: glitches, breaks, and the character after them") {
+  TestWire wire = wireOf();
+  wire.edges.push_back(wire.ns);  // shorter than half a bit: no start bit
+  wire.edges.push_back(wire.ns + 4000);
+  wire.pause(50000);
+  wire.edges.push_back(wire.ns);  // a break: one framing error, however long
+  wire.edges.push_back(wire.ns + 900000);
+  wire.pause(950000);
+  wire.byte(0x55);
+  const Decoded decoded(textOf(wire, TestFormat::Saleae));
+  REQUIRE(decoded.characters.size() == All.size() + 2);
+  CHECK(decoded.characters[All.size()].value == 0);
+  CHECK(decoded.characters[All.size()].stopWrong);
+  CHECK(decoded.characters[All.size() + 1].value == 0x55);
+  CHECK_FALSE(decoded.characters[All.size() + 1].bad());
+}
+
+TEST_CASE("a capture that ends within a character: that one is left out") {
+  const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
+  const size_t middle = vcd.find('\n', vcd.size() / 2) + 1;
+  const Decoded decoded(vcd.substr(0, middle));
+  CHECK(decoded.error == "");
+  CHECK(decoded.characters.size() > 40);
+  CHECK(decoded.bytes() == part(All, 0, decoded.characters.size()));
+}
+
+TEST_CASE("what is no S.Bus, and why") {
+  TestWire uart;  // 115200 baud
+  uart.bitNs = 8680;
+  uart.bytes(All);
+  TestWire silent;
+  silent.pause(1e6);
+  TestWire other;  // 100000 baud, but odd parity
+  for (const uint8_t byte : All) {
+    unsigned ones = 0;
+    for (unsigned i = 0; i < 8; i++) {
+      ones += byte >> i & 1u;
+    }
+    other.character(byte | (1 - (ones & 1)) << 8 | 3u << 9);
+  }
+  const struct {
+    std::string text, failure;
+  } rows[] = {
+      {textOf(silent, TestFormat::Vcd), "signal RX has no pulses: is the probe on S-BUS_OUT, and the receiver on?"},
+      {textOf(silent, TestFormat::Scope), "has no pulses"},  // noise alone
+      {textOf(uart, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
+      {textOf(other, TestFormat::Saleae), "have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.failure);
+    CHECK_MESSAGE(holds(Decoded(row.text).failure, row.failure), Decoded(row.text).failure);
+    CHECK(Decoded(row.text).characters.empty());
+  }
+}
+
+TEST_CASE("sampled too slowly: said so") {
+  std::string text = "; Samplerate: 250 kHz\nlogic\n";
+  const TestWire wire = wireOf();
+  size_t edge = 0;
+  for (double ns = 0; ns < wire.ns; ns += 4000) {
+    for (; edge < wire.edges.size() && wire.edges[edge] <= ns; edge++) {
+    }
+    text += edge % 2 == 0 ? "0\n" : "1\n";
+  }
+  const Decoded decoded(text);
+  const bool told = holds(decoded.failure, "was sampled every 4.0 us") || decoded.wire.found();
+  CHECK(told);
+  CHECK(holds(line::tooSlow(4000, 10000), "was sampled every 4.0 us, but a bit lasts 10.0 us"));
+}
+
+TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
+  const std::string vcd = "$timescale 1 us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n";
+  const std::string saleae = "Time [s],RX\n0.0,0\n0.1,1\n";
+  const struct {
+    std::string text, error;
+  } rows[] = {
+      {"", "is empty: a capture of a wire is expected"},
+      {"PK\x03\x04", "is a session of PulseView or Logic 2: export it as VCD or as CSV"},
+      {"<SALEAE>\x01", "is Logic 2's binary export: export it as CSV"},
+      {"# ours\n120 0F E3\n", "is a recording of characters, not a capture of the wire"},
+      {"hello\nworld\n", "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2"},
+      {"0,1\n0,1\n1,0\n", "does not say when its samples were taken"},
+      {"$timescale 1 us $end\n", "1: ends within its header: $enddefinitions $end is expected"},
+      {"$timescale 3 us $end\n", "1: \"3us\" is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected"},
+      {"$var wire 1 ! RX $end\n$enddefinitions $end\n", "2: there is no $timescale before this line"},
+      {"$timescale 1 us $end\n$enddefinitions $end\n", "2: there is no variable of one bit before this line"},
+      {"$timescale 1 us $end\nvar\n", "2: \"var\" stands outside of a section"},
+      {"$var wire 1 $end\n", "1: a variable is not complete: type, number of bits, code and name are expected"},
+      {vcd + "#0\n0!\n#x\n", "6: \"x\" is not a time: a whole number is expected after #"},
+      {vcd + "#5\n0!\n#4\n", "6: time 4 is before the one that came before it: times in order are expected"},
+      {vcd + "#99999999999999999\n", "4: time 99999999999999999 is later than a year: is the timescale right?"},
+      {vcd + "#0\n2!\n", "5: \"2!\" is no value change: #TIME, or 0 or 1 and a variable's code is expected"},
+      {vcd + "#0\n0\n", "5: a value has no code: one such as 1! is expected"},
+      {saleae + "0.2\n", "4: the row ends after column 1: column 2 is expected"},
+      {textOf(wireOf(), TestFormat::PulseView) + "2\n", "30005: \"2\" is no level: 0 or 1 is expected in column 1"},
+      {saleae + "soon,0\n", "4: \"soon\" is not a time: a number is expected in column 1"},
+      {saleae + "0.05,0\n", "4: a time is before that of a row above: times in order are expected"},
+      {saleae + "1e9,0\n", "4: a time is beyond a year: is its unit right?"},
+      {"Time,V\n0,0.1\n1,0.2\n2,0.1\n3,volt\n", "5: \"volt\" is no voltage: a number is expected in column 2"},
+      {"0110\n0120\n", "does not say when its samples were taken"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.text);
+    CHECK(Decoded(row.text).error.substr(0, row.error.size()) == row.error);
+  }
+}
+
+TEST_CASE("what is wrong somewhere does not take what came before it") {
+  for (const TestFormat format : TestFormats) {
+    INFO("format ", static_cast<int>(format));
+    const std::string text = textOf(wireOf(), format);
+    const Decoded decoded(text + "what?\n");
+    CHECK(decoded.error != "");
+    CHECK(decoded.bytes() == All);
+  }
+}
+
+TEST_CASE("the VCD of a recording reads as the recording: bytes, times, which are bad") {
+  for (const unsigned long baud : {100000ul, 200000ul}) {
+    for (const line::Polarity polarity : {line::Polarity::Inverted, line::Polarity::Uninverted}) {
+      for (const uint64_t startUs : {uint64_t{0}, uint64_t{70}, uint64_t{5000000000}}) {
+        INFO("baud ", baud, ", start ", startUs);
+        line::LineSettings settings;
+        settings.baud = baud;
+        settings.polarity = polarity;
+        line::VcdWriter writer(settings);
+        std::string text;
+        line::Character character;
+        character.endUs = startUs;
+        for (size_t i = 0; i < All.size(); i++) {
+          character.endUs += settings.characterUs() + (i % 25 == 24 ? 3000 : 0);
+          character.value = All[i];
+          character.bad = i == 30;
+          text += writer.put(character);
+        }
+        text += writer.finish();
+        const Decoded decoded(text);
+        REQUIRE(decoded.characters.size() == All.size());
+        CHECK(decoded.wire.settings.polarity == polarity);
+        const int64_t later = startUs == 0 ? settings.characterUs() : 0;
+        CHECK(decoded.characters.front().startNs == (static_cast<int64_t>(startUs) + later) * 1000);
+        for (size_t i = 0; i < All.size(); i++) {
+          CHECK(decoded.characters[i].value == All[i]);
+          CHECK(decoded.characters[i].parityWrong == (i == 30));
+          CHECK_FALSE(decoded.characters[i].stopWrong);
+        }
+      }
+    }
+  }
+}

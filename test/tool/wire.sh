@@ -1,0 +1,86 @@
+#!/bin/sh
+# Runs `sbus decode` and `sbus wave`, and says "ok ..." or "FAILED ...". An independent decoder, sigrok's uart, reads each
+# recording's VCD: the same bytes come out of it.
+# SBUS: the program. BUILD: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$BUILD/wire
+rm -rf "$work"
+mkdir -p "$work"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# The bytes of a recording, one a line; a bad one, too.
+bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n'; }
+
+# What sigrok's uart decodes of a VCD, one byte a line.
+sigrok() {  # VCD BAUD INVERTED [ANNOTATION]
+  sigrok-cli -I vcd -i "$1" -P "uart:rx=SBUS:baudrate=$2:parity=even:stop_bits=1.0:invert_rx=$3:format=hex" -A "uart=${4:-rx-data}" |
+    sed 's/.* //'
+}
+
+# It has to read what it shall judge; some builds of it come without decoders.
+if ! "$SBUS" wave recordings/paper.txt -o "$work/try.vcd" || ! sigrok "$work/try.vcd" 100000 yes 2>/dev/null | grep -q 0F; then
+  echo "skipped sbus: no sigrok-cli with its uart decoder is here"
+  have_sigrok=
+else
+  have_sigrok=yes
+fi
+
+# waved RECORDING BAUD INVERTED OPTIONS...: its VCD holds its bytes
+waved() {
+  recording=$1 baud=$2 inverted=$3
+  shift 3
+  bytes "$recording" >"$work/bytes"
+  "$SBUS" wave "$recording" --baud "$baud" "$@" -o "$work/wire.vcd" &&
+    "$SBUS" decode "$work/wire.vcd" --characters --csv | sed 1d | cut -d, -f2 | cmp - "$work/bytes"
+  verdict $? "decode reads the wave of $recording, $baud baud, inverted: $inverted"
+  [ -n "$have_sigrok" ] || return
+  sigrok "$work/wire.vcd" "$baud" "$inverted" | cmp - "$work/bytes"
+  verdict $? "sigrok reads the wave of $recording, $baud baud, inverted: $inverted"
+}
+for recording in recordings/*.txt recordings/slow/*.txt; do
+  waved "$recording" 100000 yes
+done
+waved recordings/sbus2.txt 200000 yes
+waved recordings/sbus2.txt 100000 no --uninverted
+
+sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
+"$SBUS" wave "$work/bad.txt" >"$work/bad.vcd" &&
+  [ "$("$SBUS" decode "$work/bad.vcd" --characters --csv | grep -c ',1F,1,0')" -eq "$(grep -c '!' "$work/bad.txt")" ]
+verdict $? "a bad character of a recording has a wrong parity bit on the wire"
+if [ -n "$have_sigrok" ]; then
+  [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
+  verdict $? "sigrok finds it, too"
+fi
+
+# The paper's bits, in each form.
+for form in table csv json; do
+  option=--$form
+  [ $form = table ] && option=
+  # shellcheck disable=SC2086  # none or one
+  "$SBUS" decode tool/paper-4.1.bits --characters $option | cmp - "tool/golden/paper-4.1-characters.$form"
+  verdict $? "decode of the paper's bits, characters, $form"
+done
+"$SBUS" decode tool/paper-4.1.bits | cmp - tool/golden/paper-4.1.table
+verdict $? "decode of the paper's bits"
+
+# Frames, in each form; then a file that is cut off: what came before is there all the same.
+"$SBUS" wave recordings/sbus2.txt -o "$work/sbus2.vcd"
+for form in table csv json; do
+  option=--$form
+  [ $form = table ] && option=
+  # shellcheck disable=SC2086
+  (cd "$work" && "$SBUS" decode sbus2.vcd $option) | cmp - "tool/golden/decode-sbus2.$form"
+  verdict $? "decode of S.BUS2, $form"
+done
+(cat "$work/sbus2.vcd"; printf '#') | "$SBUS" decode - --csv >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && cmp "$work/out" tool/golden/decode-sbus2.csv &&
+  grep -qx "sbus decode: -:$(($(wc -l <"$work/sbus2.vcd") + 1)): the capture ends within this line: .* decoded above" "$work/err"
+verdict $? "decode of a capture that is cut off, on standard input"
+
+"$SBUS" plot recordings/sbus2.txt -o "$work/sbus2.svg" && grep -q '>CH4</text>' "$work/sbus2.svg" &&
+  [ "$(grep -c 'class="curve' "$work/sbus2.svg")" -eq 4 ] && grep -q '>failsafe</text>' "$work/sbus2.svg"
+verdict $? "plot of S.BUS2"
