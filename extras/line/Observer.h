@@ -76,6 +76,10 @@ class Observer {
   // The next character, the oldest first.
   void put(const Character &character);
 
+  // The same of a port that tells no more than what one read has brought, as a browser's does: USB keeps bytes back for up
+  // to 16 ms. The last character is taken to have been through now.
+  void putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs);
+
   // Nothing else has come up to now.
   void idleUntil(uint64_t nowUs);
 
@@ -123,7 +127,7 @@ class Observer {
   void resetFinders(uint64_t nowUs, uint32_t characterUs);
   void handOver(uint64_t nowUs);
   template <typename Format>
-  void feed(Side<Format> &side, uint64_t nowUs);
+  void feed(Side<Format> &side, const uint8_t *bytes, size_t count, uint64_t nowUs);
   template <typename Format>
   void found(Side<Format> &side, const sbus::Counters &before, const uint8_t *frame);
   template <typename Format>

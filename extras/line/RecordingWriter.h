@@ -1,11 +1,10 @@
-// Writes a recording (see Recording.h).
+// Writes a recording to a stream.
 #pragma once
 
-#include <cstdint>
 #include <ostream>
+#include <string>
 
-#include "Line.h"
-#include "LineSettings.h"
+#include "RecordingText.h"
 
 namespace line {
 
@@ -14,22 +13,17 @@ class RecordingWriter {
   // `out` must outlive it. Whoever owns it looks whether it has gone wrong.
   explicit RecordingWriter(std::ostream &out) : _out(out) {}
 
-  // The line is set so from now on: a comment says so.
+  // As those of RecordingText.
   void opened(const LineSettings &settings);
-
   void put(const Character &character);
-
-  // Ends the last line. Called once, at the end.
-  void finish() { endLine(); }
+  void finish();
 
  private:
-  void endLine();
+  void write();
 
   std::ostream &_out;
-  bool _opened = false;
-  LineSettings _settings;
-  uint64_t _lastEndUs = 0;
-  unsigned _onLine = 0;  // characters of the line that is not yet complete
+  RecordingText _text;
+  std::string _pending;  // what the last call has appended
 };
 
 }  // namespace line
