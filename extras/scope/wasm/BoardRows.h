@@ -1,0 +1,44 @@
+// A board's rows of numbers, judged as frames are.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "line/CsvRows.h"
+#include "line/Observer.h"
+
+namespace scope {
+
+class BoardRows {
+ public:
+  void reset();
+
+  // True if it has completed a row, values() are it.
+  bool put(uint8_t byte, uint64_t nowUs);
+
+  // A board's numbers come; nothing else since.
+  bool recognised() const { return _rows.recognised(); }
+
+  const line::CsvRow &row() const { return _rows.row(); }
+  bool failsafe() const { return _failsafe; }
+  bool lostFrame() const { return _lostFrame; }
+  sbus::LinkState state(uint64_t nowUs);
+  uint64_t ageUs(uint64_t nowUs) const { return nowUs > _lastUs ? nowUs - _lastUs : 0; }
+  unsigned perSecond(uint64_t nowUs) const;
+  unsigned count() const { return _count; }
+  unsigned otherLines() const { return _otherLines; }
+  const line::Extent &gaps() const { return _gaps; }
+
+ private:
+  line::CsvRows _rows;
+  sbus::Link _link;
+  bool _failsafe = false;
+  bool _lostFrame = false;
+  uint64_t _lastUs = 0;
+  unsigned _count = 0;
+  unsigned _otherLines = 0;
+  line::Extent _gaps;
+  std::deque<uint64_t> _lately;
+};
+
+}  // namespace scope
