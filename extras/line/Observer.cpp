@@ -11,6 +11,7 @@ constexpr size_t RowMax = sbus::FrameSize;  // characters of a stretch that is n
 constexpr uint32_t PauseCharacters = 8;     // so long a pause ends one
 constexpr size_t KeptMax = 256;             // characters; two decoders wait for less than 100 good ones
 constexpr uint64_t SecondUs = 1000000;
+constexpr uint64_t LateUs = 20000;  // USB keeps bytes back for up to 16 ms, and a browser for some more
 
 void addWord(std::string &words, const std::string &word) {
   words += words.empty() ? word : ", " + word;
@@ -79,6 +80,8 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _link.reset();
   _kept.clear();
   _cut = 0;
+  _lastEndUs = 0;
+  _lastBurstUs = 0;
   _characters = 0;
   _badCharacters = 0;
   _newest = Values();
@@ -112,11 +115,16 @@ void Observer::put(const Character &character) {
 }
 
 void Observer::putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs) {
+  const uint64_t takenUs = uint64_t{count} * _characterUs;
   if (_characters == 0) {
-    resetFinders(nowUs - std::min<uint64_t>(nowUs, count * _characterUs), std::min<uint32_t>(_characterUs, UINT8_MAX));
+    _burstClockUs = nowUs;
+    resetFinders(nowUs, std::min<uint32_t>(_characterUs, UINT8_MAX));
   } else {
     handOver(_lastEndUs + _characterUs);
   }
+  const uint64_t quietUs = nowUs - std::min(nowUs, std::max(_lastBurstUs, _lastEndUs));
+  _burstClockUs += quietUs > takenUs + LateUs ? quietUs : takenUs;
+  _lastBurstUs = nowUs;
   for (size_t i = 0; i < count; i++) {
     const uint64_t afterUs = (count - 1 - i) * _characterUs;
     Character character;
@@ -126,8 +134,8 @@ void Observer::putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs) {
     _characters++;
     _lastEndUs = character.endUs;
   }
-  feed(_side16, bytes, count, nowUs);
-  feed(_side24, bytes, count, nowUs);
+  feed(_side16, bytes, count, _burstClockUs);
+  feed(_side24, bytes, count, _burstClockUs);
 }
 
 void Observer::idleUntil(uint64_t nowUs) {

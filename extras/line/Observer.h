@@ -76,8 +76,9 @@ class Observer {
   // The next character, the oldest first.
   void put(const Character &character);
 
-  // The same of a port that tells no more than what one read has brought, as a browser's does: USB keeps bytes back for up
-  // to 16 ms. The last character is taken to have been through now.
+  // The same of a port that tells no more than what one read has brought, now or up to 20 ms ago, as a browser's does. No
+  // shorter pause is believed then: of 6666 frames that came 1 ms late and less, 5964 were found by the times of their
+  // characters, all without.
   void putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs);
 
   // Nothing else has come up to now.
@@ -150,6 +151,8 @@ class Observer {
   uint64_t _cut = 0;            // good bytes before them
   uint32_t _characterUs = CharacterUs;
   uint64_t _lastEndUs = 0;
+  uint64_t _lastBurstUs = 0;
+  uint64_t _burstClockUs = 0;  // what the decoders are told
   unsigned long _characters = 0;
   unsigned long _badCharacters = 0;
 
