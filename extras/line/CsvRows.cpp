@@ -12,9 +12,9 @@ constexpr size_t LineMax = 1024;
 constexpr size_t ColumnsMax = 64;
 constexpr size_t LeastColumns = 2;
 
-// strtod() would take " 1", "0x1F" and "inf", too.
+// strtod() would take "0x1F" and "inf", too.
 bool isNumber(const std::string &text) {
-  return !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+  return !text.empty() && text.find_first_not_of(" 0123456789+-.eE") == std::string::npos;
 }
 
 CsvField fieldOf(std::string text) {

@@ -31,6 +31,9 @@ class Line {
 
   // Why the line broke down; empty if it did not.
   virtual std::string failure() const { return {}; }
+
+  // What has happened to it since the last call, for whoever watches: a port has gone, or is back. Mostly nothing.
+  virtual std::string news() { return {}; }
 };
 
 }  // namespace line

@@ -12,6 +12,13 @@ namespace line {
 // Throws std::runtime_error, which names file and line, if it cannot be read or something is wrong with it.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
+// True if the file begins with the rows that a sketch prints.
+bool isCsv(const std::string &name);
+
+// Such a file as the line of a sketch's Serial, 115200 baud, 8N1: a row every 200 ms, as the examples print them. Throws as
+// readRecording().
+Recording readCsv(const std::string &name);
+
 // One that is written.
 class RecordingFile {
  public:

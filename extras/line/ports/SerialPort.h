@@ -1,11 +1,10 @@
 // A real receiver, at a serial port of this PC: an adapter whose RXD is inverted, or with an inverter in front of it.
 #pragma once
 
-#include <libserialport.h>
-
 #include <deque>
-#include <memory>
+#include <string>
 
+#include "OpenPort.h"
 #include "line/Line.h"
 
 namespace line {
@@ -13,7 +12,7 @@ namespace line {
 class SerialPort : public Line {
  public:
   // Throws std::runtime_error, with a line that says what is wrong and what to do.
-  explicit SerialPort(const std::string &device);
+  explicit SerialPort(const std::string &device, const LineSettings &settings = {});
 
   bool next(uint64_t nowUs, Character &character) override;
   std::string failure() const override { return _failure; }
@@ -26,8 +25,9 @@ class SerialPort : public Line {
   void take(uint8_t byte, uint64_t nowUs);
 
   std::string _device;
-  std::unique_ptr<sp_port, decltype(&sp_free_port)> _port;
-  int _handle = -1;
+  PortHandle _port;
+  int _file;
+  uint32_t _characterUs;
   std::string _failure;
 
   Mark _mark = Mark::None;

@@ -1,0 +1,93 @@
+#include "OpenPort.h"
+
+#include <grp.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace line {
+
+namespace {
+
+std::string lastError() {
+  char *const message = sp_last_error_message();
+  const std::string text = message != nullptr && message[0] != '\0' ? message : "not supported";
+  sp_free_error_message(message);
+  return text;
+}
+
+// Who may use it without being root: a port belongs to a group, "dialout" on Debian, "uucp" on Arch.
+std::string permissionCure(const std::string &device, const struct stat &status) {
+  const group *const owners = (status.st_mode & S_IRGRP) != 0 ? getgrgid(status.st_gid) : nullptr;
+  if (owners == nullptr || status.st_gid == 0) {
+    return "a udev rule gives it: SUBSYSTEM==\"tty\", MODE=\"0666\" in /etc/udev/rules.d/99-sbus.rules, then plug " +
+           device + " in again";
+  }
+  return std::string("join the group that may use it (sudo usermod -aG ") + owners->gr_name + " $USER), log in again";
+}
+
+// Why `device` could not be opened, `error` being what the system says.
+std::string openError(const std::string &device, int error, const std::string &message) {
+  struct stat status;
+  if (stat(device.c_str(), &status) != 0 && errno == ENOENT) {
+    return device + ": there is no such port; plug the adapter in and look for its name in /dev/serial/by-id";
+  }
+  switch (error) {
+    case EACCES:
+      return device + ": no permission; " + permissionCure(device, status);
+    case EBUSY:
+      return device + ": in use; close the other program that has it open";
+    default:
+      return device + ": not a serial port that can be opened (" + message + "); name the adapter's port";
+  }
+}
+
+bool configure(sp_port *port, const LineSettings &settings) {
+  const sp_parity parities[] = {SP_PARITY_NONE, SP_PARITY_EVEN, SP_PARITY_ODD};
+  return sp_set_baudrate(port, static_cast<int>(settings.baud)) == SP_OK && sp_set_bits(port, 8) == SP_OK &&
+         sp_set_parity(port, parities[static_cast<int>(settings.format.parity)]) == SP_OK &&
+         sp_set_stopbits(port, static_cast<int>(settings.format.stopBits)) == SP_OK &&
+         sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE) == SP_OK;
+}
+
+// Some drivers take any rate and then run at the nearest one that they have.
+bool runsAt(sp_port *port, int wanted) {
+  sp_port_config *config = nullptr;
+  int baud = 0;
+  if (sp_new_config(&config) != SP_OK) {
+    return false;
+  }
+  const bool known = sp_get_config(port, config) == SP_OK && sp_get_config_baudrate(config, &baud) == SP_OK;
+  sp_free_config(config);
+  return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: what 12 bits can bear
+}
+
+}  // namespace
+
+PortHandle openPort(const std::string &device, const LineSettings &settings, sp_mode mode) {
+  sp_port *port = nullptr;
+  if (sp_get_port_by_name(device.c_str(), &port) != SP_OK) {
+    throw std::runtime_error(openError(device, 0, "unknown to the system"));
+  }
+  PortHandle handle(port, sp_free_port);
+  if (sp_open(port, mode) != SP_OK) {
+    const int error = sp_last_error_code();
+    throw std::runtime_error(openError(device, error, lastError()));
+  }
+  if (!configure(port, settings) || !runsAt(port, static_cast<int>(settings.baud))) {
+    LineSettings wanted = settings;
+    wanted.polarity = Polarity::Either;
+    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) +
+                             "; take one that can, as FTDI's do");
+  }
+  return handle;
+}
+
+int fileOf(const PortHandle &port) {
+  int file = -1;
+  return sp_get_port_handle(port.get(), &file) == SP_OK ? file : -1;
+}
+
+}  // namespace line

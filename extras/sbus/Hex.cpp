@@ -1,0 +1,106 @@
+// sbus hex: the bytes, 25 a line, as RealTerm shows them; and what the decoder made of them.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "Output.h"
+#include "SourceOption.h"
+#include "Verbs.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+namespace {
+
+// Of a terminal that shows colours; the text says the same without them.
+struct Colours {
+  const char *time = "";
+  const char *refused = "";
+  const char *bad = "";
+  const char *flags = "";
+  const char *off = "";
+};
+
+Colours coloursOf(const std::string &when) {
+  const bool wanted = when == "always" || (when == "auto" && isTerminal() && std::getenv("NO_COLOR") == nullptr);
+  return wanted ? Colours{"\x1b[2m", "\x1b[33m", "\x1b[31;7m", "\x1b[31m", "\x1b[0m"} : Colours{};
+}
+
+const char *kindText(line::Stretch::Kind kind) {
+  return kind == line::Stretch::Kind::Frame     ? "frame"
+         : kind == line::Stretch::Kind::Frame24 ? "frame24"
+         : kind == line::Stretch::Kind::Extra   ? "extra"
+                                                : "-";
+}
+
+class HexView {
+ public:
+  HexView(const line::Observer &observer, const Colours &colours) : _observer(observer), _colours(colours) {}
+
+  void show(const line::Stretch &stretch) {
+    const bool frame = stretch.isFrame();
+    char time[40];
+    std::snprintf(time, sizeof time, "%12.6f  ", static_cast<double>(stretch.endUs()) / 1e6);
+    std::string text = _colours.time + std::string(time) + _colours.off;
+    text += frame ? "" : _colours.refused;
+    for (const line::Character &character : stretch.characters) {
+      char byte[8];
+      std::snprintf(byte, sizeof byte, "%02X", character.value);
+      text += character.bad ? std::string(_colours.bad) + byte + "!" + _colours.off + (frame ? "" : _colours.refused)
+                            : std::string(byte) + " ";
+    }
+    for (size_t i = stretch.characters.size(); i < sbus::FrameSize; i++) {
+      text += "   ";
+    }
+    text += " " + std::string(kindText(stretch.kind));
+    text += frame ? verdict(stretch) : " " + why(stretch) + _colours.off;
+    write(text + '\n');
+  }
+
+ private:
+  // What the end of a frame says.
+  std::string verdict(const line::Stretch &stretch) const {
+    char end[16];
+    std::snprintf(end, sizeof end, " end %02X", stretch.characters.back().value);
+    std::string text = end;
+    if (stretch.kind == line::Stretch::Kind::Extra) {
+      return text + ", CH17..CH32";
+    }
+    const line::Values &values = _observer.newest();
+    const std::string flags = std::string(values.lostFrame ? ", lost frame" : "") + (values.failsafe ? ", failsafe" : "");
+    return text + (flags.empty() ? "" : _colours.flags + flags + _colours.off);
+  }
+
+  const line::Observer &_observer;
+  Colours _colours;
+};
+
+void run(const SourceOption &source, const std::string &colour) {
+  const std::unique_ptr<Input> input = source.open();
+  line::Observer observer;
+  observer.reset(0, input->settings().characterUs());
+  HexView view(observer, coloursOf(colour));
+  observer.listen([&view](const line::Stretch &stretch) { view.show(stretch); });
+  input->run([&observer](const line::Character &character) { observer.put(character); },
+             [&observer](uint64_t nowUs) { observer.idleUntil(nowUs); });
+  observer.finish();
+  flush();
+}
+
+}  // namespace
+
+void addHex(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("hex", "the bytes, 25 a line, and what was refused and why");
+  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  const auto colour = std::make_shared<std::string>("auto");
+  verb->add_option("--color", *colour, "auto: on a terminal (auto)")
+      ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
+      ->type_name("auto|always|never");
+  verb->footer("A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
+               "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
+  verb->callback([source, colour] { run(*source, *colour); });
+}
+
+}  // namespace tool

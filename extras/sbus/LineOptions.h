@@ -1,0 +1,42 @@
+// The options that say what is on a line: how it is set, and what the built-in receiver sends.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "line/Source.h"
+
+namespace tool {
+
+class LineOptions {
+ public:
+  // Adds them to a verb; it must not move afterwards.
+  explicit LineOptions(CLI::App &verb);
+  LineOptions(const LineOptions &) = delete;
+  LineOptions &operator=(const LineOptions &) = delete;
+
+  // Throws CLI::ValidationError if one was given that has no meaning there: `what` is "a port" or the like.
+  void refuseSimulated(const std::string &what) const;   // those of the built-in receiver
+  void refuseDisturbing(const std::string &what) const;  // --noise and --uninverted
+
+  // As the options have it; the built-in receiver, unless `recording` is a file's name.
+  line::Source source(const std::string &recording = {}) const;
+
+  unsigned long baud() const { return _baud; }
+
+ private:
+  unsigned long _baud = sbus::Baud;
+  std::string _sticks = "flight";
+  int _channels = 16;
+  unsigned _noise = 0;
+  std::vector<const CLI::Option *> _simulated;
+  std::vector<const CLI::Option *> _disturbing;
+  const CLI::Option *_silent;
+  const CLI::Option *_uninverted;
+};
+
+// Checks an option's number of seconds: "" or what is wrong.
+std::string checkSeconds(const std::string &text);
+
+}  // namespace tool

@@ -1,0 +1,18 @@
+// Standard output, for what comes line by line.
+#pragma once
+
+#include <string>
+
+namespace tool {
+
+// True if it is a terminal.
+bool isTerminal();
+
+// Every line is seen at once, not when a buffer is full. Before the first write().
+void setLineByLine();
+
+// Throws std::runtime_error if it is full or has gone. A pipe's reader that has seen enough ends the program silently.
+void write(const std::string &text);
+void flush();
+
+}  // namespace tool

@@ -1,0 +1,23 @@
+// The verbs of `sbus`. Each adds its subcommand, whose callback does the work: it throws std::runtime_error with a
+// message that says what, where and what to do.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace tool {
+
+void addPorts(CLI::App &app);
+void addMonitor(CLI::App &app);
+void addHex(CLI::App &app);
+void addCsv(CLI::App &app);
+void addPlot(CLI::App &app);
+void addRecord(CLI::App &app);
+void addReplay(CLI::App &app);
+void addSimulate(CLI::App &app);
+void addDecode(CLI::App &app);
+void addWave(CLI::App &app);
+void addDoctor(CLI::App &app);
+
+}  // namespace tool

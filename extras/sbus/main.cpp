@@ -1,0 +1,43 @@
+// sbus: looks at S.Bus lines, records, replays and diagnoses them.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "Stop.h"
+#include "Verbs.h"
+
+namespace {
+
+void addVerbs(CLI::App &app) {
+  tool::addHex(app);
+}
+
+// Of the verb that was asked for, if any.
+std::string nameOf(const CLI::App &app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? app.get_name() : app.get_name() + " " + verbs.front()->get_name();
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "what every verb takes");
+  app.footer(
+      "SOURCE is a serial port (see `sbus ports`), a recording, - for bytes on standard input, or sim, a receiver that "
+      "is built in. `sbus VERB --help` tells more; so does `man sbus`.");
+  addVerbs(app);
+  tool::catchSignals();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    const int status = app.exit(error);
+    return status == 0 ? EXIT_SUCCESS : tool::WrongCommandLine;
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "%s: %s\n", nameOf(app).c_str(), error.what());
+    return EXIT_FAILURE;
+  }
+}
