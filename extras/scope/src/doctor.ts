@@ -91,10 +91,12 @@ export class Doctor {
         return this.of((newest?.flags ?? 0) & Flag.Failsafe ? Finding.Failsafe : Finding.NoRadio);
       case LinkState.Stale:
         return this.of(status.characters > this.characters ? Finding.NoFrames : Finding.NoSignal);
-      case LinkState.NeverSeen:
-        return this.round === undefined && this.finding === undefined
+      case LinkState.NeverSeen: {
+        const finding = this.lineSettings.length > 1 ? this.round : this.finding;
+        return finding === undefined
           ? { text: 'LISTENING.', cure: 'The first frame is awaited.', severity: 'note' }
-          : this.of(this.round ?? (this.finding as Finding));
+          : this.of(finding);
+      }
       default:
         return this.finding === undefined || this.finding <= Finding.NoFrames
           ? { text: 'FRAMES COME.', cure: 'A second of them is wanted for a verdict.', severity: 'good' }

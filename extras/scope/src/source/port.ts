@@ -48,8 +48,10 @@ export class PortSource implements Source {
   }
 
   async use(setting: Setting): Promise<void> {
-    this.setting = setting;
-    await this.stopReading(); // run() opens it again
+    if (setting !== this.setting) {
+      this.setting = setting;
+      await this.stopReading(); // run() opens it again
+    }
     this.core.openPort(this.nowUs(), setting.baud);
   }
 
@@ -95,13 +97,15 @@ export class PortSource implements Source {
   // Until somebody stops it, or the port has gone.
   private async readAll(): Promise<void> {
     const opened = this.setting;
-    while (this.wanted && this.setting === opened && this.port.readable) {
+    let ended = false;
+    while (!ended && this.port.readable) {
       this.reader = this.port.readable.getReader();
       try {
         for (let part = await this.reader.read(); !part.done; part = await this.reader.read()) {
           this.core.received(part.value, this.nowUs());
           this.core.advance(this.nowUs(), this.take);
         }
+        ended = true;
       } catch (error) {
         this.broken(error as DOMException);
       } finally {
