@@ -49,7 +49,12 @@ int hexDigit(char c) {
   return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-bool parseByte(std::string_view word, uint8_t &byte) {
+// "0F", or "0F!" if it was bad.
+bool parseCharacter(std::string_view word, Character &character) {
+  character.bad = word.size() > 1 && word.back() == '!';
+  if (character.bad) {
+    word.remove_suffix(1);
+  }
   unsigned value = 0;
   for (const char c : word) {
     const int digit = hexDigit(c);
@@ -58,7 +63,7 @@ bool parseByte(std::string_view word, uint8_t &byte) {
     }
     value = value << 4 | static_cast<unsigned>(digit);
   }
-  byte = static_cast<uint8_t>(value);
+  character.value = static_cast<uint8_t>(value);
   return word.size() == 1 || word.size() == 2;
 }
 
@@ -91,7 +96,7 @@ std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<C
     return "there is a time, but no characters: bytes in hexadecimal are expected after it";
   }
   for (; !word.empty(); word = takeWord(line)) {
-    if (!parseByte(word, character.value)) {
+    if (!parseCharacter(word, character)) {
       return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
     }
     characters.push_back(character);

@@ -1,7 +1,6 @@
 // Recordings in files.
 #pragma once
 
-#include <fstream>
 #include <string>
 
 #include "Recording.h"
@@ -12,28 +11,65 @@ namespace line {
 // Throws std::runtime_error, which names file and line, if it cannot be read or something is wrong with it.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
+// How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: the baud rate;
+// 0 if none says so.
+unsigned long recordedBaud(const std::string &name);
+
 // True if the file begins with the rows that a sketch prints.
 bool isCsv(const std::string &name);
 
-// Such a file as the line of a sketch's Serial, 115200 baud, 8N1: a row every 200 ms, as the examples print them. Throws as
+// Such a file as the line of a sketch's Serial (csvSettings()): a row every 200 ms, as the examples print them. Throws as
 // readRecording().
+LineSettings csvSettings();  // 115200 baud, 8N1
 Recording readCsv(const std::string &name);
 
-// One that is written.
-class RecordingFile {
+// A text file that grows line by line. Whatever happens it holds whole lines: if the program is killed, or the disk full.
+class LineFile {
  public:
-  explicit RecordingFile(const std::string &name);  // throws std::runtime_error
+  // Throws std::runtime_error. `isNew`: a file that is there and has something in it is left alone, and that is an error.
+  explicit LineFile(const std::string &name, bool isNew = false);
+  ~LineFile();
+  LineFile(const LineFile &) = delete;
+  LineFile &operator=(const LineFile &) = delete;
 
-  void opened(const LineSettings &settings) { _writer.opened(settings); }
-  void put(const Character &character) { _writer.put(character); }
+  // Whole lines. Once something has gone wrong nothing more is written.
+  void write(const std::string &lines);
 
-  // Ends the last line and closes the file. Returns what has gone wrong, or nothing.
+  // Closes the file. Returns what has gone wrong, or nothing.
   std::string finish();
 
+  const std::string &failure() const { return _failure; }
+
  private:
+  void fail();
+
   std::string _name;
-  std::ofstream _file;
-  RecordingWriter _writer{_file};
+  int _file;
+  long _size = 0;  // of the whole lines
+  std::string _failure;
+};
+
+// A recording that is written.
+class RecordingFile {
+ public:
+  explicit RecordingFile(const std::string &name) : _file(name) {}  // throws std::runtime_error
+
+  void opened(const LineSettings &settings) { _writer.opened(settings); }
+  void put(const Character &character) {
+    _writer.put(character);
+    _file.write(_writer.take());
+  }
+
+  // Ends the last line and closes the file. Returns what has gone wrong, or nothing.
+  std::string finish() {
+    _writer.finish();
+    _file.write(_writer.take());
+    return _file.finish();
+  }
+
+ private:
+  LineFile _file;
+  RecordingWriter _writer;
 };
 
 }  // namespace line

@@ -1,25 +1,53 @@
 #include "RecordingWriter.h"
 
+#include <algorithm>
+
 namespace line {
 
+namespace {
+
+// So a frame has a line of its own even if the next one follows at once, and no line is too long for a reader.
+constexpr unsigned LineMax = sbus::FrameSize;
+
+}  // namespace
+
+void RecordingWriter::comment(const std::string &text) {
+  endLine();
+  _done += "# " + text + '\n';
+}
+
 void RecordingWriter::opened(const LineSettings &settings) {
-  _text.opened(settings, _pending);
-  write();
+  if (_opened && settings == _settings) {
+    return;
+  }
+  _opened = true;
+  _settings = settings;
+  comment(text(settings));
 }
 
 void RecordingWriter::put(const Character &character) {
-  _text.put(character, _pending);
-  write();
+  const uint64_t earliestUs = _lastEndUs == 0 ? 0 : _lastEndUs + _settings.characterUs();
+  const uint64_t endUs = std::max(character.endUs, earliestUs);
+  if (_onLine == LineMax || endUs != earliestUs) {
+    endLine();
+  }
+  if (_onLine == 0) {
+    _line = std::to_string(endUs);
+  }
+  constexpr char Digits[] = "0123456789ABCDEF";
+  _line += ' ';
+  _line += Digits[character.value >> 4];
+  _line += Digits[character.value & 0xF];
+  _line += character.bad ? "!" : "";
+  _lastEndUs = endUs;
+  _onLine++;
 }
 
-void RecordingWriter::finish() {
-  _text.finish(_pending);
-  write();
-}
-
-void RecordingWriter::write() {
-  _out << _pending;
-  _pending.clear();
+void RecordingWriter::endLine() {
+  if (_onLine != 0) {
+    _done += _line + '\n';
+    _onLine = 0;
+  }
 }
 
 }  // namespace line

@@ -1,29 +1,41 @@
-// Writes a recording to a stream.
+// Writes the text of a recording (see Recording.h).
 #pragma once
 
-#include <ostream>
+#include <cstdint>
 #include <string>
+#include <utility>
 
-#include "RecordingText.h"
+#include "Line.h"
+#include "LineSettings.h"
 
 namespace line {
 
 class RecordingWriter {
  public:
-  // `out` must outlive it. Whoever owns it looks whether it has gone wrong.
-  explicit RecordingWriter(std::ostream &out) : _out(out) {}
+  // A comment, one line of it.
+  void comment(const std::string &text);
 
-  // As those of RecordingText.
+  // The line is set so from now on: a comment says so.
   void opened(const LineSettings &settings);
+
+  // The next character. One that ends too early for the line that it is on gets the earliest time that a reader takes.
   void put(const Character &character);
-  void finish();
+
+  // Ends the last line. Called once, at the end.
+  void finish() { endLine(); }
+
+  // The whole lines since the last call: at most 25 characters wait for their line's end.
+  std::string take() { return std::exchange(_done, {}); }
 
  private:
-  void write();
+  void endLine();
 
-  std::ostream &_out;
-  RecordingText _text;
-  std::string _pending;  // what the last call has appended
+  std::string _done;
+  std::string _line;  // not yet complete
+  bool _opened = false;
+  LineSettings _settings;
+  uint64_t _lastEndUs = 0;
+  unsigned _onLine = 0;  // characters of it
 };
 
 }  // namespace line

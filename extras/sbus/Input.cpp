@@ -51,7 +51,7 @@ void Input::run(const std::function<void(const line::Character &)> &put,
       nowUs += TickUs;
     } else {
       std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
-      nowUs = sinceUs(start);
+      nowUs = static_cast<uint64_t>(static_cast<double>(sinceUs(start)) * _speed);
     }
     nowUs = std::min(nowUs, endUs);
   }

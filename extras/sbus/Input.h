@@ -25,6 +25,9 @@ class Input {
   // What is said of a port that has gone, or is back: on standard error unless told.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
+  // So many times as fast as true time.
+  void setSpeed(double speed) { _speed = speed; }
+
   // Hands over each character as it comes, and every millisecond says the time, up to which all have come. Both begin
   // at 0. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws std::runtime_error
   // if the line breaks down.
@@ -38,6 +41,7 @@ class Input {
   line::LineSettings _settings;
   Pace _pace;
   double _seconds;
+  double _speed = 1;
   bool _ended = false;
   std::function<void(const std::string &)> _tell;
 };

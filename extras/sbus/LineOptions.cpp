@@ -1,7 +1,10 @@
 #include "LineOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstdlib>
+
+#include "line/RecordingFile.h"
 
 namespace tool {
 
@@ -17,10 +20,15 @@ void refuse(const std::vector<const CLI::Option *> &options, const std::string &
 
 }  // namespace
 
+unsigned long baudOf(unsigned long told, const std::string &recording) {
+  const unsigned long recorded = told > 0 || recording.empty() ? 0 : line::recordedBaud(recording);
+  return told > 0 ? told : recorded == 2 * sbus::Baud ? recorded : sbus::Baud;
+}
+
 LineOptions::LineOptions(CLI::App &verb) {
-  verb.add_option("--baud", _baud, "of the line: 100000, or 200000 for Fast S.Bus (100000)")
+  verb.add_option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
-      ->type_name("N");
+      ->type_name("100000|200000");
   const CLI::Option *const channels =
       verb.add_option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
           ->check(CLI::IsMember({16, 24, 32}).description(""))
@@ -31,7 +39,7 @@ LineOptions::LineOptions(CLI::App &verb) {
           ->type_name("flight|calibration");
   _silent = verb.add_flag("--silent", "nothing comes from sim");
   const CLI::Option *const noise = verb.add_option("--noise", _noise, "disturbances a second, on sim or a recording")
-                                       ->check(CLI::Range(1, 100000).description(""))
+                                       ->check(numberBetween(1, 100000))
                                        ->type_name("N");
   _uninverted = verb.add_flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
   _simulated = {channels, sticks, _silent};
@@ -55,17 +63,26 @@ line::Source LineOptions::source(const std::string &recording) const {
                     : _channels == 32 ? line::Channels::ThirtyTwo
                                       : line::Channels::Sixteen;
   source.noise = _noise;
-  source.settings.baud = _baud;
+  source.settings.baud = baud(recording);
   source.settings.polarity =
       _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
   return source;
 }
 
-std::string checkSeconds(const std::string &text) {
-  constexpr double Largest = 366.0 * 24 * 60 * 60;
-  char *end = nullptr;
-  const double seconds = std::strtod(text.c_str(), &end);
-  return *end == '\0' && seconds >= 0.001 && seconds <= Largest ? "" : "a number from 0.001 to 31622400 is expected";
+// "nan" is refused, too.
+CLI::Validator numberBetween(double low, double high) {
+  const auto check = [low, high](const std::string &text) {
+    char *end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    char expected[80];
+    std::snprintf(expected, sizeof expected, "a number from %.10g to %.10g is expected", low, high);
+    return *end == '\0' && number >= low && number <= high ? std::string() : expected;
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator seconds() {
+  return numberBetween(0.001, 366.0 * 24 * 60 * 60);
 }
 
 }  // namespace tool

@@ -9,6 +9,9 @@
 
 namespace tool {
 
+// `told`, else what the recording says, else 100000; `recording` may be empty.
+unsigned long baudOf(unsigned long told, const std::string &recording);
+
 class LineOptions {
  public:
   // Adds them to a verb; it must not move afterwards.
@@ -23,10 +26,11 @@ class LineOptions {
   // As the options have it; the built-in receiver, unless `recording` is a file's name.
   line::Source source(const std::string &recording = {}) const;
 
-  unsigned long baud() const { return _baud; }
+  // --baud, else what the recording says, else 100000.
+  unsigned long baud(const std::string &recording = {}) const { return baudOf(_baud, recording); }
 
  private:
-  unsigned long _baud = sbus::Baud;
+  unsigned long _baud = 0;  // not told
   std::string _sticks = "flight";
   int _channels = 16;
   unsigned _noise = 0;
@@ -36,7 +40,10 @@ class LineOptions {
   const CLI::Option *_uninverted;
 };
 
-// Checks an option's number of seconds: "" or what is wrong.
-std::string checkSeconds(const std::string &text);
+// Of an option that takes a number.
+CLI::Validator numberBetween(double low, double high);
+
+// Of --seconds: up to a year.
+CLI::Validator seconds();
 
 }  // namespace tool

@@ -31,14 +31,6 @@ Kind kindOf(const std::string &name) {
   return S_ISCHR(status.st_mode) ? Kind::Port : S_ISFIFO(status.st_mode) ? Kind::Stream : Kind::File;
 }
 
-line::LineSettings sketchSettings() {
-  line::LineSettings settings;
-  settings.baud = 115200;
-  settings.format = {8, line::Parity::None, 1};
-  settings.polarity = line::Polarity::Either;
-  return settings;
-}
-
 }  // namespace
 
 SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(verb), _recordings(recordings) {
@@ -47,15 +39,15 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
       ->type_name("");
   _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
   verb.add_option("--seconds", _seconds, "end after so many seconds")
-      ->check(CLI::Validator(checkSeconds, ""))
+      ->check(seconds())
       ->type_name("S");
   _simulatedTime = verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
 line::LineSettings SourceOption::settings() const {
   line::LineSettings settings;
-  settings.baud = _options.baud();
-  return _csv->count() > 0 ? sketchSettings() : settings;
+  settings.baud = _options.baud(kindOf(_name) == Kind::File ? _name : "");
+  return _csv->count() > 0 ? line::csvSettings() : settings;
 }
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {

@@ -29,7 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   std::string written;
   for (const line::Character &character : recording.characters) {
     char line[40];
-    std::snprintf(line, sizeof(line), "%llu %02X\n", static_cast<unsigned long long>(character.endUs), character.value);
+    std::snprintf(line, sizeof(line), "%llu %02X%s\n", static_cast<unsigned long long>(character.endUs), character.value,
+                  character.bad ? "!" : "");
     written += line;
   }
   if (recording.characters.back().endUs <= line::RecordingTimeMaxUs) {
@@ -38,6 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (size_t i = 0; i < again.characters.size(); i++) {
       require(again.characters[i].endUs == recording.characters[i].endUs, "times are kept");
       require(again.characters[i].value == recording.characters[i].value, "bytes are kept");
+      require(again.characters[i].bad == recording.characters[i].bad, "bad ones are kept");
     }
   }
   return 0;

@@ -1,4 +1,5 @@
-// A serial port whose adapter may be unplugged and plugged in again.
+// A serial port whose adapter may be unplugged and plugged in again. A pseudo-terminal that has gone is not waited for:
+// the next of its name may be anybody's.
 #pragma once
 
 #include <memory>
@@ -15,11 +16,13 @@ class ReopenedPort : public Line {
       : _device(device), _settings(settings), _port(std::make_unique<SerialPort>(device, settings)) {}
 
   bool next(uint64_t nowUs, Character &character) override;
+  bool finished(uint64_t) const override { return !_port && isPseudoTerminal(); }
   std::string news() override { return std::exchange(_news, {}); }
 
  private:
   static constexpr uint64_t RetryUs = 500000;
 
+  bool isPseudoTerminal() const { return _device.rfind("/dev/pts/", 0) == 0; }
   void reopen();
 
   std::string _device;

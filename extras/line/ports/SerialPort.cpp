@@ -2,8 +2,10 @@
 
 #include <poll.h>
 #include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <stdexcept>
 
 namespace line {
@@ -26,14 +28,11 @@ bool markBadCharacters(int file) {
 }  // namespace
 
 SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
-    : _device(device),
-      _port(openPort(device, settings, SP_MODE_READ)),
-      _file(fileOf(_port)),
-      _characterUs(settings.characterUs()) {
-  if (!markBadCharacters(_file)) {
+    : _device(device), _port(device, settings, PortFile::Way::Read), _characterUs(settings.characterUs()) {
+  if (!markBadCharacters(_port.file())) {
     throw std::runtime_error(device + ": the system does not tell bad characters from good ones; name another port");
   }
-  sp_flush(_port.get(), SP_BUF_INPUT);
+  tcflush(_port.file(), TCIFLUSH);
 }
 
 bool SerialPort::next(uint64_t nowUs, Character &character) {
@@ -51,18 +50,21 @@ bool SerialPort::next(uint64_t nowUs, Character &character) {
 
 void SerialPort::poll(uint64_t nowUs) {
   uint8_t bytes[256];
-  const int count = sp_nonblocking_read(_port.get(), bytes, sizeof bytes);
-  for (int i = 0; i < count; i++) {
+  const ssize_t count = read(_port.file(), bytes, sizeof bytes);
+  const bool failed = count < 0 && errno != EAGAIN && errno != EINTR;
+  for (ssize_t i = 0; i < count; i++) {
     take(bytes[i], nowUs);
   }
   // A port that has gone reads as one that is silent; only poll() tells them apart.
-  pollfd state = {_file, POLLIN, 0};
-  if (count < 0 || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
+  pollfd state = {_port.file(), POLLIN, 0};
+  if (failed || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
     _failure = _device + ": the port has gone; plug the adapter in again and start anew";
   }
 }
 
-// USB brings characters in bursts. They go on at the pace of the line, or a burst would overrun the board's buffer.
+// USB brings a frame in pieces. They go on at the pace of the line, or they would overrun the board's buffer, and so much
+// later that the next piece is there before they have gone: else there were pauses within frames. A pause on the line
+// that is shorter is lost, which a decoder can bear.
 void SerialPort::take(uint8_t byte, uint64_t nowUs) {
   Character character;
   character.value = byte;
@@ -84,7 +86,7 @@ void SerialPort::take(uint8_t byte, uint64_t nowUs) {
       break;
   }
   _mark = Mark::None;
-  _lastEndUs = std::max(_lastEndUs + _characterUs, nowUs);
+  _lastEndUs = nowUs <= _lastEndUs ? _lastEndUs + _characterUs : nowUs + LaterUs;
   character.endUs = _lastEndUs;
   _waiting.push_back(character);
 }

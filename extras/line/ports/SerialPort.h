@@ -4,7 +4,7 @@
 #include <deque>
 #include <string>
 
-#include "OpenPort.h"
+#include "PortFile.h"
 #include "line/Line.h"
 
 namespace line {
@@ -21,12 +21,13 @@ class SerialPort : public Line {
   // An adapter marks a bad character as FF 00 character, and sends FF as FF FF.
   enum class Mark { None, Escape, Bad };
 
+  static constexpr uint64_t LaterUs = 2000;
+
   void poll(uint64_t nowUs);
   void take(uint8_t byte, uint64_t nowUs);
 
   std::string _device;
-  PortHandle _port;
-  int _file;
+  PortFile _port;
   uint32_t _characterUs;
   std::string _failure;
 

@@ -1,10 +1,15 @@
-#include "OpenPort.h"
+#include "PortFile.h"
 
+#include <fcntl.h>
 #include <grp.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <termios.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
 namespace line {
@@ -64,30 +69,54 @@ bool runsAt(sp_port *port, int wanted) {
   return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: what 12 bits can bear
 }
 
+// libserialport knows none of these.
+bool isPseudoTerminal(const std::string &device) {
+  constexpr unsigned First = 136;  // major numbers of Linux
+  constexpr unsigned Last = 143;
+  struct stat status;
+  return stat(device.c_str(), &status) == 0 && S_ISCHR(status.st_mode) && major(status.st_rdev) >= First &&
+         major(status.st_rdev) <= Last;
+}
+
+int openPseudoTerminal(const std::string &device, int flags) {
+  const int file = open(device.c_str(), flags | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  termios settings;
+  if (file < 0 || tcgetattr(file, &settings) != 0) {
+    throw std::runtime_error(openError(device, errno, std::strerror(errno)));
+  }
+  cfmakeraw(&settings);
+  tcsetattr(file, TCSANOW, &settings);
+  return file;
+}
+
 }  // namespace
 
-PortHandle openPort(const std::string &device, const LineSettings &settings, sp_mode mode) {
+PortFile::PortFile(const std::string &device, const LineSettings &settings, Way way) {
+  if (isPseudoTerminal(device)) {
+    _file = openPseudoTerminal(device, way == Way::Read ? O_RDONLY : O_WRONLY);
+    return;
+  }
   sp_port *port = nullptr;
   if (sp_get_port_by_name(device.c_str(), &port) != SP_OK) {
     throw std::runtime_error(openError(device, 0, "unknown to the system"));
   }
-  PortHandle handle(port, sp_free_port);
-  if (sp_open(port, mode) != SP_OK) {
+  _port.reset(port);  // closes it, too
+  if (sp_open(port, way == Way::Read ? SP_MODE_READ : SP_MODE_WRITE) != SP_OK) {
     const int error = sp_last_error_code();
     throw std::runtime_error(openError(device, error, lastError()));
   }
-  if (!configure(port, settings) || !runsAt(port, static_cast<int>(settings.baud))) {
+  if (!configure(port, settings) || !runsAt(port, static_cast<int>(settings.baud)) ||
+      sp_get_port_handle(port, &_file) != SP_OK) {
     LineSettings wanted = settings;
     wanted.polarity = Polarity::Either;
-    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) +
-                             "; take one that can, as FTDI's do");
+    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) + "; take one that can, as FTDI's do");
   }
-  return handle;
 }
 
-int fileOf(const PortHandle &port) {
-  int file = -1;
-  return sp_get_port_handle(port.get(), &file) == SP_OK ? file : -1;
+PortFile::~PortFile() {
+  if (!_port) {
+    close(_file);
+  }
 }
 
 }  // namespace line

@@ -1,0 +1,32 @@
+// A serial port of this PC, open; or a pseudo-terminal, which has no rate and no format.
+#pragma once
+
+#include <libserialport.h>
+
+#include <memory>
+#include <string>
+
+#include "line/LineSettings.h"
+
+namespace line {
+
+class PortFile {
+ public:
+  enum class Way { Read, Write };
+
+  // 8 data bits. The polarity is the adapter's affair. Throws std::runtime_error, with a line that says what is wrong
+  // and what to do.
+  PortFile(const std::string &device, const LineSettings &settings, Way way);
+  ~PortFile();
+  PortFile(const PortFile &) = delete;
+  PortFile &operator=(const PortFile &) = delete;
+
+  // The system's number of it; read() and write() never wait.
+  int file() const { return _file; }
+
+ private:
+  std::unique_ptr<sp_port, decltype(&sp_free_port)> _port{nullptr, sp_free_port};  // none of a pseudo-terminal
+  int _file = -1;
+};
+
+}  // namespace line

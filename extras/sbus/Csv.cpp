@@ -1,0 +1,119 @@
+// sbus csv: what the sketch examples/DecodeSBus prints, for the same viewers.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "CsvColumn.h"
+#include "Output.h"
+#include "SourceOption.h"
+#include "Verbs.h"
+#include "line/CsvRows.h"
+
+namespace tool {
+
+namespace {
+
+struct CsvOptions {
+  std::string columns = "ch1-ch4,failsafe,lostframe";
+  double rate = 5;  // rows a second, as the sketch's PERIOD_DISPLAY
+  const CLI::Option *everyFrame = nullptr;
+  const CLI::Option *header = nullptr;
+};
+
+class CsvView {
+ public:
+  CsvView(const CsvOptions &options, uint32_t characterUs)
+      : _columns(parseColumns(options.columns)),
+        _everyFrame(options.everyFrame->count() > 0),
+        _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
+        _nextUs(_periodUs) {
+    _observer.reset(0, characterUs);
+    _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+    if (options.header->count() > 0) {
+      write(header(_columns));
+    }
+  }
+
+  void put(const line::Character &character, const std::string &source) {
+    _rows.put(character);
+    if (_rows.recognised()) {
+      throw std::runtime_error(source + ": these are rows of CSV already; sbus plot shows them, sbus record keeps them");
+    }
+    _observer.put(character);
+  }
+
+  void tick(uint64_t nowUs) {
+    _observer.idleUntil(nowUs);
+    if (nowUs < _nextUs) {
+      return;
+    }
+    _nextUs += _periodUs * (1 + (nowUs - _nextUs) / _periodUs);
+    if (!_everyFrame && isYoung(_observer.state(nowUs))) {
+      print(nowUs);
+    }
+  }
+
+ private:
+  static constexpr uint64_t SettledUs = 1000000;  // by then all kinds of frames have come
+
+  static bool isYoung(sbus::LinkState state) {
+    return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
+  }
+
+  void take(const line::Stretch &stretch) {
+    if (_everyFrame && stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
+      print(stretch.endUs());
+    }
+  }
+
+  // A row whose channels have not all come yet is left out.
+  void print(uint64_t nowUs) {
+    _firstUs = _firstUs == 0 ? nowUs : _firstUs;
+    try {
+      requireColumns(_columns, _observer.newest());
+    } catch (const std::runtime_error &) {
+      if (nowUs >= _firstUs + SettledUs) {
+        throw;
+      }
+      return;
+    }
+    write(row(_columns, _observer, nowUs));
+  }
+
+  const std::vector<CsvColumn> _columns;
+  const bool _everyFrame;
+  const uint64_t _periodUs;
+  uint64_t _nextUs;
+  uint64_t _firstUs = 0;  // of the first row
+  line::Observer _observer;
+  line::CsvRows _rows;
+};
+
+void run(const SourceOption &source, const CsvOptions &options) {
+  const std::unique_ptr<Input> input = source.open();
+  CsvView view(options, input->settings().characterUs());
+  input->run([&](const line::Character &character) { view.put(character, source.name()); },
+             [&view](uint64_t nowUs) { view.tick(nowUs); });
+  flush();
+}
+
+}  // namespace
+
+void addCsv(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("csv", "what the sketch prints: for a serial plotter or a spreadsheet");
+  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  const auto options = std::make_shared<CsvOptions>();
+  verb->add_option("--columns", options->columns,
+                   "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
+      ->type_name("LIST");
+  verb->add_option("--rate", options->rate, "rows a second (5)")
+      ->check(numberBetween(0.01, 1000))
+      ->type_name("N");
+  options->everyFrame = verb->add_flag("--every-frame", "a row for each frame, whatever the rate");
+  options->header = verb->add_flag("--header", "the columns' names in the first row");
+  verb->footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
+  verb->callback([source, options] { run(*source, *options); });
+}
+
+}  // namespace tool

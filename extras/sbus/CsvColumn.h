@@ -1,0 +1,31 @@
+// The columns of `sbus csv`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "line/Observer.h"
+
+namespace tool {
+
+struct CsvColumn {
+  enum class Kind { Channel, Failsafe, LostFrame, Time, State, Age };
+
+  Kind kind;
+  unsigned channel;  // counted from 1
+};
+
+// "ch1-ch4,failsafe,lostframe": names and spans, in the order in which they are to be printed. Throws
+// CLI::ValidationError.
+std::vector<CsvColumn> parseColumns(const std::string &text);
+
+// Throws std::runtime_error if the line has no such channel.
+void requireColumns(const std::vector<CsvColumn> &columns, const line::Values &values);
+
+// "CH1,CH2,failsafe", with CR and LF as Serial.println() has them.
+std::string header(const std::vector<CsvColumn> &columns);
+
+// A row of the newest frame.
+std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs);
+
+}  // namespace tool

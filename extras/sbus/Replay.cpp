@@ -1,0 +1,57 @@
+// sbus replay: sends a recording again.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "LineOptions.h"
+#include "Sending.h"
+#include "Verbs.h"
+#include "line/RecordedLine.h"
+#include "line/RecordingFile.h"
+
+namespace tool {
+
+namespace {
+
+struct ReplayOptions {
+  explicit ReplayOptions(CLI::App &verb) : sending(verb) {}
+
+  Sending sending;
+  std::string file;
+  unsigned long baud = 0;
+  double speed = 1;
+  const CLI::Option *loop = nullptr;
+};
+
+std::unique_ptr<Input> open(const ReplayOptions &options) {
+  const bool csv = line::isCsv(options.file);
+  line::LineSettings settings = line::csvSettings();
+  if (!csv) {
+    settings = {};
+    settings.baud = baudOf(options.baud, options.file);
+  }
+  auto line = std::make_unique<line::RecordedLine>(csv ? line::readCsv(options.file)
+                                                       : line::readRecording(options.file, settings.characterUs()));
+  auto input = std::make_unique<Input>(std::move(line), settings, Input::Pace::True, 0);
+  input->setSpeed(options.speed);
+  return input;
+}
+
+}  // namespace
+
+void addReplay(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
+  const auto options = std::make_shared<ReplayOptions>(*verb);
+  verb->add_option("FILE", options->file, "a recording, or rows of CSV")->required()->type_name("");
+  verb->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("100000|200000");
+  verb->add_option("--speed", options->speed, "so many times as fast (1)")
+      ->check(numberBetween(0.001, 1000))
+      ->type_name("N");
+  options->loop = verb->add_flag("--loop", "again and again");
+  verb->callback(
+      [options] { options->sending.run([&options] { return open(*options); }, options->loop->count() > 0); });
+}
+
+}  // namespace tool

@@ -1,0 +1,26 @@
+// Sends a line's characters through a port, or a pseudo-terminal: for `replay` and `simulate`.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "Input.h"
+
+namespace tool {
+
+class Sending {
+ public:
+  // Adds its options to a verb.
+  explicit Sending(CLI::App &verb);
+
+  // Sends what `open` gives, for ever if `loop`. A pseudo-terminal waits for its reader first. Throws
+  // std::runtime_error.
+  void run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const;
+
+ private:
+  std::string _to;
+};
+
+}  // namespace tool

@@ -1,0 +1,38 @@
+// sbus simulate: sends what the built-in receiver would.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "LineOptions.h"
+#include "Sending.h"
+#include "Verbs.h"
+#include "line/SampledLine.h"
+
+namespace tool {
+
+void addSimulate(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("simulate", "sends what the built-in receiver would, until Ctrl-C");
+  struct Options {
+    explicit Options(CLI::App &each) : line(each), sending(each) {}
+    LineOptions line;
+    Sending sending;
+    double seconds = 0;
+  };
+  const auto options = std::make_shared<Options>(*verb);
+  verb->add_option("--seconds", options->seconds, "end after so many seconds")
+      ->check(seconds())
+      ->type_name("S");
+  verb->callback([options] {
+    options->sending.run(
+        [&options] {
+          const line::Source source = options->line.source();
+          line::LineSettings port;
+          port.baud = source.settings.baud;
+          auto line = std::make_unique<line::SampledLine>(source.open(), source.settings, port);
+          return std::make_unique<Input>(std::move(line), port, Input::Pace::True, options->seconds);
+        },
+        false);
+  });
+}
+
+}  // namespace tool
