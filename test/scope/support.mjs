@@ -22,14 +22,14 @@ export const browser = await chromium.launch(launch);
 let failed = 0;
 
 // A page that hangs answers nothing, not even Playwright.
-const tooLong = () => new Promise((_, reject) => setTimeout(() => reject(new Error('it hangs')), 60000).unref());
+const tooLong = (ms) => new Promise((_, reject) => setTimeout(() => reject(new Error('it hangs')), ms).unref());
 
 // One check: a sentence, and what shows it. It gets a page of its own.
-export async function check(sentence, show, options = {}) {
+export async function check(sentence, show, { patience = 60000, ...options } = {}) {
   let page;
   try {
     page = await open(options);
-    await Promise.race([show(page), tooLong()]);
+    await Promise.race([show(page), tooLong(patience)]);
     assert.deepEqual(page.complaints, []);
     console.log(`ok scope: ${sentence}`);
   } catch (error) {

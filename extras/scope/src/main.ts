@@ -52,7 +52,7 @@ async function play(file: File | undefined): Promise<void> {
     return;
   }
   try {
-    await scope.open(() => RecordingSource.open(core, file, 100000));
+    await scope.open(() => RecordingSource.open(core, file));
     pressed('recording');
   } catch (error) {
     await simulate();

@@ -16,6 +16,8 @@ class BoardRows {
   // True if it has completed a row, values() are it.
   bool put(uint8_t byte, uint64_t nowUs);
 
+  bool put(const line::Character &character) { return put(character.bad ? uint8_t{0} : character.value, character.endUs); }
+
   // A board's numbers come; nothing else since.
   bool recognised() const { return _rows.recognised(); }
 

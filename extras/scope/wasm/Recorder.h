@@ -5,7 +5,7 @@
 
 #include "line/LineSettings.h"
 #include "line/Observer.h"
-#include "line/RecordingText.h"
+#include "line/RecordingWriter.h"
 
 namespace scope {
 
@@ -15,14 +15,12 @@ class Recorder {
   void put(const line::Stretch &stretch);
   void end();
 
-  // What was written since it was last asked.
-  std::string take() { return std::exchange(_text, {}); }
+  // Whole lines, since it was last asked.
+  std::string take() { return _writer.take(); }
 
  private:
   bool _on = false;
-  line::RecordingText _writer;
-  std::string _text;
-  uint64_t _lastEndUs = 0;
+  line::RecordingWriter _writer;
   uint32_t _characterUs = line::CharacterUs;
 };
 

@@ -49,6 +49,9 @@ void Scope::advance(uint64_t nowUs) {
   line::Character character;
   while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
     observer.put(character);
+    if (played && rows.put(character)) {  // a board's port was recorded
+      takeRow(character.endUs);
+    }
   }
   if (records.size() < Enough && nowUs > 2 * characterUs) {
     observer.idleUntil(nowUs - 2 * characterUs);  // a character that is on its way is not known yet

@@ -18,8 +18,8 @@ export class RecordingSource implements Source {
   ) {}
 
   // Throws an Error that says what is wrong with the recording.
-  static async open(core: Core, file: File, baud: number): Promise<RecordingSource> {
-    core.openRecording(baud);
+  static async open(core: Core, file: File): Promise<RecordingSource> {
+    core.openRecording(await recordedBaud(file));
     const reader = file.stream().getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       core.recordingText(part.value);
@@ -62,4 +62,10 @@ export class RecordingSource implements Source {
   private get endUs(): number {
     return this.lengthUs + 1000;
   }
+}
+
+// As a comment at its beginning says, "# 200000 baud, 8E2"; else that of S.Bus.
+async function recordedBaud(file: File): Promise<number> {
+  const beginning = await file.slice(0, 4096).text();
+  return Number(/^# (\d+) baud/m.exec(beginning)?.[1] ?? 100000);
 }
