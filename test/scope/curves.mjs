@@ -1,6 +1,6 @@
 // Curves and bytes: what pointer and keyboard show.
 import assert from 'node:assert/strict';
-import { check, connect, frame, play, reads, root, toEnd, until } from './support.mjs';
+import { check, connect, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
 import path from 'node:path';
 
 const pixels = (page) => page.evaluate(() => {
@@ -67,7 +67,7 @@ export default async function () {
   await check('pointing at a bit tells its channel, and what it is worth; the view holds still', async (page) => {
     await page.evaluate((bytes) => (fake.port.onOpen = () => fake.every(9, bytes)), frame([172, 992, 1811]));
     await connect(page);
-    await reads(page, '#bars li:nth-child(3) .raw', '1811');
+    await raw(page, 3, '1811');
     await page.waitForSelector('#bits .byte');
     await page.hover('[data-bit="8"]');
     await reads(page, '#bit-text', 'CH1, bit 0 (worth 1): byte 1, bit 0. CH1 = 172 = 00010101100 in binary.');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { check, counts, downloaded, play, reads, root, toEnd } from './support.mjs';
+import { check, counts, downloaded, play, raw, reads, root, toEnd } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
 const golden = path.join(root, 'test/golden');
@@ -57,7 +57,7 @@ export default async function () {
       dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
     }, text);
     await reads(page, '#title', 'Recording paper.txt');
-    await reads(page, '#bars li:nth-child(3) .raw', '1811');
+    await raw(page, 3, '1811');
   });
 
   await check('time line: to any place and back, at another speed, again and again', async (page) => {

@@ -2,9 +2,10 @@
 # The browser page: built, then tested in Chromium. "ok ..." or "FAILED ..." of each.
 set -u
 cd "$(dirname "$0")" || exit 1
+command -v chromium >/dev/null || { echo "skipped scope: there is no chromium here"; exit; }
 build="${BUILD:-$PWD/../../build/test}/scope"
 mkdir -p "$build"
-if ! "${MAKE:-make}" --no-print-directory -C ../../extras/scope BUILD="$build"; then
+if ! "${MAKE:-make}" --no-print-directory -s -C ../../extras/scope BUILD="$build"; then
   echo "FAILED extras/scope does not build"
   exit
 fi

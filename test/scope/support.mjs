@@ -8,7 +8,7 @@ import assert from 'node:assert/strict';
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const root = path.resolve(here, '../..');
 export const build = process.env.SCOPE_BUILD ?? path.join(root, 'build/scope');
-const require = createRequire(path.join(root, 'extras/scope/package.json'));
+const require = createRequire(path.join(build, 'npm/package.json'));
 const { chromium } = require('playwright-core');
 export const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -80,8 +80,8 @@ export async function reads(page, selector, expected) {
 }
 
 export const counter = (page, name) => page.textContent(`[data-counter="${name}"]`).then((text) => Number(text.replace(/\D/g, '')));
-export const counts = (page, name, value) => reads(page, `[data-counter="${name}"]`, String(value));
-export const raw = (page, channel) => page.textContent(`#bars li:nth-child(${channel}) .raw`).then(Number);
+export const counts = (page, name, value) => reads(page, `[data-counter="${name}"]`, typeof value === 'number' ? String(value) : value);
+export const raw = (page, channel, value) => reads(page, `#bars li:nth-child(${channel}) .raw`, value);
 export const lit = (page, lamp) => page.waitForSelector(`#lamp-${lamp}[data-on="true"]`);
 
 export async function connect(page, kind = 'adapter') {

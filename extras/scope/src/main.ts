@@ -10,6 +10,15 @@ import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
 import { CalibrationView } from './view/calibration';
 
+// Never a blank page: a fault of its own is told, too.
+function fault(error: unknown): void {
+  byId('verdict').dataset.severity = 'alarm';
+  setText(byId('verdict-text'), `THE PAGE HAS A FAULT: ${error instanceof Error ? error.message : error}.`);
+  setText(byId('verdict-cure'), 'Load it again, in a browser of this year or the last.');
+}
+addEventListener('error', (event) => fault(event.error));
+addEventListener('unhandledrejection', (event) => fault(event.reason));
+
 const core = await Core.load();
 const scope = new Scope(core);
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
@@ -88,6 +97,7 @@ function wire(): void {
       scope.recorder.begin(scope.source?.title ?? '');
     }
   });
+  addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
   byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16));
 
   byId('pause').addEventListener('click', () => scope.curves.pause(!scope.curves.paused));

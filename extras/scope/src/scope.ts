@@ -1,6 +1,6 @@
 // The page at work: one source, what has come of it, and a picture of that, sixty times a second.
 
-import { Kind, type Core, type Status, type Stretch } from './core';
+import { Kind, LinkState, type Core, type Status, type Stretch } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History } from './history';
@@ -15,7 +15,8 @@ import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
 import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
-import { LinkState } from './core';
+
+const pollAfter = 1000; // stretches
 
 export class Scope {
   readonly history = new History();
@@ -26,6 +27,7 @@ export class Scope {
   // Why no other source could be opened; until one is.
   problem?: Problem;
 
+  private taken = 0;
   private doctor?: Doctor;
   private readonly chosen = new Set([0, 1, 2, 3]);
   private readonly bars: Bars;
@@ -65,6 +67,9 @@ export class Scope {
   // A stretch of the line has come.
   readonly take = (stretch: Stretch): void => {
     this.frames.add(stretch);
+    if (++this.taken % pollAfter === 0) {
+      this.recorder.poll(); // a page in the background draws nothing
+    }
     if (stretch.kind !== Kind.NoFrame) {
       this.newest = stretch;
       if (stretch.kind !== Kind.Extra) {
