@@ -29,13 +29,10 @@ const oneFile = {
 };
 
 export default defineConfig({
-  root: import.meta.dirname ?? new URL('.', import.meta.url).pathname,
   base: './',
   assetsInclude: ['**/*.wasm'],
   plugins: [oneFile],
   build: {
-    outDir: process.env.SCOPE_OUT,
-    emptyOutDir: false,
     modulePreload: false,
     cssCodeSplit: false,
     assetsInlineLimit: 1 << 24,
@@ -43,6 +40,5 @@ export default defineConfig({
     chunkSizeWarningLimit: 2000,
     reportCompressedSize: false,
   },
-  resolve: { alias: [{ find: /^scope\.wasm/, replacement: `${process.env.SCOPE_OUT}/scope.wasm` }] },
   logLevel: 'warn',
 });

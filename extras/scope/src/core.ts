@@ -1,6 +1,6 @@
 // The library itself, compiled to WebAssembly (../wasm): all that is known of S.Bus is known there.
 
-import wasm from 'scope.wasm?inline';
+import wasm from '../scope.wasm?inline';
 
 export enum LinkState {
   NeverSeen,
