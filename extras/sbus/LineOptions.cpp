@@ -64,8 +64,7 @@ line::Source LineOptions::source(const std::string &recording) const {
                                       : line::Channels::Sixteen;
   source.noise = _noise;
   source.settings.baud = baud(recording);
-  source.settings.polarity =
-      _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  source.settings.polarity = _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
   return source;
 }
 
