@@ -77,9 +77,9 @@ class Observer {
   // The next character, the oldest first.
   void put(const Character &character);
 
-  // The same of a port that tells no more than what one read has brought, now or up to 20 ms ago, as a browser's does. No
-  // shorter pause is believed then: of 6666 frames that came 1 ms late and less, 5964 were found by the times of their
-  // characters, all without.
+  // The same of a port that tells no more than what one read has brought, now or up to 20 ms ago, as a browser's does.
+  // No shorter pause is believed then: of 6666 frames that came 1 ms late and less, 5964 were found by the times of
+  // their characters, all without.
   void putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs);
 
   // Nothing else has come up to now.

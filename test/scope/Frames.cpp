@@ -1,5 +1,5 @@
-// What the library makes of a recording, as the page's "Save CSV" writes it: seconds, CH1..CH16, switches, flags. It polls
-// after each character, as a sketch whose loop() is fast.
+// What the library makes of a recording, as the page's "Save CSV" writes it: seconds, CH1..CH16, switches, flags. It
+// polls after each character, as a sketch whose loop() is fast.
 #include <cstdio>
 #include <string>
 

@@ -177,6 +177,8 @@ export default async function () {
       await reads(page, '#verdict-text', lamps.includes('failsafe') ? /^FAILSAFE/ : 'ROWS COME from a board.');
       const shown = { 18: 16, 6: 4 }[columns] ?? columns;
       assert.equal(await page.locator('#bars li:visible').count(), shown);
+      assert.equal(await page.locator('#lines li:visible').count(), 0);
+      await until('text is counted as bytes of no frame', async () => !(await page.isVisible('[data-counter="skippedBytes"]')));
       assert.deepEqual((await page.evaluate(() => fake.port.opened))[0], { baudRate: 115200, bufferSize: 4096 });
     });
   }

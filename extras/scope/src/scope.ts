@@ -66,7 +66,7 @@ export class Scope {
 
   // A stretch of the line has come.
   readonly take = (stretch: Stretch): void => {
-    this.frames.add(stretch);
+    this.showBytes(stretch);
     if (++this.taken % pollAfter === 0) {
       this.recorder.poll(); // a page in the background draws nothing
     }
@@ -77,6 +77,15 @@ export class Scope {
       }
     }
   };
+
+  // Of a board that prints numbers there are no bytes of S.Bus.
+  private showBytes(stretch: Stretch): void {
+    if (stretch.kind !== Kind.Row && this.newest?.kind !== Kind.Row) {
+      this.frames.add(stretch);
+    } else if (this.newest?.kind !== Kind.Row) {
+      this.frames.clear();
+    }
+  }
 
   draw(): void {
     const source = this.source;

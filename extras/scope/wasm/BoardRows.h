@@ -13,10 +13,12 @@ class BoardRows {
  public:
   void reset();
 
-  // True if it has completed a row, values() are it.
+  // True if it has completed a row: row() is it.
   bool put(uint8_t byte, uint64_t nowUs);
 
-  bool put(const line::Character &character) { return put(character.bad ? uint8_t{0} : character.value, character.endUs); }
+  bool put(const line::Character &character) {
+    return put(character.bad ? uint8_t{0} : character.value, character.endUs);
+  }
 
   // A board's numbers come; nothing else since.
   bool recognised() const { return _rows.recognised(); }

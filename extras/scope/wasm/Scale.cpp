@@ -20,8 +20,8 @@ sbus::CalibratedChannel uncalibrated() {
 }
 
 sbus::CalibratedChannel of(unsigned channel) {
-  const bool known = scale == Calibrated && channel < sbus::ProportionalCount &&
-                     sbus::isCalibrated(calibration.channels[channel]);
+  const bool known =
+      scale == Calibrated && channel < sbus::ProportionalCount && sbus::isCalibrated(calibration.channels[channel]);
   return known ? calibration.channels[channel] : uncalibrated();
 }
 
@@ -33,7 +33,9 @@ void scope::feedCalibrator(const line::Values &newest) {
   }
 }
 
-EXPORT(setScale)(int chosen)->void { scale = chosen; }
+EXPORT(setScale)(int chosen)->void {
+  scale = chosen;
+}
 EXPORT(microseconds)(unsigned channel, double raw)->int {
   return of(channel).toMicroseconds(static_cast<uint16_t>(raw));
 }
@@ -75,4 +77,6 @@ EXPORT(finishCalibration)(unsigned wanted)->int {
   refusal = sbus::text(why);
   return why == sbus::Refusal::None ? -1 : channel;
 }
-EXPORT(lastRefusal)()->const char * { return refusal; }
+EXPORT(lastRefusal)()->const char * {
+  return refusal;
+}

@@ -9,10 +9,9 @@ Scope theScope;
 namespace {
 
 uint8_t flagsOf(const line::Values &newest) {
-  return static_cast<uint8_t>((newest.switches[0] ? sbus::FlagChannel17 : 0) |
-                              (newest.switches[1] ? sbus::FlagChannel18 : 0) |
-                              (newest.lostFrame ? sbus::FlagLostFrame : 0) |
-                              (newest.failsafe ? sbus::FlagFailsafe : 0));
+  return static_cast<uint8_t>(
+      (newest.switches[0] ? sbus::FlagChannel17 : 0) | (newest.switches[1] ? sbus::FlagChannel18 : 0) |
+      (newest.lostFrame ? sbus::FlagLostFrame : 0) | (newest.failsafe ? sbus::FlagFailsafe : 0));
 }
 
 }  // namespace
@@ -62,8 +61,8 @@ void Scope::takeRow(uint64_t nowUs) {
   Record record{};
   record.endUs = static_cast<double>(nowUs);
   record.kind = Record::RowKind;
-  record.flags = static_cast<uint8_t>((rows.lostFrame() ? sbus::FlagLostFrame : 0) |
-                                      (rows.failsafe() ? sbus::FlagFailsafe : 0));
+  record.flags =
+      static_cast<uint8_t>((rows.lostFrame() ? sbus::FlagLostFrame : 0) | (rows.failsafe() ? sbus::FlagFailsafe : 0));
   const line::CsvRow &row = rows.row();
   const size_t count = row.size();
   for (size_t i = 0; i < count && record.channelCount < Record::ChannelsMax; i++) {

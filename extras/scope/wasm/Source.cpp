@@ -31,17 +31,19 @@ void begin(double nowUs, uint32_t characterUs) {
 
 }  // namespace
 
-EXPORT(transferBuffer)()->uint8_t * { return buffer; }
+EXPORT(transferBuffer)()->uint8_t * {
+  return buffer;
+}
 
 EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud, int inverted)->void {
   const line::LineSettings line = settings(baud, inverted != 0);
   begin(0, line.characterUs());
-  theScope.simulated = std::make_unique<SimulatedLine>(
-      calibration != 0 ? line::Sticks::Calibration : line::Sticks::Flight,
-      channels == 24   ? line::Channels::TwentyFour
-      : channels == 32 ? line::Channels::ThirtyTwo
-                       : line::Channels::Sixteen,
-      noise, line);
+  theScope.simulated =
+      std::make_unique<SimulatedLine>(calibration != 0 ? line::Sticks::Calibration : line::Sticks::Flight,
+                                      channels == 24   ? line::Channels::TwentyFour
+                                      : channels == 32 ? line::Channels::ThirtyTwo
+                                                       : line::Channels::Sixteen,
+                                      noise, line);
 }
 
 // Of the simulated line: how the port reads it.
@@ -63,8 +65,12 @@ EXPORT(openPort)(double nowUs, double baud)->void {
   begin(nowUs, settings(baud, true).characterUs());
 }
 
-EXPORT(received)(unsigned count, double nowUs)->void { theScope.received(buffer, count, us(nowUs)); }
-EXPORT(receivedBad)(double nowUs)->void { theScope.receivedBad(us(nowUs)); }
+EXPORT(received)(unsigned count, double nowUs)->void {
+  theScope.received(buffer, count, us(nowUs));
+}
+EXPORT(receivedBad)(double nowUs)->void {
+  theScope.receivedBad(us(nowUs));
+}
 
 EXPORT(openRecording)(double baud)->void {
   begin(0, settings(baud, true).characterUs());
@@ -117,8 +123,12 @@ EXPORT(advance)(double nowUs)->unsigned {
   return static_cast<unsigned>(theScope.records.size());
 }
 
-EXPORT(records)()->const Record * { return theScope.records.data(); }
-EXPORT(takenRecords)()->void { theScope.records.clear(); }
+EXPORT(records)()->const Record * {
+  return theScope.records.data();
+}
+EXPORT(takenRecords)()->void {
+  theScope.records.clear();
+}
 
 EXPORT(record)(int on)->void {
   if (on != 0) {

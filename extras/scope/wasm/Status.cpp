@@ -8,7 +8,8 @@ namespace {
 // src/core.ts has the names in this order.
 struct Status {
   double state, ageUs, framesPerSecond, gapMinUs, gapMeanUs, gapMaxUs, characters, badCharacters, frames, lostFrames,
-      failsafeFrames, refusedByEnd, refusedByFlags, refusedByExtra, skippedBytes, resyncs, overflows, extraFrames, rows, otherLines;
+      failsafeFrames, refusedByEnd, refusedByFlags, refusedByExtra, skippedBytes, resyncs, overflows, extraFrames, rows,
+      otherLines;
 };
 Status answer;
 
@@ -55,4 +56,6 @@ EXPORT(travel)(unsigned channel)->const double * {
   return travel.count > 0 ? marks : nullptr;
 }
 
-EXPORT(resetMarks)()->void { theScope.observer.resetMarks(); }
+EXPORT(resetMarks)()->void {
+  theScope.observer.resetMarks();
+}

@@ -36,18 +36,26 @@ sbus::Counters atMark;
 }  // namespace
 
 // A round begins: every setting of the port is tried once, the one that is meant first.
-EXPORT(beginRound)()->void { trials.begin(); }
+EXPORT(beginRound)()->void {
+  trials.begin();
+}
 
 // What came since the port was opened, `ms` ago, with this setting.
 EXPORT(addTrial)(double baud, int inverted, unsigned ms)->void {
   trials.add({static_cast<unsigned long>(baud), inverted != 0, ms, seen()});
 }
 
-EXPORT(roundFinding)()->int { return static_cast<int>(trials.finding()); }
-EXPORT(roundBest)()->int { return trials.best(); }
+EXPORT(roundFinding)()->int {
+  return static_cast<int>(trials.finding());
+}
+EXPORT(roundBest)()->int {
+  return trials.best();
+}
 
 // From here on verdict() counts.
-EXPORT(mark)()->void { atMark = seen(); }
+EXPORT(mark)()->void {
+  atMark = seen();
+}
 
 // Of the setting as it is, and what came since mark(), `ms` ago.
 EXPORT(verdict)(unsigned ms)->int {
@@ -56,5 +64,9 @@ EXPORT(verdict)(unsigned ms)->int {
   return static_cast<int>(diagnosis.finding());
 }
 
-EXPORT(findingText)(int finding)->const char * { return sbus::text(static_cast<sbus::Finding>(finding)); }
-EXPORT(findingCure)(int finding)->const char * { return sbus::cure(static_cast<sbus::Finding>(finding)); }
+EXPORT(findingText)(int finding)->const char * {
+  return sbus::text(static_cast<sbus::Finding>(finding));
+}
+EXPORT(findingCure)(int finding)->const char * {
+  return sbus::cure(static_cast<sbus::Finding>(finding));
+}

@@ -18,6 +18,8 @@ const rows: [keyof Status, string, string][] = [
   ['otherLines', 'other lines', 'that a board has printed'],
 ];
 
+const rare = ['extraFrames', 'rows', 'otherLines']; // not shown before the first
+
 export class CountersView {
   private readonly values = new Map<string, HTMLElement>();
   private textAt = 0;
@@ -32,6 +34,7 @@ export class CountersView {
       return;
     }
     this.textAt = now;
+    this.list.classList.toggle('board', status.rows > 0 && status.frames === 0);
     const ofPort = [...this.values.keys()].filter((key) => key.startsWith('port ') && !events?.has(key.slice(5)));
     ofPort.forEach((key) => this.set(key, 0));
     rows.forEach(([key]) => this.set(key, status[key]));
@@ -46,14 +49,15 @@ export class CountersView {
 
   private add(key: string, name: string, title: string): void {
     const value = make('dd', { 'data-counter': key }, '0');
-    this.list.append(make('div', { title }, make('dt', {}, name), value));
+    this.list.append(make('div', { title, class: key === 'rows' || key === 'otherLines' || key.startsWith('port ') ? '' : 'sbus' }, make('dt', {}, name), value));
     this.values.set(key, value);
   }
 
   private set(key: string, count: number): void {
     const value = this.values.get(key) as HTMLElement;
     setText(value, count.toLocaleString('en').replaceAll(',', '\u202f'));
-    (value.parentElement as HTMLElement).classList.toggle('zero', count === 0);
-    (value.parentElement as HTMLElement).hidden = count === 0 && (key === 'rows' || key === 'otherLines' || key === 'extraFrames' || key.startsWith('port '));
+    const row = value.parentElement as HTMLElement;
+    row.classList.toggle('zero', count === 0);
+    row.hidden = count === 0 && (rare.includes(key) || key.startsWith('port '));
   }
 }

@@ -50,11 +50,9 @@ export class FramesView {
   }
 
   add(stretch: Stretch): void {
-    if (stretch.kind !== Kind.Row) {
-      this.stretches.push(stretch);
-      if (this.stretches.length > kept) {
-        this.stretches.shift();
-      }
+    this.stretches.push(stretch);
+    if (this.stretches.length > kept) {
+      this.stretches.shift();
     }
   }
 
@@ -67,7 +65,7 @@ export class FramesView {
     const newest = [...this.stretches].reverse();
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
-    setText(this.hint, newest.length === 0 ? 'No bytes of S.Bus yet; of a board that prints numbers none come.' : '');
+    setText(this.hint, newest.length === 0 ? 'No bytes of S.Bus: none have come, or a board prints numbers and keeps them.' : '');
   }
 
   private drawRow(row: HTMLElement, stretch: Stretch | undefined): void {
