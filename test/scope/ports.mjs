@@ -194,6 +194,7 @@ export default async function () {
     await brings(page, text('995,992,172,992,0,0\r\n'), 115200, 50);
     await connect(page, 'board');
     await reads(page, '#state', 'Fine');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 995, most 995"]');
     await page.evaluate(() => clearInterval(fake.timer));
     await reads(page, '#state', 'Stale');
     await reads(page, '#verdict-text', /^NO ROWS/);

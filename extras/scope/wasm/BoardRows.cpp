@@ -35,6 +35,9 @@ bool BoardRows::put(uint8_t byte, uint64_t nowUs) {
     _lostFrame = _lostFrame || (name == "lostFrame" && row()[i].value != 0);
   }
   _link.frame(static_cast<uint8_t>((_failsafe ? sbus::FlagFailsafe : 0) | (_lostFrame ? sbus::FlagLostFrame : 0)));
+  if (!_failsafe && !_lostFrame) {
+    mark();
+  }
   if (_count > 0) {
     _gaps.add(nowUs - _lastUs);
   }
@@ -45,6 +48,16 @@ bool BoardRows::put(uint8_t byte, uint64_t nowUs) {
     _lately.pop_front();
   }
   return true;
+}
+
+void BoardRows::mark() {
+  for (size_t i = 0; i < row().size(); i++) {
+    const double value = row()[i].value;
+    if (i == _travel.size()) {
+      _travel.push_back({value, value});
+    }
+    _travel[i] = {std::min(_travel[i].low, value), std::max(_travel[i].high, value)};
+  }
 }
 
 sbus::LinkState BoardRows::state(uint64_t nowUs) {

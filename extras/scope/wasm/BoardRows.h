@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <vector>
 
 #include "line/CsvRows.h"
 #include "line/Observer.h"
@@ -33,7 +34,17 @@ class BoardRows {
   unsigned otherLines() const { return _otherLines; }
   const line::Extent &gaps() const { return _gaps; }
 
+  // Least and most of a channel, from 0 on, in rows without a flag; nullptr before the first.
+  struct Travel {
+    double low;
+    double high;
+  };
+  const Travel *travel(size_t channel) const { return channel < _travel.size() ? &_travel[channel] : nullptr; }
+  void resetMarks() { _travel.clear(); }
+
  private:
+  void mark();
+
   line::CsvRows _rows;
   sbus::Link _link;
   bool _failsafe = false;
@@ -43,6 +54,7 @@ class BoardRows {
   unsigned _otherLines = 0;
   line::Extent _gaps;
   std::deque<uint64_t> _lately;
+  std::vector<Travel> _travel;
 };
 
 }  // namespace scope

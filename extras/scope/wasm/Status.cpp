@@ -50,6 +50,12 @@ EXPORT(status)(double now)->const Status * {
 
 // Least and most of a channel, from 0 on; nullptr if there is none yet.
 EXPORT(travel)(unsigned channel)->const double * {
+  if (theScope.rows.recognised()) {
+    const BoardRows::Travel *const travel = theScope.rows.travel(channel);
+    marks[0] = travel != nullptr ? travel->low : 0;
+    marks[1] = travel != nullptr ? travel->high : 0;
+    return travel != nullptr ? marks : nullptr;
+  }
   const line::Extent &travel = theScope.observer.travel(channel);
   marks[0] = static_cast<double>(travel.low);
   marks[1] = static_cast<double>(travel.high);
@@ -58,4 +64,5 @@ EXPORT(travel)(unsigned channel)->const double * {
 
 EXPORT(resetMarks)()->void {
   theScope.observer.resetMarks();
+  theScope.rows.resetMarks();
 }

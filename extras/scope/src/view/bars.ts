@@ -57,12 +57,12 @@ export class Bars {
     if (!text) {
       return;
     }
-    const travel = unit.raw ? this.core.travel(channel) : undefined;
+    const travel = this.core.travel(channel);
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;
       bar.high.style.left = `${share(travel[1]) * 100}%`;
-      setAttribute(bar.track, 'title', `CH${channel + 1}: least ${travel[0]}, most ${travel[1]}`);
+      setAttribute(bar.track, 'title', `CH${channel + 1}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
     }
     [range.low, range.centre, range.high].forEach((end, i) => (bar.ends[i].style.left = `${share(end) * 100}%`));
     setText(bar.raw, value === undefined ? '–' : unit.text(value));
