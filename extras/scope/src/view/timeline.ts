@@ -5,9 +5,8 @@ import { byId, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 
 const clock = (us: number): string => {
-  const seconds = us / 1e6;
-  const minutes = Math.floor(seconds / 60);
-  return `${minutes}:${(seconds - 60 * minutes).toFixed(1).padStart(4, '0')}`;
+  const tenths = Math.floor(us / 1e5);
+  return `${Math.floor(tenths / 600)}:${((tenths % 600) / 10).toFixed(1).padStart(4, '0')}`;
 };
 
 export class Timeline {
