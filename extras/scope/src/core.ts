@@ -159,10 +159,9 @@ export class Core {
       count = this.native.advance(nowUs);
       const at = this.native.records();
       const view = new DataView(this.native.memory.buffer);
-      for (let i = 0; i < count; i++) {
-        take(this.stretch(view, at + i * recordSize));
-      }
+      const stretches = Array.from({ length: count }, (_, i) => this.stretch(view, at + i * recordSize));
       this.native.takenRecords();
+      stretches.forEach(take); // it may call what makes the memory grow, and the view is of no use then
     }
   }
 

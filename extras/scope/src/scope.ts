@@ -56,6 +56,7 @@ export class Scope {
     this.source = undefined;
     await old?.close();
     this.forget();
+    this.curves.pause(false);
     const source = await make();
     this.source = source;
     this.problem = undefined;
