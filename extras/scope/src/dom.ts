@@ -1,4 +1,4 @@
-// Little helpers for the page's elements.
+// What every view does with the page's elements.
 
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   const element = document.getElementById(id);
