@@ -1,9 +1,9 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile,
-# extras/sbus/Makefile, test/Makefile.
+# extras/sbus/Makefile, extras/scope/Makefile, test/Makefile.
 
 .DEFAULT_GOAL := help
 
-work := help demo sbus install test check torture fuzz size bench figures docs clean
+work := help demo sbus install scope test check torture fuzz size bench figures docs clean
 .PHONY: $(work) zip release
 zip:
 	@sh extras/setup/zip.sh
@@ -32,6 +32,7 @@ help:
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
 	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/sbus"
 	@echo "make install PREFIX=/usr/local  installs it, its manual and its completion"
+	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
 	@echo "make test   builds and runs all tests; installs what it lacks"
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
 	@echo "            V=1                   prints everything"
@@ -71,7 +72,15 @@ install: sbus
 	@install -D -m 644 extras/sbus/completion.bash '$(installed)/share/bash-completion/completions/sbus'
 	@echo '$(installed)/bin/sbus'
 
+SCOPE_PORT ?= 8000
+scope:
+	@sh extras/setup/need.sh $(SCOPE)
+	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/scope
+	@node extras/scope/serve.mjs build/scope/index.html '$(SCOPE_PORT)'
+
 CAPTURES ?=
+# WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
+SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
 TOOL := g++ libcli11-dev libserialport-dev libncurses-dev
 AVR := gcc-avr avr-libc arduino-core-avr
 # Debian 14 has picolibc for newlib.
@@ -80,7 +89,7 @@ ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev git unzip $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?'
+	  libncurses-dev git unzip $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?'
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

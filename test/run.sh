@@ -18,6 +18,7 @@ unit-g++         unit tests, g++
 unit-clang++     unit tests, clang++
 boards-cortex-m0 Cortex-M0: unit tests
 boards-mega      Arduino Mega: examples
+scope            the page in a browser
 fuzz             libFuzzer
 boards-cores     other cores: library and examples on stand-ins
 examples-g++     examples and recordings, g++
@@ -98,6 +99,7 @@ step_captures() {
 }
 
 step_rules() { line/without.sh check; }
+step_scope() { scope/run.sh; }
 step_package() { ./package.sh; }
 step_uses() { ./uses.sh; }
 step_tool() { tool/run.sh; }

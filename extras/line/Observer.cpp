@@ -11,6 +11,7 @@ constexpr size_t RowMax = sbus::FrameSize;  // characters of a stretch that is n
 constexpr uint32_t PauseCharacters = 8;     // so long a pause ends one
 constexpr size_t KeptMax = 256;             // characters; two decoders wait for less than 100 good ones
 constexpr uint64_t SecondUs = 1000000;
+constexpr uint64_t LateUs = 20000;  // USB keeps bytes back for up to 16 ms, and a browser for some more
 
 void addWord(std::string &words, const std::string &word) {
   words += words.empty() ? word : ", " + word;
@@ -79,6 +80,8 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _link.reset();
   _kept.clear();
   _cut = 0;
+  _lastEndUs = 0;
+  _lastBurstUs = 0;
   _characters = 0;
   _badCharacters = 0;
   _newest = Values();
@@ -111,6 +114,30 @@ void Observer::put(const Character &character) {
   }
 }
 
+void Observer::putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs) {
+  const uint64_t takenUs = uint64_t{count} * _characterUs;
+  if (_characters == 0) {
+    _burstClockUs = nowUs;
+    resetFinders(nowUs, std::min<uint32_t>(_characterUs, UINT8_MAX));
+  } else {
+    handOver(_lastEndUs + _characterUs);
+  }
+  const uint64_t quietUs = nowUs - std::min(nowUs, std::max(_lastBurstUs, _lastEndUs));
+  _burstClockUs += quietUs > takenUs + LateUs ? quietUs : takenUs;
+  _lastBurstUs = nowUs;
+  for (size_t i = 0; i < count; i++) {
+    const uint64_t afterUs = (count - 1 - i) * _characterUs;
+    Character character;
+    character.endUs = std::max(_lastEndUs + (_characters > 0 ? _characterUs : 0), nowUs - std::min(nowUs, afterUs));
+    character.value = bytes[i];
+    _kept.push_back(character);
+    _characters++;
+    _lastEndUs = character.endUs;
+  }
+  feed(_side16, bytes, count, _burstClockUs);
+  feed(_side24, bytes, count, _burstClockUs);
+}
+
 void Observer::idleUntil(uint64_t nowUs) {
   if (nowUs >= _lastEndUs + _characterUs) {
     handOver(_lastEndUs + _characterUs);
@@ -127,8 +154,8 @@ void Observer::finish() {
 
 void Observer::handOver(uint64_t nowUs) {
   if (_waiting > 0) {
-    feed(_side16, nowUs);
-    feed(_side24, nowUs);
+    feed(_side16, _burst.data(), _waiting, nowUs);
+    feed(_side24, _burst.data(), _waiting, nowUs);
     _waiting = 0;
   }
   if (_kept.size() > KeptMax) {
@@ -137,13 +164,14 @@ void Observer::handOver(uint64_t nowUs) {
 }
 
 template <typename Format>
-void Observer::feed(Side<Format> &side, uint64_t nowUs) {
+void Observer::feed(Side<Format> &side, const uint8_t *bytes, size_t count, uint64_t nowUs) {
   sbus::FrameFinderOf<Format> &finder = side.finder;
-  finder.poll(static_cast<unsigned>(_waiting), static_cast<uint32_t>(nowUs));
-  for (size_t at = 0; at < _waiting;) {
-    const size_t taken = std::min(_waiting - at, static_cast<size_t>(finder.room()));
-    std::copy_n(_burst.data() + at, taken, finder.space());
-    at += taken;
+  finder.poll(static_cast<unsigned>(count), static_cast<uint32_t>(nowUs));
+  while (count > 0) {
+    const size_t taken = std::min(count, static_cast<size_t>(finder.room()));
+    std::copy_n(bytes, taken, finder.space());
+    bytes += taken;
+    count -= taken;
     const sbus::Counters before = finder.counters();
     const uint8_t *const frame = finder.received(static_cast<int>(taken));
     found(side, before, frame);

@@ -77,6 +77,11 @@ class Observer {
   // The next character, the oldest first.
   void put(const Character &character);
 
+  // The same of a port that tells no more than what one read has brought, now or up to 20 ms ago, as a browser's does.
+  // No shorter pause is believed then: of 6666 frames that came 1 ms late and less, 5964 were found by the times of
+  // their characters, all without.
+  void putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs);
+
   // Nothing else has come up to now.
   void idleUntil(uint64_t nowUs);
 
@@ -122,7 +127,7 @@ class Observer {
   void resetFinders(uint64_t nowUs, uint32_t characterUs);
   void handOver(uint64_t nowUs);
   template <typename Format>
-  void feed(Side<Format> &side, uint64_t nowUs);
+  void feed(Side<Format> &side, const uint8_t *bytes, size_t count, uint64_t nowUs);
   template <typename Format>
   void found(Side<Format> &side, const sbus::Counters &before, const uint8_t *frame);
   template <typename Format>
@@ -145,6 +150,8 @@ class Observer {
   uint64_t _cut = 0;            // good bytes before them
   uint32_t _characterUs = CharacterUs;
   uint64_t _lastEndUs = 0;
+  uint64_t _lastBurstUs = 0;
+  uint64_t _burstClockUs = 0;  // what the decoders are told
   unsigned long _characters = 0;
   unsigned long _badCharacters = 0;
 

@@ -1,0 +1,161 @@
+// The page's buttons.
+
+import './style.css';
+import { Core, Scale, type Setting } from './core';
+import { byId, setText } from './dom';
+import { saveCsv } from './recorder';
+import { Scope } from './scope';
+import { PortSource, pickPort, type PortKind } from './source/port';
+import { RecordingSource } from './source/recording';
+import { SimulatedSource } from './source/simulated';
+import { CalibrationView } from './view/calibration';
+
+// Never a blank page: a fault of its own is told, too.
+function fault(error: unknown): void {
+  byId('verdict').dataset.severity = 'alarm';
+  setText(byId('verdict-text'), `THE PAGE HAS A FAULT: ${error instanceof Error ? error.message : error}.`);
+  setText(byId('verdict-cure'), 'Load it again, in a browser of this year or the last.');
+}
+addEventListener('error', (event) => event.error && fault(event.error)); // without one: an observer's complaint, no fault
+addEventListener('unhandledrejection', (event) => fault(event.reason));
+
+const core = await Core.load();
+const scope = new Scope(core);
+const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
+
+function pressed(source: string): void {
+  for (const name of ['simulated', 'adapter', 'board', 'recording']) {
+    byId(`source-${name}`).setAttribute('aria-pressed', String(name === source));
+  }
+  byId('simulation').hidden = source !== 'simulated';
+}
+
+async function simulate(): Promise<void> {
+  const receiver = select('receiver').value;
+  const fault = select('fault').value;
+  const line: Setting = { baud: 100000, inverted: true };
+  const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
+  const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
+  const noise = { noise: 30, storm: 300 }[fault] ?? 0;
+  pressed('simulated');
+  await scope.open(() => {
+    const source = new SimulatedSource(core, { calibration: receiver === 'calibration', channels, noise, line }, port);
+    source.cutWire(fault === 'silent');
+    byId('cut').setAttribute('aria-pressed', String(fault === 'silent'));
+    return source;
+  });
+}
+
+async function connect(kind: PortKind): Promise<void> {
+  const port = await pickPort(kind);
+  if ('cure' in port) {
+    scope.problem = port;
+    return;
+  }
+  pressed(kind);
+  await scope.open(() => new PortSource(core, port, kind, scope.take));
+}
+
+async function play(file: File | undefined): Promise<void> {
+  if (!file) {
+    return;
+  }
+  try {
+    await scope.open(() => RecordingSource.open(core, file));
+    pressed('recording');
+  } catch (error) {
+    await simulate();
+    scope.problem = {
+      text: `THIS IS NO RECORDING: ${(error as Error).message}.`,
+      cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ...',
+    };
+  }
+}
+
+function wire(): void {
+  byId('source-simulated').addEventListener('click', simulate);
+  byId('source-adapter').addEventListener('click', () => connect('adapter'));
+  byId('source-board').addEventListener('click', () => connect('board'));
+  byId('source-recording').addEventListener('click', () => byId('file').click());
+  byId<HTMLInputElement>('file').addEventListener('change', (event) => {
+    const input = event.target as HTMLInputElement;
+    void play(input.files?.[0]);
+    input.value = '';
+  });
+  select('receiver').addEventListener('change', simulate);
+  select('fault').addEventListener('change', simulate);
+  byId('cut').addEventListener('click', () => {
+    const cut = byId('cut').getAttribute('aria-pressed') !== 'true';
+    byId('cut').setAttribute('aria-pressed', String(cut));
+    (scope.source as SimulatedSource).cutWire(cut);
+  });
+
+  byId('record').addEventListener('click', () => {
+    if (scope.recorder.on) {
+      scope.recorder.end();
+    } else {
+      scope.recorder.begin(scope.source?.title ?? '');
+    }
+  });
+  addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
+  byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16));
+
+  byId('pause').addEventListener('click', () => scope.curves.pause(!scope.curves.paused));
+  byId('zoom-in').addEventListener('click', () => scope.curves.zoom(1));
+  byId('zoom-out').addEventListener('click', () => scope.curves.zoom(-1));
+  byId('reset-marks').addEventListener('click', () => core.resetMarks());
+  select('scale').addEventListener('change', () => core.setScale(Number(select('scale').value)));
+  new Dropping(byId('drop'));
+}
+
+// A file dragged over the page.
+class Dropping {
+  constructor(private readonly curtain: HTMLElement) {
+    addEventListener('dragover', (event) => {
+      event.preventDefault();
+      this.curtain.hidden = false;
+    });
+    addEventListener('dragleave', (event) => {
+      this.curtain.hidden = event.relatedTarget === null;
+    });
+    addEventListener('drop', (event) => {
+      event.preventDefault();
+      this.curtain.hidden = true;
+      void play(event.dataTransfer?.files[0]);
+    });
+  }
+}
+
+// Dark or light: as the system has it, until the button says otherwise.
+function themes(): void {
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  byId('theme').addEventListener('click', () => {
+    const now = document.documentElement.dataset.theme ?? (dark.matches ? 'dark' : 'light');
+    document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark';
+    scope.curves.repaint();
+  });
+  dark.addEventListener('change', () => scope.curves.repaint());
+}
+
+function recordButton(): void {
+  byId('record').setAttribute('aria-pressed', String(scope.recorder.on));
+  setText(byId('record-text'), scope.recorder.on ? `Save ${Math.ceil(scope.recorder.bytes / 1000)} kB` : 'Record');
+}
+
+wire();
+themes();
+const calibration = new CalibrationView(core, (scale) => {
+  select('scale').options[scale].disabled = false;
+  select('scale').value = String(scale);
+  core.setScale(scale);
+});
+core.setScale(Scale.FrSky);
+await simulate();
+
+function picture(): void {
+  scope.draw();
+  calibration.draw();
+  recordButton();
+  requestAnimationFrame(picture);
+}
+picture();

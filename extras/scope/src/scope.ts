@@ -1,0 +1,126 @@
+// The page at work: one source, what has come of it, and a picture of that, sixty times a second.
+
+import { Kind, LinkState, type Core, type Status, type Stretch } from './core';
+import { Doctor } from './doctor';
+import { byId, setText } from './dom';
+import { History } from './history';
+import { Recorder } from './recorder';
+import { RecordingSource } from './source/recording';
+import type { Problem, Source } from './source/Source';
+import { forgetUnit, unitOf } from './unit';
+import { Bars } from './view/bars';
+import { CountersView } from './view/counters';
+import { Curves } from './view/curves';
+import { FramesView } from './view/frames';
+import { LinkView } from './view/link';
+import { Timeline } from './view/timeline';
+import { VerdictView } from './view/verdict';
+
+const pollAfter = 1000; // stretches
+
+export class Scope {
+  readonly history = new History();
+  readonly recorder: Recorder;
+  readonly curves: Curves;
+  source?: Source;
+  newest?: Stretch; // frame or row
+  // Why no other source could be opened; until one is.
+  problem?: Problem;
+
+  private taken = 0;
+  private doctor?: Doctor;
+  private readonly chosen = new Set([0, 1, 2, 3]);
+  private readonly bars: Bars;
+  private readonly link = new LinkView(byId('link'));
+  private readonly verdict = new VerdictView();
+  private readonly counters = new CountersView(byId('counters'));
+  private readonly frames: FramesView;
+  private readonly timeline: Timeline;
+
+  constructor(private readonly core: Core) {
+    this.recorder = new Recorder(core);
+    this.bars = new Bars(byId('bars'), core, this.chosen);
+    this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
+    this.curves = new Curves(byId('plot'), this.history, this.chosen, {
+      pause: byId('pause'),
+      window: byId('window'),
+      readout: byId('readout'),
+    });
+    this.timeline = new Timeline(() => this.forget(), this.take);
+  }
+
+  // The old source is closed first: `make` opens the new one.
+  async open(make: () => Source | Promise<Source>): Promise<void> {
+    this.recorder.end();
+    const old = this.source;
+    this.source = undefined;
+    await old?.close();
+    this.forget();
+    this.curves.pause(false);
+    const source = await make();
+    this.source = source;
+    this.problem = undefined;
+    this.doctor = new Doctor(this.core, source);
+    this.timeline.show(source instanceof RecordingSource ? source : undefined);
+    setText(byId('title'), source.title);
+  }
+
+  // A stretch of the line has come.
+  readonly take = (stretch: Stretch): void => {
+    this.showBytes(stretch);
+    if (++this.taken % pollAfter === 0) {
+      this.recorder.poll(); // a page in the background draws nothing
+    }
+    if (stretch.kind !== Kind.NoFrame) {
+      this.newest = stretch;
+      if (stretch.kind !== Kind.Extra) {
+        this.history.add(stretch);
+      }
+    }
+  };
+
+  // Of a board that prints numbers there are no bytes of S.Bus.
+  private showBytes(stretch: Stretch): void {
+    if (stretch.kind !== Kind.Row && this.newest?.kind !== Kind.Row) {
+      this.frames.add(stretch);
+    } else if (this.newest?.kind !== Kind.Row) {
+      this.frames.clear();
+    }
+  }
+
+  draw(): void {
+    const source = this.source;
+    if (!source) {
+      return;
+    }
+    const nowUs = source.nowUs();
+    this.core.advance(nowUs, this.take);
+    this.recorder.poll();
+    const status = this.core.status(nowUs);
+    void this.doctor?.tick(status);
+    this.show(source, status, nowUs);
+  }
+
+  private show(source: Source, status: Status, nowUs: number): void {
+    const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
+    this.bars.draw(this.newest, trusted);
+    this.link.draw(status, this.newest);
+    this.counters.draw(status, source.events);
+    this.curves.draw(nowUs, this.newest, unitOf(this.newest));
+    this.frames.draw();
+    this.timeline.draw();
+    const doctor = this.doctor as Doctor;
+    if (this.problem) {
+      this.verdict.draw({ ...this.problem, severity: 'alarm' }, '');
+    } else {
+      this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
+    }
+  }
+
+  private forget(): void {
+    this.history.clear();
+    this.frames.clear();
+    this.newest = undefined;
+    forgetUnit();
+  }
+}

@@ -1,0 +1,28 @@
+// Where a line comes from.
+
+import type { Setting } from '../core';
+
+// Why nothing comes, in words: what is wrong, and what to do.
+export interface Problem {
+  text: string;
+  cure: string;
+}
+
+export interface Source {
+  // What it is, for a person.
+  readonly title: string;
+
+  // The line's time: all that was through by then has come. Asked for each picture.
+  nowUs(): number;
+
+  // The settings that its port can have, the one that is meant first; none if there is nothing to try.
+  readonly settings: readonly Setting[];
+  use(setting: Setting): Promise<void>;
+
+  readonly problem?: Problem;
+
+  // What has happened to the port, by cause.
+  readonly events?: ReadonlyMap<string, number>;
+
+  close(): Promise<void>;
+}

@@ -1,0 +1,71 @@
+// A recording, with a time line.
+
+import type { Core, Stretch } from '../core';
+import type { Source } from './Source';
+
+export class RecordingSource implements Source {
+  readonly settings = [];
+  speed = 1;
+  loop = false;
+  playing = true;
+  private us = 0;
+  private lastMs = performance.now();
+
+  private constructor(
+    private readonly core: Core,
+    readonly title: string,
+    readonly lengthUs: number,
+  ) {}
+
+  // Throws an Error that says what is wrong with the recording.
+  static async open(core: Core, file: File): Promise<RecordingSource> {
+    core.openRecording(await recordedBaud(file));
+    const reader = file.stream().getReader();
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      core.recordingText(part.value);
+    }
+    const error = core.endRecording();
+    if (error !== '') {
+      throw new Error(`${file.name}: ${error}`);
+    }
+    return new RecordingSource(core, `Recording ${file.name}`, core.recordingLengthUs);
+  }
+
+  get positionUs(): number {
+    return this.us;
+  }
+
+  get atEnd(): boolean {
+    return this.us >= this.endUs;
+  }
+
+  nowUs(): number {
+    const ms = performance.now();
+    if (this.playing) {
+      this.us = Math.min(this.us + (ms - this.lastMs) * 1000 * this.speed, this.endUs);
+    }
+    this.lastMs = ms;
+    return this.us;
+  }
+
+  // Plays what is before it once more, so that all is as if it had been played.
+  seek(us: number, take: (stretch: Stretch) => void): void {
+    this.core.rewindRecording();
+    this.us = Math.min(Math.max(us, 0), this.endUs);
+    this.core.advance(this.us, take);
+  }
+
+  async use(): Promise<void> {}
+  async close(): Promise<void> {}
+
+  // A moment after the last character: then it is known to be the last.
+  private get endUs(): number {
+    return this.lengthUs + 1000;
+  }
+}
+
+// As a comment at its beginning says, "# 200000 baud, 8E2"; else that of S.Bus.
+async function recordedBaud(file: File): Promise<number> {
+  const beginning = await file.slice(0, 4096).text();
+  return Number(/^# (\d+) baud/m.exec(beginning)?.[1] ?? 100000);
+}

@@ -1,0 +1,110 @@
+// One bar a channel: raw, microseconds and percent, marks at the least and the most seen, ends of the calibration.
+
+import type { Core, Stretch } from '../core';
+import { make, setAttribute, setText } from '../dom';
+import { unitOf, type Unit } from '../unit';
+
+const textMs = 100; // numbers that change faster cannot be read
+const spokenMs = 1000;
+
+interface Bar {
+  row: HTMLLIElement;
+  chip: HTMLButtonElement;
+  track: HTMLDivElement;
+  fill: HTMLElement;
+  low: HTMLElement;
+  high: HTMLElement;
+  ends: HTMLElement[]; // of the scale: -100, 0, +100 %
+  raw: HTMLElement;
+  us: HTMLElement;
+  percent: HTMLElement;
+}
+
+export class Bars {
+  private readonly bars: Bar[] = [];
+  private textAt = 0;
+  private spokenAt = 0;
+
+  // `chosen`: the channels whose curves are drawn.
+  constructor(
+    private readonly list: HTMLElement,
+    private readonly core: Core,
+    private readonly chosen: Set<number>,
+  ) {}
+
+  draw(newest: Stretch | undefined, trusted: boolean): void {
+    const count = newest?.channels.length || 16;
+    this.grow(count);
+    const ms = performance.now();
+    const text = ms - this.textAt >= textMs;
+    const spoken = ms - this.spokenAt >= spokenMs;
+    this.textAt = text ? ms : this.textAt;
+    this.spokenAt = spoken ? ms : this.spokenAt;
+    this.list.classList.toggle('doubtful', !trusted);
+    const unit = unitOf(newest);
+    for (let i = 0; i < count; i++) {
+      const value = newest ? newest.channels[i] : undefined;
+      this.drawBar(this.bars[i], i, value, unit, text, spoken);
+    }
+  }
+
+  private drawBar(bar: Bar, channel: number, value: number | undefined, unit: Unit, text: boolean, spoken: boolean): void {
+    const share = (x: number): number => Math.min(Math.max((x - unit.low) / (unit.high - unit.low), 0), 1);
+    const range = unit.raw ? this.core.range(channel) : unit.range;
+    const zero = share(range.centre);
+    const at = value === undefined ? zero : share(value);
+    bar.fill.style.transform = `translateX(${Math.min(at, zero) * 100}%) scaleX(${Math.abs(at - zero)})`;
+    if (!text) {
+      return;
+    }
+    const travel = this.core.travel(channel);
+    bar.low.hidden = bar.high.hidden = travel === undefined;
+    if (travel) {
+      bar.low.style.left = `${share(travel[0]) * 100}%`;
+      bar.high.style.left = `${share(travel[1]) * 100}%`;
+      setAttribute(bar.track, 'title', `CH${channel + 1}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
+    }
+    [range.low, range.centre, range.high].forEach((end, i) => (bar.ends[i].style.left = `${share(end) * 100}%`));
+    setText(bar.raw, value === undefined ? '–' : unit.text(value));
+    setText(bar.us, value === undefined || !unit.raw ? '–' : String(this.core.microseconds(channel, value)));
+    setText(bar.percent, value === undefined || !unit.raw ? '–' : this.core.percent(channel, value).toFixed(1));
+    if (spoken) {
+      setAttribute(bar.track, 'aria-valuenow', value === undefined ? '0' : unit.text(value));
+      setAttribute(bar.track, 'aria-valuemin', String(unit.low));
+      setAttribute(bar.track, 'aria-valuemax', String(unit.high));
+    }
+  }
+
+  private grow(count: number): void {
+    while (this.bars.length < count) {
+      this.bars.push(this.add(this.bars.length));
+    }
+    this.bars.forEach((bar, i) => (bar.row.hidden = i >= count));
+  }
+
+  private add(channel: number): Bar {
+    const name = `CH${channel + 1}`;
+    const shown = this.chosen.has(channel);
+    const swatch = make('span', { class: 'swatch', 'aria-hidden': true });
+    const chip = make('button', { class: 'chip', 'aria-pressed': shown, title: `${name} as a curve` }, swatch, name);
+    chip.dataset.color = String(channel % 8);
+    chip.dataset.dash = String(Math.floor(channel / 8));
+    chip.addEventListener('click', () => {
+      const on = !this.chosen.has(channel);
+      this.chosen[on ? 'add' : 'delete'](channel);
+      chip.setAttribute('aria-pressed', String(on));
+    });
+    const ends = [0, 1, 2].map((i) => make('i', { class: i === 1 ? 'end middle' : 'end' }));
+    const fill = make('span', { class: 'fill' });
+    const low = make('b', { class: 'mark low' });
+    const high = make('b', { class: 'mark high' });
+    const track = make('div', { class: 'track', role: 'meter', 'aria-label': name, 'aria-valuenow': 0, 'aria-valuemin': 0, 'aria-valuemax': 2047 });
+    track.append(...ends, fill, low, high);
+    const raw = make('span', { class: 'raw' });
+    const us = make('span', { class: 'us' });
+    const percent = make('span', { class: 'percent' });
+    const row = make('li', {}, chip, track, raw, us, percent);
+    this.list.append(row);
+    return { row, chip, track, fill, low, high, ends, raw, us, percent };
+  }
+}

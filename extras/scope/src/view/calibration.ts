@@ -1,0 +1,67 @@
+// Leads through a calibration: sbus/Calibrator decides, this only asks and shows.
+
+import { Scale, type Core } from '../core';
+import { byId, setText } from '../dom';
+
+const steps = [
+  '',
+  '1 of 3: Move all sticks, sliders and switches to all their ends.',
+  '2 of 3: Centre the sticks, throttle low, and let go.',
+  '3 of 3: Push both sticks up and right, and hold them there.',
+];
+const sticks = 4; // CH1..CH4 must be good
+const wanted = (1 << sticks) - 1;
+
+export class CalibrationView {
+  private step = 0;
+  private textAt = 0;
+  private readonly panel = byId('calibration');
+  private readonly open = byId<HTMLButtonElement>('calibrate');
+  private readonly text = byId('calibration-text');
+  private readonly next = byId<HTMLButtonElement>('calibration-next');
+
+  // `done`: there is a calibration now.
+  constructor(
+    private readonly core: Core,
+    private readonly done: (scale: Scale) => void,
+  ) {
+    this.open.addEventListener('click', () => this.go(this.step === 0 ? 1 : 0));
+    this.next.addEventListener('click', () => (this.step === 3 ? this.finish() : this.go(this.step + 1)));
+    byId('calibration-cancel').addEventListener('click', () => this.go(0));
+  }
+
+  draw(): void {
+    const now = performance.now();
+    if (this.step === 0 || now - this.textAt < 500) {
+      return;
+    }
+    this.textAt = now;
+    const todo = Array.from({ length: sticks }, (_, i) => [i, this.core.refusal(i)] as const)
+      .filter(([, refusal]) => refusal !== '' && !(this.step === 1 && refusal.startsWith(' has not rested')))
+      .filter(([, refusal]) => !(this.step === 2 && refusal.startsWith(' is where it rested')))
+      .map(([i, refusal]) => `CH${i + 1}${refusal}.`);
+    setText(this.text, `${steps[this.step]} ${todo.join(' ') || 'CH1 to CH4 are done.'}`);
+  }
+
+  private go(step: number): void {
+    this.step = step;
+    this.core.calibrate(step);
+    this.textAt = 0;
+    this.panel.hidden = step === 0;
+    this.open.setAttribute('aria-expanded', String(step !== 0));
+    setText(this.text, steps[step]);
+    setText(this.next, step === 3 ? 'Finish' : 'Next');
+  }
+
+  private finish(): void {
+    const refused = this.core.finishCalibration(wanted);
+    if (refused === '') {
+      this.go(0);
+      this.done(Scale.Calibrated);
+    } else {
+      this.go(1);
+      this.textAt = performance.now() + 4000; // let it be read
+      setText(this.text, `Not taken: ${refused}. Begin anew. ${steps[1]}`);
+    }
+  }
+}

@@ -1,0 +1,63 @@
+// What was counted, by cause. What is 0 stays quiet.
+
+import type { Status } from '../core';
+import { make, setText } from '../dom';
+
+const rows: [keyof Status, string, string][] = [
+  ['frames', 'frames', 'delivered'],
+  ['lostFrames', 'lost frames', 'with the lost-frame flag'],
+  ['failsafeFrames', 'failsafe frames', 'with the failsafe flag'],
+  ['extraFrames', '2F frames', 'with CH17..CH32'],
+  ['refusedByEnd', 'refused: end', 'no end byte where one belongs'],
+  ['refusedByFlags', 'refused: flags', 'unused bits of the flags set'],
+  ['refusedByExtra', 'refused: size', 'more bytes belong to it, or a pause lies within'],
+  ['skippedBytes', 'skipped bytes', 'of no frame'],
+  ['resyncs', 'resyncs', 'frames found again'],
+  ['badCharacters', 'bad characters', 'wrong parity or stop bit, or a break'],
+  ['rows', 'rows', 'that a board has printed'],
+  ['otherLines', 'other lines', 'that a board has printed'],
+];
+
+const rare = ['extraFrames', 'rows', 'otherLines']; // not shown before the first
+
+export class CountersView {
+  private readonly values = new Map<string, HTMLElement>();
+  private textAt = 0;
+
+  constructor(private readonly list: HTMLElement) {
+    rows.forEach(([key, name, title]) => this.add(key, name, title));
+  }
+
+  draw(status: Status, events: ReadonlyMap<string, number> | undefined): void {
+    const now = performance.now();
+    if (now - this.textAt < 200) {
+      return;
+    }
+    this.textAt = now;
+    this.list.classList.toggle('board', status.rows > 0 && status.frames === 0);
+    const ofPort = [...this.values.keys()].filter((key) => key.startsWith('port ') && !events?.has(key.slice(5)));
+    ofPort.forEach((key) => this.set(key, 0));
+    rows.forEach(([key]) => this.set(key, status[key]));
+    events?.forEach((count, what) => {
+      const key = `port ${what}`;
+      if (!this.values.has(key)) {
+        this.add(key, what, 'that the port has reported');
+      }
+      this.set(key, count);
+    });
+  }
+
+  private add(key: string, name: string, title: string): void {
+    const value = make('dd', { 'data-counter': key }, '0');
+    this.list.append(make('div', { title, class: key === 'rows' || key === 'otherLines' || key.startsWith('port ') ? '' : 'sbus' }, make('dt', {}, name), value));
+    this.values.set(key, value);
+  }
+
+  private set(key: string, count: number): void {
+    const value = this.values.get(key) as HTMLElement;
+    setText(value, count.toLocaleString('en').replaceAll(',', '\u202f'));
+    const row = value.parentElement as HTMLElement;
+    row.classList.toggle('zero', count === 0);
+    row.hidden = count === 0 && (rare.includes(key) || key.startsWith('port '));
+  }
+}

@@ -1,0 +1,181 @@
+// The line, byte by byte. Pointing at a bit shows which channel it is of; meanwhile the view holds still.
+
+import { Flag, Kind, type Core, type Stretch } from '../core';
+import { make, setText } from '../dom';
+
+const kept = 8; // pieces of the line
+const drawMs = 100;
+
+const hex = (byte: number): string => byte.toString(16).toUpperCase().padStart(2, '0');
+
+const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'the lost-frame flag', 3: 'the failsafe flag' };
+
+export class FramesView {
+  private stretches: Stretch[] = []; // the newest last
+  private shown?: Stretch; // bit by bit
+  private held = false;
+  private drawnAt = 0;
+  private at = 8; // the bit pointed at, of all; 8 is the payload's first
+  private cells: HTMLElement[] = [];
+  private bitCells: HTMLElement[] = [];
+  private owners: (string | undefined)[] = []; // by bit: "CH3"
+  private readonly rows: HTMLElement[] = [];
+
+  constructor(
+    private readonly core: Core,
+    private readonly bits: HTMLElement,
+    private readonly text: HTMLElement,
+    lines: HTMLElement,
+    private readonly hint: HTMLElement,
+  ) {
+    for (let i = 0; i < kept; i++) {
+      this.rows.push(make('li', {}, make('span', { class: 'time' }), make('code'), make('span', { class: 'why' })));
+    }
+    lines.append(...this.rows);
+    bits.addEventListener('pointermove', (event) => this.point(event));
+    bits.addEventListener('pointerdown', (event) => this.point(event));
+    bits.addEventListener('pointerleave', () => this.hold(document.activeElement === bits));
+    bits.addEventListener('focus', () => this.hold(true));
+    bits.addEventListener('blur', () => this.hold(false));
+    bits.addEventListener('keydown', (event) => this.key(event));
+    setText(this.text, 'Point at a bit: least significant first, as on the wire.');
+  }
+
+  clear(): void {
+    this.stretches = [];
+    this.shown = undefined;
+    this.bits.replaceChildren();
+    this.cells = this.bitCells = [];
+    this.drawnAt = 0;
+  }
+
+  add(stretch: Stretch): void {
+    this.stretches.push(stretch);
+    if (this.stretches.length > kept) {
+      this.stretches.shift();
+    }
+  }
+
+  draw(): void {
+    const now = performance.now();
+    if (this.held || now - this.drawnAt < drawMs) {
+      return;
+    }
+    this.drawnAt = now;
+    const newest = [...this.stretches].reverse();
+    this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
+    this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
+    setText(this.hint, newest.length === 0 ? 'No bytes of S.Bus: none have come, or a board prints numbers and keeps them.' : '');
+  }
+
+  private drawRow(row: HTMLElement, stretch: Stretch | undefined): void {
+    row.hidden = !stretch;
+    if (!stretch) {
+      return;
+    }
+    const [time, code, why] = Array.from(row.children) as HTMLElement[];
+    setText(time, (stretch.endUs / 1e6).toFixed(3));
+    setText(code, Array.from(stretch.bytes, hex).join(' '));
+    const flags = stretch.flags & Flag.Failsafe ? 'failsafe' : stretch.flags & Flag.LostFrame ? 'lost frame' : '';
+    setText(why, stretch.kind === Kind.NoFrame ? stretch.why : flags);
+    row.className = stretch.kind === Kind.NoFrame ? 'none' : flags ? 'flagged' : '';
+  }
+
+  // The newest frame, bit by bit.
+  private show(stretch: Stretch | undefined): void {
+    if (!stretch) {
+      return;
+    }
+    if (stretch.bytes.length !== this.shown?.bytes.length || stretch.kind !== this.shown.kind) {
+      this.build(stretch);
+    }
+    this.shown = stretch;
+    stretch.bytes.forEach((byte, i) => {
+      setText(this.cells[i], hex(byte));
+      for (let bit = 0; bit < 8; bit++) {
+        this.bitCells[8 * i + bit].classList.toggle('one', ((byte >> bit) & 1) !== 0);
+      }
+    });
+  }
+
+  private build({ bytes: { length }, kind }: Stretch): void {
+    this.cells = [];
+    this.bitCells = [];
+    this.owners = [];
+    this.bits.replaceChildren();
+    const offset = kind === Kind.Extra ? 16 : 0;
+    for (let byte = 0; byte < length; byte++) {
+      const cell = make('b');
+      const bitCells = [];
+      for (let bit = 0; bit < 8; bit++) {
+        const owner = this.core.ownerOfBit(length, byte, bit);
+        const bitCell = make('i', { 'data-bit': 8 * byte + bit });
+        if (owner) {
+          bitCell.className = owner.channel % 2 === 0 ? 'even' : 'odd';
+        }
+        this.owners.push(owner && `CH${owner.channel + 1 + (byte < length - 2 ? offset : 0)}`);
+        bitCells.push(bitCell);
+      }
+      this.cells.push(cell);
+      this.bitCells.push(...bitCells);
+      this.bits.append(make('span', { class: 'byte' }, cell, make('span', { class: 'eight' }, ...bitCells)));
+    }
+  }
+
+  private point(event: PointerEvent): void {
+    const bit = (event.target as HTMLElement).dataset?.bit;
+    this.hold(true);
+    if (bit !== undefined) {
+      this.explain(Number(bit));
+    }
+  }
+
+  private key(event: KeyboardEvent): void {
+    const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: 8, ArrowUp: -8 }[event.key];
+    if (step !== undefined && this.shown) {
+      event.preventDefault();
+      this.explain(Math.min(Math.max(this.at + step, 0), this.bitCells.length - 1));
+    }
+  }
+
+  private hold(held: boolean): void {
+    this.held = held && this.shown !== undefined;
+    this.bits.classList.toggle('held', this.held);
+    if (!this.held) {
+      this.bitCells.forEach((cell) => cell.classList.remove('same', 'at'));
+      setText(this.text, 'Point at a bit: least significant first, as on the wire.');
+    } else if (document.activeElement === this.bits) {
+      this.explain(this.at);
+    }
+  }
+
+  private explain(at: number): void {
+    const frame = this.shown;
+    if (!frame) {
+      return;
+    }
+    this.at = at;
+    const owner = this.owners[at];
+    this.bitCells.forEach((cell, i) => {
+      cell.classList.toggle('at', i === at);
+      cell.classList.toggle('same', owner !== undefined && this.owners[i] === owner);
+    });
+    const byte = at >> 3;
+    const place = `byte ${byte}, bit ${at & 7}`;
+    const found = this.core.ownerOfBit(frame.bytes.length, byte, at & 7);
+    const isFlags = byte === frame.bytes.length - 2;
+    if (isFlags) {
+      setText(this.text, `${capital(flagNames[at & 7] ?? 'not used')}: ${place}, of the flags.`);
+    } else if (found && owner) {
+      const value = frame.channels[Number(owner.slice(2)) - 1];
+      const binary = value.toString(2).padStart(11, '0');
+      setText(this.text, `${owner}, bit ${found.bit} (worth ${1 << found.bit}): ${place}. ${owner} = ${value} = ${binary} in binary.`);
+    } else {
+      setText(this.text, `${byte === 0 ? 'The header' : 'The end byte'}: ${place}.`);
+    }
+  }
+}
+
+function capital(text: string): string {
+  return text[0].toUpperCase() + text.slice(1);
+}

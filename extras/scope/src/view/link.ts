@@ -1,0 +1,77 @@
+// The link at a glance: its state, the flags, age, rate and gaps.
+
+import { Flag, LinkState, type Status, type Stretch } from '../core';
+import { make, setAttribute, setText } from '../dom';
+
+const names: Record<LinkState, [string, string]> = {
+  [LinkState.NeverSeen]: ['Never seen', 'note'],
+  [LinkState.Ok]: ['Fine', 'good'],
+  [LinkState.Lossy]: ['Lossy', 'warning'],
+  [LinkState.Failsafe]: ['Failsafe', 'alarm'],
+  [LinkState.Stale]: ['Stale', 'alarm'],
+};
+
+const ms = (us: number, digits = 1): string => (us / 1000).toFixed(digits);
+
+function ageText(us: number): string {
+  return us < 1e6 ? `${ms(us, 0)} ms` : us < 1e8 ? `${(us / 1e6).toFixed(1)} s` : `${(us / 1e6).toFixed(0)} s`;
+}
+
+export class LinkView {
+  private readonly state = make('strong', { id: 'state' });
+  private readonly age = make('strong', { id: 'age' });
+  private readonly rate = make('strong', { id: 'rate' });
+  private readonly gap = make('strong', { id: 'gap' });
+  private readonly gapEnds = make('small', { id: 'gap-ends' });
+  private readonly rateUnit = make('small');
+  private readonly stateTile: HTMLElement;
+  private readonly lamps = new Map<number, HTMLElement>();
+  private textAt = 0;
+
+  constructor(root: HTMLElement) {
+    const tile = (label: string, ...content: HTMLElement[]): HTMLElement =>
+      make('div', { class: 'tile' }, make('span', { class: 'label' }, label), make('div', {}, ...content));
+    this.stateTile = tile('Link', this.state);
+    this.stateTile.classList.add('state');
+    const lamps = make('div', { class: 'lamps' });
+    for (const [flag, name, color] of [
+      [Flag.LostFrame, 'Lost frame', 'warning'],
+      [Flag.Failsafe, 'Failsafe', 'alarm'],
+      [Flag.Channel17, 'CH17', 'good'],
+      [Flag.Channel18, 'CH18', 'good'],
+    ] as const) {
+      const lamp = make('div', { class: 'lamp', 'data-on': 'false', 'data-color': color }, make('i', { 'aria-hidden': true }), name, make('span', { class: 'value' }, 'off'));
+      lamp.id = `lamp-${name.toLowerCase().replace(' ', '-')}`;
+      this.lamps.set(flag, lamp);
+      lamps.append(lamp);
+    }
+    root.append(
+      this.stateTile,
+      lamps,
+      tile('Age of the newest', this.age),
+      tile('Rate', this.rate, this.rateUnit),
+      tile('From one to the next', this.gap, this.gapEnds),
+    );
+  }
+
+  draw(status: Status, newest: Stretch | undefined): void {
+    const [name, color] = names[status.state as LinkState];
+    setText(this.state, name);
+    setAttribute(this.stateTile, 'data-severity', color);
+    this.lamps.forEach((lamp, flag) => {
+      const on = ((newest?.flags ?? 0) & flag) !== 0;
+      setAttribute(lamp, 'data-on', String(on));
+      setText(lamp.lastElementChild as HTMLElement, on ? 'on' : 'off');
+    });
+    const now = performance.now();
+    if (now - this.textAt < 100) {
+      return;
+    }
+    this.textAt = now;
+    setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
+    setText(this.rate, String(status.framesPerSecond));
+    setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
+    setText(this.gap, status.gapMeanUs > 0 ? `${ms(status.gapMeanUs)} ms` : '–');
+    setText(this.gapEnds, status.gapMeanUs > 0 ? `${ms(status.gapMinUs)} to ${ms(status.gapMaxUs)}` : '');
+  }
+}

@@ -1,0 +1,41 @@
+// Which channel a bit of a frame belongs to: whichever sbus::unpack() finds it in.
+#include "Scope.h"
+
+using namespace scope;
+
+namespace {
+
+uint8_t weight(unsigned value) {
+  uint8_t bit = 0;
+  while (value > 1) {
+    value >>= 1;
+    bit++;
+  }
+  return bit;
+}
+
+}  // namespace
+
+// Channel (from 0 on) and 256 times the bit of it; -1 if it is none of a channel.
+EXPORT(ownerOfBit)(unsigned size, unsigned byte, unsigned bit)->int {
+  const bool is24 = size == sbus::FrameSize24;
+  if (byte >= size) {
+    return -1;
+  }
+  alignas(4) uint8_t padded[3 + sbus::FrameSize24] = {};
+  uint8_t *const frame = padded + 3;  // so that the payload stands at a word
+  frame[byte] = static_cast<uint8_t>(1u << bit);
+  uint16_t channels[sbus::ChannelCount24] = {};
+  if (is24) {
+    sbus::unpack24(frame, channels);
+  } else {
+    sbus::unpack(frame, channels);
+  }
+  const int count = is24 ? sbus::ChannelCount24 : sbus::ChannelCount;
+  for (int i = 0; i < count; i++) {
+    if (channels[i] != 0) {
+      return i | weight(channels[i]) << 8;
+    }
+  }
+  return -1;
+}

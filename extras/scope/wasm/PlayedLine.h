@@ -1,0 +1,31 @@
+// A recording that can be wound back.
+#pragma once
+
+#include <utility>
+
+#include "line/Line.h"
+#include "line/Recording.h"
+
+namespace scope {
+
+class PlayedLine : public line::Line {
+ public:
+  explicit PlayedLine(line::Recording recording) : _recording(std::move(recording)) {}
+
+  bool next(uint64_t nowUs, line::Character &character) override {
+    if (_index == _recording.characters.size() || _recording.characters[_index].endUs > nowUs) {
+      return false;
+    }
+    character = _recording.characters[_index++];
+    return true;
+  }
+
+  void rewind() { _index = 0; }
+  uint64_t lengthUs() const { return _recording.characters.back().endUs; }
+
+ private:
+  line::Recording _recording;
+  size_t _index = 0;
+};
+
+}  // namespace scope

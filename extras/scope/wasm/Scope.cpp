@@ -1,0 +1,102 @@
+#include "Scope.h"
+
+#include <algorithm>
+
+namespace scope {
+
+Scope theScope;
+
+namespace {
+
+uint8_t flagsOf(const line::Values &newest) {
+  return static_cast<uint8_t>(
+      (newest.switches[0] ? sbus::FlagChannel17 : 0) | (newest.switches[1] ? sbus::FlagChannel18 : 0) |
+      (newest.lostFrame ? sbus::FlagLostFrame : 0) | (newest.failsafe ? sbus::FlagFailsafe : 0));
+}
+
+}  // namespace
+
+Scope::Scope() {
+  observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+}
+
+void Scope::reset(uint64_t nowUs, uint32_t us) {
+  characterUs = us;
+  records.clear();
+  rows.reset();
+  observer.reset(nowUs, us);
+}
+
+void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
+  observer.putBurst(bytes, count, nowUs);
+  for (size_t i = 0; i < count; i++) {
+    if (rows.put(bytes[i], nowUs)) {
+      takeRow(nowUs);
+    }
+  }
+}
+
+void Scope::receivedBad(uint64_t nowUs) {
+  line::Character character;
+  character.endUs = nowUs;
+  character.bad = true;
+  observer.put(character);
+}
+
+void Scope::advance(uint64_t nowUs) {
+  line::Line *const line = simulated ? static_cast<line::Line *>(simulated.get()) : played.get();
+  line::Character character;
+  while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
+    observer.put(character);
+    if (played && rows.put(character)) {  // a board's port was recorded
+      takeRow(character.endUs);
+    }
+  }
+  if (records.size() < Enough && nowUs > 2 * characterUs) {
+    observer.idleUntil(nowUs - 2 * characterUs);  // a character that is on its way is not known yet
+  }
+}
+
+void Scope::takeRow(uint64_t nowUs) {
+  Record record{};
+  record.endUs = static_cast<double>(nowUs);
+  record.kind = Record::RowKind;
+  record.flags =
+      static_cast<uint8_t>((rows.lostFrame() ? sbus::FlagLostFrame : 0) | (rows.failsafe() ? sbus::FlagFailsafe : 0));
+  const line::CsvRow &row = rows.row();
+  const size_t count = row.size();
+  for (size_t i = 0; i < count && record.channelCount < Record::ChannelsMax; i++) {
+    if (line::csvName(i, count).compare(0, 2, "CH") == 0) {
+      record.channels[record.channelCount++] = row[i].value;
+    }
+  }
+  if (record.channelCount == sbus::ChannelCount) {  // AllChannels: the last two are switches
+    record.channelCount = sbus::ProportionalCount;
+    record.flags = static_cast<uint8_t>(record.flags | (row[count - 2].value != 0 ? sbus::FlagChannel17 : 0) |
+                                        (row[count - 1].value != 0 ? sbus::FlagChannel18 : 0));
+  }
+  records.push_back(record);
+}
+
+void Scope::take(const line::Stretch &stretch) {
+  using Kind = line::Stretch::Kind;
+  const line::Values &newest = observer.newest();
+  if (stretch.kind == Kind::Frame || stretch.kind == Kind::Frame24) {
+    feedCalibrator(newest);
+  }
+  recorder.put(stretch);
+  Record record{};
+  record.endUs = static_cast<double>(stretch.endUs());
+  record.kind = static_cast<uint8_t>(stretch.kind);
+  record.flags = flagsOf(newest);
+  record.channelCount = static_cast<uint8_t>(newest.count);
+  std::copy_n(newest.raw.begin(), newest.raw.size(), record.channels);
+  record.size = static_cast<uint8_t>(std::min(stretch.characters.size(), Record::BytesMax));
+  std::transform(stretch.characters.begin(), stretch.characters.begin() + record.size, record.bytes,
+                 [](const line::Character &character) { return character.value; });
+  const std::string words = line::why(stretch);
+  words.copy(record.why, sizeof record.why - 1);
+  records.push_back(record);
+}
+
+}  // namespace scope

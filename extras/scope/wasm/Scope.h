@@ -1,0 +1,66 @@
+// What the page is about: one line, and what a decoder makes of it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "BoardRows.h"
+#include "PlayedLine.h"
+#include "Recorder.h"
+#include "SimulatedLine.h"
+#include "line/LineSettings.h"
+#include "line/Observer.h"
+
+namespace scope {
+
+// A stretch of the line as the page reads it: doubles first, no padding that a compiler chooses.
+struct Record {
+  static constexpr size_t ChannelsMax = 32;
+  static constexpr size_t BytesMax = sbus::FrameSize24;
+  static constexpr uint8_t RowKind = 4;
+
+  double endUs;
+  double channels[ChannelsMax];  // of a frame: the newest of all
+  uint8_t kind;                  // line::Stretch::Kind, or RowKind
+  uint8_t flags;                 // as in a frame's flags byte
+  uint8_t channelCount;
+  uint8_t size;             // bytes
+  uint8_t bytes[BytesMax];  // of the line
+  char why[88];             // it is no frame
+};
+static_assert(sizeof(Record) == 8 + 8 * 32 + 4 + 36 + 88, "src/core.ts reads it");
+
+class Scope {
+ public:
+  static constexpr size_t Enough = 256;  // records: the page takes them away before there are more
+
+  Scope();
+
+  void reset(uint64_t nowUs, uint32_t characterUs);
+  void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
+  void receivedBad(uint64_t nowUs);
+  // All that was through by then; less if there are records enough.
+  void advance(uint64_t nowUs);
+
+  line::Observer observer;
+  BoardRows rows;  // of a port that carries text
+  uint32_t characterUs = line::CharacterUs;
+  std::unique_ptr<SimulatedLine> simulated;  // one of the two, or none of them: a port, which the browser reads
+  std::unique_ptr<PlayedLine> played;
+  std::vector<Record> records;
+  Recorder recorder;
+
+ private:
+  void take(const line::Stretch &stretch);
+  void takeRow(uint64_t nowUs);
+};
+
+extern Scope theScope;
+
+// A frame for the calibration that is under way, if one is.
+void feedCalibrator(const line::Values &newest);
+
+}  // namespace scope
+
+// A function that the page calls.
+#define EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name

@@ -1,0 +1,147 @@
+// Which line the page looks at, and what it brings.
+#include <algorithm>
+
+#include "Scope.h"
+
+using namespace scope;
+
+namespace {
+
+uint8_t buffer[1 << 16];  // what the page hands over: bytes of a port, text of a recording
+std::unique_ptr<line::RecordingReader> reader;
+std::string partOfLine;
+std::string words;
+
+line::LineSettings settings(double baud, bool inverted) {
+  line::LineSettings settings;
+  settings.baud = static_cast<unsigned long>(baud);
+  settings.polarity = inverted ? line::Polarity::Inverted : line::Polarity::Uninverted;
+  return settings;
+}
+
+uint64_t us(double nowUs) {
+  return nowUs > 0 ? static_cast<uint64_t>(nowUs) : 0;
+}
+
+void begin(double nowUs, uint32_t characterUs) {
+  theScope.simulated.reset();
+  theScope.played.reset();
+  theScope.reset(us(nowUs), characterUs);
+}
+
+}  // namespace
+
+EXPORT(transferBuffer)()->uint8_t * {
+  return buffer;
+}
+
+EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud, int inverted)->void {
+  const line::LineSettings line = settings(baud, inverted != 0);
+  begin(0, line.characterUs());
+  theScope.simulated =
+      std::make_unique<SimulatedLine>(calibration != 0 ? line::Sticks::Calibration : line::Sticks::Flight,
+                                      channels == 24   ? line::Channels::TwentyFour
+                                      : channels == 32 ? line::Channels::ThirtyTwo
+                                                       : line::Channels::Sixteen,
+                                      noise, line);
+}
+
+// Of the simulated line: how the port reads it.
+EXPORT(setPort)(double nowUs, double baud, int inverted)->void {
+  const line::LineSettings port = settings(baud, inverted != 0);
+  theScope.reset(us(nowUs), port.characterUs());
+  if (theScope.simulated) {
+    theScope.simulated->setPort(us(nowUs), port);
+  }
+}
+
+EXPORT(cutWire)(int cut)->void {
+  if (theScope.simulated) {
+    theScope.simulated->cut(cut != 0);
+  }
+}
+
+EXPORT(openPort)(double nowUs, double baud)->void {
+  begin(nowUs, settings(baud, true).characterUs());
+}
+
+EXPORT(received)(unsigned count, double nowUs)->void {
+  theScope.received(buffer, count, us(nowUs));
+}
+EXPORT(receivedBad)(double nowUs)->void {
+  theScope.receivedBad(us(nowUs));
+}
+
+EXPORT(openRecording)(double baud)->void {
+  begin(0, settings(baud, true).characterUs());
+  reader = std::make_unique<line::RecordingReader>(theScope.characterUs);
+  partOfLine.clear();
+}
+
+EXPORT(recordingText)(unsigned count)->void {
+  std::string_view text(reinterpret_cast<const char *>(buffer), count);
+  for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    partOfLine += text.substr(0, end);
+    reader->line(partOfLine);
+    partOfLine.clear();
+    text.remove_prefix(end + 1);
+  }
+  // A reader refuses longer lines: what is after that need not be kept.
+  partOfLine += text.substr(0, line::RecordingLineMax + 1 - std::min(partOfLine.size(), line::RecordingLineMax));
+}
+
+// What is wrong with it, and nothing is played; or "".
+EXPORT(endRecording)()->const char * {
+  if (!partOfLine.empty()) {
+    reader->line(partOfLine);
+  }
+  line::Recording recording = reader->finish();
+  reader.reset();
+  words = recording.errorLine > 0 ? "line " + std::to_string(recording.errorLine) + ": " : "";
+  words += recording.error;
+  if (recording.error.empty()) {
+    theScope.played = std::make_unique<PlayedLine>(std::move(recording));
+  }
+  return words.c_str();
+}
+
+EXPORT(recordingLengthUs)()->double {
+  return theScope.played ? static_cast<double>(theScope.played->lengthUs()) : 0;
+}
+
+// To the recording's beginning.
+EXPORT(rewindRecording)()->void {
+  theScope.reset(0, theScope.characterUs);
+  if (theScope.played) {
+    theScope.played->rewind();
+  }
+}
+
+// How many records there are then. If there are Scope::Enough, call it again once they are taken away.
+EXPORT(advance)(double nowUs)->unsigned {
+  theScope.advance(us(nowUs));
+  return static_cast<unsigned>(theScope.records.size());
+}
+
+EXPORT(records)()->const Record * {
+  return theScope.records.data();
+}
+EXPORT(takenRecords)()->void {
+  theScope.records.clear();
+}
+
+EXPORT(record)(int on)->void {
+  if (on != 0) {
+    line::LineSettings recorded;
+    recorded.baud = 12000000 / theScope.characterUs;
+    theScope.recorder.begin(recorded);
+  } else {
+    theScope.recorder.end();
+  }
+}
+
+// What was recorded since this was last asked.
+EXPORT(takeRecorded)()->const char * {
+  words = theScope.recorder.take();
+  return words.c_str();
+}

@@ -1,0 +1,64 @@
+// A calibration, at a port.
+import assert from 'node:assert/strict';
+import { check, connect, frame, reads } from './support.mjs';
+
+// So many frames of these channels, one after the other, as quickly as it goes.
+async function frames(page, list) {
+  for (const channels of list) {
+    await page.evaluate((bytes) => fake.port.feed(bytes), frame(channels));
+    await page.evaluate(() => fake.skip(9));
+  }
+}
+const times = (count, channels) => Array.from({ length: count }, () => channels);
+
+async function calibrate(page, travel) {
+  await connect(page);
+  await page.click('#calibrate');
+  await reads(page, '#calibration-text', /^1 of 3/);
+  await frames(page, travel);
+  await page.click('#calibration-next');
+  await reads(page, '#calibration-text', /^2 of 3/);
+  await frames(page, times(30, [1000, 990, 250, 1024]));
+  await page.click('#calibration-next');
+  await reads(page, '#calibration-text', /^3 of 3/);
+  await frames(page, times(100, [1800, 200, 1750, 1700]));
+  await page.click('#calibration-next');
+}
+
+export default async function () {
+  await check('a calibration: three steps, then 100 % is where the sticks end, and CH2 runs backwards', async (page) => {
+    await calibrate(page, [...times(10, [200, 200, 250, 300]), ...times(10, [1800, 1790, 1750, 1700])]);
+    await page.waitForSelector('#calibration', { state: 'hidden' });
+    assert.equal(await page.inputValue('#scale'), '2');
+    await frames(page, times(3, [1800, 200, 250, 1024]));
+    await reads(page, '#bars li:nth-child(1) .percent', '100.0');
+    await reads(page, '#bars li:nth-child(2) .percent', '100.0');
+    await reads(page, '#bars li:nth-child(3) .percent', '-100.0');
+    await reads(page, '#bars li:nth-child(4) .percent', '0.0');
+    await reads(page, '#bars li:nth-child(2) .us', '2012');
+  });
+
+  await check('a stick that was not moved: refused, with the channel and what to do', async (page) => {
+    await calibrate(page, [...times(10, [200, 200, 250, 1000]), ...times(10, [1800, 1790, 1750, 1030])]);
+    await reads(page, '#calibration-text', /^Not taken: CH4 .*move it to both ends/);
+    assert.equal(await page.inputValue('#scale'), '0');
+  });
+
+  await check('scales: Futaba puts its centre at 1024', async (page) => {
+    await connect(page);
+    await frames(page, times(5, [1024, 352, 1696]));
+    await page.selectOption('#scale', '1');
+    await reads(page, '#bars li:nth-child(1) .us', '1500');
+    await reads(page, '#bars li:nth-child(2) .percent', '-100.0');
+    await reads(page, '#bars li:nth-child(3) .us', '2012');
+  });
+
+  await check('marks show the least and the most, and are cleared by their button', async (page) => {
+    await connect(page);
+    await frames(page, [...times(3, [300]), ...times(3, [1500])]);
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 300, most 1500"]');
+    await page.click('#reset-marks');
+    await frames(page, times(3, [700]));
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 700, most 700"]');
+  });
+}

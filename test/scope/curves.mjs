@@ -1,0 +1,91 @@
+// Curves and bytes: what pointer and keyboard show.
+import assert from 'node:assert/strict';
+import { check, connect, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
+import path from 'node:path';
+
+const pixels = (page) => page.evaluate(() => {
+  const canvas = document.querySelector('#plot canvas');
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const colors = new Map();
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] > 200) {
+      const color = `${data[i]},${data[i + 1]},${data[i + 2]}`;
+      colors.set(color, (colors.get(color) ?? 0) + 1);
+    }
+  }
+  return Object.fromEntries(colors);
+});
+const colorOf = (page, channel) => page.evaluate((name) => {
+  const probe = document.body.appendChild(document.createElement('i'));
+  probe.style.color = `var(--c${name - 1})`;
+  const color = getComputedStyle(probe).color.match(/\d+/g).join(',');
+  probe.remove();
+  return color;
+}, channel);
+
+export default async function () {
+  await check('CH1 to CH4 are drawn, each in its colour; a channel comes and goes with its button', async (page) => {
+    await reads(page, '#state', 'Fine');
+    await until('CH1 is not drawn', async () => (await pixels(page))[await colorOf(page, 1)] > 20);
+    assert.equal((await pixels(page))[await colorOf(page, 6)], undefined);
+    await page.click('#bars li:nth-child(6) .chip');
+    await until('CH6 is not drawn', async () => (await pixels(page))[await colorOf(page, 6)] > 5);
+    await page.click('#bars li:nth-child(1) .chip');
+    await until('CH1 is still drawn', async () => (await pixels(page))[await colorOf(page, 1)] === undefined);
+    page.complaints.length = 0;  // that pixels are read
+  });
+
+  await check('pause, zoom and scroll by keyboard; End goes on', async (page) => {
+    await reads(page, '#window', '10 s');
+    await page.focus('#plot');
+    await page.keyboard.press('+');
+    await reads(page, '#window', '5 s');
+    await page.keyboard.press('-');
+    await page.keyboard.press('-');
+    await reads(page, '#window', '20 s');
+    await page.keyboard.press(' ');
+    await reads(page, '#pause', 'Go on');
+    await page.keyboard.press('End');
+    await reads(page, '#pause', 'Pause');
+    await page.keyboard.press('ArrowLeft');
+    await reads(page, '#pause', 'Go on');
+  });
+
+  await check('the cursor reads time and values; dragging zooms in and pauses', async (page) => {
+    await play(page, path.join(root, 'test/recordings/paper.txt'));
+    await toEnd(page);
+    const box = await page.locator('#plot .u-over').boundingBox();
+    await page.mouse.move(box.x + box.width - 2, box.y + 50);
+    await reads(page, '#readout', /^0\.3[678]\d s   CH1 995   CH2 993   CH3 1811   CH4 992$/);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width - 40, box.y + 50, { steps: 4 });
+    await page.mouse.up();
+    await reads(page, '#pause', 'Go on');
+    await reads(page, '#window', '0.5 s');
+  });
+
+  await check('pointing at a bit tells its channel, and what it is worth; the view holds still', async (page) => {
+    await page.evaluate((bytes) => (fake.port.onOpen = () => fake.every(9, bytes)), frame([172, 992, 1811]));
+    await connect(page);
+    await raw(page, 3, '1811');
+    await page.waitForSelector('#bits .byte');
+    await page.hover('[data-bit="8"]');
+    await reads(page, '#bit-text', 'CH1, bit 0 (worth 1): byte 1, bit 0. CH1 = 172 = 00010101100 in binary.');
+    await page.hover('[data-bit="31"]');
+    await reads(page, '#bit-text', 'CH3, bit 1 (worth 2): byte 3, bit 7. CH3 = 1811 = 11100010011 in binary.');
+    assert.equal(await page.locator('#bits .same').count(), 11);
+    await page.hover('[data-bit="186"]');
+    await reads(page, '#bit-text', 'The lost-frame flag: byte 23, bit 2, of the flags.');
+    await page.hover('[data-bit="0"]');
+    await reads(page, '#bit-text', 'The header: byte 0, bit 0.');
+    const held = await page.textContent('#lines');
+    await page.waitForTimeout(300);
+    assert.equal(await page.textContent('#lines'), held);
+    await page.mouse.move(5, 5);
+    await until('it holds still', async () => (await page.textContent('#lines')) !== held);
+    await page.focus('#bits');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('ArrowRight');
+    await reads(page, '#bit-text', /^The header: byte 0, bit 1\.$|^CH\d+, bit/);
+  });
+}

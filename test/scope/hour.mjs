@@ -1,0 +1,45 @@
+// An hour of frames, a hundred a second, as fast as the page takes them: what it keeps does not grow.
+import assert from 'node:assert/strict';
+import { check, connect, counts, frame } from './support.mjs';
+
+const perRead = 10; // frames
+const all = 360000;
+
+// `from` to `to`: CH1 counts them. The page draws all the while.
+const feed = (page, bytes, from, to) =>
+  page.evaluate(async ([template, begin, end, count]) => {
+    for (let number = begin; number < end; number += count) {
+      const part = [];
+      for (let i = 0; i < count; i++) {
+        template[1] = (number + i) & 0xff;
+        part.push(...template);
+      }
+      fake.port.feed(part);
+      fake.skip(10 * count);
+      await (number % 2000 === 0 ? new Promise(requestAnimationFrame) : Promise.resolve());
+      while (fake.port.controller.desiredSize <= 0) await new Promise((resolve) => setTimeout(resolve));
+    }
+  }, [bytes, from, to, perRead]);
+
+async function heap(page, session) {
+  await session.send('HeapProfiler.collectGarbage');
+  const { usedSize } = await session.send('Runtime.getHeapUsage');
+  return { script: usedSize, wasm: await page.evaluate(() => fake.memory.buffer.byteLength) };
+}
+
+export default async function () {
+  await check(`${all} frames, an hour of them: every one counted, the memory as before`, async (page) => {
+    const session = await page.context().newCDPSession(page);
+    await connect(page);
+    const bytes = frame([1000, 992, 172]);
+    await feed(page, bytes, 0, 40000); // the history is full
+    const before = await heap(page, session);
+    await feed(page, bytes, 40000, all);
+    await counts(page, 'frames', '360\u202f000');
+    await counts(page, 'skippedBytes', 0);
+    const after = await heap(page, session);
+    console.log(`   heap ${before.script} before, ${after.script} after; WebAssembly ${before.wasm}, ${after.wasm} bytes`);
+    assert.ok(after.script - before.script < 300000, `${before.script} bytes became ${after.script}`);
+    assert.equal(after.wasm, before.wasm);
+  }, { patience: 300000 });
+}

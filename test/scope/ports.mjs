@@ -1,0 +1,214 @@
+// Ports: a fake navigator.serial brings real bytes, faults, and is unplugged.
+import assert from 'node:assert/strict';
+import { bytesOf, check, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
+
+// The port brings `bytes` again and again: a frame every 9 ms, as a USB adapter brings them, whenever it is opened so.
+const brings = (page, bytes, baud = 100000, everyMs = 9) =>
+  page.evaluate(([frameBytes, wanted, ms]) => {
+    fake.port.onOpen = ({ baudRate }) => {
+      clearInterval(fake.timer);
+      fake.timer = baudRate === wanted ? fake.every(ms, frameBytes) : undefined;
+    };
+  }, [bytes, baud, everyMs]);
+
+const text = (lines) => [...lines].map((letter) => letter.charCodeAt(0));
+
+export default async function () {
+  await check('an adapter is opened as S.Bus wants it, and its frames are shown', async (page) => {
+    await brings(page, frame([172, 992, 1811, 1000], { flags: 1 }));
+    await connect(page);
+    await reads(page, '#state', 'Fine');
+    await raw(page, 1, '172');
+    await reads(page, '#bars li:nth-child(1) .us', '988');
+    await reads(page, '#bars li:nth-child(1) .percent', '-100.0');
+    await reads(page, '#bars li:nth-child(3) .percent', '100.0');
+    await lit(page, 'ch17');
+    await reads(page, '#verdict-text', 'ALL WELL.');
+    const [options] = await page.evaluate(() => fake.port.opened);
+    assert.deepEqual(options, { baudRate: 100000, dataBits: 8, parity: 'even', stopBits: 2, bufferSize: 4096 });
+  });
+
+  await check("the paper's frames, byte by byte as they may come", async (page) => {
+    await connect(page);
+    await page.evaluate((bytes) => bytes.forEach((byte) => fake.port.feed([byte])), bytesOf('paper.txt'));
+    await counts(page, 'frames', 6);
+    await raw(page, 3, '1811');
+    await raw(page, 1, '995');
+  });
+
+  await check('a receiver in failsafe: banner, lamp, and the values as received', async (page) => {
+    await brings(page, frame([992, 992, 172], { flags: 0x0c }));
+    await connect(page);
+    await reads(page, '#state', 'Failsafe');
+    await lit(page, 'failsafe');
+    await lit(page, 'lost-frame');
+    await reads(page, '#verdict-text', /^FAILSAFE/);
+    await raw(page, 3, '172');
+  });
+
+  await check('lost frames for too long are a failsafe, too: no radio', async (page) => {
+    await brings(page, frame([992], { flags: 0x04 }));
+    await connect(page);
+    await reads(page, '#state', 'Failsafe');
+    await reads(page, '#verdict-text', /^NO RADIO/);
+  });
+
+  await check('parity, framing and overrun errors and breaks: counted by cause, the numbers go on', async (page) => {
+    await brings(page, frame([1200]));
+    await connect(page);
+    await reads(page, '#state', 'Fine');
+    for (const name of ['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'ParityError']) {
+      await page.evaluate((error) => fake.port.fail(error), name);
+      await page.waitForTimeout(50);
+    }
+    await counts(page, 'port parity errors', 2);
+    await counts(page, 'port framing errors', 1);
+    await counts(page, 'port breaks', 1);
+    await counts(page, 'port overruns', 1);
+    await counts(page, 'badCharacters', 5);
+    const before = await counter(page, 'frames');
+    await until('no more frames come', async () => (await counter(page, 'frames')) > before + 10);
+    await reads(page, '#state', 'Fine');
+    assert.equal((await page.evaluate(() => fake.port.opened)).length, 1);
+  });
+
+  await check('unplugged: it says so; plugged in again it goes on by itself, and both are counted', async (page) => {
+    await brings(page, frame([1200]));
+    await connect(page);
+    await reads(page, '#state', 'Fine');
+    await page.evaluate(() => fake.port.unplug());
+    await reads(page, '#verdict-text', 'THE PORT HAS GONE.');
+    await reads(page, '#state', 'Stale');
+    await page.evaluate(() => fake.port.plug());
+    await reads(page, '#state', 'Fine');
+    await counts(page, 'port unplugged', 1);
+    await counts(page, 'port reopened', 1);
+    await reads(page, '#verdict-text', 'ALL WELL.');
+  });
+
+  await check('a busy port: who may have it; free again, it is opened', async (page) => {
+    await brings(page, frame([1200]));
+    await page.evaluate(() => (fake.port.busy = true));
+    await connect(page);
+    await reads(page, '#verdict-text', /^THE PORT CANNOT BE OPENED/);
+    await reads(page, '#verdict-cure', /^Close the other program/);
+    await page.evaluate(() => (fake.port.busy = false));
+    await reads(page, '#state', 'Fine');
+  });
+
+  await check('no port chosen: it says so, and the simulation goes on', async (page) => {
+    await page.evaluate(() => (fake.port = undefined));
+    await connect(page);
+    await reads(page, '#verdict-text', 'NO PORT WAS CHOSEN.');
+    await reads(page, '#state', 'Fine');
+  });
+
+  await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
+    await connect(page);
+    await reads(page, '#verdict-text', 'THIS BROWSER HAS NO WEB SERIAL.');
+    await reads(page, '#state', 'Fine');
+  }, { serial: false });
+
+  await check('no bytes: both baud rates are tried, then NO SIGNAL', async (page) => {
+    await connect(page);
+    await reads(page, '#verdict-text', 'NO SIGNAL: not a byte in any setting.');
+    const opened = () => page.evaluate(() => String(fake.port.opened.map(({ baudRate }) => baudRate)));
+    await until('it is not opened anew', async () => (await opened()).startsWith('100000,200000,100000'));
+  });
+
+  await check('Fast S.Bus: 200000 baud are found', async (page) => {
+    await brings(page, frame([1300]), 200000);
+    await connect(page);
+    await reads(page, '#verdict-note', /^WRONG BAUD RATE: frames come with the other one only\. .* Done: 200000 baud/);
+    await raw(page, 1, '1300');
+    await reads(page, '#state', 'Fine');
+  });
+
+  await check('bytes of no frame, as an inverter too many makes them: NO FRAMES, with the cure', async (page) => {
+    await brings(page, [0xfe, 0x3c, 0x00, 0xf8, 0x81, 0x7c]);
+    await connect(page);
+    await reads(page, '#verdict-text', /^NO FRAMES: bytes come/);
+    await reads(page, '#verdict-cure', /Inverter missing, or one too many/);
+    await reads(page, '#state', 'Never seen');
+    await counts(page, 'skippedBytes', /^[1-9]/);
+  });
+
+  await check('only breaks, as an idle line of the wrong level makes them: NO FRAMES, not silence', async (page) => {
+    await page.evaluate(() => {
+      fake.port.onOpen = () => {
+        clearInterval(fake.timer);
+        fake.timer = setInterval(() => fake.port.readable && fake.port.fail('BreakError'), 20);
+      };
+    });
+    await connect(page);
+    await reads(page, '#verdict-text', /^NO FRAMES/);
+  });
+
+  await check('a frame that is damaged, among good ones, is shown with its reason', async (page) => {
+    const good = frame([1000]);
+    const bad = frame([1000]);
+    bad.splice(5, 1);
+    await connect(page);
+    await page.evaluate(([first, second]) => fake.port.feed([...first, ...first, ...first, ...second, ...first, ...first]), [good, bad]);
+    await counts(page, 'frames', 5);
+    await counts(page, 'skippedBytes', 24);
+    await counts(page, 'resyncs', 1);
+    await reads(page, '#lines .none .why', /no end byte|incomplete/);
+  });
+
+  for (const [columns, row, channels, lamps] of [
+    [4, '832,626,1811,866', { 1: '832', 4: '866' }, []],
+    [6, '1000,626,172,866,1,0', { 1: '1000', 3: '172' }, ['failsafe']],
+    [6, '1000,626,172,866,0,1', { 1: '1000', 3: '172' }, ['lost-frame']],
+    [18, '1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,1,1', { 1: '1', 16: '16' }, ['ch17', 'ch18']],
+    [24, Array.from({ length: 24 }, (_, i) => 100 + i).join(','), { 1: '100', 24: '123' }, []],
+    [4, '0.732,0.469,-0.599,-0.043', { 1: '0.732', 3: '-0.599' }, []],
+    [4, '731,469,1000,-262', { 1: '731', 4: '-262' }, []],
+  ]) {
+    await check(`a board that prints ${columns} columns, ${row.slice(0, 12)}...: recognised by itself`, async (page) => {
+      await brings(page, text(`${row}\r\n`), 115200, 100);
+      await connect(page, 'board');
+      for (const [channel, value] of Object.entries(channels)) {
+        await reads(page, `#bars li:nth-child(${channel}) .raw`, value);
+      }
+      for (const lamp of lamps) {
+        await lit(page, lamp);
+      }
+      await reads(page, '#verdict-text', lamps.includes('failsafe') ? /^FAILSAFE/ : 'ROWS COME from a board.');
+      const shown = { 18: 16, 6: 4 }[columns] ?? columns;
+      assert.equal(await page.locator('#bars li:visible').count(), shown);
+      assert.equal(await page.locator('#lines li:visible').count(), 0);
+      await until('text is counted as bytes of no frame', async () => !(await page.isVisible('[data-counter="skippedBytes"]')));
+      assert.deepEqual((await page.evaluate(() => fake.port.opened))[0], { baudRate: 115200, bufferSize: 4096 });
+    });
+  }
+
+  await check('a board at the button for adapters: its rows are recognised all the same', async (page) => {
+    await brings(page, text('995,992,172,992,0,0\r\n'), 100000, 50);
+    await connect(page);
+    await raw(page, 1, '995');
+    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+  });
+
+  await check('a board that falls silent is stale; one that prints words is told from one that prints rows', async (page) => {
+    await brings(page, text('995,992,172,992,0,0\r\n'), 115200, 50);
+    await connect(page, 'board');
+    await reads(page, '#state', 'Fine');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 995, most 995"]');
+    await page.evaluate(() => clearInterval(fake.timer));
+    await reads(page, '#state', 'Stale');
+    await reads(page, '#verdict-text', /^NO ROWS/);
+    await brings(page, text('begin(100000): 0 frames, 0 bytes\r\n'), 115200, 50);
+    await page.click('#source-simulated');
+    await connect(page, 'board');
+    await reads(page, '#verdict-text', /^TEXT COMES, but no rows/);
+  });
+
+  await check('24 channels, and frames with header 2F, of a port', async (page) => {
+    const extra = frame(Array.from({ length: 16 }, (_, i) => 1500 + i), { header: 0x2f });
+    await brings(page, [...extra, ...frame([1100])], 100000, 18);
+    await connect(page);
+    await raw(page, 32, '1515');
+    await raw(page, 1, '1100');
+  });
+}

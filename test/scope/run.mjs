@@ -1,0 +1,9 @@
+// The tests of extras/scope's page, in Debian's Chromium. What is read is the page: numbers, lamps, words, downloads.
+//   node run.mjs [PART...]   some of the parts below; else all
+import { finish } from './support.mjs';
+
+const parts = process.argv.length > 2 ? process.argv.slice(2) : ['start', 'looks', 'ports', 'recordings', 'keep', 'curves', 'calibration', 'hour'];
+for (const part of parts) {
+  await (await import(`./${part}.mjs`)).default();
+}
+await finish();

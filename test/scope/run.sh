@@ -1,0 +1,15 @@
+#!/bin/sh
+# The browser page: built, then tested in Chromium. "ok ..." or "FAILED ..." of each.
+set -u
+cd "$(dirname "$0")" || exit 1
+command -v chromium >/dev/null || { echo "skipped scope: there is no chromium here"; exit; }
+build="${BUILD:-$PWD/../../build/test}/scope"
+mkdir -p "$build"
+if ! "${MAKE:-make}" --no-print-directory -s -C ../../extras/scope BUILD="$build"; then
+  echo "FAILED extras/scope does not build"
+  exit
+fi
+line=../../extras/line
+g++ -std=c++17 -O1 -I../../src -I../../extras Frames.cpp "$line"/CsvRows.cpp "$line"/LineSettings.cpp "$line"/Recording*.cpp \
+  ../../src/sbus/*.cpp -o "$build/Frames" || echo "FAILED scope/Frames does not build"
+SCOPE_BUILD="$build" SCOPE_FRAMES="$build/Frames" timeout 900 node run.mjs || echo "FAILED scope/run.mjs ended with status $?"

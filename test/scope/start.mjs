@@ -1,0 +1,94 @@
+// The page as it opens: a simulated receiver, and what may be wrong with it.
+import assert from 'node:assert/strict';
+import { check, counts, lit, raw, reads, until } from './support.mjs';
+
+export default async function () {
+  await check('it opens with the simulated receiver at work, and asks the network for nothing', async (page) => {
+    await reads(page, '#state', 'Fine');
+    await reads(page, '#verdict-text', 'ALL WELL.');
+    await reads(page, '#verdict-cure', 'There is nothing to cure.');
+    await reads(page, '#rate', /^11[0-2]$/);
+    await reads(page, '#gap', '9.0 ms');
+    await counts(page, 'frames', /^\d{3}/);
+    assert.equal(await page.locator('#bars li:visible').count(), 16);
+    await raw(page, 7, '992');
+    await reads(page, '#bars li:nth-child(7) .us', '1500');
+    await reads(page, '#bars li:nth-child(7) .percent', '0.0');
+  });
+
+  await check('it may run no script but its own, and fetch nothing', async (page) => {
+    const policy = await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content');
+    assert.match(policy, /default-src 'none'; script-src 'sha256-[^']+' 'wasm-unsafe-eval'/);
+    assert.equal(await page.evaluate(() => fetch('https://example.org/').then(() => 'fetched', () => 'refused')), 'refused');
+    page.complaints.length = 0;  // that was one
+  });
+
+  await check('a browser without WebAssembly is told so: no blank page', async (page) => {
+    await page.addInitScript(() => (WebAssembly.instantiate = () => Promise.reject(new Error('no WebAssembly'))));
+    await page.reload();
+    await reads(page, '#verdict-text', 'THE PAGE HAS A FAULT: no WebAssembly.');
+    page.complaints.length = 0;
+  });
+
+  await check('a cut wire shows at once: stale, doubtful values, no signal; put together it is fine', async (page) => {
+    await reads(page, '#state', 'Fine');
+    await page.click('#cut');
+    await reads(page, '#state', 'Stale');
+    await page.waitForSelector('#bars.doubtful');
+    await reads(page, '#verdict-text', /^NO SIGNAL/);
+    await reads(page, '#verdict-cure', /^Check wire, pin and receiver/);
+    await reads(page, '#rate', '0');
+    await page.click('#cut');
+    await reads(page, '#state', 'Fine');
+    await reads(page, '#verdict-text', 'ALL WELL.');
+  });
+
+  for (const [fault, found] of [
+    ['inversion', /^WRONG INVERSION: .* Done: 100000 baud, inverted\.$/],
+    ['baud', /^WRONG BAUD RATE: .* Done: 100000 baud, inverted\.$/],
+  ]) {
+    await check(`simulated fault ${fault}: it tries the other settings, says which is right, and stays there`, async (page) => {
+      await page.selectOption('#fault', fault);
+      await reads(page, '#verdict-note', /^Trying /);
+      await reads(page, '#verdict-note', found);
+      await reads(page, '#state', 'Fine');
+    });
+  }
+
+  await check('simulated noise: bad characters, skipped bytes and the verdict NOISE', async (page) => {
+    await page.selectOption('#fault', 'noise');
+    await reads(page, '#verdict-text', /^NOISE: frames are damaged/);
+    await counts(page, 'badCharacters', /^\d\d/);
+    await counts(page, 'skippedBytes', /^\d\d/);
+    await page.waitForSelector('#lines .none');
+  });
+
+  await check('no signal at all: it says so from the start, in all settings', async (page) => {
+    await page.selectOption('#fault', 'silent');
+    await reads(page, '#verdict-text', 'NO SIGNAL: not a byte in any setting.');
+    await counts(page, 'frames', 0);
+  });
+
+  await check('24 channels: all of them, no switches', async (page) => {
+    await page.selectOption('#receiver', '24');
+    await reads(page, '#bars li:nth-child(24) .chip', 'CH24');
+    assert.equal(await page.locator('#bars li:visible').count(), 24);
+    await raw(page, 24, /^1[234]\d\d$/);
+    await until('its bytes are not shown', async () => (await page.locator('#bits .byte').count()) === 36);
+  });
+
+  await check('32 channels: those of the frames with header 2F, too', async (page) => {
+    await page.selectOption('#receiver', '32');
+    await raw(page, 32, /^1[67]\d\d$/);
+    await counts(page, 'extraFrames', /^[1-9]/);
+    await reads(page, '#rate', /^5[5-7]$/);
+  });
+
+  await check('failsafe: banner, lamp, its own values, and the curves marked', async (page) => {
+    await lit(page, 'failsafe');  // after 10 s of the flight
+    await reads(page, '#state', 'Failsafe');
+    await reads(page, '#verdict-text', 'FAILSAFE: the receiver is well, but has given the radio up.');
+    await raw(page, 3, '172');
+    await counts(page, 'failsafeFrames', /^[1-9]/);
+  });
+}

@@ -1,0 +1,132 @@
+// What the tests share: the browser, a page in it, and the bytes of frames.
+import { createRequire } from 'node:module';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import path from 'node:path';
+import assert from 'node:assert/strict';
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+export const root = path.resolve(here, '../..');
+export const build = process.env.SCOPE_BUILD ?? path.join(root, 'build/scope');
+const require = createRequire(path.join(build, 'npm/package.json'));
+const { chromium } = require('playwright-core');
+export const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+
+const launch = {
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync', '--js-flags=--expose-gc'],
+};
+export const browser = await chromium.launch(launch);
+
+let failed = 0;
+
+// A page that hangs answers nothing, not even Playwright.
+const tooLong = (ms) => new Promise((_, reject) => setTimeout(() => reject(new Error('it hangs')), ms).unref());
+
+// One check: a sentence, and what shows it. It gets a page of its own. ONLY=words runs those whose sentence has them.
+export async function check(sentence, show, { patience = 60000, ...options } = {}) {
+  if (!sentence.includes(process.env.ONLY ?? '')) {
+    return;
+  }
+  let page;
+  try {
+    page = await open(options);
+    await Promise.race([show(page), tooLong(patience)]);
+    assert.deepEqual(page.complaints, []);
+    console.log(`ok scope: ${sentence}`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED scope: ${sentence}\n${String(error?.stack ?? error).slice(0, 1500)}`);
+  } finally {
+    await Promise.race([page?.context().close(), new Promise((resolve) => setTimeout(resolve, 5000).unref())]);
+  }
+}
+
+export async function finish() {
+  await browser.close();
+  process.exit(failed > 0 ? 1 : 0);
+}
+
+// The page, as it stands in its file, with a fake navigator.serial. It must not complain, nor ask the network for anything.
+async function open({ size = { width: 1440, height: 900 }, serial = true, ...context } = {}) {
+  const opened = await browser.newContext({ viewport: size, acceptDownloads: true, ...context });
+  const page = await opened.newPage();
+  page.setDefaultTimeout(20000);
+  page.complaints = [];
+  page.on('pageerror', (error) => page.complaints.push(error.message));
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && page.complaints.push(message.text()));
+  page.on('request', (request) => /^(file|blob|data):/.test(request.url()) || page.complaints.push(request.url()));
+  if (serial) {
+    await page.addInitScript({ path: path.join(here, 'fakeSerial.js') });
+  } else {
+    await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'serial', { get: () => undefined }));
+  }
+  await page.goto(pathToFileURL(path.join(build, 'index.html')).href);
+  return page;
+}
+
+// Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy refuses.)
+export async function until(what, isSo) {
+  const end = Date.now() + 20000;
+  while (!(await isSo())) {
+    assert.ok(Date.now() < end, typeof what === 'string' ? what : await what());
+    await new Promise((resolve) => setTimeout(resolve, 30));
+  }
+}
+
+// Waits until the element's text is such.
+export async function reads(page, selector, expected) {
+  const text = () => page.evaluate((where) => document.querySelector(where)?.textContent ?? '', selector);
+  await until(async () => `${selector} reads "${await text()}", not ${expected}`,
+    async () => (expected instanceof RegExp ? expected.test(await text()) : expected === (await text())));
+}
+
+export const counter = (page, name) => page.textContent(`[data-counter="${name}"]`).then((text) => Number(text.replace(/\D/g, '')));
+export const counts = (page, name, value) => reads(page, `[data-counter="${name}"]`, typeof value === 'number' ? String(value) : value);
+export const raw = (page, channel, value) => reads(page, `#bars li:nth-child(${channel}) .raw`, value);
+export const lit = (page, lamp) => page.waitForSelector(`#lamp-${lamp}[data-on="true"]`);
+
+export async function connect(page, kind = 'adapter') {
+  await page.click(`#source-${kind}`);
+}
+
+export async function play(page, ...files) {
+  await page.setInputFiles('#file', files[0]);
+  await reads(page, '#title', /^Recording /);
+}
+
+// To the recording's end.
+export async function toEnd(page) {
+  await page.evaluate(() => {
+    const position = document.querySelector('#position');
+    position.value = position.max;
+    position.dispatchEvent(new Event('input'));
+  });
+  await reads(page, '#play', 'Play');
+}
+
+export async function downloaded(page, selector) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8'), path: await download.path() };
+}
+
+// The 25 bytes of a frame: bit k of channel c is bit 11c+k of the payload.
+export function frame(channels, { flags = 0, end = 0, header = 0x0f } = {}) {
+  const bytes = new Array(25).fill(0);
+  bytes[0] = header;
+  for (let channel = 0; channel < 16; channel++) {
+    for (let bit = 0; bit < 11; bit++) {
+      const at = 11 * channel + bit;
+      bytes[1 + (at >> 3)] |= (((channels[channel] ?? 992) >> bit) & 1) << (at & 7);
+    }
+  }
+  bytes[23] = flags;
+  bytes[24] = end;
+  return bytes;
+}
+
+export const bytesOf = (recording) =>
+  readFileSync(path.join(root, 'test/recordings', recording), 'utf8').split('\n')
+    .filter((line) => /^\d/.test(line))
+    .flatMap((line) => line.trim().split(/\s+/).slice(1).map((word) => parseInt(word, 16)));
