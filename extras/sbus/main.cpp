@@ -12,6 +12,7 @@ namespace {
 
 void addVerbs(CLI::App &app) {
   tool::addPorts(app);
+  tool::addMonitor(app);
   tool::addHex(app);
   tool::addCsv(app);
   tool::addRecord(app);
