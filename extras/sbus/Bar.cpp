@@ -10,11 +10,11 @@ namespace tool {
 
 namespace {
 
-enum class Sign { Track, Left, Centre, Right, Fill, Low, High, Knob };
+enum class Sign { Beyond, Track, Left, Centre, Right, Fill, Low, High, Knob };
 
 const char *text(Sign sign, bool unicode) {
-  const char *const signs[][2] = {{"-", "─"}, {"+", "├"}, {"+", "┼"}, {"+", "┤"},
-                                  {"=", "━"}, {"[", "["}, {"]", "]"}, {"#", "█"}};
+  const char *const signs[][2] = {{" ", " "}, {"-", "─"}, {"+", "├"}, {"+", "┼"},
+                                  {"+", "┤"}, {"=", "━"}, {"[", "["}, {"]", "]"}, {"#", "█"}};
   return signs[static_cast<int>(sign)][unicode ? 1 : 0];
 }
 
@@ -67,12 +67,14 @@ std::string Bar::scale() const {
 }
 
 void Bar::append(PageRow &row, const MonitorView::Channel &channel) const {
-  std::vector<Sign> signs(static_cast<size_t>(_width), Sign::Track);
+  std::vector<Sign> signs(static_cast<size_t>(_width), _view.isRaw ? Sign::Beyond : Sign::Track);
   const auto set = [&signs](int position, Sign sign) { signs[static_cast<size_t>(position)] = sign; };
   const int centre = _view.isRaw ? at(_view.range.centre) : 0;
   if (_view.isRaw) {
-    set(at(_view.range.low), Sign::Left);
-    set(at(_view.range.high), Sign::Right);
+    const auto [left, right] = std::minmax(at(_view.range.low), at(_view.range.high));
+    std::fill(signs.begin() + left, signs.begin() + right, Sign::Track);
+    set(left, Sign::Left);
+    set(right, Sign::Right);
   }
   if (!channel.text.empty()) {
     const int value = at(channel.value);

@@ -45,8 +45,8 @@ std::string right(const std::string &text, int width) {
 
 // What of a channel has room in so many columns.
 struct Cells {
-  explicit Cells(int width, bool isRaw) : value(isRaw ? 5 : 9) {
-    int left = width - Gap - Name - value;
+  explicit Cells(int width, bool isRaw) : name(width < WithMargin ? 2 : 3), value(isRaw ? 5 : 9) {
+    int left = width - Gap - name - value;
     const auto take = [&left](int wanted, int kept) {
       const bool room = left >= wanted + kept;
       left -= room ? wanted : 0;
@@ -60,11 +60,12 @@ struct Cells {
   }
 
   static constexpr int Gap = 1;  // to the next column
-  static constexpr int Name = 2;
+  static constexpr int WithMargin = 24;
   static constexpr int Us = 5;
   static constexpr int Percent = 7;
   static constexpr int LeastBar = 10;
 
+  int name;
   int value;
   bool us;
   bool percent;
@@ -166,7 +167,7 @@ class Layout {
   void head() {
     PageRow row;
     const Cells cells(_cellWidth, _view.isRaw);
-    std::string text = right("CH", Cells::Name) + right(_view.isRaw ? "raw" : "value", cells.value);
+    std::string text = right("CH", cells.name) + right(_view.isRaw ? "raw" : "value", cells.value);
     text += cells.us ? right(_unicode ? "µs" : "us", Cells::Us) : "";
     text += cells.percent ? right("%", Cells::Percent) : "";
     text += cells.bar > 0 ? " " + Bar(_view, cells.bar, _unicode).scale() : "";
@@ -196,7 +197,7 @@ class Layout {
     const Cells cells(_cellWidth, _view.isRaw);
     const bool none = channel.text.empty();
     const auto raw = static_cast<uint16_t>(none || !_view.isRaw ? 0 : channel.value);
-    row.push_back({right(std::to_string(index + 1), Cells::Name), Style::Dim});
+    row.push_back({right(std::to_string(index + 1), cells.name), Style::Dim});
     row.push_back({right(none ? "-" : channel.text, cells.value), _view.old ? Style::Dim : Style::Strong});
     std::string numbers;
     if (cells.us) {

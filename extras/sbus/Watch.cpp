@@ -36,7 +36,7 @@ std::string count(const char *name, uint64_t value) {
 std::string gaps(const line::Extent &gaps) {
   const auto ms = [](uint64_t us) { return static_cast<double>(us) / 1000; };
   return gaps.count == 0 ? "gap -"
-                         : format("gap min %.2f  mean %.2f  max %.2f ms", ms(gaps.low), ms(gaps.mean()), ms(gaps.high));
+                         : format("gap min %.2f mean %.2f max %.2f ms", ms(gaps.low), ms(gaps.mean()), ms(gaps.high));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace {
 void addVerbs(CLI::App &app) {
   tool::addPorts(app);
   tool::addMonitor(app);
+  tool::addDoctor(app);
   tool::addHex(app);
   tool::addCsv(app);
   tool::addRecord(app);
@@ -39,6 +40,8 @@ int main(int argc, char **argv) {
   tool::catchSignals();
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError &error) {
+    return error.get_exit_code();  // the verb has said why
   } catch (const CLI::ParseError &error) {
     const int status = app.exit(error);
     return status == 0 ? EXIT_SUCCESS : tool::WrongCommandLine;
