@@ -71,7 +71,7 @@ void Bar::append(PageRow &row, const MonitorView::Channel &channel) const {
   const auto set = [&signs](int position, Sign sign) { signs[static_cast<size_t>(position)] = sign; };
   const int centre = _view.isRaw ? at(_view.range.centre) : 0;
   if (_view.isRaw) {
-    const auto [left, right] = std::minmax(at(_view.range.low), at(_view.range.high));
+    const auto [left, right] = std::minmax({at(_view.range.low), at(_view.range.high)});
     std::fill(signs.begin() + left, signs.begin() + right, Sign::Track);
     set(left, Sign::Left);
     set(right, Sign::Right);

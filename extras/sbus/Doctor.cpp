@@ -98,9 +98,10 @@ class Heard {
   uint64_t _heardUs = 0;
 };
 
-// The one that is meant first. What inverts a serial port is its adapter, and the bytes of a stream have come already.
+// The one that is meant first: of sim and of a recording what a sketch's begin() opens. What inverts a serial port is its adapter, and the bytes of a stream have come already.
 std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   line::LineSettings settings = source.settings();
+  settings.baud = source.isWire() ? sbus::Baud : settings.baud;
   settings.polarity = source.isWire() ? settings.polarity : line::Polarity::Either;
   std::vector<line::LineSettings> all = {settings};
   if (source.isStream() || settings == line::csvSettings()) {

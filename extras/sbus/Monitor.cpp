@@ -86,7 +86,7 @@ class Page {
       _view = _watch.view(nowUs);
     }
     const char *const note = _paused  ? "PAUSED: space goes on"
-                             : _ended ? "The line has ended. q quits"
+                             : _ended ? "ENDED: q quits"
                                       : "";
     _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
   }

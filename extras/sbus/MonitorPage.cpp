@@ -43,6 +43,16 @@ std::string right(const std::string &text, int width) {
   return missing > 0 ? std::string(static_cast<size_t>(missing), ' ') + text : cut(text, width);
 }
 
+// Not cut in the middle of what it says: "FAILSAFE" of "FAILSAFE: the receiver is well, but has given the radio up."
+std::string cutAtPhrase(const std::string &text, int width) {
+  if (widthOf(text) <= width) {
+    return text;
+  }
+  const std::string start = cut(text, width);
+  const size_t end = std::max(start.rfind(": ") + 1, start.rfind(". ") + 1);  // npos + 1 is 0
+  return end > 0 ? start.substr(0, end - 1) : start;
+}
+
 // What of a channel has room in so many columns.
 struct Cells {
   explicit Cells(int width, bool isRaw) : name(width < WithMargin ? 2 : 3), value(isRaw ? 5 : 9) {
@@ -109,8 +119,8 @@ class Layout {
     const bool beforeKeys = keys && take(1);
     const int groups = (_rows - 1) / GroupSize;
     _grouped = groups > 0 && take(groups);
-    title();
-    banner(keys ? std::string() : note);
+    title(keys ? std::string() : note);
+    banner();
     space(afterBanner);
     if (head) {
       this->head();
@@ -145,23 +155,21 @@ class Layout {
 
   std::string lamp(bool on) const { return _unicode ? (on ? "●" : "○") : on ? "(*)" : "( )"; }
 
-  void title() {
+  void title(const std::string &note) {
     const std::string state = lamp(true) + " " + _view.state + " ";
     const int room = _size.width - widthOf(state);
     const std::string name = cut(" " + _view.source, room - 1);
     const int left = room - widthOf(name);
-    const std::string kind = widthOf(_view.kind) + 4 < left ? "   " + _view.kind : "";
-    _page.push_back({{name, Style::Strong}, {padded(kind, left), Style::Dim}, {state, styleOf(_view.mood)}});
+    const std::string kind = note.empty() ? _view.kind : cutAtPhrase(note, left - 5);
+    _page.push_back({{name, Style::Strong},
+                     {padded(widthOf(kind) + 4 < left ? "   " + kind : "", left), note.empty() ? Style::Dim : Style::Warn},
+                     {state, styleOf(_view.mood)}});
   }
 
-  void banner(const std::string &note) {
-    const std::string &text = _view.banner.empty() ? note : _view.banner;
-    if (text.empty()) {
-      _page.emplace_back();
-      return;
-    }
-    const bool bad = !_view.banner.empty() && _view.bannerMood == Mood::Bad;
-    _page.push_back({{padded(" " + text, _size.width), bad ? Style::BadBanner : Style::WarnBanner}});
+  void banner() {
+    const Style style = _view.bannerMood == Mood::Bad ? Style::BadBanner : Style::WarnBanner;
+    const std::string text = " " + cutAtPhrase(_view.banner, _size.width - 1);
+    _page.push_back({{_view.banner.empty() ? "" : padded(text, _size.width), style}});
   }
 
   void head() {

@@ -24,8 +24,8 @@ struct PageSize {
 
 constexpr PageSize LeastPage = {40, 12};
 
-// `size.height` rows or less, each `size.width` columns or less. `unicode`: else all of it is ASCII. `note` stands in
-// the last row in the keys' place.
+// `size.height` rows or less, each `size.width` columns or less. `unicode`: else all of it is ASCII. `note`, such as
+// "PAUSED: space goes on", stands in the last row in the keys' place.
 std::vector<PageRow> layOut(const MonitorView &view, PageSize size, bool unicode, const std::string &note);
 
 // What the keys do and what the page shows.

@@ -6,6 +6,7 @@
 #include <term.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -43,14 +44,15 @@ short pairOf(Style style) {
 
 bool Screen::isPossible() {
   int error = 0;
-  return isTerminal() && isatty(STDIN_FILENO) != 0 && setupterm(nullptr, STDOUT_FILENO, &error) == OK &&
+  return isTerminal() && setupterm(nullptr, STDOUT_FILENO, &error) == OK &&
          cursor_address != nullptr;
 }
 
 Screen::Screen() {
   setlocale(LC_CTYPE, "");  // no other: numbers have a point
   _unicode = std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
-  if (newterm(nullptr, stdout, stdin) == nullptr) {
+  FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen("/dev/tty", "r");  // of sbus monitor -
+  if (keys == nullptr || newterm(nullptr, stdout, keys) == nullptr) {
     throw std::runtime_error("the terminal cannot show a page; set TERM to what it is, or read lines: | cat");
   }
   cbreak();

@@ -113,7 +113,7 @@ MonitorView Watch::view(uint64_t nowUs) {
     showFrames(view, nowUs);
     showState(view, nowUs);
   }
-  if (!_news.empty() && (view.old || nowUs < _newsUs + NewsUs)) {
+  if (!_news.empty() && (nowUs < _newsUs + NewsUs || _newsUs >= _characterUs)) {
     view.banner = _news;
     view.bannerMood = view.old ? Mood::Bad : Mood::Warn;
   }
@@ -157,7 +157,7 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
       {"Frames",
        {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
         format("%3u frames/s", _observer.framesPerSecond(nowUs)), count("lost by radio", now.lostFrames - _before.lostFrames),
-        count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("all", now.frames - _before.frames)}},
+        count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
        {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
         count("bytes skipped", now.skippedBytes - _before.skippedBytes)}},
@@ -195,14 +195,14 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       view.state = "failsafe";
       view.mood = Mood::Bad;
       view.banner = values.failsafe ? text(sbus::Finding::Failsafe) : text(sbus::Finding::NoRadio);
-      view.banner += values.failsafe ? " Its failsafe setting:" : " The values are old:";
+      view.banner += values.failsafe ? " The values are its failsafe setting." : " The values are old.";
       break;
     case sbus::LinkState::Stale:
       view.state = "stale";
       view.mood = Mood::Bad;
       view.old = true;
       view.banner = "STALE: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
-                    (bytesCome ? ", though bytes come. The values are old:" : ": wire, receiver or power. The values are old:");
+                    (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
       break;
   }
 }
@@ -222,17 +222,17 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
     view.lamps.push_back({sketch ? (failsafe ? "FAILSAFE" : "FRAME LOST") : "CH" + std::to_string(i + 1),
                           _row[i].value > 0, failsafe ? Mood::Bad : sketch ? Mood::Warn : Mood::Good});
   }
-  view.groups = {{"Rows", {"newest" + age(ageUs) + " old", count("all", _rowGaps.count + 1), gaps(_rowGaps)}}};
+  view.groups = {{"Rows", {"newest" + age(ageUs) + " old", count("total", _rowGaps.count + 1), gaps(_rowGaps)}}};
   view.old = ageUs >= StaleRowUs;
   view.state = view.old ? "stale" : "receiving";
   view.mood = view.old ? Mood::Bad : Mood::Good;
   if (view.old) {
     view.banner = "STALE: no row for " + format("%.1f s", static_cast<double>(ageUs) / 1e6) +
-                  ": a sketch prints none while the line is silent. The values are old:";
+                  ": a sketch prints none while the line is silent. The values are old.";
   } else if (sketch && _row[channels].value > 0) {
     view.state = "failsafe";
     view.mood = Mood::Bad;
-    view.banner = std::string(text(sbus::Finding::Failsafe)) + " Its failsafe setting:";
+    view.banner = std::string(text(sbus::Finding::Failsafe)) + " The values are its failsafe setting.";
   }
 }
 
