@@ -1,8 +1,9 @@
-# `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile, test/Makefile.
+# `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile,
+# extras/sbus/Makefile, test/Makefile.
 
 .DEFAULT_GOAL := help
 
-work := help demo test check torture fuzz size bench figures docs clean
+work := help demo sbus install test check torture fuzz size bench figures docs clean
 .PHONY: $(work) zip release
 zip:
 	@sh extras/setup/zip.sh
@@ -19,7 +20,8 @@ $(work):
 	@find '$(copy)' -mindepth 1 -maxdepth 1 -exec rm -rf {} +
 	@tar cf - --exclude=./build --exclude=./.git . | tar xf - -C '$(copy)'
 	@ln -s '$(CURDIR)/build' '$(copy)/build'
-	@$(MAKE) --no-print-directory -C '$(copy)' $@ $(call absolute,CAPTURES) $(call absolute,RECORDING)
+	@$(MAKE) --no-print-directory -C '$(copy)' $@ $(call absolute,CAPTURES) $(call absolute,RECORDING) \
+	  $(call absolute,PREFIX) $(call absolute,DESTDIR)
 else
 
 help:
@@ -28,6 +30,8 @@ help:
 	@echo "            RECORDING=file        a recorded line"
 	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
+	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/sbus"
+	@echo "make install PREFIX=/usr/local  installs it, its manual and its completion"
 	@echo "make test   builds and runs all tests; installs what it lacks"
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
 	@echo "            V=1                   prints everything"
@@ -53,7 +57,22 @@ demo:
 	@build/host/$(sketch_name) $(if $(RECORDING),--recording '$(RECORDING)') $(if $(PORT),--port '$(PORT)') \
 	  $(if $(RECORDING)$(PORT),,$(sketch_options)) $(if $(PTY),--pty)
 
+sbus:
+	@sh extras/setup/need.sh $(TOOL)
+	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/sbus
+	@echo build/sbus/sbus
+
+SBUS := build/sbus/sbus
+PREFIX ?= /usr/local
+installed := $(DESTDIR)$(PREFIX)
+install: sbus
+	@install -D '$(SBUS)' '$(installed)/bin/sbus'
+	@install -D -m 644 extras/sbus/sbus.1 '$(installed)/share/man/man1/sbus.1'
+	@install -D -m 644 extras/sbus/completion.bash '$(installed)/share/bash-completion/completions/sbus'
+	@echo '$(installed)/bin/sbus'
+
 CAPTURES ?=
+TOOL := g++ libcli11-dev libserialport-dev libncurses-dev
 AVR := gcc-avr avr-libc arduino-core-avr
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
@@ -61,7 +80,7 @@ ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  git unzip $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm
+	  libncurses-dev git unzip $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

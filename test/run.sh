@@ -22,6 +22,7 @@ fuzz             libFuzzer
 boards-cores     other cores: library and examples on stand-ins
 examples-g++     examples and recordings, g++
 examples-clang++ examples and recordings, clang++
+tool             sbus: what it prints, records and refuses
 bench            what the library costs
 table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
@@ -99,6 +100,7 @@ step_captures() {
 step_rules() { line/without.sh check; }
 step_package() { ./package.sh; }
 step_uses() { ./uses.sh; }
+step_tool() { tool/run.sh; }
 step_fuzz() { ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
 step_boards() {

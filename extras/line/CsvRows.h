@@ -18,8 +18,8 @@ struct CsvField {
 
 using CsvRow = std::vector<CsvField>;
 
-// What such a column is most likely called: "CH1" to "CH4", "failsafe", "lostFrame" of 6 columns, as examples/DecodeSBus
-// prints them; else "CH1" and so on.
+// What such a column is most likely called: "CH1" to "CH4", "failsafe", "lostFrame" of 6 columns, as
+// examples/DecodeSBus prints them; else "CH1" and so on.
 std::string csvName(size_t column, size_t columns);
 
 // Takes the bytes of a text, and tells a sketch's rows from the bytes of S.Bus, which are no text.

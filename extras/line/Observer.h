@@ -1,5 +1,5 @@
-// What a decoder makes of a line, for a person to look at: in a terminal, in a browser, in a report. It asks neither for
-// the time nor for a file, and compiles to WebAssembly.
+// What a decoder makes of a line, for a person to look at: in a terminal, in a browser, in a report. It asks neither
+// for the time nor for a file, and compiles to WebAssembly.
 //
 //   line::Observer observer;
 //   observer.listen([&observer](const line::Stretch &stretch) { ... });  // each frame, and what lies between
@@ -13,6 +13,7 @@
 #include <deque>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "Line.h"
@@ -41,12 +42,12 @@ std::string why(const Stretch &stretch);
 
 // The newest values. All 0 before the first frame.
 struct Values {
-  uint64_t endUs = 0;                                    // when the frame was complete
-  unsigned count = 0;                                    // 16 or 24; 32 once frames with header 2F have come
-  std::array<uint16_t, 32> raw{};                        // CH1.., 0..2047
-  std::array<bool, 2> switches{};                        // CH17 and CH18 of a line of 16 channels
-  bool lostFrame = false;                                // the frame's flag
-  bool failsafe = false;                                 // the same
+  uint64_t endUs = 0;              // when the frame was complete
+  unsigned count = 0;              // 16 or 24; 32 once frames with header 2F have come
+  std::array<uint16_t, 32> raw{};  // CH1.., 0..2047
+  std::array<bool, 2> switches{};  // CH17 and CH18 of a line of 16 channels
+  bool lostFrame = false;          // the frame's flag
+  bool failsafe = false;           // the same
 };
 
 // The least and the most of something since reset() or resetMarks().
@@ -86,9 +87,7 @@ class Observer {
   unsigned long badCharacters() const { return _badCharacters; }
   // True if frames have 24 channels, not 16.
   bool has24() const { return _side24.finder.counters().frames > _side16.finder.counters().frames; }
-  const sbus::Counters &counters() const {
-    return has24() ? _side24.finder.counters() : _side16.finder.counters();
-  }
+  const sbus::Counters &counters() const { return has24() ? _side24.finder.counters() : _side16.finder.counters(); }
 
   // Of the decoder for 16 channels, even if it is not the one that is right: for sbus::Diagnosis.
   const sbus::Counters &counters16() const { return _side16.finder.counters(); }

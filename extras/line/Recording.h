@@ -1,7 +1,8 @@
 // A recording of a line, as a text file:
 //
 //   # a comment
-//   120 0F E5 03! 1F    microseconds at which the first character was complete, then characters back to back; ! after one
+//   120 0F E5 03! 1F    microseconds at which the first character was complete, then characters back to back; ! after
+//   one
 //                       with a wrong parity or stop bit
 #pragma once
 

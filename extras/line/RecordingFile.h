@@ -18,15 +18,17 @@ unsigned long recordedBaud(const std::string &name);
 // True if the file begins with the rows that a sketch prints.
 bool isCsv(const std::string &name);
 
-// Such a file as the line of a sketch's Serial (csvSettings()): a row every 200 ms, as the examples print them. Throws as
-// readRecording().
+// Such a file as the line of a sketch's Serial (csvSettings()): a row every 200 ms, as the examples print them. Throws
+// as readRecording().
 LineSettings csvSettings();  // 115200 baud, 8N1
 Recording readCsv(const std::string &name);
 
-// A text file that grows line by line. Whatever happens it holds whole lines: if the program is killed, or the disk full.
+// A text file that grows line by line. Whatever happens it holds whole lines: if the program is killed, or the disk
+// full.
 class LineFile {
  public:
-  // Throws std::runtime_error. `isNew`: a file that is there and has something in it is left alone, and that is an error.
+  // Throws std::runtime_error. `isNew`: a file that is there and has something in it is left alone, and that is an
+  // error.
   explicit LineFile(const std::string &name, bool isNew = false);
   ~LineFile();
   LineFile(const LineFile &) = delete;

@@ -38,7 +38,8 @@ class CsvView {
   void put(const line::Character &character, const std::string &source) {
     _rows.put(character);
     if (_rows.recognised()) {
-      throw std::runtime_error(source + ": these are rows of CSV already; sbus plot shows them, sbus record keeps them");
+      throw std::runtime_error(source +
+                               ": these are rows of CSV already; sbus plot shows them, sbus record keeps them");
     }
     _observer.put(character);
   }
@@ -107,9 +108,7 @@ void addCsv(CLI::App &app) {
   verb->add_option("--columns", options->columns,
                    "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
       ->type_name("LIST");
-  verb->add_option("--rate", options->rate, "rows a second (5)")
-      ->check(CLI::Range(0.01, 1000.0).description(""))
-      ->type_name("N");
+  verb->add_option("--rate", options->rate, "rows a second (5)")->check(numberBetween(0.01, 1000))->type_name("N");
   options->everyFrame = verb->add_flag("--every-frame", "a row for each frame, whatever the rate");
   options->header = verb->add_flag("--header", "the columns' names in the first row");
   verb->footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");

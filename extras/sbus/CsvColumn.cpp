@@ -15,8 +15,10 @@ struct Name {
   const char *name;
   CsvColumn::Kind kind;
 };
-constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe}, {"lostframe", CsvColumn::Kind::LostFrame},
-                          {"time", CsvColumn::Kind::Time},         {"state", CsvColumn::Kind::State},
+constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe},
+                          {"lostframe", CsvColumn::Kind::LostFrame},
+                          {"time", CsvColumn::Kind::Time},
+                          {"state", CsvColumn::Kind::State},
                           {"age", CsvColumn::Kind::Age}};
 
 std::string lower(std::string text) {
@@ -76,8 +78,9 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
     const size_t comma = text.find(',', begin);
     const std::string word = lower(text.substr(begin, comma - begin));
     if (!append(word, columns)) {
-      throw CLI::ValidationError("--columns", "\"" + word + "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, "
-                                                            "lostframe, time, state and age are");
+      throw CLI::ValidationError("--columns", "\"" + word +
+                                                  "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, "
+                                                  "lostframe, time, state and age are");
     }
     begin = comma == std::string::npos ? comma : comma + 1;
   }
@@ -88,8 +91,8 @@ void requireColumns(const std::vector<CsvColumn> &columns, const line::Values &v
   const unsigned most = values.count == sbus::ProportionalCount ? sbus::ChannelCount : values.count;
   for (const CsvColumn &column : columns) {
     if (column.kind == CsvColumn::Kind::Channel && column.channel > most) {
-      throw std::runtime_error("--columns: ch" + std::to_string(column.channel) + " does not come, this line ends at ch" +
-                               std::to_string(most) + "; leave it out");
+      throw std::runtime_error("--columns: ch" + std::to_string(column.channel) +
+                               " does not come, this line ends at ch" + std::to_string(most) + "; leave it out");
     }
   }
 }

@@ -69,7 +69,8 @@ class HexView {
       return text + ", CH17..CH32";
     }
     const line::Values &values = _observer.newest();
-    const std::string flags = std::string(values.lostFrame ? ", lost frame" : "") + (values.failsafe ? ", failsafe" : "");
+    const std::string flags =
+        std::string(values.lostFrame ? ", lost frame" : "") + (values.failsafe ? ", failsafe" : "");
     return text + (flags.empty() ? "" : _colours.flags + flags + _colours.off);
   }
 
@@ -98,8 +99,9 @@ void addHex(CLI::App &app) {
   verb->add_option("--color", *colour, "auto: on a terminal (auto)")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
       ->type_name("auto|always|never");
-  verb->footer("A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
-               "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
+  verb->footer(
+      "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
+      "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
   verb->callback([source, colour] { run(*source, *colour); });
 }
 

@@ -1,6 +1,7 @@
 #include "LineOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstdlib>
 
 #include "line/RecordingFile.h"
@@ -38,7 +39,7 @@ LineOptions::LineOptions(CLI::App &verb) {
           ->type_name("flight|calibration");
   _silent = verb.add_flag("--silent", "nothing comes from sim");
   const CLI::Option *const noise = verb.add_option("--noise", _noise, "disturbances a second, on sim or a recording")
-                                       ->check(CLI::Range(1, 100000).description(""))
+                                       ->check(numberBetween(1, 100000))
                                        ->type_name("N");
   _uninverted = verb.add_flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
   _simulated = {channels, sticks, _silent};
@@ -63,16 +64,24 @@ line::Source LineOptions::source(const std::string &recording) const {
                                       : line::Channels::Sixteen;
   source.noise = _noise;
   source.settings.baud = baud(recording);
-  source.settings.polarity =
-      _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  source.settings.polarity = _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
   return source;
 }
 
-std::string checkSeconds(const std::string &text) {
-  constexpr double Largest = 366.0 * 24 * 60 * 60;
-  char *end = nullptr;
-  const double seconds = std::strtod(text.c_str(), &end);
-  return *end == '\0' && seconds >= 0.001 && seconds <= Largest ? "" : "a number from 0.001 to 31622400 is expected";
+// "nan" is refused, too.
+CLI::Validator numberBetween(double low, double high) {
+  const auto check = [low, high](const std::string &text) {
+    char *end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    char expected[80];
+    std::snprintf(expected, sizeof expected, "a number from %.10g to %.10g is expected", low, high);
+    return *end == '\0' && number >= low && number <= high ? std::string() : expected;
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator seconds() {
+  return numberBetween(0.001, 366.0 * 24 * 60 * 60);
 }
 
 }  // namespace tool

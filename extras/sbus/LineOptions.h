@@ -40,7 +40,10 @@ class LineOptions {
   const CLI::Option *_uninverted;
 };
 
-// Checks an option's number of seconds: "" or what is wrong.
-std::string checkSeconds(const std::string &text);
+// Of an option that takes a number.
+CLI::Validator numberBetween(double low, double high);
+
+// Of --seconds: up to a year.
+CLI::Validator seconds();
 
 }  // namespace tool

@@ -47,7 +47,7 @@ void addReplay(CLI::App &app) {
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
   verb->add_option("--speed", options->speed, "so many times as fast (1)")
-      ->check(CLI::Range(0.001, 1000.0).description(""))
+      ->check(numberBetween(0.001, 1000))
       ->type_name("N");
   options->loop = verb->add_flag("--loop", "again and again");
   verb->callback(

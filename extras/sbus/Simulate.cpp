@@ -19,9 +19,7 @@ void addSimulate(CLI::App &app) {
     double seconds = 0;
   };
   const auto options = std::make_shared<Options>(*verb);
-  verb->add_option("--seconds", options->seconds, "end after so many seconds")
-      ->check(CLI::Validator(checkSeconds, ""))
-      ->type_name("S");
+  verb->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
   verb->callback([options] {
     options->sending.run(
         [&options] {

@@ -38,10 +38,9 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
       ->required()
       ->type_name("");
   _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
-  verb.add_option("--seconds", _seconds, "end after so many seconds")
-      ->check(CLI::Validator(checkSeconds, ""))
-      ->type_name("S");
-  _simulatedTime = verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+  verb.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  _simulatedTime =
+      verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
 line::LineSettings SourceOption::settings() const {

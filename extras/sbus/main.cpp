@@ -32,6 +32,7 @@ std::string nameOf(const CLI::App &app) {
 int main(int argc, char **argv) {
   CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", VERSION);
   app.set_help_all_flag("--help-all", "what every verb takes");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a recording, - for bytes on standard input, or sim, a receiver that "

@@ -1,8 +1,7 @@
 // The rows of numbers that a sketch prints: told from anything else, and read.
-#include "line/CsvRows.h"
-
 #include <doctest/doctest.h>
 
+#include "line/CsvRows.h"
 #include "line/SimulatedReceiver.h"
 
 using line::CsvRows;
@@ -41,7 +40,7 @@ TEST_CASE("what is a sketch's text, and what is not") {
       {"1,2,3,4,0,0\r\n1,2,3,4,0,0\r\n", true},
       {"0.732,0.469\n-0.675,0.369\n", true},
       {"3,4,0,0\r\n1,2,3,4,0,0\r\n1,2,3,4,0,0\r\n", true},  // from the middle of a row on
-      {"1,2,3,4,0,0\r\n1,2,3,4,0,0", false},                 // the second is not complete
+      {"1,2,3,4,0,0\r\n1,2,3,4,0,0", false},                // the second is not complete
       {"1,2,3,4,0,0\r\n", false},
       {"1,2,3\n1,2\n", false},
       {"120\n240\n", false},  // a number alone says nothing

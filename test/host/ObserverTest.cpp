@@ -1,8 +1,7 @@
 // What a person is shown of a line: every character once, each frame where it stood, and the numbers beside it.
-#include "line/Observer.h"
-
 #include <doctest/doctest.h>
 
+#include "line/Observer.h"
 #include "line/SimulatedReceiver.h"
 #include "support/KnownFrames.h"
 

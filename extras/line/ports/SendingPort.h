@@ -13,7 +13,9 @@ class SendingPort {
  public:
   // Throws std::runtime_error if it cannot be opened now.
   SendingPort(const std::string &device, const LineSettings &settings)
-      : _device(device), _settings(settings), _port(std::make_unique<PortFile>(device, settings, PortFile::Way::Write)) {}
+      : _device(device),
+        _settings(settings),
+        _port(std::make_unique<PortFile>(device, settings, PortFile::Way::Write)) {}
 
   // Never waits: what the port cannot take, or finds it gone, is lost. Returns how many bytes were not.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);

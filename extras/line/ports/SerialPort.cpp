@@ -62,9 +62,9 @@ void SerialPort::poll(uint64_t nowUs) {
   }
 }
 
-// USB brings a frame in pieces. They go on at the pace of the line, or they would overrun the board's buffer, and so much
-// later that the next piece is there before they have gone: else there were pauses within frames. A pause on the line
-// that is shorter is lost, which a decoder can bear.
+// USB brings a frame in pieces. They go on at the pace of the line, or they would overrun the board's buffer, and so
+// much later that the next piece is there before they have gone: else there were pauses within frames. A pause on the
+// line that is shorter is lost, which a decoder can bear.
 void SerialPort::take(uint8_t byte, uint64_t nowUs) {
   Character character;
   character.value = byte;

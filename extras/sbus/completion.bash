@@ -1,0 +1,39 @@
+# Completion for bash: of verbs, options, the words that options take, and files.
+
+_sbus() {
+  local verb word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} words=
+  verb=${COMP_WORDS[1]}
+  local line="--baud --channels --sticks --silent --noise --uninverted"
+  local source="$line --csv --seconds --simulated-time"
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    words="ports hex csv record replay simulate --help --help-all --version"
+  else
+    case $before in
+      --baud) words="100000 200000" ;;
+      --channels) words="16 24 32" ;;
+      --sticks) words="flight calibration" ;;
+      --color) words="auto always never" ;;
+      --columns) words="ch1-ch4,failsafe,lostframe ch1-ch18 ch1-ch24 ch1-ch32 time state age" ;;
+      --noise | --seconds | --rate | --speed) return ;;
+      --to) ;;
+      *)
+        case $verb in
+          hex) words="$source --color" ;;
+          csv) words="$source --columns --rate --every-frame --header" ;;
+          record) words="$source" ;;
+          replay) words="--to --baud --speed --loop" ;;
+          simulate) words="$line --to --seconds" ;;
+        esac
+        words="$words --help"
+        case $verb in hex | csv | record) words="$words sim" ;; esac
+        ;;
+    esac
+  fi
+  COMPREPLY=($(compgen -W "$words" -- "$word"))
+  if [ "$COMP_CWORD" -gt 1 ] && [[ $word != -* ]] && { [ "$before" = --to ] || [[ $before != --* ]]; }; then
+    COMPREPLY+=($(compgen -f -- "$word"))
+    compopt -o filenames 2>/dev/null
+  fi
+}
+
+complete -F _sbus sbus

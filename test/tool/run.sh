@@ -1,0 +1,214 @@
+#!/bin/sh
+# Runs `sbus`, built by g++ with the address sanitizer, and says "ok ..." or "FAILED ..." of:
+#   golden/*.csv               `sbus csv` prints what the sketches print
+#   tool/golden/NAME.txt       what it prints when called as tool/LINES says
+#   tool/REFUSALS              what it says of what it cannot do
+#   recordings/bad/MESSAGES    the same of each bad recording
+#   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
+#   the manual and the completion
+# "run.sh update" writes tool/golden anew instead. BUILD: an absolute folder for what is built.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+out="${BUILD:-$PWD/../build/test}/tool"
+sbus=$out/sbus
+work=$out/work
+flags="-O0 -g -fsanitize=address"  # what CLI11 is made of takes minutes with more
+update="${1:-}"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# until_true COMMAND...: waits until it succeeds, a minute at most
+until_true() {
+  tries=0
+  until "$@"; do
+    tries=$((tries + 1))
+    [ $tries -lt 600 ] || return 1
+    sleep 0.1
+  done
+}
+
+has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
+
+# player VERB ARGUMENTS...: starts one on a pseudo-terminal; sets `player` to its process, `terminal` to its name
+player() {
+  rm -f "$work/terminal"
+  "$sbus" "$@" >"$work/terminal" 2>"$work/player.err" &
+  player=$!
+  until_true has_lines 1 "$work/terminal"
+  terminal=$(cat "$work/terminal")
+}
+
+# The bytes of a recording, one a line: times differ from run to run.
+bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
+
+# Whole lines, which can be read.
+is_whole() {
+  [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ] && "$sbus" hex "$1" >"$work/whole.txt" 2>&1 && ! grep -v '^#' "$1" | grep -vE '^[0-9]+( [0-9A-F]{2}!?)+$'
+}
+
+printf '\nsbus\n'
+mkdir -p "$out"
+rm -rf "$work"
+mkdir -p "$work"
+if ! "${MAKE:-make}" --no-print-directory -C ../extras/sbus BUILD="$out" CXX=g++ CXXFLAGS="$flags"; then
+  verdict 1 "does not build"
+  exit
+fi
+
+# ---- What it prints
+
+# sketch GOLDEN ARGUMENTS...: csv prints what the sketch prints
+sketch() {
+  golden=golden/$1.csv
+  shift
+  timeout 60 "$sbus" csv "$@" | tail -n 20 | cmp - "$golden"
+  verdict $? "csv prints what is in $golden"
+}
+sketch DecodeSBus sim --simulated-time --seconds 13.1
+sketch AllChannels sim --simulated-time --seconds 3.3 --columns ch1-ch18
+sketch Channels24 sim --simulated-time --seconds 3.3 --channels 24 --columns ch1-ch24
+for recording in paper frsky-neutral sbus2; do
+  sketch DecodeSBus-$recording recordings/$recording.txt
+  sketch AllChannels-$recording recordings/$recording.txt --columns ch1-ch18
+done
+
+grep -v '^#' tool/LINES >"$work/lines"
+while read -r name arguments; do
+  # shellcheck disable=SC2086  # the arguments are words
+  timeout 60 "$sbus" $arguments >"$work/$name.txt" </dev/null
+  status=$?
+  if [ "$update" = update ]; then
+    cp "$work/$name.txt" "tool/golden/$name.txt"
+  else
+    [ $status -eq 0 ] && cmp "$work/$name.txt" "tool/golden/$name.txt"
+    verdict $? "$arguments"
+  fi
+done <"$work/lines"
+[ "$update" = update ] && exit
+for file in tool/golden/*.txt; do
+  [ -f "$work/${file##*/}" ] || verdict 1 "$file is of no line of tool/LINES"
+done
+
+# The paper's first frame, as bytes on standard input: two of them, since the second shows where the first one ends.
+frame='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
+[ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tr -d '\r' | tail -n 1)" = "997,992,992,992,0,0" ]
+verdict $? "csv of bytes on standard input"
+"$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
+[ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
+verdict $? "standard output is full"
+
+# ---- What it refuses
+
+# refused MESSAGE ARGUMENTS...: fails, and says that line first
+refused() {
+  message=$1
+  shift
+  timeout 60 "$sbus" "$@" >"$work/out" 2>"$work/err" </dev/null
+  status=$?
+  grep -v 'Ctrl-C ends it$' "$work/err" | sed -n 1p | grep -qxFe "$message" || { cat "$work/err"; status=0; }
+  [ "$status" -eq 1 ] || [ "$status" -eq 2 ]
+  verdict $? "refuses: $*"
+}
+grep -v '^#' tool/REFUSALS >"$work/refusals"
+while IFS= read -r line; do
+  # shellcheck disable=SC2086  # the arguments are words
+  refused "${line#* = }" ${line%% = *}
+done <"$work/refusals"
+while IFS= read -r message; do
+  (cd recordings/bad && refused "sbus hex: $message" hex "${message%%:*}")
+done <recordings/bad/MESSAGES
+
+# ---- Recorders and players
+
+"$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err" &&
+  "$sbus" record "$work/noisy.txt" "$work/again.txt" 2>>"$work/err" &&
+  bytes "$work/noisy.txt" >"$work/noisy.bytes" && bytes "$work/again.txt" | cmp - "$work/noisy.bytes" &&
+  grep -q '!' "$work/noisy.bytes" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
+verdict $? "a recording of a recording has the same characters, the bad ones too"
+
+player replay recordings/paper.txt
+"$sbus" record "$terminal" "$work/paper.txt" 2>"$work/err"
+status=$?
+wait "$player" && [ $status -eq 0 ] && bytes recordings/paper.txt >"$work/paper.bytes" &&
+  bytes "$work/paper.txt" | cmp - "$work/paper.bytes"
+verdict $? "what is replayed through a pseudo-terminal is what is recorded"
+
+player replay golden/AllChannels.csv --speed 20
+"$sbus" record "$terminal" "$work/rows.csv" 2>"$work/err"
+[ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, no S.Bus" ] &&
+  sed 1d "$work/rows.csv" | cmp - golden/AllChannels.csv
+verdict $? "a sketch's rows are recorded as they are"
+wait "$player"
+
+for signal in INT TERM HUP KILL; do
+  player simulate
+  "$sbus" record "$terminal" "$work/$signal.txt" 2>"$work/err" &
+  recorder=$!
+  until_true has_lines 100 "$work/$signal.txt" && kill -$signal $recorder
+  wait $recorder 2>/dev/null
+  status=$?
+  kill -INT "$player"
+  wait "$player"
+  [ $? -eq 0 ] && is_whole "$work/$signal.txt" && [ "$(grep -c ' frame ' "$work/whole.txt")" -ge 50 ] &&
+    if [ $signal = KILL ]; then [ $status -gt 128 ]; else [ $status -eq 0 ] && grep -q ' frames$' "$work/err"; fi
+  verdict $? "a recorder that gets SIG$signal leaves a whole recording"
+done
+
+# A disk with place for 8 KB: a write in the middle of a line fails.
+(trap '' XFSZ; ulimit -f 16; "$sbus" record sim "$work/full.txt" --simulated-time --seconds 5) 2>"$work/err"
+[ $? -eq 1 ] && is_whole "$work/full.txt" && [ "$(wc -c <"$work/full.txt")" -gt 8000 ] &&
+  grep -q "^sbus record: .*full.txt: could not be written to its end (File too large); what came before is whole" "$work/err"
+verdict $? "a disk that gets full is an error, and the recording is whole up to there"
+
+# An adapter's name in /dev/serial/by-id is a link, which comes again with it.
+player simulate --seconds 1
+ln -sf "$terminal" "$work/adapter"
+first=$player
+"$sbus" record "$work/adapter" "$work/replugged.txt" 2>"$work/replugged.err" &
+recorder=$!
+wait "$first"
+until_true grep -q 'the port has gone' "$work/replugged.err"
+before=$(wc -l <"$work/replugged.txt")
+player simulate
+ln -sf "$terminal" "$work/adapter"
+until_true has_lines $((before + 100)) "$work/replugged.txt" && kill -INT $recorder
+wait $recorder && is_whole "$work/replugged.txt" && grep -q 'adapter: the port is back$' "$work/replugged.err"
+verdict $? "an adapter that is unplugged and plugged in again"
+kill -INT "$player"
+wait "$player"
+
+player simulate --seconds 1
+timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}.$' "$work/out")" -ge 2 ]
+verdict $? "csv of a pseudo-terminal ends with the program at its other end"
+wait "$player"
+
+# ---- What comes with it
+
+"$sbus" --help-all | awk '
+  /^[a-z]+$/ { verb = $1; print verb }
+  /^ *(-[a-z],)?--[a-z]/ { option = $1; sub(/.*,/, "", option); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : verb " ") option }' |
+  sort -u >"$work/words"
+[ "$(wc -l <"$work/words")" -gt 40 ]
+verdict $? "--help-all lists verbs and options"
+while read -r verb option; do
+  sed 's/\\-/-/g' ../extras/sbus/sbus.1 | grep -qE -- "(^|[ B])${option:-$verb}( |$)"
+  verdict $? "sbus.1 has ${option:-$verb}"
+done <<END
+$(awk '{ print $NF }' "$work/words" | sort -u)
+END
+bash -c '
+  . ../extras/sbus/completion.bash
+  while read -r verb option; do
+    COMP_WORDS=(sbus "$verb"); COMP_CWORD=1
+    if [ -n "$option" ]; then COMP_WORDS=(sbus "$verb" "$option"); COMP_CWORD=2; fi
+    COMPREPLY=()
+    _sbus sbus "${COMP_WORDS[COMP_CWORD]}"
+    [[ " ${COMPREPLY[*]} " == *" ${option:-$verb} "* ]] || { echo "FAILED sbus: completion.bash lacks $verb $option"; failed=1; }
+  done <"$1"
+  [ -z "${failed:-}" ] && echo "ok sbus: completion.bash has every verb and option"' bash "$work/words"
+"${MAKE:-make}" -s -C .. -o sbus install SBUS="$sbus" PREFIX="$work/a prefix" >"$work/installed" &&
+  [ -x "$work/a prefix/bin/sbus" ] && [ -s "$work/a prefix/share/man/man1/sbus.1" ] &&
+  [ -s "$work/a prefix/share/bash-completion/completions/sbus" ]
+verdict $? "make install"
