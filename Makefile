@@ -80,7 +80,7 @@ ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev git unzip $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm
+	  libncurses-dev tmux git unzip $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

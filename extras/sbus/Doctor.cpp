@@ -46,7 +46,7 @@ class Heard {
         },
         [&](uint64_t nowUs) {
           _observer.idleUntil(nowUs);
-          _heardUs = us == ToItsEnd ? _lastUs - _firstUs : nowUs;
+          _heardUs = us == ToItsEnd ? _lastUs - _firstUs + pauseUs() : nowUs;
           if (nowUs >= (framesCome() ? framesUs : us)) {
             input.end();
           }
@@ -86,6 +86,11 @@ class Heard {
 
  private:
   const sbus::Counters &counters() const { return _observer.counters(); }
+  // A recording ends with a frame, not with the pause that belongs to it.
+  uint64_t pauseUs() const {
+    const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
+    return std::max(_observer.gaps().low, frameUs) - frameUs;
+  }
   uint32_t ms() const { return std::max<uint32_t>(1, static_cast<uint32_t>(_heardUs / 1000)); }
 
   const line::LineSettings _settings;
@@ -113,7 +118,7 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
     all.push_back(line::csvSettings());
     return all;
   }
-  for (const size_t i : {0, 1}) {
+  for (const size_t i : {size_t{0}, size_t{1}}) {
     line::LineSettings other = all[i];
     other.polarity = line::Polarity::Uninverted;
     all.push_back(other);

@@ -6,16 +6,18 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 update="${1:-}"
-server="$WORK/tmux"  # its socket: nobody else's tmux is touched
+server=0
 
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
 }
 
-tmux() { command tmux -S "$server" -f /dev/null "$@"; }
+# Each terminal has a server of its own: one that is ending takes no more.
+tmux() { command tmux -S "$WORK/tmux-$server" -f /dev/null "$@"; }
 
 # open SIZE COMMAND: a terminal of that size, and a shell command in it
 open() {
+  server=$((server + 1))
   tmux -u new-session -d -x "${1%x*}" -y "${1#*x}" "env PATH='$PATH' $2" \; set -g status off
 }
 
@@ -74,7 +76,7 @@ for file in tool/pages/*.txt; do
   grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "$file is of no page"
 done
 # The sketch AllChannels printed its last row 3.2 s after the beginning, too.
-awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", $1 > 1 ? "," : "", $2 }' tool/pages/flight.txt >"$WORK/raw.txt"
+awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$WORK/raw.txt"
 [ "$(cat "$WORK/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
 verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChannels.csv"
 

@@ -5,8 +5,9 @@
 #   tool/REFUSALS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
+#   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
 #   the manual and the completion
-# "run.sh update" writes tool/golden anew instead. BUILD: an absolute folder for what is built.
+# "run.sh update" writes tool/golden and tool/pages anew instead. BUILD: an absolute folder for what is built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 out="${BUILD:-$PWD/../build/test}/tool"
@@ -86,7 +87,7 @@ while read -r name arguments; do
     verdict $? "$arguments"
   fi
 done <"$work/lines"
-[ "$update" = update ] && exit
+[ "$update" = update ] && SBUS=$sbus WORK=$work exec tool/pages.sh update
 for file in tool/golden/*.txt; do
   [ -f "$work/${file##*/}" ] || verdict 1 "$file is of no line of tool/LINES"
 done
@@ -183,6 +184,9 @@ player simulate --seconds 1
 timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}.$' "$work/out")" -ge 2 ]
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
+
+SBUS=$sbus WORK=$work tool/pages.sh
+SBUS=$sbus WORK=$work tool/doctor.sh
 
 # ---- What comes with it
 
