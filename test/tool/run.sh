@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs `sbus`, built by g++ with the address sanitizer, and says "ok ..." or "FAILED ..." of:
 #   golden/*.csv               `sbus csv` prints what the sketches print
-#   tool/golden/NAME.txt       what it prints when called as tool/LINES says
+#   tool/golden/NAME.txt       what it prints when called as tool/LINES says, the last 20 lines
 #   tool/REFUSALS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
@@ -78,8 +78,9 @@ done
 grep -v '^#' tool/LINES >"$work/lines"
 while read -r name arguments; do
   # shellcheck disable=SC2086  # the arguments are words
-  timeout 60 "$sbus" $arguments >"$work/$name.txt" </dev/null
+  timeout 60 "$sbus" $arguments >"$work/all" </dev/null
   status=$?
+  tail -n 20 "$work/all" >"$work/$name.txt"
   if [ "$update" = update ]; then
     cp "$work/$name.txt" "tool/golden/$name.txt"
   else
