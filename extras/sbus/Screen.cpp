@@ -44,15 +44,20 @@ short pairOf(Style style) {
 
 bool Screen::isPossible() {
   int error = 0;
-  return isTerminal() && setupterm(nullptr, STDOUT_FILENO, &error) == OK &&
-         cursor_address != nullptr;
+  if (!isTerminal() || setupterm(nullptr, STDOUT_FILENO, &error) != OK) {
+    return false;
+  }
+  const bool moves = cursor_address != nullptr;
+  del_curterm(cur_term);
+  return moves;
 }
 
 Screen::Screen() {
   setlocale(LC_CTYPE, "");  // no other: numbers have a point
   _unicode = std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
   FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen("/dev/tty", "r");  // of sbus monitor -
-  if (keys == nullptr || newterm(nullptr, stdout, keys) == nullptr) {
+  _screen = keys == nullptr ? nullptr : newterm(nullptr, stdout, keys);
+  if (_screen == nullptr) {
     throw std::runtime_error("the terminal cannot show a page; set TERM to what it is, or read lines: | cat");
   }
   cbreak();
@@ -73,6 +78,7 @@ Screen::Screen() {
 
 Screen::~Screen() {
   endwin();
+  delscreen(_screen);
 }
 
 PageSize Screen::size() const {

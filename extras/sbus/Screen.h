@@ -3,6 +3,8 @@
 
 #include "MonitorPage.h"
 
+struct screen;  // ncurses' own
+
 namespace tool {
 
 class Screen {
@@ -26,6 +28,7 @@ class Screen {
   int key();
 
  private:
+  screen *_screen;
   bool _unicode;
   bool _colours;
 };
