@@ -94,6 +94,9 @@ class Observer {
   bool has24() const { return _side24.finder.counters().frames > _side16.finder.counters().frames; }
   const sbus::Counters &counters() const { return has24() ? _side24.finder.counters() : _side16.finder.counters(); }
 
+  // Of the decoder for 16 channels, even if it is not the one that is right: for sbus::Diagnosis.
+  const sbus::Counters &counters16() const { return _side16.finder.counters(); }
+
   const Values &newest() const { return _newest; }
   sbus::LinkState state(uint64_t nowUs);
   // Since the newest frame was complete, in us. Of no meaning while state() is NeverSeen.

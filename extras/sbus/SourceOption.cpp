@@ -49,6 +49,18 @@ line::LineSettings SourceOption::settings() const {
   return _csv->count() > 0 ? line::csvSettings() : settings;
 }
 
+bool SourceOption::isFile() const {
+  return kindOf(_name) == Kind::File;
+}
+
+bool SourceOption::isStream() const {
+  return kindOf(_name) == Kind::Stream;
+}
+
+bool SourceOption::isWire() const {
+  return kindOf(_name) == Kind::Simulated || (isFile() && !line::isCsv(_name));
+}
+
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
   if (kind == Kind::Port && _simulatedTime->count() > 0) {

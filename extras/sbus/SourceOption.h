@@ -27,6 +27,11 @@ class SourceOption {
 
   const std::string &name() const { return _name; }
 
+  bool isFile() const;
+  bool isStream() const;
+  // Its levels are known, so that a port of either polarity can hear it: sim and recordings.
+  bool isWire() const;
+
  private:
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
 

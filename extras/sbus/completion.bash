@@ -6,18 +6,21 @@ _sbus() {
   local line="--baud --channels --sticks --silent --noise --uninverted"
   local source="$line --csv --seconds --simulated-time"
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="ports hex csv plot record replay simulate decode wave --help --help-all --version"
+    words="ports monitor doctor hex csv plot record replay simulate decode wave --help --help-all --version"
   else
     case $before in
       --baud) words="100000 200000" ;;
       --channels) words="16 24 32" ;;
       --sticks) words="flight calibration" ;;
+      --range) words="frsky futaba" ;;
       --color) words="auto always never" ;;
       --columns) words="ch1-ch4,failsafe,lostframe ch1-ch18 ch1-ch24 ch1-ch32 time state age" ;;
       --noise | --seconds | --rate | --speed | --signal) return ;;
       --to | --output | -o) ;;
       *)
         case $verb in
+          monitor) words="$source --range" ;;
+          doctor) words="$source" ;;
           hex) words="$source --color" ;;
           csv) words="$source --columns --rate --every-frame --header" ;;
           plot) words="$source --columns --output" ;;
@@ -28,7 +31,7 @@ _sbus() {
           simulate) words="$line --to --seconds" ;;
         esac
         words="$words --help"
-        case $verb in hex | csv | plot | record) words="$words sim" ;; esac
+        case $verb in monitor | doctor | hex | csv | plot | record) words="$words sim" ;; esac
         ;;
     esac
   fi

@@ -12,6 +12,8 @@ namespace {
 
 void addVerbs(CLI::App &app) {
   tool::addPorts(app);
+  tool::addMonitor(app);
+  tool::addDoctor(app);
   tool::addHex(app);
   tool::addCsv(app);
   tool::addPlot(app);
@@ -42,6 +44,8 @@ int main(int argc, char **argv) {
   tool::catchSignals();
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError &error) {
+    return error.get_exit_code();  // the verb has said why
   } catch (const CLI::ParseError &error) {
     const int status = app.exit(error);
     return status == 0 ? EXIT_SUCCESS : tool::WrongCommandLine;

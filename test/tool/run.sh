@@ -6,8 +6,9 @@
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh
+#   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
 #   the manual and the completion
-# "run.sh update" writes tool/golden anew instead. BUILD: an absolute folder for what is built.
+# "run.sh update" writes tool/golden and tool/pages anew instead. BUILD: an absolute folder for what is built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 out="${BUILD:-$PWD/../build/test}/tool"
@@ -88,7 +89,7 @@ while read -r name arguments; do
     verdict $? "$arguments"
   fi
 done <"$work/lines"
-[ "$update" = update ] && exit
+[ "$update" = update ] && SBUS=$sbus WORK=$work exec tool/pages.sh update
 for file in tool/golden/*.txt; do
   [ -f "$work/${file##*/}" ] || verdict 1 "$file is of no line of tool/LINES"
 done
@@ -187,6 +188,8 @@ verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
 
 SBUS=$sbus BUILD=$work tool/wire.sh
+SBUS=$sbus WORK=$work tool/pages.sh
+SBUS=$sbus WORK=$work tool/doctor.sh
 
 # ---- What comes with it
 

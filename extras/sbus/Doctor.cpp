@@ -1,0 +1,209 @@
+// sbus doctor: what is wrong with a line, and the cure, as examples/Diagnose finds it: every setting is tried.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "KindOfLine.h"
+#include "Output.h"
+#include "SourceOption.h"
+#include "Stop.h"
+#include "Verbs.h"
+#include "line/CsvRows.h"
+#include "line/Observer.h"
+#include "line/RecordingFile.h"
+#include "sbus/Diagnosis.h"
+
+namespace tool {
+
+namespace {
+
+// All settings together take less than two seconds.
+constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest receiver known (25 Hz)
+constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
+constexpr uint64_t FramesUs = 1500000;  // of a setting that is right from the beginning: more to judge by
+constexpr uint64_t ToItsEnd = UINT64_MAX;
+
+// What came with a setting.
+class Heard {
+ public:
+  explicit Heard(const line::LineSettings &settings) : _settings(settings) {
+    _observer.reset(0, settings.characterUs());
+    _observer.listen([this](const line::Stretch &stretch) { _kind.take(stretch); });
+  }
+  Heard(const Heard &) = delete;  // its observer's listener leads into it
+  Heard &operator=(const Heard &) = delete;
+
+  // For so long; if frames come, for as long as `framesUs`.
+  void listen(Input &input, uint64_t us, uint64_t framesUs) {
+    input.run(
+        [this](const line::Character &character) {
+          _firstUs = _observer.characters() == 0 ? character.endUs : _firstUs;
+          _lastUs = character.endUs;
+          _observer.put(character);
+          _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
+        },
+        [&](uint64_t nowUs) {
+          _observer.idleUntil(nowUs);
+          _heardUs = us == ToItsEnd ? _lastUs - _firstUs + pauseUs() : nowUs;
+          if (nowUs >= (framesCome() ? framesUs : us)) {
+            input.end();
+          }
+        });
+    _observer.finish();
+  }
+
+  bool isCsv() const { return _isCsv; }
+
+  bool framesCome() const { return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > ms(); }
+
+  sbus::Trial trial() const {
+    return {_settings.baud, _settings.polarity != line::Polarity::Uninverted, ms(), _observer.counters16()};
+  }
+
+  // "100000 baud, 8E2, inverted: 55 frames, 0 bytes of no frame"
+  std::string text() const {
+    const std::string bad = std::to_string(_observer.badCharacters());
+    return line::text(_settings) + ": " +
+           (_isCsv ? "rows of CSV"
+                   : std::to_string(counters().frames) + " frames" + (_observer.has24() ? " of 24 channels" : "") + ", " +
+                         std::to_string(counters().skippedBytes) + " bytes of no frame") +
+           (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") + "\n";
+  }
+
+  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag"
+  std::string figures() const {
+    const sbus::Counters &seen = counters();
+    if (seen.frames == 0) {
+      return {};
+    }
+    const auto aSecond = [this](uint64_t count) { return std::to_string((count * 1000 + ms() / 2) / ms()); };
+    return _kind.text() + ": " + aSecond(seen.frames) + " frames a second and " + aSecond(sbus::damagedFrames(seen)) +
+           " damaged, " + std::to_string(seen.period) + " us from one to the next; " +
+           std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) + " % with the lost-frame flag\n";
+  }
+
+ private:
+  const sbus::Counters &counters() const { return _observer.counters(); }
+  // A recording ends with a frame, not with the pause that belongs to it.
+  uint64_t pauseUs() const {
+    const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
+    return std::max(_observer.gaps().low, frameUs) - frameUs;
+  }
+  uint32_t ms() const { return std::max<uint32_t>(1, static_cast<uint32_t>(_heardUs / 1000)); }
+
+  const line::LineSettings _settings;
+  line::Observer _observer;
+  KindOfLine _kind;
+  line::CsvRows _rows;
+  bool _isCsv = false;
+  uint64_t _firstUs = 0;  // of the characters
+  uint64_t _lastUs = 0;
+  uint64_t _heardUs = 0;
+};
+
+// The one that is meant first: of sim and of a recording what a sketch's begin() opens. What inverts a serial port is its adapter, and the bytes of a stream have come already.
+std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
+  line::LineSettings settings = source.settings();
+  settings.baud = source.isWire() ? sbus::Baud : settings.baud;
+  settings.polarity = source.isWire() ? settings.polarity : line::Polarity::Either;
+  std::vector<line::LineSettings> all = {settings};
+  if (source.isStream() || settings == line::csvSettings()) {
+    return all;
+  }
+  settings.baud = settings.baud == sbus::Baud ? 2 * sbus::Baud : sbus::Baud;
+  all.push_back(settings);
+  if (!source.isWire()) {
+    all.push_back(line::csvSettings());
+    return all;
+  }
+  for (const size_t i : {size_t{0}, size_t{1}}) {
+    line::LineSettings other = all[i];
+    other.polarity = line::Polarity::Uninverted;
+    all.push_back(other);
+  }
+  return all;
+}
+
+// What else there is to say to somebody at a PC; mostly nothing.
+std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &best) {
+  switch (finding) {
+    case sbus::Finding::NoFrames:
+      return source.isWire() ? "" : "An FTDI adapter inverts RXD if its EEPROM says so: extras/docs/ftdi.md\n";
+    case sbus::Finding::WrongBaud:
+      return "Here: --baud " + std::to_string(best.baud) + "\n";
+    case sbus::Finding::Channels24:
+      return "Here: sbus shows all 24.\n";
+    default:
+      return {};
+  }
+}
+
+// True if all is well.
+bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> &heard,
+          const std::vector<line::LineSettings> &settings) {
+  if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
+    write("ROWS OF CSV: they come from a sketch; this is no S.Bus.\n"
+          "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.\n");
+    return false;
+  }
+  sbus::Diagnosis diagnosis;
+  for (const std::unique_ptr<Heard> &each : heard) {
+    diagnosis.add(each->trial());
+  }
+  const sbus::Finding finding = diagnosis.finding();
+  write(std::string(text(finding)) + "\n" + cure(finding) + "\n" + advice(finding, source, settings[diagnosis.best()]) +
+        heard[diagnosis.best()]->figures());
+  return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
+}
+
+bool examine(const SourceOption &source) {
+  const std::vector<line::LineSettings> settings = settingsOf(source);
+  std::vector<line::LineSettings> tried;
+  std::vector<std::unique_ptr<Heard>> heard;
+  for (const line::LineSettings &each : settings) {
+    std::unique_ptr<Input> input;
+    try {
+      input = source.open(each);
+    } catch (const std::runtime_error &error) {
+      if (heard.empty()) {
+        throw;
+      }
+      write(std::string(error.what()) + "\n");  // this adapter cannot do all of them
+      continue;
+    }
+    const bool rows = each == line::csvSettings();
+    const uint64_t us = source.isFile() ? ToItsEnd : source.isStream() ? FramesUs : rows ? RowsUs : TrialUs;
+    tried.push_back(each);
+    heard.push_back(std::make_unique<Heard>(each));
+    heard.back()->listen(*input, us, source.isFile() ? ToItsEnd : heard.size() == 1 ? FramesUs : TrialUs);
+    write(heard.back()->text());
+    flush();
+    if (stopped()) {
+      return false;
+    }
+    if (heard.back()->isCsv() || (heard.size() == 1 && heard.back()->framesCome())) {
+      break;
+    }
+  }
+  const bool well = tell(source, heard, tried);
+  flush();
+  return well;
+}
+
+}  // namespace
+
+void addDoctor(CLI::App &app) {
+  CLI::App *const verb = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
+  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  verb->footer("It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
+               "1 if not.");
+  verb->callback([source] {
+    if (!examine(*source)) {
+      throw CLI::RuntimeError(EXIT_FAILURE);
+    }
+  });
+}
+
+}  // namespace tool

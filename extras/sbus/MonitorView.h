@@ -1,0 +1,47 @@
+// What `sbus monitor` shows at a moment: of S.Bus, or of a sketch's rows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sbus/Scaling.h"
+
+namespace tool {
+
+enum class Mood { Calm, Good, Warn, Bad };
+
+struct MonitorView {
+  struct Channel {
+    double value = 0;
+    double low = 0;  // the least and the most since the marks were reset
+    double high = 0;
+    bool marked = false;  // low and high have a meaning
+    std::string text;     // the value as it came
+  };
+  struct Lamp {
+    std::string name;
+    bool on;
+    Mood mood;  // when it is on
+  };
+  struct Group {
+    std::string name;
+    std::vector<std::string> facts;  // the most important one first
+  };
+
+  std::string source;  // "/dev/ttyUSB0"
+  std::string kind;    // "S.BUS2, 100000 baud"
+  std::string state;   // a word
+  Mood mood = Mood::Calm;
+  std::string banner;  // what must not be overlooked; mostly nothing
+  Mood bannerMood = Mood::Bad;
+  bool old = false;     // the values are no longer those of the line
+  bool isRaw = true;    // the values are raw ones, 0..2047, so that us and % mean something
+  sbus::Range range{};  // what these are scaled by
+  std::vector<Channel> channels;
+  std::vector<Lamp> lamps;
+  std::vector<Group> groups;
+  std::string plain;  // the counters and times in one line, for a pipe
+};
+
+}  // namespace tool

@@ -1,0 +1,69 @@
+#!/bin/sh
+# Asks `sbus doctor` about each line of tool/DOCTOR, and about ports, and says "ok ..." or "FAILED ...".
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# asked STATUS FINDING FIGURES ARGUMENTS...: three lines say the finding, the cure and the figures
+asked() {
+  wanted=$1 finding=$2 figures=$3
+  shift 3
+  timeout 60 "$SBUS" doctor "$@" >"$WORK/doctor.out" 2>"$WORK/doctor.err" </dev/null
+  [ $? -eq "$wanted" ] && [ ! -s "$WORK/doctor.err" ] && grep -A 1 "^$finding" "$WORK/doctor.out" | sed -n '2s/./&/p' | grep -q . &&
+    if [ "$figures" = - ]; then ! grep -q 'frames a second' "$WORK/doctor.out"; else grep -q "^$figures" "$WORK/doctor.out"; fi
+  status=$?
+  [ $status -eq 0 ] || cat "$WORK/doctor.out" "$WORK/doctor.err"
+  verdict $status "doctor $*: $finding"
+}
+
+# The radio is off from 9.5 s on; the first second of that without failsafe.
+"$SBUS" record sim "$WORK/flight.txt" --simulated-time --seconds 11 2>"$WORK/err"
+sed -n '/^#/p' "$WORK/flight.txt" >"$WORK/head.txt"
+awk '!/^#/ && $1 > 10100000' "$WORK/flight.txt" | cat "$WORK/head.txt" - >"$WORK/failsafe.txt"
+awk '!/^#/ && $1 > 9520000 && $1 < 9950000' "$WORK/flight.txt" | cat "$WORK/head.txt" - >"$WORK/no-radio.txt"
+# Futaba's, of the frame of recordings/sbus2.txt: a sensor answers 04; five bytes come after each 08.
+awk -v sbus2="$WORK/sbus2.txt" -v r7003sb="$WORK/r7003sb.txt" -v other="$WORK/other.txt" 'BEGIN {
+  frame = "0F E9 03 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00"
+  split("04 14 24 34", ends, " ")
+  for (i = 0; i < 200; i++) {
+    print 15000 * i + 120, frame, ends[i % 4 + 1] >sbus2
+    if (i % 4 == 0) print 15000 * i + 5120, "03 C0 2E" >sbus2
+    print 15000 * i + 120, frame, "08 00 03 C0 33 00" >r7003sb
+    print 15000 * i + 120, "55 AA 01 02 03 04 05 06" >other
+  }
+}'
+grep -v '^#' tool/DOCTOR >"$WORK/doctor"
+while IFS='|' read -r status finding figures arguments; do
+  case $arguments in sim*) arguments="$arguments --simulated-time" ;; esac
+  # shellcheck disable=SC2086,SC2046  # the arguments are words
+  asked "$status" "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
+done <"$WORK/doctor"
+
+# player VERB ARGUMENTS...: on a pseudo-terminal, `terminal`
+player() {
+  rm -f "$WORK/terminal"
+  "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
+  player=$!
+  tries=0
+  until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+  done
+  terminal=$(cat "$WORK/terminal")
+}
+
+player simulate
+asked 0 'ALL WELL.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
+kill $player
+player simulate --silent
+asked 1 'NO SIGNAL:' - "$terminal"
+kill $player
+player replay golden/AllChannels.csv --loop
+asked 1 'ROWS OF CSV:' - "$terminal"
+kill $player
+"$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'
+verdict $? "doctor of a port that is not there"

@@ -1,0 +1,139 @@
+#!/bin/sh
+# Runs `sbus monitor` in terminals of tmux, and says "ok ..." or "FAILED ..." of:
+#   tool/pages/NAME.txt   what stands on the page, as the calls of `page` below have it
+#   its keys, another size, a line that falls silent, and the terminal afterwards
+# "pages.sh update" writes tool/pages anew instead. SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+update="${1:-}"
+server=0
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# Each terminal has a server of its own: one that is ending takes no more.
+tmux() { command tmux -S "$WORK/tmux-$server" -f /dev/null "$@"; }
+
+# open SIZE COMMAND: a terminal of that size, and a shell command in it
+open() {
+  server=$((server + 1))
+  tmux -u new-session -d -x "${1%x*}" -y "${1#*x}" "env PATH='$PATH' $2" \; set -g status off
+}
+
+close() { tmux kill-server 2>/dev/null; }
+
+# shows TEXT: it stands on the page, a minute later at the latest
+shows() {
+  tries=0
+  until tmux capture-pane -p >"$WORK/page.txt" 2>&1 && grep -qF -e "$1" "$WORK/page.txt"; do
+    tries=$((tries + 1))
+    [ $tries -lt 600 ] || { echo "not on the page: $1"; cat "$WORK/page.txt"; return 1; }
+    sleep 0.1
+  done
+}
+
+# same NAME: the page is tool/pages/NAME.txt, a minute later at the latest
+same() {
+  if [ "$update" = update ]; then
+    shows ENDED && cp "$WORK/page.txt" "tool/pages/$1.txt"
+    return
+  fi
+  tries=0
+  until tmux capture-pane -p >"$WORK/page.txt" && cmp -s "$WORK/page.txt" "tool/pages/$1.txt"; do
+    tries=$((tries + 1))
+    [ $tries -lt 600 ] || { diff "$WORK/page.txt" "tool/pages/$1.txt"; return 1; }
+    sleep 0.1
+  done
+}
+
+# page NAME SIZE ENVIRONMENT ARGUMENTS...: what stands there at the end of a line
+page() {
+  name=$1 size=$2 environment=$3
+  shift 3
+  open "$size" "env $environment '$SBUS' monitor $* --simulated-time" && same "$name"
+  verdict $? "monitor $* in $size, $environment"
+  close
+}
+
+# ---- What stands on the page
+
+utf8=LC_ALL=C.UTF-8
+page flight 80x24 $utf8 sim --seconds 3.2
+page failsafe 80x24 $utf8 sim --seconds 10.5
+page failsafe-small 40x12 $utf8 sim --seconds 10.5
+page failsafe-plain 80x24 'LC_ALL=C TERM=vt100' sim --seconds 10.5
+page channels24 120x50 $utf8 sim --channels 24 --seconds 3.2
+page channels32-small 40x12 $utf8 sim --channels 32 --seconds 3.2
+page noise 120x50 $utf8 sim --noise 100 --seconds 3.2
+page futaba 80x24 $utf8 recordings/sbus2.txt --range futaba
+page silent 80x24 $utf8 sim --silent --seconds 2
+page sketch 80x24 $utf8 golden/DecodeSBus.csv
+page unknown-rows 80x24 $utf8 golden/Normalized.csv
+[ "$update" = update ] && exit
+
+for file in tool/pages/*.txt; do
+  grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "$file is of no page"
+done
+# The sketch AllChannels printed its last row 3.2 s after the beginning, too.
+awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$WORK/raw.txt"
+[ "$(cat "$WORK/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
+verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChannels.csv"
+
+# colours WANTED ENVIRONMENT: 0 if colours are as wanted
+colours() {
+  open 80x24 "env LC_ALL=C.UTF-8 $2 '$SBUS' monitor sim --simulated-time --seconds 10.5" && shows FAILSAFE: &&
+    [ "$(tmux capture-pane -pe | grep -c "$(printf '\033')\\[[0-9;]*4[1-7]m.*FAILSAFE:")" = "$1" ]
+  verdict $? "the banner is red: $1, with $2"
+  close
+}
+colours 1 TERM=screen-256color
+colours 0 'TERM=screen-256color NO_COLOR=1'
+colours 0 TERM=vt100
+
+# ---- Keys and sizes
+
+open 80x24 "env $utf8 '$SBUS' monitor sim --simulated-time --seconds 10.5" && same failsafe &&
+  tmux resize-window -x 40 -y 12 && same failsafe-small &&
+  tmux resize-window -x 30 -y 8 && shows 'needs 40x12, has 30x8' &&
+  tmux resize-window -x 1 -y 1 && tmux resize-window -x 300 -y 100 && shows 'ENDED: q quits' &&
+  tmux resize-window -x 80 -y 24 && same failsafe
+verdict $? "the page follows the terminal's size"
+tmux send-keys '?' && shows 'reset marks and counters' && tmux send-keys x && same failsafe &&
+  tmux send-keys r && shows 'lost by radio 0' && shows 'gap -' && shows 'FAILSAFE:'
+verdict $? "? helps, r resets marks and counters, and not the link's state"
+close
+
+open 80x24 "env $utf8 '$SBUS' monitor sim" && shows receiving && tmux send-keys Space && shows PAUSED &&
+  cp "$WORK/page.txt" "$WORK/paused.txt" && sleep 0.3 && shows PAUSED && cmp "$WORK/page.txt" "$WORK/paused.txt" &&
+  tmux send-keys Space && shows 'q quit ' && shows '111 frames/s'
+verdict $? "space pauses"
+close
+
+# ---- The terminal afterwards
+
+for end in q INT TERM; do
+  rm -f "$WORK/before" "$WORK/after"
+  open 80x24 "sh -c 'echo here it was; stty -g >\"$WORK/before\"; \"$SBUS\" monitor sim; echo \$? >\"$WORK/status\"; stty -g >\"$WORK/after\"; echo; echo back; sleep 1000'"
+  shows receiving
+  if [ $end = q ]; then tmux send-keys q; else kill -$end "$(tmux display -p '#{pane_pid}' | xargs pgrep -P | head -n 1)"; fi
+  shows back && shows 'here it was' && cmp "$WORK/before" "$WORK/after" && [ "$(cat "$WORK/status")" = 0 ] &&
+    [ "$(tmux display -p '#{alternate_on}#{cursor_flag}')" = 01 ]
+  verdict $? "after $end the terminal is as it was"
+  close
+done
+
+# ---- A real line
+
+rm -f "$WORK/terminal"
+"$SBUS" simulate >"$WORK/terminal" 2>"$WORK/player.err" &
+player=$!
+tries=0
+until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
+open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows receiving && kill -STOP $player &&
+  shows 'STALE: no frame for' && shows ' 992 1500' && kill -CONT $player && shows receiving
+verdict $? "a silent line is stale, with its last values, until it goes on"
+kill $player && shows 'the program at its other end has gone' && shows ' 992 1500'
+verdict $? "a port that goes is shown"
+wait $player
+close
