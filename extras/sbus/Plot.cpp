@@ -26,9 +26,9 @@ constexpr uint64_t SilenceUs = sbus::Link::DefaultTimeout * 1000;
 // What is shaded while it is so, of one kind.
 class Shade {
  public:
-  explicit Shade(Span::Kind kind) : _kind(kind) {}
+  explicit Shade(ShadedTime::Kind kind) : _kind(kind) {}
 
-  void at(double ms, bool is, std::vector<Span> &spans) {
+  void at(double ms, bool is, std::vector<ShadedTime> &spans) {
     if (is && !_is) {
       _from = ms;
     } else if (!is && _is) {
@@ -38,7 +38,7 @@ class Shade {
   }
 
  private:
-  Span::Kind _kind;
+  ShadedTime::Kind _kind;
   bool _is = false;
   double _from = 0;
 };
@@ -131,7 +131,7 @@ class Plotter {
     const bool silence = _lastUs != 0 && us - _lastUs > SilenceUs && !_rows.recognised();
     if (silence) {
       shade(false, false);
-      _picture.spans.push_back({Span::Kind::NoFrames, ms(_lastUs), ms(us)});
+      _picture.spans.push_back({ShadedTime::Kind::NoFrames, ms(_lastUs), ms(us)});
     }
     const bool joined = _lastUs != 0 && !silence;
     _firstUs = _lastUs == 0 ? us : _firstUs;
@@ -149,8 +149,8 @@ class Plotter {
   line::Observer _observer;
   line::CsvRows _rows;
   Picture _picture;
-  Shade _failsafe{Span::Kind::Failsafe};
-  Shade _lost{Span::Kind::LostFrame};
+  Shade _failsafe{ShadedTime::Kind::Failsafe};
+  Shade _lost{ShadedTime::Kind::LostFrame};
   uint64_t _firstUs = 0;
   uint64_t _lastUs = 0;
 };

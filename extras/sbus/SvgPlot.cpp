@@ -115,15 +115,15 @@ class Drawing {
   // What is shaded, and a legend of it below the axis.
   void spans() {
     const struct {
-      Span::Kind kind;
+      ShadedTime::Kind kind;
       const char *name, *text;
-    } kinds[] = {{Span::Kind::Failsafe, "failsafe", "failsafe"},
-                 {Span::Kind::LostFrame, "lost", "lost frames"},
-                 {Span::Kind::NoFrames, "silent", "no frames"}};
+    } kinds[] = {{ShadedTime::Kind::Failsafe, "failsafe", "failsafe"},
+                 {ShadedTime::Kind::LostFrame, "lost", "lost frames"},
+                 {ShadedTime::Kind::NoFrames, "silent", "no frames"}};
     double legend = Left;
     for (const auto &kind : kinds) {
       bool any = false;
-      for (const Span &span : _picture.spans) {
+      for (const ShadedTime &span : _picture.spans) {
         if (span.kind != kind.kind) {
           continue;
         }

@@ -15,7 +15,7 @@ struct Curve {
   std::vector<Point> points;  // x grows
 };
 
-struct Span {
+struct ShadedTime {
   enum class Kind { LostFrame, Failsafe, NoFrames };
   Kind kind;
   double from, to;
@@ -26,7 +26,7 @@ struct Picture {
   std::string xTitle;  // "ms"
   std::string yTitle;
   std::vector<Curve> curves;
-  std::vector<Span> spans;  // shaded
+  std::vector<ShadedTime> spans;  // shaded
   double xEnd = 0;          // of the axis, which begins at xBegin
   double xBegin = 0;
 };
