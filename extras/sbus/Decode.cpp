@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "DecodeOutput.h"
+#include "LineOptions.h"
 #include "Output.h"
 #include "Verbs.h"
 
@@ -107,6 +108,7 @@ void addDecode(CLI::App &app) {
   verb->add_option("CAPTURE", options->capture,
                    "VCD; CSV of Saleae Logic 2, PulseView or an oscilloscope; bits as 0 and 1; - is standard input")
       ->required()
+      ->check(notEmpty())
       ->type_name("");
   verb->add_option("--signal", options->signal, "the only one to be looked at (the one that carries S.Bus)")
       ->type_name("NAME");

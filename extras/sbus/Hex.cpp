@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 
 #include "Output.h"
@@ -24,7 +25,12 @@ struct Colours {
 };
 
 Colours coloursOf(const std::string &when) {
-  const bool wanted = when == "always" || (when == "auto" && isTerminal() && std::getenv("NO_COLOR") == nullptr);
+  const auto is = [](const char *name, const char *value) {
+    const char *const set = std::getenv(name);
+    return set != nullptr && std::strcmp(set, value) == 0;
+  };
+  const bool shown = isTerminal() && !is("TERM", "dumb") && (std::getenv("NO_COLOR") == nullptr || is("NO_COLOR", ""));
+  const bool wanted = when == "always" || (when == "auto" && shown);
   return wanted ? Colours{"\x1b[2m", "\x1b[33m", "\x1b[31;7m", "\x1b[31m", "\x1b[0m"} : Colours{};
 }
 

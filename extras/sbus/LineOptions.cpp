@@ -1,6 +1,9 @@
 #include "LineOptions.h"
 
+#include <sys/stat.h>
+
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 #include <cstdio>
 #include <cstdlib>
 
@@ -82,6 +85,28 @@ CLI::Validator numberBetween(double low, double high) {
 
 CLI::Validator seconds() {
   return numberBetween(0.001, 366.0 * 24 * 60 * 60);
+}
+
+CLI::Validator notEmpty() {
+  const auto check = [](const std::string &text) {
+    return std::string(text.empty() ? "is empty: the name of a file or of a port is expected" : "");
+  };
+  return CLI::Validator(check, "");
+}
+
+void refusePipe(const std::string &name) {
+  struct stat status;
+  if (name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))) {
+    throw std::runtime_error(name + ": is a pipe, and is read more than once: save it in a file first");
+  }
+}
+
+void refuseSameFile(const std::string &read, const std::string &written) {
+  struct stat one, other;
+  if (stat(read.c_str(), &one) == 0 && stat(written.c_str(), &other) == 0 && one.st_dev == other.st_dev &&
+      one.st_ino == other.st_ino && S_ISREG(one.st_mode)) {
+    throw std::runtime_error(written + ": is what is read; name another file");
+  }
 }
 
 }  // namespace tool

@@ -31,7 +31,8 @@ void setLineByLine() {
 }
 
 void write(const std::string &text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) {
+  // Of what went wrong while a buffer was emptied, fwrite() says nothing.
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::ferror(stdout) != 0) {
     fail();
   }
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "CsvColumn.h"
+#include "LineOptions.h"
 #include "Output.h"
 #include "SourceOption.h"
 #include "SvgPlot.h"
@@ -156,6 +157,7 @@ class Plotter {
 };
 
 void run(const SourceOption &source, const PlotOptions &options) {
+  refuseSameFile(source.name(), options.output);
   const std::unique_ptr<Input> input = source.open();
   Plotter plotter(options, input->settings().characterUs(), source.name() != "-");
   input->run([&](const line::Character &character) { plotter.put(character); },

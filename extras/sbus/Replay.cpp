@@ -24,6 +24,7 @@ struct ReplayOptions {
 };
 
 std::unique_ptr<Input> open(const ReplayOptions &options) {
+  refusePipe(options.file);
   const bool csv = line::isCsv(options.file);
   line::LineSettings settings = line::csvSettings();
   if (!csv) {
@@ -42,7 +43,7 @@ std::unique_ptr<Input> open(const ReplayOptions &options) {
 void addReplay(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
   const auto options = std::make_shared<ReplayOptions>(*verb);
-  verb->add_option("FILE", options->file, "a recording, or rows of CSV")->required()->type_name("");
+  verb->add_option("FILE", options->file, "a recording, or rows of CSV")->required()->check(notEmpty())->type_name("");
   verb->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");

@@ -44,16 +44,17 @@ class Way {
     return !stopped();
   }
 
-  void send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
+  // Returns how many of them went.
+  size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
     if (_terminal) {
-      _terminal->write(bytes.data(), bytes.size());
-      return;
+      return _terminal->write(bytes.data(), bytes.size());
     }
-    _port->write(nowUs, bytes.data(), bytes.size());
+    const size_t sent = _port->write(nowUs, bytes.data(), bytes.size());
     const std::string news = _port->news();
     if (!news.empty()) {
       say(news);
     }
+    return sent;
   }
 
  private:
@@ -101,6 +102,7 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
   }
   say("sending; Ctrl-C ends it");
   unsigned long sent = 0;
+  unsigned long lost = 0;
   unsigned long bad = 0;
   while (true) {
     Bursts bursts(input->settings().characterUs());
@@ -111,9 +113,10 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
         },
         [&](uint64_t nowUs) {
           const std::vector<uint8_t> bytes = bursts.take(nowUs);
-          sent += bytes.size();
           if (!bytes.empty()) {
-            way.send(nowUs, bytes);
+            const size_t went = way.send(nowUs, bytes);
+            sent += went;
+            lost += bytes.size() - went;
           }
         });
     if (!loop || stopped()) {
@@ -122,6 +125,7 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
     input = open();
   }
   say(std::to_string(sent) + " characters sent" +
+      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +
       (bad > 0 ? "; " + std::to_string(bad) + " bad ones left out, which no port can send" : ""));
 }
 

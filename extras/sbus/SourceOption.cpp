@@ -36,6 +36,7 @@ Kind kindOf(const std::string &name) {
 SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(verb), _recordings(recordings) {
   verb.add_option("SOURCE", _name, "a serial port, a recording, - for bytes on standard input, or sim")
       ->required()
+      ->check(notEmpty())
       ->type_name("");
   _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
   verb.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");

@@ -32,6 +32,8 @@ void wave(const line::Recording &recording, const line::LineSettings &settings, 
 }
 
 void run(const Options &options) {
+  refusePipe(options.recording);
+  refuseSameFile(options.recording, options.output);
   line::LineSettings settings;
   settings.baud = baudOf(options.baud, options.recording);
   settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
@@ -56,6 +58,7 @@ void addWave(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   verb->add_option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
       ->required()
+      ->check(notEmpty())
       ->type_name("");
   verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
   verb->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")

@@ -50,7 +50,7 @@ void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
       _others = LongMemory;
     } else if (_sincePause == Size) {
       _others = 0;
-    } else if (_sincePause > _filled && _sincePause < LongAgo) {
+    } else if (_filled >= Size && _sincePause > _filled && _sincePause < LongAgo) {
       _others |= 1;  // characters came straight before what waits in the buffer
     } else if (_others > 0) {
       _others--;

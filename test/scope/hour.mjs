@@ -39,7 +39,8 @@ export default async function () {
     await counts(page, 'skippedBytes', 0);
     const after = await heap(page, session);
     console.log(`   heap ${before.script} before, ${after.script} after; WebAssembly ${before.wasm}, ${after.wasm} bytes`);
-    assert.ok(after.script - before.script < 300000, `${before.script} bytes became ${after.script}`);
+    // Compiled code comes and goes; three bytes kept of each frame would be more than this.
+    assert.ok(after.script - before.script < 900000, `${before.script} bytes became ${after.script}`);
     assert.equal(after.wasm, before.wasm);
   }, { patience: 300000 });
 }

@@ -101,6 +101,13 @@ verdict $? "csv of bytes on standard input"
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
+# In true time: what is written line by line finds the reader gone with the second line.
+(timeout 60 "$sbus" hex sim; echo $? >"$work/status") | head -n 1 >/dev/null
+[ "$(cat "$work/status")" -eq 1 ]
+verdict $? "a reader that has seen enough ends it"
+timeout 60 "$sbus" csv "" --seconds 1 2>"$work/err"
+[ $? -eq 2 ] && grep -q 'SOURCE: is empty' "$work/err"
+verdict $? "a SOURCE without a name"
 
 # ---- What it refuses
 

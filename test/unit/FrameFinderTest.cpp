@@ -299,6 +299,16 @@ TEST_CASE("where pauses are seen the first frame stands at one: before it are no
   }
 }
 
+TEST_CASE("joined midway the first whole frame is there once the line is idle, whatever of another came before the pause") {
+  for (size_t rest = 1; rest < 25; rest++) {
+    CAPTURE(rest);
+    Feeder line;
+    line.settle().feed(part(Low, 25 - rest));
+    line.wait(Feeder::PauseUs).feed(part(Low, 0, 16), 16);
+    CHECK(line.wait(Feeder::CharacterUs).feed(part(Low, 16), 9) == Frames{PaperLow.bytes});
+  }
+}
+
 TEST_CASE("a failsafe frame whose place is not certain is there once a pause is seen after it") {
   const Bytes failsafe = bytesOf(FailsafeFrame);
   for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {  // a noise character 55 hides the pause before it

@@ -144,7 +144,7 @@ void reportSilence(Board &board, const Options &options) {
   if (options.source.recording.empty() || options.on == 0 || board.output().columns().lines() > 0) {
     return;
   }
-  if (board.port(options.on).monitor().counters().frames == 0) {
+  if (board.port(options.on).observer().counters().frames == 0) {
     std::fprintf(stderr, "the recording has no frame; SKETCH=examples/Diagnose says what is wrong with a line\n");
   } else if (board.clock().nowUs() < ShortUs) {
     std::fprintf(stderr,

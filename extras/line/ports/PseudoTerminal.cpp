@@ -53,10 +53,9 @@ bool PseudoTerminal::hasReader() const {
   return poll(&state, 1, 0) == 1 && (state.revents & POLLHUP) == 0;
 }
 
-void PseudoTerminal::write(const uint8_t *bytes, size_t size) {
-  if (hasReader() && ::write(_handle, bytes, size) < 0) {
-    return;  // full, or the reader has just gone: the bytes are lost
-  }
+size_t PseudoTerminal::write(const uint8_t *bytes, size_t size) {
+  const ssize_t count = hasReader() ? ::write(_handle, bytes, size) : 0;
+  return count > 0 ? static_cast<size_t>(count) : 0;  // less: full, or the reader has just gone
 }
 
 size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {

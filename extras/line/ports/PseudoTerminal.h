@@ -18,8 +18,8 @@ class PseudoTerminal {
 
   bool hasReader() const;
 
-  // Never waits: what nobody reads is lost, as it is on the board's USB.
-  void write(const uint8_t *bytes, size_t size);
+  // Never waits: what nobody reads is lost, as it is on the board's USB. Returns how many bytes were not.
+  size_t write(const uint8_t *bytes, size_t size);
 
   // Never waits: reads what was written to the other end, up to `size` bytes. Returns how many.
   size_t read(uint8_t *bytes, size_t size);

@@ -1,6 +1,7 @@
 #include "CsvLayout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "Capture.h"
@@ -199,6 +200,17 @@ std::vector<std::string> namesOf(const Header &header, const std::vector<size_t>
   return names;
 }
 
+// sigrok counts whole units from sample to sample, and cuts off what is left: 41 ns at 24 MHz. The unit is the power of
+// 1000 that its rate just does not exceed.
+double sigrokUnitNs(double periodNs) {
+  const double rate = 1e9 / periodNs;
+  double units = 1;
+  while (units < rate) {
+    units *= 1000;
+  }
+  return periodNs / std::floor(units / rate);
+}
+
 }  // namespace
 
 void splitRow(std::string_view row, char separator, std::vector<std::string_view> &fields) {
@@ -235,7 +247,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
     layout.columns.erase(layout.columns.begin());
     const bool counts = header.periodNs > 0 && unitOf(title) == 1e9 && !hasWord(title, {"time", "s", "second", "seconds"});
     layout.timeColumn = counts ? CsvLayout::None : first;
-    layout.timeUnitNs = unitOf(title);
+    layout.timeUnitNs = header.sigrok && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title);
   }
   if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
     return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", is "

@@ -183,6 +183,8 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case 'B':
     case 'r':
     case 'R':
+    case 's':  // a string, as GTKWave writes it
+    case 'S':
       _codeFollows = true;
       _bit = word == "b0" || word == "b1" ? word.back() : 'x';
       return {};
