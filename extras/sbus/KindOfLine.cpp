@@ -14,7 +14,7 @@ void KindOfLine::take(const line::Stretch &stretch) {
 }
 
 std::string KindOfLine::text() const {
-  constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "S.BUS of an R7003SB"};
+  constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "S.BUS of an R7003SB (end byte 08)"};
   static_assert(std::size(Texts) == sbus::UnknownKind, "a word for each row of LineKinds");
   const auto most = std::max_element(_ofKind.begin(), _ofKind.end());
   if (_of24 > *most) {

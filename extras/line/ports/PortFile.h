@@ -10,6 +10,9 @@
 
 namespace line {
 
+// One has no adapter behind it that could come back, but a program.
+bool isPseudoTerminal(const std::string &device);
+
 class PortFile {
  public:
   enum class Way { Read, Write };

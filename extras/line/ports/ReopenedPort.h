@@ -16,13 +16,12 @@ class ReopenedPort : public Line {
       : _device(device), _settings(settings), _port(std::make_unique<SerialPort>(device, settings)) {}
 
   bool next(uint64_t nowUs, Character &character) override;
-  bool finished(uint64_t) const override { return !_port && isPseudoTerminal(); }
+  bool finished(uint64_t) const override { return !_port && isPseudoTerminal(_device); }
   std::string news() override { return std::exchange(_news, {}); }
 
  private:
   static constexpr uint64_t RetryUs = 500000;
 
-  bool isPseudoTerminal() const { return _device.rfind("/dev/pts/", 0) == 0; }
   void reopen();
 
   std::string _device;
