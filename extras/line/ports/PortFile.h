@@ -10,8 +10,10 @@
 
 namespace line {
 
-// One has no adapter behind it that could come back, but a program.
-bool isPseudoTerminal(const std::string &device);
+// False of a pseudo-terminal: once it has gone, the next of its name may be anybody's.
+inline bool comesBack(const std::string &device) {
+  return device.rfind("/dev/pts/", 0) != 0;
+}
 
 class PortFile {
  public:

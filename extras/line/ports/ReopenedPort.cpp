@@ -5,7 +5,7 @@
 namespace line {
 
 bool ReopenedPort::next(uint64_t nowUs, Character &character) {
-  if (!_port && nowUs >= _retryUs && !isPseudoTerminal(_device)) {
+  if (!_port && nowUs >= _retryUs && comesBack(_device)) {
     _retryUs = nowUs + RetryUs;
     reopen();
   }
@@ -17,8 +17,8 @@ bool ReopenedPort::next(uint64_t nowUs, Character &character) {
   }
   if (!_port->failure().empty()) {
     _port.reset();  // while it is open, the system would give the adapter another name
-    _news = _device + (isPseudoTerminal(_device) ? ": the program at its other end has gone"
-                                          : ": the port has gone; plug the adapter in again, it goes on by itself");
+    _news = _device + (comesBack(_device) ? ": the port has gone; plug the adapter in again, it goes on by itself"
+                                          : ": the program at its other end has gone");
   }
   return false;
 }

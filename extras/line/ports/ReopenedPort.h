@@ -16,7 +16,7 @@ class ReopenedPort : public Line {
       : _device(device), _settings(settings), _port(std::make_unique<SerialPort>(device, settings)) {}
 
   bool next(uint64_t nowUs, Character &character) override;
-  bool finished(uint64_t) const override { return !_port && isPseudoTerminal(_device); }
+  bool finished(uint64_t) const override { return !_port && !comesBack(_device); }
   std::string news() override { return std::exchange(_news, {}); }
 
  private:
