@@ -205,16 +205,17 @@ __attribute__((always_inline)) inline int FrameFinderOf<Format>::judge(int start
   }
   // A line of longer frames, or shorter ones: a part of one, or of two, may look like a frame. The first stands at a
   // pause, if pauses are seen.
-  if (kind != _kind && (_others > 0 || (!pauseAfter && pauseAt != 0 && _sincePause < LongAgo))) {
+  const bool atPause = pauseAfter || pauseAt == 0;
+  if (kind != _kind && (_others > 0 || (!atPause && _sincePause < LongAgo))) {
     return 1;
   }
   // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).
-  const bool certain = ((pauseAfter || pauseAt == 0) && _pauses.areSure()) || (_certain && _skipped == -start);
+  const bool certain = (atPause && _pauses.areSure()) || (_certain && _skipped == -start);
   const int inner = certain ? Size : innerHeader(frame, Size, line.endMask);
   if (inner < Size) {
     // A pause after it may make it certain yet, unless so few characters may be the rest of a frame before. Straight
     // after a frame none waits.
-    return pauseAfter || filled > size || inner < Size / 2 || _skipped == -start ? inner : Wait;
+    return inner < Size / 2 || pauseAfter || filled > size || _skipped == -start ? inner : Wait;
   }
   skip(start);
   _kind = kind;
