@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "Quoted.h"
+
 namespace line {
 
 namespace {
@@ -65,16 +67,6 @@ bool parseCharacter(std::string_view word, Character &character) {
   }
   character.value = static_cast<uint8_t>(value);
   return word.size() == 1 || word.size() == 2;
-}
-
-// A word as it may be shown on a terminal.
-std::string quoted(std::string_view word) {
-  constexpr size_t Shown = 20;
-  std::string text = "\"";
-  for (const char c : word.substr(0, Shown)) {
-    text += c >= ' ' && c <= '~' ? c : '?';
-  }
-  return text + (word.size() > Shown ? "...\"" : "\"");
 }
 
 // Appends the characters of a line. Returns what is wrong with it, or nothing.

@@ -13,8 +13,8 @@ namespace {
 enum class Sign { Beyond, Track, Left, Centre, Right, Fill, Low, High, Knob };
 
 const char *text(Sign sign, bool unicode) {
-  const char *const signs[][2] = {{" ", " "}, {"-", "─"}, {"+", "├"}, {"+", "┼"},
-                                  {"+", "┤"}, {"=", "━"}, {"[", "["}, {"]", "]"}, {"#", "█"}};
+  const char *const signs[][2] = {{" ", " "}, {"-", "─"}, {"+", "├"}, {"+", "┼"}, {"+", "┤"},
+                                  {"=", "━"}, {"[", "["}, {"]", "]"}, {"#", "█"}};
   return signs[static_cast<int>(sign)][unicode ? 1 : 0];
 }
 
@@ -92,7 +92,7 @@ void Bar::append(PageRow &row, const MonitorView::Channel &channel) const {
   }
   const Style lit = _view.old ? Style::Dim : _view.state == "failsafe" ? Style::Bad : Style::Good;
   for (const Sign sign : signs) {
-    const Style style = sign == Sign::Fill || sign == Sign::Knob     ? lit
+    const Style style = sign == Sign::Fill || sign == Sign::Knob  ? lit
                         : sign == Sign::Low || sign == Sign::High ? Style::Plain
                                                                   : Style::Dim;
     if (row.back().style != style) {

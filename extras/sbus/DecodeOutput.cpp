@@ -1,22 +1,14 @@
 #include "DecodeOutput.h"
 
-#include <cstdio>
-
+#include "Format.h"
 #include "Output.h"
 
 namespace tool {
 
 namespace {
 
-template <typename... Values>
-std::string print(const char *format, Values... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 std::string hex(uint8_t byte) {
-  return print("%02X", byte);
+  return format("%02X", byte);
 }
 
 double ms(int64_t ns) {
@@ -25,7 +17,7 @@ double ms(int64_t ns) {
 
 // To a tenth of a microsecond: a sample more or less is no more.
 std::string us(int64_t ns) {
-  return print("%.1f", static_cast<double>(ns) / 1e3);
+  return format("%.1f", static_cast<double>(ns) / 1e3);
 }
 
 const char *yes(bool is) {
@@ -53,8 +45,8 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       for (const std::string &name : wire.others()) {
         others += (others.empty() ? ", as does " : ", ") + name;
       }
-      write(print("signal %s carries S.Bus%s: %s (measured %.0f, %+.2f %%)\n", wire.signal().c_str(), others.c_str(),
-                  text(found.settings).c_str(), measured, 100 * found.deviation()));
+      write(format("signal %s carries S.Bus%s: %s (measured %.0f, %+.2f %%)\n", wire.signal().c_str(), others.c_str(),
+                   text(found.settings).c_str(), measured, 100 * found.deviation()));
       if (_showsCharacters) {
         write("\n     time ms  byte\n");
       }
@@ -66,8 +58,9 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       }
       break;
     case Form::Json:
-      write("{\"type\":\"wire\",\"signal\":" + json(wire.signal()) + ",\"baud\":" + std::to_string(found.settings.baud) +
-            print(",\"measured_baud\":%.0f,\"inverted\":%s}\n", measured, yes(_inverted)));
+      write("{\"type\":\"wire\",\"signal\":" + json(wire.signal()) +
+            ",\"baud\":" + std::to_string(found.settings.baud) +
+            format(",\"measured_baud\":%.0f,\"inverted\":%s}\n", measured, yes(_inverted)));
   }
 }
 
@@ -81,14 +74,15 @@ void DecodeOutput::character(const line::WireCharacter &character) {
   const std::string byte = hex(character.value);
   switch (_form) {
     case Form::Table:
-      write(print("%12.4f  ", ms(character.startNs)) + byte + (character.bad() ? "  " + fault(character) : "") + '\n');
+      write(format("%12.4f  ", ms(character.startNs)) + byte + (character.bad() ? "  " + fault(character) : "") + '\n');
       break;
     case Form::Csv:
-      write(us(character.startNs) + "," + byte + print(",%d,%d\n", character.parityWrong, character.stopWrong));
+      write(us(character.startNs) + "," + byte + format(",%d,%d\n", character.parityWrong, character.stopWrong));
       break;
     case Form::Json:
       write("{\"type\":\"character\",\"time_us\":" + us(character.startNs) + ",\"byte\":\"" + byte +
-            print("\",\"parity_error\":%s,\"framing_error\":%s}\n", yes(character.parityWrong), yes(character.stopWrong)));
+            format("\",\"parity_error\":%s,\"framing_error\":%s}\n", yes(character.parityWrong),
+                   yes(character.stopWrong)));
   }
 }
 
@@ -114,17 +108,22 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
   switch (_form) {
     case Form::Table: {
       std::string head = "\n     time ms";
-      std::string row = print("%12.4f", ms(startNs));
+      std::string row = format("%12.4f", ms(startNs));
       for (size_t i = from; i < to; i++) {
-        head += print(" %5s", ("CH" + std::to_string(i + 1)).c_str());
-        row += print(" %5u", values.raw[i]);
+        head += format(" %5s", ("CH" + std::to_string(i + 1)).c_str());
+        row += format(" %5u", values.raw[i]);
       }
       if (to == 16) {
         head += "  CH17 CH18";
-        row += print("  %4d %4d", values.switches[0], values.switches[1]);
+        row += format("  %4d %4d", values.switches[0], values.switches[1]);
       }
-      row += "   " + end + (extra ? "" : values.lostFrame ? "  lost frame" : "") +
-             (extra ? "" : values.failsafe ? "  FAILSAFE" : "");
+      row += "   " + end +
+             (extra              ? ""
+              : values.lostFrame ? "  lost frame"
+                                 : "") +
+             (extra             ? ""
+              : values.failsafe ? "  FAILSAFE"
+                                : "");
       write((newHead ? head + "  end\n" : "") + row + '\n');
       break;
     }
@@ -140,9 +139,9 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
       }
       if (to == 16) {
         head += ",CH17,CH18";
-        row += print(",%d,%d", values.switches[0], values.switches[1]);
+        row += format(",%d,%d", values.switches[0], values.switches[1]);
       }
-      row += print(",%d,%d,", values.lostFrame, values.failsafe) + end;
+      row += format(",%d,%d,", values.lostFrame, values.failsafe) + end;
       write((newHead ? head + ",lost_frame,failsafe,end\n" : "") + row + '\n');
       break;
     }
@@ -154,10 +153,10 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
       }
       row += "]";
       if (to == 16) {
-        row += print(",\"ch17\":%s,\"ch18\":%s", yes(values.switches[0]), yes(values.switches[1]));
+        row += format(",\"ch17\":%s,\"ch18\":%s", yes(values.switches[0]), yes(values.switches[1]));
       }
       if (!extra) {
-        row += print(",\"lost_frame\":%s,\"failsafe\":%s", yes(values.lostFrame), yes(values.failsafe));
+        row += format(",\"lost_frame\":%s,\"failsafe\":%s", yes(values.lostFrame), yes(values.failsafe));
       }
       write(row + ",\"end\":\"" + end + "\"}\n");
     }
@@ -171,16 +170,16 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
   }
   const int64_t startNs = characters.front().startNs;
   if (_form == Form::Json) {
-    write("{\"type\":\"no_frame\",\"time_us\":" + us(startNs) + ",\"bytes\":\"" + bytes + "\",\"why\":\"" + why(stretch) +
-          "\"}\n");
+    write("{\"type\":\"no_frame\",\"time_us\":" + us(startNs) + ",\"bytes\":\"" + bytes + "\",\"why\":\"" +
+          why(stretch) + "\"}\n");
   }
   if (_form != Form::Table) {
     return;
   }
-  write(print("%12.4f ", ms(startNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
+  write(format("%12.4f ", ms(startNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
   for (size_t i = 0; i < characters.size(); i++) {
     if (characters[i].bad()) {
-      write(print("%12.4f     ", ms(characters[i].startNs)) + "byte " + std::to_string(i) + ", " +
+      write(format("%12.4f     ", ms(characters[i].startNs)) + "byte " + std::to_string(i) + ", " +
             hex(characters[i].value) + ": " + fault(characters[i]) + '\n');
     }
   }
@@ -191,9 +190,13 @@ std::string DecodeOutput::fault(const line::WireCharacter &character) const {
   const int idle = _inverted ? 0 : 1;
   const int parity = line::isOdd(character.value) ? idle : 1 - idle;
   const std::string parityError =
-      character.parityWrong ? print("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity) : "";
+      character.parityWrong
+          ? format("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity)
+          : "";
   const std::string framingError =
-      character.stopWrong ? print("framing error, the first stop bit is %d on the wire, %d is expected", 1 - idle, idle) : "";
+      character.stopWrong
+          ? format("framing error, the first stop bit is %d on the wire, %d is expected", 1 - idle, idle)
+          : "";
   return parityError + (character.bad() && character.parityWrong && character.stopWrong ? "; " : "") + framingError;
 }
 
@@ -205,14 +208,16 @@ void DecodeOutput::end(const std::string &name, const line::CaptureEnd &capture,
             std::to_string(_parityErrors) + " parity errors, " + std::to_string(_framingErrors) + " framing errors; " +
             std::to_string(counters.frames) + " frames, " + std::to_string(counters.lostFrames) + " lost, " +
             std::to_string(counters.failsafeFrames) + " in failsafe" +
-            (counters.frames > 1 ? print(", every %.2f ms", static_cast<double>(observer.gaps().mean()) / 1000) : "") + '\n');
+            (counters.frames > 1 ? format(", every %.2f ms", static_cast<double>(observer.gaps().mean()) / 1000) : "") +
+            '\n');
       break;
     case Form::Csv:
       break;
     case Form::Json:
-      write("{\"type\":\"end\",\"characters\":" + std::to_string(_characters) + ",\"parity_errors\":" +
-            std::to_string(_parityErrors) + ",\"framing_errors\":" + std::to_string(_framingErrors) + ",\"frames\":" +
-            std::to_string(counters.frames) + ",\"lost_frames\":" + std::to_string(counters.lostFrames) +
+      write("{\"type\":\"end\",\"characters\":" + std::to_string(_characters) +
+            ",\"parity_errors\":" + std::to_string(_parityErrors) +
+            ",\"framing_errors\":" + std::to_string(_framingErrors) + ",\"frames\":" + std::to_string(counters.frames) +
+            ",\"lost_frames\":" + std::to_string(counters.lostFrames) +
             ",\"failsafe_frames\":" + std::to_string(counters.failsafeFrames) + "}\n");
   }
 }

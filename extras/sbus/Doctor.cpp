@@ -67,9 +67,10 @@ class Heard {
     const std::string bad = std::to_string(_observer.badCharacters());
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
-                   : std::to_string(counters().frames) + " frames" + (_observer.has24() ? " of 24 channels" : "") + ", " +
-                         std::to_string(counters().skippedBytes) + " bytes of no frame") +
-           (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") + "\n";
+                   : std::to_string(counters().frames) + " frames" + (_observer.has24() ? " of 24 channels" : "") +
+                         ", " + std::to_string(counters().skippedBytes) + " bytes of no frame") +
+           (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
+           "\n";
   }
 
   // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag"
@@ -103,7 +104,8 @@ class Heard {
   uint64_t _heardUs = 0;
 };
 
-// The one that is meant first: of sim and of a recording what a sketch's begin() opens. What inverts a serial port is its adapter, and the bytes of a stream have come already.
+// The one that is meant first: of sim and of a recording what a sketch's begin() opens. What inverts a serial port is
+// its adapter, and the bytes of a stream have come already.
 std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   line::LineSettings settings = source.settings();
   settings.baud = source.isWire() ? sbus::Baud : settings.baud;
@@ -144,8 +146,9 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
 bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> &heard,
           const std::vector<line::LineSettings> &settings) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
-    write("ROWS OF CSV: they come from a sketch; this is no S.Bus.\n"
-          "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.\n");
+    write(
+        "ROWS OF CSV: they come from a sketch; this is no S.Bus.\n"
+        "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.\n");
     return false;
   }
   sbus::Diagnosis diagnosis;
@@ -197,8 +200,9 @@ bool examine(const SourceOption &source) {
 void addDoctor(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
-  verb->footer("It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
-               "1 if not.");
+  verb->footer(
+      "It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
+      "1 if not.");
   verb->callback([source] {
     if (!examine(*source)) {
       throw CLI::RuntimeError(EXIT_FAILURE);

@@ -3,9 +3,9 @@
 #include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
-#include <stdexcept>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "line/RecordingFile.h"
 

@@ -85,9 +85,7 @@ class Page {
     if (!_paused) {
       _view = _watch.view(nowUs);
     }
-    const char *const note = _paused  ? "PAUSED: space goes on"
-                             : _ended ? "ENDED: q quits"
-                                      : "";
+    const char *const note = _paused ? "PAUSED: space goes on" : _ended ? "ENDED: q quits" : "";
     _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
   }
 
@@ -165,8 +163,9 @@ void addMonitor(CLI::App &app) {
   const auto range = std::make_shared<std::string>("frsky");
   verb->add_option("--range", *range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
-  verb->footer("Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
-               "ended. Where standard output is no terminal: a line a second, and one when the state changes.");
+  verb->footer(
+      "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
+      "ended. Where standard output is no terminal: a line a second, and one when the state changes.");
   verb->callback([source, range] { run(*source, *range); });
 }
 

@@ -13,7 +13,10 @@ constexpr int MostColumns = 4;
 constexpr int KeysRow = 1;
 
 Style styleOf(Mood mood) {
-  return mood == Mood::Good ? Style::Good : mood == Mood::Warn ? Style::Warn : mood == Mood::Bad ? Style::Bad : Style::Dim;
+  return mood == Mood::Good   ? Style::Good
+         : mood == Mood::Warn ? Style::Warn
+         : mood == Mood::Bad  ? Style::Bad
+                              : Style::Dim;
 }
 
 // Columns on the terminal: bytes that begin a character.
@@ -161,9 +164,10 @@ class Layout {
     const std::string name = cut(" " + _view.source, room - 1);
     const int left = room - widthOf(name);
     const std::string kind = note.empty() ? _view.kind : cutAtPhrase(note, left - 5);
-    _page.push_back({{name, Style::Strong},
-                     {padded(widthOf(kind) + 4 < left ? "   " + kind : "", left), note.empty() ? Style::Dim : Style::Warn},
-                     {state, styleOf(_view.mood)}});
+    _page.push_back(
+        {{name, Style::Strong},
+         {padded(widthOf(kind) + 4 < left ? "   " + kind : "", left), note.empty() ? Style::Dim : Style::Warn},
+         {state, styleOf(_view.mood)}});
   }
 
   void banner() {

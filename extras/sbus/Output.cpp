@@ -8,6 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "line/RecordingFile.h"
+
 namespace tool {
 
 namespace {
@@ -40,6 +42,20 @@ void write(const std::string &text) {
 void flush() {
   if (std::fflush(stdout) != 0) {
     fail();
+  }
+}
+
+void writeTo(const std::string &name, const std::function<void(const Put &put)> &print) {
+  if (name.empty()) {
+    print(write);
+    flush();
+    return;
+  }
+  line::LineFile file(name);
+  print([&file](const std::string &text) { file.write(text); });
+  const std::string failure = file.finish();
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
   }
 }
 

@@ -1,6 +1,7 @@
 // Standard output, for what comes line by line.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace tool {
@@ -14,5 +15,10 @@ void setLineByLine();
 // Throws std::runtime_error if it is full or has gone. A pipe's reader that has seen enough ends the program silently.
 void write(const std::string &text);
 void flush();
+
+// `print` is given what takes its text: write(), or that of the file `name` if this is not empty. Throws
+// std::runtime_error if it cannot be written.
+using Put = std::function<void(const std::string &text)>;
+void writeTo(const std::string &name, const std::function<void(const Put &put)> &print);
 
 }  // namespace tool

@@ -11,7 +11,6 @@
 #include "SvgPlot.h"
 #include "Verbs.h"
 #include "line/CsvRows.h"
-#include "line/RecordingFile.h"
 
 namespace tool {
 
@@ -52,7 +51,8 @@ class Plotter {
       : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
     for (const CsvColumn &column : _columns) {
       if (column.kind != CsvColumn::Kind::Channel) {
-        throw CLI::ValidationError("--columns", "channels are expected, such as ch1-ch4: flags are shaded by themselves");
+        throw CLI::ValidationError("--columns",
+                                   "channels are expected, such as ch1-ch4: flags are shaded by themselves");
       }
     }
     _observer.reset(0, characterUs);
@@ -163,17 +163,7 @@ void run(const SourceOption &source, const PlotOptions &options) {
   input->run([&](const line::Character &character) { plotter.put(character); },
              [&](uint64_t nowUs) { plotter.idleUntil(nowUs); });
   const std::string picture = plotter.finish(source.name());
-  if (options.output.empty()) {
-    write(picture);
-    flush();
-    return;
-  }
-  line::LineFile file(options.output);
-  file.write(picture);
-  const std::string failure = file.finish();
-  if (!failure.empty()) {
-    throw std::runtime_error(failure);
-  }
+  writeTo(options.output, [&picture](const Put &put) { put(picture); });
 }
 
 }  // namespace
@@ -185,8 +175,9 @@ void addPlot(CLI::App &app) {
   verb->add_option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
       ->type_name("LIST");
   verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.svg");
-  verb->footer("It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
-               "frames are shaded.");
+  verb->footer(
+      "It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
+      "frames are shaded.");
   verb->callback([source, options] { run(*source, *options); });
 }
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "Format.h"
 
 namespace tool {
 
@@ -20,24 +21,28 @@ struct Palette {
   const char *curves[8];
 };
 constexpr size_t Colours = 8;
-constexpr Palette Light = {"#fff",    "#24292f", "#d8dee4", "#cf222e", "#bf8700", "#6e7781",
+constexpr Palette Light = {"#fff",
+                           "#24292f",
+                           "#d8dee4",
+                           "#cf222e",
+                           "#bf8700",
+                           "#6e7781",
                            {"#0072b2", "#c04d00", "#007a5a", "#a3447c", "#8a6100", "#2a8fc0", "#5f4bb6", "#57606a"}};
-constexpr Palette Dark = {"#0d1117", "#e6edf3", "#30363d", "#ff7b72", "#e3b341", "#8b949e",
+constexpr Palette Dark = {"#0d1117",
+                          "#e6edf3",
+                          "#30363d",
+                          "#ff7b72",
+                          "#e3b341",
+                          "#8b949e",
                           {"#56b4e9", "#ff8f4d", "#2fc79a", "#e59ac8", "#f0c040", "#9ad7f5", "#b3a5ff", "#b1bac4"}};
 
-template <typename... Values>
-std::string print(const char *format, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 std::string style(const Palette &palette) {
-  std::string text = print(".page{fill:%s}text{fill:%s}.grid{stroke:%s}", palette.page, palette.text, palette.grid) +
-                     print(".failsafe{fill:%s;stroke:%s}.lost{fill:%s;stroke:%s}.silent{fill:%s;stroke:%s}\n", palette.failsafe,
-                           palette.failsafe, palette.lost, palette.lost, palette.silent, palette.silent);
+  std::string text =
+      format(".page{fill:%s}text{fill:%s}.grid{stroke:%s}", palette.page, palette.text, palette.grid) +
+      format(".failsafe{fill:%s;stroke:%s}.lost{fill:%s;stroke:%s}.silent{fill:%s;stroke:%s}\n", palette.failsafe,
+             palette.failsafe, palette.lost, palette.lost, palette.silent, palette.silent);
   for (size_t i = 0; i < Colours; i++) {
-    text += print(".c%zu{stroke:%s}.n%zu{fill:%s}", i, palette.curves[i], i, palette.curves[i]);
+    text += format(".c%zu{stroke:%s}.n%zu{fill:%s}", i, palette.curves[i], i, palette.curves[i]);
   }
   return text + "\n";
 }
@@ -83,15 +88,18 @@ class Drawing {
       : _picture(picture), _x(picture.xBegin, picture.xEnd, 9), _y(valueAxis(picture)) {}
 
   std::string text() {
-    _text = print("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" role=\"img\">\n",
-                  Width, Height, Width, Height);
-    _text += "<title>" + escaped(_picture.title) + "</title>\n<style>\ntext{font:12px system-ui,sans-serif}" +
-             ".title{font-size:15px;font-weight:600}.name{font-weight:600}.curve,.lead{fill:none;stroke-linejoin:round}" +
-             ".curve{stroke-width:1.6}.lead{opacity:.5}.d1{stroke-dasharray:6 3}.d2,.d3{stroke-dasharray:2 3}\n" + style(Light) +
-             "@media(prefers-color-scheme:dark){\n" + style(Dark) + "}\n</style>\n";
+    _text = format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
+        "role=\"img\">\n",
+        Width, Height, Width, Height);
+    _text +=
+        "<title>" + escaped(_picture.title) + "</title>\n<style>\ntext{font:12px system-ui,sans-serif}" +
+        ".title{font-size:15px;font-weight:600}.name{font-weight:600}.curve,.lead{fill:none;stroke-linejoin:round}" +
+        ".curve{stroke-width:1.6}.lead{opacity:.5}.d1{stroke-dasharray:6 3}.d2,.d3{stroke-dasharray:2 3}\n" +
+        style(Light) + "@media(prefers-color-scheme:dark){\n" + style(Dark) + "}\n</style>\n";
     _text += "<defs>" + pattern("failsafe", 45) + pattern("lost", -45) + pattern("silent", 0) + "</defs>\n";
     _text += "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
-    _text += print("<text class=\"title\" x=\"%.0f\" y=\"26\">", Left) + escaped(_picture.title) + "</text>\n";
+    _text += format("<text class=\"title\" x=\"%.0f\" y=\"26\">", Left) + escaped(_picture.title) + "</text>\n";
     spans();
     axes();
     curves();
@@ -104,13 +112,17 @@ class Drawing {
   double py(double y) const { return Top + (_y.to - y) / (_y.to - _y.from) * PlotHeight; }
 
   static std::string pattern(const char *name, int angle) {
-    return print("<pattern id=\"%s\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(%d)\">",
-                 name, angle) +
-           print("<g class=\"%s\"><rect width=\"6\" height=\"6\" stroke=\"none\" opacity=\".12\"/>"
-                 "<path d=\"M0 0V6\" opacity=\".45\"/></g></pattern>", name);
+    return format(
+               "<pattern id=\"%s\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+               "patternTransform=\"rotate(%d)\">",
+               name, angle) +
+           format(
+               "<g class=\"%s\"><rect width=\"6\" height=\"6\" stroke=\"none\" opacity=\".12\"/>"
+               "<path d=\"M0 0V6\" opacity=\".45\"/></g></pattern>",
+               name);
   }
 
-  static std::string look(size_t curve) { return print("c%zu d%zu", curve % Colours, curve / Colours); }
+  static std::string look(size_t curve) { return format("c%zu d%zu", curve % Colours, curve / Colours); }
 
   // What is shaded, and a legend of it below the axis.
   void spans() {
@@ -140,22 +152,23 @@ class Drawing {
   }
 
   void rectangle(const char *name, double x, double y, double width, double height) {
-    _text += print("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"url(#%s)\"/>\n", x, y, width, height, name);
+    _text += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"url(#%s)\"/>\n", x, y, width,
+                    height, name);
   }
 
   void label(double x, double y, const char *anchor, const std::string &text) {
-    _text += print("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + escaped(text) + "</text>\n";
+    _text += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + escaped(text) + "</text>\n";
   }
 
   void axes() {
     std::string grid;
     for (double y = _y.first(); y <= _y.to; y += _y.step) {
-      grid += print("M%.0f %.1fH%.0f", Left, py(y), Left + PlotWidth);
-      label(Left - 8, py(y) + 4, "end", print("%g", std::round(y / _y.step) * _y.step + 0.0));
+      grid += format("M%.0f %.1fH%.0f", Left, py(y), Left + PlotWidth);
+      label(Left - 8, py(y) + 4, "end", format("%g", std::round(y / _y.step) * _y.step + 0.0));
     }
     for (double x = _x.first(); x <= _x.to + _x.step / 1000; x += _x.step) {
-      grid += print("M%.1f %.0fV%.0f", px(x), Top, Top + PlotHeight);
-      label(px(x), Top + PlotHeight + 18, "middle", print("%.10g", std::round(x / _x.step) * _x.step + 0.0));
+      grid += format("M%.1f %.0fV%.0f", px(x), Top, Top + PlotHeight);
+      label(px(x), Top + PlotHeight + 18, "middle", format("%.10g", std::round(x / _x.step) * _x.step + 0.0));
     }
     _text += "<path class=\"grid\" d=\"" + grid + "\"/>\n";
     label(Left + PlotWidth, Top + PlotHeight + 36, "end", _picture.xTitle);
@@ -171,14 +184,15 @@ class Drawing {
         size_t to = from;
         size_t least = from;
         size_t most = from;
-        for (; to < points.size() && (to == from || (points[to].joined && px(points[to].x) - px(points[from].x) < 1)); to++) {
+        for (; to < points.size() && (to == from || (points[to].joined && px(points[to].x) - px(points[from].x) < 1));
+             to++) {
           least = points[to].y < points[least].y ? to : least;
           most = points[to].y > points[most].y ? to : most;
         }
         size_t last = SIZE_MAX;
         for (const size_t k : {from, std::min(least, most), std::max(least, most), to - 1}) {
           if (k != last) {
-            path += print("%c%.1f %.1f", k == from && !points[k].joined ? 'M' : 'L', px(points[k].x), py(points[k].y));
+            path += format("%c%.1f %.1f", k == from && !points[k].joined ? 'M' : 'L', px(points[k].x), py(points[k].y));
           }
           last = k;
         }
@@ -216,9 +230,9 @@ class Drawing {
       const Curve &curve = _picture.curves[name.curve];
       const double x = px(curve.points.back().x);
       _text += "<path class=\"lead " + look(name.curve) +
-               print("\" d=\"M%.1f %.1fL%.0f %.1f\"/>\n", x, name.end, Left + PlotWidth + 14, name.y);
-      _text += print("<text class=\"name n%zu\" x=\"%.0f\" y=\"%.1f\">", name.curve % Colours, Left + PlotWidth + 18,
-                     name.y + 4) +
+               format("\" d=\"M%.1f %.1fL%.0f %.1f\"/>\n", x, name.end, Left + PlotWidth + 14, name.y);
+      _text += format("<text class=\"name n%zu\" x=\"%.0f\" y=\"%.1f\">", name.curve % Colours, Left + PlotWidth + 18,
+                      name.y + 4) +
                escaped(curve.name) + "</text>\n";
     }
   }

@@ -27,7 +27,7 @@ struct Picture {
   std::string yTitle;
   std::vector<Curve> curves;
   std::vector<ShadedTime> spans;  // shaded
-  double xEnd = 0;          // of the axis, which begins at xBegin
+  double xEnd = 0;                // of the axis, which begins at xBegin
   double xBegin = 0;
 };
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "Format.h"
 #include "sbus/Diagnosis.h"
 
 namespace tool {
@@ -11,18 +11,11 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t LampUs = 300000;       // a frame's flag is seen so long
+constexpr uint64_t LampUs = 300000;  // a frame's flag is seen so long
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // a sketch prints a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
 constexpr size_t AllColumns = 18;          // examples/AllChannels
-
-template <typename... Values>
-std::string format(const char *pattern, Values... values) {
-  char text[128];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 std::string age(uint64_t us) {
   return us < 10 * SecondUs ? format("%4lu ms", static_cast<unsigned long>(us / 1000))
@@ -156,7 +149,8 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
   return {
       {"Frames",
        {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
-        format("%3u frames/s", _observer.framesPerSecond(nowUs)), count("lost by radio", now.lostFrames - _before.lostFrames),
+        format("%3u frames/s", _observer.framesPerSecond(nowUs)),
+        count("lost by radio", now.lostFrames - _before.lostFrames),
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
        {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
@@ -201,8 +195,9 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       view.state = "stale";
       view.mood = Mood::Bad;
       view.old = true;
-      view.banner = "STALE: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
-                    (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
+      view.banner =
+          "STALE: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
+          (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
       break;
   }
 }
@@ -210,17 +205,23 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
 void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   const uint64_t ageUs = nowUs > _rowUs ? nowUs - _rowUs : 0;
   const bool sketch = _wasRaw && _row.size() == SketchColumns;
-  const size_t channels = sketch ? SketchColumns - 2 : _wasRaw && _row.size() == AllColumns ? AllColumns - 2 : _row.size();
+  const size_t channels = sketch                                 ? SketchColumns - 2
+                          : _wasRaw && _row.size() == AllColumns ? AllColumns - 2
+                                                                 : _row.size();
   view.kind = "rows of CSV";
   view.isRaw = _wasRaw;
   for (size_t i = 0; i < channels; i++) {
     const bool marked = _columns.size() == _row.size();
-    view.channels.push_back({_row[i].value, marked ? _columns[i].low : 0, marked ? _columns[i].high : 0, marked, _row[i].text});
+    view.channels.push_back(
+        {_row[i].value, marked ? _columns[i].low : 0, marked ? _columns[i].high : 0, marked, _row[i].text});
   }
   for (size_t i = channels; i < _row.size(); i++) {
     const bool failsafe = sketch && i == channels;
     view.lamps.push_back({sketch ? (failsafe ? "FAILSAFE" : "FRAME LOST") : "CH" + std::to_string(i + 1),
-                          _row[i].value > 0, failsafe ? Mood::Bad : sketch ? Mood::Warn : Mood::Good});
+                          _row[i].value > 0,
+                          failsafe ? Mood::Bad
+                          : sketch ? Mood::Warn
+                                   : Mood::Good});
   }
   view.groups = {{"Rows", {"newest" + age(ageUs) + " old", count("total", _rowGaps.count + 1), gaps(_rowGaps)}}};
   view.old = ageUs >= StaleRowUs;

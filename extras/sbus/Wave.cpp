@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <stdexcept>
 
 #include "LineOptions.h"
 #include "Output.h"
@@ -22,8 +21,7 @@ struct Options {
 };
 
 // The whole text of the wire goes to `put`, piece by piece.
-template <typename Put>
-void wave(const line::Recording &recording, const line::LineSettings &settings, Put put) {
+void wave(const line::Recording &recording, const line::LineSettings &settings, const Put &put) {
   line::VcdWriter writer(settings);
   for (const line::Character &character : recording.characters) {
     put(writer.put(character));
@@ -38,17 +36,7 @@ void run(const Options &options) {
   settings.baud = baudOf(options.baud, options.recording);
   settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
   const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
-  if (options.output.empty()) {
-    wave(recording, settings, write);
-    flush();
-    return;
-  }
-  line::LineFile file(options.output);
-  wave(recording, settings, [&file](const std::string &text) { file.write(text); });
-  const std::string failure = file.finish();
-  if (!failure.empty()) {
-    throw std::runtime_error(failure);
-  }
+  writeTo(options.output, [&](const Put &put) { wave(recording, settings, put); });
 }
 
 }  // namespace

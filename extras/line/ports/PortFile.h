@@ -10,11 +10,6 @@
 
 namespace line {
 
-// False of a pseudo-terminal: once it has gone, the next of its name may be anybody's.
-inline bool comesBack(const std::string &device) {
-  return device.rfind("/dev/pts/", 0) != 0;
-}
-
 class PortFile {
  public:
   enum class Way { Read, Write };

@@ -1,5 +1,6 @@
 #include "BitsReader.h"
 
+#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {

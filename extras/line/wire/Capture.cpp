@@ -49,7 +49,8 @@ std::string whyUnknown(std::string_view head) {
     return "is Logic 2's binary export: export it as CSV";
   }
   if (isRecording(head)) {
-    return "is a recording of characters, not a capture of the wire: sbus hex shows it, sbus wave makes a capture of it";
+    return "is a recording of characters, not a capture of the wire: sbus hex shows it, sbus wave makes a capture of "
+           "it";
   }
   return {};
 }

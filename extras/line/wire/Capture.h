@@ -1,5 +1,5 @@
-// A recording of the wire itself, as a logic analyser or an oscilloscope makes it: text of one of several formats, taken
-// line by line with constant memory.
+// A recording of the wire itself, as a logic analyser or an oscilloscope makes it: text of one of several formats,
+// taken line by line with constant memory.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ class CaptureReader {
   explicit CaptureReader(LevelSink &sink) : _sink(sink) {}
   virtual ~CaptureReader() = default;
 
-  // The next lines, each with its LF; only the file's last line may lack it. Returns what is wrong and what is expected,
-  // or nothing; after an error it must not be called again.
+  // The next lines, each with its LF; only the file's last line may lack it. Returns what is wrong and what is
+  // expected, or nothing; after an error it must not be called again.
   virtual std::string put(std::string_view lines) = 0;
 
   // After the last line.

@@ -20,7 +20,8 @@ File open(const std::string &name) {
   }
   File file(std::fopen(name.c_str(), "rb"), std::fclose);
   if (!file) {
-    throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) + "); the name of a capture is expected");
+    throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
+                             "); the name of a capture is expected");
   }
   return file;
 }

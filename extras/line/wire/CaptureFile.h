@@ -13,7 +13,8 @@ struct CaptureEnd {
   std::string error;    // with the place in the file; what came before it was decoded. Empty if nothing is wrong
 };
 
-// Reads a capture to its end, or until something is wrong. `name`: a file, or "-" for standard input. Throws std::runtime_error if it cannot be opened, or is no capture.
+// Reads a capture to its end, or until something is wrong. `name`: a file, or "-" for standard input. Throws
+// std::runtime_error if it cannot be opened, or is no capture.
 CaptureEnd readCapture(const std::string &name, WireDecoder &decoder);
 
 }  // namespace line

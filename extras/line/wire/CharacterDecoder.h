@@ -16,8 +16,9 @@ struct WireCharacter {
   bool bad() const { return parityWrong || stopWrong; }
 };
 
-// It works as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the middle
-// of the start bit. Each bit is sampled at its middle; the first stop bit ends the character. 8 data bits, even parity.
+// It works as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the
+// middle of the start bit. Each bit is sampled at its middle; the first stop bit ends the character. 8 data bits, even
+// parity.
 class CharacterDecoder {
  public:
   CharacterDecoder(Polarity polarity, double bitNs)

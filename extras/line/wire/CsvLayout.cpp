@@ -163,10 +163,10 @@ char separatorOf(std::string_view head) {
 }
 
 double unitOf(std::string_view title) {
-  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})                                ? 1
+  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})                               ? 1
          : hasWord(title, {"us", "\xC2\xB5s", "\xCE\xBCs", "microsecond", "microseconds"}) ? 1e3
-         : hasWord(title, {"ms", "millisecond", "milliseconds"})                             ? 1e6
-                                                                                             : 1e9;
+         : hasWord(title, {"ms", "millisecond", "milliseconds"})                           ? 1e6
+                                                                                           : 1e9;
 }
 
 bool isTime(std::string_view title) {
@@ -233,7 +233,8 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   Header header;
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
-    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope, or bits "
+    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope, or "
+           "bits "
            "as 0 and 1 are expected";
   }
   for (size_t i = 0; i < rows.front().size(); i++) {
@@ -245,12 +246,14 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   const std::string title = first < header.titles.size() ? header.titles[first] : "";
   if (layout.columns.size() > 1 && (isTime(title) || grows(rows, first))) {
     layout.columns.erase(layout.columns.begin());
-    const bool counts = header.periodNs > 0 && unitOf(title) == 1e9 && !hasWord(title, {"time", "s", "second", "seconds"});
+    const bool counts =
+        header.periodNs > 0 && unitOf(title) == 1e9 && !hasWord(title, {"time", "s", "second", "seconds"});
     layout.timeColumn = counts ? CsvLayout::None : first;
     layout.timeUnitNs = header.sigrok && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title);
   }
   if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
-    return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", is "
+    return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", "
+           "is "
            "expected";
   }
   layout.startNs = header.startNs;

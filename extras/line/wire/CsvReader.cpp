@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {

@@ -40,15 +40,6 @@ std::string lower(std::string_view text) {
   return small;
 }
 
-std::string quoted(std::string_view word) {
-  constexpr size_t Shown = 20;
-  std::string text = "\"";
-  for (const char c : word.substr(0, Shown)) {
-    text += c >= ' ' && c <= '~' ? c : '?';
-  }
-  return text + (word.size() > Shown ? "...\"" : "\"");
-}
-
 bool takeNumber(const char *&at, const char *end, double &value, char mark) {
   const char *p = at;
   const bool negative = p < end && *p == '-';

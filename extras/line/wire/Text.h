@@ -32,10 +32,8 @@ std::string_view trimmed(std::string_view text);
 // In lower case.
 std::string lower(std::string_view text);
 
-// As it may be shown on a terminal.
-std::string quoted(std::string_view word);
-
-// Takes a decimal number ("-1.25e-03") off the front; false if there is none. `mark`: stands for the decimal point, too.
+// Takes a decimal number ("-1.25e-03") off the front; false if there is none. `mark`: stands for the decimal point,
+// too.
 bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');
 
 // True if all of `word` is a number.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {
@@ -98,7 +99,9 @@ std::string VcdReader::endSection() {
         _unitDenominator /= common;
       }
     }
-    return _unitNumerator != 0 ? "" : quoted(text) + " is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected";
+    return _unitNumerator != 0
+               ? ""
+               : quoted(text) + " is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected";
   }
   if (_section == "$scope") {
     _scopes.push_back(_words.size() > 1 ? _words[1] : "");

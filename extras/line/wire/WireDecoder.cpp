@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {

@@ -47,7 +47,6 @@ class WireDecoder : public LevelSink {
  private:
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
 
-
   void collect(size_t signal, int64_t ns, bool high);
   bool isWanted(size_t signal) const { return _wanted.empty() || _names[signal] == _wanted; }
   void choose();
@@ -60,7 +59,7 @@ class WireDecoder : public LevelSink {
   const std::string _wanted;
   const std::function<void()> _onFound;
   const std::function<void(const WireCharacter &)> _onCharacter;
-  std::vector<std::string> _names;  // of the signals
+  std::vector<std::string> _names;           // of the signals
   std::vector<std::vector<Level>> _samples;  // of each signal
   std::vector<std::string> _others;
   size_t _chosen = 0;

@@ -81,7 +81,8 @@ std::vector<int64_t> pulses(const std::vector<Level> &levels) {
   return lengths;
 }
 
-// What all pulses are multiples of, if there is such a time: then it is that between an analyser's samples, most probably.
+// What all pulses are multiples of, if there is such a time: then it is that between an analyser's samples, most
+// probably.
 double gridNs(const std::vector<int64_t> &lengths) {
   constexpr double RoundingNs = 50;  // times of a capture are rounded, some more than once
   double grid = 0;

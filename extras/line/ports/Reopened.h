@@ -1,0 +1,65 @@
+// Something open on a device that may go and come back: an adapter that is unplugged and plugged in again. The program
+// at a pseudo-terminal's other end does not: the next of its name may be anybody's.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace line {
+
+template <typename Port>
+class Reopened {
+ public:
+  using Open = std::function<std::unique_ptr<Port>()>;
+
+  // `open` throws std::runtime_error if it cannot; and so does this, the first time.
+  Reopened(std::string device, Open open) : _device(std::move(device)), _open(std::move(open)), _port(_open()) {}
+
+  // None while it is gone. Tries again now and then.
+  Port *at(uint64_t nowUs) {
+    if (!_port && nowUs >= _retryUs && comesBack()) {
+      _retryUs = nowUs + RetryUs;
+      reopen();
+    }
+    return _port.get();
+  }
+
+  // It has turned out to be gone.
+  void gone() {
+    _port.reset();  // while it is open, the system would give the adapter another name
+    _news = _device + (comesBack() ? ": the port has gone; plug the adapter in again, it goes on by itself"
+                                   : ": the program at its other end has gone");
+  }
+
+  // It is gone and will not come back.
+  bool finished() const { return !_port && !comesBack(); }
+
+  // As Line's.
+  std::string news() { return std::exchange(_news, {}); }
+
+ private:
+  static constexpr uint64_t RetryUs = 500000;
+
+  bool comesBack() const { return _device.rfind("/dev/pts/", 0) != 0; }
+
+  void reopen() {
+    try {
+      _port = _open();
+      _news = _device + ": the port is back";
+    } catch (const std::runtime_error &) {
+      // not yet: right after it has come back it may still belong to root
+    }
+  }
+
+  std::string _device;
+  Open _open;
+  std::unique_ptr<Port> _port;
+  uint64_t _retryUs = 0;  // when it is tried next
+  std::string _news;
+};
+
+}  // namespace line
