@@ -138,6 +138,10 @@ Finding Diagnosis::finding() const {
   if (damaged > 1 + counters.frames / DamagedPart) {
     return Finding::Damaged;
   }
+  // Of S.BUS2 at most 24 bytes come after a frame.
+  if (counters.skippedBytes > (counters.frames + 1) * FrameSize) {
+    return Finding::NoFrames;
+  }
   if (counters.failsafeFrames != 0) {
     return Finding::Failsafe;
   }
