@@ -6,6 +6,7 @@
 
 #include "CsvColumn.h"
 #include "Output.h"
+#include "SilenceNote.h"
 #include "SourceOption.h"
 #include "Verbs.h"
 #include "line/CsvRows.h"
@@ -23,8 +24,9 @@ struct CsvOptions {
 
 class CsvView {
  public:
-  CsvView(const CsvOptions &options, uint32_t characterUs)
-      : _columns(parseColumns(options.columns)),
+  CsvView(const CsvOptions &options, const std::string &source, uint32_t characterUs)
+      : _source(source),
+        _columns(parseColumns(options.columns)),
         _everyFrame(options.everyFrame->count() > 0),
         _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
         _nextUs(_periodUs) {
@@ -35,10 +37,10 @@ class CsvView {
     }
   }
 
-  void put(const line::Character &character, const std::string &source) {
+  void put(const line::Character &character) {
     _rows.put(character);
     if (_rows.recognised()) {
-      throw std::runtime_error(source +
+      throw std::runtime_error(_source +
                                ": these are rows of CSV already; sbus plot shows them, sbus record keeps them");
     }
     _observer.put(character);
@@ -46,6 +48,7 @@ class CsvView {
 
   void tick(uint64_t nowUs) {
     _observer.idleUntil(nowUs);
+    _silence.tick(nowUs, framesCame());
     if (nowUs < _nextUs) {
       return;
     }
@@ -55,8 +58,18 @@ class CsvView {
     }
   }
 
+  void finish() {
+    _observer.finish();
+    flush();
+    if (!framesCame()) {
+      throw std::runtime_error(_source + ": no frames came; sbus doctor says why");
+    }
+  }
+
  private:
   static constexpr uint64_t SettledUs = 1000000;  // by then all kinds of frames have come
+
+  bool framesCame() const { return _observer.counters().frames > 0; }
 
   static bool isYoung(sbus::LinkState state) {
     return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
@@ -82,6 +95,7 @@ class CsvView {
     write(row(_columns, _observer, nowUs));
   }
 
+  const std::string _source;
   const std::vector<CsvColumn> _columns;
   const bool _everyFrame;
   const uint64_t _periodUs;
@@ -89,14 +103,15 @@ class CsvView {
   uint64_t _firstUs = 0;  // of the first row
   line::Observer _observer;
   line::CsvRows _rows;
+  SilenceNote _silence{_source, "frames"};
 };
 
 void run(const SourceOption &source, const CsvOptions &options) {
   const std::unique_ptr<Input> input = source.open();
-  CsvView view(options, input->settings().characterUs());
-  input->run([&](const line::Character &character) { view.put(character, source.name()); },
+  CsvView view(options, source.name(), input->settings().characterUs());
+  input->run([&view](const line::Character &character) { view.put(character); },
              [&view](uint64_t nowUs) { view.tick(nowUs); });
-  flush();
+  view.finish();
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "line/wire/Text.h"
+
 namespace tool {
 
 namespace {
@@ -20,12 +22,6 @@ constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe},
                           {"time", CsvColumn::Kind::Time},
                           {"state", CsvColumn::Kind::State},
                           {"age", CsvColumn::Kind::Age}};
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
 
 // "ch7" is 7; 0 if the text is no channel.
 unsigned channelOf(const std::string &text) {
@@ -76,7 +72,7 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
   std::vector<CsvColumn> columns;
   for (size_t begin = 0; begin != std::string::npos;) {
     const size_t comma = text.find(',', begin);
-    const std::string word = lower(text.substr(begin, comma - begin));
+    const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
     if (!append(word, columns)) {
       throw CLI::ValidationError("--columns", "\"" + word +
                                                   "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, "

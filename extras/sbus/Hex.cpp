@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "Output.h"
+#include "SilenceNote.h"
 #include "SourceOption.h"
 #include "Verbs.h"
 #include "line/Observer.h"
@@ -90,8 +91,12 @@ void run(const SourceOption &source, const std::string &colour) {
   observer.reset(0, input->settings().characterUs());
   HexView view(observer, coloursOf(colour));
   observer.listen([&view](const line::Stretch &stretch) { view.show(stretch); });
+  SilenceNote silence(source.name(), "bytes");
   input->run([&observer](const line::Character &character) { observer.put(character); },
-             [&observer](uint64_t nowUs) { observer.idleUntil(nowUs); });
+             [&](uint64_t nowUs) {
+               observer.idleUntil(nowUs);
+               silence.tick(nowUs, observer.characters() > 0);
+             });
   observer.finish();
   flush();
 }

@@ -3,11 +3,14 @@
 #include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #include "line/RecordingFile.h"
+#include "line/wire/Capture.h"
 
 namespace tool {
 
@@ -98,6 +101,24 @@ void refusePipe(const std::string &name) {
   struct stat status;
   if (name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))) {
     throw std::runtime_error(name + ": is a pipe, and is read more than once: save it in a file first");
+  }
+}
+
+// An oscilloscope's columns may be a sketch's rows; and so may a logic analyser's, if `sbus csv` wrote them with times.
+void refuseOtherKinds(const std::string &name) {
+  std::string head(line::CaptureHeadMax, '\0');
+  std::ifstream in(name, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<size_t>(in.gcount()));
+  const std::string format = line::captureFormat(head);
+  const bool columns = format != "VCD" && line::isCsv(name);
+  if (!format.empty() && !(columns && (format == line::OscilloscopeFormat || head.rfind("time,", 0) == 0))) {
+    throw std::runtime_error(name + ": is a capture of the wire (" + format + "), no recording: sbus decode reads it");
+  }
+  const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
+  if (std::any_of(head.begin(), head.end(), isControl)) {
+    throw std::runtime_error(
+        name + ": is no text, as a recording is; bytes as they came are read from standard input, - <" + name);
   }
 }
 

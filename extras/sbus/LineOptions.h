@@ -49,8 +49,10 @@ CLI::Validator seconds();
 // Of a name: an empty one is a variable that a script has forgotten to set.
 CLI::Validator notEmpty();
 
-// Throw std::runtime_error: if it is read more than once and cannot be; if what would be written is what is read.
+// Throw std::runtime_error: if it is read more than once and cannot be; if it is a capture of the wire, or no text, and
+// not a recording; if what would be written is what is read.
 void refusePipe(const std::string &name);
+void refuseOtherKinds(const std::string &name);
 void refuseSameFile(const std::string &read, const std::string &written);
 
 }  // namespace tool

@@ -45,18 +45,23 @@ void flush() {
   }
 }
 
-void writeTo(const std::string &name, const std::function<void(const Put &put)> &print) {
-  if (name.empty()) {
+void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print) {
+  if (name.empty() || name == "-") {
     print(write);
     flush();
     return;
   }
-  line::LineFile file(name);
-  print([&file](const std::string &text) { file.write(text); });
-  const std::string failure = file.finish();
-  if (!failure.empty()) {
-    throw std::runtime_error(failure);
-  }
+  line::LineFile file(name, kind == File::New);
+  const auto require = [](const std::string &failure) {
+    if (!failure.empty()) {
+      throw std::runtime_error(failure);
+    }
+  };
+  print([&](const std::string &text) {
+    file.write(text);
+    require(file.failure());
+  });
+  require(file.finish());
 }
 
 }  // namespace tool

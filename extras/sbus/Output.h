@@ -16,9 +16,12 @@ void setLineByLine();
 void write(const std::string &text);
 void flush();
 
-// `print` is given what takes its text: write(), or that of the file `name` if this is not empty. Throws
-// std::runtime_error if it cannot be written.
+// Takes a piece of text. Throws std::runtime_error if it cannot be written.
 using Put = std::function<void(const std::string &text)>;
-void writeTo(const std::string &name, const std::function<void(const Put &put)> &print);
+
+// Calls `print` with what writes to the file `name`; to standard output if that is empty or "-". A new one must not be
+// there yet. Throws std::runtime_error.
+enum class File { Any, New };
+void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print);
 
 }  // namespace tool

@@ -7,6 +7,7 @@
 #include "CsvColumn.h"
 #include "LineOptions.h"
 #include "Output.h"
+#include "SilenceNote.h"
 #include "SourceOption.h"
 #include "SvgPlot.h"
 #include "Verbs.h"
@@ -71,9 +72,12 @@ class Plotter {
 
   void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
 
+  // There is something to be drawn.
+  bool any() const { return _lastUs != 0; }
+
   std::string finish(const std::string &name) {
     _observer.finish();
-    if (_lastUs == 0) {
+    if (!any()) {
       throw std::runtime_error(name + ": there is nothing to be drawn: no frames came; sbus doctor says why");
     }
     const double end = ms(_lastUs);
@@ -160,10 +164,14 @@ void run(const SourceOption &source, const PlotOptions &options) {
   refuseSameFile(source.name(), options.output);
   const std::unique_ptr<Input> input = source.open();
   Plotter plotter(options, input->settings().characterUs(), source.name() != "-");
+  SilenceNote silence(source.name(), "frames");
   input->run([&](const line::Character &character) { plotter.put(character); },
-             [&](uint64_t nowUs) { plotter.idleUntil(nowUs); });
+             [&](uint64_t nowUs) {
+               plotter.idleUntil(nowUs);
+               silence.tick(nowUs, plotter.any());
+             });
   const std::string picture = plotter.finish(source.name());
-  writeTo(options.output, [&picture](const Put &put) { put(picture); });
+  writeTo(options.output, File::Any, [&picture](const Put &put) { put(picture); });
 }
 
 }  // namespace

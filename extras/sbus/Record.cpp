@@ -3,14 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
+#include "Output.h"
+#include "SilenceNote.h"
 #include "SourceOption.h"
 #include "Verbs.h"
 #include "line/CsvRows.h"
 #include "line/Observer.h"
-#include "line/RecordingFile.h"
+#include "line/RecordingWriter.h"
 
 namespace tool {
 
@@ -19,8 +20,8 @@ namespace {
 // What comes is kept until it is clear whether it is S.Bus or a sketch's rows.
 class Recorder {
  public:
-  Recorder(const std::string &source, const std::string &name, const line::LineSettings &settings)
-      : _source(source), _settings(settings), _file(name, true) {
+  Recorder(const std::string &source, const line::LineSettings &settings, const Put &write)
+      : _source(source), _settings(settings), _write(write) {
     _observer.reset(0, settings.characterUs());
   }
 
@@ -38,18 +39,17 @@ class Recorder {
     flush();
   }
 
-  // What has come is whole in the file, and what it is.
+  // After the last character.
   void finish() {
     if (_kind == Kind::Unknown && !_first.empty()) {
       begin(Kind::SBus);
     }
     _writer.finish();
     flush();
-    const std::string failure = _file.finish();
-    if (!failure.empty()) {
-      throw std::runtime_error(failure);
-    }
   }
+
+  // Frames or rows have come.
+  bool knows() const { return _kind == Kind::Rows || _observer.counters().frames > 0; }
 
   std::string summary() {
     if (_kind == Kind::Rows) {
@@ -85,7 +85,7 @@ class Recorder {
         _writer.put(character);
       }
     } else {
-      _file.write("# sbus record " + _source + ": rows of CSV as the sketch printed them, no S.Bus\n");
+      _write("# sbus record " + _source + ": rows of CSV as the sketch printed them, no S.Bus\n");
       _columns = _rows.row().size();
       _rows = line::CsvRows();
       for (const line::Character &character : _first) {
@@ -102,21 +102,21 @@ class Recorder {
       for (const line::CsvField &field : _rows.row()) {
         text += (text.empty() ? "" : ",") + field.text;
       }
-      _file.write(text + "\r\n");
+      _write(text + "\r\n");
       _rowCount++;
     }
   }
 
   void flush() {
-    _file.write(_writer.take());
-    if (!_file.failure().empty()) {
-      throw std::runtime_error(_file.failure());
+    const std::string lines = _writer.take();
+    if (!lines.empty()) {
+      _write(lines);
     }
   }
 
   const std::string _source;
   const line::LineSettings _settings;
-  line::LineFile _file;
+  const Put &_write;
   line::RecordingWriter _writer;
   line::Observer _observer;
   line::CsvRows _rows;
@@ -128,13 +128,20 @@ class Recorder {
 
 void run(const SourceOption &source, const std::string &name) {
   const std::unique_ptr<Input> input = source.open();
-  Recorder recorder(source.name(), name, input->settings());
-  std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
-  uint64_t endUs = 0;
-  input->run([&recorder](const line::Character &character) { recorder.put(character); },
-             [&endUs](uint64_t nowUs) { endUs = nowUs; });
-  recorder.finish();
-  std::fprintf(stderr, "%s: %.1f s, %s\n", name.c_str(), static_cast<double>(endUs) / 1e6, recorder.summary().c_str());
+  writeTo(name, File::New, [&](const Put &put) {
+    Recorder recorder(source.name(), input->settings(), put);
+    std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
+    SilenceNote silence(source.name(), "frames");
+    uint64_t endUs = 0;
+    input->run([&recorder](const line::Character &character) { recorder.put(character); },
+               [&](uint64_t nowUs) {
+                 endUs = nowUs;
+                 silence.tick(nowUs, recorder.knows());
+               });
+    recorder.finish();
+    std::fprintf(stderr, "%s: %.1f s, %s\n", name.c_str(), static_cast<double>(endUs) / 1e6,
+                 recorder.summary().c_str());
+  });
 }
 
 }  // namespace
@@ -143,7 +150,10 @@ void addRecord(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("record", "keeps a line in a text file, or a sketch's rows as CSV");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
   const auto name = std::make_shared<std::string>();
-  verb->add_option("FILE", *name, "the recording; one that is there already is left alone")->required()->type_name("");
+  verb->add_option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
   verb->footer(
       "The file grows with every frame, and is whole after Ctrl-C, if the disk is full, or if the program is killed.");
   verb->callback([source, name] { run(*source, *name); });

@@ -25,6 +25,7 @@ struct ReplayOptions {
 
 std::unique_ptr<Input> open(const ReplayOptions &options) {
   refusePipe(options.file);
+  refuseOtherKinds(options.file);
   const bool csv = line::isCsv(options.file);
   line::LineSettings settings = line::csvSettings();
   if (!csv) {

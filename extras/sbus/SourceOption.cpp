@@ -84,6 +84,9 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     _options.refuseDisturbing("a stream of bytes");
     return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime->count() > 0);
   }
+  if (kind == Kind::File) {
+    refuseOtherKinds(_name);
+  }
   if (kind == Kind::File && line::isCsv(_name)) {
     _options.refuseDisturbing("rows of CSV");
     return std::make_unique<line::RecordedLine>(line::readCsv(_name));

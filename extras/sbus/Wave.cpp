@@ -31,12 +31,13 @@ void wave(const line::Recording &recording, const line::LineSettings &settings, 
 
 void run(const Options &options) {
   refusePipe(options.recording);
+  refuseOtherKinds(options.recording);
   refuseSameFile(options.recording, options.output);
   line::LineSettings settings;
   settings.baud = baudOf(options.baud, options.recording);
   settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
   const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
-  writeTo(options.output, [&](const Put &put) { wave(recording, settings, put); });
+  writeTo(options.output, File::Any, [&](const Put &put) { wave(recording, settings, put); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
 
 #include "Stop.h"
 #include "Verbs.h"
@@ -47,8 +48,8 @@ int main(int argc, char **argv) {
   } catch (const CLI::RuntimeError &error) {
     return error.get_exit_code();  // the verb has said why
   } catch (const CLI::ParseError &error) {
-    const int status = app.exit(error);
-    return status == 0 ? EXIT_SUCCESS : tool::WrongCommandLine;
+    const int status = app.exit(error, std::cout, std::cerr);
+    return status != 0 ? tool::WrongCommandLine : std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception &error) {
     std::fprintf(stderr, "%s: %s\n", nameOf(app).c_str(), error.what());
     return EXIT_FAILURE;

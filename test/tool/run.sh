@@ -98,9 +98,17 @@ done
 frame='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
 [ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tr -d '\r' | tail -n 1)" = "997,992,992,992,0,0" ]
 verdict $? "csv of bytes on standard input"
+[ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State" | tr -d '\r')" = "CH1,CH18,state
+1248,0,ok" ]
+verdict $? "columns with blanks between them"
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
+! "$sbus" hex --help >/dev/full 2>"$work/err"
+verdict $? "standard output is full, of help, too"
+"$sbus" hex sim --silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
+  "$sbus" hex sim --silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
+verdict $? "a silent source is told after two seconds"
 # In true time: what is written line by line finds the reader gone with the second line.
 (timeout 60 "$sbus" hex sim; echo $? >"$work/status") | head -n 1 >/dev/null
 [ "$(cat "$work/status")" -eq 1 ]
@@ -130,7 +138,26 @@ while IFS= read -r message; do
   (cd recordings/bad && refused "sbus hex: $message" hex "${message%%:*}")
 done <recordings/bad/MESSAGES
 
+printf 'Time [s],Channel 0\n0.000000000,0\n0.008,1\n' >"$work/saleae.csv"
+"$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
+printf "$frame" >"$work/bytes"
+for verb in csv wave replay; do
+  refused "sbus $verb: $work/saleae.csv: is a capture of the wire (logic analyser's CSV), no recording: sbus decode reads it" $verb "$work/saleae.csv"
+  refused "sbus $verb: $work/paper.vcd: is a capture of the wire (VCD), no recording: sbus decode reads it" $verb "$work/paper.vcd"
+  refused "sbus $verb: $work/bytes: is no text, as a recording is; bytes as they came are read from standard input, - <$work/bytes" $verb "$work/bytes"
+done
+printf '0\t00 01 10 11\n' >"$work/bits.txt"
+"$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
+verdict $? "a recording that looks like bits is none of the wire"
+printf 'time,CH17\n0.2,0\n0.4,1\n' >"$work/times.csv"
+"$sbus" plot "$work/times.csv" | grep -q CH2
+verdict $? "rows with times that sbus csv wrote are none of a logic analyser"
+
 # ---- Recorders and players
+
+"$sbus" record sim "$work/sim.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
+  "$sbus" record sim - --simulated-time --seconds 0.2 2>"$work/err" | cmp - "$work/sim.txt"
+verdict $? "record writes to standard output, too"
 
 "$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err" &&
   "$sbus" record "$work/noisy.txt" "$work/again.txt" 2>>"$work/err" &&

@@ -30,7 +30,7 @@ bool isRecording(std::string_view head) {
     if (line.empty() || line.front() == '#') {
       continue;
     }
-    const size_t space = line.find(' ');
+    const size_t space = line.find_first_of(" \t");
     const std::string_view time = line.substr(0, space);
     return space != std::string_view::npos && time.find_first_not_of("0123456789") == std::string_view::npos &&
            line.substr(space).find_first_not_of(" \t0123456789ABCDEFabcdef") == std::string_view::npos;
@@ -74,6 +74,18 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink) {
     }
   }
   return opened;
+}
+
+std::string captureFormat(std::string_view head) {
+  if (isBits(head)) {
+    return {};
+  }
+  struct Deaf : LevelSink {
+    void signals(const std::vector<std::string> &) override {}
+    void level(size_t, int64_t, bool) override {}
+  } sink;
+  const OpenedCapture opened = openCapture(head, sink);
+  return opened.reader ? opened.reader->format() : std::string();
 }
 
 }  // namespace line

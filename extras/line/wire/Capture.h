@@ -65,4 +65,10 @@ struct OpenedCapture {
 };
 OpenedCapture openCapture(std::string_view head, LevelSink &sink);
 
+constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
+
+// The format of a capture that begins with `head`, as CaptureReader::format(); nothing if it is none.
+// Nothing of bits, either: a recording may look so, too.
+std::string captureFormat(std::string_view head);
+
 }  // namespace line

@@ -234,8 +234,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
     return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope, or "
-           "bits "
-           "as 0 and 1 are expected";
+           "bits as 0 and 1 are expected";
   }
   for (size_t i = 0; i < rows.front().size(); i++) {
     if (!rows.front()[i].empty()) {
@@ -253,8 +252,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   }
   if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
     return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", "
-           "is "
-           "expected";
+           "is expected";
   }
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
@@ -270,7 +268,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
     }
   }
   layout.names = namesOf(header, layout.columns);
-  layout.name = header.sigrok ? "PulseView CSV" : layout.analogue ? "oscilloscope's CSV" : "logic analyser's CSV";
+  layout.name = header.sigrok ? "PulseView CSV" : layout.analogue ? OscilloscopeFormat : "logic analyser's CSV";
   return {};
 }
 
