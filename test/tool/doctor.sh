@@ -65,5 +65,27 @@ kill $player
 player replay golden/AllChannels.csv --loop
 asked 1 'ROWS OF CSV:' - "$terminal"
 kill $player
+
+# One who is not root, to whom a port may be denied: mode 000, or another program's alone (TIOCEXCL).
+folder=$(mktemp -d)
+chmod 755 "$folder"
+install -m 755 "$SBUS" "$folder/sbus"
+as_user() {
+  if [ "$(id -u)" -eq 0 ]; then setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; else "$@"; fi
+}
+player simulate
+chmod 000 "$terminal"
+as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
+[ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$WORK/err"
+verdict $? "doctor of a port that one may not open"
+chmod 666 "$terminal"
+perl -e 'open(P, "+<", $ARGV[0]) && ioctl(P, 0x540C, 0) && print("mine\n") && close(STDOUT) && sleep(60)' "$terminal" >"$WORK/mine" &
+owner=$!
+until [ -s "$WORK/mine" ] || ! kill -0 $owner 2>/dev/null; do sleep 0.1; done
+as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
+[ $? -eq 1 ] && grep -qx "sbus doctor: $terminal: in use; close the other program that has it open" "$WORK/err"
+verdict $? "doctor of a port that another program has"
+kill $owner $player
+rm -r "$folder"
 "$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'
 verdict $? "doctor of a port that is not there"
