@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "Bar.h"
+#include "TerminalText.h"
 
 namespace tool {
 
@@ -17,43 +18,6 @@ Style styleOf(Mood mood) {
          : mood == Mood::Warn ? Style::Warn
          : mood == Mood::Bad  ? Style::Bad
                               : Style::Dim;
-}
-
-// Columns on the terminal: bytes that begin a character.
-int widthOf(const std::string &text) {
-  return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string cut(const std::string &text, int width) {
-  int columns = 0;
-  size_t at = 0;
-  while (at < text.size() && (columns < width || (text[at] & 0xC0) == 0x80)) {
-    columns += (text[at++] & 0xC0) != 0x80;
-  }
-  if (columns > width) {
-    at--;
-  }
-  return text.substr(0, at);
-}
-
-std::string padded(const std::string &text, int width) {
-  const int missing = width - widthOf(text);
-  return missing > 0 ? text + std::string(static_cast<size_t>(missing), ' ') : cut(text, width);
-}
-
-std::string right(const std::string &text, int width) {
-  const int missing = width - widthOf(text);
-  return missing > 0 ? std::string(static_cast<size_t>(missing), ' ') + text : cut(text, width);
-}
-
-// Not cut in the middle of what it says: "FAILSAFE" of "FAILSAFE: the receiver is well, but has given the radio up."
-std::string cutAtPhrase(const std::string &text, int width) {
-  if (widthOf(text) <= width) {
-    return text;
-  }
-  const std::string start = cut(text, width);
-  const size_t end = std::max(start.rfind(": ") + 1, start.rfind(". ") + 1);  // npos + 1 is 0
-  return end > 0 ? start.substr(0, end - 1) : start;
 }
 
 // What of a channel has room in so many columns.
