@@ -1,6 +1,7 @@
 // sbus plot: the curves of the channels, as a picture.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 // What bad lines cost: in the long run, and in the worst single call of parseSBusFrame().
 #include "Bench.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 

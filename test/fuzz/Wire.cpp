@@ -1,4 +1,5 @@
 // The readers of captures on any text: characters in order, or one clear error; blocks of any size make no difference.
+#include <algorithm>
 #include <string>
 #include <vector>
 

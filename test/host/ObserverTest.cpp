@@ -1,6 +1,10 @@
 // What a person is shown of a line: every character once, each frame where it stood, and the numbers beside it.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "line/Observer.h"
 #include "line/Random.h"
 #include "line/SimulatedReceiver.h"

@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "support/CalibrationRules.h"
 #include "support/Feed.h"
 #include "support/Radio.h"
