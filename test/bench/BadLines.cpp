@@ -17,8 +17,8 @@ namespace {
 
 using line::Random;
 
-// A tenth more than was measured with GCC 12.2.
-constexpr uint32_t MostPerCall = 5100;
+// More than was measured: 4955 with GCC 12.2, 5142 with 14.2.
+constexpr uint32_t MostPerCall = 5300;
 constexpr uint32_t MostPerByte = 203;
 constexpr uint32_t MostTenthsLinear = 44;  // 64 bytes cost no more than 4.4 times what 16 cost
 
