@@ -70,7 +70,7 @@ bool parseCharacter(std::string_view word, Character &character) {
 }
 
 // Appends the characters of a line. Returns what is wrong with it, or nothing.
-std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<Character> &characters) {
+std::string parseLine(std::string_view line, uint32_t characterUs, Characters &characters) {
   const std::string_view timeWord = takeWord(line);
   if (timeWord.empty() || timeWord.front() == '#') {
     return {};

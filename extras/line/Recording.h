@@ -6,16 +6,53 @@
 //                       with a wrong parity or stop bit
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "Line.h"
 
 namespace line {
 
+// Characters in their order, 8 bytes each: an hour of S.Bus has nine million.
+class Characters {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Characters &characters, size_t index) : _characters(characters), _index(index) {}
+    Character operator*() const { return _characters[_index]; }
+    Iterator &operator++() {
+      _index++;
+      return *this;
+    }
+    bool operator!=(const Iterator &other) const { return _index != other._index; }
+
+   private:
+    const Characters &_characters;
+    size_t _index;
+  };
+
+  void push_back(const Character &character) {
+    _packed.push_back(character.endUs << 9 | (character.bad ? 0x100u : 0u) | character.value);
+  }
+
+  Character operator[](size_t index) const {
+    const uint64_t packed = _packed[index];
+    return {packed >> 9, static_cast<uint8_t>(packed), (packed & 0x100) != 0};
+  }
+  Character back() const { return (*this)[size() - 1]; }
+  size_t size() const { return _packed.size(); }
+  bool empty() const { return _packed.empty(); }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+ private:
+  std::deque<uint64_t> _packed;  // a vector would take three times as much while it grows
+};
+
 struct Recording {
-  std::vector<Character> characters;
+  Characters characters;
   std::string error;       // what is wrong and what is expected; empty if nothing is
   unsigned errorLine = 0;  // where, counted from 1; 0 if it is wrong as a whole
 };

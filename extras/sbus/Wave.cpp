@@ -23,7 +23,7 @@ struct Options {
 // The whole text of the wire goes to `put`, piece by piece.
 void wave(const line::Recording &recording, const line::LineSettings &settings, const Put &put) {
   line::VcdWriter writer(settings);
-  for (const line::Character &character : recording.characters) {
+  for (const line::Character character : recording.characters) {
     put(writer.put(character));
   }
   put(writer.finish());
