@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "Line.h"
+#include "LineSettings.h"
 
 namespace line {
 
@@ -60,11 +61,22 @@ struct Recording {
 constexpr size_t RecordingLineMax = 4096;                                     // characters of text
 constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  // a year: what is later is a mistake
 
+constexpr size_t RecordingBeginning = 4096;  // bytes of a file: they tell what it is
+
+// How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: as Fast S.Bus,
+// or as a sketch's Serial; as S.Bus if none says so.
+LineSettings settingsIn(std::string_view beginning);
+
+// True if it is no recording, but the rows that a sketch prints.
+bool isCsvText(std::string_view beginning);
+
 // Takes a recording line by line.
 class RecordingReader {
  public:
-  // `characterUs`: what a character takes on the line.
-  explicit RecordingReader(uint32_t characterUs = CharacterUs) : _characterUs(characterUs) {}
+  // `characterUs`: what a character takes on the line. `csv`: the lines are a sketch's rows, which have no times; they
+  // come every 200 ms, as the examples print them.
+  explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
+      : _characterUs(characterUs), _csv(csv) {}
 
   // The next line, without its LF. Does nothing once something was wrong.
   void line(std::string_view text);
@@ -73,7 +85,10 @@ class RecordingReader {
   Recording finish();
 
  private:
+  void row(std::string_view text);
+
   const uint32_t _characterUs;
+  const bool _csv;
   Recording _recording;
   unsigned _number = 0;  // of the last line
 };

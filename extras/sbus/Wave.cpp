@@ -32,8 +32,7 @@ void wave(const line::Recording &recording, const line::LineSettings &settings, 
 void run(const Options &options) {
   refusePipe(options.recording);
   refuseSameFile(options.recording, options.output);
-  line::LineSettings settings;
-  settings.baud = baudOf(options.baud, options.recording);
+  line::LineSettings settings = settingsOf(options.baud, options.recording);
   settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
   const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
   writeTo(options.output, [&](const Put &put) { wave(recording, settings, put); });

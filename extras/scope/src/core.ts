@@ -91,6 +91,9 @@ const bytesAt = 268;
 const whyAt = 304;
 const enough = 256; // records
 
+// As in line/Recording.h.
+export const recordingBeginning = 4096; // bytes
+
 type Native = Record<string, (...values: number[]) => number> & { memory: WebAssembly.Memory };
 
 export class Core {
@@ -120,8 +123,9 @@ export class Core {
     this.native.cutWire(Number(cut));
   }
 
-  openPort(nowUs: number, baud: number): void {
-    this.native.openPort(nowUs, baud);
+  // A board's port carries text: 8N1.
+  openPort(nowUs: number, baud: number, board: boolean): void {
+    this.native.openPort(nowUs, baud, Number(board));
   }
 
   received(bytes: Uint8Array, nowUs: number): void {
@@ -132,8 +136,9 @@ export class Core {
     this.native.receivedBad(nowUs);
   }
 
-  openRecording(baud: number): void {
-    this.native.openRecording(baud);
+  // `beginning`: recordingBeginning bytes, or all there are. They tell how its line was set.
+  openRecording(beginning: Uint8Array): void {
+    this.transfer(beginning, (count) => this.native.openRecording(count));
   }
 
   recordingText(text: Uint8Array): void {

@@ -35,11 +35,12 @@ export class PortSource implements Source {
     private readonly take: (stretch: Stretch) => void,
   ) {
     // What inverts is the adapter, or a part before it: the page cannot.
-    this.settings = kind === 'adapter' ? [{ baud: 100000, inverted: true }, { baud: 200000, inverted: true }] : [];
-    this.setting = this.settings[0] ?? { baud: 100000, inverted: true };
+    const bauds = kind === 'adapter' ? [100000, 200000] : [115200];
+    this.settings = bauds.map((baud) => ({ baud, inverted: kind === 'adapter' }));
+    this.setting = this.settings[0];
     this.title = kind === 'adapter' ? 'S.Bus at a serial adapter, 8E2' : 'A board that prints numbers, 115200 baud';
     navigator.serial?.addEventListener('connect', this.connected);
-    core.openPort(this.nowUs(), this.setting.baud);
+    this.begin();
     this.done = this.run();
   }
 
@@ -52,7 +53,7 @@ export class PortSource implements Source {
       this.setting = setting;
       await this.stopReading(); // run() opens it again
     }
-    this.core.openPort(this.nowUs(), setting.baud);
+    this.begin();
   }
 
   async close(): Promise<void> {
@@ -61,6 +62,10 @@ export class PortSource implements Source {
     this.wake?.();
     await this.stopReading();
     await this.done;
+  }
+
+  private begin(): void {
+    this.core.openPort(this.nowUs(), this.setting.baud, this.kind === 'board');
   }
 
   private async run(): Promise<void> {
@@ -89,9 +94,8 @@ export class PortSource implements Source {
   }
 
   private options(): SerialOptions {
-    return this.kind === 'board'
-      ? { baudRate: 115200, bufferSize }
-      : { baudRate: this.setting.baud, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
+    const baudRate = this.setting.baud;
+    return this.kind === 'board' ? { baudRate, bufferSize } : { baudRate, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
   }
 
   // Until somebody stops it, or the port has gone.

@@ -1,6 +1,6 @@
-// A recording, with a time line.
+// A recording, or rows of CSV, with a time line.
 
-import type { Core, Stretch } from '../core';
+import { recordingBeginning, type Core, type Stretch } from '../core';
 import type { Source } from './Source';
 
 export class RecordingSource implements Source {
@@ -19,7 +19,7 @@ export class RecordingSource implements Source {
 
   // Throws an Error that says what is wrong with the recording.
   static async open(core: Core, file: File): Promise<RecordingSource> {
-    core.openRecording(await recordedBaud(file));
+    core.openRecording(new Uint8Array(await file.slice(0, recordingBeginning).arrayBuffer()));
     const reader = file.stream().getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       core.recordingText(part.value);
@@ -62,10 +62,4 @@ export class RecordingSource implements Source {
   private get endUs(): number {
     return this.lengthUs + 1000;
   }
-}
-
-// As a comment at its beginning says, "# 200000 baud, 8E2"; else that of S.Bus.
-async function recordedBaud(file: File): Promise<number> {
-  const beginning = await file.slice(0, 4096).text();
-  return Number(/^# (\d+) baud/m.exec(beginning)?.[1] ?? 100000);
 }
