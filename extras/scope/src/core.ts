@@ -248,6 +248,21 @@ export class Core {
     return channel < 0 ? '' : `CH${channel + 1}${this.words(this.native.lastRefusal())}`;
   }
 
+  // As it is stored.
+  get calibration(): Uint8Array {
+    return this.calibrationBytes().slice();
+  }
+
+  // False if it is none, or damaged.
+  restoreCalibration(bytes: Uint8Array): boolean {
+    const place = this.calibrationBytes();
+    if (bytes.length !== place.length) {
+      return false;
+    }
+    place.set(bytes);
+    return this.native.calibrationIsGood() !== 0;
+  }
+
   // Which channel a bit of a frame of `size` bytes is of, and which bit of it.
   ownerOfBit(size: number, byte: number, bit: number): { channel: number; bit: number } | undefined {
     const owner = this.native.ownerOfBit(size, byte, bit);
@@ -284,6 +299,10 @@ export class Core {
       bytes: new Uint8Array(view.buffer, at + bytesAt, size).slice(),
       why: kind === Kind.NoFrame ? this.words(at + whyAt) : '',
     };
+  }
+
+  private calibrationBytes(): Uint8Array {
+    return new Uint8Array(this.native.memory.buffer, this.native.calibrationBytes(), this.native.calibrationSize());
   }
 
   private doubles(at: number, count: number): Float64Array {

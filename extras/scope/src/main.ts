@@ -1,7 +1,7 @@
 // The page's buttons.
 
 import './style.css';
-import { Core, Scale, type Setting } from './core';
+import { Core, type Setting } from './core';
 import { byId, setText } from './dom';
 import { saveCsv } from './recorder';
 import { Scope } from './scope';
@@ -9,6 +9,7 @@ import { PortSource, pickPort, type PortKind } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
 import { CalibrationView } from './view/calibration';
+import { ScaleView } from './view/scale';
 
 // Never a blank page: a fault of its own is told, too.
 function fault(error: unknown): void {
@@ -104,7 +105,6 @@ function wire(): void {
   byId('zoom-in').addEventListener('click', () => scope.curves.zoom(1));
   byId('zoom-out').addEventListener('click', () => scope.curves.zoom(-1));
   byId('reset-marks').addEventListener('click', () => core.resetMarks());
-  select('scale').addEventListener('change', () => core.setScale(Number(select('scale').value)));
   new Dropping(byId('drop'));
 }
 
@@ -144,12 +144,8 @@ function recordButton(): void {
 
 wire();
 themes();
-const calibration = new CalibrationView(core, (scale) => {
-  select('scale').options[scale].disabled = false;
-  select('scale').value = String(scale);
-  core.setScale(scale);
-});
-core.setScale(Scale.FrSky);
+const scale = new ScaleView(core);
+const calibration = new CalibrationView(core, () => scale.calibrated());
 await simulate();
 
 function picture(): void {
