@@ -101,9 +101,17 @@ export default async function () {
     await reads(page, '#state', 'Fine');
   });
 
+  await check('a browser that refuses: in its words', async (page) => {
+    await page.evaluate(() => (navigator.serial.requestPort = () => Promise.reject(new DOMException('Blocked by the user.', 'SecurityError'))));
+    await connect(page);
+    await reads(page, '#verdict-text', 'THE BROWSER GIVES NO PORT: Blocked by the user.');
+    await reads(page, '#state', 'Fine');
+  });
+
   await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
     await connect(page);
     await reads(page, '#verdict-text', 'THIS BROWSER HAS NO WEB SERIAL.');
+    await reads(page, '#verdict-cure', /Chrome, Edge or Firefox/);
     await reads(page, '#state', 'Fine');
   }, { serial: false });
 

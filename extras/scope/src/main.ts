@@ -38,10 +38,10 @@ async function simulate(): Promise<void> {
   const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
   const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
   const noise = { noise: 30, storm: 300 }[fault] ?? 0;
-  pressed('simulated');
   await scope.open(() => {
+    pressed('simulated');
     const source = new SimulatedSource(core, { calibration: receiver === 'calibration', channels, noise, line }, port);
-    source.cutWire(fault === 'silent');
+    core.cutWire(fault === 'silent');
     byId('cut').setAttribute('aria-pressed', String(fault === 'silent'));
     return source;
   });
@@ -53,8 +53,10 @@ async function connect(kind: PortKind): Promise<void> {
     scope.problem = port;
     return;
   }
-  pressed(kind);
-  await scope.open(() => new PortSource(core, port, kind, scope.take));
+  await scope.open(() => {
+    pressed(kind);
+    return new PortSource(core, port, kind, scope.take);
+  });
 }
 
 async function play(file: File | undefined): Promise<void> {
@@ -62,13 +64,16 @@ async function play(file: File | undefined): Promise<void> {
     return;
   }
   try {
-    await scope.open(() => RecordingSource.open(core, file));
-    pressed('recording');
+    await scope.open(async () => {
+      const source = await RecordingSource.open(core, file);
+      pressed('recording');
+      return source;
+    });
   } catch (error) {
     await simulate();
     scope.problem = {
       text: `THIS IS NO RECORDING: ${(error as Error).message}.`,
-      cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ...',
+      cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
     };
   }
 }
@@ -88,7 +93,7 @@ function wire(): void {
   byId('cut').addEventListener('click', () => {
     const cut = byId('cut').getAttribute('aria-pressed') !== 'true';
     byId('cut').setAttribute('aria-pressed', String(cut));
-    (scope.source as SimulatedSource).cutWire(cut);
+    core.cutWire(cut);
   });
 
   byId('record').addEventListener('click', () => {

@@ -53,7 +53,9 @@ export class PortSource implements Source {
       this.setting = setting;
       await this.stopReading(); // run() opens it again
     }
-    this.begin();
+    if (this.wanted) {
+      this.begin();
+    }
   }
 
   async close(): Promise<void> {
@@ -184,7 +186,7 @@ function whyNotOpen(error: unknown): Problem {
 
 export const noWebSerial: Problem = {
   text: 'THIS BROWSER HAS NO WEB SERIAL.',
-  cure: 'To read a port, open this page in Chrome or Edge on a computer. Simulation and recordings do without.',
+  cure: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
 };
 
 // The port that the user picks; a Problem if none.
@@ -194,8 +196,12 @@ export async function pickPort(kind: PortKind): Promise<SerialPort | Problem> {
   }
   try {
     return await navigator.serial.requestPort();
-  } catch {
+  } catch (error) {
     const what = kind === 'adapter' ? 'adapter' : 'board';
+    const { name, message } = error as DOMException;
+    if (name !== 'NotFoundError') {
+      return { text: `THE BROWSER GIVES NO PORT: ${message}`, cure: 'Allow this page to use one. From disk it may refuse: make scope serves the page.' };
+    }
     return { text: 'NO PORT WAS CHOSEN.', cure: `Plug the ${what} in, press the button again, and choose it in the list.` };
   }
 }

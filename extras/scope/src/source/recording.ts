@@ -3,6 +3,8 @@
 import { recordingBeginning, type Core, type Stretch } from '../core';
 import type { Source } from './Source';
 
+const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
+
 export class RecordingSource implements Source {
   readonly settings = [];
   speed = 1;
@@ -19,7 +21,14 @@ export class RecordingSource implements Source {
 
   // Throws an Error that says what is wrong with the recording.
   static async open(core: Core, file: File): Promise<RecordingSource> {
-    core.openRecording(new Uint8Array(await file.slice(0, recordingBeginning).arrayBuffer()));
+    if (file.size > largest) {
+      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv read it`);
+    }
+    const beginning = await file.slice(0, recordingBeginning).arrayBuffer();
+    if (/^(seconds|time)\b/im.test(new TextDecoder().decode(beginning))) {
+      throw new Error(`${file.name}: has a column of times: only rows as a sketch prints them can be played`);
+    }
+    core.openRecording(new Uint8Array(beginning));
     const reader = file.stream().getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       core.recordingText(part.value);
