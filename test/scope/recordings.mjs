@@ -112,15 +112,16 @@ export default async function () {
 
   await check('sources asked for one after the other, before any is there: the last one stays', async (page) => {
     const long = Array.from({ length: 40000 }, (_, i) => `${9000 * (i + 1)} 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00\n`).join('');
-    await drop(page, 'long.txt', long);
-    await page.evaluate(() => document.querySelector('#source-simulated').click());
-    await drop(page, 'short.txt', readFileSync(path.join(recordings, 'paper.txt'), 'utf8'));
-    await drop(page, 'long.txt', long);
-    await page.evaluate(() => {
-      document.querySelector('#cut').click();
-      document.querySelector('#source-adapter').click();
-    });
-    await drop(page, 'short.txt', readFileSync(path.join(recordings, 'paper.txt'), 'utf8'));
+    await page.evaluate(([slow, quick]) => {
+      const drop = (name, text) =>
+        dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File([text], name)] } }));
+      const click = (id) => document.querySelector(`#${id}`).click();
+      drop('long.txt', slow);
+      click('source-simulated');
+      drop('long.txt', slow);
+      click('cut');
+      drop('short.txt', quick);
+    }, [long, readFileSync(path.join(recordings, 'paper.txt'), 'utf8')]);
     await reads(page, '#title', 'Recording short.txt');
     await reads(page, '#position-text', '0:00.3 / 0:00.3');
     await counts(page, 'frames', 6);
