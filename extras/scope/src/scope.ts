@@ -47,7 +47,7 @@ export class Scope {
       window: byId('window'),
       readout: byId('readout'),
     });
-    this.timeline = new Timeline(() => this.forget(), this.take);
+    this.timeline = new Timeline(() => this.forget());
   }
 
   // One after the other, however quickly they are asked for: there is one line.

@@ -1,6 +1,6 @@
 // A recording, or rows of CSV, with a time line.
 
-import { recordingBeginning, type Core, type Stretch } from '../core';
+import { recordingBeginning, type Core } from '../core';
 import type { Source } from './Source';
 
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
@@ -57,11 +57,14 @@ export class RecordingSource implements Source {
     return this.us;
   }
 
-  // Plays what is before it once more, so that all is as if it had been played.
-  seek(us: number, take: (stretch: Stretch) => void): void {
-    this.core.rewindRecording();
-    this.us = Math.min(Math.max(us, 0), this.endUs);
-    this.core.advance(this.us, take);
+  // All is as if it had been played up to there. True if that is from its beginning once more.
+  seek(us: number): boolean {
+    const back = us < this.us;
+    if (back) {
+      this.core.rewindRecording();
+    }
+    this.us = Math.min(us, this.endUs);
+    return back;
   }
 
   async use(): Promise<void> {}
