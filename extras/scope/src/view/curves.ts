@@ -106,7 +106,7 @@ export class Curves {
   }
 
   private redraw(): void {
-    const { edge, seconds } = this;
+    const { edge, seconds } = this.drawn;
     const plot = this.plot as uPlot;
     const ends = [edge - seconds, edge]; // each curve reads the history itself
     plot.setData([ends, ...plot.series.slice(1).map(() => ends)] as uPlot.AlignedData, false);
@@ -115,7 +115,8 @@ export class Curves {
 
   // What stays at a pixel's height is one stroke: 16 curves of 1100 samples each are drawn sixty times a second.
   private path(plot: uPlot, channel: number, unit: Unit): uPlot.Series.Paths {
-    const { history, edge, seconds } = this;
+    const { history } = this;
+    const { edge, seconds } = this.drawn;
     const { left, top, width, height } = plot.bbox;
     const longest = this.rows ? rowPauseS : pauseS;
     const stroke = new Path2D();
