@@ -139,12 +139,12 @@ $(OUT)/cross/%.o: $(SRC)/%.cpp build.mk
 
 # fuzz: libFuzzer's programs, OUT/fuzz/*, with clang's sanitizers; CXX must be clang++. `make list-fuzz` names them.
 FUZZ := $(patsubst fuzz/%.cpp,$(OUT)/fuzz/%,$(wildcard fuzz/*.cpp))
-FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(EXTRAS)/line/Recording.cpp
+FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,CsvRows.cpp LineSettings.cpp Recording.cpp)
 fuzz: $(FUZZ)
 list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
-$(OUT)/fuzz/Wire: $(wildcard $(EXTRAS)/line/wire/*.cpp) $(EXTRAS)/line/LineSettings.cpp
+$(OUT)/fuzz/Wire: $(wildcard $(EXTRAS)/line/wire/*.cpp)
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/BitByBit.h build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(WARNINGS) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(DEBUG) \

@@ -36,6 +36,14 @@ std::string csvName(size_t column, size_t columns) {
   return "CH" + std::to_string(column + 1);
 }
 
+LineSettings csvSettings() {
+  LineSettings settings;
+  settings.baud = 115200;
+  settings.format = {8, Parity::None, 1};
+  settings.polarity = Polarity::Either;
+  return settings;
+}
+
 bool CsvRows::put(uint8_t byte) {
   if (byte == '\n') {
     endLine();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Line.h"
+#include "LineSettings.h"
 
 namespace line {
 
@@ -21,6 +22,9 @@ using CsvRow = std::vector<CsvField>;
 // What such a column is most likely called: "CH1" to "CH4", "failsafe", "lostFrame" of 6 columns, as
 // examples/DecodeSBus prints them; else "CH1" and so on.
 std::string csvName(size_t column, size_t columns);
+
+// How a sketch's Serial is set: 115200 baud, 8N1.
+LineSettings csvSettings();
 
 // Takes the bytes of a text, and tells a sketch's rows from the bytes of S.Bus, which are no text.
 class CsvRows {

@@ -1,7 +1,9 @@
 #include "Recording.h"
 
+#include <cstdlib>
 #include <utility>
 
+#include "CsvRows.h"
 #include "Quoted.h"
 
 namespace line {
@@ -70,7 +72,7 @@ bool parseCharacter(std::string_view word, Character &character) {
 }
 
 // Appends the characters of a line. Returns what is wrong with it, or nothing.
-std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<Character> &characters) {
+std::string parseLine(std::string_view line, uint32_t characterUs, Characters &characters) {
   const std::string_view timeWord = takeWord(line);
   if (timeWord.empty() || timeWord.front() == '#') {
     return {};
@@ -97,10 +99,63 @@ std::string parseLine(std::string_view line, uint32_t characterUs, std::vector<C
   return {};
 }
 
+// Takes the next line off `text`, without its LF.
+std::string_view takeLine(std::string_view &text) {
+  const size_t size = text.find('\n');
+  const std::string_view line = text.substr(0, size);
+  text.remove_prefix(size == std::string_view::npos ? text.size() : size + 1);
+  return line;
+}
+
 }  // namespace
+
+LineSettings settingsIn(std::string_view beginning) {
+  LineSettings settings;
+  while (!beginning.empty() && beginning.front() == '#') {
+    const std::string comment(takeLine(beginning));
+    const size_t end = comment.find(" baud");
+    if (end == std::string::npos || comment.find_first_not_of("0123456789", 2) != end) {
+      continue;
+    }
+    const unsigned long baud = std::strtoul(comment.c_str() + 2, nullptr, 10);
+    if (baud == csvSettings().baud) {
+      return csvSettings();
+    }
+    settings.baud = baud == 2 * sbus::Baud ? baud : sbus::Baud;
+    return settings;
+  }
+  return settings;
+}
+
+bool isCsvText(std::string_view beginning) {
+  CsvRows rows;
+  for (const char c : beginning) {
+    rows.put(static_cast<uint8_t>(c));
+    if (rows.recognised()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void RecordingReader::row(std::string_view text) {
+  constexpr uint64_t RowUs = 200000;
+  Characters &characters = _recording.characters;
+  Character character;
+  character.endUs = (characters.empty() ? 1 : characters.back().endUs / RowUs + 1) * RowUs;
+  for (const char c : std::string(text.substr(0, RecordingLineMax / 2)) + '\n') {
+    character.value = static_cast<uint8_t>(c);
+    characters.push_back(character);
+    character.endUs += _characterUs;
+  }
+}
 
 void RecordingReader::line(std::string_view text) {
   if (!_recording.error.empty()) {
+    return;
+  }
+  if (_csv) {
+    row(text);
     return;
   }
   _number++;
@@ -120,9 +175,7 @@ Recording RecordingReader::finish() {
 Recording parseRecording(std::string_view text, uint32_t characterUs) {
   RecordingReader reader(characterUs);
   while (!text.empty()) {
-    const size_t size = text.find('\n');
-    reader.line(text.substr(0, size));
-    text.remove_prefix(size == std::string_view::npos ? text.size() : size + 1);
+    reader.line(takeLine(text));
   }
   return reader.finish();
 }

@@ -6,16 +6,54 @@
 //                       with a wrong parity or stop bit
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "Line.h"
+#include "LineSettings.h"
 
 namespace line {
 
+// Characters in their order, 8 bytes each: an hour of S.Bus has nine million.
+class Characters {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Characters &characters, size_t index) : _characters(characters), _index(index) {}
+    Character operator*() const { return _characters[_index]; }
+    Iterator &operator++() {
+      _index++;
+      return *this;
+    }
+    bool operator!=(const Iterator &other) const { return _index != other._index; }
+
+   private:
+    const Characters &_characters;
+    size_t _index;
+  };
+
+  void push_back(const Character &character) {
+    _packed.push_back(character.endUs << 9 | (character.bad ? 0x100u : 0u) | character.value);
+  }
+
+  Character operator[](size_t index) const {
+    const uint64_t packed = _packed[index];
+    return {packed >> 9, static_cast<uint8_t>(packed), (packed & 0x100) != 0};
+  }
+  Character back() const { return (*this)[size() - 1]; }
+  size_t size() const { return _packed.size(); }
+  bool empty() const { return _packed.empty(); }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+ private:
+  std::deque<uint64_t> _packed;  // a vector would take three times as much while it grows
+};
+
 struct Recording {
-  std::vector<Character> characters;
+  Characters characters;
   std::string error;       // what is wrong and what is expected; empty if nothing is
   unsigned errorLine = 0;  // where, counted from 1; 0 if it is wrong as a whole
 };
@@ -23,11 +61,22 @@ struct Recording {
 constexpr size_t RecordingLineMax = 4096;                                     // characters of text
 constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  // a year: what is later is a mistake
 
+constexpr size_t RecordingBeginning = 4096;  // bytes of a file: they tell what it is
+
+// How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: as Fast S.Bus,
+// or as a sketch's Serial; as S.Bus if none says so.
+LineSettings settingsIn(std::string_view beginning);
+
+// True if it is no recording, but the rows that a sketch prints.
+bool isCsvText(std::string_view beginning);
+
 // Takes a recording line by line.
 class RecordingReader {
  public:
-  // `characterUs`: what a character takes on the line.
-  explicit RecordingReader(uint32_t characterUs = CharacterUs) : _characterUs(characterUs) {}
+  // `characterUs`: what a character takes on the line. `csv`: the lines are a sketch's rows, which have no times; they
+  // come every 200 ms, as the examples print them.
+  explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
+      : _characterUs(characterUs), _csv(csv) {}
 
   // The next line, without its LF. Does nothing once something was wrong.
   void line(std::string_view text);
@@ -36,7 +85,10 @@ class RecordingReader {
   Recording finish();
 
  private:
+  void row(std::string_view text);
+
   const uint32_t _characterUs;
+  const bool _csv;
   Recording _recording;
   unsigned _number = 0;  // of the last line
 };

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -15,12 +14,21 @@
 
 namespace line {
 
-Recording readRecording(const std::string &name, uint32_t characterUs) {
+namespace {
+
+std::string beginningOf(const std::string &name) {
+  std::ifstream in(name, std::ios::binary);
+  std::string beginning(RecordingBeginning, '\0');
+  in.read(&beginning[0], RecordingBeginning);
+  beginning.resize(static_cast<size_t>(in.gcount()));
+  return beginning;
+}
+
+Recording read(const std::string &name, RecordingReader reader) {
   std::ifstream in(name, std::ios::binary);
   if (!in) {
     throw std::runtime_error(name + ": cannot be opened; the name of a recording is expected");
   }
-  RecordingReader reader(characterUs);
   for (std::string line; std::getline(in, line);) {
     reader.line(line);
   }
@@ -35,58 +43,22 @@ Recording readRecording(const std::string &name, uint32_t characterUs) {
   return recording;
 }
 
-unsigned long recordedBaud(const std::string &name) {
-  std::ifstream in(name, std::ios::binary);
-  for (std::string line; std::getline(in, line) && line.rfind("#", 0) == 0;) {
-    const size_t end = line.find(" baud");
-    if (end != std::string::npos && line.find_first_not_of("0123456789", 2) == end) {
-      return std::strtoul(line.c_str() + 2, nullptr, 10);
-    }
-  }
-  return 0;
+}  // namespace
+
+Recording readRecording(const std::string &name, uint32_t characterUs) {
+  return read(name, RecordingReader(characterUs));
+}
+
+LineSettings recordedSettings(const std::string &name) {
+  return settingsIn(beginningOf(name));
 }
 
 bool isCsv(const std::string &name) {
-  constexpr int Enough = 4096;  // bytes: two rows and more
-  std::ifstream in(name, std::ios::binary);
-  CsvRows rows;
-  for (int i = 0; i < Enough && !rows.recognised(); i++) {
-    const int byte = in.get();
-    if (byte == std::ifstream::traits_type::eof()) {
-      break;
-    }
-    rows.put(static_cast<uint8_t>(byte));
-  }
-  return rows.recognised();
-}
-
-LineSettings csvSettings() {
-  LineSettings settings;
-  settings.baud = 115200;
-  settings.format = {8, Parity::None, 1};
-  settings.polarity = Polarity::Either;
-  return settings;
+  return isCsvText(beginningOf(name));
 }
 
 Recording readCsv(const std::string &name) {
-  constexpr uint64_t RowUs = 200000;
-  std::ifstream in(name, std::ios::binary);
-  Recording recording;
-  uint64_t us = 0;
-  for (std::string row; std::getline(in, row);) {
-    us += RowUs;
-    Character character;
-    character.endUs = us;
-    for (const char c : row.substr(0, RecordingLineMax / 2) + '\n') {
-      character.value = static_cast<uint8_t>(c);
-      recording.characters.push_back(character);
-      character.endUs += csvSettings().characterUs();
-    }
-  }
-  if (in.bad() || recording.characters.empty()) {
-    throw std::runtime_error(name + ": cannot be read");
-  }
-  return recording;
+  return read(name, RecordingReader(csvSettings().characterUs(), true));
 }
 
 LineFile::LineFile(const std::string &name, bool isNew) : _name(name) {

@@ -11,16 +11,13 @@ namespace line {
 // Throws std::runtime_error, which names file and line, if it cannot be read or something is wrong with it.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
-// How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: the baud rate;
-// 0 if none says so.
-unsigned long recordedBaud(const std::string &name);
+// How its line was set: see settingsIn().
+LineSettings recordedSettings(const std::string &name);
 
 // True if the file begins with the rows that a sketch prints.
 bool isCsv(const std::string &name);
 
-// Such a file as the line of a sketch's Serial (csvSettings()): a row every 200 ms, as the examples print them. Throws
-// as readRecording().
-LineSettings csvSettings();  // 115200 baud, 8N1
+// Such a file as the line of a sketch's Serial: see RecordingReader. Throws as readRecording().
 Recording readCsv(const std::string &name);
 
 // A text file that grows line by line. Whatever happens it holds whole lines: if the program is killed, or the disk

@@ -12,7 +12,6 @@
 #include "Verbs.h"
 #include "line/CsvRows.h"
 #include "line/Observer.h"
-#include "line/RecordingFile.h"
 #include "sbus/Diagnosis.h"
 
 namespace tool {
@@ -108,10 +107,13 @@ class Heard {
 // its adapter, and the bytes of a stream have come already.
 std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   line::LineSettings settings = source.settings();
+  if (settings == line::csvSettings()) {
+    return {settings};
+  }
   settings.baud = source.isWire() ? sbus::Baud : settings.baud;
   settings.polarity = source.isWire() ? settings.polarity : line::Polarity::Either;
   std::vector<line::LineSettings> all = {settings};
-  if (source.isStream() || settings == line::csvSettings()) {
+  if (source.isStream()) {
     return all;
   }
   settings.baud = settings.baud == sbus::Baud ? 2 * sbus::Baud : sbus::Baud;

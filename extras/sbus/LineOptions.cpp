@@ -26,9 +26,13 @@ void refuse(const std::vector<const CLI::Option *> &options, const std::string &
 
 }  // namespace
 
-unsigned long baudOf(unsigned long told, const std::string &recording) {
-  const unsigned long recorded = told > 0 || recording.empty() ? 0 : line::recordedBaud(recording);
-  return told > 0 ? told : recorded == 2 * sbus::Baud ? recorded : sbus::Baud;
+line::LineSettings settingsOf(unsigned long told, const std::string &recording) {
+  if (told == 0 && !recording.empty()) {
+    return line::recordedSettings(recording);
+  }
+  line::LineSettings settings;
+  settings.baud = told > 0 ? told : sbus::Baud;
+  return settings;
 }
 
 LineOptions::LineOptions(CLI::App &verb) {
@@ -69,8 +73,10 @@ line::Source LineOptions::source(const std::string &recording) const {
                     : _channels == 32 ? line::Channels::ThirtyTwo
                                       : line::Channels::Sixteen;
   source.noise = _noise;
-  source.settings.baud = baud(recording);
-  source.settings.polarity = _uninverted->count() > 0 ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  source.settings = settings(recording);
+  if (_uninverted->count() > 0) {
+    source.settings.polarity = line::Polarity::Uninverted;
+  }
   return source;
 }
 

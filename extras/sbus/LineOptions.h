@@ -9,8 +9,8 @@
 
 namespace tool {
 
-// `told`, else what the recording says, else 100000; `recording` may be empty.
-unsigned long baudOf(unsigned long told, const std::string &recording);
+// S.Bus at the baud rate told; else (0) as the recording says; `recording` may be empty.
+line::LineSettings settingsOf(unsigned long told, const std::string &recording);
 
 class LineOptions {
  public:
@@ -26,8 +26,8 @@ class LineOptions {
   // As the options have it; the built-in receiver, unless `recording` is a file's name.
   line::Source source(const std::string &recording = {}) const;
 
-  // --baud, else what the recording says, else 100000.
-  unsigned long baud(const std::string &recording = {}) const { return baudOf(_baud, recording); }
+  // As --baud has it, else as the recording says.
+  line::LineSettings settings(const std::string &recording) const { return settingsOf(_baud, recording); }
 
  private:
   unsigned long _baud = 0;  // not told

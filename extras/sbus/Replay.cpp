@@ -6,6 +6,7 @@
 #include "LineOptions.h"
 #include "Sending.h"
 #include "Verbs.h"
+#include "line/CsvRows.h"
 #include "line/RecordedLine.h"
 #include "line/RecordingFile.h"
 
@@ -27,11 +28,7 @@ std::unique_ptr<Input> open(const ReplayOptions &options) {
   refusePipe(options.file);
   refuseOtherKinds(options.file);
   const bool csv = line::isCsv(options.file);
-  line::LineSettings settings = line::csvSettings();
-  if (!csv) {
-    settings = {};
-    settings.baud = baudOf(options.baud, options.file);
-  }
+  const line::LineSettings settings = csv ? line::csvSettings() : settingsOf(options.baud, options.file);
   auto line = std::make_unique<line::RecordedLine>(csv ? line::readCsv(options.file)
                                                        : line::readRecording(options.file, settings.characterUs()));
   auto input = std::make_unique<Input>(std::move(line), settings, Input::Pace::True, 0);

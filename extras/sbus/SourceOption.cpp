@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "line/CsvRows.h"
 #include "line/RecordedLine.h"
 #include "line/RecordingFile.h"
 #include "line/SampledLine.h"
@@ -45,9 +46,7 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
 }
 
 line::LineSettings SourceOption::settings() const {
-  line::LineSettings settings;
-  settings.baud = _options.baud(kindOf(_name) == Kind::File ? _name : "");
-  return _csv->count() > 0 ? line::csvSettings() : settings;
+  return _csv->count() > 0 ? line::csvSettings() : _options.settings(isFile() ? _name : "");
 }
 
 bool SourceOption::isFile() const {

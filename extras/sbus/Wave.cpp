@@ -23,7 +23,7 @@ struct Options {
 // The whole text of the wire goes to `put`, piece by piece.
 void wave(const line::Recording &recording, const line::LineSettings &settings, const Put &put) {
   line::VcdWriter writer(settings);
-  for (const line::Character &character : recording.characters) {
+  for (const line::Character character : recording.characters) {
     put(writer.put(character));
   }
   put(writer.finish());
@@ -33,8 +33,7 @@ void run(const Options &options) {
   refusePipe(options.recording);
   refuseOtherKinds(options.recording);
   refuseSameFile(options.recording, options.output);
-  line::LineSettings settings;
-  settings.baud = baudOf(options.baud, options.recording);
+  line::LineSettings settings = settingsOf(options.baud, options.recording);
   settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
   const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
   writeTo(options.output, File::Any, [&](const Put &put) { wave(recording, settings, put); });

@@ -53,8 +53,8 @@ const std::map<std::string, Expected> Known = {
 
 // The end byte of the first frame in `characters` from `from` on that reads so, or -1; `from` is then after it.
 template <typename Format>
-int endOf(const std::vector<line::Character> &characters, size_t &from, const std::vector<uint16_t> &channels,
-          bool failsafe, bool lostFrame) {
+int endOf(const line::Characters &characters, size_t &from, const std::vector<uint16_t> &channels, bool failsafe,
+          bool lostFrame) {
   const unsigned flags = (failsafe ? 8 : 0) | (lostFrame ? 4 : 0);
   for (size_t at = from; at + Format::Size <= characters.size(); at++) {
     uint8_t frame[Format::Size];
@@ -72,8 +72,8 @@ int endOf(const std::vector<line::Character> &characters, size_t &from, const st
 }
 
 // `recorded`, and before it so much noise that the loop period is known, and after it what lets go the last frame.
-std::vector<line::Character> withNoise(const std::vector<line::Character> &recorded, uint32_t loopUs) {
-  std::vector<line::Character> characters;
+line::Characters withNoise(const line::Characters &recorded, uint32_t loopUs) {
+  line::Characters characters;
   line::Character noise;
   noise.value = 0x55;
   for (; characters.size() < 6; characters.push_back(noise)) {
@@ -90,8 +90,8 @@ std::vector<line::Character> withNoise(const std::vector<line::Character> &recor
 
 // Says what is wrong, or nothing.
 template <typename Format>
-std::string replay(const std::vector<line::Character> &recorded, uint32_t loopUs, const Expected *expected) {
-  const std::vector<line::Character> characters = withNoise(recorded, loopUs);
+std::string replay(const line::Characters &recorded, uint32_t loopUs, const Expected *expected) {
+  const line::Characters characters = withNoise(recorded, loopUs);
   const uint64_t start = fakeMicros + 1000;
   UartPort port;
   DecodeSBusOf<Format> dSBus(port);

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require(recording.error.empty() || recording.errorLine <= 1 + size, "the line of an error is in the text");
   require(recording.characters.size() <= size / 2 + 1, "no more characters than words");
   uint64_t earliest = 0;
-  for (const line::Character &character : recording.characters) {
+  for (const line::Character character : recording.characters) {
     require(character.endUs >= earliest, "characters do not overlap");
     require(character.endUs <= line::RecordingTimeMaxUs + line::RecordingLineMax * line::CharacterUs, "none is too late");
     earliest = character.endUs + line::CharacterUs;
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   // Written down and read again it is the same.
   std::string written;
-  for (const line::Character &character : recording.characters) {
+  for (const line::Character character : recording.characters) {
     char line[40];
     std::snprintf(line, sizeof(line), "%llu %02X%s\n", static_cast<unsigned long long>(character.endUs), character.value,
                   character.bad ? "!" : "");

@@ -13,7 +13,7 @@ int main(int, char **arguments) {
   }
   std::puts((header + ",switch17,switch18,failsafe,lostFrame").c_str());
   sbus::FrameFinder finder;
-  for (const line::Character &character : line::readRecording(arguments[1]).characters) {
+  for (const line::Character character : line::readRecording(arguments[1]).characters) {
     finder.poll(1, static_cast<uint32_t>(character.endUs));
     *finder.space() = character.value;
     const uint8_t *const frame = finder.received(1);

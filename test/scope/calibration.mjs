@@ -10,6 +10,7 @@ async function frames(page, list) {
   }
 }
 const times = (count, channels) => Array.from({ length: count }, () => channels);
+const whole = [...times(10, [200, 200, 250, 300]), ...times(10, [1800, 1790, 1750, 1700])]; // travel
 
 async function calibrate(page, travel) {
   await connect(page);
@@ -27,7 +28,7 @@ async function calibrate(page, travel) {
 
 export default async function () {
   await check('a calibration: three steps, then 100 % is where the sticks end, and CH2 runs backwards', async (page) => {
-    await calibrate(page, [...times(10, [200, 200, 250, 300]), ...times(10, [1800, 1790, 1750, 1700])]);
+    await calibrate(page, whole);
     await page.waitForSelector('#calibration', { state: 'hidden' });
     assert.equal(await page.inputValue('#scale'), '2');
     await frames(page, times(3, [1800, 200, 250, 1024]));
@@ -36,6 +37,52 @@ export default async function () {
     await reads(page, '#bars li:nth-child(3) .percent', '-100.0');
     await reads(page, '#bars li:nth-child(4) .percent', '0.0');
     await reads(page, '#bars li:nth-child(2) .us', '2012');
+  });
+
+  const stored = (page) => page.evaluate(() => localStorage.getItem('sbus-scope-calibration'));
+
+  await check('a calibration outlives the page, says that it is in use, and can be dropped', async (page) => {
+    await calibrate(page, whole);
+    await reads(page, '#calibrated-text', `By your calibration of ${new Date().toLocaleDateString('en-US')}.`);
+    await page.reload();
+    await page.waitForSelector('#calibrated');
+    assert.equal(await page.inputValue('#scale'), '2');
+    await connect(page);
+    await frames(page, times(3, [1800, 200, 250, 1024]));
+    await reads(page, '#bars li:nth-child(2) .percent', '100.0');
+    await page.selectOption('#scale', '1');
+    await page.waitForSelector('#calibrated', { state: 'hidden' });
+    await page.selectOption('#scale', '2');
+    await page.click('#calibration-drop');
+    await page.waitForSelector('#calibrated', { state: 'hidden' });
+    assert.equal(await page.inputValue('#scale'), '0');
+    assert.ok(await page.locator('#scale option').nth(2).evaluate((option) => option.disabled));
+    await reads(page, '#bars li:nth-child(2) .percent', '-96.6');
+    assert.equal(await stored(page), null);
+    await page.reload();
+    await reads(page, '#state', 'Fine');
+    assert.equal(await page.inputValue('#scale'), '0');
+  }, { locale: 'en-US' });
+
+  await check('a calibration that was kept and is damaged is not used', async (page) => {
+    await calibrate(page, whole);
+    const good = await stored(page);
+    for (const bad of [good.slice(0, -1), good.replace(/(....)$/, '0000'), good.replace(/ 01/, ' 02'), 'nonsense', '']) {
+      await page.evaluate((value) => localStorage.setItem('sbus-scope-calibration', value), bad);
+      await page.reload();
+      await reads(page, '#state', 'Fine');
+      assert.equal(await page.inputValue('#scale'), '0', bad);
+    }
+  });
+
+  await check('a browser that keeps nothing: it is calibrated all the same', async (page) => {
+    await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get: () => { throw new DOMException('denied', 'SecurityError'); } }));
+    await page.reload();
+    await reads(page, '#state', 'Fine');
+    await calibrate(page, whole);
+    await page.waitForSelector('#calibrated');
+    await page.click('#calibration-drop');
+    assert.equal(await page.inputValue('#scale'), '0');
   });
 
   await check('a stick that was not moved: refused, with the channel and what to do', async (page) => {

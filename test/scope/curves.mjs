@@ -1,6 +1,6 @@
 // Curves and bytes: what pointer and keyboard show.
 import assert from 'node:assert/strict';
-import { check, connect, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
+import { check, connect, counter, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
 import path from 'node:path';
 
 const pixels = (page) => page.evaluate(() => {
@@ -49,6 +49,40 @@ export default async function () {
     await reads(page, '#pause', 'Pause');
     await page.keyboard.press('ArrowLeft');
     await reads(page, '#pause', 'Go on');
+  });
+
+  await check('what has moved by less than a pixel is not drawn anew: four minutes a few times a second, a pause never', async (page) => {
+    await page.addInitScript(() => {
+      const clear = CanvasRenderingContext2D.prototype.clearRect;
+      globalThis.drawn = 0;
+      CanvasRenderingContext2D.prototype.clearRect = function (...place) {
+        drawn++;
+        clear.apply(this, place);
+      };
+    });
+    await page.reload();
+    await reads(page, '#state', 'Fine');
+    const all = () => page.evaluate(() => drawn);
+    // While so many frames come.
+    const drawn = async (frames) => {
+      const [frame, picture] = [await counter(page, 'frames'), await all()];
+      await until('no frames come', async () => (await counter(page, 'frames')) >= frame + frames);
+      return (await all()) - picture;
+    };
+    assert.ok((await drawn(50)) > 3);
+    for (const seconds of [20, 30, 60, 120, 240]) {
+      await page.click('#zoom-out');
+      await reads(page, '#window', `${seconds} s`);
+    }
+    const few = await drawn(200);
+    assert.ok(few >= 1 && few <= 8, `${few}`);
+    await page.click('#pause');
+    await reads(page, '#pause', 'Go on');
+    await drawn(100);
+    assert.equal(await drawn(100), 0);
+    const before = await all();
+    await page.click('#theme');
+    await until('the theme is not drawn', async () => (await all()) > before);
   });
 
   await check('the cursor reads time and values; dragging zooms in and pauses', async (page) => {

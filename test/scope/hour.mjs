@@ -1,6 +1,8 @@
 // An hour of frames, a hundred a second, as fast as the page takes them: what it keeps does not grow.
 import assert from 'node:assert/strict';
-import { check, connect, counts, frame } from './support.mjs';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, check, connect, counts, frame, play, raw, reads, toEnd } from './support.mjs';
 
 const perRead = 10; // frames
 const all = 360000;
@@ -21,10 +23,12 @@ const feed = (page, bytes, from, to) =>
     }
   }, [bytes, from, to, perRead]);
 
+const wasmBytes = (page) => page.evaluate(() => fake.memory.buffer.byteLength);
+
 async function heap(page, session) {
   await session.send('HeapProfiler.collectGarbage');
   const { usedSize } = await session.send('Runtime.getHeapUsage');
-  return { script: usedSize, wasm: await page.evaluate(() => fake.memory.buffer.byteLength) };
+  return { script: usedSize, wasm: await wasmBytes(page) };
 }
 
 export default async function () {
@@ -42,5 +46,18 @@ export default async function () {
     // Compiled code comes and goes; three bytes kept of each frame would be more than this.
     assert.ok(after.script - before.script < 900000, `${before.script} bytes became ${after.script}`);
     assert.equal(after.wasm, before.wasm);
+  }, { patience: 300000 });
+  await check("an hour's recording: some eight bytes of memory for each of its characters, and every frame is played", async (page) => {
+    const file = path.join(build, 'hour.txt');
+    const hex = frame([1000, 992, 172]).map((byte) => byte.toString(16).padStart(2, '0')).join(' ');
+    writeFileSync(file, Array.from({ length: all }, (_, i) => `${10000 * (i + 1)} ${hex}\n`).join(''));
+    await play(page, file);
+    await raw(page, 3, '172');
+    const wasm = await wasmBytes(page);
+    console.log(`   WebAssembly ${wasm} bytes`);
+    assert.ok(wasm < 1.1 * 8 * 25 * all, `${wasm} bytes`);
+    await toEnd(page);
+    await reads(page, '#position-text', '60:00.0 / 60:00.0');
+    await counts(page, 'frames', '360\u202f000');
   }, { patience: 300000 });
 }

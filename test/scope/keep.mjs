@@ -1,7 +1,8 @@
 // What the user keeps.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { bytesOf, check, connect, counts, downloaded, frame, play, raw, reads, toEnd } from './support.mjs';
+import { readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, bytesOf, check, codes, connect, counts, downloaded, frame, play, raw, reads, root, toEnd } from './support.mjs';
 
 const bytesIn = (text) => text.split('\n').filter((line) => /^\d/.test(line)).flatMap((line) => line.split(' ').slice(1));
 
@@ -52,7 +53,7 @@ export default async function () {
     await connect(page, 'board');
     await page.click('#record');
     const rows = ['0.732,0.469,-0.599,-0.043', '0.675,0.369,-0.426,-0.143', '0.5,0.25,-1,0'];
-    await page.evaluate((letters) => fake.port.feed(letters), [...`${rows[0]}\r\n${rows.join('\r\n')}\r\n`].map((letter) => letter.charCodeAt(0)));
+    await page.evaluate((letters) => fake.port.feed(letters), codes(`${rows[0]}\r\n${rows.join('\r\n')}\r\n`));
     await counts(page, 'rows', 3);
     const { text } = await downloaded(page, '#csv');
     const [header, ...lines] = text.trim().split('\n');
@@ -62,6 +63,31 @@ export default async function () {
     await play(page, recording);
     await toEnd(page);
     await counts(page, 'rows', 3);
+  });
+
+  // `sbus monitor` and `sbus plot` read the same file: test/tool.
+  await check("a recording of a board's port says how that is set, and plays again; so do rows that sbus has recorded", async (page) => {
+    const rows = readFileSync(path.join(root, 'test/golden/AllChannels.csv'), 'utf8').trim().split('\r\n').slice(0, 3);
+    const kept = readFileSync(path.join(root, 'test/recordings/board/rows.txt'), 'utf8').trim().split('\n');
+    await connect(page, 'board');
+    await page.click('#record');
+    for (const row of rows) {
+      await page.evaluate((letters) => fake.port.feed(letters), codes(`${row}\r\n`));
+      await page.evaluate(() => fake.skip(200));
+    }
+    await counts(page, 'rows', rows.length - 1);
+    const { text, path: recording } = await downloaded(page, '#record');
+    const withoutTimes = (lines) => lines.map((line) => line.replace(/^# \d{4}-.*|^\d+/, ''));
+    assert.deepEqual(withoutTimes(text.trim().split('\n')), withoutTimes(kept));
+    const rowsOfCsv = path.join(build, 'rows.csv');
+    writeFileSync(rowsOfCsv, `# sbus record /dev/ttyACM0: rows of CSV as the sketch printed them, no S.Bus\n${rows.join('\r\n')}\r\n`);
+    for (const file of [recording, path.join(root, 'test/recordings/board/rows.txt'), rowsOfCsv]) {
+      await play(page, file);
+      await toEnd(page);
+      await counts(page, 'rows', rows.length - 1);
+      const { text: csv } = await downloaded(page, '#csv');
+      assert.deepEqual(csv.trim().split('\n').slice(1).map((line) => line.split(',').slice(1, 19).join(',')), rows.slice(1)); // the first is not known for one yet
+    }
   });
 
   await check('another source ends a recording: the file is handed over, not lost', async (page) => {

@@ -1,6 +1,6 @@
 // Ports: a fake navigator.serial brings real bytes, faults, and is unplugged.
 import assert from 'node:assert/strict';
-import { bytesOf, check, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
+import { bytesOf, check, codes, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
 
 // The port brings `bytes` again and again: a frame every 9 ms, as a USB adapter brings them, whenever it is opened so.
 const brings = (page, bytes, baud = 100000, everyMs = 9) =>
@@ -10,8 +10,6 @@ const brings = (page, bytes, baud = 100000, everyMs = 9) =>
       fake.timer = baudRate === wanted ? fake.every(ms, frameBytes) : undefined;
     };
   }, [bytes, baud, everyMs]);
-
-const text = (lines) => [...lines].map((letter) => letter.charCodeAt(0));
 
 export default async function () {
   await check('an adapter is opened as S.Bus wants it, and its frames are shown', async (page) => {
@@ -103,9 +101,17 @@ export default async function () {
     await reads(page, '#state', 'Fine');
   });
 
+  await check('a browser that refuses: in its words', async (page) => {
+    await page.evaluate(() => (navigator.serial.requestPort = () => Promise.reject(new DOMException('Blocked by the user.', 'SecurityError'))));
+    await connect(page);
+    await reads(page, '#verdict-text', 'THE BROWSER GIVES NO PORT: Blocked by the user.');
+    await reads(page, '#state', 'Fine');
+  });
+
   await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
     await connect(page);
     await reads(page, '#verdict-text', 'THIS BROWSER HAS NO WEB SERIAL.');
+    await reads(page, '#verdict-cure', /Chrome, Edge or Firefox/);
     await reads(page, '#state', 'Fine');
   }, { serial: false });
 
@@ -166,7 +172,7 @@ export default async function () {
     [4, '731,469,1000,-262', { 1: '731', 4: '-262' }, []],
   ]) {
     await check(`a board that prints ${columns} columns, ${row.slice(0, 12)}...: recognised by itself`, async (page) => {
-      await brings(page, text(`${row}\r\n`), 115200, 100);
+      await brings(page, codes(`${row}\r\n`), 115200, 100);
       await connect(page, 'board');
       for (const [channel, value] of Object.entries(channels)) {
         await reads(page, `#bars li:nth-child(${channel}) .raw`, value);
@@ -184,21 +190,21 @@ export default async function () {
   }
 
   await check('a board at the button for adapters: its rows are recognised all the same', async (page) => {
-    await brings(page, text('995,992,172,992,0,0\r\n'), 100000, 50);
+    await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);
     await connect(page);
     await raw(page, 1, '995');
     await reads(page, '#verdict-text', 'ROWS COME from a board.');
   });
 
   await check('a board that falls silent is stale; one that prints words is told from one that prints rows', async (page) => {
-    await brings(page, text('995,992,172,992,0,0\r\n'), 115200, 50);
+    await brings(page, codes('995,992,172,992,0,0\r\n'), 115200, 50);
     await connect(page, 'board');
     await reads(page, '#state', 'Fine');
     await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 995, most 995"]');
     await page.evaluate(() => clearInterval(fake.timer));
     await reads(page, '#state', 'Stale');
     await reads(page, '#verdict-text', /^NO ROWS/);
-    await brings(page, text('begin(100000): 0 frames, 0 bytes\r\n'), 115200, 50);
+    await brings(page, codes('begin(100000): 0 frames, 0 bytes\r\n'), 115200, 50);
     await page.click('#source-simulated');
     await connect(page, 'board');
     await reads(page, '#verdict-text', /^TEXT COMES, but no rows/);

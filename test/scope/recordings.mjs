@@ -82,4 +82,51 @@ export default async function () {
     await reads(page, '#play', 'Pause');
     await reads(page, '[data-counter="frames"]', new RegExp(`^(?!${all}$)`));
   });
+  const drop = (page, name, content, size) =>
+    page.evaluate(([called, text, bytes]) => {
+      const file = new File([text], called);
+      if (bytes) Object.defineProperty(file, 'size', { value: bytes });
+      const dataTransfer = { files: [file] };
+      dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer }));
+    }, [name, content, size]);
+
+  for (const [name, content, said] of [
+    ['wire.vcd', '$date today $end\n$timescale 1 us $end\n', /line 1: "\$date" is not a time/],
+    ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /line 1: .* is not a time/],
+    ['nothing.txt', '', /is empty/],
+    ['saved.csv', 'seconds,CH1,CH2\n0.1,992,993\n0.2,992,994\n', /has a column of times/],
+    ['capture.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', /has a column of times/],
+  ]) {
+    await check(`${name} is no recording: why, and what reads captures`, async (page) => {
+      await drop(page, name, content);
+      await reads(page, '#verdict-text', said);
+      await reads(page, '#verdict-cure', /sbus decode/);
+      await reads(page, '#state', 'Fine');
+    });
+  }
+
+  await check('a file that no memory has room for is refused, with what reads it', async (page) => {
+    await drop(page, 'year.txt', '120 0F\n', 9e9);
+    await reads(page, '#verdict-text', /year\.txt: is larger than 500 MB: sbus plot/);
+  });
+
+  await check('sources asked for one after the other, before any is there: the last one stays', async (page) => {
+    const long = Array.from({ length: 40000 }, (_, i) => `${9000 * (i + 1)} 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00\n`).join('');
+    await page.evaluate(([slow, quick]) => {
+      const drop = (name, text) =>
+        dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File([text], name)] } }));
+      const click = (id) => document.querySelector(`#${id}`).click();
+      drop('long.txt', slow);
+      click('source-simulated');
+      drop('long.txt', slow);
+      click('cut');
+      drop('short.txt', quick);
+    }, [long, readFileSync(path.join(recordings, 'paper.txt'), 'utf8')]);
+    await reads(page, '#title', 'Recording short.txt');
+    await reads(page, '#position-text', '0:00.3 / 0:00.3');
+    await counts(page, 'frames', 6);
+    await page.waitForTimeout(500);
+    assert.equal(await page.getAttribute('#source-recording', 'aria-pressed'), 'true');
+    assert.equal(await page.textContent('#title'), 'Recording short.txt');
+  });
 }

@@ -91,9 +91,9 @@ export async function connect(page, kind = 'adapter') {
   await page.click(`#source-${kind}`);
 }
 
-export async function play(page, ...files) {
-  await page.setInputFiles('#file', files[0]);
-  await reads(page, '#title', /^Recording /);
+export async function play(page, file) {
+  await page.setInputFiles('#file', file);
+  await reads(page, '#title', `Recording ${path.basename(file)}`);
 }
 
 // To the recording's end.
@@ -125,6 +125,9 @@ export function frame(channels, { flags = 0, end = 0, header = 0x0f } = {}) {
   bytes[24] = end;
   return bytes;
 }
+
+// The bytes of a text.
+export const codes = (text) => [...text].map((letter) => letter.charCodeAt(0));
 
 export const bytesOf = (recording) =>
   readFileSync(path.join(root, 'test/recordings', recording), 'utf8').split('\n')

@@ -84,3 +84,5 @@ verdict $? "decode of a capture that is cut off, on standard input"
 "$SBUS" plot recordings/sbus2.txt -o "$work/sbus2.svg" && grep -q '>CH4</text>' "$work/sbus2.svg" &&
   [ "$(grep -c 'class="curve' "$work/sbus2.svg")" -eq 4 ] && grep -q '>failsafe</text>' "$work/sbus2.svg"
 verdict $? "plot of S.BUS2"
+"$SBUS" plot recordings/board/rows.txt -o "$work/rows.svg" && [ "$(grep -c 'class="curve' "$work/rows.svg")" -eq 18 ]
+verdict $? "plot of a board's port, as the scope has recorded it"

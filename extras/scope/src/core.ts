@@ -94,6 +94,9 @@ const enough = 256; // records
 // The C++ library of Debian 13 writes its last words to standard error. There is none: WASI's error ENOSYS is 52.
 const noSystem = new Proxy({}, { get: () => () => 52 });
 
+// As in line/Recording.h.
+export const recordingBeginning = 4096; // bytes
+
 type Native = Record<string, (...values: number[]) => number> & { memory: WebAssembly.Memory };
 
 export class Core {
@@ -123,8 +126,9 @@ export class Core {
     this.native.cutWire(Number(cut));
   }
 
-  openPort(nowUs: number, baud: number): void {
-    this.native.openPort(nowUs, baud);
+  // A board's port carries text: 8N1.
+  openPort(nowUs: number, baud: number, board: boolean): void {
+    this.native.openPort(nowUs, baud, Number(board));
   }
 
   received(bytes: Uint8Array, nowUs: number): void {
@@ -135,8 +139,9 @@ export class Core {
     this.native.receivedBad(nowUs);
   }
 
-  openRecording(baud: number): void {
-    this.native.openRecording(baud);
+  // `beginning`: recordingBeginning bytes, or all there are. They tell how its line was set.
+  openRecording(beginning: Uint8Array): void {
+    this.transfer(beginning, (count) => this.native.openRecording(count));
   }
 
   recordingText(text: Uint8Array): void {
@@ -246,6 +251,21 @@ export class Core {
     return channel < 0 ? '' : `CH${channel + 1}${this.words(this.native.lastRefusal())}`;
   }
 
+  // As it is stored.
+  get calibration(): Uint8Array {
+    return this.calibrationBytes().slice();
+  }
+
+  // False if it is none, or damaged.
+  restoreCalibration(bytes: Uint8Array): boolean {
+    const place = this.calibrationBytes();
+    if (bytes.length !== place.length) {
+      return false;
+    }
+    place.set(bytes);
+    return this.native.calibrationIsGood() !== 0;
+  }
+
   // Which channel a bit of a frame of `size` bytes is of, and which bit of it.
   ownerOfBit(size: number, byte: number, bit: number): { channel: number; bit: number } | undefined {
     const owner = this.native.ownerOfBit(size, byte, bit);
@@ -282,6 +302,10 @@ export class Core {
       bytes: new Uint8Array(view.buffer, at + bytesAt, size).slice(),
       why: kind === Kind.NoFrame ? this.words(at + whyAt) : '',
     };
+  }
+
+  private calibrationBytes(): Uint8Array {
+    return new Uint8Array(this.native.memory.buffer, this.native.calibrationBytes(), this.native.calibrationSize());
   }
 
   private doubles(at: number, count: number): Float64Array {

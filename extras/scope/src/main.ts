@@ -1,7 +1,7 @@
 // The page's buttons.
 
 import './style.css';
-import { Core, Scale, type Setting } from './core';
+import { Core, type Setting } from './core';
 import { byId, setText } from './dom';
 import { saveCsv } from './recorder';
 import { Scope } from './scope';
@@ -9,6 +9,7 @@ import { PortSource, pickPort, type PortKind } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
 import { CalibrationView } from './view/calibration';
+import { ScaleView } from './view/scale';
 
 // Never a blank page: a fault of its own is told, too.
 function fault(error: unknown): void {
@@ -37,10 +38,10 @@ async function simulate(): Promise<void> {
   const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
   const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
   const noise = { noise: 30, storm: 300 }[fault] ?? 0;
-  pressed('simulated');
   await scope.open(() => {
+    pressed('simulated');
     const source = new SimulatedSource(core, { calibration: receiver === 'calibration', channels, noise, line }, port);
-    source.cutWire(fault === 'silent');
+    core.cutWire(fault === 'silent');
     byId('cut').setAttribute('aria-pressed', String(fault === 'silent'));
     return source;
   });
@@ -52,8 +53,10 @@ async function connect(kind: PortKind): Promise<void> {
     scope.problem = port;
     return;
   }
-  pressed(kind);
-  await scope.open(() => new PortSource(core, port, kind, scope.take));
+  await scope.open(() => {
+    pressed(kind);
+    return new PortSource(core, port, kind, scope.take);
+  });
 }
 
 async function play(file: File | undefined): Promise<void> {
@@ -61,13 +64,16 @@ async function play(file: File | undefined): Promise<void> {
     return;
   }
   try {
-    await scope.open(() => RecordingSource.open(core, file));
-    pressed('recording');
+    await scope.open(async () => {
+      const source = await RecordingSource.open(core, file);
+      pressed('recording');
+      return source;
+    });
   } catch (error) {
     await simulate();
     scope.problem = {
       text: `THIS IS NO RECORDING: ${(error as Error).message}.`,
-      cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ...',
+      cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
     };
   }
 }
@@ -87,7 +93,7 @@ function wire(): void {
   byId('cut').addEventListener('click', () => {
     const cut = byId('cut').getAttribute('aria-pressed') !== 'true';
     byId('cut').setAttribute('aria-pressed', String(cut));
-    (scope.source as SimulatedSource).cutWire(cut);
+    core.cutWire(cut);
   });
 
   byId('record').addEventListener('click', () => {
@@ -104,7 +110,6 @@ function wire(): void {
   byId('zoom-in').addEventListener('click', () => scope.curves.zoom(1));
   byId('zoom-out').addEventListener('click', () => scope.curves.zoom(-1));
   byId('reset-marks').addEventListener('click', () => core.resetMarks());
-  select('scale').addEventListener('change', () => core.setScale(Number(select('scale').value)));
   new Dropping(byId('drop'));
 }
 
@@ -144,12 +149,8 @@ function recordButton(): void {
 
 wire();
 themes();
-const calibration = new CalibrationView(core, (scale) => {
-  select('scale').options[scale].disabled = false;
-  select('scale').value = String(scale);
-  core.setScale(scale);
-});
-core.setScale(Scale.FrSky);
+const scale = new ScaleView(core);
+const calibration = new CalibrationView(core, () => scale.calibrated());
 await simulate();
 
 function picture(): void {

@@ -27,6 +27,7 @@ export class Scope {
   // Why no other source could be opened; until one is.
   problem?: Problem;
 
+  private opening: Promise<void> = Promise.resolve();
   private taken = 0;
   private doctor?: Doctor;
   private readonly chosen = new Set([0, 1, 2, 3]);
@@ -46,11 +47,18 @@ export class Scope {
       window: byId('window'),
       readout: byId('readout'),
     });
-    this.timeline = new Timeline(() => this.forget(), this.take);
+    this.timeline = new Timeline(() => this.forget());
+  }
+
+  // One after the other, however quickly they are asked for: there is one line.
+  open(make: () => Source | Promise<Source>): Promise<void> {
+    const opened = this.opening.then(() => this.change(make));
+    this.opening = opened.catch(() => undefined); // whoever asked is told
+    return opened;
   }
 
   // The old source is closed first: `make` opens the new one.
-  async open(make: () => Source | Promise<Source>): Promise<void> {
+  private async change(make: () => Source | Promise<Source>): Promise<void> {
     this.recorder.end();
     const old = this.source;
     this.source = undefined;

@@ -80,3 +80,20 @@ EXPORT(finishCalibration)(unsigned wanted)->int {
 EXPORT(lastRefusal)()->const char * {
   return refusal;
 }
+
+// The calibration, as it is stored: for the page to keep, and to put back.
+EXPORT(calibrationBytes)()->sbus::Calibration * {
+  return &calibration;
+}
+EXPORT(calibrationSize)()->unsigned {
+  return sizeof calibration;
+}
+
+// Asked after they were put back. If not, there is none.
+EXPORT(calibrationIsGood)()->int {
+  const bool good = sbus::stateOf(calibration) == sbus::StoredState::Good;
+  if (!good) {
+    calibration = {};
+  }
+  return good;
+}

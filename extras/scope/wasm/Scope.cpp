@@ -20,11 +20,11 @@ Scope::Scope() {
   observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
 
-void Scope::reset(uint64_t nowUs, uint32_t us) {
-  characterUs = us;
+void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
+  settings = now;
   records.clear();
   rows.reset();
-  observer.reset(nowUs, us);
+  observer.reset(nowUs, settings.characterUs());
 }
 
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
@@ -52,8 +52,9 @@ void Scope::advance(uint64_t nowUs) {
       takeRow(character.endUs);
     }
   }
-  if (records.size() < Enough && nowUs > 2 * characterUs) {
-    observer.idleUntil(nowUs - 2 * characterUs);  // a character that is on its way is not known yet
+  const uint64_t onItsWayUs = 2 * settings.characterUs();  // a character that is not known yet
+  if (records.size() < Enough && nowUs > onItsWayUs) {
+    observer.idleUntil(nowUs - onItsWayUs);
   }
 }
 

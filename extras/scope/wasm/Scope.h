@@ -36,15 +36,15 @@ class Scope {
 
   Scope();
 
-  void reset(uint64_t nowUs, uint32_t characterUs);
+  void reset(uint64_t nowUs, const line::LineSettings &settings);
   void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
   void receivedBad(uint64_t nowUs);
   // All that was through by then; less if there are records enough.
   void advance(uint64_t nowUs);
 
   line::Observer observer;
-  BoardRows rows;  // of a port that carries text
-  uint32_t characterUs = line::CharacterUs;
+  BoardRows rows;                            // of a port that carries text
+  line::LineSettings settings;               // of the port, or of a recording
   std::unique_ptr<SimulatedLine> simulated;  // one of the two, or none of them: a port, which the browser reads
   std::unique_ptr<PlayedLine> played;
   std::vector<Record> records;

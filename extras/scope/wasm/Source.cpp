@@ -23,10 +23,10 @@ uint64_t us(double nowUs) {
   return nowUs > 0 ? static_cast<uint64_t>(nowUs) : 0;
 }
 
-void begin(double nowUs, uint32_t characterUs) {
+void begin(double nowUs, const line::LineSettings &settings) {
   theScope.simulated.reset();
   theScope.played.reset();
-  theScope.reset(us(nowUs), characterUs);
+  theScope.reset(us(nowUs), settings);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ EXPORT(transferBuffer)()->uint8_t * {
 
 EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud, int inverted)->void {
   const line::LineSettings line = settings(baud, inverted != 0);
-  begin(0, line.characterUs());
+  begin(0, line);
   theScope.simulated =
       std::make_unique<SimulatedLine>(calibration != 0 ? line::Sticks::Calibration : line::Sticks::Flight,
                                       channels == 24   ? line::Channels::TwentyFour
@@ -49,7 +49,7 @@ EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud
 // Of the simulated line: how the port reads it.
 EXPORT(setPort)(double nowUs, double baud, int inverted)->void {
   const line::LineSettings port = settings(baud, inverted != 0);
-  theScope.reset(us(nowUs), port.characterUs());
+  theScope.reset(us(nowUs), port);
   if (theScope.simulated) {
     theScope.simulated->setPort(us(nowUs), port);
   }
@@ -61,8 +61,8 @@ EXPORT(cutWire)(int cut)->void {
   }
 }
 
-EXPORT(openPort)(double nowUs, double baud)->void {
-  begin(nowUs, settings(baud, true).characterUs());
+EXPORT(openPort)(double nowUs, double baud, int board)->void {
+  begin(nowUs, board != 0 ? line::csvSettings() : settings(baud, true));
 }
 
 EXPORT(received)(unsigned count, double nowUs)->void {
@@ -72,9 +72,12 @@ EXPORT(receivedBad)(double nowUs)->void {
   theScope.receivedBad(us(nowUs));
 }
 
-EXPORT(openRecording)(double baud)->void {
-  begin(0, settings(baud, true).characterUs());
-  reader = std::make_unique<line::RecordingReader>(theScope.characterUs);
+// The file's beginning is in the buffer, line::RecordingBeginning bytes of it.
+EXPORT(openRecording)(unsigned count)->void {
+  const std::string_view beginning(reinterpret_cast<const char *>(buffer), count);
+  const bool csv = line::isCsvText(beginning);
+  begin(0, csv ? line::csvSettings() : line::settingsIn(beginning));
+  reader = std::make_unique<line::RecordingReader>(theScope.settings.characterUs(), csv);
   partOfLine.clear();
 }
 
@@ -111,7 +114,7 @@ EXPORT(recordingLengthUs)()->double {
 
 // To the recording's beginning.
 EXPORT(rewindRecording)()->void {
-  theScope.reset(0, theScope.characterUs);
+  theScope.reset(0, theScope.settings);
   if (theScope.played) {
     theScope.played->rewind();
   }
@@ -132,9 +135,7 @@ EXPORT(takenRecords)()->void {
 
 EXPORT(record)(int on)->void {
   if (on != 0) {
-    line::LineSettings recorded;
-    recorded.baud = 12000000 / theScope.characterUs;
-    theScope.recorder.begin(recorded);
+    theScope.recorder.begin(theScope.settings);
   } else {
     theScope.recorder.end();
   }

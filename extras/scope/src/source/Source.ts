@@ -15,7 +15,7 @@ export interface Source {
   // The line's time: all that was through by then has come. Asked for each picture.
   nowUs(): number;
 
-  // The settings that its port can have, the one that is meant first; none if there is nothing to try.
+  // The settings that its port can have, the one that is meant first; none, or one, if there is nothing to try.
   readonly settings: readonly Setting[];
   use(setting: Setting): Promise<void>;
 

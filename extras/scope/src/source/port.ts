@@ -35,11 +35,12 @@ export class PortSource implements Source {
     private readonly take: (stretch: Stretch) => void,
   ) {
     // What inverts is the adapter, or a part before it: the page cannot.
-    this.settings = kind === 'adapter' ? [{ baud: 100000, inverted: true }, { baud: 200000, inverted: true }] : [];
-    this.setting = this.settings[0] ?? { baud: 100000, inverted: true };
+    const bauds = kind === 'adapter' ? [100000, 200000] : [115200];
+    this.settings = bauds.map((baud) => ({ baud, inverted: kind === 'adapter' }));
+    this.setting = this.settings[0];
     this.title = kind === 'adapter' ? 'S.Bus at a serial adapter, 8E2' : 'A board that prints numbers, 115200 baud';
     navigator.serial?.addEventListener('connect', this.connected);
-    core.openPort(this.nowUs(), this.setting.baud);
+    this.begin();
     this.done = this.run();
   }
 
@@ -52,7 +53,9 @@ export class PortSource implements Source {
       this.setting = setting;
       await this.stopReading(); // run() opens it again
     }
-    this.core.openPort(this.nowUs(), setting.baud);
+    if (this.wanted) {
+      this.begin();
+    }
   }
 
   async close(): Promise<void> {
@@ -61,6 +64,10 @@ export class PortSource implements Source {
     this.wake?.();
     await this.stopReading();
     await this.done;
+  }
+
+  private begin(): void {
+    this.core.openPort(this.nowUs(), this.setting.baud, this.kind === 'board');
   }
 
   private async run(): Promise<void> {
@@ -89,9 +96,8 @@ export class PortSource implements Source {
   }
 
   private options(): SerialOptions {
-    return this.kind === 'board'
-      ? { baudRate: 115200, bufferSize }
-      : { baudRate: this.setting.baud, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
+    const baudRate = this.setting.baud;
+    return this.kind === 'board' ? { baudRate, bufferSize } : { baudRate, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
   }
 
   // Until somebody stops it, or the port has gone.
@@ -180,7 +186,7 @@ function whyNotOpen(error: unknown): Problem {
 
 export const noWebSerial: Problem = {
   text: 'THIS BROWSER HAS NO WEB SERIAL.',
-  cure: 'To read a port, open this page in Chrome or Edge on a computer. Simulation and recordings do without.',
+  cure: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
 };
 
 // The port that the user picks; a Problem if none.
@@ -190,8 +196,12 @@ export async function pickPort(kind: PortKind): Promise<SerialPort | Problem> {
   }
   try {
     return await navigator.serial.requestPort();
-  } catch {
+  } catch (error) {
     const what = kind === 'adapter' ? 'adapter' : 'board';
+    const { name, message } = error as DOMException;
+    if (name !== 'NotFoundError') {
+      return { text: `THE BROWSER GIVES NO PORT: ${message}`, cure: 'Allow this page to use one. From disk it may refuse: make scope serves the page.' };
+    }
     return { text: 'NO PORT WAS CHOSEN.', cure: `Plug the ${what} in, press the button again, and choose it in the list.` };
   }
 }

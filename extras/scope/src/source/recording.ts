@@ -1,7 +1,9 @@
-// A recording, with a time line.
+// A recording, or rows of CSV, with a time line.
 
-import type { Core, Stretch } from '../core';
+import { recordingBeginning, type Core } from '../core';
 import type { Source } from './Source';
+
+const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
 
 export class RecordingSource implements Source {
   readonly settings = [];
@@ -19,7 +21,14 @@ export class RecordingSource implements Source {
 
   // Throws an Error that says what is wrong with the recording.
   static async open(core: Core, file: File): Promise<RecordingSource> {
-    core.openRecording(await recordedBaud(file));
+    if (file.size > largest) {
+      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv read it`);
+    }
+    const beginning = await file.slice(0, recordingBeginning).arrayBuffer();
+    if (/^(seconds|time)\b/im.test(new TextDecoder().decode(beginning))) {
+      throw new Error(`${file.name}: has a column of times: only rows as a sketch prints them can be played`);
+    }
+    core.openRecording(new Uint8Array(beginning));
     const reader = file.stream().getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       core.recordingText(part.value);
@@ -48,11 +57,14 @@ export class RecordingSource implements Source {
     return this.us;
   }
 
-  // Plays what is before it once more, so that all is as if it had been played.
-  seek(us: number, take: (stretch: Stretch) => void): void {
-    this.core.rewindRecording();
-    this.us = Math.min(Math.max(us, 0), this.endUs);
-    this.core.advance(this.us, take);
+  // All is as if it had been played up to there. True if that is from its beginning once more.
+  seek(us: number): boolean {
+    const back = us < this.us;
+    if (back) {
+      this.core.rewindRecording();
+    }
+    this.us = Math.min(us, this.endUs);
+    return back;
   }
 
   async use(): Promise<void> {}
@@ -62,10 +74,4 @@ export class RecordingSource implements Source {
   private get endUs(): number {
     return this.lengthUs + 1000;
   }
-}
-
-// As a comment at its beginning says, "# 200000 baud, 8E2"; else that of S.Bus.
-async function recordedBaud(file: File): Promise<number> {
-  const beginning = await file.slice(0, 4096).text();
-  return Number(/^# (\d+) baud/m.exec(beginning)?.[1] ?? 100000);
 }

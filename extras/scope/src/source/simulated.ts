@@ -42,9 +42,5 @@ export class SimulatedSource implements Source {
     this.core.setPort(this.us, setting);
   }
 
-  cutWire(cut: boolean): void {
-    this.core.cutWire(cut);
-  }
-
   async close(): Promise<void> {}
 }

@@ -86,7 +86,7 @@ export class Bars {
     const name = `CH${channel + 1}`;
     const shown = this.chosen.has(channel);
     const swatch = make('span', { class: 'swatch', 'aria-hidden': true });
-    const chip = make('button', { class: 'chip', 'aria-pressed': shown, title: `${name} as a curve` }, swatch, name);
+    const chip = make('button', { class: 'chip', 'aria-pressed': String(shown), title: `${name} as a curve` }, swatch, name);
     chip.dataset.color = String(channel % 8);
     chip.dataset.dash = String(Math.floor(channel / 8));
     chip.addEventListener('click', () => {

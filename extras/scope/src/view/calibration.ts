@@ -1,6 +1,6 @@
 // Leads through a calibration: sbus/Calibrator decides, this only asks and shows.
 
-import { Scale, type Core } from '../core';
+import type { Core } from '../core';
 import { byId, setText } from '../dom';
 
 const steps = [
@@ -23,7 +23,7 @@ export class CalibrationView {
   // `done`: there is a calibration now.
   constructor(
     private readonly core: Core,
-    private readonly done: (scale: Scale) => void,
+    private readonly done: () => void,
   ) {
     this.open.addEventListener('click', () => this.go(this.step === 0 ? 1 : 0));
     this.next.addEventListener('click', () => (this.step === 3 ? this.finish() : this.go(this.step + 1)));
@@ -57,7 +57,7 @@ export class CalibrationView {
     const refused = this.core.finishCalibration(wanted);
     if (refused === '') {
       this.go(0);
-      this.done(Scale.Calibrated);
+      this.done();
     } else {
       this.go(1);
       this.textAt = performance.now() + 4000; // let it be read

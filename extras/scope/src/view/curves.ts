@@ -12,6 +12,8 @@ const pauseS = 0.1; // without a frame: the curve breaks
 const rowPauseS = 1.5;
 const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 const height = 300;
+const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
+const restMs = 500; // at most, until what has moved by less than a pixel is drawn
 
 export class Curves {
   private plot?: uPlot;
@@ -20,6 +22,7 @@ export class Curves {
   private right?: number; // the edge while it is paused, in s
   private now = 0;
   private samples = { begin: 0, end: 0 };
+  private drawn = { edge: NaN, seconds: 0, atMs: 0 };
   private unit?: Unit;
   private rows = false;
 
@@ -65,7 +68,9 @@ export class Curves {
       this.unit = unit;
       this.make(channels);
     }
-    this.fill(channels);
+    if (this.hasMoved()) {
+      this.redraw();
+    }
     this.read(channels);
   }
 
@@ -83,28 +88,66 @@ export class Curves {
     setText(this.ui.window, `${this.seconds} s`);
   }
 
-  private fill(channels: number[]): void {
-    const { history } = this;
-    const begin = Math.max(history.find(this.edge - this.seconds) - 1, history.begin);
-    const end = Math.min(history.find(this.edge) + 1, history.end);
-    this.samples = { begin, end };
-    const times: number[] = [];
-    const curves: (number | null)[][] = channels.map(() => []);
-    const longest = this.rows ? rowPauseS : pauseS;
-    for (let sample = begin; sample < end; sample++) {
-      const time = history.time(sample);
-      if (sample > begin && time - history.time(sample - 1) > longest) {
-        times.push(history.time(sample - 1) + longest / 2);
-        curves.forEach((curve) => curve.push(null));
-      }
-      times.push(time);
-      channels.forEach((channel, i) => {
-        const value = history.value(sample, channel);
-        curves[i].push(Number.isNaN(value) ? null : value);
-      });
+  // By a pixel: of a minute and more it is drawn a few times a second.
+  private hasMoved(): boolean {
+    const { history, edge, seconds, drawn } = this;
+    const begin = Math.max(history.find(edge - seconds) - 1, history.begin);
+    const end = Math.min(history.find(edge) + 1, history.end);
+    const nowMs = performance.now();
+    const pixels = (Math.abs(edge - drawn.edge) / seconds) * (this.plot as uPlot).bbox.width;
+    const alike = seconds === drawn.seconds && pixels < 1;
+    const same = edge === drawn.edge && begin === this.samples.begin && end === this.samples.end;
+    if (alike && (same || nowMs - drawn.atMs < restMs)) {
+      return false;
     }
-    this.plot?.setData([times, ...curves], false);
-    this.plot?.setScale('x', { min: this.edge - this.seconds, max: this.edge });
+    this.drawn = { edge, seconds, atMs: nowMs };
+    this.samples = { begin, end };
+    return true;
+  }
+
+  private redraw(): void {
+    const { edge, seconds } = this.drawn;
+    const plot = this.plot as uPlot;
+    const ends = [edge - seconds, edge]; // each curve reads the history itself
+    plot.setData([ends, ...plot.series.slice(1).map(() => ends)] as uPlot.AlignedData, false);
+    plot.setScale('x', { min: edge - seconds, max: edge });
+  }
+
+  // What stays at a pixel's height is one stroke: 16 curves of 1100 samples each are drawn sixty times a second.
+  private path(plot: uPlot, channel: number, unit: Unit): uPlot.Series.Paths {
+    const { history } = this;
+    const { edge, seconds } = this.drawn;
+    const { left, top, width, height } = plot.bbox;
+    const longest = this.rows ? rowPauseS : pauseS;
+    const stroke = new Path2D();
+    let [x, y] = [0, 0];
+    let before = -Infinity; // the time of x, y
+    let owed = false; // the stroke to x, y
+    const settle = (): void => {
+      if (owed) {
+        stroke.lineTo(x, y);
+        owed = false;
+      }
+    };
+    for (let sample = this.samples.begin; sample < this.samples.end; sample++) {
+      const time = history.time(sample);
+      const value = history.value(sample, channel);
+      const nextX = Math.round(left + ((time - edge) / seconds + 1) * width);
+      const nextY = Math.round(top + ((unit.high - value) / (unit.high - unit.low)) * height);
+      if (Number.isNaN(value) || time - before > longest) {
+        settle();
+        stroke.moveTo(nextX, nextY); // nowhere if it is NaN
+      } else if (nextY !== y) {
+        settle();
+        stroke.lineTo(nextX, nextY);
+      } else {
+        owed = true;
+      }
+      [x, y] = [nextX, nextY];
+      before = Number.isNaN(value) ? -Infinity : time;
+    }
+    settle();
+    return { stroke };
   }
 
   // The values at the cursor; without one, nothing.
@@ -177,6 +220,7 @@ export class Curves {
     const ends = [unit.low, unit.range.low, unit.range.centre, unit.range.high, unit.high];
     this.root.replaceChildren();
     this.root.style.color = '';
+    this.drawn.edge = NaN;
     this.plot = new uPlot(
       {
         width: Math.max(this.root.clientWidth, 200),
@@ -193,12 +237,13 @@ export class Curves {
           ...channels.map((channel) => ({
             label: `CH${channel + 1}`,
             stroke: colors[channel % 8],
-            width: 2,
+            width: channels.length > many ? 1 : 2,
             dash: dashes[Math.floor(channel / 8)],
             points: { show: false },
+            paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
           })),
         ],
-        cursor: { y: false, drag: { x: true, y: false, setScale: false }, points: { size: 7 } },
+        cursor: { y: false, drag: { x: true, y: false, setScale: false }, points: { show: false } },
         hooks: {
           drawClear: [(plot): void => this.bands(plot, alarm, warning)],
           setSelect: [

@@ -1,6 +1,5 @@
 // A recording's time line.
 
-import type { Stretch } from '../core';
 import { byId, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 
@@ -19,10 +18,7 @@ export class Timeline {
   private readonly loop = byId<HTMLInputElement>('loop');
 
   // `rewound`: what was seen so far is seen once more.
-  constructor(
-    private readonly rewound: () => void,
-    private readonly take: (stretch: Stretch) => void,
-  ) {
+  constructor(private readonly rewound: () => void) {
     this.play.addEventListener('click', () => this.toggle());
     this.position.addEventListener('input', () => this.seek(Number(this.position.value) * 1000));
     this.speed.addEventListener('change', () => this.apply());
@@ -68,8 +64,9 @@ export class Timeline {
   }
 
   private seek(us: number): void {
-    this.rewound();
-    this.source?.seek(us, this.take);
+    if (this.source?.seek(us)) {
+      this.rewound();
+    }
   }
 
   private apply(): void {
