@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "CharacterDecoder.h"
+#include "../Levels.h"
 
 namespace line {
 
@@ -58,7 +58,7 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   FoundWire wire;
   wire.settings = settings;
   wire.bitNs = bitNs;
-  CharacterDecoder decoder(settings.polarity, bitNs);
+  CharacterDecoder decoder(settings, bitNs);
   WireCharacter character;
   for (const Level &level : levels) {
     if (decoder.level(level.ns, level.high, character)) {
