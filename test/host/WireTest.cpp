@@ -65,6 +65,18 @@ TestWire wireOf(double bitNs = 10000, bool inverted = true) {
   return wire;
 }
 
+// As a logic analyser samples it.
+std::string sampled(const TestWire &wire, double periodNs) {
+  std::string text = printed("; Samplerate: %.6f Hz\nlogic\n", 1e9 / periodNs);
+  size_t edge = 0;
+  for (double ns = 0; ns < wire.ns; ns += periodNs) {
+    for (; edge < wire.edges.size() && wire.edges[edge] <= ns; edge++) {
+    }
+    text += edge % 2 == 0 ? "0\n" : "1\n";
+  }
+  return text;
+}
+
 const Bytes All = join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes, Sbus2.bytes});
 
 // With `now` wherever `before` was.
@@ -216,9 +228,13 @@ TEST_CASE("what is no S.Bus, and why") {
     }
     other.character(byte | (1 - (ones & 1)) << 8 | 3u << 9);
   }
+  TestWire brief;  // three characters
+  brief.bytes(part(All, 0, 3));
+  brief.pause(1e6);
   const struct {
     std::string text, failure;
   } rows[] = {
+      {textOf(brief, TestFormat::Saleae), "signal RX has only 3 good characters: at least 4 are expected, record for longer"},
       {textOf(silent, TestFormat::Vcd), "signal RX has no pulses: is the probe on S-BUS_OUT, and the receiver on?"},
       {textOf(silent, TestFormat::Scope), "has no pulses"},  // noise alone
       {textOf(uart, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
@@ -231,19 +247,32 @@ TEST_CASE("what is no S.Bus, and why") {
   }
 }
 
-TEST_CASE("sampled too slowly: said so") {
-  std::string text = "; Samplerate: 250 kHz\nlogic\n";
-  const TestWire wire = wireOf();
-  size_t edge = 0;
-  for (double ns = 0; ns < wire.ns; ns += 4000) {
-    for (; edge < wire.edges.size() && wire.edges[edge] <= ns; edge++) {
-    }
-    text += edge % 2 == 0 ? "0\n" : "1\n";
+TEST_CASE("four samples a bit are enough, with less it is said so; bits are still told with a little more than two") {
+  const struct {
+    double bitNs, periodNs;
+    bool right;
+    const char *tooSlow;
+  } rows[] = {
+      {10000, 1000, true, ""},
+      {10000, 2500, true, ""},
+      {10000, 2600, true, "was sampled every 2.6 us, but a bit lasts 10.0 us: at least 4 samples a bit are expected"},
+      {10000, 4500, true, "was sampled every 4.5 us, but a bit lasts 10.0 us"},
+      {10000, 8000, false, "was sampled every 8.0 us, but a bit lasts 10.0 us"},
+      {5000, 1250, true, ""},
+      {5000, 1300, true, "was sampled every 1.3 us, but a bit lasts 5.0 us"},
+      {5000, 2250, true, "was sampled every 2.3 us, but a bit lasts 5.0 us"},
+      {5000, 4000, false, "was sampled every 4.0 us, but a bit lasts 10.0 us"},
+      {8680, 2500, false, ""},  // no S.Bus at all
+      {8680, 2600, false, "was sampled every 2.6 us, but a bit lasts 10.0 us"},
+  };
+  for (const auto &row : rows) {
+    INFO("a bit lasts ", row.bitNs, " ns, sampled every ", row.periodNs);
+    const Decoded decoded(sampled(wireOf(row.bitNs), row.periodNs));
+    CHECK((decoded.bytes() == All) == row.right);
+    const std::string said = row.right ? line::tooSlow(row.periodNs, row.bitNs) : decoded.failure;
+    CHECK(holds(said, "was sampled every") == (*row.tooSlow != '\0'));
+    CHECK_MESSAGE(holds(said, row.tooSlow), said);
   }
-  const Decoded decoded(text);
-  const bool told = holds(decoded.failure, "was sampled every 4.0 us") || decoded.wire.found();
-  CHECK(told);
-  CHECK(holds(line::tooSlow(4000, 10000), "was sampled every 4.0 us, but a bit lasts 10.0 us"));
 }
 
 TEST_CASE("malformed captures: the line, what is wrong and what is expected") {

@@ -81,6 +81,15 @@ done
   grep -qx "sbus decode: -:$(($(wc -l <"$work/sbus2.vcd") + 1)): the capture ends within this line: .* decoded above" "$work/err"
 verdict $? "decode of a capture that is cut off, on standard input"
 
+# Every 4 us a sample, of bits of 10 us.
+awk 'BEGIN { print "; Samplerate: 250 kHz\nlogic" }
+  /^#/ { for (us = substr($0, 2) + 0; at < us; at += 4) print level }
+  /^[01]!/ { level = substr($0, 1, 1) }' "$work/sbus2.vcd" >"$work/slow.csv"
+"$SBUS" decode "$work/slow.csv" --csv >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -eq "$(wc -l <tool/golden/decode-sbus2.csv)" ] &&
+  grep -qx "sbus decode: $work/slow.csv: was sampled every 4.0 us, but a bit lasts 10.0 us: .* What could be decoded is above" "$work/err"
+verdict $? "decode of a capture sampled too slowly"
+
 "$SBUS" plot recordings/sbus2.txt -o "$work/sbus2.svg" && grep -q '>CH4</text>' "$work/sbus2.svg" &&
   [ "$(grep -c 'class="curve' "$work/sbus2.svg")" -eq 4 ] && grep -q '>failsafe</text>' "$work/sbus2.svg"
 verdict $? "plot of S.BUS2"

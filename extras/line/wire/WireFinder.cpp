@@ -110,6 +110,10 @@ std::string microseconds(double ns) {
 }  // namespace
 
 std::string tooSlow(double sampledNs, double bitNs) {
+  constexpr double SamplesPerBit = 4;
+  if (sampledNs * SamplesPerBit <= bitNs) {
+    return {};
+  }
   return "was sampled every " + microseconds(sampledNs) + ", but a bit lasts " + microseconds(bitNs) +
          ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
 }
@@ -143,8 +147,9 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   const double shortest = static_cast<double>(lengths[lengths.size() / 20]);
   const double grid = gridNs(lengths);
   const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * shortest ? grid : 0;  // the grid may be that of bits
-  if (sampledNs * SamplesPerBit > 2 * ShortestBitNs) {
-    return tooSlow(sampledNs, 2 * ShortestBitNs);
+  const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
+  if (!slow.empty()) {
+    return slow;
   }
   const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(shortest);
   constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
@@ -154,6 +159,9 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
     const double baud = 1e9 / std::max(shortest, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
            " baud do: 10 us or 5 us are expected, within 3 %";
+  }
+  if (best.good >= 2 * best.bad) {
+    return "has only " + std::to_string(best.good) + " good characters: at least 4 are expected, record for longer";
   }
   return seen + ", but of " + std::to_string(best.good + best.bad) + " characters " + std::to_string(best.bad) +
          " have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected";
