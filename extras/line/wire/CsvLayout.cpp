@@ -152,7 +152,6 @@ void Header::row(const Fields &fields) {
 // there is no more.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
-  const bool cutOff = head.size() >= CaptureHeadMax && head.back() != '\n';
   uint64_t lines = 0;
   while (!head.empty() && rows.size() < RowsMax) {
     const std::string_view line = takeLine(head);
@@ -164,7 +163,7 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
     }
     const bool isOne = !isComment(line) && isRow(fields);
     const bool fits = isOne && (rows.empty() || fields.size() == rows.front().size());
-    if (rows.size() > 1 && (!fits || (head.empty() && cutOff))) {
+    if (rows.size() > 1 && !fits) {
       break;
     }
     if (rows.size() == 1 && !fits) {
@@ -188,7 +187,7 @@ char separatorOf(std::string_view head) {
   size_t lines[Separators.size()] = {};
   for (size_t row = 0; row < RowsMax && !head.empty(); row++) {
     const std::string_view line = takeLine(head);
-    for (size_t i = 0; i < Separators.size() && !isComment(line); i++) {
+    for (size_t i = 0; i < Separators.size(); i++) {
       lines[i] += line.find(Separators[i]) != std::string_view::npos;
     }
   }

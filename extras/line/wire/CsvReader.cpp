@@ -128,7 +128,6 @@ std::string AnalogueReader::rows(std::string_view text) {
     error = isPassedOver(row) ? "" : takeVolts(row);
   }
   for (Signal &signal : _signals) {
-    signal.volts.resize(_rows.size());  // all but a row that is wrong
     signal.learn();
   }
   for (size_t i = 0; i < _rows.size(); i++, _row++) {

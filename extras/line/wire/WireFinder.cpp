@@ -31,8 +31,8 @@ double fit(const std::vector<Level> &levels, double bitNs) {
   int odd = 0;
   for (size_t i = 0; i + 1 < levels.size(); i++) {
     const double ns = static_cast<double>(levels[i + 1].ns - levels[i].ns);
-    if (i == 0 || ns > (LongestPulse + 0.5) * bitNs) {
-      continue;  // where the sample begins, or idle
+    if (ns > (LongestPulse + 0.5) * bitNs) {
+      continue;  // idle
     }
     const int bits = bitsOf(ns, bitNs);
     if (bits == 0) {
