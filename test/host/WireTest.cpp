@@ -136,7 +136,7 @@ TEST_CASE("what else analysers and oscilloscopes write: the same bytes") {
       {"vectors of one bit", replaced(replaced(vcd, "1!", "b1 !"), "0!", "b0 !")},
       {"each level twice", replaced(replaced(vcd, "1!\n", "1!\n1!\n"), "0!\n", "0!\n0!\n")},
       {"unknown, then known", replaced(vcd, "#0\n", "#0\nx!\nz!\n")},
-      {"comments, and strings as GTKWave has them", replaced(vcd, "$dumpvars\n", "$comment 1! 0! $end\nsidle %\n$dumpvars\n")},
+      {"comments, and strings as GTKWave has them", replaced(vcd, "$dumpvars\n", "$comment why? $end\nsidle %\n$dumpvars\n")},
       {"a long header", replaced(vcd, "$date today", "$date" + replaced("0000000000000000", "0", " today"))},
       {"a signal that is switched off", replaced(clocked, ",0,", ",X,")},
       {"quotation marks", replaced(replaced(saleae, "Time [s]", "\"Time [s]\""), ",1\r", ",\"1\"\r")},
@@ -261,10 +261,10 @@ TEST_CASE("of two signals that carry S.Bus the one with less errors is decoded, 
   }
 }
 
-TEST_CASE("S.Bus that begins after a million edges of noise") {
+TEST_CASE("S.Bus that begins after a million edges of noise: no byte of it is missing") {
   TestWire wire;
   uint32_t random = 1;
-  for (int i = 0; i < 1000000; i++) {
+  for (int i = 0; i < 1000524; i++) {  // fewer than fill the sample: S.Bus fills the other half
     random = random * 1664525 + 1013904223;
     wire.ns += 1000 + (random >> 16);
     wire.edges.push_back(wire.ns);
@@ -274,12 +274,11 @@ TEST_CASE("S.Bus that begins after a million edges of noise") {
     wire.bytes(PaperLow.bytes);
     wire.pause(6e6);
   }
-  const Decoded decoded(textOf(wire, TestFormat::Saleae));
-  size_t good = 0;
-  for (const WireCharacter &character : decoded.characters) {
-    good += !character.bad();
+  const std::vector<WireCharacter> characters = Decoded(textOf(wire, TestFormat::Saleae)).characters;
+  REQUIRE(characters.size() >= 500);
+  for (size_t i = 0; i < 500; i++) {
+    CHECK(characters[characters.size() - 500 + i].value == PaperLow.bytes[i % 25]);
   }
-  CHECK(good >= 450);  // of 500: the rest is where the noise still was in the sample
 }
 
 TEST_CASE("the paper's bits, chapter 4.1: a framing error in byte 2, a parity error in byte 3, all others good") {
@@ -434,7 +433,7 @@ TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
       {textOf(wireOf(), TestFormat::PulseView) + "2\n", "30005: \"2\" is no level: 0 or 1 is expected in column 1"},
       {saleae + "soon,0\n", "4: \"soon\" is not a time: a number is expected in column 1"},
       {saleae + "soon,1\n", "4: \"soon\" is not a time: a number is expected in column 1"},
-      {"Time,V\n1,0\n2,0\n3,0\n4,0\nsoon,3\n6,3\n7,3\n8,3\n9,0\n10,0\n", "6: \"soon\" is not a time: a number is expected in column 1"},
+      {"Time,V\n1,0.1\n2,0.1\n3,0.1\n4,0.1\nsoon,3\n6,3\n7,3\n8,3\n9,0\n10,0\n", "6: \"soon\" is not a time: a number is expected in column 1"},
       {saleae + "0.05,0\n", "4: a time is before that of a row above: times in order are expected"},
       {saleae + "1e9,0\n", "4: a time is beyond a year: is its unit right?"},
       {"Time,V\n0,0.1\n1,0.2\n2,0.1\n3,volt\n", "5: \"volt\" is no voltage: a number is expected in column 2"},
