@@ -147,6 +147,7 @@ TEST_CASE("what else analysers and oscilloscopes write: the same bytes") {
       {"a rate in GHz", replaced(pulseView, "1 MHz", "0.001 GHz")},
       {"comments between rows", replaced(pulseView, "1\n0\n", "1\n; an edge\n# here\n\n0\n")},
       {"comments between voltages", replaced(scope, "1\n", "1\n; 0\n# 0\n\n")},
+      {"a sample interval", replaced(textOf(wireOf(), TestFormat::OwonHandheld), "Time interval", "Sample Interval")},
       {"plus signs", replaced(scope, ",3", ",+3")},
       {"blanks", replaced(scope, ",", ", ")},
       {"a spike", std::string(scope).replace(scope.find(",3.", scope.size() / 3), 3, ",23.")},
