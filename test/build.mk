@@ -144,7 +144,7 @@ fuzz: $(FUZZ)
 list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
-$(OUT)/fuzz/Wire: $(wildcard $(EXTRAS)/line/wire/*.cpp)
+$(OUT)/fuzz/Wire: $(wildcard $(EXTRAS)/line/wire/*.cpp) $(EXTRAS)/line/Levels.cpp
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/BitByBit.h build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(WARNINGS) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(DEBUG) \

@@ -38,6 +38,7 @@ struct LineSettings {
   Polarity polarity = Polarity::Inverted;
   Format format{};
 
+  bool idleHigh() const { return polarity == Polarity::Uninverted; }
   uint32_t bitNs() const;
   uint64_t characterNs() const { return uint64_t{format.bits()} * bitNs(); }
   uint32_t characterUs() const { return static_cast<uint32_t>(characterNs() / 1000); }

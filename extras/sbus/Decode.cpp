@@ -94,9 +94,9 @@ void run(const Options &options) {
   if (!capture.error.empty()) {
     throw std::runtime_error(capture.error + "; what came before it is decoded above");
   }
-  if (capture.periodNs * line::SamplesPerBit > wire.wire().bitNs) {
-    throw std::runtime_error(options.capture + ": " + line::tooSlow(capture.periodNs, wire.wire().bitNs) +
-                             ". What could be decoded is above");
+  const std::string slow = line::tooSlow(capture.periodNs, wire.wire().bitNs);
+  if (!slow.empty()) {
+    throw std::runtime_error(options.capture + ": " + slow + ". What could be decoded is above");
   }
 }
 

@@ -80,6 +80,37 @@ done
 [ $? -eq 1 ] && cmp "$work/out" tool/golden/decode-sbus2.csv &&
   grep -qx "sbus decode: -:$(($(wc -l <"$work/sbus2.vcd") + 1)): the capture ends within this line: .* decoded above" "$work/err"
 verdict $? "decode of a capture that is cut off, on standard input"
+(cat "$work/sbus2.vcd"; echo '#') | "$SBUS" decode - >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && ! grep -q 'ends within' "$work/err"
+verdict $? "decode of a capture whose last line is wrong, but whole"
+
+# The last line but one is the last character's last edge: that was the end, or more has been lost.
+sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"
+(cat "$work/edge.vcd"; printf '#') | "$SBUS" decode - --characters --csv >"$work/out" 2>"$work/err"
+"$SBUS" decode "$work/edge.vcd" --characters --csv | sed '$d' | cmp - "$work/out"
+verdict $? "decode of a capture that ends with an edge"
+
+# Every 4 us a sample, of bits of 10 us.
+awk 'BEGIN { print "; Samplerate: 250 kHz\nlogic" }
+  /^#/ { for (us = substr($0, 2) + 0; at < us; at += 4) print level }
+  /^[01]!/ { level = substr($0, 1, 1) }' "$work/sbus2.vcd" >"$work/slow.csv"
+"$SBUS" decode "$work/slow.csv" --csv >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -eq "$(wc -l <tool/golden/decode-sbus2.csv)" ] &&
+  grep -qx "sbus decode: $work/slow.csv: was sampled every 4.0 us, but a bit lasts 10.0 us: .* What could be decoded is above" "$work/err"
+verdict $? "decode of a capture sampled too slowly"
+# A file that is read piece by piece: the capture, again and again, up to a line that is wrong.
+awk '!/^#/ && !lines { print; next } { line[lines++] = $0 } /^#/ { end = substr($0, 2) + 0 }
+  END {
+    for (; from < 120 * end; from += end) {
+      for (i = 0; i < lines - 1; i++) print line[i] ~ /^#/ ? "#" from + substr(line[i], 2) : line[i]
+    }
+    print "#"
+  }' "$work/sbus2.vcd" >"$work/large.vcd"
+"$SBUS" decode "$work/sbus2.vcd" --characters --csv | sed 1d >"$work/once"
+"$SBUS" decode "$work/large.vcd" --characters --csv 2>"$work/err" | sed 1d >"$work/out"
+[ "$(wc -l <"$work/out")" -eq $((120 * $(wc -l <"$work/once") - 1)) ] && [ "$(wc -c <"$work/large.vcd")" -gt 2000000 ] &&
+  grep -q "large.vcd:$(wc -l <"$work/large.vcd"): " "$work/err"
+verdict $? "decode of a capture of 2 MB"
 
 "$SBUS" plot recordings/sbus2.txt -o "$work/sbus2.svg" && grep -q '>CH4</text>' "$work/sbus2.svg" &&
   [ "$(grep -c 'class="curve' "$work/sbus2.svg")" -eq 4 ] && grep -q '>failsafe</text>' "$work/sbus2.svg"

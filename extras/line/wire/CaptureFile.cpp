@@ -60,7 +60,7 @@ CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
       }
     }
     end.error = reader->put(text);
-    cutOff = !end.error.empty() && !more && !text.empty() && text.back() != '\n';
+    cutOff = !end.error.empty() && text.back() != '\n';
     filled -= text.size();
     std::memmove(block.data(), text.data() + text.size(), filled);
   }

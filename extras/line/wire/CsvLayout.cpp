@@ -15,8 +15,12 @@ using Fields = std::vector<std::string_view>;
 
 constexpr size_t RowsMax = 2000;  // of the head, that are looked at
 
+constexpr std::string_view Separators = ";\t,";  // a comma beside another one is a decimal point
+
+// A # that stands alone is a column's title.
 bool isComment(std::string_view line) {
-  return !line.empty() && (line.front() == ';' || line.front() == '#');
+  const bool alone = line.size() > 1 && Separators.find(line[1]) != std::string_view::npos;
+  return !line.empty() && (line.front() == ';' || (line.front() == '#' && !alone));
 }
 
 // 0, 1, or that nobody knows.
@@ -29,25 +33,39 @@ bool isNumber(std::string_view field) {
   return parseNumber(field, value);
 }
 
+bool isVoltage(std::string_view field) {
+  const char *at = field.data();
+  const char *end = at + field.size();
+  double volts;
+  return (takeNumber(at, end, volts) || takeInfinity(at, end, volts)) && at == end;
+}
+
+bool isTimestamp(std::string_view field) {
+  int64_t ns;
+  return parseTimestamp(field, ns);
+}
+
 // Numbers, or nothing; at least one number.
 bool isRow(const Fields &fields) {
-  const auto fits = [](std::string_view field) { return field.empty() || isLogic(field) || isNumber(field); };
+  const auto fits = [](std::string_view field) {
+    return field.empty() || isLogic(field) || isVoltage(field) || isTimestamp(field);
+  };
   return std::all_of(fields.begin(), fields.end(), fits) && std::any_of(fields.begin(), fields.end(), isNumber);
 }
 
-// True if one of the words of `text`, in lower case, is one of `words`.
+// True if one of the words of `text`, in lower case, is one of `words`. A micro sign, in whatever encoding, is a u.
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> words) {
-  const std::string small = lower(text);
-  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; };
-  for (size_t from = 0; from < small.size();) {
-    size_t to = from;
-    while (to < small.size() && isLetter(small[to])) {
-      to++;
-    }
-    if (std::find(words.begin(), words.end(), std::string_view(small).substr(from, to - from)) != words.end()) {
+  std::string word;
+  for (const char c : lower(text) + ' ') {
+    if (c >= 'a' && c <= 'z') {
+      word += c;
+    } else if (!isAscii(c)) {
+      word = "u";
+    } else if (std::find(words.begin(), words.end(), word) != words.end()) {
       return true;
+    } else {
+      word.clear();
     }
-    from = to + 1;
   }
   return false;
 }
@@ -63,6 +81,13 @@ double periodOf(std::string_view rate) {
   const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
   const double hertz = unit == "ghz" ? 1e9 : unit == "mhz" ? 1e6 : unit == "khz" ? 1e3 : 1;
   return 1e9 / (number * hertz);
+}
+
+double unitOf(std::string_view title) {
+  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})     ? 1
+         : hasWord(title, {"us", "microsecond", "microseconds"}) ? 1e3
+         : hasWord(title, {"ms", "millisecond", "milliseconds"}) ? 1e6
+                                                                 : 1e9;
 }
 
 // What stands before the rows.
@@ -96,6 +121,15 @@ void Header::comment(std::string_view line) {
 }
 
 void Header::row(const Fields &fields) {
+  // OWON's: "Time interval" stands beside that between two rows.
+  for (size_t i = 1; i < fields.size() && hasWord(fields.front(), {"interval"}); i++) {
+    const char *at = fields[i].data();
+    double value;
+    if (takeNumber(at, at + fields[i].size(), value) && value > 0) {
+      periodNs = value * unitOf(fields[i]);
+      break;
+    }
+  }
   if (std::none_of(fields.begin(), fields.end(), isNumber)) {
     const bool units = !fields.empty() && fields.front().substr(0, 1) == "(";
     titles.resize(units ? std::max(titles.size(), fields.size()) : fields.size());
@@ -118,7 +152,6 @@ void Header::row(const Fields &fields) {
 // there is no more.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
-  const bool cutOff = head.size() >= CaptureHeadMax && head.back() != '\n';
   uint64_t lines = 0;
   while (!head.empty() && rows.size() < RowsMax) {
     const std::string_view line = takeLine(head);
@@ -130,7 +163,7 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
     }
     const bool isOne = !isComment(line) && isRow(fields);
     const bool fits = isOne && (rows.empty() || fields.size() == rows.front().size());
-    if (rows.size() > 1 && (!fits || (head.empty() && cutOff))) {
+    if (rows.size() > 1 && !fits) {
       break;
     }
     if (rows.size() == 1 && !fits) {
@@ -151,34 +184,27 @@ std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &h
 }
 
 char separatorOf(std::string_view head) {
-  constexpr std::string_view Separators = ";\t,";  // a comma beside another one is a decimal point
   size_t lines[Separators.size()] = {};
   for (size_t row = 0; row < RowsMax && !head.empty(); row++) {
     const std::string_view line = takeLine(head);
-    for (size_t i = 0; i < Separators.size() && !isComment(line); i++) {
+    for (size_t i = 0; i < Separators.size(); i++) {
       lines[i] += line.find(Separators[i]) != std::string_view::npos;
     }
   }
   return Separators[static_cast<size_t>(std::max_element(lines, lines + Separators.size()) - lines)];
 }
 
-double unitOf(std::string_view title) {
-  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})                               ? 1
-         : hasWord(title, {"us", "\xC2\xB5s", "\xCE\xBCs", "microsecond", "microseconds"}) ? 1e3
-         : hasWord(title, {"ms", "millisecond", "milliseconds"})                           ? 1e6
-                                                                                           : 1e9;
-}
-
 bool isTime(std::string_view title) {
-  return hasWord(title, {"time", "s", "sec", "second", "seconds", "x", "t"}) || unitOf(title) != 1e9;
+  return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
 }
 
-// Each is later than the one before.
-bool grows(const std::vector<Fields> &rows, size_t column) {
+// Each is more than the one before; by one, if the column `counts`.
+bool grows(const std::vector<Fields> &rows, size_t column, bool counts) {
   double before = 0;
   for (size_t i = 0; i < rows.size(); i++) {
     double value;
-    if (column >= rows[i].size() || !parseNumber(rows[i][column], value) || (i > 0 && value <= before)) {
+    if (column >= rows[i].size() || !parseNumber(rows[i][column], value) ||
+        (i > 0 && (counts ? value != before + 1 : value <= before))) {
       return false;
     }
     before = value;
@@ -222,6 +248,32 @@ void splitRow(std::string_view row, char separator, std::vector<std::string_view
   }
 }
 
+bool takeInfinity(const char *&at, const char *end, double &volts) {
+  const char *p = at + (at < end && *at == '-');
+  const char *word = p;
+  while (p < end && !isAscii(*p)) {
+    p++;
+  }
+  if (p == word) {
+    return false;
+  }
+  volts = at == word ? HUGE_VAL : -HUGE_VAL;
+  at = p;
+  return true;
+}
+
+bool CsvLayout::timeOf(std::string_view field, double &ns) const {
+  int64_t timestampNs;
+  if (parseNumber(field, ns, decimalMark)) {
+    ns *= timeUnitNs;
+  } else if (parseTimestamp(field, timestampNs)) {
+    ns = static_cast<double>(timestampNs - zeroNs);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 std::string findLayout(std::string_view head, CsvLayout &layout) {
   layout.separator = separatorOf(head);
   std::string points(head);
@@ -241,14 +293,21 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
       layout.columns.push_back(i);
     }
   }
-  const size_t first = layout.columns.front();
-  const std::string title = first < header.titles.size() ? header.titles[first] : "";
-  if (layout.columns.size() > 1 && (isTime(title) || grows(rows, first))) {
+  const auto title = [&header](size_t column) {
+    return column < header.titles.size() ? header.titles[column] : std::string();
+  };
+  // Before the times, or instead of them, there may be a column that counts the rows.
+  size_t first = layout.columns.front();
+  const bool counted = layout.columns.size() > 1 && !isTime(title(first)) && grows(rows, first, true);
+  if (counted) {
     layout.columns.erase(layout.columns.begin());
-    const bool counts =
-        header.periodNs > 0 && unitOf(title) == 1e9 && !hasWord(title, {"time", "s", "second", "seconds"});
-    layout.timeColumn = counts ? CsvLayout::None : first;
-    layout.timeUnitNs = header.sigrok && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title);
+    first = layout.columns.front();
+  }
+  if (layout.columns.size() > 1 && (isTime(title(first)) || (!counted && grows(rows, first, false)))) {
+    layout.columns.erase(layout.columns.begin());
+    layout.timeColumn = first;
+    layout.timeUnitNs = header.sigrok && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(first));
+    parseTimestamp(rows.front()[first], layout.zeroNs);
   }
   if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
     return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", "
@@ -261,11 +320,12 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
       layout.analogue = layout.analogue || (column < row.size() && !row[column].empty() && !isLogic(row[column]));
     }
   }
-  if (layout.analogue && layout.timeColumn != CsvLayout::None && rows.size() > 1) {
-    double begin, end;  // each row is a sample
-    if (parseNumber(rows.front()[layout.timeColumn], begin) && parseNumber(rows.back()[layout.timeColumn], end)) {
-      layout.periodNs = std::max(0.0, (end - begin) * layout.timeUnitNs / static_cast<double>(rows.size() - 1));
-    }
+  double begin, end;
+  if (layout.timeColumn != CsvLayout::None && (layout.analogue || counted) && rows.size() > 1 &&
+      layout.timeOf(rows.front()[layout.timeColumn], begin) && layout.timeOf(rows.back()[layout.timeColumn], end)) {
+    layout.periodNs = std::abs(end - begin) / static_cast<double>(rows.size() - 1);  // each row is a sample
+    layout.startNs = end < begin ? -begin : begin;  // OWON's times go back, its samples do not
+    layout.timeColumn = counted ? CsvLayout::None : layout.timeColumn;
   }
   layout.names = namesOf(header, layout.columns);
   layout.name = header.sigrok ? "PulseView CSV" : layout.analogue ? OscilloscopeFormat : "logic analyser's CSV";

@@ -22,11 +22,19 @@ struct CsvLayout {
   // Where there is no time, the first row's, and between two rows.
   double startNs = 0;
   double periodNs = 0;
+  int64_t zeroNs = 0;      // what is taken off timestamps: the first one
   uint64_t headLines = 0;  // before the first row
+
+  // False if `field` is neither a number nor a timestamp.
+  bool timeOf(std::string_view field, double &ns) const;
 };
 
 // Returns what is wrong and what is expected, or nothing. `head`: the file's first lines.
 std::string findLayout(std::string_view head, CsvLayout &layout);
+
+// Takes what PicoScope writes of a voltage beyond its range off the front: an infinity sign, or a minus and one, which
+// any encoding makes something beyond ASCII of; false if there is none.
+bool takeInfinity(const char *&at, const char *end, double &volts);
 
 // The fields of a row; a separator at its end does not begin another one.
 void splitRow(std::string_view row, char separator, std::vector<std::string_view> &fields);

@@ -33,11 +33,10 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   double value = _layout.startNs + static_cast<double>(_row) * _layout.periodNs;
   if (_layout.timeColumn != CsvLayout::None) {
     splitRow(row, _layout.separator, _fields);
-    if (_layout.timeColumn >= _fields.size() || !parseNumber(_fields[_layout.timeColumn], value, _layout.decimalMark)) {
+    if (_layout.timeColumn >= _fields.size() || !_layout.timeOf(_fields[_layout.timeColumn], value)) {
       const std::string_view word = _layout.timeColumn < _fields.size() ? _fields[_layout.timeColumn] : "";
       return quoted(word) + " is not a time: a number is expected in column " + std::to_string(_layout.timeColumn + 1);
     }
-    value *= _layout.timeUnitNs;
   }
   if (!(std::abs(value) <= static_cast<double>(CaptureTimeMaxNs))) {
     return "a time is beyond a year: is its unit right?";
@@ -129,7 +128,6 @@ std::string AnalogueReader::rows(std::string_view text) {
     error = isPassedOver(row) ? "" : takeVolts(row);
   }
   for (Signal &signal : _signals) {
-    signal.volts.resize(_rows.size());  // all but a row that is wrong
     signal.learn();
   }
   for (size_t i = 0; i < _rows.size(); i++, _row++) {
@@ -158,8 +156,7 @@ std::string AnalogueReader::rows(std::string_view text) {
 
 // Anew, if the wire now goes much further than before: then that was noise.
 void AnalogueReader::Signal::learn() {
-  const auto range = std::minmax_element(volts.begin(), volts.end());
-  if (!volts.empty() && (!found || *range.second - *range.first > 2.5 * threshold.swing())) {
+  if (!found || Threshold::rangeOf(volts).span > 2.5 * threshold.swing()) {
     found = threshold.find(volts) || found;
   }
 }
@@ -177,7 +174,7 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
       at++;
     }
     double volts = 0;
-    if (!takeNumber(at, end, volts, _layout.decimalMark)) {
+    if (!takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
       return quoted(word) + " is no voltage: a number is expected in column " + std::to_string(column + 1);
     }

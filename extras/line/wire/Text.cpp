@@ -1,5 +1,8 @@
 #include "Text.h"
 
+#include <cmath>
+#include <ctime>
+
 namespace line {
 
 namespace {
@@ -90,6 +93,23 @@ bool parseNumber(std::string_view word, double &value, char mark) {
   const char *at = word.data();
   const char *end = at + word.size();
   return takeNumber(at, end, value, mark) && at == end;
+}
+
+bool parseTimestamp(std::string_view word, int64_t &ns) {
+  const std::string text(word);
+  std::tm calendar{};
+  const char *at = strptime(text.c_str(), "%Y-%m-%dT%H:%M:%S", &calendar);
+  if (at == nullptr || calendar.tm_year < 70 || calendar.tm_year > 200) {  // 64 bits of ns reach 2262
+    return false;
+  }
+  double fraction = 0;
+  if (*at == '.') {
+    takeNumber(at, text.c_str() + text.size(), fraction);
+  }
+  constexpr int64_t SecondNs = 1000000000;
+  const int64_t seconds = timegm(&calendar);
+  ns = seconds * SecondNs + std::llround(fraction * SecondNs);
+  return *at == '\0' || *at == 'Z' || *at == '+' || *at == '-';
 }
 
 }  // namespace line

@@ -15,6 +15,10 @@ constexpr bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
+constexpr bool isAscii(char c) {
+  return static_cast<unsigned char>(c) < 0x80;
+}
+
 // Takes the next line off `text`, without its LF and CR.
 inline std::string_view takeLine(std::string_view &text) {
   const size_t size = text.find('\n');
@@ -38,5 +42,9 @@ bool takeNumber(const char *&at, const char *end, double &value, char mark = '.'
 
 // True if all of `word` is a number.
 bool parseNumber(std::string_view word, double &value, char mark = '.');
+
+// True if `word` is a time as ISO 8601 has it ("2021-05-11T18:12:30.213141000+00:00"). `ns`: since 1970, where it was
+// taken.
+bool parseTimestamp(std::string_view word, int64_t &ns);
 
 }  // namespace line

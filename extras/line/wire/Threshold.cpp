@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace line {
 
@@ -11,19 +12,36 @@ constexpr int Bins = 256;
 
 }  // namespace
 
-bool Threshold::find(const std::vector<double> &volts) {
-  if (volts.empty()) {
-    return false;
+Threshold::Range Threshold::rangeOf(const std::vector<double> &volts) {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  bool below = false;
+  bool above = false;
+  for (const double v : volts) {
+    if (std::isinf(v)) {
+      (v > 0 ? above : below) = true;
+      continue;
+    }
+    least = std::min(least, v);
+    most = std::max(most, v);
   }
-  const auto range = std::minmax_element(volts.begin(), volts.end());
-  const double least = *range.first;
-  const double span = *range.second - least;
+  if (least > most) {  // all are infinite
+    least = most = 0;
+  }
+  const double beyond = 2 * (most > least ? most - least : 1);
+  least -= below ? beyond : 0;
+  most += above ? beyond : 0;
+  return {least, most - least};
+}
+
+bool Threshold::find(const std::vector<double> &volts) {
+  const auto [least, span] = rangeOf(volts);
   if (!(span > 0)) {
     return false;
   }
   std::array<double, Bins> histogram{};
   for (const double v : volts) {
-    histogram[static_cast<size_t>((v - least) / span * (Bins - 1))]++;
+    histogram[static_cast<size_t>(std::clamp((v - least) / span, 0.0, 1.0) * (Bins - 1))]++;
   }
   // Otsu's method: the cut that leaves the least variance on both its sides.
   double all = 0, sum = 0, squares = 0;

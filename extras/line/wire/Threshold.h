@@ -12,6 +12,13 @@ class Threshold {
  public:
   Threshold() = default;
 
+  // Of voltages; one that is infinite, beyond what was measured, is taken for two spans beyond the others.
+  struct Range {
+    double least;
+    double span;
+  };
+  static Range rangeOf(const std::vector<double> &volts);
+
   // Looks for two levels among the voltages. False if there is only one, and its noise.
   bool find(const std::vector<double> &volts);
 

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "../Line.h"
-#include "../LineSettings.h"
+#include "../Levels.h"
 
 namespace line {
 
@@ -16,19 +15,17 @@ class VcdWriter {
   explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
 
   // A character that begins at the time 0 has no edge before it: then all are later by one character.
-  std::string put(const Character &character);
+  std::string put(Character character);
 
   // The line stays idle for a character.
   std::string finish() const;
 
  private:
-  void level(uint64_t us, bool active, std::string &text);
-
   const LineSettings _settings;
   uint64_t _laterUs = 0;
   uint64_t _endUs = 0;  // of the last character
   bool _begun = false;
-  bool _active = false;  // the wire is so after its newest edge
+  bool _high = false;
 };
 
 }  // namespace line

@@ -55,7 +55,7 @@ void WireDecoder::choose() {
   if (!_wire.found()) {
     return;
   }
-  _decoder.emplace(_wire.settings.polarity, _wire.bitNs);
+  _decoder.emplace(_wire.settings, _wire.bitNs);
   _onFound();
   for (const Level &level : _samples[_chosen]) {
     decode(level.ns, level.high);

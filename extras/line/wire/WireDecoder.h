@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../Levels.h"
 #include "Capture.h"
-#include "CharacterDecoder.h"
 #include "WireFinder.h"
 
 namespace line {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "CharacterDecoder.h"
+#include "../Levels.h"
 
 namespace line {
 
@@ -31,8 +31,8 @@ double fit(const std::vector<Level> &levels, double bitNs) {
   int odd = 0;
   for (size_t i = 0; i + 1 < levels.size(); i++) {
     const double ns = static_cast<double>(levels[i + 1].ns - levels[i].ns);
-    if (i == 0 || ns > (LongestPulse + 0.5) * bitNs) {
-      continue;  // where the sample begins, or idle
+    if (ns > (LongestPulse + 0.5) * bitNs) {
+      continue;  // idle
     }
     const int bits = bitsOf(ns, bitNs);
     if (bits == 0) {
@@ -58,7 +58,7 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   FoundWire wire;
   wire.settings = settings;
   wire.bitNs = bitNs;
-  CharacterDecoder decoder(settings.polarity, bitNs);
+  CharacterDecoder decoder(settings, bitNs);
   WireCharacter character;
   for (const Level &level : levels) {
     if (decoder.level(level.ns, level.high, character)) {
@@ -110,6 +110,10 @@ std::string microseconds(double ns) {
 }  // namespace
 
 std::string tooSlow(double sampledNs, double bitNs) {
+  constexpr double SamplesPerBit = 4;
+  if (sampledNs * SamplesPerBit <= bitNs) {
+    return {};
+  }
   return "was sampled every " + microseconds(sampledNs) + ", but a bit lasts " + microseconds(bitNs) +
          ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
 }
@@ -143,8 +147,9 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   const double shortest = static_cast<double>(lengths[lengths.size() / 20]);
   const double grid = gridNs(lengths);
   const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * shortest ? grid : 0;  // the grid may be that of bits
-  if (sampledNs * SamplesPerBit > 2 * ShortestBitNs) {
-    return tooSlow(sampledNs, 2 * ShortestBitNs);
+  const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
+  if (!slow.empty()) {
+    return slow;
   }
   const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(shortest);
   constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
@@ -154,6 +159,9 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
     const double baud = 1e9 / std::max(shortest, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
            " baud do: 10 us or 5 us are expected, within 3 %";
+  }
+  if (best.good >= 2 * best.bad) {
+    return "has only " + std::to_string(best.good) + " good characters: at least 4 are expected, record for longer";
   }
   return seen + ", but of " + std::to_string(best.good + best.bad) + " characters " + std::to_string(best.bad) +
          " have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected";

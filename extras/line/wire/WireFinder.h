@@ -37,8 +37,7 @@ FoundWire findWire(const std::vector<Level> &levels);
 // Why it does not: what the wire carries instead. `periodNs`: between two samples, 0 if it is not known.
 std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs);
 
-// Samples that are needed at the least to tell the bits of a character.
-constexpr double SamplesPerBit = 4;
+// Empty if the samples were close enough to tell the bits of a character.
 std::string tooSlow(double sampledNs, double bitNs);
 
 }  // namespace line
