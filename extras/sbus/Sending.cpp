@@ -35,12 +35,17 @@ class Way {
 
   // A line begins when somebody reads it. False if the end was asked for.
   bool waitForReader() const {
-    if (_terminal && !_terminal->hasReader()) {
+    if (!_terminal) {
+      return true;
+    }
+    if (!_terminal->hasReader()) {
       say("waiting until a program opens " + _terminal->name() + "; Ctrl-C ends it");
     }
-    while (_terminal && !_terminal->hasReader() && !stopped()) {
+    while (!_terminal->hasReader() && !stopped()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
+    // A program sets the port that it has opened, and throws away what has come until then.
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
     return !stopped();
   }
 
