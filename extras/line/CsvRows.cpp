@@ -11,6 +11,7 @@ namespace {
 constexpr size_t LineMax = 1024;
 constexpr size_t ColumnsMax = 64;
 constexpr size_t LeastColumns = 2;
+constexpr size_t LeastText = 4;  // characters: fewer between two 0A come by chance
 
 // strtod() would take "0x1F" and "inf", too.
 bool isNumber(const std::string &text) {
@@ -67,6 +68,7 @@ void CsvRows::endLine() {
     begin = comma == std::string::npos ? comma : comma + 1;
   }
   _isRow = _text && std::all_of(_row.begin(), _row.end(), [](const CsvField &field) { return field.isNumber; });
+  _isText = _text && _line.size() >= LeastText;
   const size_t columns = _isRow ? _row.size() : 0;
   _recognised = columns >= LeastColumns && columns == _columns;
   _columns = columns;

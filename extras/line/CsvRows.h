@@ -41,6 +41,9 @@ class CsvRows {
   // The newest line is one of a sketch's rows: 1 or more fields, each a number.
   bool isRow() const { return _isRow; }
 
+  // The newest line is text: 4 characters or more, and no other bytes.
+  bool isText() const { return _isText; }
+
   // True once the text is a sketch's: two rows in a row, of 2 or more columns, and as many in both. False again when
   // something comes that is no text.
   bool recognised() const { return _recognised; }
@@ -51,6 +54,7 @@ class CsvRows {
   std::string _line;
   bool _text = true;  // nothing else has come on this line
   CsvRow _row;
+  bool _isText = false;
   bool _isRow = false;
   size_t _columns = 0;  // of the row before
   bool _recognised = false;

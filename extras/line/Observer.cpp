@@ -194,7 +194,7 @@ void Observer::found(Side<Format> &side, const sbus::Counters &before, const uin
   if (has24() != (Format::Size == sbus::FrameSize24)) {
     return;
   }
-  if (extra) {
+  if (extra && isWhole(begin, begin + sbus::FrameSize)) {
     sbus::unpackExtra(side.finder.extra(), &_newest.raw[sbus::ProportionalCount]);
     _newest.count = static_cast<unsigned>(_newest.raw.size());
     for (size_t i = sbus::ProportionalCount; i < _newest.raw.size() && !_newest.lostFrame && !_newest.failsafe; i++) {
@@ -202,11 +202,13 @@ void Observer::found(Side<Format> &side, const sbus::Counters &before, const uin
     }
     cut(begin, begin + sbus::FrameSize, Stretch::Kind::Extra);
   }
-  if (frame != nullptr) {
+  const uint64_t first = side.passed - Format::Size;
+  if (frame != nullptr && !isWhole(first, side.passed)) {
+    cut(first, side.passed, Stretch::Kind::NoFrame);
+  } else if (frame != nullptr) {
     const size_t through = keptThrough(side.passed);
     take<Format>(frame, through > 0 ? _kept[through - 1].endUs : _lastEndUs);
-    cut(side.passed - Format::Size, side.passed,
-        Format::Size == sbus::FrameSize24 ? Stretch::Kind::Frame24 : Stretch::Kind::Frame);
+    cut(first, side.passed, Format::Size == sbus::FrameSize24 ? Stretch::Kind::Frame24 : Stretch::Kind::Frame);
   }
 }
 
@@ -270,7 +272,15 @@ size_t Observer::keptBefore(uint64_t good) const {
   return count;
 }
 
-// Good bytes `begin` to `end` - 1 are a frame: what is before them is none.
+// No bad character is among good bytes `begin` to `end` - 1. A decoder does not hear of bad ones: to it a frame that
+// has one, and then a byte too many, looks whole.
+bool Observer::isWhole(uint64_t begin, uint64_t end) const {
+  const auto at = [this](size_t index) { return _kept.begin() + static_cast<std::ptrdiff_t>(index); };
+  return std::none_of(at(keptBefore(begin)), at(std::max(keptBefore(begin), keptThrough(end))),
+                      [](const Character &character) { return character.bad; });
+}
+
+// Good bytes `begin` to `end` - 1 are a stretch: what is before them is no frame.
 void Observer::cut(uint64_t begin, uint64_t end, Stretch::Kind kind) {
   if (begin < _cut) {
     return;  // the other decoder has had some of them

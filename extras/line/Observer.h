@@ -138,6 +138,7 @@ class Observer {
   uint64_t passed() const;
   size_t keptThrough(uint64_t good) const;
   size_t keptBefore(uint64_t good) const;
+  bool isWhole(uint64_t begin, uint64_t end) const;
   void cut(uint64_t begin, uint64_t end, Stretch::Kind kind);
   void cutNoFrames(size_t count, uint64_t nowUs, bool all);
   void say(Stretch::Kind kind, size_t count);

@@ -67,8 +67,6 @@ class CsvView {
   }
 
  private:
-  static constexpr uint64_t SettledUs = 1000000;  // by then all kinds of frames have come
-
   bool framesCame() const { return _observer.counters().frames > 0; }
 
   static bool isYoung(sbus::LinkState state) {
@@ -84,15 +82,9 @@ class CsvView {
   // A row whose channels have not all come yet is left out.
   void print(uint64_t nowUs) {
     _firstUs = _firstUs == 0 ? nowUs : _firstUs;
-    try {
-      requireColumns(_columns, _observer.newest());
-    } catch (const std::runtime_error &) {
-      if (nowUs >= _firstUs + SettledUs) {
-        throw;
-      }
-      return;
+    if (haveCome(_columns, _observer.newest(), nowUs - _firstUs)) {
+      write(row(_columns, _observer, nowUs));
     }
-    write(row(_columns, _observer, nowUs));
   }
 
   const std::string _source;

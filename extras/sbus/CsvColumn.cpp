@@ -83,14 +83,20 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
   return columns;
 }
 
-void requireColumns(const std::vector<CsvColumn> &columns, const line::Values &values) {
+bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values, uint64_t sinceFirstUs) {
+  constexpr uint64_t SettledUs = 1000000;
   const unsigned most = values.count == sbus::ProportionalCount ? sbus::ChannelCount : values.count;
   for (const CsvColumn &column : columns) {
-    if (column.kind == CsvColumn::Kind::Channel && column.channel > most) {
+    if (column.kind != CsvColumn::Kind::Channel || column.channel <= most) {
+      continue;
+    }
+    if (sinceFirstUs >= SettledUs) {
       throw std::runtime_error("--columns: ch" + std::to_string(column.channel) +
                                " does not come, this line ends at ch" + std::to_string(most) + "; leave it out");
     }
+    return false;
   }
+  return true;
 }
 
 std::string header(const std::vector<CsvColumn> &columns) {

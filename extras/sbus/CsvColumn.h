@@ -19,8 +19,9 @@ struct CsvColumn {
 // CLI::ValidationError.
 std::vector<CsvColumn> parseColumns(const std::string &text);
 
-// Throws std::runtime_error if the line has no such channel.
-void requireColumns(const std::vector<CsvColumn> &columns, const line::Values &values);
+// True if the line has these channels. Throws std::runtime_error if it has not, a second after the first frame: by then
+// all kinds of frames have come.
+bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values, uint64_t sinceFirstUs);
 
 // "CH1,CH2,failsafe", with CR and LF as Serial.println() has them.
 std::string header(const std::vector<CsvColumn> &columns);

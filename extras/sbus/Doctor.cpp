@@ -67,7 +67,8 @@ class Heard {
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
                    : std::to_string(counters().frames) + " frames" + (_observer.has24() ? " of 24 channels" : "") +
-                         ", " + std::to_string(counters().skippedBytes) + " bytes of no frame") +
+                         ", " + std::to_string(counters().skippedBytes) +
+                         (counters().skippedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
            (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
            "\n";
   }
@@ -103,14 +104,14 @@ class Heard {
   uint64_t _heardUs = 0;
 };
 
-// The one that is meant first: of sim and of a recording what a sketch's begin() opens. What inverts a serial port is
-// its adapter, and the bytes of a stream have come already.
+// The one that is meant first: of sim what a sketch's begin() opens, of a recording how its line was set. What inverts
+// a serial port is its adapter, and the bytes of a stream have come already.
 std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   line::LineSettings settings = source.settings();
   if (settings == line::csvSettings()) {
     return {settings};
   }
-  settings.baud = source.isWire() ? sbus::Baud : settings.baud;
+  settings.baud = source.isWire() && !source.isFile() ? sbus::Baud : settings.baud;
   settings.polarity = source.isWire() ? settings.polarity : line::Polarity::Either;
   std::vector<line::LineSettings> all = {settings};
   if (source.isStream()) {
@@ -131,14 +132,17 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
 }
 
 // What else there is to say to somebody at a PC; mostly nothing.
-std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &best) {
+std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &meant,
+                   const line::LineSettings &best) {
   switch (finding) {
     case sbus::Finding::NoFrames:
       return source.isWire() ? "" : "An FTDI adapter inverts RXD if its EEPROM says so: extras/docs/ftdi.md\n";
     case sbus::Finding::WrongBaud:
       return "Here: --baud " + std::to_string(best.baud) + "\n";
     case sbus::Finding::Channels24:
-      return "Here: sbus shows all 24.\n";
+      return std::string("Here: sbus shows all 24") +
+             (best.baud != meant.baud ? ", with --baud " + std::to_string(best.baud) : "") +
+             (best.polarity != meant.polarity ? ", once the line has the other inversion" : "") + ".\n";
     default:
       return {};
   }
@@ -158,8 +162,8 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
     diagnosis.add(each->trial());
   }
   const sbus::Finding finding = diagnosis.finding();
-  write(std::string(text(finding)) + "\n" + cure(finding) + "\n" + advice(finding, source, settings[diagnosis.best()]) +
-        heard[diagnosis.best()]->figures());
+  write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
+        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures());
   return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
 }
 

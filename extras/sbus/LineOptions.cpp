@@ -110,15 +110,19 @@ void refusePipe(const std::string &name) {
   }
 }
 
-// An oscilloscope's columns may be a sketch's rows; and so may a logic analyser's, if `sbus csv` wrote them with times.
+// An oscilloscope's columns may be a sketch's rows.
 void refuseOtherKinds(const std::string &name) {
   std::string head(line::CaptureHeadMax, '\0');
   std::ifstream in(name, std::ios::binary);
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<size_t>(in.gcount()));
   const std::string format = line::captureFormat(head);
-  const bool columns = format != "VCD" && line::isCsv(name);
-  if (!format.empty() && !(columns && (format == line::OscilloscopeFormat || head.rfind("time,", 0) == 0))) {
+  if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
+    throw std::runtime_error(name +
+                             ": has a column of times, as sbus csv and the scope write it; only rows without are "
+                             "read again. Keep the line with sbus record");
+  }
+  if (!format.empty() && !(format == line::OscilloscopeFormat && line::isCsv(name))) {
     throw std::runtime_error(name + ": is a capture of the wire (" + format + "), no recording: sbus decode reads it");
   }
   const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };

@@ -31,7 +31,8 @@ sbus::Range rangeOf(const std::string &text) {
   unsigned low = 0, centre = 0, high = 0;
   char more = 0;
   const bool three = std::sscanf(text.c_str(), "%4u,%4u,%4u%c", &low, &centre, &high, &more) == 3;
-  if (!three || std::max({low, centre, high}) > sbus::ChannelMax || (low < centre) != (centre < high)) {
+  if (!three || std::max({low, centre, high}) > sbus::ChannelMax || low == centre || centre == high ||
+      (low < centre) != (centre < high)) {
     throw CLI::ValidationError("--range", "frsky, futaba or raw values as 172,992,1811 are expected, not " + text);
   }
   return {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)};
@@ -139,7 +140,6 @@ void run(const SourceOption &source, const std::string &range) {
   const std::unique_ptr<Input> input = source.open();
   Watch watch(source.name(), input->settings(), scale);
   uint64_t lastUs = 0;
-  input->onNews([&](const std::string &text) { watch.news(text, lastUs); });
   const auto read = [&](const Tick &tick) {
     input->run([&watch](const line::Character &character) { watch.put(character); },
                [&](uint64_t nowUs) {
@@ -149,6 +149,7 @@ void run(const SourceOption &source, const std::string &range) {
                });
   };
   if (Screen::isPossible()) {
+    input->onNews([&](const std::string &text) { watch.news(text, lastUs); });
     showPage(watch, *input, read);
   } else {
     showLines(watch, read);

@@ -100,7 +100,10 @@ class Plotter {
       return;
     }
     const line::Values &values = _observer.newest();
-    requireColumns(_columns, values);
+    _beganUs = _beganUs == 0 ? stretch.endUs() : _beganUs;
+    if (!haveCome(_columns, values, stretch.endUs() - _beganUs)) {
+      return;
+    }
     _picture.curves.resize(_columns.size());
     const bool joined = begin(stretch.endUs());
     for (size_t i = 0; i < _columns.size(); i++) {
@@ -157,7 +160,8 @@ class Plotter {
   Picture _picture;
   Shade _failsafe{ShadedTime::Kind::Failsafe};
   Shade _lost{ShadedTime::Kind::LostFrame};
-  uint64_t _firstUs = 0;
+  uint64_t _beganUs = 0;  // of the first frame
+  uint64_t _firstUs = 0;  // of what is drawn
   uint64_t _lastUs = 0;
 };
 

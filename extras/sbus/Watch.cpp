@@ -18,8 +18,9 @@ constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
 constexpr size_t AllColumns = 18;          // examples/AllChannels
 
 std::string age(uint64_t us) {
-  return us < 10 * SecondUs ? format("%4lu ms", static_cast<unsigned long>(us / 1000))
-                            : format("%5.0f s", static_cast<double>(us) / 1e6);
+  return us < SecondUs        ? format("%4lu ms", static_cast<unsigned long>(us / 1000))
+         : us < 10 * SecondUs ? format("%5.1f s", static_cast<double>(us) / 1e6)
+                              : format("%5.0f s", static_cast<double>(us) / 1e6);
 }
 
 std::string count(const char *name, uint64_t value) {

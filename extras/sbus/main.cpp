@@ -1,5 +1,7 @@
 // sbus: looks at S.Bus lines, records, replays and diagnoses them.
 
+#include <fcntl.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +27,15 @@ void addVerbs(CLI::App &app) {
   tool::addWave(app);
 }
 
+// What is opened next would else be taken for a standard stream that is closed, and get its text.
+void keepStreamsApart() {
+  for (int stream = 0; stream <= 2; stream++) {
+    if (fcntl(stream, F_GETFD) < 0) {
+      open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);  // whoever uses it is told that it fails, as before
+    }
+  }
+}
+
 // Of the verb that was asked for, if any.
 std::string nameOf(const CLI::App &app) {
   const auto verbs = app.get_subcommands();
@@ -34,6 +45,7 @@ std::string nameOf(const CLI::App &app) {
 }  // namespace
 
 int main(int argc, char **argv) {
+  keepStreamsApart();
   CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
   app.require_subcommand(1);
   app.set_version_flag("--version", VERSION);
@@ -48,6 +60,10 @@ int main(int argc, char **argv) {
   } catch (const CLI::RuntimeError &error) {
     return error.get_exit_code();  // the verb has said why
   } catch (const CLI::ParseError &error) {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+      std::fprintf(stderr, "%s is no verb; sbus --help lists them\n", argv[1]);
+      return tool::WrongCommandLine;
+    }
     const int status = app.exit(error, std::cout, std::cerr);
     return status != 0 ? tool::WrongCommandLine : std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception &error) {

@@ -183,16 +183,28 @@ TEST_CASE("telemetry is told at the next pause, not with the next frame") {
   CHECK(line.stretches[3].characters.size() == 3);
 }
 
-TEST_CASE("a bad character within a frame's time is not lost") {
-  Watched line;
-  line.frame(992).frame(1000);
-  Bytes bytes = Watched::frameOf(1100);
-  bytes.insert(bytes.begin() + 12, 0x77);
-  line.send(bytes, 12).pause(6000);
-  REQUIRE(line.frames() == 3);
-  CHECK(bytesOf(line.stretches[2]) == bytes);
-  CHECK(line.observer.newest().raw[9] == 1100);
-  CHECK(line.observer.badCharacters() == 1);
+TEST_CASE("a frame that has lost a character to an error and got another at its end is none, though a decoder takes it") {
+  for (const size_t bad : {size_t{1}, size_t{3}, size_t{22}}) {
+    CAPTURE(bad);
+    Watched line;
+    for (int i = 0; i < 5; i++) {
+      line.frame(992);
+    }
+    Bytes bytes = Watched::frameOf(1000);
+    bytes.push_back(0x00);
+    line.send(bytes, bad).pause(PeriodUs);
+    CHECK(line.observer.counters().frames == 6);
+    CHECK(line.frames() == 5);
+    CHECK(line.observer.newest().raw[0] == 992);
+    CHECK(line.observer.newest().endUs == 4 * PeriodUs + 3000);
+    REQUIRE(line.stretches.size() == 6);
+    CHECK(bytesOf(line.stretches[5]) == bytes);
+    CHECK(why(line.stretches[5]) == "1 bad character");
+    CHECK(line.observer.badCharacters() == 1);
+    line.frame(1001);
+    CHECK(line.frames() == 6);
+    CHECK(line.observer.newest().raw[15] == 1001);
+  }
 }
 
 TEST_CASE("bad characters only: they are all told, and none is kept for long") {

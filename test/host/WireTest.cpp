@@ -459,7 +459,7 @@ TEST_CASE("what is wrong somewhere does not take what came before it") {
 TEST_CASE("the VCD of a recording reads as the recording: bytes, times, which are bad") {
   for (const unsigned long baud : {100000ul, 200000ul}) {
     for (const line::Polarity polarity : {line::Polarity::Inverted, line::Polarity::Uninverted}) {
-      for (const uint64_t startUs : {uint64_t{0}, uint64_t{70}, uint64_t{5000000000}}) {
+      for (const int64_t startUs : {int64_t{-60}, int64_t{-1}, int64_t{0}, int64_t{1}, int64_t{5000000000}}) {
         INFO("baud ", baud, ", start ", startUs);
         line::LineSettings settings;
         settings.baud = baud;
@@ -467,7 +467,7 @@ TEST_CASE("the VCD of a recording reads as the recording: bytes, times, which ar
         line::VcdWriter writer(settings);
         std::string text;
         line::Character character;
-        character.endUs = startUs;
+        character.endUs = static_cast<uint64_t>(startUs);
         for (size_t i = 0; i < All.size(); i++) {
           character.endUs += settings.characterUs() + (i % 25 == 24 ? 3000 : 0);
           character.value = All[i];
@@ -478,8 +478,7 @@ TEST_CASE("the VCD of a recording reads as the recording: bytes, times, which ar
         const Decoded decoded(text);
         REQUIRE(decoded.characters.size() == All.size());
         CHECK(decoded.wire.settings.polarity == polarity);
-        const int64_t later = startUs == 0 ? settings.characterUs() : 0;
-        CHECK(decoded.characters.front().startNs == (static_cast<int64_t>(startUs) + later) * 1000);
+        CHECK(decoded.characters.front().startNs == (startUs > 0 ? startUs : settings.characterUs()) * 1000);
         for (size_t i = 0; i < All.size(); i++) {
           CHECK(decoded.characters[i].value == All[i]);
           CHECK(decoded.characters[i].parityWrong == (i == 30));

@@ -131,7 +131,7 @@ export default async function () {
   });
 
   await check('bytes of no frame, as an inverter too many makes them: NO FRAMES, with the cure', async (page) => {
-    await brings(page, [0xfe, 0x3c, 0x00, 0xf8, 0x81, 0x7c]);
+    await brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]);
     await connect(page);
     await reads(page, '#verdict-text', /^NO FRAMES: bytes come/);
     await reads(page, '#verdict-cure', /Inverter missing, or one too many/);
@@ -181,6 +181,7 @@ export default async function () {
         await lit(page, lamp);
       }
       await reads(page, '#verdict-text', lamps.includes('failsafe') ? /^FAILSAFE/ : 'ROWS COME from a board.');
+      assert.equal(await page.locator('.lamp:visible').count(), columns === 18 ? 4 : 2);
       const shown = { 18: 16, 6: 4 }[columns] ?? columns;
       assert.equal(await page.locator('#bars li:visible').count(), shown);
       assert.equal(await page.locator('#lines li:visible').count(), 0);

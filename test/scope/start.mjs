@@ -35,7 +35,7 @@ export default async function () {
     await page.click('#cut');
     await reads(page, '#state', 'Stale');
     await page.waitForSelector('#bars.doubtful');
-    await reads(page, '#verdict-text', /^NO SIGNAL/);
+    await reads(page, '#verdict-text', 'NO SIGNAL any more: frames have come, now not a byte does.');
     await reads(page, '#verdict-cure', /^Check wire, pin and receiver/);
     await reads(page, '#rate', '0');
     await page.click('#cut');
@@ -75,6 +75,7 @@ export default async function () {
     assert.equal(await page.locator('#bars li:visible').count(), 24);
     await raw(page, 24, /^1[234]\d\d$/);
     await until('its bytes are not shown', async () => (await page.locator('#bits .byte').count()) === 36);
+    assert.equal(await page.locator('.lamp:visible').count(), 2);
   });
 
   await check('32 channels: those of the frames with header 2F, too', async (page) => {
@@ -82,6 +83,7 @@ export default async function () {
     await raw(page, 32, /^1[67]\d\d$/);
     await counts(page, 'extraFrames', /^[1-9]/);
     await reads(page, '#rate', /^5[5-7]$/);
+    await reads(page, '#lamp-ch17', /^DG1/);
   });
 
   await check('failsafe: banner, lamp, its own values, and the curves marked', async (page) => {

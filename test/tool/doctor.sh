@@ -36,6 +36,7 @@ awk -v sbus2="$WORK/sbus2.txt" -v r7003sb="$WORK/r7003sb.txt" -v other="$WORK/ot
     print 15000 * i + 120, "55 AA 01 02 03 04 05 06" >other
   }
 }'
+"$SBUS" record sim "$WORK/fast.txt" --simulated-time --seconds 2 --baud 200000 2>"$WORK/err"
 grep -v '^#' tool/DOCTOR >"$WORK/doctor"
 while IFS='|' read -r status finding figures arguments; do
   case $arguments in sim*) arguments="$arguments --simulated-time" ;; esac
@@ -74,6 +75,13 @@ as_user() {
   if [ "$(id -u)" -eq 0 ]; then setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; else "$@"; fi
 }
 player simulate
+"$SBUS" hex "$terminal" >"$WORK/reader" 2>&1 &
+reader=$!
+until [ -s "$WORK/reader" ]; do sleep 0.1; done
+"$SBUS" doctor "$terminal" 2>&1 | grep -qx "sbus doctor: $terminal: in use; close the other program that has it open"
+verdict $? "doctor of a pseudo-terminal that another sbus reads"
+kill $reader
+wait $reader
 chmod 000 "$terminal"
 as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
 [ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$WORK/err"

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <grp.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <termios.h>
@@ -83,6 +84,10 @@ int openPseudoTerminal(const std::string &device, int flags) {
   termios settings;
   if (file < 0 || tcgetattr(file, &settings) != 0) {
     throw std::runtime_error(openError(device, errno, std::strerror(errno)));
+  }
+  if (flags == O_RDONLY && flock(file, LOCK_EX | LOCK_NB) != 0) {  // two readers would have half of the bytes each
+    close(file);
+    throw std::runtime_error(openError(device, EBUSY, ""));
   }
   cfmakeraw(&settings);
   tcsetattr(file, TCSANOW, &settings);

@@ -8,7 +8,8 @@ std::string VcdWriter::put(Character character) {
     _high = _settings.idleHigh();
     text = "$comment S.Bus, " + line::text(_settings) + " $end\n$timescale 1 us $end\n$scope module sbus $end\n" +
            "$var wire 1 ! SBUS $end\n$upscope $end\n$enddefinitions $end\n#0\n" + (_high ? "1!\n" : "0!\n");
-    _laterUs = character.endUs == _settings.characterUs() ? _settings.characterUs() : 0;
+    const uint64_t characterUs = _settings.characterUs();
+    _laterUs = character.endUs <= characterUs ? 2 * characterUs - character.endUs : 0;
     _begun = true;
   }
   character.endUs += _laterUs;

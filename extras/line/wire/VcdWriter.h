@@ -14,7 +14,8 @@ class VcdWriter {
   // 100000 or 200000 baud: a bit then lasts whole microseconds.
   explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
 
-  // A character that begins at the time 0 has no edge before it: then all are later by one character.
+  // A first character that begins at the time 0 or before has no level before its edge: then all are later, so that it
+  // begins after a character's time.
   std::string put(Character character);
 
   // The line stays idle for a character.

@@ -90,7 +90,9 @@ export class Doctor {
       case LinkState.Failsafe:
         return this.of((newest?.flags ?? 0) & Flag.Failsafe ? Finding.Failsafe : Finding.NoRadio);
       case LinkState.Stale:
-        return this.of(status.characters > this.characters ? Finding.NoFrames : Finding.NoSignal);
+        return status.characters > this.characters
+          ? this.of(Finding.NoFrames)
+          : { ...this.of(Finding.NoSignal), text: 'NO SIGNAL any more: frames have come, now not a byte does.' };
       case LinkState.NeverSeen: {
         const finding = this.lineSettings.length > 1 ? this.round : this.finding;
         return finding === undefined
@@ -151,7 +153,7 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'TEXT COMES, but no rows of numbers.',
-      cure: 'Upload a sketch that prints 2 to 24 of them with commas: DecodeSBus, AllChannels, Channels24.',
+      cure: 'Upload a sketch that prints 2 to 32 of them with commas: DecodeSBus, AllChannels, Channels24.',
       severity: 'warning',
     };
   }

@@ -21,7 +21,7 @@ bool BoardRows::put(uint8_t byte, uint64_t nowUs) {
     return false;
   }
   if (!_rows.isRow()) {
-    _otherLines++;
+    _otherLines += _rows.isText();
     return false;
   }
   if (!_rows.recognised()) {

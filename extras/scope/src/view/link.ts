@@ -1,6 +1,6 @@
 // The link at a glance: its state, the flags, age, rate and gaps.
 
-import { Flag, LinkState, type Status, type Stretch } from '../core';
+import { Flag, Kind, LinkState, type Status, type Stretch } from '../core';
 import { make, setAttribute, setText } from '../dom';
 
 const names: Record<LinkState, [string, string]> = {
@@ -40,7 +40,7 @@ export class LinkView {
       [Flag.Channel17, 'CH17', 'good'],
       [Flag.Channel18, 'CH18', 'good'],
     ] as const) {
-      const lamp = make('div', { class: 'lamp', 'data-on': 'false', 'data-color': color }, make('i', { 'aria-hidden': true }), name, make('span', { class: 'value' }, 'off'));
+      const lamp = make('div', { class: 'lamp', 'data-on': 'false', 'data-color': color }, make('i', { 'aria-hidden': true }), make('span', {}, name), make('span', { class: 'value' }, 'off'));
       lamp.id = `lamp-${name.toLowerCase().replace(' ', '-')}`;
       this.lamps.set(flag, lamp);
       lamps.append(lamp);
@@ -54,6 +54,17 @@ export class LinkView {
     );
   }
 
+  // Two beside 16 channels. Futaba calls them DG1 and DG2, where CH17 and CH18 are channels; a line of 24 has none.
+  private switches(newest: Stretch | undefined): void {
+    const count = newest?.channels.length ?? 16;
+    const more = count === 32 && newest?.kind !== Kind.Row;
+    for (const [flag, name, other] of [[Flag.Channel17, 'CH17', 'DG1'], [Flag.Channel18, 'CH18', 'DG2']] as const) {
+      const lamp = this.lamps.get(flag) as HTMLElement;
+      lamp.hidden = count !== 16 && !more;
+      setText(lamp.children[1] as HTMLElement, more ? other : name);
+    }
+  }
+
   draw(status: Status, newest: Stretch | undefined): void {
     const [name, color] = names[status.state as LinkState];
     setText(this.state, name);
@@ -63,6 +74,7 @@ export class LinkView {
       setAttribute(lamp, 'data-on', String(on));
       setText(lamp.lastElementChild as HTMLElement, on ? 'on' : 'off');
     });
+    this.switches(newest);
     const now = performance.now();
     if (now - this.textAt < 100) {
       return;
