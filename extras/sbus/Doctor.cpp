@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include "KindOfLine.h"
 #include "Output.h"
@@ -29,7 +31,7 @@ class Heard {
  public:
   explicit Heard(const line::LineSettings &settings) : _settings(settings) {
     _observer.reset(0, settings.characterUs());
-    _observer.listen([this](const line::Stretch &stretch) { _kind.take(stretch); });
+    _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
   }
   Heard(const Heard &) = delete;  // its observer's listener leads into it
   Heard &operator=(const Heard &) = delete;
@@ -81,11 +83,30 @@ class Heard {
     }
     const auto aSecond = [this](uint64_t count) { return std::to_string((count * 1000 + ms() / 2) / ms()); };
     return _kind.text() + ": " + aSecond(seen.frames) + " frames a second and " + aSecond(sbus::damagedFrames(seen)) +
-           " damaged, " + std::to_string(seen.period) + " us from one to the next; " +
+           " damaged, " + std::to_string(usualPeriodUs()) + " us from one to the next; " +
            std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) + " % with the lost-frame flag\n";
   }
 
  private:
+  void take(const line::Stretch &stretch) {
+    _kind.take(stretch);
+    if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
+      _ends.push_back(stretch.endUs());
+    }
+  }
+
+  // The median: a line may have been silent for hours.
+  uint64_t usualPeriodUs() const {
+    std::vector<uint64_t> periods(_ends.size());
+    std::adjacent_difference(_ends.begin(), _ends.end(), periods.begin());
+    if (periods.size() < 2) {
+      return 0;
+    }
+    const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
+    std::nth_element(periods.begin() + 1, middle, periods.end());
+    return *middle;
+  }
+
   const sbus::Counters &counters() const { return _observer.counters(); }
   // A recording ends with a frame, not with the pause that belongs to it.
   uint64_t pauseUs() const {
@@ -97,6 +118,7 @@ class Heard {
   const line::LineSettings _settings;
   line::Observer _observer;
   KindOfLine _kind;
+  std::vector<uint64_t> _ends;  // of the frames, in us
   line::CsvRows _rows;
   bool _isCsv = false;
   uint64_t _firstUs = 0;  // of the characters

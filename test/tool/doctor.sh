@@ -24,6 +24,7 @@ asked() {
 "$SBUS" record sim "$WORK/flight.txt" --simulated-time --seconds 11 2>"$WORK/err"
 sed -n '/^#/p' "$WORK/flight.txt" >"$WORK/head.txt"
 awk '!/^#/ && $1 > 10100000' "$WORK/flight.txt" | cat "$WORK/head.txt" - >"$WORK/failsafe.txt"
+awk '/^#/ { print; next } $1 < 9000000 { $1 += 10000000 * ($1 > 8800000); print }' "$WORK/flight.txt" >"$WORK/gap.txt"
 awk '!/^#/ && $1 > 9520000 && $1 < 9950000' "$WORK/flight.txt" | cat "$WORK/head.txt" - >"$WORK/no-radio.txt"
 # Futaba's, of the frame of recordings/sbus2.txt: a sensor answers 04; five bytes come after each 08.
 awk -v sbus2="$WORK/sbus2.txt" -v r7003sb="$WORK/r7003sb.txt" -v other="$WORK/other.txt" 'BEGIN {

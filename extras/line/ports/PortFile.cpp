@@ -28,8 +28,9 @@ std::string lastError() {
 std::string permissionCure(const std::string &device, const struct stat &status) {
   const group *const owners = (status.st_mode & S_IRGRP) != 0 ? getgrgid(status.st_gid) : nullptr;
   if (owners == nullptr || status.st_gid == 0) {
-    return "a udev rule gives it: SUBSYSTEM==\"tty\", MODE=\"0666\" in /etc/udev/rules.d/99-sbus.rules, then plug " +
-           device + " in again";
+    const std::string name = device.substr(device.rfind('/') + 1);
+    return "a udev rule gives it: SUBSYSTEM==\"tty\", KERNEL==\"" + name +
+           "\", MODE=\"0666\" in /etc/udev/rules.d/99-sbus.rules, then plug it in again";
   }
   return std::string("join the group that may use it (sudo usermod -aG ") + owners->gr_name + " $USER), log in again";
 }
