@@ -4,16 +4,11 @@
 #include <utility>
 
 #include "CsvRows.h"
-#include "Quoted.h"
+#include "Words.h"
 
 namespace line {
 
 namespace {
-
-// CR is one too: that makes CRLF files good.
-bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
 
 // Takes the next word off `text`; empty at the end.
 std::string_view takeWord(std::string_view &text) {
@@ -97,14 +92,6 @@ std::string parseLine(std::string_view line, uint32_t characterUs, Characters &c
     character.endUs += characterUs;
   }
   return {};
-}
-
-// Takes the next line off `text`, without its LF.
-std::string_view takeLine(std::string_view &text) {
-  const size_t size = text.find('\n');
-  const std::string_view line = text.substr(0, size);
-  text.remove_prefix(size == std::string_view::npos ? text.size() : size + 1);
-  return line;
 }
 
 }  // namespace

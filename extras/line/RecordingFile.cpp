@@ -14,15 +14,15 @@
 
 namespace line {
 
-namespace {
-
-std::string beginningOf(const std::string &name) {
+std::string beginningOf(const std::string &name, size_t size) {
   std::ifstream in(name, std::ios::binary);
-  std::string beginning(RecordingBeginning, '\0');
-  in.read(&beginning[0], RecordingBeginning);
+  std::string beginning(size, '\0');
+  in.read(&beginning[0], static_cast<std::streamsize>(size));
   beginning.resize(static_cast<size_t>(in.gcount()));
   return beginning;
 }
+
+namespace {
 
 Recording read(const std::string &name, RecordingReader reader) {
   std::ifstream in(name, std::ios::binary);
@@ -50,11 +50,11 @@ Recording readRecording(const std::string &name, uint32_t characterUs) {
 }
 
 LineSettings recordedSettings(const std::string &name) {
-  return settingsIn(beginningOf(name));
+  return settingsIn(beginningOf(name, RecordingBeginning));
 }
 
 bool isCsv(const std::string &name) {
-  return isCsvText(beginningOf(name));
+  return isCsvText(beginningOf(name, RecordingBeginning));
 }
 
 Recording readCsv(const std::string &name) {

@@ -11,6 +11,9 @@ namespace line {
 // Throws std::runtime_error, which names file and line, if it cannot be read or something is wrong with it.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
+// The first bytes of a file, `size` at most; none if it cannot be read.
+std::string beginningOf(const std::string &name, size_t size);
+
 // How its line was set: see settingsIn().
 LineSettings recordedSettings(const std::string &name);
 

@@ -30,7 +30,7 @@ class UartSampler {
 
   LineSettings _line;
   LineSettings _port;
-  CharacterDecoder _decoder{_port, 1.0 * _port.bitNs()};
+  CharacterDecoder _decoder = CharacterDecoder(_port, _port.bitNs());
   WireCharacter _newest;
   std::deque<Character> _seen;
   uint64_t _knownUs = 0;  // the end of the last character put

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 
 #include "line/RecordingFile.h"
@@ -112,10 +111,7 @@ void refusePipe(const std::string &name) {
 
 // An oscilloscope's columns may be a sketch's rows.
 void refuseOtherKinds(const std::string &name) {
-  std::string head(line::CaptureHeadMax, '\0');
-  std::ifstream in(name, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<size_t>(in.gcount()));
+  const std::string head = line::beginningOf(name, line::CaptureHeadMax);
   const std::string format = line::captureFormat(head);
   if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
     throw std::runtime_error(name +

@@ -216,6 +216,7 @@ ln -sf "$terminal" "$work/adapter"
 until_true has_lines $((before + 100)) "$work/replugged.txt" && kill -INT $recorder
 wait $recorder && is_whole "$work/replugged.txt" && grep -q 'adapter: the port is back$' "$work/replugged.err"
 verdict $? "an adapter that is unplugged and plugged in again"
+rm "$work/adapter"  # a library has no links, not even in build/
 kill -INT "$player"
 wait "$player"
 

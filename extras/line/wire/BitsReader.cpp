@@ -1,6 +1,5 @@
 #include "BitsReader.h"
 
-#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {

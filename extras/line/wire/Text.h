@@ -5,11 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace line {
+#include "../Words.h"
 
-constexpr bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
+namespace line {
 
 constexpr bool isDigit(char c) {
   return c >= '0' && c <= '9';
@@ -17,17 +15,6 @@ constexpr bool isDigit(char c) {
 
 constexpr bool isAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
-}
-
-// Takes the next line off `text`, without its LF and CR.
-inline std::string_view takeLine(std::string_view &text) {
-  const size_t size = text.find('\n');
-  std::string_view line = text.substr(0, size);
-  text.remove_prefix(size == std::string_view::npos ? text.size() : size + 1);
-  if (!line.empty() && line.back() == '\r') {
-    line.remove_suffix(1);
-  }
-  return line;
 }
 
 // Without the blanks and quotation marks around it.

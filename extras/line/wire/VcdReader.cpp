@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {

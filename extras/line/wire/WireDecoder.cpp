@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "../Quoted.h"
 #include "Text.h"
 
 namespace line {

@@ -1,0 +1,35 @@
+// Lines and words of a text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace line {
+
+// CR is one too: that makes CRLF files good.
+constexpr bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+// Takes the next line off `text`, without its LF and CR.
+inline std::string_view takeLine(std::string_view &text) {
+  const size_t size = text.find('\n');
+  std::string_view line = text.substr(0, size);
+  text.remove_prefix(size == std::string_view::npos ? text.size() : size + 1);
+  if (!line.empty() && line.back() == '\r') {
+    line.remove_suffix(1);
+  }
+  return line;
+}
+
+// A word that is wrong, as a message may show it on a terminal: in quotation marks, the beginning of a long one.
+inline std::string quoted(std::string_view word) {
+  constexpr size_t Shown = 20;
+  std::string text = "\"";
+  for (const char c : word.substr(0, Shown)) {
+    text += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return text + (word.size() > Shown ? "...\"" : "\"");
+}
+
+}  // namespace line
