@@ -52,11 +52,15 @@ class DecodeSBusOf {
 
   // ---- What every loop() calls
 
-  /// Takes in the bytes that wait on the port; never waits itself. Call it after begin(), at least every 5 ms (2.5 ms
-  /// at 200000 baud), or frames are lost: 64 bytes of a core are full after 7.7 ms of a line without pauses.
+  /// Takes in the bytes that wait on the port; never waits itself. Call it in every loop(), at least every 5 ms (2.5 ms
+  /// at 200000 baud), or frames are lost: 64 bytes of a core are full after 7.7 ms of a line without gaps.
+  ///
+  /// Call it also when nothing waits: only such calls tell for certain when the line was silent. A sketch that calls it
+  /// only when bytes wait (serialEvent1(), an interrupt) loses a frame each time that its loop() is late by 2 ms.
   ///
   /// A frame is there at the first call after its last byte. The very first, the first with another kind of end byte,
-  /// and one after a damaged frame may wait for the next frame's first byte; they are as old as they are.
+  /// and one after discarded characters or 50 ms of silence may wait for what follows: the next frame, or 3 ms of
+  /// silence.
   void parseSBusFrame();
 
   /// True while the newest frame is younger than the timeout; false before the first frame.
@@ -82,8 +86,8 @@ class DecodeSBusOf {
   /// SBusFrameOk() or decodeSBusFrame() once an hour at least: micros() wraps after 71 minutes.
   sbus::LinkState linkState();
 
-  /// Age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. Never too young: a frame that waited
-  /// because parseSBusFrame() was not called is as old as the call before. Call it once an hour at least.
+  /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. Never too young: it counts from
+  /// the last call of parseSBusFrame() that did not find the frame's end yet. Call it at least once an hour.
   unsigned long frameAge();
 
   /// What has been seen on the line since begin(), by cause; all 0 before the first byte.
@@ -102,8 +106,8 @@ class DecodeSBusOf {
 
   void forget(unsigned long baud);
 
+  sbus::FrameFinderOf<Format> _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
   sbus::Port _port;
-  sbus::FrameFinderOf<Format> _finder;
   sbus::Link _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last
   uint32_t _staleExtra = 0;  // number of the frame with further channels that was found too old

@@ -18,7 +18,7 @@ inline bool isYoung(sbus::LinkState state) {
 template <typename Format>
 __attribute__((always_inline)) inline void DecodeSBusOf<Format>::forget(unsigned long baud) {
   const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
-  _finder.reset(micros(), static_cast<uint8_t>(us));
+  _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
   _link.reset();
   _decoded = 0;
   _staleExtra = 0;
@@ -47,6 +47,9 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
   const uint32_t now = micros();
   const int found = _port.available();
   if (found <= 0) {
+    if (const uint8_t *const frame = _finder.idle(now)) {
+      _link.frame(frame[Format::Size - 2]);
+    }
     return;
   }
   _finder.poll(static_cast<unsigned>(found), now);
@@ -57,7 +60,7 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
       return;  // a port that fails
     }
     waiting -= count;
-    if (const uint8_t *const frame = _finder.received(count)) {
+    if (const uint8_t *const frame = _finder.received(count, waiting)) {
       _link.frame(frame[Format::Size - 2]);
     }
   }

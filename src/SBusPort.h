@@ -6,7 +6,7 @@
 #include <Arduino.h>
 #include <stddef.h>
 
-#include "sbus/Pauses.h"
+#include "sbus/LineTiming.h"
 
 #if defined(SERIAL_SBUS)
 #include <stm32l0_uart.h>  // the option bits that SERIAL_SBUS is made of; Arduino.h does not bring them in
@@ -82,7 +82,7 @@ struct Config {
 };
 
 // An ESP32 hands over 120 characters at once, so whole frames, and no pause is seen for sure. 8 of them, and the two
-// idle ones that it waits for, are fewer than Pauses.h expects. Before 2.0.3 it cannot be told.
+// idle ones that it waits for, are fewer than LineTiming.h expects. Before 2.0.3 it cannot be told.
 template <typename Port>
 auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
   port.setRxFIFOFull(8);
@@ -102,6 +102,19 @@ auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
 template <typename Port>
 unsigned enlarge(Port &, Choice<0>) {
   return SmallestBuffer;
+}
+
+// For so many characters a port waits for more before it hands over less than a full burst (LineTiming.h). The STM32L0's
+// has an interrupt for an idle line (stm32l0_uart.c); of others nothing is known.
+#if defined(SERIAL_SBUS)
+template <typename Port>
+auto idleCharacters(Port *port, Choice<1>) -> decltype(port->onReceive(nullptr), uint8_t{1}) {
+  return 1;
+}
+#endif
+template <typename Port>
+uint8_t idleCharacters(Port *, Choice<0>) {
+  return MostIdleCharacters;
 }
 
 // ---- Kinds of ports, and how each is opened
@@ -246,14 +259,18 @@ class Port {
   // Of any class.
   template <typename Class>
   explicit Port(Class &port)
-      : _stream(port), _hardware(hardware(&port)), _open(open<Class>), _half(half(KindOf<Class>::Buffer)) {}
+      : _stream(port),
+        _hardware(hardware(&port)),
+        _open(open<Class>),
+        _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
+        _idleCharacters(sbus::idleCharacters(&port, Choice<1>())) {}
 
   // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Not with a baud that S.Bus never
   // has: cores divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
     const unsigned half = baud > SlowestBaud ? _open(_stream, baud, config) : 0;
     if (half != 0) {
-      _half = half;
+      _half = static_cast<uint16_t>(half);
     }
   }
 
@@ -275,6 +292,9 @@ class Port {
 
   // Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
   unsigned half() const { return _half; }
+
+  // So long it waits for more before it hands over what has come.
+  uint8_t idleCharacters() const { return _idleCharacters; }
 
   // How many bytes it says that it takes at once; many cores say 0, whatever they take.
   int room() { return room(_stream, Choice<1>()); }
@@ -324,7 +344,8 @@ class Port {
   Stream &_stream;
   HardwareSerial *const _hardware;  // null: any Stream
   Open *const _open;
-  unsigned _half;
+  uint16_t _half;
+  const uint8_t _idleCharacters;
 };
 
 /// @endcond

@@ -28,9 +28,11 @@ struct Counters {
 
   /// A frame with these flags is delivered, `interval` us after the one before.
   void count(uint8_t flags, uint32_t interval) {
-    const auto longer = static_cast<int32_t>(interval - period) >> 3;
-    period =
-        frames > 1 ? period + static_cast<uint32_t>(longer) : frames * interval;  // there is none before the second
+    if (frames > 1) {
+      period += static_cast<uint32_t>(static_cast<int32_t>(interval - period) >> 3);
+    } else if (frames == 1) {
+      period = interval;
+    }
     frames++;
     if ((flags & (FlagLostFrame | FlagFailsafe)) != 0) {
       lostFrames += (flags & FlagLostFrame) != 0;

@@ -61,10 +61,10 @@ inline void packEnd(uint8_t *out, int switches, bool failsafe, bool lostFrame) {
 
 }  // namespace
 
-int innerHeader(const uint8_t *frame, int size, uint8_t endMask) {
-  const uint8_t end = frame[size - 1];
+int innerHeader(const uint8_t *frame, int size, uint8_t kind) {
   int i = 2;
-  while (i < size && (frame[i] != HeaderByte || ((frame[i - 1] ^ end) & endMask) != 0)) {
+  while (i < size && (frame[i] != HeaderByte ||
+                      !(kind == UnknownKind ? isEndByte(frame[i - 1]) : endsKind(frame[i - 1], kind)))) {
     i++;
   }
   return i;

@@ -57,6 +57,7 @@ constexpr LineKind LineKinds[] = {
     {0x04, 0xCF, 0, 0xDF},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
     {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
 };
+constexpr uint8_t SlotsKind = 1;  ///< the row with telemetry slots
 constexpr uint8_t UnknownKind = sizeof LineKinds / sizeof LineKinds[0];  ///< no row
 constexpr uint8_t LongestTail = 5;                                       ///< characters
 
@@ -83,6 +84,12 @@ constexpr bool isEndByte(uint8_t byte) {
   return kindOfEnd(byte) != UnknownKind;
 }
 
+/// True if `byte` may be the ID of a telemetry slot, which three characters of a sensor begin with. Its next two bits are
+/// the group, the end byte's of the frame before; home-made sensors are known that send another group's.
+constexpr bool isSlotId(uint8_t byte) {
+  return (byte & 0x07) == 0x03;
+}
+
 /// True if the unused bits of this flags byte are 0, as they are on every receiver known.
 constexpr bool isFlagsByte(uint8_t byte) {
   return (byte & FlagsUnused) == 0;
@@ -104,9 +111,9 @@ constexpr bool failsafe(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagFailsafe) != 0;
 }
 
-/// Where an end byte, the same as that of `frame` (`size` bytes) in the bits of `endMask`, and a header follow each
-/// other within it, as between two frames: the header's index. `size` if nowhere.
-int innerHeader(const uint8_t *frame, int size, uint8_t endMask);
+/// Returns the index of the first header within `frame` (`size` bytes) that follows an end byte of this kind, of any for
+/// UnknownKind, as it would between two frames; `size` if there is none.
+int innerHeader(const uint8_t *frame, int size, uint8_t kind);
 
 /// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.
@@ -136,6 +143,9 @@ struct Frame16 {
   static constexpr uint8_t Kinds = UnknownKind;      ///< rows of LineKinds that such lines have
   static constexpr uint8_t OtherSize = FrameSize24;  ///< bytes of the other
   static constexpr bool HasExtra = true;             ///< frames with header 2F may come between
+  static constexpr unsigned LongestSpread = 22;      ///< characters: 16 of a frame that is spread over 4 ms, and a gap
+  /// The characters' time that so many of them take: some receivers spread a frame over 4 ms, a third longer.
+  static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }
   /// As its unpack functions.
   static void unpack(const uint8_t *frame, uint16_t *channels) { unpackAligned(frame, channels); }
   /// As its pack functions.
@@ -151,6 +161,9 @@ struct Frame24 {
   static constexpr uint8_t Kinds = 1;                  ///< end byte 00 only
   static constexpr uint8_t OtherSize = FrameSize;      ///< bytes of the other
   static constexpr bool HasExtra = false;              ///< nothing comes between
+  static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
+  /// No receiver spreads these frames.
+  static constexpr unsigned spread(unsigned count) { return count; }
   /// As its unpack functions.
   static void unpack(const uint8_t *frame, uint16_t *channels) { unpack24(frame, channels); }
   /// As its pack functions.

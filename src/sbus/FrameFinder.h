@@ -4,158 +4,169 @@
 
 #include <stdint.h>
 
+#include "Acquisition.h"
 #include "Counters.h"
 #include "Frame.h"
-#include "Pauses.h"
+#include "FrameBuffer.h"
+#include "FrameRules.h"
+#include "LineTiming.h"
 
 namespace sbus {
 
-/// Two buffers: one holds the last complete frame, the other the frame that is coming in. They swap roles when a frame
-/// is complete; no frame is ever copied. Bytes are read straight into the incoming frame:
+/// What a FrameFinder tells of each byte of the line, in their order; this one hears nothing and costs nothing. A class
+/// that takes its place has these functions. What they say of a place counts from the first byte that none of taken(),
+/// discarded() and extra() has had yet.
+struct NoEvents {
+  void taken() {}                   ///< the next bytes are a frame
+  void extra() {}                   ///< the next 25 bytes are a frame with header 2F
+  void discarded(int) {}            ///< so many bytes belong to no frame
+  void rejected(int, Rejection) {}  ///< at this place stands a header, and no frame begins with it
+};
+
+/// Bytes are read straight into the incoming frame:
 ///
 ///     int waiting = available();
+///     if (waiting <= 0) { finder.idle(now); return; }
 ///     finder.poll(waiting, now);
 ///     while (waiting > 0) {
 ///       const int count = read(finder.space(), min(waiting, finder.room()));
 ///       waiting -= count;
-///       finder.received(count);
+///       finder.received(count, waiting);
 ///     }
 ///
-/// Poll every 5 ms. A poll costs time in proportion to the bytes found, whatever they are.
+/// Poll every 5 ms, and say so if there is nothing: idle() is what tells the line's gaps (LineTiming.h). A poll costs
+/// time in proportion to the bytes found, whatever they are.
 ///
 /// A frame has no checksum, and its payload may hold 0F. So 25 characters are a frame only if
 /// - header, end byte and the flags' unused bits are right;
-/// - no pause lies within them;
-/// - it is certain where a frame begins: after a frame, after a pause, or before one. Where it is not, they must not
+/// - no gap lies within them;
+/// - it is certain where a frame begins: after a frame, after a gap, or before one. Where it is not, they must not
 ///   look like the halves of two frames;
-/// - it is certain that they end there: a pause or a header follows, or frames of this line are known to end so.
+/// - it is certain that they end there: a gap or a header follows, or frames of this line are known to end so.
 ///
-/// What is refused is scanned again from its second byte on. extras/docs/receiver.md has each rule, and what it is
-/// worth.
+/// What is rejected is searched again from its second byte on. FrameRules.h has the rules, extras/docs/receiver.md what
+/// each is worth.
 ///
-/// `Format` is Frame16 or Frame24; what is said of 25 bytes goes for 36 then.
+/// `Format` is Frame16 or Frame24; what is said of 25 bytes goes for 36 then. `Events` hears what becomes of each byte.
 ///
 /// All calls come from the context that reads the port. Only frame() and what stands below it may also be called from
 /// one that received() interrupts (extras/docs/interrupts.md).
-template <typename Format>
-class FrameFinderOf {
+template <typename Format, typename Events = NoEvents>
+class FrameFinderOf : private Events {
  public:
   /// As reset() at the time 0, for 100000 baud.
-  FrameFinderOf() { reset(0, CharacterTime); }
-  FrameFinderOf(const FrameFinderOf &) = delete;             ///< its pointers lead into itself
-  FrameFinderOf &operator=(const FrameFinderOf &) = delete;  ///< for the same reason
+  FrameFinderOf() { reset(0, CharacterTime, MostIdleCharacters); }
 
   /// Forgets everything, the counters too. `now` in us, `characterTime` in us: 120 at 100000 baud, 60 at 200000.
-  void reset(uint32_t now, uint8_t characterTime);
+  /// `idleCharacters`: so long the port waits for more before it hands over less than a full burst.
+  void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters);
 
   /// Where the next bytes go: room() of them. It changes with each received() and broken().
-  uint8_t *space() { return _incoming + _filled; }
+  uint8_t *space() { return _buffer.space(); }
 
   /// How many bytes fit there: 1 or more.
-  int room() const { return Capacity - _filled; }
+  int room() const { return _buffer.room(); }
 
   /// A poll of the port at `now` (us, wraps) has found so many bytes, 1 or more. They are read next.
   void poll(unsigned found, uint32_t now);
 
-  /// `count` bytes, 1..room(), were written to space(). Returns the frame that they completed (25 bytes), or nullptr.
-  const uint8_t *received(int count) {
-    _filled = static_cast<uint8_t>(_filled + count);
-    return _filled < Format::Size && isHeader(0) ? nullptr : search();
+  /// A poll at `now` has found none. Returns the frame that had waited for the line to fall silent, or nullptr.
+  const uint8_t *idle(uint32_t now) {
+    _timing.empty(now);
+    return _buffer.filled() < Format::Size ? nullptr : settle();
+  }
+
+  /// `count` bytes, 1..room(), were written to space(), and `waiting` of this poll's are still to be read. Returns the
+  /// frame that they completed (25 bytes), or nullptr.
+  const uint8_t *received(int count, int waiting) {
+    _buffer.received(count);
+    return _buffer.filled() < Format::Size && _buffer.isHeader(0) ? nullptr : search(waiting);
   }
 
   /// The port lost bytes after the last one received: the incoming frame will never be complete. Counts as an overflow.
   void broken();
 
+  /// What hears the events.
+  Events &events() { return *this; }
+  const Events &events() const { return *this; }  ///< the same
+
   /// The last complete frame, 25 bytes; nullptr before the first. It may be overwritten as soon as the second frame
   /// after it comes in: what was read of it is good only if counters().frames has not changed meanwhile.
-  const uint8_t *frame() const { return _counters.frames != 0 ? _complete : nullptr; }
+  const uint8_t *frame() const { return _counters.frames != 0 ? newest() : nullptr; }
 
   /// frame() where it is known that there is one; before the first, of no meaning.
-  const uint8_t *newest() const { return _complete; }
+  const uint8_t *newest() const { return _buffer.newest(); }
 
-  /// When the last frame was complete, in us; before the first, of no meaning. Read this before the clock: then no age
-  /// is below zero if a frame comes in between.
+  /// The last frame's end came after this time, in us, and some characters and a poll later at most: so no age is too
+  /// young. Before the first frame of no meaning. Read this before the clock: then no age is below zero if a frame comes
+  /// in between.
   uint32_t frameTime() const { return _frameTime; }
 
   /// The last complete frame with header 2F, 25 bytes; of no meaning before the first, counters().extraFrames tells.
   /// What was read of it is good only if that has not changed meanwhile.
   const uint8_t *extra() const { return _extra; }
 
-  /// Its age counts from here, in us: from the poll before the one that found what follows it. So it is never too
-  /// young.
+  /// frameTime() of extra().
   uint32_t extraTime() const { return _extraTime; }
 
   /// What was seen since reset(); all 0 before the first byte.
   const Counters &counters() const { return _counters; }
 
  private:
-  static constexpr int Pad = 3;  // before a frame: its payload then stands at a word
-  // A frame, its tail, and enough to tell what follows; so many that the other frame's payload stands at a word, too.
-  static constexpr int Capacity = (Pad + Format::Size + LongestTail + 10) / 4 * 4 - Pad;
-  static constexpr uint8_t Nowhere = 0xFF;
-
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
-  // What judge() says; else how many characters further on a frame may begin.
-  enum : int { Deliver = -1, Wait = 0 };
+  static constexpr int Silent = 2;  // characters off: nothing is expected, and nothing was discarded yet
 
-  void learn(unsigned found, uint32_t quiet);
-  const uint8_t *search();
-  bool isUsual() const;
-  bool scan();
-  bool find();
-  bool takesExtra();
+  void startOver(int offBy);
+  void acquire(unsigned found, Silence silence);
+  const uint8_t *settle();
+  const uint8_t *search(int waiting);
+  bool scan(int waiting);
+  bool find(int waiting);
+  void noteEnd(int waiting);
+  bool mayBeExtra() const;
+  Verdict judgeExtra();
+  void takeExtra(int waiting);
   int firstHeader(int from) const;
   uint8_t kindAt(int start);
-  int judge(int start, uint8_t kind);
-  bool wasBlocked(int start) const;
+  Verdict judge(int start, uint8_t kind);
   const uint8_t *deliver();
-  void skip(int count);
-  void drop(int count);
+  void discard(int count);
   static uint8_t kindOf(uint8_t end) {
     const uint8_t kind = kindOfEnd(end);
     return Format::Kinds == UnknownKind || kind < Format::Kinds ? kind : UnknownKind;
   }
-  bool isHeader(int index) const { return _incoming[index] == HeaderByte; }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
-  Pauses _pauses;
-  uint8_t _kind;        // of the line: a row of LineKinds, or UnknownKind
-  bool _certain;        // the last frame began where a frame begins
-  bool _pauseBefore;    // the last poll's first character came after a pause
-  bool _idleAfter;      // while the kind is unknown: the line was idle after the last poll's characters
-  uint8_t _filled;      // bytes in _incoming
-  uint8_t _pauseAt;     // index of the first byte after the newest pause, or Nowhere
-  uint8_t _refused;     // headers refused in this poll
-  uint8_t _others;      // while the kind is unknown: above 0, frames of the other size have been seen
-  bool _onlyNoise;      // since the last frame: neither a pause nor a header
-  uint8_t _sincePause;  // while the kind is unknown: characters since a pause, or FarOff
-  int8_t _skipped;      // characters since the next frame was expected; below 0: a tail comes first
-  uint8_t *_incoming = _frames[1] + Pad;
-  uint8_t *_complete = _frames[0] + Pad;
-  uint32_t _quiet;  // us before the last poll
+  uint8_t _kind;       // of the line: a row of LineKinds, or UnknownKind
+  bool _certain;       // the last frame's place was certain
+  int8_t _expectedAt;  // index where the next frame is expected; below 0: so many characters ago
+  uint8_t _rejected;   // headers rejected in this poll
+  uint8_t _old;        // bytes in the buffer that were there before this poll
+  bool _onlyNoise;     // since the last frame: neither a gap nor a header
+  Acquisition<Format> _acquisition;  // while the kind is unknown
+  LineTiming _timing;
+  FrameBuffer<Format> _buffer;
+  uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
   uint32_t _frameTime = 0;
-  Counters _counters;
-  alignas(4) uint8_t _frames[2][Pad + Capacity];
-  uint8_t _extra[Format::HasExtra ? FrameSize : 1];
   uint32_t _extraTime;
+  Counters _counters;
+  uint8_t _extra[Format::HasExtra ? FrameSize : 1];
 };
 
 // Here, as received(): with no call most polls cost some 100 cycles a frame less.
-template <typename Format>
-inline void FrameFinderOf<Format>::poll(unsigned found, uint32_t now) {
-  const uint32_t quiet = _pauses.quiet(now);
-  if (quiet == 0) {
-    return;  // it is still the same poll
-  }
-  _quiet = quiet;
-  _refused = 0;
-  _pauseBefore = _pauses.pauseBefore(found, quiet);
-  if (_pauseBefore) {
-    _pauseAt = _filled;
+template <typename Format, typename Events>
+SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now) {
+  _rejected = 0;
+  _old = static_cast<uint8_t>(_buffer.filled());
+  const Silence silence = _timing.silenceBefore<Format>(found, now);
+  if (silence == Silence::Long && holds(Rule::silence)) {
+    startOver(Silent);
+  } else if (silence != Silence::Unknown) {
+    _buffer.markGap(silence == Silence::Gap);
   }
   if (_kind == UnknownKind) {
-    learn(found, quiet);
+    acquire(found, silence);
   }
 }
 

@@ -7,281 +7,264 @@ namespace sbus {
 
 namespace {
 
-constexpr int MostNoise = 4;             // characters; more in a row are no noise
-constexpr int LeastBurst = 5;            // characters: so many come at once if loop() was blocked
+constexpr int SlotSize = 3;              // characters
 constexpr int FarOff = FrameSize24 + 1;  // characters; more need not be known
-constexpr int LongAgo = UINT8_MAX;       // characters: a line without a pause in them shows none
-constexpr uint8_t LongMemory = 8;        // pauses without a frame of the other size until that is forgotten
-constexpr uint32_t LongBlock = 20000;    // us without a poll: what waited in the port is old
+
+// What is counted seldom. Out of line: 40 bytes less on an AVR, 8 on a Cortex-M0+.
+__attribute__((noinline)) void countUp(uint32_t &counter) {
+  counter++;
+}
 
 }  // namespace
 
-template <typename Format>
-void FrameFinderOf<Format>::reset(uint32_t now, uint8_t characterTime) {
-  _pauses.reset(now, characterTime);
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters) {
+  _timing.reset(now, characterTime, idleCharacters);
+  _acquisition.reset();
   _kind = UnknownKind;
-  _idleAfter = false;
   _certain = false;
-  _filled = 0;
-  _others = 0;
-  broken();
-  _skipped = 0;
+  _buffer.clear();
+  startOver(Silent);
   _counters = Counters();
 }
 
-template <typename Format>
-void FrameFinderOf<Format>::broken() {
-  _counters.overflows++;
-  _counters.skippedBytes += _filled;
-  _skipped = FarOff;
+// After a break, or a silence longer than any frame period: the next character may stand anywhere in a frame.
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::startOver(int offBy) {
+  const int count = _buffer.filled();
+  _counters.skippedBytes += static_cast<unsigned>(count);
+  Events::discarded(count);
+  _buffer.clear();
+  _expectedAt = static_cast<int8_t>(-offBy);
   _onlyNoise = false;
-  _sincePause = LongAgo;
-  _filled = 0;
-  _pauseAt = Nowhere;
+  _acquisition.forgetGaps();
+}
+
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::broken() {
+  countUp(_counters.overflows);
+  startOver(FarOff);
 }
 
 // Needed until the first frame only, and out of line: within poll() it would cost every frame 15 cycles.
-template <typename Format>
-void FrameFinderOf<Format>::learn(unsigned found, uint32_t quiet) {
-  _idleAfter = !_pauseBefore && _pauses.idleAfter(found, quiet);
-  if (_pauseBefore) {
-    if (_sincePause == Format::OtherSize) {
-      _counters.otherFrames++;
-      _others = LongMemory;
-    } else if (_sincePause == Size) {
-      _others = 0;
-    } else if (_filled >= Size && _sincePause > _filled && _sincePause < LongAgo) {
-      _others |= 1;  // characters came straight before what waits in the buffer
-    } else if (_others > 0) {
-      _others--;
-    }
-    _sincePause = 0;
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::acquire(unsigned found, Silence silence) {
+  if (silence == Silence::Gap && _acquisition.gap(_buffer.filled())) {
+    countUp(_counters.otherFrames);
   }
-  _sincePause = static_cast<uint8_t>(static_cast<int>(found) < LongAgo - _sincePause ? _sincePause + found : LongAgo);
+  _acquisition.characters(found);
 }
 
-template <typename Format>
-const uint8_t *FrameFinderOf<Format>::search() {
-  return isUsual() || scan() ? deliver() : nullptr;
-}
-
-// Nearly all frames of a good line: judge() would say the same, and take 160 cycles longer. (The kind is known where
-// nothing was skipped.)
-template <typename Format>
-inline bool FrameFinderOf<Format>::isUsual() const {
-  return _filled == Size && _certain && _skipped == 0 && (_pauseAt == 0 || _pauseAt == Nowhere) && isHeader(0) &&
-         isFlagsByte(_incoming[FlagsAt]) && endsKind(_incoming[EndAt], _kind);
-}
-
-// True if a frame is complete. What find() leaves moves to the buffer's beginning: once, not for each header refused.
-template <typename Format>
-bool FrameFinderOf<Format>::scan() {
-  uint8_t *const beginning = _incoming;
-  const bool found = find();
-  if (_incoming != beginning) {
-    const uint8_t *const left = _incoming;
-    const int count = _filled;
-    _incoming = beginning;
-    if (count != 0) {
-      int i = 0;
-      do {  // 100 cycles quicker than memmove()
-        beginning[i] = left[i];
-      } while (++i < count);
-    }
+// A frame waits for what follows it. Is it silence?
+template <typename Format, typename Events>
+const uint8_t *FrameFinderOf<Format, Events>::settle() {
+  if (!_timing.template isSilent<Format>() || _buffer.gapAt() == _buffer.filled()) {
+    return nullptr;
   }
+  _buffer.markGap(true);
+  if (_kind == UnknownKind) {
+    acquire(0, Silence::Gap);
+  }
+  _rejected = 0;
+  return search(0);
+}
+
+template <typename Format, typename Events>
+const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
+  const bool isSure = _certain && _expectedAt == 0;
+  const bool isFrame =
+      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _kind, isSure) || scan(waiting);
+  noteEnd(waiting);
+  return isFrame ? deliver() : nullptr;
+}
+
+// When the frame at the buffer's beginning was complete: it is noted once, in the poll that brought its end.
+template <typename Format, typename Events>
+inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
+  const int behind = _buffer.filled() - Size;
+  if (behind >= 0 && _old < Size) {
+    _completeAfter = _timing.endedAfter(static_cast<unsigned>(behind + waiting));
+  }
+}
+
+// True if a frame is complete.
+template <typename Format, typename Events>
+bool FrameFinderOf<Format, Events>::scan(int waiting) {
+  uint8_t *const beginning = _buffer.bytes();
+  const bool found = find(waiting);
+  _buffer.moveTo(beginning);
   return found;
 }
 
-// True if a frame is complete. Moves _incoming on to it, or to where one may begin.
-template <typename Format>
-inline bool FrameFinderOf<Format>::find() {
-  if (!isHeader(0)) {
-    if (Format::HasExtra && takesExtra()) {
-      return false;
+// True if a frame is complete. The buffer begins with it then, or with what may become one.
+template <typename Format, typename Events>
+inline bool FrameFinderOf<Format, Events>::find(int waiting) {
+  while (int count = firstHeader(0)) {
+    if (Format::HasExtra && _expectedAt == 0 && _kind == SlotsKind && isSlotId(_buffer[0]) && holds(Rule::slots)) {
+      // The answer of a sensor: the next frame is expected behind it.
+      count = _buffer.gapAt() > 0 && _buffer.gapAt() < SlotSize ? _buffer.gapAt() : SlotSize;
+      if (_buffer.filled() < count) {
+        return false;
+      }
+      _expectedAt = static_cast<int8_t>(count);
+    } else if (Format::HasExtra && mayBeExtra()) {
+      const Verdict verdict = judgeExtra();
+      if (verdict.isOpen()) {
+        return false;
+      }
+      if (verdict.isAccepted()) {
+        takeExtra(waiting);
+        continue;
+      }
     }
-    skip(firstHeader(0));
+    discard(count);
   }
   int start = 0;
-  for (const int last = _filled - Size; start <= last;) {
+  for (const int last = _buffer.filled() - Size; start <= last;) {
     int step = 1;
     const uint8_t kind = kindAt(start);
     if (kind != UnknownKind) {
-      step = judge(start, kind);
-      if (step == Deliver) {
+      const Verdict verdict = judge(start, kind);
+      if (verdict.isAccepted()) {
+        discard(start);
+        _kind = kind;
+        _certain = verdict.isCertain();
+        _acquisition.forgetGaps();
         return true;
       }
-      if (step == Wait) {
+      if (verdict.isOpen()) {
         break;
       }
-      _counters.refusedByExtra++;
+      countUp(_counters.refusedByExtra);
+      Events::rejected(start, verdict.why());
+      step = verdict.next();
     }
-    start = ++_refused < Size - 1 ? firstHeader(start + step) : _filled;
+    // A frame has 24 characters after its header: after as many rejected ones the rest of a poll is not searched.
+    start = ++_rejected < Size - 1 ? firstHeader(start + step) : _buffer.filled();
   }
-  if (Format::HasExtra && _pauseAt < start && _incoming[_pauseAt] == ExtraHeader) {
-    start = _pauseAt;  // takesExtra() is asked next
+  if (Format::HasExtra && holds(Rule::extra) && _buffer.gapAt() < start && _buffer[_buffer.gapAt()] == ExtraHeader) {
+    start = _buffer.gapAt();  // mayBeExtra() is asked next
   }
-  skip(start);
+  discard(start);
   return false;
 }
 
-// A frame with further channels stands where a frame is expected, or may: true while it is not known. It is believed
-// only there, on a line whose kind is known, and with a header or a pause after it: a noise character 2F straight
-// before a frame would else take that frame for its own.
-template <typename Format>
-inline bool FrameFinderOf<Format>::takesExtra() {
-  if (_incoming[0] != ExtraHeader || (_skipped != 0 && _pauseAt > FrameSize) ||
-      (_pauseAt > 0 && _pauseAt < FrameSize)) {
-    return false;
-  }
+// A frame with further channels stands where a frame is expected, or after a gap: a noise character 2F straight before
+// a frame would else take that frame for its own.
+template <typename Format, typename Events>
+inline bool FrameFinderOf<Format, Events>::mayBeExtra() const {
+  const int gapAt = _buffer.gapAt();
+  return _buffer[0] == ExtraHeader && (_expectedAt == 0 || gapAt <= FrameSize) && (gapAt == 0 || gapAt >= FrameSize);
+}
+
+// It is believed only on a line whose kind is known, and with a header or a gap after it.
+template <typename Format, typename Events>
+inline Verdict FrameFinderOf<Format, Events>::judgeExtra() {
   if (_kind == UnknownKind) {
-    _sincePause = LongAgo;  // the first frame may follow without a pause
-    return false;
+    _acquisition.forgetGaps();  // the first frame may follow without a gap
+    return Verdict::reject(Rejection::NotAtGap);
   }
   _onlyNoise = false;
-  const bool pauseAfter = _pauseAt == FrameSize;
-  if (!pauseAfter && _filled <= FrameSize) {
-    return true;
+  if (_buffer.gapAt() != FrameSize) {
+    if (_buffer.filled() <= FrameSize) {
+      return Verdict::wait();
+    }
+    if (!_buffer.isHeader(FrameSize)) {
+      return Verdict::reject(Rejection::GoesOn);
+    }
   }
-  if ((pauseAfter || isHeader(FrameSize)) && isFlagsByte(_incoming[FlagsIndex]) &&
-      endsKind(_incoming[EndIndex], _kind)) {
-    memcpy(_extra, _incoming, FrameSize);
-    _extraTime = _pauses.lastPoll() - _quiet;  // at the latest: what follows it came with this poll
-    _counters.extraFrames++;
-    _certain = true;
-    _skipped = 0;
-    _incoming += FrameSize;
-    drop(FrameSize);
-  }
-  return false;
+  return rules::areFlags(_buffer[FlagsIndex]) && endsKind(_buffer[EndIndex], _kind)
+             ? Verdict::accept(true)
+             : Verdict::reject(Rejection::NoEnd);
 }
 
-// The first header from there on; _filled if there is none.
-template <typename Format>
-inline int FrameFinderOf<Format>::firstHeader(int from) const {
-  while (from < _filled && !isHeader(from)) {
+template <typename Format, typename Events>
+inline void FrameFinderOf<Format, Events>::takeExtra(int waiting) {
+  noteEnd(waiting);
+  memcpy(_extra, _buffer.bytes(), FrameSize);
+  _extraTime = _completeAfter;
+  countUp(_counters.extraFrames);
+  Events::extra();
+  _certain = true;
+  _expectedAt = 0;
+  _buffer.drop(FrameSize);
+  _old = 0;
+}
+
+// The first header from there on; filled() if there is none.
+template <typename Format, typename Events>
+inline int FrameFinderOf<Format, Events>::firstHeader(int from) const {
+  const int filled = _buffer.filled();
+  while (from < filled && !_buffer.isHeader(from)) {
     from++;
   }
   return from;
 }
 
 // The kind of frame whose form 25 bytes have; UnknownKind if of none.
-template <typename Format>
-inline uint8_t FrameFinderOf<Format>::kindAt(int start) {
-  const uint8_t *const frame = _incoming + start;
-  const uint8_t kind = kindOf(frame[EndAt]);
+template <typename Format, typename Events>
+inline uint8_t FrameFinderOf<Format, Events>::kindAt(int start) {
+  const uint8_t kind = kindOf(_buffer[start + EndAt]);
   if (kind == UnknownKind) {
-    _counters.refusedByEnd++;
-  } else if (!isFlagsByte(frame[FlagsAt])) {
-    _counters.refusedByFlags++;
+    countUp(_counters.refusedByEnd);
+    Events::rejected(start, Rejection::NoEnd);
+  } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
+    countUp(_counters.refusedByFlags);
+    Events::rejected(start, Rejection::Flags);
     return UnknownKind;
   }
   return kind;
 }
 
-// Of 25 bytes that have the form of a frame. extras/docs/receiver.md has the figures of all rules. (In line: a call
-// would make a line of headers cost a fifth more.)
-template <typename Format>
-__attribute__((always_inline)) inline int FrameFinderOf<Format>::judge(int start, uint8_t kind) {
-  const uint8_t *const frame = _incoming + start;
-  const int filled = _filled - start;
-  const int pauseAt = _pauseAt - start;
-  // A pause inside: halves of two frames, as S.BUS2 at rest has them (10153 wrong frames without this, 1 with it).
-  if (pauseAt > 0 && pauseAt < Size && !wasBlocked(start)) {
-    return pauseAt;
-  }
-  // It is whole before a pause or a header. One of the line's kind is whole at once, unless its end comes twice, as if
-  // a noise character stood before the true header (1642 wrong, 40), or more follows than noise (144 wrong, 81).
-  const LineKind &line = LineKinds[kind];
-  const int size = Size + line.tailSize;
-  const bool pauseAfter = pauseAt >= Size && pauseAt <= size;
-  if (!pauseAfter && filled <= size) {
-    if (kind != _kind && !(filled == size && _idleAfter)) {
-      return Wait;
-    }
-  } else if (!pauseAfter && (frame[size] & line.headerMask) != HeaderByte &&
-             (kind != _kind || frame[size] == frame[EndAt] ||
-              (filled > size + MostNoise && frame[size + 1] != HeaderByte))) {
-    return 1;
-  }
-  // A line of longer frames, or shorter ones: a part of one, or of two, may look like a frame. The first stands at a
-  // pause, if pauses are seen.
-  const bool atPause = pauseAfter || pauseAt == 0;
-  if (kind != _kind && (_others > 0 || (!atPause && _sincePause < LongAgo))) {
-    return 1;
-  }
-  // Where its place is not certain it may be the halves of two frames (70496 second readings of a failsafe frame, 0).
-  const bool certain = (atPause && _pauses.areSure()) || (_certain && _skipped == -start);
-  const int inner = certain ? Size : innerHeader(frame, Size, line.endMask);
-  if (inner < Size) {
-    // A pause after it may make it certain yet, unless so few characters may be the rest of a frame before. Straight
-    // after a frame none waits.
-    return inner < Size / 2 || pauseAfter || filled > size || _skipped == -start ? inner : Wait;
-  }
-  skip(start);
-  _kind = kind;
-  _idleAfter = false;
-  _sincePause = LongAgo;
-  _certain = certain || _skipped == 0;
-  return Deliver;
+// In line: a call would make a line of headers cost a fifth more.
+template <typename Format, typename Events>
+__attribute__((always_inline)) inline Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t kind) {
+  const int offBy = start - _expectedAt;
+  return rules::judge(Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start,
+                                        _buffer.isGapCertain(), kind, kind == _kind, offBy, offBy == 0 && _certain},
+                      _acquisition);
 }
 
-// loop() was blocked while a frame came in that was expected here: what seems to be a pause was none (3776 frames
-// missed without this, 1512 with it).
-template <typename Format>
-inline bool FrameFinderOf<Format>::wasBlocked(int start) const {
-  return _skipped == -start && _pauseBefore && _pauseAt - start <= Size - LeastBurst && !isHeader(_pauseAt);
-}
-
-template <typename Format>
-inline const uint8_t *FrameFinderOf<Format>::deliver() {
-  uint8_t *const frame = _incoming;
-  _incoming = _complete;
-  _complete = frame;
-  drop(Size);
-  if (_filled != 0) {
-    memcpy(_incoming, frame + Size, _filled);
-  }
-  if (_skipped > Size - MostNoise && _counters.frames != 0) {
+// In line: 13 cycles a frame less.
+template <typename Format, typename Events>
+SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
+  const uint8_t *const frame = _buffer.complete();
+  _old = 0;  // what is left is less than a frame
+  if (_expectedAt < rules::MostNoise - Size && _counters.frames != 0) {
     _counters.resyncs++;
   }
-  _skipped = static_cast<int8_t>(-LineKinds[_kind].tailSize);
+  _expectedAt = static_cast<int8_t>(LineKinds[_kind].tailSize);
   _onlyNoise = true;
-  const bool waited = _pauseAt <= LongestTail;  // for the pause after it: it was there at the poll before
-  const uint32_t time = _pauses.lastPoll() - (waited || _quiet > LongBlock ? _quiet : 0);
-  _counters.count(frame[FlagsAt], time - _frameTime);
-  _frameTime = time;
+  _counters.count(frame[FlagsAt], _completeAfter - _frameTime);
+  _frameTime = _completeAfter;
+  Events::taken();
   return frame;
 }
 
 // The first characters of the incoming frame belong to none.
-template <typename Format>
-void FrameFinderOf<Format>::skip(int count) {
-  if (_skipped < FarOff) {
-    _skipped = static_cast<int8_t>(_skipped + count);
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::discard(int count) {
+  if (_expectedAt > -FarOff) {
+    _expectedAt = static_cast<int8_t>(_expectedAt - count);
   }
-  if (_pauseAt <= count || isHeader(0)) {
+  if (_buffer.gapAt() <= count || _buffer.isHeader(0)) {
     _onlyNoise = false;
-  } else if (_onlyNoise && _skipped > MostNoise) {
+  } else if (_onlyNoise && _expectedAt < -rules::MostNoise) {
     _kind = UnknownKind;
   }
   _counters.skippedBytes += static_cast<unsigned>(count);
-  _incoming += count;
-  drop(count);
-}
-
-template <typename Format>
-__attribute__((always_inline)) inline void FrameFinderOf<Format>::drop(int count) {
-  _filled = static_cast<uint8_t>(_filled - count);
-  if (_pauseAt != Nowhere) {
-    _pauseAt = static_cast<uint8_t>(_pauseAt < count ? Nowhere : _pauseAt - count);
-  }
+  Events::discarded(count);
+  _buffer.drop(count);
+  _old = static_cast<uint8_t>(_old > count ? _old - count : 0);
 }
 
 }  // namespace sbus
 
 // Only what others call: of a whole class nothing would be compiled in line.
-#define SBUS_COMPILE_FINDER(Format)                                     \
-  template void sbus::FrameFinderOf<Format>::reset(uint32_t, uint8_t);  \
-  template void sbus::FrameFinderOf<Format>::broken();                  \
-  template void sbus::FrameFinderOf<Format>::learn(unsigned, uint32_t); \
-  template const uint8_t *sbus::FrameFinderOf<Format>::search();
+#define SBUS_COMPILE_FINDER(...)                                              \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t); \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);             \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                   \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::acquire(unsigned, sbus::Silence); \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();         \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);   

@@ -71,27 +71,9 @@ int endOf(const line::Characters &characters, size_t &from, const std::vector<ui
   return -1;
 }
 
-// `recorded`, and before it so much noise that the loop period is known, and after it what lets go the last frame.
-line::Characters withNoise(const line::Characters &recorded, uint32_t loopUs) {
-  line::Characters characters;
-  line::Character noise;
-  noise.value = 0x55;
-  for (; characters.size() < 6; characters.push_back(noise)) {
-    noise.endUs += loopUs < 300 ? 300 : loopUs;
-  }
-  for (line::Character character : recorded) {
-    character.endUs += characters[5].endUs + 20000;
-    characters.push_back(character);
-  }
-  noise.endUs = characters.back().endUs + 20000;
-  characters.push_back(noise);
-  return characters;
-}
-
 // Says what is wrong, or nothing.
 template <typename Format>
-std::string replay(const line::Characters &recorded, uint32_t loopUs, const Expected *expected) {
-  const line::Characters characters = withNoise(recorded, loopUs);
+std::string replay(const line::Characters &characters, uint32_t loopUs, const Expected *expected) {
   const uint64_t start = fakeMicros + 1000;
   UartPort port;
   DecodeSBusOf<Format> dSBus(port);
@@ -124,10 +106,10 @@ std::string replay(const line::Characters &recorded, uint32_t loopUs, const Expe
   }
   const sbus::Counters counters = dSBus.counters();
   if (Format::HasExtra && counters.frames == 0 && counters.otherFrames != 0) {
-    return replay<sbus::Frame24>(recorded, loopUs, expected);
+    return replay<sbus::Frame24>(characters, loopUs, expected);
   }
   std::printf(
-      "%u frames of %u channels, %u with header 2F, refused by end %u, by flags %u, by extra %u, bytes skipped %u, "
+      "%u frames of %u channels, %u with header 2F, rejected by end %u, by flags %u, by extra %u, bytes discarded %u, "
       "resynchronised %u, T = %u us\n",
       counters.frames, Format::Channels, counters.extraFrames, counters.refusedByEnd, counters.refusedByFlags,
       counters.refusedByExtra, counters.skippedBytes, counters.resyncs, counters.period);

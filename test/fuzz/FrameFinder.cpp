@@ -1,14 +1,12 @@
 // Finding frames under whatever bytes, polls, times and breaks the fuzzer thinks of.
 //
 // The input: operations of one byte and what they need.
-//   0xxxxxxx          a poll after so many hundreds of us, with the bytes that have come since
+//   0xxxxxxx          a poll after so many hundreds of us, with the bytes that have come since; there may be none
 //   10xxxxxx          the next x + 1 bytes of the input come in
 //   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08; x = 14: one with header
 //                     2F; x = 15: one of 36 bytes
 //   1110xxxx          2^x * 20 us pass
-//   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13), reset and polls that find noise
-//                     (x = 14), a poll without time (x = 15)
-// It begins with polls that find noise.
+//   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13 and 14), a poll without time (x = 15)
 #include <cstring>
 #include <vector>
 
@@ -22,24 +20,16 @@ namespace {
 template <typename Format>
 class Sketch {
  public:
-  Sketch() {
+  // `byEvents`: it polls only when bytes wait.
+  explicit Sketch(bool byEvents) : _byEvents(byEvents) {
     reset();
-    settle();
   }
 
   void reset() {
     _finder.reset(_now, sbus::CharacterTime);
     startAnew();
     _frames = 0;
-  }
-
-  // Noise, so that frames are believed from now on.
-  void settle() {
-    for (unsigned noise = 0; noise < 3; noise++) {
-      pass(200);
-      arrive(0x55);
-      poll();
-    }
+    _call = _now;
   }
 
   void arrive(uint8_t byte) {
@@ -56,9 +46,16 @@ class Sketch {
   }
 
   void poll() {
-    if (!_waiting.empty()) {
-      _finder.poll(static_cast<unsigned>(_waiting.size()), _now);
+    if (_waiting.empty() && _byEvents) {
+      return;
     }
+    _callBefore = _call;
+    _call = _now;
+    if (_waiting.empty()) {
+      check(_finder.idle(_now));
+      return;
+    }
+    _finder.poll(static_cast<unsigned>(_waiting.size()), _now);
     for (size_t at = 0; at < _waiting.size();) {
       const size_t room = static_cast<size_t>(_finder.room());
       require(room >= 1 && room <= _roomAtStart, "room() is never 0, and never more than at the start");
@@ -67,7 +64,7 @@ class Sketch {
       std::memcpy(_finder.space(), bytes, count);
       _fed.insert(_fed.end(), bytes, bytes + count);
       at += count;
-      check(_finder.received(static_cast<int>(count)));
+      check(_finder.received(static_cast<int>(count), static_cast<int>(_waiting.size() - at)));
     }
     _waiting.clear();
   }
@@ -100,9 +97,10 @@ class Sketch {
     }
     // Held are the newest bytes, and the frame stood right before them: contiguous, and after the last break.
     const uint8_t *const frame = _finder.frame();
-    require(delivered == frame, "received() returns frame()");
+    require(delivered == frame, "received() and idle() return frame()");
     require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
     require(frame[0] == 0x0F && sbus::isFlagsByte(frame[Size - 2]), "a delivered frame is a frame");
+    require(static_cast<int32_t>(_callBefore - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0, "no frame is too young");
     require(Size == 36 ? frame[Size - 1] == 0 : sbus::isEndByte(frame[Size - 1]), "a delivered frame ends as one");
     require(_fed.size() >= heldBytes() + Size, "a frame's bytes have come since the last break");
     const size_t begin = _fed.size() - heldBytes() - Size;
@@ -113,8 +111,10 @@ class Sketch {
 
   static constexpr uint32_t Size = Format::Size;
 
+  const bool _byEvents;
   sbus::FrameFinderOf<Format> _finder;
   uint32_t _now = 0xFFFF0000;  // micros() wraps soon
+  uint32_t _call = 0, _callBefore = 0;
   std::vector<uint8_t> _waiting;
   std::vector<uint8_t> _fed;  // since the last break
   size_t _afterFrame = 0;
@@ -126,8 +126,8 @@ class Sketch {
 };
 
 template <typename Format>
-void run(const uint8_t *data, size_t size) {
-  Sketch<Format> sketch;
+void run(const uint8_t *data, size_t size, bool byEvents) {
+  Sketch<Format> sketch(byEvents);
   for (size_t at = 0; at < size; at++) {
     const uint8_t operation = data[at];
     if (operation < 0x80) {
@@ -147,11 +147,8 @@ void run(const uint8_t *data, size_t size) {
       }
     } else if (operation < 0xF0) {
       sketch.pass(20u << (operation & 0xF));
-    } else if (operation == 0xFD) {
+    } else if (operation == 0xFD || operation == 0xFE) {
       sketch.reset();
-    } else if (operation == 0xFE) {
-      sketch.reset();
-      sketch.settle();
     } else if (operation == 0xFF) {
       sketch.poll();
     } else {
@@ -166,7 +163,9 @@ void run(const uint8_t *data, size_t size) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  run<sbus::Frame16>(data, size);
-  run<sbus::Frame24>(data, size);
+  for (const bool byEvents : {false, true}) {
+    run<sbus::Frame16>(data, size, byEvents);
+    run<sbus::Frame24>(data, size, byEvents);
+  }
   return 0;
 }

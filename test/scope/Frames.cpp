@@ -16,7 +16,7 @@ int main(int, char **arguments) {
   for (const line::Character character : line::readRecording(arguments[1]).characters) {
     finder.poll(1, static_cast<uint32_t>(character.endUs));
     *finder.space() = character.value;
-    const uint8_t *const frame = finder.received(1);
+    const uint8_t *const frame = finder.received(1, 0);
     if (frame == nullptr) {
       continue;
     }

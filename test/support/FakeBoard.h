@@ -1,83 +1,109 @@
-// A DecodeSBus on a FakeSerial, and what a sketch does with them.
+// A DecodeSBus or DecodeSBus24 on a FakeSerial, and what a sketch does with them.
 #pragma once
 
 #include "Bytes.h"
 #include "FakeClock.h"
 #include "FakeSerial.h"
+#include "KnownFrames.h"
 
 #include <DecodeSBus.h>
 
 constexpr uint64_t Ms = 1000;  // us
 
-struct Decoded {
-  Channels channels;
-  bool failsafe;
-  bool lostFrame;
-};
-
 // What the channels of a sketch hold before a frame is decoded: no frame holds that.
 constexpr Channels Untouched = {4711};
+constexpr LongChannels UntouchedLong = {4711};
 
-struct FakeBoard {
+// `Decoder` is DecodeSBus or DecodeSBus24.
+template <typename Decoder, typename Format>
+struct FakeBoardOf {
+  using Frame = std::array<uint8_t, Format::Size>;
+  using Channels = std::array<uint16_t, Format::Channels>;
+  struct Decoded {
+    Channels channels;
+    bool failsafe;
+    bool lostFrame;
+  };
+
   FakeSerial port;
-  DecodeSBus sbus{port};
+  Decoder sbus{port};
 
-  explicit FakeBoard(size_t portCapacity = 64) : port(portCapacity) {}
+  explicit FakeBoardOf(size_t portCapacity = 64) : port(portCapacity) {}
 
-  // Polls that find noise, then a pause: the loop period is known. What was counted until now is left out of
-  // counted().
-  void settle() {
-    for (unsigned noise = 0; noise < 3; noise++) {
-      wait(500);
-      take({0x55});
-    }
-    wait(4 * Ms);
-    _before = sbus.counters();
+  // Time goes on, and loop() is blocked.
+  void block(uint64_t us) { fakeMicros += us; }
+
+  // Time goes on, and the sketch polls at its end: nothing is there.
+  void wait(uint64_t us) {
+    block(us);
+    sbus.parseSBusFrame();
   }
 
-  // `bytes` come in, back to back, then the sketch polls. Returns how many of them the port kept.
-  size_t take(const Bytes &bytes) {
-    wait(120 * bytes.size());
+  // The port hands `bytes` over, and the sketch polls. Returns how many of them the port kept.
+  size_t poll(const Bytes &bytes) {
     const size_t kept = port.arrive(bytes);
     sbus.parseSBusFrame();
     return kept;
   }
 
-  // Time goes on, and the sketch does nothing.
-  void wait(uint64_t us) { fakeMicros += us; }
-
-  // A frame comes in as the board hands it over: 16 bytes, and the others when the line has been idle for a character.
-  static constexpr uint64_t FrameUs = 26 * 120;
-  void frame(const Frame &frame) {
-    take(part(frame, 0, 16));
-    wait(120);
-    take(part(frame, 16));
+  // The same after as long as they take, back to back, while loop() is blocked.
+  size_t take(const Bytes &bytes) {
+    block(120 * bytes.size());
+    return poll(bytes);
   }
 
-  // And a pause before it, so that frames are 9 ms apart.
+  // A frame comes in as the board hands it over: 16 bytes at a time, the last ones when the line has been idle for a
+  // character. loop() is so quick that it polls just before.
+  static constexpr uint64_t FrameUs = (Format::Size + 1) * 120;
+  void frame(const Frame &frame) {
+    constexpr size_t Burst = 16;
+    for (size_t at = 0; at < frame.size(); at += Burst) {
+      const Bytes burst = part(frame, at, at + Burst);
+      wait((burst.size() < Burst ? burst.size() + 1 : Burst) * 120);
+      poll(burst);
+    }
+  }
+
+  // And a gap before it, so that frames are 9 ms apart.
   void nextFrame(const Frame &next) {
     wait(9 * Ms - FrameUs);
     frame(next);
   }
 
+  // A frame, and the shortest silence behind it that lets the first one go.
+  static constexpr uint64_t SilenceUs = Format::LongestSpread * 120 + 1;
+  void firstFrame(const Frame &first) {
+    frame(first);
+    wait(SilenceUs);
+  }
+
   // The sketch asks for everything.
   Decoded decode() {
-    Decoded decoded = {Untouched, false, false};
+    Decoded decoded = {{4711}, false, false};
     sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);
     return decoded;
   }
   Channels channels() { return decode().channels; }
+};
 
+using FakeBoard = FakeBoardOf<DecodeSBus, sbus::Frame16>;
+using Decoded = FakeBoard::Decoded;
+
+// An open port.
+struct OpenBoard : FakeBoard {
+  explicit OpenBoard(size_t portCapacity = 64) : FakeBoard(portCapacity) { sbus.begin(); }
+};
+
+// In sync with a line: a frame has come.
+struct SyncedBoard : OpenBoard {
+  explicit SyncedBoard(size_t portCapacity = 64) : OpenBoard(portCapacity) {
+    firstFrame(Neutral.bytes);
+    _before = sbus.counters();
+  }
+
+  // Since then.
   sbus::Counters counted() const { return sbus.counters() - _before; }
 
  private:
-  sbus::Counters _before = {};
-};
-
-// An open port whose loop period is known.
-struct OpenBoard : FakeBoard {
-  explicit OpenBoard(size_t portCapacity = 64) : FakeBoard(portCapacity) {
-    sbus.begin();
-    settle();
-  }
+  sbus::Counters _before;
 };

@@ -68,6 +68,7 @@ class FakeSerial : public HardwareSerial {
     return next();
   }
 #if !defined(HOST_PLAIN_CORE)
+  void onReceive(void (*)()) {}  // the board's Uart has it
   int read(uint8_t *buffer, size_t size) override {
     beforeRead();
     if (readFails) {

@@ -33,28 +33,33 @@ struct FeederOf {
   // A poll, now, that finds `bytes`. Returns the frames that it brings.
   Frames poll(const Bytes &bytes) {
     Frames frames;
-    if (!bytes.empty()) {
-      finder.poll(static_cast<unsigned>(bytes.size()), now);
+    if (bytes.empty()) {
+      return note(finder.idle(now));
     }
+    finder.poll(static_cast<unsigned>(bytes.size()), now);
     for (size_t at = 0; at < bytes.size();) {
       const int room = finder.room();
       REQUIRE(room >= 1);
       const size_t count = std::min(static_cast<size_t>(room), bytes.size() - at);
       std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), count, finder.space());
       at += count;
-      if (const uint8_t *const frame = finder.received(static_cast<int>(count))) {
-        REQUIRE(frame == finder.frame());
-        frames.push_back(lastFrame(finder));
-      }
+      frames = frames + note(finder.received(static_cast<int>(count), static_cast<int>(bytes.size() - at)));
     }
     return frames;
   }
 
-  // `us` without a byte and without a poll.
-  FeederOf &wait(uint32_t us) {
+  // `us` without a poll.
+  FeederOf &block(uint32_t us) {
     now += us;
     return *this;
   }
+
+  // `us` without a byte, and a poll at their end. A frame that has waited for them is in `waited`.
+  FeederOf &wait(uint32_t us) {
+    waited = block(us).poll({});
+    return *this;
+  }
+  Frames waited;
 
   // `bytes` back to back on the line, a poll whenever `burst` of them have come.
   Frames feed(const Bytes &bytes, size_t burst = 1) {
@@ -92,16 +97,26 @@ struct FeederOf {
   sbus::Counters counted() const { return finder.counters() - _before; }
 
  private:
+  Frames note(const uint8_t *frame) {
+    if (frame == nullptr) {
+      return {};
+    }
+    REQUIRE(frame == finder.frame());
+    return {lastFrame(finder)};
+  }
+
   sbus::Counters _before = {};
 };
 
 using Feeder = FeederOf<sbus::Frame16>;
 
-// The frames in `bytes`, without a pause among them, polled whenever `burst` of them have come. A header follows: it
-// lets go a frame that waits for it.
-inline Frames feedNew(const Bytes &bytes, size_t burst = 1) {
+// The frames in `bytes`, without a gap among them, polled whenever `burst` of them have come; `byEvents`: and never else.
+// A header follows: it lets go a frame that waits for it.
+inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = false) {
   Feeder feeder;
-  feeder.settle(static_cast<uint32_t>(burst) * Feeder::CharacterUs, 0);
+  if (!byEvents) {
+    feeder.wait(0);
+  }
   return feeder.feed(bytes + Bytes{0x0F}, burst);
 }
 

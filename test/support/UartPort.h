@@ -25,13 +25,15 @@ class UartPort : public HardwareSerial {
   void begin(unsigned long baud, uint32_t) override {
     _baud = baud;
     _characterUs = line::LineSettings{baud}.characterUs();
+    _openedUs = fakeMicros;
+    _fifo.clear();
     _uart.open(fakeMicros, _buffer.data(), _buffer.size(), _characterUs);
   }
 
   // A character has come; nothing else has come up to now.
   void receive(const line::Character &character) {
-    if (_baud != _lineBaud) {
-      return;
+    if (_baud != _lineBaud || character.endUs < _openedUs + _characterUs) {
+      return;  // one that has begun before is not received
     }
     advance(character.endUs - _characterUs);
     if (_driver.isBoards()) {
@@ -90,8 +92,15 @@ class UartPort : public HardwareSerial {
   std::vector<uint8_t> _buffer;
   const std::function<void()> _beforeRead;
   unsigned long _baud = 0;
+  uint64_t _openedUs = 0;
   uint32_t _characterUs = 0;
   uint64_t _bytesRead = 0;
   host::BoardUart _uart;
   std::vector<line::Character> _fifo;
+};
+
+// The board's, by whose onReceive() the library knows how long it waits for more characters.
+class BoardsPort : public UartPort {
+ public:
+  void onReceive(void (*)()) {}
 };

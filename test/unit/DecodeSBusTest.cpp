@@ -35,7 +35,7 @@ TEST_CASE("the constructor leaves the port alone; begin opens it once, 100000 ba
 
 TEST_CASE("end closes the port, the last frame can still be decoded; begin forgets it, and the half of one") {
   OpenBoard board;
-  board.frame(PaperHigh.bytes);
+  board.firstFrame(PaperHigh.bytes);
   board.take(part(PaperLow.bytes, 0, 12));
   board.sbus.end();
   CHECK(board.port.closings == 1);
@@ -43,6 +43,7 @@ TEST_CASE("end closes the port, the last frame can still be decoded; begin forge
   board.sbus.begin();
   CHECK(board.channels() == Untouched);
   board.take(part(PaperLow.bytes, 12));
+  board.wait(FakeBoard::SilenceUs);
   CHECK(board.sbus.counters().frames == 0);
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("the port is never asked for more than it has, nothing is overwritten,
   for (size_t held = 0; held < 25; held++) {
     for (size_t waiting = 1; waiting <= 64; waiting++) {
       INFO("held ", held, ", waiting ", waiting);
-      OpenBoard board;
+      SyncedBoard board;
       board.sbus.setTimeout(50);
       board.nextFrame(PaperLow.bytes);
       board.take(part(PaperHigh.bytes, 0, held));
@@ -88,11 +89,8 @@ TEST_CASE("the port is never asked for more than it has, nothing is overwritten,
 }
 
 TEST_CASE("every frame is there at the first poll after its last byte, with its own flags, also before silence") {
-  OpenBoard board;
-  for (unsigned number = 0; number < 4; number++) {
-    board.nextFrame(plainFrame(number));
-  }
-  unsigned count = 4;
+  SyncedBoard board;
+  unsigned count = 0;
   for (const unsigned ch16 : {0u, 16u, 1u, 2047u, 127u, 128u, 100u, 172u, 8u}) {  // it looks like flags
     for (unsigned flags = 0; flags < 16; flags++) {
       INFO("ch16 ", ch16, ", flags ", flags);
@@ -112,12 +110,15 @@ TEST_CASE("every frame is there at the first poll after its last byte, with its 
       board.wait(flags % 8 == 7 ? 90 * Ms : 0);
     }
   }
+  board.nextFrame(Neutral.bytes);
+  board.nextFrame(FailsafeFrame);  // another frame might begin within it
+  CHECK(board.counted().frames == count + 2);
 }
 
 TEST_CASE("of a full buffer the whole frames count, one begun before it too; the torn one is never completed") {
   for (unsigned held = 0; held < 25; held++) {
     CAPTURE(held);
-    OpenBoard board;
+    SyncedBoard board;
     board.frame(plainFrame(0));
     board.take(part(plainFrame(1), 0, held));
     const Bytes line = join({plainFrame(1), plainFrame(2), plainFrame(3), plainFrame(4)});
@@ -169,7 +170,7 @@ TEST_CASE("what comes in while the buffer is read, fills it and breaks the line 
     for (const unsigned beforeRead : {1u, 2u}) {
       for (size_t resumed = 0; resumed < 25; resumed++) {  // the line goes on at this place of a later frame
         INFO("found ", found, ", beforeRead ", beforeRead, ", resumed ", resumed);
-        OpenBoard board;
+        SyncedBoard board;
         board.frame(frame(0));
         const Bytes line = join({frame(1), frame(2), frame(3), frame(4), frame(5), frame(6), frame(7)});
         unsigned reads = 0;
@@ -227,34 +228,33 @@ TEST_CASE("a line without pauses is read whole by polls every 5 ms, at 200000 ba
   }
 }
 
-TEST_CASE("begin(200000) makes a pause within a frame, read byte by byte, one from half as many microseconds on") {
+TEST_CASE("a silence within a frame, read byte by byte, rejects it: more than five characters, by events eight and some us") {
   const struct {
     unsigned long baud;
+    bool byEvents;     // the sketch polls only when a byte has come
     uint32_t quietUs;  // between two bytes of the third frame
-    bool refused;
-  } rows[] = {{100000, 120, false}, {100000, 513, false}, {100000, 514, true}, {100000, 5000, true},
-              {200000, 60, false},  {200000, 256, false}, {200000, 257, true}, {200000, 2500, true},
-              {47060, 254, false},  {47060, 1080, false}, {47060, 1094, true}};  // the slowest that is opened
+    bool rejected;
+  } rows[] = {{100000, false, 120, false}, {100000, false, 600, false},  {100000, false, 601, true},
+              {200000, false, 60, false},  {200000, false, 300, false},  {200000, false, 301, true},
+              {47060, false, 254, false},  {47060, false, 1270, false},  {47060, false, 1271, true},  // the slowest
+              {100000, true, 120, false},  {100000, true, 963, false},   {100000, true, 964, true},
+              {200000, true, 60, false},   {200000, true, 481, false},   {200000, true, 482, true},
+              {47060, true, 254, false},   {47060, true, 2039, false},   {47060, true, 2040, true}};
   for (const auto &row : rows) {
-    INFO("baud ", row.baud, ", quietUs ", row.quietUs);
+    INFO("baud ", row.baud, ", byEvents ", row.byEvents, ", quietUs ", row.quietUs);
     const uint32_t characterUs = static_cast<uint32_t>(12000000 / row.baud);
-    fakeMicros = 0;
     FakeBoard board;
     board.sbus.begin(row.baud);
-    const auto take = [&board](uint32_t us, uint8_t value) {
-      board.wait(us);
-      board.port.arrive(Bytes{value});
-      board.sbus.parseSBusFrame();
-    };
-    for (unsigned noise = 0; noise < 3; noise++) {
-      take(characterUs, 0x55);
-    }
     for (unsigned index = 0; index < 5 * 25; index++) {
       const uint32_t us = index % 25 == 0 ? 50 * characterUs : characterUs;
-      take(index == 2 * 25 + 13 ? row.quietUs : us, plainFrame(index / 25)[index % 25]);
+      board.block(index == 2 * 25 + 13 ? row.quietUs : us);
+      if (!row.byEvents) {
+        board.poll({});
+      }
+      board.poll({plainFrame(index / 25)[index % 25]});
     }
-    CHECK(board.sbus.counters().frames == (row.refused ? 4 : 5));
-    CHECK(board.sbus.counters().refusedByExtra == row.refused);
+    CHECK(board.sbus.counters().frames == (row.rejected ? 4 : 5));
+    CHECK(board.sbus.counters().refusedByExtra == row.rejected);
   }
 }
 
@@ -262,7 +262,7 @@ TEST_CASE("a port that fails to read what it says it has ends the poll") {
   OpenBoard board;
   board.port.readFails = true;
   board.take(Bytes(40, 0xA5));
-  CHECK(board.counted().frames == 0);
+  CHECK(board.sbus.counters().frames == 0);
 }
 
 TEST_CASE("two objects side by side do not disturb each other") {

@@ -126,7 +126,7 @@ TEST_CASE("a port gets a whole frame as soon as it takes one, or as much as it e
 }
 
 TEST_CASE("on one port both ways work at once") {
-  OpenBoard board;
+  SyncedBoard board;
   EncodeSBus encoder(board.port);
   board.nextFrame(PaperHigh.bytes);
   CHECK(encoder.write(PaperLow.channels.data(), false, false));

@@ -31,7 +31,7 @@ Extra extraOf(FakeBoard &board) {
   return channels;
 }
 
-// A 2F frame, and a frame after a pause.
+// A 2F frame, and a frame after a gap.
 void receive(FakeBoard &board, unsigned number) {
   board.wait(6 * Ms);
   board.frame(extraFrame(number));
@@ -41,19 +41,19 @@ void receive(FakeBoard &board, unsigned number) {
 
 }  // namespace
 
-TEST_CASE("a 2F frame before each 0F frame, at any pause: all of both come, no byte is skipped, nothing is a resync") {
+TEST_CASE("a 2F frame before each 0F frame, at any gap: all of both come, no byte is skipped, nothing is a resync") {
   for (const uint8_t end : {uint8_t{0x00}, uint8_t{0x04}, uint8_t{0x34}}) {
-    for (const uint64_t pauseUs : {0u, 120u, 600u, 2000u, 6000u, 9000u}) {
+    for (const uint64_t gapUs : {0u, 120u, 600u, 2000u, 6000u, 9000u}) {
       for (const bool neutral : {false, true}) {
         TimedLine line;
         Frames sent;
         for (unsigned number = 0; number < 20; number++) {
           sent.push_back(neutral ? neutralFrame(number, end) : plainFrame(number, end));
-          line.send(withByte(neutral ? neutralFrame(number, end) : extraFrame(number, end), 0, 0x2F)).pause(pauseUs);
+          line.send(withByte(neutral ? neutralFrame(number, end) : extraFrame(number, end), 0, 0x2F)).pause(gapUs);
           line.send(sent.back()).pause(9000);
         }
         for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
-          INFO("end ", end, ", pauseUs ", pauseUs, ", neutral ", neutral, ", loopUs ", loopUs);
+          INFO("end ", end, ", gapUs ", gapUs, ", neutral ", neutral, ", loopUs ", loopUs);
           sbus::Counters counters;
           CHECK(line.frames(loopUs, &counters) == sent);
           CHECK(counters.extraFrames == 19);  // before the first frame the kind is not known
@@ -66,15 +66,21 @@ TEST_CASE("a 2F frame before each 0F frame, at any pause: all of both come, no b
   }
 }
 
-TEST_CASE("a 2F frame is believed with a header or a pause after it, at the first byte of either, and else not") {
+TEST_CASE("a 2F frame is believed once silence follows it, or at the first byte after a gap, or at a header, and else not") {
+  const struct {
+    uint32_t silenceUs;  // after it; then comes another byte
+    bool bySilence, byNext;
+  } rows[] = {{0, false, false}, {960, false, false}, {961, false, true}, {2640, false, true}, {2641, true, true}};
   for (unsigned next = 0; next < 256; next++) {
-    for (const uint32_t pauseUs : {uint32_t{0}, Feeder::PauseUs}) {
-      INFO("next ", next, ", pauseUs ", pauseUs);
+    for (const auto &row : rows) {
+      INFO("next ", next, ", silenceUs ", row.silenceUs);
       Feeder line;
       line.lock().feed(bytesOf(extraFrame(7)));
       CHECK(line.counted().extraFrames == 0);
-      line.wait(pauseUs).feed({static_cast<uint8_t>(next)});
-      const bool believed = pauseUs != 0 || next == 0x0F;
+      line.wait(row.silenceUs);
+      CHECK(line.counted().extraFrames == row.bySilence);
+      line.feed({static_cast<uint8_t>(next)});
+      const bool believed = row.byNext || next == 0x0F;
       CHECK(line.counted().extraFrames == believed);
       if (believed) {
         CHECK(lastExtra(line.finder) == channelsOf(extraFrame(7)));
@@ -91,7 +97,7 @@ TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and 
       INFO("extraDamaged ", extraDamaged, ", lost ", lost);
       Feeder line;
       line.lock();
-      // Without a pause between: it may be too short to be seen.
+      // Without a gap between: it may be too short to be seen.
       const Frame extra = withByte(neutralFrame(7), 0, 0x2F), frame = neutralFrame(8);
       const Frames found = line.feed(extraDamaged ? without(extra, lost) + bytesOf(frame) : bytesOf(extra) + without(frame, lost));
       CHECK(found == (extraDamaged ? Frames{frame} : Frames{}));
@@ -103,11 +109,11 @@ TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and 
   }
 }
 
-TEST_CASE("a 2F frame is not believed if its form is wrong, a pause lies in it, or no frame is expected there") {
+TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or no frame is expected there") {
   const Bytes whole = bytesOf(extraFrame(7));
   const struct {
     doctest::String what;
-    Bytes bytes, afterPause;
+    Bytes bytes, afterGap;
     unsigned extras;
   } rows[] = {
       {"as it should be", whole, {}, 1},
@@ -119,26 +125,26 @@ TEST_CASE("a 2F frame is not believed if its form is wrong, a pause lies in it, 
       {"a byte is missing", without(extraFrame(7), 7), {}, 0},
       {"a byte too many", with(extraFrame(7), 7, 0xA5), {}, 0},
       {"after a byte of noise", Bytes{0xA5} + whole, {}, 0},
-      {"after noise and a pause", {0xA5}, whole, 1},
-      {"a pause after its header", part(whole, 0, 1), part(whole, 1), 0},
-      {"a pause after 12 bytes", part(whole, 0, 12), part(whole, 12), 0},
-      {"a pause before its end", part(whole, 0, 24), part(whole, 24), 0},
+      {"after noise and a gap", {0xA5}, whole, 1},
+      {"a gap after its header", part(whole, 0, 1), part(whole, 1), 0},
+      {"a gap after 12 bytes", part(whole, 0, 12), part(whole, 12), 0},
+      {"a gap before its end", part(whole, 0, 24), part(whole, 24), 0},
       {"2F straight before a frame", {0x2F}, {}, 0},
   };
   for (const auto &row : rows) {
-    for (const uint32_t pauseUs : {uint32_t{0}, Feeder::PauseUs}) {
+    for (const uint32_t gapUs : {uint32_t{0}, Feeder::PauseUs}) {
       for (const size_t burst : {1u, 5u}) {
-        INFO(row.what, ", pauseUs ", pauseUs, ", burst ", burst);
+        INFO(row.what, ", gapUs ", gapUs, ", burst ", burst);
         Feeder line;
         line.lock().feed(row.bytes, burst);
-        if (!row.afterPause.empty()) {
-          line.wait(8000).feed(row.afterPause, burst);
+        if (!row.afterGap.empty()) {
+          line.wait(8000).feed(row.afterGap, burst);
         }
-        line.wait(pauseUs);
+        line.wait(gapUs);
         CHECK(line.feed(bytesOf(plainFrame(8)), burst) == Frames{plainFrame(8)});
         const sbus::Counters counters = line.counted();
         CHECK(counters.extraFrames == row.extras);
-        CHECK(counters.skippedBytes == row.bytes.size() + row.afterPause.size() - 25 * row.extras);
+        CHECK(counters.skippedBytes == row.bytes.size() + row.afterGap.size() - 25 * row.extras);
       }
     }
   }
@@ -149,7 +155,8 @@ TEST_CASE("a 2F frame is believed only once the line's kind is known, and never 
   line.settle().feed(bytesOf(extraFrame(0)));
   CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(1)) + bytesOf(plainFrame(0))).empty());
   CHECK(line.counted().extraFrames == 0);
-  CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(2)) + bytesOf(plainFrame(1))).size() == 2);
+  CHECK(line.wait(Feeder::PauseUs).waited == Frames{plainFrame(0)});
+  CHECK(line.feed(bytesOf(extraFrame(2)) + bytesOf(plainFrame(1))) == Frames{plainFrame(1)});
   CHECK(line.counted().extraFrames == 1);
 
   Feeder tailed;  // an R7003SB
@@ -158,23 +165,50 @@ TEST_CASE("a 2F frame is believed only once the line's kind is known, and never 
   CHECK(tailed.counted().extraFrames == 0);
 }
 
-TEST_CASE("a 2F frame is never younger than true: it was there before the pause after it, or before a block") {
-  for (const uint32_t pauseUs : {3000u, 20000u, 10000000u}) {
-    for (const bool atOnce : {false, true}) {  // the 0F frame's first byte with it, in a poll after the pause
-      INFO("pauseUs ", pauseUs, ", atOnce ", atOnce);
+TEST_CASE("a 2F frame is as old as the last poll that had not its end, however long silence or a block is") {
+  constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
+  const Bytes extra = bytesOf(extraFrame(7));
+  for (const uint32_t us : {3000u, 20000u, 10000000u}) {
+    for (const bool headerNext : {false, true}) {
+      INFO("us ", us, ", headerNext ", headerNext);
       Feeder line;
-      line.lock();
-      uint32_t here = line.now - Feeder::PauseUs;  // the last poll of lock()
-      if (atOnce) {
-        line.wait(pauseUs).poll(bytesOf(extraFrame(7)) + Bytes{0x0F});
+      line.lock().feed(extra);
+      uint32_t before = line.now - Feeder::CharacterUs;
+      if (headerNext) {
+        line.block(us).poll({0x0F});
       } else {
-        line.feed(bytesOf(extraFrame(7)));
-        here = line.now;
-        line.wait(pauseUs).poll({0x0F});
+        line.wait(us);
       }
       REQUIRE(line.counted().extraFrames == 1);
-      CHECK(line.finder.extraTime() == here);
+      CHECK(line.finder.extraTime() == before - Idle);
+
+      Feeder blocked;
+      before = blocked.lock().now;
+      blocked.block(us).poll(headerNext ? extra + Bytes{0x0F} : extra);
+      blocked.wait(3000);
+      REQUIRE(blocked.counted().extraFrames == 1);
+      CHECK(blocked.finder.extraTime() == before - Idle - (headerNext ? 5 * Feeder::CharacterUs : 0));
     }
+  }
+}
+
+TEST_CASE("after more than 50 ms of silence a 2F frame is not believed, the frame after it is, and the next 2F frame") {
+  const struct {
+    uint32_t silenceUs;
+    unsigned extras;
+  } rows[] = {{49999, 2}, {50000, 1}, {10000000, 1}};
+  for (const auto &row : rows) {
+    CAPTURE(row.silenceUs);
+    Feeder line;
+    line.lock();
+    line.wait(row.silenceUs - Feeder::PauseUs);  // lock() ends with that one
+    for (unsigned number = 1; number <= 2; number++) {
+      CHECK(line.feed(bytesOf(extraFrame(number))).empty());
+      CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(plainFrame(number))) == Frames{plainFrame(number)});
+      line.wait(Feeder::PauseUs);
+    }
+    CHECK(line.counted().extraFrames == row.extras);
+    CHECK(lastExtra(line.finder) == channelsOf(extraFrame(2)));
   }
 }
 
@@ -197,7 +231,7 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
       receive(board, 1);
       CHECK(extraOf(board) == channelsOf(extraFrame(1)));
       receive(board, 2);
-      const uint64_t age = FakeBoard::FrameUs + 3 * Ms;  // of the 2F frame: a pause and a frame have followed it
+      const uint64_t age = FakeBoard::FrameUs + 3 * Ms;  // of the 2F frame: a gap and a frame have followed it
       CHECK(board.channels() == readBitByBit(plainFrame(2)));
       board.wait(row.goodMs * Ms - age);
       CHECK(extraOf(board) == channelsOf(extraFrame(2)));
@@ -206,7 +240,6 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
       CHECK((extraOf(board) == Nothing) == (row.timeoutMs != 0));
       board.wait(MicrosWrap - 1 * Ms);  // the clock says what it said
       CHECK((extraOf(board) == Nothing) == (row.timeoutMs != 0));
-      board.settle();
       receive(board, 3);
       receive(board, 4);
       CHECK(extraOf(board) == channelsOf(extraFrame(4)));

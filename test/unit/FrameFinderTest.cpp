@@ -50,7 +50,7 @@ TEST_CASE("from reset on every frame is found, however seldom polls come: the fi
     Frames sent, found;
     for (unsigned number = 0; number < 12; number++) {
       sent.push_back(plainFrame(number));
-      found = found + line.wait(periodUs).poll(bytesOf(sent.back()));
+      found = found + line.block(periodUs).poll(bytesOf(sent.back()));
       CHECK(found.size() + 1 >= sent.size());
     }
     CHECK(found == sent);
@@ -58,34 +58,20 @@ TEST_CASE("from reset on every frame is found, however seldom polls come: the fi
   }
 }
 
-TEST_CASE("two polls at the same time are one: the loop period stays what it is") {
-  Feeder line;
-  line.settle(3000, 0);
-  const Frames sent = {plainFrame(0), plainFrame(1), plainFrame(2)};
-  const Bytes bytes = join(sent + Frames{plainFrame(3)});
-  Frames found;
-  for (size_t at = 0; at < 100; at += 25) {  // of each frame the last 3 bytes come with the next one's first
-    line.wait(3000);
-    found = found + line.poll(part(bytes, at == 0 ? 0 : at - 3, at + 10)) + line.poll(part(bytes, at + 10, at + 22));
-  }
-  CHECK(found == sent);
-}
-
-TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, a pause, or an idle line, and nothing else") {
+TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, or silence, and nothing else") {
   for (unsigned next = 0; next < 256; next++) {
     CAPTURE(next);
-    for (const uint32_t pauseUs : {uint32_t{0}, Feeder::PauseUs}) {
-      CAPTURE(pauseUs);
-      Feeder line;
-      REQUIRE(line.settle().feed(Low).empty());
-      const bool delivered = pauseUs != 0 || next == 0x0F || next == 0x2F;
-      CHECK(line.wait(pauseUs).feed({static_cast<uint8_t>(next)}) == (delivered ? Frames{PaperLow.bytes} : Frames{}));
-    }
+    Feeder line;
+    REQUIRE(line.settle().feed(Low).empty());
+    const bool delivered = next == 0x0F || next == 0x2F;
+    CHECK(line.feed({static_cast<uint8_t>(next)}) == (delivered ? Frames{PaperLow.bytes} : Frames{}));
   }
   Feeder line;
-  CHECK(line.settle().feed(part(Low, 0, 16), 16).empty());
-  line.wait(Feeder::CharacterUs);  // as the board's driver: the others come when the line has been idle for a character
-  CHECK(line.feed(part(Low, 16), 9) == Frames{PaperLow.bytes});
+  CHECK(line.settle().feed(Low).empty());
+  CHECK(line.wait(22 * Feeder::CharacterUs).waited.empty());
+  CHECK(line.wait(1).waited == Frames{PaperLow.bytes});
+  CHECK(line.wait(4000).waited.empty());
+  CHECK(line.feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
 }
 
 TEST_CASE("two buffers take turns, a frame stays where it came in, its payload at a multiple of four") {
@@ -145,7 +131,7 @@ TEST_CASE("of many headers in a row each is counted by its cause, but after 24 t
     size_t burst;
     unsigned byEnd, byFlags;
   } rows[] = {{0x0C, 1, 25, 0}, {0x0C, 16, 25, 0}, {0x0C, 50, 24, 0}, {0x01, 8, 25, 0},
-              {0x14, 1, 1, 23}, {0x14, 16, 1, 23}, {0x14, 50, 1, 22}};  // 0F is no end byte, but may be flags
+              {0x14, 1, 1, 22}, {0x14, 16, 1, 22}, {0x14, 50, 1, 22}};  // 0F is no end byte, but may be flags
   for (const auto &row : rows) {
     INFO("after ", row.after, ", burst ", row.burst);
     Feeder line;
@@ -194,23 +180,27 @@ TEST_CASE("nothing from before a break completes a frame after it, the complete 
   }
 }
 
-TEST_CASE("a frame is as old as the poll that brought it, and after more than 20 ms without a poll as the one before") {
-  const struct {
-    uint32_t us;
-    bool old;
-  } rows[] = {{3000, false}, {20000, false}, {20001, true}, {10000000, true}};
-  for (const auto &row : rows) {
-    for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
-      INFO("us ", row.us, ", start ", start);
-      Feeder line(start);
-      line.lock().feed(Low);
-      CHECK(line.finder.frameTime() == line.now);
-      const uint32_t before = line.now;
-      CHECK(line.wait(row.us).poll(bytesOf(PaperHigh.bytes) + Low).size() == 2);
-      CHECK(line.finder.frameTime() == (row.old ? before : line.now));
-      CHECK(line.wait(9000).poll(bytesOf(PaperHigh.bytes)).size() == 1);
-      CHECK(line.finder.frameTime() == line.now);
-    }
+TEST_CASE("a frame is as old as the last poll that had not its end, and what a port holds back; a block makes it older") {
+  constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
+  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
+    CAPTURE(start);
+    Feeder line(start);
+    line.lock();
+    uint32_t before = line.now;
+    CHECK(line.block(3000).poll(Low).size() == 1);
+    CHECK(line.finder.frameTime() == before - Idle);
+    before = line.wait(6000).now;
+    CHECK(line.block(20).poll(Low).size() == 1);
+    CHECK(line.finder.frameTime() == before - Idle);
+    before = line.wait(6000).now;
+    CHECK(line.block(10000000).poll(Low + Low).size() == 2);
+    CHECK(line.finder.frameTime() == before - Idle);  // the second, too
+    before = line.wait(6000).now;
+    CHECK(line.block(10000000).poll(join(Frames(20, PaperLow.bytes))).size() == 20);
+    CHECK(line.finder.frameTime() == before - Idle);  // and the last of as many as 512 bytes hold
+    before = line.wait(6000).now;
+    CHECK(line.block(20).poll(Low + part(Low, 0, 3)).size() == 1);
+    CHECK(line.finder.frameTime() == before - Idle - 3 * 5 * Feeder::CharacterUs);  // a port may have waited for each of these
   }
 }
 
@@ -274,58 +264,81 @@ TEST_CASE("of every make every frame is delivered, with flags, telemetry and tai
   }
 }
 
-TEST_CASE("a frame that waited for the pause after it is as old as the poll that had its last byte") {
-  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 5000}) {
-    Feeder line(start);
-    CHECK(line.settle().feed(Low).empty());
-    const uint32_t complete = line.now;
-    CHECK(line.wait(14000).feed({0x0F}).size() == 1);
-    CHECK(line.finder.frameTime() == complete);
+TEST_CASE("a frame behind as much noise as a large buffer holds is as old as its own poll makes it") {
+  for (const size_t noise : {100u, 128u, 129u, 200u, 300u, 480u}) {
+    CAPTURE(noise);
+    Feeder line;
+    const uint32_t before = line.lock().wait(6000).now;
+    CHECK(line.block(60000).poll(Bytes(noise, 0x55) + Low + Bytes{0x0F}) == Frames{PaperLow.bytes});
+    CHECK(line.finder.frameTime() == before - (4 + 5) * Feeder::CharacterUs);
   }
 }
 
-TEST_CASE("where pauses are seen the first frame stands at one: before it are no characters without a pause between") {
-  for (size_t before = 0; before < 60; before++) {
-    for (const bool header : {false, true}) {
-      INFO("before ", before, ", header ", header);
-      Feeder line;
-      CHECK(line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{})).empty() == (before > 0 || !header));
-      line.wait(Feeder::PauseUs);
-      CHECK(line.feed({0x0F}).empty() == (before > 0 || header));
-      CHECK(line.feed(part(Low, 1)).empty() == (before > 0));
-      line.wait(Feeder::PauseUs);
-      CHECK(line.feed({0x0F}).size() == (before > 0));
+TEST_CASE("a frame behind one that waited is as old as its own poll makes it") {
+  Feeder line;
+  line.settle().feed(Low);
+  const uint32_t before = line.now;
+  CHECK(line.block(9000).poll(bytesOf(PaperHigh.bytes) + Bytes{0x0F}).size() == 2);
+  CHECK(line.finder.frameTime() == before - (4 + 5) * Feeder::CharacterUs);
+}
+
+TEST_CASE("a frame that waited is as old as the last poll that had not its end") {
+  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 5000}) {
+    for (const bool silence : {false, true}) {
+      INFO("start ", start, ", silence ", silence);
+      Feeder line(start);
+      CHECK(line.settle().feed(Low).empty());
+      const uint32_t before = line.now - Feeder::CharacterUs;
+      CHECK((silence ? line.wait(14000).waited : line.feed({0x0F})).size() == 1);
+      CHECK(line.finder.frameTime() == before - 4 * Feeder::CharacterUs);
     }
   }
 }
 
-TEST_CASE("joined midway the first whole frame is there once the line is idle, whatever of another came before the pause") {
+TEST_CASE("where gaps are seen the first frame stands at one: before it are no characters without a gap between") {
+  for (size_t before = 0; before < 60; before++) {
+    for (const bool header : {false, true}) {
+      INFO("before ", before, ", header ", header);
+      Feeder line;
+      const Frames found = line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{}));
+      CHECK(found.empty() == (before > 0 || !header));
+      CHECK(line.wait(Feeder::PauseUs).waited.empty() == (before > 0 || header));
+      CHECK(line.feed({0x0F}).empty());
+      CHECK(line.feed(part(Low, 1)).empty() == (before > 0));
+      CHECK(line.wait(Feeder::PauseUs).waited.size() == (before > 0));
+    }
+  }
+}
+
+TEST_CASE("joined midway the first whole frame is there once the line is silent, whatever of another came before the gap") {
   for (size_t rest = 1; rest < 25; rest++) {
     CAPTURE(rest);
     Feeder line;
     line.settle().feed(part(Low, 25 - rest));
-    line.wait(Feeder::PauseUs).feed(part(Low, 0, 16), 16);
-    CHECK(line.wait(Feeder::CharacterUs).feed(part(Low, 16), 9) == Frames{PaperLow.bytes});
+    CHECK(line.wait(Feeder::PauseUs).feed(Low, 16).empty());
+    CHECK(line.wait(Feeder::PauseUs).waited == Frames{PaperLow.bytes});
   }
 }
 
-TEST_CASE("a failsafe frame whose place is not certain is there once a pause is seen after it") {
+TEST_CASE("a failsafe frame whose place is not certain is there once the line is silent behind it") {
   const Bytes failsafe = bytesOf(FailsafeFrame);
-  for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {  // a noise character 55 hides the pause before it
-    Feeder line;
-    CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());
-    const uint32_t complete = line.now;
-    CHECK(line.wait(Feeder::PauseUs).feed({next}) == Frames{FailsafeFrame});
-    CHECK(line.finder.frameTime() == complete);
+  Feeder line;
+  CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());  // noise hides the gap before it
+  CHECK(line.wait(Feeder::PauseUs).waited == Frames{FailsafeFrame});
+  for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {
+    CAPTURE(unsigned{next});
     Feeder without;
     CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
+    CHECK(without.wait(Feeder::PauseUs).waited.empty());
   }
-  // The rest of one, and one that has lost as many characters: a pause after them says nothing.
+  // The rest of one, and one that has lost as many characters: silence behind them says nothing.
   for (const size_t lost : {2u, 5u, 11u}) {
-    Feeder line;
+    Feeder halves;
     const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
-    line.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) + part(failsafe, 10 + lost));
-    CHECK(line.wait(Feeder::PauseUs).feed({0x0F}).empty());
+    halves.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) +
+                       part(failsafe, 10 + lost));
+    CHECK(halves.wait(Feeder::PauseUs).waited.empty());
+    CHECK(halves.feed({0x0F}).empty());
   }
 }
 

@@ -180,22 +180,22 @@ TEST_CASE("a frame with header 2F has 16 channels, packed as in any other, whate
   }
 }
 
-TEST_CASE("innerHeader finds a header after the frame's own end byte, telemetry slots aside, else nothing") {
+TEST_CASE("innerHeader finds a header behind an end byte of the kind, or of any kind, else nothing") {
   const struct {
-    unsigned end, endMask, before;  // the byte before the 0F
+    unsigned kind, before;  // the byte before the 0F
     bool found;
-  } rows[] = {{0x00, 0xFF, 0x00, true},  {0x00, 0xFF, 0x04, false}, {0x04, 0xCF, 0x34, true},
-              {0x04, 0xCF, 0x00, false}, {0x08, 0xFF, 0x08, true},  {0x08, 0xFF, 0x18, false}};
+  } rows[] = {{0, 0x00, true},  {0, 0x04, false}, {1, 0x34, true}, {1, 0x00, false}, {2, 0x08, true}, {2, 0x18, false},
+              {sbus::UnknownKind, 0x00, true}, {sbus::UnknownKind, 0x24, true}, {sbus::UnknownKind, 0x08, true},
+              {sbus::UnknownKind, 0x18, false}, {sbus::UnknownKind, 0x44, false}};
   for (const auto &row : rows) {
     for (const unsigned size : {25u, 36u}) {
-      for (unsigned index = 2; index < size - 1; index++) {
-        INFO("before ", row.before, ", index ", index, ", size ", size);
+      for (unsigned index = 2; index < size; index++) {
+        INFO("kind ", row.kind, ", before ", row.before, ", index ", index, ", size ", size);
         LongFrame frame{};
         frame.fill(0x55);
         frame[0] = 0x0F;
-        frame[size - 1] = static_cast<uint8_t>(row.end);
         frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
-        CHECK(sbus::innerHeader(frame.data(), static_cast<int>(size), static_cast<uint8_t>(row.endMask)) ==
+        CHECK(sbus::innerHeader(frame.data(), static_cast<int>(size), static_cast<uint8_t>(row.kind)) ==
               static_cast<int>(row.found ? index : size));
       }
     }

@@ -12,8 +12,8 @@
 
 namespace {
 
-struct PlainBoard : OpenBoard {
-  PlainBoard() : OpenBoard(63) { port.singleReads = 0; }
+struct PlainBoard : SyncedBoard {
+  PlainBoard() : SyncedBoard(63) { port.singleReads = 0; }
 };
 
 }  // namespace
@@ -43,4 +43,16 @@ TEST_CASE("a buffer full with 63 bytes is full: the torn third frame is not comp
   CHECK(board.counted().overflows == 1);
   board.nextFrame(Neutral.bytes);
   CHECK(board.channels() == Neutral.channels);
+}
+
+TEST_CASE("a port that may wait for four idle characters shows a gap from eight characters of silence on, byte by byte") {
+  for (const uint32_t quietUs : {960u, 961u}) {
+    CAPTURE(quietUs);
+    PlainBoard board;
+    for (unsigned index = 0; index < 25; index++) {
+      board.wait(index == 13 ? quietUs : 120);
+      board.poll({PaperLow.bytes[index]});
+    }
+    CHECK(board.counted().frames == (quietUs == 960));
+  }
 }

@@ -50,7 +50,7 @@ TEST_CASE("whatever comes, only pieces of it that are frames are delivered, in o
     const Bytes bytes = anyBytes() + bytesOf(PaperLow.bytes) + anyBytes() + bytesOf(PaperHigh.bytes) + anyBytes();
     const auto burst = *rc::gen::inRange<size_t>(1, 70);
     auto from = bytes.begin();
-    for (const Frame &frame : feedNew(bytes, burst)) {
+    for (const Frame &frame : feedNew(bytes, burst, *rc::gen::arbitrary<bool>())) {
       RC_ASSERT(sbus::isFrame(frame.data()));
       const auto found = std::search(from, bytes.end(), frame.begin(), frame.end());
       RC_ASSERT(found != bytes.end());

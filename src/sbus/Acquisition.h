@@ -1,0 +1,81 @@
+/// @file
+/// What is known of a line before its first frame: does it carry frames of this size at all?
+#pragma once
+
+#include <stdint.h>
+
+#include "Rule.h"
+
+namespace sbus {
+
+/// Counts the characters from gap to gap. All calls come from the context that reads the port.
+template <typename Format>
+class Acquisition {
+ public:
+  /// Forgets what was seen.
+  void reset() {
+    _doubts = 0;
+    _group = 0;
+    forgetGaps();
+  }
+
+  /// No gap is known any more: characters were lost.
+  void forgetGaps() {
+    _run = Unseen;
+    _lastRun = Unseen;
+  }
+
+  /// `found` characters have come.
+  void characters(unsigned found) {
+    _run = static_cast<uint8_t>(static_cast<int>(found) < Unseen - _run ? _run + found : Unseen);
+  }
+
+  /// A gap stands before the next character; `waiting` of those before it belong to no frame yet. Returns true if a
+  /// frame of the other size has just ended (FrSky's 36 characters for 25, and the other way round): it forbids frames
+  /// until one of the right size has come, or eight gaps.
+  bool gap(int waiting) {
+    if (_run == 0) {
+      return false;  // it is known already
+    }
+    const bool isOther = _run == Format::OtherSize;
+    if (isOther) {
+      _doubts = Memory;
+    } else if (_run == Format::Size) {
+      _doubts = 0;
+    } else if (waiting >= Format::Size && _run > waiting && _run < Unseen) {
+      _doubts = _doubts == 0 ? 1 : _doubts;  // characters came straight before what waits
+    } else if (_doubts > 0) {
+      _doubts--;
+    }
+    _lastRun = _run;
+    _run = 0;
+    return isOther;
+  }
+
+  /// How many characters stood between the two newest gaps; 255 if that is not known.
+  int lastRun() const { return _lastRun; }
+
+  /// A frame may stand here: there are no doubts, and it stands at a gap if the line shows any.
+  bool allows(bool isAtGap) const {
+    return (_doubts == 0 || !holds(Rule::other)) && (isAtGap || _run == Unseen || !holds(Rule::first));
+  }
+
+  /// A frame with this end byte has the ID of a telemetry slot behind it. True if the one before announced the group
+  /// before: of 48000 frames of 24 channels 2 were believed for one such ID alone, none for two.
+  bool isInTurn(uint8_t end) {
+    const uint8_t before = _group;
+    _group = static_cast<uint8_t>(end + 0x10) & 0x3F;
+    return end == before;
+  }
+
+ private:
+  static constexpr uint8_t Memory = 8;      // gaps
+  static constexpr int Unseen = UINT8_MAX;  // characters: a line without a gap in them shows none
+
+  uint8_t _doubts;   // gaps until frames are believed again
+  uint8_t _run;      // characters since a gap
+  uint8_t _lastRun;  // characters between the two gaps before
+  uint8_t _group;    // end byte of the next frame, if it comes in turn
+};
+
+}  // namespace sbus

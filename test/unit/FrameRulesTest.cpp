@@ -1,0 +1,295 @@
+// When 25 characters are a frame: each rule by itself, and all of them together.
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
+#include "sbus/FrameRules.h"
+
+using namespace sbus;
+
+namespace {
+
+constexpr int Far = 255;  // no gap is known
+
+// A frame and what follows it; at its expected place on a line of its kind, unless a test says otherwise.
+struct Case {
+  Bytes bytes;
+  int gapAt = Far;
+  int offBy = 0;
+  bool isSure = true;
+  bool isLines = true;
+  bool isGapCertain = true;
+
+  Candidate<Frame16> candidate() const {
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, kindOfEnd(bytes[24]),
+            isLines, offBy, isSure && offBy == 0};
+  }
+};
+
+const Bytes Plain = bytesOf(plainFrame(1));
+const Bytes Failsafe = bytesOf(FailsafeFrame);  // a second reading begins at 23
+
+Acquisition<Frame16> noneSeen() {
+  Acquisition<Frame16> acquisition;
+  acquisition.reset();
+  return acquisition;
+}
+
+// Two gaps have been seen, `run` characters apart.
+Acquisition<Frame16> twoGaps(unsigned run) {
+  Acquisition<Frame16> acquisition = noneSeen();
+  acquisition.gap(0);
+  acquisition.characters(run);
+  acquisition.gap(static_cast<int>(run));
+  return acquisition;
+}
+
+// "accept", "certain", "wait", or why it is rejected and how many characters further on the search goes.
+std::string judged(const Case &c, Acquisition<Frame16> acquisition = noneSeen()) {
+  static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "second reading"};
+  const Verdict verdict = rules::judge(c.candidate(), acquisition);
+  return verdict.isCertain() ? "certain"
+         : verdict.isAccepted() ? "accept"
+         : verdict.isOpen()     ? "wait"
+                                : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.next()));
+}
+
+}  // namespace
+
+TEST_CASE("flags: the upper four bits are 0") {
+  for (unsigned byte = 0; byte < 256; byte++) {
+    CHECK(rules::areFlags(static_cast<uint8_t>(byte)) == (byte < 16));
+  }
+}
+
+TEST_CASE("inside: a gap before the second to the last character rejects, up to that gap") {
+  for (int gapAt = -3; gapAt < 30; gapAt++) {
+    CAPTURE(gapAt);
+    const Case c = {Plain, gapAt};
+    CHECK(rules::hasGapInside(c.candidate()) == (gapAt > 0 && gapAt < 25));
+    CHECK((judged(c) == "gap inside " + std::to_string(gapAt)) == (gapAt > 0 && gapAt < 25));
+    CHECK(rules::hasGapInside(Case{Plain, gapAt, 0, true, true, false}.candidate()) == (gapAt > 0 && gapAt < 25));
+  }
+}
+
+TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its kind and where no frame has been yet") {
+  const Bytes s2 = bytesOf(plainFrame(1, 0x14)), tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
+  const struct {
+    const char *what;
+    Bytes bytes;
+    int gapAt;
+    const char *known, *unknown;
+  } rows[] = {
+      {"nothing yet", Plain, Far, "certain", "wait"},
+      {"a header", Plain + Bytes{0x0F}, Far, "certain", "certain"},
+      {"2F", Plain + Bytes{0x2F}, Far, "certain", "certain"},
+      {"a gap", Plain, 25, "certain", "certain"},
+      {"a gap, then anything", Plain + Bytes{0x55}, 25, "certain", "certain"},
+      {"something else", Plain + Bytes{0x55}, Far, "certain", "goes on 2"},
+      {"a tail's beginning", part(tailed, 0, 29), Far, "certain", "wait"},
+      {"the tail", tailed, Far, "certain", "wait"},
+      {"the tail and a header", tailed + Bytes{0x0F}, Far, "certain", "certain"},
+      {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F}, Far, "certain", "goes on 2"},
+      {"a gap within the tail", part(tailed, 0, 27), 27, "certain", "certain"},
+      {"the ID of a slot, the first time", s2 + Bytes{0x13}, Far, "certain", "goes on 2"},
+      {"no ID", s2 + Bytes{0x15}, Far, "certain", "goes on 2"},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    CHECK(judged({row.bytes, row.gapAt}) == row.known);
+    CHECK(judged({row.bytes, row.gapAt, 0, true, false}) == row.unknown);
+  }
+}
+
+TEST_CASE("turn: before the first frame a slot's ID ends a frame if the one before announced the group before") {
+  for (unsigned first = 0; first < 4; first++) {
+    for (unsigned second = 0; second < 4; second++) {
+      INFO("first ", first, ", second ", second);
+      Acquisition<Frame16> acquisition = noneSeen();
+      const auto judge = [&](unsigned group) {
+        const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03};
+        const Case c = {bytes, Far, 0, true, false};
+        return rules::judge(c.candidate(), acquisition).isAccepted();
+      };
+      CHECK_FALSE(judge(first));
+      CHECK(judge(second) == (second == (first + 1) % 4));
+    }
+  }
+}
+
+TEST_CASE("slots: on an S.BUS2 line an ID may follow, which is one of eight bytes; elsewhere it is a character too many") {
+  for (unsigned byte = 0; byte < 256; byte++) {
+    for (const unsigned end : {0x00u, 0x04u, 0x34u, 0x08u}) {
+      const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + tailOf(static_cast<uint8_t>(end)) +
+                          Bytes{static_cast<uint8_t>(byte)};
+      CHECK(rules::isSlotNext(Case{bytes}.candidate()) == ((end & 0x0F) == 4 && byte % 8 == 3));
+    }
+  }
+}
+
+TEST_CASE("stray: before the first frame one character may follow it, between two gaps that are 26 characters apart") {
+  const Bytes stray = Plain + Bytes{0x00};
+  CHECK(judged({stray, 0, 9, false, false}, twoGaps(25)) == "wait");
+  CHECK(judged({stray, Far, 9, false, false}, twoGaps(25)) == "goes on 2");
+  CHECK(judged({stray, 26, 9, false, false}, twoGaps(26)) == "certain");
+  for (const unsigned run : {25u, 27u, 52u, 255u}) {
+    CHECK(judged({stray, 26, 9, false, false}, twoGaps(run)) == "goes on 2");
+  }
+  Bytes twice = stray;  // the first of two headers may be the stray one
+  twice[1] = 0x0F;
+  CHECK(judged({twice, 26, 9, false, false}, twoGaps(26)) == "goes on 2");
+}
+
+TEST_CASE("endsTwice: noise may stand before the header, unless a stray character is known to follow each frame") {
+  const struct {
+    unsigned next;
+    int gapAt, offBy;
+    bool twice;
+  } rows[] = {{0x00, Far, 0, true}, {0x00, 0, 0, true}, {0x00, Far, 1, true}, {0x00, 0, 1, false}, {0x01, Far, 0, false}};
+  for (const auto &row : rows) {
+    INFO("next ", row.next, ", gapAt ", row.gapAt, ", offBy ", row.offBy);
+    const Case c = {Plain + Bytes{static_cast<uint8_t>(row.next)}, row.gapAt, row.offBy};
+    CHECK(rules::endsTwice(c.candidate()) == row.twice);
+    CHECK((judged(c) == "goes on 2") == row.twice);  // and a header at 1 is no better
+  }
+}
+
+TEST_CASE("tail: before the first frame a gap behind a tail makes a place certain only if one stands before the frame, too") {
+  Bytes tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
+  tailed[9] = 0x00;
+  tailed[10] = 0x0F;  // the tail may be the end of the frame that begins here
+  CHECK(judged({tailed, 30, 9, false, false}, twoGaps(30)) == "certain");
+  CHECK(judged({tailed, 30, 9, false, false}, noneSeen()) == "second reading 10");
+  CHECK(judged({part(tailed, 0, 25), 25, 9, false, false}, noneSeen()) == "certain");
+  CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "certain");
+}
+
+TEST_CASE("halves: before the first frame any end byte counts, later those of the line's kind") {
+  for (const unsigned end : {0x00u, 0x04u, 0x24u, 0x08u}) {
+    for (const unsigned inside : {0x00u, 0x04u, 0x14u, 0x08u, 0x40u, 0x01u}) {
+      INFO("end ", end, ", inside ", inside);
+      Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(end)));
+      bytes[12] = static_cast<uint8_t>(inside);
+      bytes[13] = 0x0F;
+      const bool same = (end & 0x0F) == 4 ? (inside & 0x0F) == 4 : inside == end;
+      CHECK((rules::secondReading(Case{bytes}.candidate()) == 13) == same);
+      CHECK((rules::secondReading(Case{bytes, Far, 0, true, false}.candidate()) == 13) == isEndByte(static_cast<uint8_t>(inside)));
+    }
+  }
+}
+
+TEST_CASE("goesOn: more than four characters follow, and the second is no header") {
+  for (size_t count = 1; count < 9; count++) {
+    for (const uint8_t second : {uint8_t{0x0F}, uint8_t{0x55}}) {
+      Bytes bytes = Plain + Bytes(count, 0x55);
+      bytes.push_back(0);
+      bytes.resize(25 + count);
+      if (count > 1) {
+        bytes[26] = second;
+      }
+      CAPTURE(count);
+      CHECK(rules::goesOn(Case{bytes + Bytes{}}.candidate()) == (count > 4 && second != 0x0F));
+    }
+  }
+}
+
+TEST_CASE("halves: where its place is not certain an end and a header inside reject, up to that header") {
+  for (size_t place = 2; place < 24; place++) {
+    CAPTURE(place);
+    Bytes bytes = Plain;
+    bytes[place - 1] = 0x00;
+    bytes[place] = 0x0F;
+    const int at = static_cast<int>(place);
+    CHECK(rules::secondReading(Case{bytes}.candidate()) == at);
+    const Bytes before = bytes + Bytes{0x0F};
+    CHECK(judged({before, Far, 0, false}) == "second reading " + std::to_string(at));
+    CHECK(judged({before, Far, 30}) == "second reading " + std::to_string(at));
+    CHECK(judged({before, Far, 0, true}) == "certain");
+    CHECK(judged({before, 0, 30}) == "certain");
+    CHECK(judged({before, 25, 30}) == "certain");
+    CHECK(judged({before, 0, 30, false, true, false}) == "second reading " + std::to_string(at));  // a likely gap
+  }
+  CHECK(rules::secondReading(Case{Plain}.candidate()) == 25);
+  CHECK(rules::secondReading(Case{Failsafe}.candidate()) == 23);
+  CHECK(judged({Plain + Bytes{0x0F}, Far, 30}) == "accept");
+}
+
+TEST_CASE("waits: a gap after it may make its place certain, unless a short part may be the rest of the frame before") {
+  for (size_t place = 2; place < 24; place++) {
+    for (int offBy = -2; offBy < 30; offBy++) {
+      INFO("place ", place, ", offBy ", offBy);
+      Bytes bytes = Plain;
+      bytes[place - 1] = 0x00;
+      bytes[place] = 0x0F;
+      const bool waits = place >= 12 || offBy <= 4;
+      CHECK((judged({bytes, Far, offBy, false}) == "wait") == waits);
+      CHECK(judged({bytes + Bytes{0x0F}, Far, offBy, false}) == "second reading " + std::to_string(place));
+    }
+  }
+}
+
+TEST_CASE("other, first: before the first frame a line must not look like one of the other size, and shows its gaps") {
+  const Bytes whole = Plain + Bytes{0x0F};
+  CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
+  CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
+  CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "certain");
+  CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
+  Acquisition<Frame16> acquisition = twoGaps(36);
+  acquisition.characters(25);
+  acquisition.gap(25);  // one of the right size takes the doubt away
+  CHECK(judged({whole, 0, 9, false, false}, acquisition) == "certain");
+}
+
+TEST_CASE("doubts last for eight gaps, or one where characters came straight before what waits") {
+  const struct {
+    unsigned run;
+    int waiting;
+    unsigned gaps;
+  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0}, {254, 25, 1}, {255, 25, 0}};
+  for (const auto &row : rows) {
+    INFO("run ", row.run, ", waiting ", row.waiting);
+    Acquisition<Frame16> acquisition = noneSeen();
+    acquisition.gap(0);
+    acquisition.characters(row.run);
+    CHECK(acquisition.gap(row.waiting) == (row.run == 36));
+    CHECK_FALSE(acquisition.gap(row.waiting));  // the same gap again
+    unsigned gaps = 0;
+    for (; !acquisition.allows(true); gaps++) {
+      acquisition.characters(3);
+      acquisition.gap(3);
+    }
+    CHECK(gaps == row.gaps);
+  }
+}
+
+TEST_CASE("isUsual says nothing but what the whole judgement says") {
+  CHECK(rc::check("usual == header, flags, the line's end byte, and accepted", [] {
+    const auto pick = [](std::initializer_list<int> values) { return *rc::gen::elementOf(std::vector<int>(values)); };
+    Bytes bytes;
+    for (int i = 0; i < 25; i++) {
+      bytes.push_back(static_cast<uint8_t>(pick({0x0F, 0x00, 0x04, 0x08, 0x55, 0x2F})));
+    }
+    bytes[0] = static_cast<uint8_t>(pick({0x0F, 0x0F, 0x0F, 0x2F}));
+    bytes[23] = static_cast<uint8_t>(pick({0x00, 0x0F, 0x10}));
+    bytes[24] = static_cast<uint8_t>(pick({0x00, 0x04, 0x14, 0x08, 0x55}));
+    bytes.resize(static_cast<size_t>(pick({24, 25, 25, 25, 25})));
+    const int gapAt = pick({0, 1, 24, 25, Far}), kind = pick({0, 1, 2}), offBy = pick({-1, 0, 0, 0, 1});
+    const bool certain = pick({0, 1, 1}) != 0;
+    const bool usual = rules::isUsual<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt,
+                                               static_cast<uint8_t>(kind), certain && offBy == 0);
+    const uint8_t found = bytes.size() == 25 ? kindOfEnd(bytes[24]) : UnknownKind;
+    bool accepted = false;
+    if (found != UnknownKind && bytes[0] == 0x0F && isFlagsByte(bytes[23])) {
+      Acquisition<Frame16> acquisition = noneSeen();
+      const Verdict verdict =
+          rules::judge(Case{bytes, gapAt, offBy, certain, found == kind}.candidate(), acquisition);
+      accepted = verdict.isCertain() && certain && offBy == 0 && found == kind;
+    }
+    RC_TAG(usual);
+    RC_ASSERT(!usual || accepted);
+    if (gapAt == 0 || gapAt == Far) {
+      RC_ASSERT(usual == accepted);
+    }
+  }));
+}
