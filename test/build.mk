@@ -92,8 +92,8 @@ $(eval $(call archive,plain,-DHOST_PLAIN_CORE))
 
 # The torture bench, fast, and a second time under the sanitizers. OUT/VARIANT/TortureTest holds the bounds,
 # OUT/VARIANT/Torture prints the table.
-LINE_PARTS := Conditions Judge Payload Simulation DamagedLine
-LINE_INCLUDES := -Iline $(ROOMS) $(ARDUINO)
+LINE_PARTS := Company Conditions DamagedLine Joins Judge Payload Setup Simulation
+LINE_INCLUDES := -Iline $(ROOMS) $(ARDUINO) $(WITHOUT:%=-DSBUS_WITHOUT=%)
 define line_rule
 $(OUT)/$1/%.o: $3/%.cpp build.mk
 	@mkdir -p $$(@D)
@@ -103,7 +103,7 @@ endef
 define line
 $(OUT)/$1/src/%.o: $(SRC)/%.cpp build.mk
 	@mkdir -p $$(@D)
-	$(CXX) $(BOARD) $(WARNINGS) $2 $$(DEPENDENCIES) -I$(SRC) $(ARDUINO) -c $$< -o $$@
+	$(CXX) $(BOARD) $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
 $(foreach folder,line support $(EXTRAS)/line $(HOST)/board $(HOST)/arduino,$(call line_rule,$1,$2,$(folder)))
 $(OUT)/$1/TortureTest: $(OUT)/$1/Main.o
 $(OUT)/$1/Torture $(OUT)/$1/TortureTest: $(OUT)/$1/%: $(OUT)/$1/%.o $(LINE_PARTS:%=$(OUT)/$1/%.o) \

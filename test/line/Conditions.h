@@ -7,10 +7,8 @@
 
 #include "Simulation.h"
 
-constexpr unsigned long FastBaud = 200000;
-
 // Frames per damaged frame, noise character and blocked loop; where there are none of these, per intact frame. They
-// hold for all setups and all sticks of a group together. Late are none.
+// hold for all setups and all sticks of a group together. Late, or too young, are none.
 constexpr double NotBound = 1e9;  // only printed
 struct Limits {
   double missed;
@@ -25,6 +23,7 @@ struct Condition {
   Limits ordinary;
   Limits deceptive;
   std::vector<Payload> only = {};  // else all
+  uint64_t most = UINT64_MAX;      // frames of each setup and kind of sticks
 
   std::vector<Payload> sticks() const;
 };
@@ -33,6 +32,3 @@ const std::vector<Condition> &conditions();
 
 // One condition, one setup, one kind of sticks: `frames` or a few more. Each has a seed of its own, made of `seed`.
 Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames, uint64_t seed);
-
-// "T 9 ms, loop 50 us, board, 64".
-std::string name(const Setup &setup);

@@ -8,9 +8,24 @@
 
 namespace {
 
-constexpr uint8_t Telemetry[] = {0x03, 0xC0, 0x2E};  // PX4-Autopilot, sbus2_r7008SB.txt
+// Of S.BUS2's slots, after the end of a frame, as measured on a Futaba R7008SB: PX4-Autopilot, sbus2_r7008SB.txt.
+constexpr uint32_t FirstSlotUs = 2030;
+constexpr uint32_t SlotUs = 660;
+constexpr unsigned VoltageUpperBits = 0xC0;  // slot 0 is the receiver's own: its supply or the external voltage
+constexpr uint32_t Fasst12SlotUs = 310;
+constexpr unsigned SlotsInGroup = 8;
+constexpr unsigned Groups = 4;
 constexpr double Junk = 1 / 8.;
 constexpr uint32_t SilenceUs = 100000;
+
+// 011 and the slot's number, its bits in reverse.
+uint8_t slotId(unsigned slot) {
+  unsigned id = 0;
+  for (unsigned bit = 0; bit < 5; bit++) {
+    id |= (slot >> bit & 1) << (7 - bit);
+  }
+  return static_cast<uint8_t>(id | 3);
+}
 
 bool isFrame(const SentFrame &sent) {
   const uint8_t end = sent.bytes[sent.size - 1];
@@ -24,15 +39,17 @@ bool isFrame(const SentFrame &sent) {
 DamagedLine::DamagedLine(const Transmission &transmission, uint64_t startUs, Random &random)
     : _transmission(transmission),
       _characterUs(transmission.characterUs()),
+      _joinedUs(startUs + transmission.cut.toFrame * transmission.periodUs +
+                transmission.cut.toCharacter * transmission.characterUs()),
       _random(random),
-      _sticks(transmission.sticks, random),
+      _sticks(transmission.sticks, random, transmission.place),
       _moreSticks(transmission.sticks, random),
       _framesLeft(transmission.frames),
       _frameUs(startUs),
       _timeUs(startUs) {}
 
 bool DamagedLine::next(uint64_t nowUs, line::Character &character) {
-  if (finished(nowUs) || nextUs() > nowUs) {
+  if (nextUs() > nowUs) {
     return false;
   }
   character = _characters.front();
@@ -48,7 +65,7 @@ uint64_t DamagedLine::nextUs() {
   while (_characters.empty() && _framesLeft != 0) {
     sendFrame();
   }
-  return _characters.front().endUs;
+  return _characters.empty() ? UINT64_MAX : _characters.front().endUs;
 }
 
 bool DamagedLine::nextSent(SentFrame &frame) {
@@ -80,6 +97,8 @@ void DamagedLine::sendFrame() {
     const Bytes tail = tailOf(R7003End);
     std::copy(tail.begin(), tail.end(), bytes + size);
     size += static_cast<unsigned>(tail.size());
+  } else if (_transmission.kind == Kind::Fasst12) {
+    bytes[sbus::EndIndex] = R7003End;
   } else if (_transmission.kind == Kind::Channels24) {
     const Frame more = _moreSticks.next();
     std::copy_n(more.begin() + sbus::PayloadIndex, 11, bytes + sbus::FlagsIndex);
@@ -89,6 +108,10 @@ void DamagedLine::sendFrame() {
     bytes[sbus::FrameSize24 - 2] = frame[sbus::FlagsIndex];
     bytes[sbus::FrameSize24 - 1] = 0;
     size = sent.size = sbus::FrameSize24;
+  }
+  if (_transmission.company.strayBefore != Company::NoStray) {
+    _timeUs -= _characterUs;
+    sendStray(_transmission.company.strayBefore);
   }
   sendImpaired(bytes, size, sent);
   _sent.push_back(sent);
@@ -101,6 +124,7 @@ void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &s
   bool whole = true;
   for (unsigned i = 0; i < size; i++) {
     uint8_t value = bytes[i];
+    _timeUs += i != 0 ? _transmission.spreadUs : 0;
     if (_random.chance(impairments.flipped)) {
       const uint32_t one = _random.below(8);
       const uint32_t other = (one + 1 + _random.below(7)) % 8;
@@ -123,14 +147,20 @@ void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &s
       sent.first = _good;
       sent.straight = _straight;
     }
-    send(value, bad);
-    whole = whole && !bad;
+    if (isCut(i)) {
+      _timeUs += _characterUs;
+      whole = false;
+    } else {
+      send(value, bad);
+      whole = whole && !bad;
+    }
     if (i < sent.size) {
       sent.bytes[i] = value;
       sent.altered = sent.altered || value != bytes[i];
     }
     if (i == sent.size - 1) {
       sent.after = _good;
+      sent.endUs = _timeUs;
       sent.intact = whole && isFrame(sent);
       sent.straight = sent.straight && !sent.altered;
     }
@@ -151,11 +181,19 @@ void DamagedLine::sendExtra() {
 // What stands between this frame and the next.
 void DamagedLine::sendBetween(uint8_t end) {
   const uint64_t characters = _characters.size();
-  if (end == Sbus2End && _transmission.kind == Kind::Sbus2 && _number % 8 == 0) {
-    _timeUs += 2000;
-    for (const uint8_t value : Telemetry) {
-      send(value);
-    }
+  if (_transmission.kind == Kind::Fasst12) {
+    const uint64_t slotUs = _timeUs + Fasst12SlotUs;
+    const Bytes tail = tailOf(R7003End);
+    send(tail.front());
+    _timeUs = slotUs;
+    std::for_each(tail.begin() + 1, tail.end(), [this](uint8_t value) { send(value); });
+  }
+  const Company &company = _transmission.company;
+  if (company.strayBehind != Company::NoStray) {
+    sendStray(company.strayBehind);
+  }
+  if (company.slots != 0 && (company.afterEach || end == Sbus2End)) {
+    sendSlots(_number % Groups);
   }
   uint64_t nextFrameUs = _frameUs + _transmission.periodUs;
   if (nextFrameUs > _timeUs + 4 * _characterUs && _random.chance(_transmission.impairments.noise)) {
@@ -168,9 +206,43 @@ void DamagedLine::sendBetween(uint8_t end) {
     sendExtra();
     nextFrameUs = std::max(nextFrameUs, _timeUs + 1000 + _random.below(3000));
   }
-  _straight = _straight && _characters.size() == characters;
   const bool stops = _transmission.stopEvery != 0 && (_number + 1) % _transmission.stopEvery == 0;
+  _straight = _straight && !stops && _characters.size() == characters;
   _frameUs = std::max(nextFrameUs, _timeUs) + (stops ? SilenceUs + _random.below(SilenceUs) : 0);
+}
+
+void DamagedLine::sendSlots(unsigned group) {
+  const Company &company = _transmission.company;
+  const uint64_t firstUs = _timeUs + FirstSlotUs + static_cast<uint64_t>(static_cast<int64_t>(company.lateUs));
+  for (unsigned slot = 0; slot < company.slots; slot++) {
+    _timeUs = firstUs + slot * SlotUs;
+    const unsigned number = (group + company.group) % Groups * SlotsInGroup + slot;
+    send(slotId(number));
+    send(number == 0 ? static_cast<uint8_t>(VoltageUpperBits | _random.below(8)) : _random.byte());
+    send(_random.byte());
+  }
+}
+
+void DamagedLine::sendStray(int stray) {
+  uint8_t value = static_cast<uint8_t>(stray);
+  while (stray == Company::AnyStray) {
+    value = _random.byte();
+    if (value != sbus::HeaderByte && value != sbus::ExtraHeader) {
+      break;
+    }
+  }
+  send(value);
+  _straight = false;
+}
+
+// True for a character of the frame that is being sent.
+bool DamagedLine::isCut(unsigned character) const {
+  const Cut &cut = _transmission.cut;
+  const uint64_t frame = cut.every != 0 ? _number % cut.every : _number;
+  const auto later = static_cast<unsigned>(cut.every != 0 ? _number / cut.every % (sbus::FrameSize - 1) : 0);
+  const bool begun = frame > cut.fromFrame || (frame == cut.fromFrame && character >= cut.fromCharacter + later);
+  const bool over = frame > cut.toFrame || (frame == cut.toFrame && character >= cut.toCharacter + later);
+  return begun && !over;
 }
 
 void DamagedLine::send(uint8_t value, bool bad) {

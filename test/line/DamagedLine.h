@@ -11,8 +11,9 @@
 // What the receiver sends.
 enum class Kind {
   Plain,
-  Sbus2,       // end bytes 04, 14, 24, 34 in turn; every other 04 is answered by telemetry, three bytes after 2 ms
+  Sbus2,       // end bytes 04, 14, 24, 34 in turn
   R7003SB,     // end byte 08 and five more bytes straight after the frame
+  Fasst12,     // these five as an oscilloscope shows them: 00, after 310 us telemetry slot 0, and 00
   With2F,      // Futaba's further channels: a 2F frame 0.6 to 6 ms before each frame
   Odd2F,       // after every third frame a 2F frame, no matter where that stands
   Channels24,  // 36-byte frames only
@@ -27,15 +28,40 @@ struct Impairments {
   double noise = 0;     // of a pause: it holds one character, anything, anywhere
 };
 
+// Who else is on the wire.
+struct Company {
+  unsigned slots = 0;      // of telemetry, after each frame that ends in 04
+  bool afterEach = false;  // also after 14, 24 and 34
+  int32_t lateUs = 0;      // sensors answer so much too late; below 0: too early
+  uint8_t group = 0;       // added to the group of which their slots should be
+  int strayBefore = NoStray;  // a character straight before each frame; AnyStray: anything but a header
+  int strayBehind = NoStray;  // likewise behind
+
+  static constexpr int NoStray = -1, AnyStray = 256;
+};
+
+// The wire is open from one character of a frame on, up to but without another. Frames count from 0.
+struct Cut {
+  uint64_t fromFrame = 0;
+  unsigned fromCharacter = 0;
+  uint64_t toFrame = 0;
+  unsigned toCharacter = 0;
+  uint64_t every = 0;  // again after so many frames, each time a character later
+};
+
 // What goes over the line, and how fast.
 struct Transmission {
   Impairments impairments{};
   Kind kind = Kind::Plain;
   Payload sticks = Payload::Neutral;
+  unsigned place = 0;  // of their second reading, as PayloadFrames has it
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
+  uint32_t spreadUs = 0;  // between the characters of a frame
   uint64_t frames = 20000;
   uint64_t stopEvery = 0;  // after so many frames the line is silent for 100 ms
+  Company company{};
+  Cut cut{};
 
   uint32_t characterUs() const { return line::LineSettings{baud}.characterUs(); }
 };
@@ -47,9 +73,11 @@ struct SentFrame {
   bool extra = false;     // its header is 2F
   bool intact = true;     // all there, nothing in between, and header, flags and end byte are those of a frame
   bool altered = false;   // not what the receiver sent
-  bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that one
+  bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that one;
+                          // nor was the line silent for longer than any frame period
   uint64_t first = 0;     // number of its first good character
   uint64_t after = 0;     // number of the good character after it
+  uint64_t endUs = 0;     // when its last character was through
 };
 
 class DamagedLine : public line::Line {
@@ -60,11 +88,14 @@ class DamagedLine : public line::Line {
   bool next(uint64_t nowUs, line::Character &character) override;
   bool finished(uint64_t nowUs) const override;
 
-  // When the next character will be through, if the line has not finished.
+  // When the next character will be through; UINT64_MAX once the line has finished.
   uint64_t nextUs();
 
   // The next frame that was sent, the oldest first; false if there is none. No character of a frame comes before it.
   bool nextSent(SentFrame &frame);
+
+  // When the first character after the cut begins, if frames are all that is sent; without a cut, the first of all.
+  uint64_t joinedUs() const { return _joinedUs; }
 
   uint64_t noiseCharacters() const { return _noiseCharacters; }
 
@@ -74,10 +105,14 @@ class DamagedLine : public line::Line {
   void sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent);
   void sendExtra();
   void sendBetween(uint8_t end);
+  void sendSlots(unsigned group);
+  void sendStray(int stray);
   void send(uint8_t value, bool bad = false);
+  bool isCut(unsigned character) const;
 
   const Transmission _transmission;
   const uint32_t _characterUs;
+  const uint64_t _joinedUs;
   Random &_random;
   PayloadFrames _sticks;
   PayloadFrames _moreSticks;  // CH17 to CH24, or CH32

@@ -1,13 +1,25 @@
 #include "Judge.h"
 
 #include <algorithm>
+#include <iterator>
+
+namespace {
+
+constexpr uint64_t Tally::*Counts[] = {&Tally::damaged,  &Tally::intact,  &Tally::missed,   &Tally::wrong, &Tally::late,
+                                       &Tally::tooYoung, &Tally::altered, &Tally::disturbed, &Tally::joined, &Tally::outlived};
+
+}  // namespace
 
 Tally &Tally::operator+=(const Tally &other) {
-  for (const auto count : {&Tally::damaged, &Tally::intact, &Tally::missed, &Tally::wrong, &Tally::late,
-                           &Tally::altered, &Tally::disturbed}) {
+  for (const auto count : Counts) {
     this->*count += other.*count;
   }
   return *this;
+}
+
+bool Tally::operator==(const Tally &other) const {
+  return std::all_of(std::begin(Counts), std::end(Counts),
+                     [&](uint64_t Tally::*count) { return this->*count == other.*count; });
 }
 
 void Judge::sent(const SentFrame &frame) {
@@ -51,7 +63,7 @@ bool Judge::isThat(const uint8_t *frame, const LongFrame &sent) const {
   return std::equal(frame + 1, frame + flags, sent.begin() + 1) && ((frame[flags] ^ sent[flags]) & _flagsMask) == 0;
 }
 
-void Judge::given(const uint8_t *frame, uint64_t position) {
+void Judge::given(const uint8_t *frame, uint64_t position, uint64_t sinceUs) {
   // The newest first: of frames that are alike it is the best that can be said for a receiver.
   for (size_t i = _entries.size(); i-- > 0;) {
     Entry &entry = _entries[i];
@@ -59,12 +71,15 @@ void Judge::given(const uint8_t *frame, uint64_t position) {
         isThat(frame, entry.frame.bytes)) {
       entry.given = true;
       _firstGiven = std::min(_firstGiven, entry.number);
+      _tally.joined += entry.number >= _joinedFrom;
       _tally.altered += entry.frame.altered;
+      _tally.tooYoung += entry.frame.endUs <= sinceUs;
       _tally.late += entry.frame.after <= _hadBefore && entry.frame.straight && i != 0 && _entries[i - 1].given;
       return;
     }
   }
   _tally.wrong++;
+  _tally.outlived += _gap;
 }
 
 Tally Judge::finish() {

@@ -12,10 +12,14 @@ struct Tally {
   uint64_t missed = 0;     // of these: never given to the sketch
   uint64_t wrong = 0;      // given to the sketch, but never on the line as a frame, at its true place
   uint64_t late = 0;       // in lock, and given later than at the first poll that had its last byte
+  uint64_t tooYoung = 0;   // given with an age below the time since its last character was through
   uint64_t altered = 0;    // damaged, and given: all its characters were there, and it looked like a frame
   uint64_t disturbed = 0;  // characters in pauses, and blocked loops
+  uint64_t joined = 0;     // intact, begun after a cut's end, and given
+  uint64_t outlived = 0;   // wrong, and given after a gap that can be seen: false sync should have ended there
 
   Tally &operator+=(const Tally &other);
+  bool operator==(const Tally &other) const;
 
   // What a loss is held against.
   uint64_t damages() const { return damaged + disturbed; }
@@ -41,12 +45,18 @@ class Judge {
   // The receiver takes it that the port has lost characters.
   void broken();
 
+  // Frames that have begun before are not counted as joined.
+  void countJoinedFrom(uint64_t number) { _joinedFrom = number; }
+
+  // A gap that a receiver can see has been on the line since it was joined.
+  void gap() { _gap = true; }
+
   // A poll begins, and has all characters before `position`.
   void poll(uint64_t position);
 
-  // The sketch has been given `frame` when it had read all characters before `position`. Header and end byte are not
-  // looked at.
-  void given(const uint8_t *frame, uint64_t position);
+  // The sketch has been given `frame` when it had read all characters before `position`. By the age that it was told, the
+  // frame's last character was through after `sinceUs`. Header and end byte are not looked at.
+  void given(const uint8_t *frame, uint64_t position, uint64_t sinceUs = 0);
 
   // The sum.
   Tally finish();
@@ -70,6 +80,8 @@ class Judge {
   std::deque<Entry> _entries;
   uint64_t _sent = 0;
   uint64_t _firstGiven = UINT64_MAX;  // number of the frame
+  uint64_t _joinedFrom = 0;
+  bool _gap = false;
   bool _broken = false;  // since the newest frame began
   bool _lastSettledGiven = false;
   uint64_t _had = 0;        // the newest poll has, or has read, all characters before this

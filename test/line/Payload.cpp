@@ -1,6 +1,7 @@
 #include "Payload.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "support/KnownFrames.h"
 #include <sbus/Frame.h>
@@ -8,8 +9,9 @@
 namespace {
 
 constexpr const char *Names[] = {"uniform", "smooth",   "neutral", "still",  "equal",   "zeros",
-                                 "CH16 low", "failsafe", "0F/00",   "all 0F", "shifted", "shifted still"};
+                                 "CH16 low", "failsafe", "0F/00",   "all 0F", "shifted", "shifted still", "other end"};
 
+constexpr uint8_t OtherEnds[] = {0x04, 0x14, 0x24, 0x34, 0x08};
 constexpr uint16_t EqualValues[] = {0, 992, 1024};
 
 }  // namespace
@@ -30,7 +32,8 @@ const std::vector<Payload> &deceptiveSticks() {
   return sticks;
 }
 
-PayloadFrames::PayloadFrames(Payload sticks, Random &random) : _sticks(sticks), _random(random) {
+PayloadFrames::PayloadFrames(Payload sticks, Random &random, unsigned place)
+    : _sticks(sticks), _random(random), _fixedPlace(place) {
   std::generate_n(_channels.begin(), sbus::ProportionalCount,
                   [this] { return static_cast<uint16_t>(_random.below(2048)); });
 }
@@ -40,8 +43,8 @@ Frame PayloadFrames::next() {
     change();
   }
   _number++;
-  move();
-  Frame frame = packed();
+  Frame frame{};
+  frame[0] = sbus::HeaderByte;
   switch (_sticks) {
     case Payload::Uniform:
       frame = anyFrame();
@@ -50,22 +53,22 @@ Frame PayloadFrames::next() {
     case Payload::Smooth:
     case Payload::Zeros:
     case Payload::LowChannel16:
-      break;
+      move();
+      return packed();
     case Payload::Neutral:
       return Neutral.bytes;
     case Payload::Still:
     case Payload::Equal:
     case Payload::ShiftedStill:
+    case Payload::OtherEnd:
       return _still;
     case Payload::Failsafe:
       return FailsafeFrame;
     case Payload::Of0FAnd00:
       std::generate_n(frame.begin() + 1, 22, [this] { return _random.chance(0.5) ? sbus::HeaderByte : uint8_t{0}; });
-      frame[sbus::FlagsIndex] = 0;
       break;
     case Payload::All0F:
       std::fill_n(frame.begin(), sbus::FlagsIndex, sbus::HeaderByte);
-      frame[sbus::FlagsIndex] = 0;
       break;
     case Payload::Shifted:
       frame = anyFrame();
@@ -77,10 +80,10 @@ Frame PayloadFrames::next() {
 
 // What stands still takes other values.
 void PayloadFrames::change() {
-  _place = 3 + _random.below(19);
+  _place = _fixedPlace != 0 ? _fixedPlace : 2 + _random.below(22);
   _zeros = _random.below(1u << 16) & _random.below(1u << 16);
   _still = anyFrame();
-  if (_sticks == Payload::ShiftedStill) {
+  if (_sticks == Payload::ShiftedStill || _sticks == Payload::OtherEnd) {
     disguise(_still);
   } else if (_sticks == Payload::Equal) {
     const uint32_t which = _random.below(4);
@@ -97,10 +100,13 @@ Frame PayloadFrames::anyFrame() {
   return frame;
 }
 
-// Flags, end byte and header in the payload: the bytes from there to the next frame's same place look like a frame.
+// Flags, end byte and header: the bytes from there to the next frame's same place look like a frame. At place 2 the frame's
+// own header serves as flags, and at place 23 its flags as header.
 void PayloadFrames::disguise(Frame &frame) {
-  frame[_place - 2] = static_cast<uint8_t>(_random.below(4));
-  frame[_place - 1] = 0;
+  if (_place > 2) {
+    frame[_place - 2] = static_cast<uint8_t>(_random.below(4));
+  }
+  frame[_place - 1] = _sticks == Payload::OtherEnd ? OtherEnds[_random.below(std::size(OtherEnds))] : uint8_t{0};
   frame[_place] = sbus::HeaderByte;
 }
 

@@ -21,8 +21,9 @@ enum class Payload {
   Failsafe,      // a receiver's failsafe frame: from its flags on to those of the next all is well
   Of0FAnd00,     // every payload byte is a header or an end byte
   All0F,         // every payload byte is a header
-  Shifted,       // the payload looks like a whole frame at another place; moving
-  ShiftedStill,  // the same, standing still
+  Shifted,       // has a second reading: looks like a frame from another place on; moving
+  ShiftedStill,  // likewise, standing still
+  OtherEnd,      // likewise, and the second reading has the end byte of another line variant
 };
 
 const char *name(Payload sticks);
@@ -33,7 +34,9 @@ const std::vector<Payload> &deceptiveSticks();
 // Makes frames with end byte 00. Of the moving ones 2 % carry flags, any.
 class PayloadFrames {
  public:
-  PayloadFrames(Payload sticks, Random &random);
+  // `place`: where the second reading of a shifted one begins, 2 to 23 (at the flags, which are 0F then); 0: anywhere, and
+  // now and then elsewhere.
+  PayloadFrames(Payload sticks, Random &random, unsigned place = 0);
   Frame next();
 
  private:
@@ -48,8 +51,9 @@ class PayloadFrames {
 
   const Payload _sticks;
   Random &_random;
+  const unsigned _fixedPlace;
   unsigned _number = 0;
-  unsigned _place = 0;  // of the header in the payload, if shifted
+  unsigned _place = 0;  // of the header of the second reading, if shifted
   unsigned _zeros = 0;  // bits: these channels stand at 0
   Channels _channels{};
   Frame _still{};

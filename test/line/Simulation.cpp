@@ -3,87 +3,9 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "support/UartPort.h"
-
-#include "support/PaperDecoder.h"
-
-#include <DecodeSBus.h>
+#include "Receivers.h"
 
 namespace {
-
-// Ways of receiving. newFrame(): since the last call, and so newExtra(). Judged are the frames, not the link: failsafe is
-// then the frame's own, and one that waited while loop() was blocked for longer than the timeout is still read.
-template <typename Decoder, typename Format, unsigned Mask>
-class OursOf {
- public:
-  static constexpr unsigned Size = Format::Size, FlagsMask = Mask;
-
-  explicit OursOf(HardwareSerial &port) : _sbus(port) {
-    _sbus.setLossLimit(0);
-    _sbus.setTimeout(0);
-  }
-  void begin(unsigned long baud) { _sbus.begin(baud); }
-  void parse() { _sbus.parseSBusFrame(); }
-  bool newFrame(LongFrame &frame) {
-    if (!_sbus.newFrame()) {
-      return false;
-    }
-    LongChannels channels{};
-    bool failsafe = false;
-    bool lostFrame = false;
-    _sbus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
-    Format::pack(frame.data(), channels.data(), failsafe, lostFrame);
-    return true;
-  }
-  bool newExtra(LongFrame &) { return false; }
-  uint32_t breaks() const { return _sbus.counters().overflows; }
-
- protected:
-  Decoder _sbus;
-};
-
-class Ours : public OursOf<DecodeSBus, sbus::Frame16, 0x0F> {
- public:
-  using OursOf::OursOf;
-  bool newExtra(LongFrame &frame) {
-    const uint32_t count = _sbus.counters().extraFrames;
-    Channels channels{};
-    if (count == _extras || !_sbus.decodeExtraChannels(channels.data())) {
-      return false;
-    }
-    _extras = count;
-    sbus::pack(frame.data(), channels.data(), false, false);
-    return true;
-  }
-
- private:
-  uint32_t _extras = 0;
-};
-
-using Ours24 = OursOf<DecodeSBus24, sbus::Frame24, 0x0C>;
-
-class Papers {
- public:
-  static constexpr unsigned Size = sbus::FrameSize, FlagsMask = 0x0F;
-
-  explicit Papers(HardwareSerial &port) : _paper(port) {}
-  void begin(unsigned long baud) { _paper.begin(baud); }
-  void parse() { _paper.parseSBusFrame(); }
-  bool newFrame(LongFrame &frame) {
-    if (_paper.frames() == _seen) {
-      return false;
-    }
-    _seen = _paper.frames();
-    std::copy_n(_paper.frame(), Size, frame.begin());
-    return true;
-  }
-  bool newExtra(LongFrame &) { return false; }
-  uint32_t breaks() const { return 0; }
-
- private:
-  PaperDecoder _paper;
-  uint32_t _seen = 0;
-};
 
 template <typename Receiver>
 class Simulation {
@@ -92,10 +14,13 @@ class Simulation {
       : _run(run),
         _random(seed),
         _beginUs(MicrosWrap - randomUs(std::min(run.line.frames * run.setup.periodUs, MicrosWrap / 2))),
-        _line(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + 20000 + randomUs(9000), _random),
+        _line(run.line, run.joining ? _beginUs - run.joinUs : _beginUs + run.silenceUs + randomUs(9000), _random),
         _port(run.line.baud, run.setup.driver, run.setup.buffer, [this] { takeFrame(); }),
-        _judge(learning(run.setup), Receiver::Size, Receiver::FlagsMask),
-        _extraJudge(learning(run.setup), Receiver::Size, 0) {}
+        _judge(Learning, Receiver::Size, Receiver::FlagsMask),
+        _extraJudge(Learning, Receiver::Size, 0),
+        _joinedUs(run.joining ? _beginUs : _line.joinedUs()) {
+    _judge.countJoinedFrom(run.line.cut.toFrame + 1);
+  }
 
   Tally run() {
     fakeMicros = _beginUs;
@@ -104,10 +29,9 @@ class Simulation {
     do {
       loop();
       receive();
-      if (_port.available() > 0) {
-        poll();
-      }
-    } while (!_line.finished(fakeMicros) || fakeMicros < _lastEndUs + 50000);
+      call();
+      passSilence();
+    } while (_nextUs != UINT64_MAX || !isSilent());
     Tally tally = _judge.finish();
     if constexpr (std::is_same<Receiver, Ours>::value) {
       Tally extra = _extraJudge.finish();
@@ -119,11 +43,6 @@ class Simulation {
   }
 
  private:
-  // How many frames the first six polls and two more take, at most.
-  static uint64_t learning(const Setup &setup) {
-    return 2 + 6 * std::max<uint64_t>(setup.loopUs, setup.periodUs) / setup.periodUs;
-  }
-
   uint64_t randomUs(uint64_t limitUs) { return _random.below(static_cast<uint32_t>(limitUs)); }
 
   void loop() {
@@ -135,28 +54,71 @@ class Simulation {
       return;
     }
     fakeMicros += _run.inStep ? periodUs : periodUs * 9 / 10 + randomUs(periodUs / 5 + 1);
-    // Loops in which nothing can come are not worth the time.
-    if (!_line.finished(fakeMicros) && fakeMicros >= _lastEndUs + 5 * _characterUs + 2 * periodUs) {
-      const uint64_t nextUs = std::min(_line.nextUs(), _nextBlockUs);
-      if (nextUs > fakeMicros + periodUs) {
-        fakeMicros += (nextUs - fakeMicros) / periodUs * periodUs;
-      }
+  }
+
+  // Every driver has handed over what came, and a call has found nothing.
+  bool isSilent() const { return _emptyLoops > 0 && fakeMicros >= _lastEndUs + LongestIdle * _characterUs; }
+
+  // All loops up to the last one before the next character, or a block. Each takes exactly the loop period.
+  void passSilence() {
+    if (_nextUs == UINT64_MAX || !isSilent()) {
+      return;
+    }
+    const uint64_t untilUs = std::min(_nextUs, _nextBlockUs);
+    const uint64_t loops = untilUs > fakeMicros ? (untilUs - 1 - fakeMicros) / _run.setup.loopUs : 0;
+    for (uint64_t i = _run.everyLoop || loops == 0 ? 0 : loops - 1; i < loops; i++) {
+      fakeMicros += (_run.everyLoop ? 1 : loops) * _run.setup.loopUs;
+      call();
     }
   }
 
   void receive() {
-    line::Character character;
-    while (_line.next(fakeMicros, character)) {
+    while (_nextUs <= fakeMicros) {
+      line::Character character;
+      _line.next(fakeMicros, character);
       for (SentFrame frame; _line.nextSent(frame);) {
         (frame.extra ? _extraJudge : _judge).sent(frame);
       }
+      _nextUs = _line.nextUs();
       if (character.endUs < _beginUs + _characterUs && !character.bad) {
         lose(1);
       }
+      _beforeJoin += character.endUs < _joinedUs + _characterUs && !character.bad;
       _port.receive(character);
       _lastEndUs = character.endUs;
     }
-    _port.advance(fakeMicros);
+    _port.advance(std::min(fakeMicros, _nextUs - _characterUs));  // then it is no longer idle
+  }
+
+  void call() {
+    if (_port.available() > 0) {
+      _emptyLoops = 0;
+      const bool gap = isGap();
+      poll();
+      if (gap) {
+        _judge.gap();  // a frame that ended there was given by now
+      }
+      return;
+    }
+    _emptyLoops++;
+    _lastEmptyUs = fakeMicros;
+    if (Receiver::PollsInLoop && _run.setup.polling == Polling::InLoop) {
+      _receiver.parse();
+      takeFrame();
+    }
+  }
+
+  // What the bytes that now wait are sure to have before them: silence from the last call that found some to the last that
+  // found none, less what a driver may hold back. More than two characters of it are a gap, up to a silence that is longer
+  // than any frame period. It lies between characters if some were found since the line was joined.
+  bool isGap() {
+const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
+    const auto found = static_cast<uint64_t>(_port.available());
+    const uint64_t burst = std::min<uint64_t>(sbus::Frame16::spread(static_cast<unsigned>(found)) + idle + 2,
+                                              sbus::Frame16::LongestSpread);
+    const uint64_t silentUs = _lastEmptyUs > _lastFoundUs ? _lastEmptyUs - _lastFoundUs : 0;
+    _lastFoundUs = fakeMicros;
+    return position() > _beforeJoin && silentUs > burst * _characterUs && silentUs < LongestPeriodUs;
   }
 
   void poll() {
@@ -180,7 +142,7 @@ class Simulation {
       _extraJudge.given(frame.data(), position());
     }
     if (_receiver.newFrame(frame)) {
-      _judge.given(frame.data(), position());
+      _judge.given(frame.data(), position(), fakeMicros - std::min(fakeMicros, _receiver.youngerThanUs()));
     }
   }
 
@@ -192,18 +154,30 @@ class Simulation {
     _lost += characters;
   }
 
+  static constexpr uint64_t Learning = 4;            // frames
+  static constexpr uint64_t LongestIdle = 5;         // characters; no driver waits longer
+  static constexpr uint64_t HeldBack = 4;            // idle characters for which a receiver takes it that a driver waits
+  static constexpr uint64_t LongestBurst = 17;       // characters, likewise
+  static constexpr uint64_t LongestPeriodUs = 50000;
+
   const Run _run;
   const uint32_t _characterUs = _run.line.characterUs();
   Random _random;
   const uint64_t _beginUs;  // such that micros() wraps during the run
   DamagedLine _line;
   UartPort _port;
-  Receiver _receiver{_port};
+  Receiver _receiver = _run.setup.driver.isBoards() ? Receiver(static_cast<BoardsPort &>(_port)) : Receiver(_port);
   Judge _judge;
   Judge _extraJudge;  // of frames with header 2F
+  uint64_t _nextUs = _line.nextUs();  // when the line's next character will be through
+  const uint64_t _joinedUs;
+  uint64_t _beforeJoin = 0;  // characters
+  uint64_t _lastEmptyUs = 0;
+  uint64_t _lastFoundUs = 0;
   uint64_t _nextBlockUs = 0;
   uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;
+  uint64_t _emptyLoops = 0;  // since the last one that found bytes
   uint64_t _lost = 0;
   uint64_t _droppedFull = 0;
 };

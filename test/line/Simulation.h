@@ -1,19 +1,11 @@
 // Runs a decoder on a simulated line, after a port's driver, inside a simulated sketch.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
-#include "Judge.h"
 #include "DamagedLine.h"
-#include "support/Driver.h"
-
-struct Setup {
-  uint32_t periodUs;
-  uint32_t loopUs;
-  Driver driver = Board;
-  size_t buffer = 64;
-};
+#include "Judge.h"
+#include "Setup.h"
 
 struct Run {
   Transmission line{};  // its period is the setup's
@@ -25,11 +17,14 @@ struct Run {
   uint32_t blockEveryUs = 0;
   bool joining = false;      // the port is opened so long after the line's first frame has begun
   uint32_t joinUs = 0;
+  uint32_t silenceUs = 20000;  // else so long before, and up to 9 ms longer
+  bool everyLoop = false;    // also those in a silence that change nothing
 };
 
 enum class Decoder { Ours, Papers };
 
-// It is called after a loop if bytes wait, as from serialEvent1().
+// In a silence only the first call and the last before the next character are made: a receiver learns no more from those
+// in between. The paper's decoder is polled by events.
 // Of a line with Futaba's further channels (Kind::With2F) the tally is that of both kinds of frames; late are those with
 // header 0F only: the others wait for what follows them.
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed);

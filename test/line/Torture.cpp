@@ -5,15 +5,43 @@
 //   FULL=1      one row for each line, setup and kind of sticks
 //   SUMMARY=1   only the receiver, sums only, FRAMES=1000 unless told
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "Conditions.h"
+#include "Company.h"
+#include "Joins.h"
 #include "Settings.h"
 
 namespace {
 
 uint64_t frames = 0;
+
+struct Row {
+  std::string name;
+  std::vector<Setup> setups;
+  std::vector<Payload> sticks;
+  std::function<Tally(const Setup &setup, Payload sticks, Decoder decoder)> torture;
+};
+
+Row rowOf(const Condition &condition) {
+  return {condition.name, condition.setups, condition.sticks(),
+          [&condition](const Setup &setup, Payload sticks, Decoder decoder) {
+            return torture(condition, setup, sticks, decoder, frames, seedOfAll());
+          }};
+}
+
+// Here a damage is a join, and one of which no frame was given is missed.
+Row rowOf(const JoinLine &line) {
+  return {line.name, line.setups, JoinLine::sticks(),
+          [&line](const Setup &setup, Payload sticks, Decoder decoder) {
+            const JoinTally joins = torture(line, setup, sticks, decoder, joinStride(frames), seedOfAll());
+            Tally tally = joins.frames;
+            tally.damaged = joins.joins;
+            tally.missed = joins.unseen;
+            return tally;
+          }};
+}
 
 // "0.0003", or a plain count if there is nothing to hold it against.
 std::string perDamage(uint64_t count, const Tally &tally) {
@@ -45,11 +73,11 @@ struct Column {
   Tally worst;
   Payload worstSticks = Payload::Neutral;
 
-  Column(const Condition &condition, Decoder decoder) {
-    for (const Payload sticks : condition.sticks()) {
+  Column(const Row &row, Decoder decoder) {
+    for (const Payload sticks : row.sticks) {
       Tally tally;
-      for (const Setup &setup : condition.setups) {
-        tally += torture(condition, setup, sticks, decoder, frames, seedOfAll());
+      for (const Setup &setup : row.setups) {
+        tally += row.torture(setup, sticks, decoder);
       }
       sum += tally;
       // missed / damages, without a division by 0
@@ -65,28 +93,28 @@ struct Column {
   }
 };
 
-void printWorst(const Condition &condition) {
-  const Column ours(condition, Decoder::Ours);
-  const Column papers(condition, Decoder::Papers);
-  printRow({condition.name, std::to_string(ours.sum.damages()), ours.missed(), std::to_string(ours.sum.wrong),
-            std::to_string(ours.sum.late), std::to_string(ours.sum.altered), papers.missed(),
-            std::to_string(papers.sum.wrong)});
+void printWorst(const Row &row) {
+  const Column ours(row, Decoder::Ours);
+  const Column papers(row, Decoder::Papers);
+  printRow({row.name, std::to_string(ours.sum.damages()), ours.missed(), std::to_string(ours.sum.wrong),
+            std::to_string(ours.sum.late), std::to_string(ours.sum.tooYoung), std::to_string(ours.sum.altered),
+            papers.missed(), std::to_string(papers.sum.wrong)});
 }
 
-void printSum(const Condition &condition) {
-  const Tally sum = Column(condition, Decoder::Ours).sum;
-  printRow({condition.name, std::to_string(sum.damages()), std::to_string(sum.missed), std::to_string(sum.wrong),
-            std::to_string(sum.late)});
+void printSum(const Row &row) {
+  const Tally sum = Column(row, Decoder::Ours).sum;
+  printRow({row.name, std::to_string(sum.damages()), std::to_string(sum.missed), std::to_string(sum.wrong),
+            std::to_string(sum.late), std::to_string(sum.tooYoung)});
 }
 
-void printAll(const Condition &condition) {
-  for (const Setup &setup : condition.setups) {
-    for (const Payload sticks : condition.sticks()) {
-      std::vector<std::string> cells = {condition.name, name(setup), name(sticks)};
+void printAll(const Row &row) {
+  for (const Setup &setup : row.setups) {
+    for (const Payload sticks : row.sticks) {
+      std::vector<std::string> cells = {row.name, name(setup), name(sticks)};
       for (const Decoder decoder : {Decoder::Ours, Decoder::Papers}) {
-        const Tally tally = torture(condition, setup, sticks, decoder, frames, seedOfAll());
+        const Tally tally = row.torture(setup, sticks, decoder);
         for (const uint64_t count :
-             {tally.damages(), tally.intact, tally.missed, tally.wrong, tally.late, tally.altered}) {
+             {tally.damages(), tally.intact, tally.missed, tally.wrong, tally.late, tally.tooYoung, tally.altered}) {
           cells.push_back(std::to_string(count));
         }
       }
@@ -104,12 +132,17 @@ int main() {
   frames = framesPerCase(summary ? 1000 : 10000);
   const uint64_t seed = seedOfAll();
 
-  std::vector<Condition> chosen;
-  for (const Condition &condition : conditions()) {
-    if (only == nullptr || condition.name.find(only) != std::string::npos) {
-      chosen.push_back(condition);
+  std::vector<Row> chosen;
+  const auto choose = [&](const auto &lines) {
+    for (const auto &line : lines) {
+      if (only == nullptr || line.name.find(only) != std::string::npos) {
+        chosen.push_back(rowOf(line));
+      }
     }
-  }
+  };
+  choose(conditions());
+  choose(companyLines());
+  choose(joinLines());
   if (chosen.empty()) {
     std::fprintf(stderr, "ONLY=%s: no line has this in its name\n", only);
     return 2;
@@ -117,18 +150,19 @@ int main() {
   std::printf("seed %llu, %llu frames of each line, setup and kind of sticks\n\n",
               static_cast<unsigned long long>(seed), static_cast<unsigned long long>(frames));
   if (summary) {
-    printHeading({"line", "damaged", "missed", "wrong", "late"});
+    printHeading({"line", "damaged", "missed", "wrong", "late", "too young"});
   } else if (full) {
-    printHeading({"line", "setup", "sticks", "damaged", "intact", "missed", "wrong", "late", "altered, handed over",
-                  "the paper's: damaged", "intact", "missed", "wrong", "late", "altered, handed over"});
+    printHeading({"line", "setup", "sticks", "damaged", "intact", "missed", "wrong", "late", "too young",
+                  "altered, handed over", "the paper's: damaged", "intact", "missed", "wrong", "late", "too young",
+                  "altered, handed over"});
   } else {
-    printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "altered, handed over",
+    printHeading({"line", "damaged", "missed per damaged", "wrong", "late", "too young", "altered, handed over",
                   "the paper's: missed per damaged", "wrong"});
   }
   size_t number = 0;
-  for (const Condition &condition : chosen) {
-    std::fprintf(stderr, "%zu of %zu: %s\n", ++number, chosen.size(), condition.name.c_str());
-    (summary ? printSum : full ? printAll : printWorst)(condition);
+  for (const Row &row : chosen) {
+    std::fprintf(stderr, "%zu of %zu: %s\n", ++number, chosen.size(), row.name.c_str());
+    (summary ? printSum : full ? printAll : printWorst)(row);
   }
   return 0;
 }

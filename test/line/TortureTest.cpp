@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <string>
 
-#include "Conditions.h"
+#include "Company.h"
+#include "Joins.h"
 #include "Settings.h"
 
 namespace {
 
 // So many frames of each condition, setup and kind of sticks.
-constexpr uint64_t Frames = 10000;
+constexpr uint64_t Frames = 5000;
 
 Tally sumOf(const Condition &condition, const std::vector<Payload> &group) {
   const std::vector<Payload> all = condition.sticks();
@@ -33,10 +34,30 @@ void hold(const Condition &condition, const std::vector<Payload> &group, const L
   const auto base = static_cast<double>(sum.damages() != 0 ? sum.damages() : sum.intact);
   CHECK(static_cast<double>(sum.missed) <= limits.missed * base);
   CHECK(static_cast<double>(sum.wrong) <= limits.wrong * base);
-  CHECK(sum.late == 0);
+  CHECK(sum.late <= (sum.damages() == 0 ? 0 : sum.intact / 20000));  // noise makes a place uncertain: then a frame may wait
+  CHECK(sum.tooYoung == 0);
   if (condition.name.find("clean") != std::string::npos) {
     CHECK(sum.damages() == 0);
   }
+}
+
+void hold(const Condition &condition) {
+  hold(condition, ordinarySticks(), condition.ordinary);
+  hold(condition, deceptiveSticks(), condition.deceptive);
+}
+
+void hold(const JoinLine &line, Payload sticks) {
+  INFO(line.name, ", ", std::string(name(sticks)), ", seed ", seedOfAll(), "; ", std::string(line.reason));
+  JoinTally sum;
+  for (const Setup &setup : line.setups) {
+    sum += torture(line, setup, sticks, Decoder::Ours, joinStride(framesPerCase(Frames)), seedOfAll());
+  }
+  INFO(sum.joins, " joins, ", sum.frames.wrong, " frames that were never sent");
+  const auto joins = static_cast<double>(sum.joins);
+  CHECK(static_cast<double>(sum.misled) <= line.misled * joins);
+  CHECK(static_cast<double>(sum.unseen) <= line.unseen * joins);
+  CHECK(sum.frames.outlived <= 1);  // of all setups; a frame that had waited may be handed over behind the gap
+  CHECK(sum.frames.tooYoung == 0);
 }
 
 // A line as issue 3 describes it for other receivers.
@@ -51,8 +72,35 @@ Tally papers(const char *condition, Payload sticks) {
 
 TEST_CASE("every line keeps its bounds") {
   for (const Condition &condition : conditions()) {
-    hold(condition, ordinarySticks(), condition.ordinary);
-    hold(condition, deceptiveSticks(), condition.deceptive);
+    hold(condition);
+  }
+}
+
+TEST_CASE("no frame is missed or wrong for telemetry, stray characters, delays, or a loose connector") {
+  for (const Condition &condition : companyLines()) {
+    hold(condition);
+  }
+}
+
+TEST_CASE("a receiver that joins anywhere gives no frame that was never sent, and false sync ends at the next gap seen") {
+  for (const JoinLine &line : joinLines()) {
+    for (const Payload sticks : JoinLine::sticks()) {
+      hold(line, sticks);
+    }
+  }
+}
+
+TEST_CASE("the calls of a silence that the simulation leaves out change nothing") {
+  for (const Condition &condition : conditions()) {
+    Condition complete = condition;
+    complete.run.everyLoop = true;
+    for (const Payload sticks : {condition.sticks().front(), condition.sticks().back()}) {
+      for (const Setup &setup : condition.setups) {
+        INFO(condition.name, ", ", name(setup), ", ", std::string(name(sticks)), ", seed ", seedOfAll());
+        CHECK(torture(condition, setup, sticks, Decoder::Ours, 50, seedOfAll()) ==
+              torture(complete, setup, sticks, Decoder::Ours, 50, seedOfAll()));
+      }
+    }
   }
 }
 

@@ -1,0 +1,102 @@
+#include "Company.h"
+
+#include <initializer_list>
+
+#include "Runs.h"
+
+namespace {
+
+constexpr uint64_t Most = 500;  // frames
+constexpr const char *Doubtful = "a frame with a second reading is in doubt where other characters touch it";
+constexpr Limits Touched = {5e-4, 0, Doubtful};
+constexpr Limits NeverWrong = {NotBound, 0, Doubtful};
+constexpr const char *First = "the first of a line, and such as have a second reading until a gap is seen";
+constexpr Limits AtFirst = {1e-4, 0, First};
+constexpr Limits InDoubt = {0.25, 5e-5, First};
+
+// Every driver, and loops up to the longest that parseSBusFrame() allows.
+std::vector<Setup> setups(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs) {
+  std::vector<Setup> setups;
+  for (const Driver &driver : {Board, ByteByByte, Fifo, Esp32Told}) {
+    for (const uint32_t periodUs : periodsUs) {
+      for (const uint32_t loopUs : loopsUs) {
+        setups.push_back({periodUs, loopUs, driver, driver.isBoards() ? 64u : 256u});
+      }
+    }
+  }
+  return setups;
+}
+
+const std::vector<Setup> &sbus2() {
+  static const std::vector<Setup> list = setups({15000}, {50, 1000, 2000, 3100, 4000, 4900});
+  return list;
+}
+// Here every gap between frames is seen.
+const std::vector<Setup> &gaps() {
+  static const std::vector<Setup> list = [] {
+    std::vector<Setup> all = setups({9000}, {50, 1000});
+    const std::vector<Setup> slower = setups({15000}, {50, 1000, 3000, 5000});
+    all.insert(all.end(), slower.begin(), slower.end());
+    return all;
+  }();
+  return list;
+}
+const std::vector<Setup> &quick() {
+  static const std::vector<Setup> list = setups({7000, 9000, 14000}, {20, 50});
+  return list;
+}
+
+Run late(int32_t us) {
+  Run run = slotsBehindEach(2);
+  run.line.company.lateUs = us;
+  return run;
+}
+Run ofOtherGroup() {
+  Run run = slotsBehindEach(2);
+  run.line.company.group = 1;
+  return run;
+}
+Run before(int stray) {
+  Run run;
+  run.line.company.strayBefore = stray;
+  return run;
+}
+Run behind(int stray) {
+  Run run;
+  run.line.company.strayBehind = stray;
+  return run;
+}
+
+Condition company(const char *name, const Run &run, const std::vector<Setup> &setups) {
+  return {name, run, setups, AtFirst, InDoubt, {}, Most};
+}
+Condition stray(const char *name, const Run &run) {
+  return {name, run, gaps(), Touched, NeverWrong, {}, Most};
+}
+
+}  // namespace
+
+const std::vector<Condition> &companyLines() {
+  static const std::vector<Condition> list = {
+      company("S.BUS2, 1 slot behind 04", slots(1), sbus2()),
+      company("S.BUS2, 2 slots behind 04", slots(2), sbus2()),
+      company("S.BUS2, 8 slots behind 04", slots(8), sbus2()),
+      company("S.BUS2, 1 slot behind each frame", slotsBehindEach(1), sbus2()),
+      company("S.BUS2, 2 slots behind each frame", slotsBehindEach(2), sbus2()),
+      company("S.BUS2, 8 slots behind each frame", slotsBehindEach(8), sbus2()),
+      company("S.BUS2, 2 slots behind each frame, 0.5 ms late", late(500), sbus2()),
+      company("S.BUS2, 2 slots behind each frame, 1 ms early", late(-1000), sbus2()),
+      company("S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()),
+      company("FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), setups({6300}, {50, 1000, 2000, 3000})),
+      stray("a character 00 straight behind each frame", behind(0)),
+      stray("any character straight behind each frame", behind(Company::AnyStray)),
+      stray("a character 00 straight before each frame", before(0)),
+      stray("any character straight before each frame", before(Company::AnyStray)),
+      company("delay of 1 to 5 ms every 31 ms", blocked(1, 5, 31), quick()),
+      company("delay of 1 to 5 ms every 97 ms", blocked(1, 5, 97), quick()),
+      company("unplugged for 1 period, again at the same character", cut(1), gaps()),
+      company("unplugged for 3 periods, again at the same character", cut(3), gaps()),
+      company("unplugged for 9 periods, again at the same character", cut(9), gaps()),
+  };
+  return list;
+}

@@ -1,0 +1,48 @@
+// A receiver that is plugged in, or begins to listen, while frames go over the line: does it take the middle of two for one?
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "Simulation.h"
+
+enum class Join {
+  AtBegin,        // begin() while the line runs
+  AfterSilence,   // plugged in after begin()
+  AfterCut,       // in sync for 20 frames, unplugged, and plugged in again
+  SameCharacter,  // likewise, at the character at which it was unplugged
+  InStep,         // as AtBegin, and the loop stands still against the frames
+};
+
+// One way to join, and the bounds, of all joins, for each kind of sticks.
+struct JoinLine {
+  std::string name;
+  Join join;
+  std::vector<Setup> setups;
+  double misled;
+  double unseen;
+  const char *reason = "";
+  Kind kind = Kind::Plain;
+
+  // Frames with a second reading.
+  static const std::vector<Payload> &sticks();
+};
+
+const std::vector<JoinLine> &joinLines();
+
+// What came of a number of joins, with 30 frames each.
+struct JoinTally {
+  uint64_t joins = 0;
+  uint64_t misled = 0;  // joins at which a frame was given that was never sent
+  uint64_t unseen = 0;  // joins of which no frame was given that began after them
+  Tally frames{};
+
+  JoinTally &operator+=(const JoinTally &other);
+};
+
+// With second readings at each place, joined at each character, or at one of `stride`.
+JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride, uint64_t seed);
+
+// Of lines with so many frames a case.
+unsigned joinStride(uint64_t frames);

@@ -1,0 +1,94 @@
+// What lines and sketches of the bench are made of.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "Simulation.h"
+
+constexpr unsigned long FastBaud = 200000;
+
+inline Run plain() {
+  return {};
+}
+inline Run of(Kind kind) {
+  Run run;
+  run.line.kind = kind;
+  return run;
+}
+inline Run with(double Impairments::*impairment, double probability, Kind kind = Kind::Plain) {
+  Run run = of(kind);
+  run.line.impairments.*impairment = probability;
+  return run;
+}
+inline Run dropped(double probability, Kind kind = Kind::Plain) {
+  return with(&Impairments::dropped, probability, kind);
+}
+// S.BUS2: so many slots behind 04, or behind each frame.
+inline Run slots(unsigned count, Run run = plain()) {
+  run.line.kind = Kind::Sbus2;
+  run.line.company.slots = count;
+  return run;
+}
+inline Run slotsBehindEach(unsigned count) {
+  Run run = slots(count);
+  run.line.company.afterEach = true;
+  return run;
+}
+inline Run noise(double probability) {
+  return with(&Impairments::noise, probability);
+}
+inline Run stopping() {
+  Run run;
+  run.line.stopEvery = 20;
+  return run;
+}
+inline Run inStep() {
+  Run run;
+  run.inStep = true;
+  return run;
+}
+// Some receivers take 4 ms for a frame.
+inline Run spread() {
+  Run run;
+  run.line.spreadUs = 40;
+  return run;
+}
+inline Run joined() {
+  Run run;
+  run.joining = true;
+  return run;
+}
+inline Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
+  Run run;
+  run.blockFromUs = 1000 * fromMs;
+  run.blockToUs = 1000 * toMs;
+  run.blockEveryUs = 1000 * everyMs;
+  return run;
+}
+// Unplugged for so many periods in every 12 frames and these, and on again at the same character.
+inline Run cut(unsigned periods) {
+  Run run;
+  run.line.cut = {12, 1, 12 + uint64_t{periods}, 1, 13 + uint64_t{periods}};
+  return run;
+}
+inline Run by24(Run run) {
+  run.reads24 = true;
+  return run;
+}
+inline Run long24(Run run) {
+  run.line.kind = Kind::Channels24;
+  return by24(run);
+}
+inline Run fast(Run run) {
+  run.line.baud = FastBaud;
+  return run;
+}
+
+// What is polled by events has no call that finds nothing.
+inline std::vector<Setup> byEvents(std::vector<Setup> setups) {
+  for (Setup &setup : setups) {
+    setup.polling = Polling::ByEvents;
+  }
+  return setups;
+}

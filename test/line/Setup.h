@@ -1,0 +1,29 @@
+// What differs from sketch to sketch: the receiver's frame period, the loop period, the port.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "Payload.h"
+#include "support/Driver.h"
+
+// When the sketch calls parseSBusFrame().
+enum class Polling {
+  InLoop,    // in every loop()
+  ByEvents,  // after a loop() if bytes wait, as from serialEvent1()
+};
+
+struct Setup {
+  uint32_t periodUs;
+  uint32_t loopUs;
+  Driver driver = Board;
+  size_t buffer = 64;
+  Polling polling = Polling::InLoop;
+};
+
+// "T 9 ms, loop 50 us, board, 64".
+std::string name(const Setup &setup);
+
+// Made of `seed`, and another one for each line, setup and kind of sticks. It does not change when their lists do.
+uint64_t ownSeed(const std::string &line, const Setup &setup, Payload sticks, uint64_t seed);
