@@ -150,7 +150,7 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
   return {
       {"Frames",
        {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
-        format("%3u frames/s", _observer.framesPerSecond(nowUs)),
+        format("%3u frames/s", _observer.perSecond(nowUs)),
         count("lost by radio", now.lostFrames - _before.lostFrames),
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",

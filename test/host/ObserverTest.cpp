@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "line/Observer.h"
+#include "line/NoisyLine.h"
 #include "line/Random.h"
 #include "line/SimulatedReceiver.h"
+#include "support/Bytes.h"
 #include "support/KnownFrames.h"
 
 using line::Character;
@@ -15,8 +19,6 @@ using line::Observer;
 using line::Stretch;
 
 namespace {
-
-using Bytes = std::vector<uint8_t>;
 
 constexpr uint64_t PeriodUs = 9000;
 
@@ -103,9 +105,9 @@ TEST_CASE("frames: bytes, time, channels, rate and gaps") {
   CHECK(line.observer.gaps().high == PeriodUs);
   CHECK(line.observer.travel(3).low == 1000);
   CHECK(line.observer.travel(3).high == 1199);
-  CHECK(line.observer.framesPerSecond(line.us) == 111);
-  CHECK(line.observer.framesPerSecond(line.us + 500000) == 55);
-  CHECK(line.observer.framesPerSecond(line.us + 1000000) == 0);
+  CHECK(line.observer.perSecond(line.us) == 111);
+  CHECK(line.observer.perSecond(line.us + 500000) == 55);
+  CHECK(line.observer.perSecond(line.us + 1000000) == 0);
   CHECK(line.observer.ageUs(line.us) == 6000);
   CHECK(line.observer.characters() == 5000);
 }
@@ -156,7 +158,7 @@ TEST_CASE("what is no frame stands between the frames, with the reason") {
       {"telemetry", {0x03, 0xC0, 0x2E}, SIZE_MAX, "no header"},
       {"a bad character in a frame", good, 9, "1 bad character, no end byte"},
       {"a byte is missing", shortened, SIZE_MAX, "no end byte"},
-      {"unused flags", flags, SIZE_MAX, "no end byte, unused flags set"},
+      {"unused flags", flags, SIZE_MAX, "unused flags set, no end byte (byte 10)"},
       {"one bad character", {0x55}, 0, "1 bad character"},
   };
   for (const auto &each : cases) {
@@ -173,6 +175,54 @@ TEST_CASE("what is no frame stands between the frames, with the reason") {
     CHECK(why(stretch) == each.reason);
     CHECK(line.frames() == 5);
     CHECK(line.observer.counters().frames == 5);
+  }
+}
+
+TEST_CASE("the reason names its cause, and the header that it was found at") {
+  const Bytes good = Watched::frameOf(1024);
+  const Bytes failsafe = bytesOf(FailsafeFrame);
+  const Bytes noise = {0x55, 0x55};
+  const struct {
+    const char *what;
+    std::vector<Bytes> groups;  // eight characters of silence between them
+    const char *reasons;        // of all stretches
+  } rows[] = {
+      {"a gap", {good, part(good, 0, 12), part(good, 12), good}, "frame | a gap inside | no header | frame"},
+      {"behind noise", {good, noise + part(good, 0, 12), part(good, 12)}, "frame | a gap inside (byte 2) | no header"},
+      {"more follow", {good + noise + noise, good}, "more bytes than a frame | no header | frame"},
+      {"no gap",
+       {noise, noise + good + good, good},
+       "no header | not at a gap (byte 2) | not at a gap (byte 2) | no header | frame"},
+      {"halves",
+       {part(failsafe, 8) + failsafe, good},
+       "no end byte, may be the halves of two frames (byte 15) | frame | frame"},
+      {"neither", {good, noise + failsafe, good}, "frame | no header | frame | frame"},
+  };
+  for (const auto &row : rows) {
+    INFO(std::string(row.what));
+    Watched line;
+    for (const Bytes &bytes : row.groups) {
+      line.send(bytes).pause(8 * line::CharacterUs);
+    }
+    line.pause(PeriodUs).observer.finish();
+    std::string reasons;
+    for (const Stretch &stretch : line.stretches) {
+      reasons += (reasons.empty() ? "" : " | ") + (stretch.isFrame() ? "frame" : why(stretch));
+    }
+    CHECK(reasons == std::string(row.reasons));
+  }
+}
+
+TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not") {
+  for (const uint32_t characterUs : {120u, 60u}) {
+    CAPTURE(characterUs);
+    for (const uint32_t characters : {7u, 8u}) {
+      Watched line(characterUs);
+      line.frame(992).send(part(Watched::frameOf(1000), 0, 9)).pause(characters * characterUs);
+      line.send(part(Watched::frameOf(1000), 9)).pause(PeriodUs).frame(992);
+      CHECK(line.frames() == (characters == 7 ? 3 : 2));
+      CHECK(line.observer.counters().refusedByExtra == (characters == 7 ? 0 : 1));
+    }
   }
 }
 
@@ -257,6 +307,7 @@ TEST_CASE("the simulated receivers: each character once, in its order, and every
       for (const Stretch &stretch : watched.stretches) {
         frames += stretch.kind == each.kind;
         extra += stretch.kind == Stretch::Kind::Extra;
+        REQUIRE(stretch.at == at);
         for (const Character &character : stretch.characters) {
           REQUIRE(at < sent.size());
           REQUIRE(character.endUs == sent[at].endUs);
@@ -272,12 +323,40 @@ TEST_CASE("the simulated receivers: each character once, in its order, and every
   }
 }
 
+TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a bad character") {
+  for (const auto channels : {line::Channels::Sixteen, line::Channels::TwentyFour, line::Channels::ThirtyTwo}) {
+    CAPTURE(channels);
+    line::NoisyLine noisy(std::make_unique<line::SimulatedReceiver>(line::Flight, 120, channels), 100, 120);
+    Watched watched;
+    for (Character character; noisy.next(10000000, character);) {
+      watched.observer.put(character);
+    }
+    watched.observer.finish();
+    uint64_t at = 0;
+    size_t rejected = 0;
+    for (const Stretch &stretch : watched.stretches) {
+      REQUIRE(stretch.at == at);
+      at += stretch.characters.size();
+      for (const line::Rejected &header : stretch.rejected) {
+        REQUIRE(stretch.characters.at(header.at).value == sbus::HeaderByte);
+        REQUIRE_FALSE(stretch.characters[header.at].bad);
+        rejected++;
+      }
+      REQUIRE((!stretch.isFrame() || std::none_of(stretch.characters.begin(), stretch.characters.end(),
+                                                  [](const Character &character) { return character.bad; })));
+    }
+    CHECK(at == watched.observer.characters());
+    CHECK(watched.observer.badCharacters() > 500);
+    CHECK(rejected > 100);
+  }
+}
+
 TEST_CASE("Of a port that a browser reads, late and never twice the same, every frame is found") {
   struct Port {
     uint64_t everyUs;  // it brings what has come
     unsigned missed;   // frames, of 666
   };
-  for (const Port &port : {Port{1000, 0}, Port{4000, 0}, Port{16000, 1}, Port{33000, 0}}) {
+  for (const Port &port : {Port{1000, 0}, Port{4000, 0}, Port{16000, 0}, Port{33000, 0}}) {
     CAPTURE(port.everyUs);
     Watched watched;
     line::SimulatedReceiver receiver;

@@ -56,7 +56,7 @@ export default async function () {
     }, { colorScheme });
     await check(`failsafe, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await page.evaluate(async () => {
-        const frame = [0x0f, ...new Array(22).fill(0), 0x0f, 0];
+        const frame = [0x0f, ...new Array(22).fill(0x11), 0x0f, 0]; // after a 00 its flags would be a second header
         fake.port.onOpen = () => fake.every(9, frame);
       });
       await connect(page);

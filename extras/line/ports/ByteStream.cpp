@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -31,37 +30,33 @@ ByteStream::~ByteStream() {
 }
 
 bool ByteStream::next(uint64_t nowUs, Character &character) {
-  if (_at == _count) {
-    if (!fill()) {
-      return false;
-    }
-    _readUs = nowUs;
+  if (_waiting.empty() || (!_patient && _waiting.size() < ReadMax)) {
+    fill(nowUs);
   }
-  const uint64_t endUs = std::max(_lastEndUs + _characterUs, _readUs);
-  if (endUs > nowUs) {
+  if (_waiting.empty() || _waiting.front().endUs > nowUs) {
     return false;
   }
-  character = Character();
-  character.endUs = endUs;
-  character.value = _bytes[_at++];
-  _lastEndUs = endUs;
+  character = _waiting.front();
+  _waiting.pop_front();
   return true;
 }
 
-// More bytes, if any wait. Ctrl-C ends the waiting.
-bool ByteStream::fill() {
+// Takes in more bytes, if any wait. Ctrl-C ends the waiting.
+void ByteStream::fill(uint64_t nowUs) {
   pollfd state = {_file, POLLIN, 0};
   if (_ended || ::poll(&state, 1, _patient ? -1 : 0) != 1) {
-    return false;
+    return;
   }
-  const ssize_t count = read(_file, _bytes, sizeof _bytes);
-  _at = 0;
-  _count = count > 0 ? static_cast<size_t>(count) : 0;
+  uint8_t bytes[ReadMax];
+  const ssize_t count = read(_file, bytes, sizeof bytes);
   if (count < 0 && errno != EINTR && errno != EAGAIN) {
     _failure = _name + ": cannot be read (" + std::strerror(errno) + ")";
   }
   _ended = count == 0;
-  return _count > 0;
+  for (ssize_t i = 0; i < count; i++) {
+    _lastEndUs = _patient || nowUs <= _lastEndUs ? _lastEndUs + _characterUs : nowUs + LaterUs;
+    _waiting.push_back({_lastEndUs, bytes[i], false});
+  }
 }
 
 bool ByteStream::finished(uint64_t nowUs) const {

@@ -1,17 +1,18 @@
 // S.Bus bytes from a pipe, or from standard input.
 #pragma once
 
+#include <deque>
 #include <string>
 
 #include "line/Line.h"
 
 namespace line {
 
-// A byte that has come goes over the line at once, or straight after the one before.
+// A pipe brings a frame in pieces, as USB does: they go over the line as SerialPort's.
 class ByteStream : public Line {
  public:
-  // `name`: a file, or - for standard input. `patient`: next() waits for bytes, whatever the time. Throws
-  // std::runtime_error.
+  // `name`: a file, or - for standard input. `patient`: next() waits for bytes, whatever the time, and no silence is
+  // among them. Throws std::runtime_error.
   ByteStream(const std::string &name, uint32_t characterUs, bool patient);
   ~ByteStream() override;
   ByteStream(const ByteStream &) = delete;
@@ -23,17 +24,16 @@ class ByteStream : public Line {
 
  private:
   static constexpr uint64_t TailUs = 300000;  // as RecordedLine's
+  static constexpr uint64_t LaterUs = 2000;   // as SerialPort's
+  static constexpr size_t ReadMax = 256;
 
-  bool fill();
+  void fill(uint64_t nowUs);
 
   std::string _name;
   int _file;
   uint32_t _characterUs;
   bool _patient;
-  uint8_t _bytes[256];
-  size_t _count = 0;
-  size_t _at = 0;  // of the next in _bytes
-  uint64_t _readUs = 0;
+  std::deque<Character> _waiting;
   uint64_t _lastEndUs = 0;
   bool _ended = false;
   std::string _failure;

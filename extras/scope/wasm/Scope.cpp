@@ -23,7 +23,7 @@ Scope::Scope() {
 void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   settings = now;
   records.clear();
-  rows.reset();
+  rows = BoardRows();
   observer.reset(nowUs, settings.characterUs());
 }
 

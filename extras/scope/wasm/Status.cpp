@@ -27,7 +27,7 @@ EXPORT(status)(double now)->const Status * {
   const auto d = [](uint64_t value) { return static_cast<double>(value); };
   answer = {d(static_cast<uint64_t>(text ? rows.state(nowUs) : observer.state(nowUs))),
             d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs)),
-            d(text ? rows.perSecond(nowUs) : observer.framesPerSecond(nowUs)),
+            d(text ? rows.perSecond(nowUs) : observer.perSecond(nowUs)),
             d(gaps.low),
             d(gaps.mean()),
             d(gaps.high),

@@ -1,0 +1,74 @@
+// Two decoders hear the line, one for 16 channels and one for 24. The one that finds more frames is right.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "Segments.h"
+#include "sbus/FrameFinder.h"
+
+namespace line {
+
+// What a decoder says of its bytes (sbus::NoEvents), each with its place on the line.
+class Places {
+ public:
+  // The next byte that the decoder gets stands there.
+  void put(uint64_t at) { _open.push_back(at); }
+
+  // The place of the first byte that may still be a frame's; `end` if there is none.
+  uint64_t openAt(uint64_t end) const { return _open.empty() ? end : _open.front(); }
+
+  void extra() { found(Stretch::Kind::Extra, sbus::FrameSize); }
+  void discarded(int count) { _open.erase(_open.begin(), _open.begin() + count); }
+  void rejected(int at, sbus::Rejection why);
+
+  std::vector<Piece> pieces;         // found at the last call
+  std::vector<Rejected> rejections;  // the newest ones
+
+ protected:
+  void found(Stretch::Kind kind, int size);
+
+ private:
+  std::deque<uint64_t> _open;  // places of the bytes that the decoder still holds
+};
+
+template <typename Format>
+struct PlacesOf : Places {
+  void taken() { found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size); }
+};
+
+class Decoders {
+ public:
+  void reset(uint64_t nowUs, uint32_t characterUs);
+
+  // Up to `nowUs` no byte has come but those put. Returns what was found by that.
+  const std::vector<Piece> &idle(uint64_t nowUs);
+
+  // At `nowUs` the character at place `at` has come, and is good. Returns what was found by that.
+  const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs);
+
+  bool has24() const { return _finder24.counters().frames > counters16().frames; }
+  const sbus::Counters &counters() const { return has24() ? _finder24.counters() : counters16(); }
+  const sbus::Counters &counters16() const { return _finder16.counters(); }
+
+  // Of the decoder that is right.
+  const Places &places() const {
+    return has24() ? static_cast<const Places &>(_finder24.events()) : _finder16.events();
+  }
+  // Before the first frame either may be right.
+  uint64_t openAt(uint64_t end) const;
+
+ private:
+  template <typename Format>
+  using Finder = sbus::FrameFinderOf<Format, PlacesOf<Format>>;
+
+  template <typename Call>
+  const std::vector<Piece> &forBoth(Call call);
+
+  Finder<sbus::Frame16> _finder16;
+  Finder<sbus::Frame24> _finder24;
+  uint64_t _nowUs;  // as they were told last
+};
+
+}  // namespace line

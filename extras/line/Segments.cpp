@@ -1,0 +1,85 @@
+#include "Segments.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace line {
+
+namespace {
+
+constexpr size_t RowMax = sbus::FrameSize;  // characters of a stretch that is no frame
+constexpr uint32_t GapCharacters = 8;       // so long a gap ends one
+constexpr uint64_t Forever = UINT64_MAX;
+
+// By sbus::Rejection.
+constexpr const char *Reasons[] = {"no end byte",  "unused flags set", "a gap inside", "more bytes than a frame",
+                                   "not at a gap", "may be the halves of two frames"};
+static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::SecondReading) + 1, "one for each");
+
+}  // namespace
+
+std::string why(const Stretch &stretch) {
+  if (stretch.isFrame()) {
+    return {};
+  }
+  const auto &characters = stretch.characters;
+  const auto bad = std::count_if(characters.begin(), characters.end(), [](const Character &c) { return c.bad; });
+  std::string text = bad == 0 ? "" : std::to_string(bad) + (bad == 1 ? " bad character" : " bad characters");
+  bool told[std::size(Reasons)] = {};
+  for (const Rejected &rejected : stretch.rejected) {
+    const auto reason = static_cast<size_t>(rejected.why);
+    if (!std::exchange(told[reason], true)) {
+      text += (text.empty() ? "" : ", ") + std::string(Reasons[reason]) +
+              (rejected.at == 0 ? "" : " (byte " + std::to_string(rejected.at) + ")");
+    }
+  }
+  const auto isHeader = [](const Character &c) { return !c.bad && c.value == sbus::HeaderByte; };
+  const bool hasHeader = std::any_of(characters.begin(), characters.end(), isHeader);
+  return !text.empty() ? text : hasHeader ? "incomplete" : "no header";
+}
+
+void Segments::reset(uint32_t characterUs) {
+  _kept.clear();
+  _at = 0;
+  _characterUs = characterUs;
+}
+
+void Segments::cut(const std::vector<Piece> &pieces) {
+  for (const Piece &piece : pieces) {
+    if (piece.begin >= _at) {  // the other decoder has not had some of it
+      cutRows(piece.begin, Forever);
+      say(piece.kind, static_cast<size_t>(piece.end - piece.begin));
+    }
+  }
+}
+
+void Segments::cutBefore(uint64_t end, uint64_t nowUs) {
+  cutRows(std::max(end, this->end() - std::min(this->end(), KeptMax)), nowUs);
+}
+
+void Segments::cutRows(uint64_t end, uint64_t nowUs) {
+  while (_at < end) {
+    const auto most = static_cast<size_t>(std::min<uint64_t>(end - _at, RowMax));
+    size_t count = 0;
+    bool isGapNext = false;
+    while (count < most && !isGapNext) {
+      count++;
+      const uint64_t nextUs = count < _kept.size() ? _kept[count].endUs - _characterUs : nowUs;
+      isGapNext = nextUs >= _kept[count - 1].endUs + uint64_t{GapCharacters} * _characterUs;
+    }
+    if (count < RowMax && !isGapNext && nowUs != Forever) {
+      return;
+    }
+    say(Stretch::Kind::NoFrame, count);
+  }
+}
+
+void Segments::say(Stretch::Kind kind, size_t count) {
+  const auto end = _kept.begin() + static_cast<std::ptrdiff_t>(count);
+  Stretch stretch{kind, _at, {_kept.begin(), end}, {}};
+  _kept.erase(_kept.begin(), end);
+  _at += count;
+  _say(stretch);
+}
+
+}  // namespace line

@@ -1,0 +1,78 @@
+// The line cut into stretches: frames, and what lies between them. A place is the number of characters before it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "Line.h"
+#include "sbus/FrameRules.h"
+
+namespace line {
+
+// A header that no frame begins with.
+struct Rejected {
+  uint64_t at;  // its place
+  sbus::Rejection why;
+};
+
+// A piece of the line. All of them together are the line, each character once and in its order.
+struct Stretch {
+  enum class Kind { Frame, Frame24, Extra, NoFrame };  // Extra: a frame with header 2F
+
+  Kind kind = Kind::NoFrame;
+  uint64_t at = 0;                    // place of its first character
+  std::vector<Character> characters;  // 1 or more; bad ones, too, which no frame is made of
+  std::vector<Rejected> rejected;     // of NoFrame; places in the stretch
+
+  bool isFrame() const { return kind != Kind::NoFrame; }
+  uint64_t endUs() const { return characters.back().endUs; }
+};
+
+// Why a stretch is no frame: "1 bad character, no end byte", "unused flags set (byte 10)" if that is the place of the
+// header, "no header"; empty if it is one.
+std::string why(const Stretch &stretch);
+
+// A stretch as a decoder has found it.
+struct Piece {
+  Stretch::Kind kind;
+  uint64_t begin;
+  uint64_t end;  // place of the first character after it
+};
+
+class Segments {
+ public:
+  static constexpr uint64_t KeptMax = 256;  // characters; a decoder holds less than 50 good ones
+
+  // `say`: called with each stretch.
+  explicit Segments(std::function<void(Stretch &)> say) : _say(std::move(say)) {}
+
+  void reset(uint32_t characterUs);
+  void put(const Character &character) { _kept.push_back(character); }
+
+  // The place of the next character.
+  uint64_t end() const { return _at + _kept.size(); }
+
+  // These are stretches, and what is before them is no frame.
+  void cut(const std::vector<Piece> &pieces);
+
+  // What is before place `end` is no frame. The last of it waits for more, or for a gap: no more came up to `nowUs`.
+  void cutBefore(uint64_t end, uint64_t nowUs);
+
+  // Nothing waits any more.
+  void finish() { cutRows(end(), UINT64_MAX); }
+
+ private:
+  void cutRows(uint64_t end, uint64_t nowUs);
+  void say(Stretch::Kind kind, size_t count);
+
+  const std::function<void(Stretch &)> _say;
+  std::deque<Character> _kept;  // no stretch yet
+  uint64_t _at = 0;             // place of the first of them
+  uint32_t _characterUs = CharacterUs;
+};
+
+}  // namespace line

@@ -1,0 +1,74 @@
+#include "Statistics.h"
+
+namespace line {
+
+namespace {
+
+constexpr uint64_t SecondUs = 1000000;
+
+}  // namespace
+
+void Extent::add(uint64_t value) {
+  low = count == 0 ? value : std::min(low, value);
+  high = count == 0 ? value : std::max(high, value);
+  sum += value;
+  count++;
+}
+
+void Arrivals::add(uint64_t nowUs, uint8_t flags) {
+  if (_link.seen()) {
+    _gaps.add(nowUs - _newestUs);
+  }
+  _newestUs = nowUs;
+  _lately.push_back(nowUs);
+  while (_lately.front() + SecondUs <= nowUs) {
+    _lately.pop_front();
+  }
+  _link.frame(flags);
+}
+
+sbus::LinkState Arrivals::state(uint64_t nowUs) {
+  return _link.state(static_cast<uint32_t>(_newestUs), static_cast<uint32_t>(std::max(nowUs, _newestUs)));
+}
+
+unsigned Arrivals::perSecond(uint64_t nowUs) const {
+  return static_cast<unsigned>(std::count_if(
+      _lately.begin(), _lately.end(), [nowUs](uint64_t us) { return us + SecondUs > nowUs && us <= nowUs; }));
+}
+
+void Statistics::add(const Stretch &frame) {
+  std::array<uint8_t, sbus::FrameSize24> bytes{};
+  std::transform(frame.characters.begin(), frame.characters.end(), bytes.begin(),
+                 [](const Character &character) { return character.value; });
+  if (frame.kind == Stretch::Kind::Extra) {
+    sbus::unpackExtra(bytes.data(), &_newest.raw[sbus::ProportionalCount]);
+    _newest.count = static_cast<unsigned>(_newest.raw.size());
+    return mark(sbus::ProportionalCount, sbus::ProportionalCount);
+  }
+  const bool is24 = frame.kind == Stretch::Kind::Frame24;
+  const size_t count = is24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
+  const uint8_t flags = bytes[frame.characters.size() - 2];
+  std::array<uint16_t, sbus::ChannelCount24> channels;
+  (is24 ? sbus::unpack24 : sbus::unpack)(bytes.data(), channels.data());
+  std::copy_n(channels.begin(), count, _newest.raw.begin());
+  _newest.count = std::max(static_cast<unsigned>(count), is24 ? 0 : _newest.count);
+  _newest.switches = {!is24 && (flags & sbus::FlagChannel17) != 0, !is24 && (flags & sbus::FlagChannel18) != 0};
+  _newest.lostFrame = (flags & sbus::FlagLostFrame) != 0;
+  _newest.failsafe = (flags & sbus::FlagFailsafe) != 0;
+  _newest.endUs = frame.endUs();
+  mark(0, count);
+  Arrivals::add(frame.endUs(), flags);
+}
+
+void Statistics::mark(size_t first, size_t count) {
+  for (size_t i = first; i < first + count && !_newest.lostFrame && !_newest.failsafe; i++) {
+    _travel[i].add(_newest.raw[i]);
+  }
+}
+
+void Statistics::resetMarks() {
+  Arrivals::resetMarks();
+  _travel.fill(Extent());
+}
+
+}  // namespace line

@@ -1,0 +1,77 @@
+// What frames, or a sketch's rows, say in all: how often they come, the newest values, how far the sticks went.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <deque>
+
+#include "Segments.h"
+#include "sbus/Link.h"
+
+namespace line {
+
+// The least and the most of something since the last reset.
+struct Extent {
+  uint64_t count = 0;  // of values; without one the others are 0
+  uint64_t low = 0;
+  uint64_t high = 0;
+  uint64_t sum = 0;
+
+  void add(uint64_t value);
+  uint64_t mean() const { return count == 0 ? 0 : (sum + count / 2) / count; }
+};
+
+// When they have come, and what the link is by that.
+class Arrivals {
+ public:
+  explicit Arrivals(uint16_t timeoutMs = sbus::Link::DefaultTimeout) { _link.setTimeout(timeoutMs); }
+
+  sbus::LinkState state(uint64_t nowUs);
+  // Since the newest one, in us. Of no meaning while state() is NeverSeen.
+  uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
+  // Within the last second.
+  unsigned perSecond(uint64_t nowUs) const;
+  // us from the end of one to the end of the next.
+  const Extent &gaps() const { return _gaps; }
+
+ protected:
+  // One has come, with these flags of a frame.
+  void add(uint64_t nowUs, uint8_t flags);
+  void resetMarks() { _gaps = Extent(); }
+
+ private:
+  sbus::Link _link;
+  uint64_t _newestUs = 0;
+  std::deque<uint64_t> _lately;  // us
+  Extent _gaps;
+};
+
+// The newest values. All 0 before the first frame.
+struct Values {
+  uint64_t endUs = 0;              // when the frame was complete
+  unsigned count = 0;              // 16 or 24; 32 once frames with header 2F have come
+  std::array<uint16_t, 32> raw{};  // CH1.., 0..2047
+  std::array<bool, 2> switches{};  // CH17 and CH18 of a line of 16 channels
+  bool lostFrame = false;          // the frame's flag
+  bool failsafe = false;           // the same
+};
+
+class Statistics : public Arrivals {
+ public:
+  const Values &newest() const { return _newest; }
+  // The travel of a channel, counted from 0: of frames without a flag, since a failsafe setting is nobody's stick.
+  const Extent &travel(size_t channel) const { return _travel[channel]; }
+  void resetMarks();
+
+ protected:
+  void add(const Stretch &frame);
+
+ private:
+  void mark(size_t first, size_t count);
+
+  Values _newest;
+  std::array<Extent, 32> _travel{};
+};
+
+}  // namespace line
