@@ -18,7 +18,9 @@ void printUnpacking();
 // Lines that cost a receiver more than a clean one.
 void printBadLines();
 void checkBadLines();
-void printWorst();
+
+void printLongestCall();
+void checkLongestCall();
 
 void printValues();
 void checkValues();

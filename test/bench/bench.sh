@@ -2,7 +2,7 @@
 # What the library costs on a Cortex-M0+, ours beside the paper's way, counted by QEMU's machine microbit.
 #   bench.sh          prints the tables
 #   bench.sh known    ... but for the worst call that a search finds
-#   bench.sh worst    ... that one alone
+#   bench.sh worst    ... that one alone; TRIES=n from each start
 #   bench.sh check    says "ok bench: ..." or "FAILED bench: ..." of each bound
 # BUILD is the folder for what is built, absolute.
 set -u
@@ -19,6 +19,10 @@ run() {
   timeout 600 ../boards/cortex-m0/qemu.sh "$out/Bench" "$@"
 }
 
+known() { run known >"$out/known" && sed "$(build sizes)" "$out/known"; }
+
+worst() { run worst; }
+
 mkdir -p "$out"
 if ! build bench >"$out/log" 2>&1; then
   head -n 20 "$out/log" >&2
@@ -26,9 +30,8 @@ if ! build bench >"$out/log" 2>&1; then
   exit 1
 fi
 case ${1:-table} in
-  table) "$0" known && echo && "$0" worst ;;
-  known) run known | sed "$(build sizes)" ;;
-  worst) run worst ;;
+  table) known && echo && worst ;;
+  known | worst) "$1" ;;
   check)
     printf '\nbench: what the library costs on a Cortex-M0+, in instructions\n'
     run check 2>&1

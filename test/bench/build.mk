@@ -1,5 +1,6 @@
 # Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints for sed
 # how many bytes of flash each @NAME, a way of unpacking, takes. The start-up code is that of ../boards/cortex-m0.
+#   TRIES    how long the longest call is searched for: tries from each start, of which there are five
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../..
@@ -8,6 +9,7 @@ HOST := $(ROOT)/extras/host
 TEST := $(ROOT)/test
 M0 := $(TEST)/boards/cortex-m0
 CROSS ?= arm-none-eabi-g++
+TRIES ?= 200000
 
 # As on the Grasshopper: its M0+ has the instructions of an M0, in another order at most.
 CPU := -mcpu=cortex-m0plus -mthumb -Os
@@ -17,7 +19,7 @@ INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/ardu
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
 MEASURED := Receivers UnpackWays
-PARTS := BadLines Bench Cost Frames Values
+PARTS := Attack BadLines Bench Cost Frames LongestCall Values
 
 bench: $(OUT)/Bench
 .PHONY: bench sizes
@@ -42,6 +44,13 @@ $(eval $(call rule,FakeClock.o,$(TEST)/support/FakeClock.cpp,$(BOARD)))
 $(eval $(call rule,Print.o,$(HOST)/arduino/Print.cpp,$(BOARD)))
 $(eval $(call rule,BoardUart.o,$(HOST)/board/BoardUart.cpp,-std=gnu++17))
 $(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,-std=gnu++17 -Wno-psabi)))
+
+$(OUT)/LongestCall.o: INCLUDES += -DTRIES=$(TRIES)
+$(OUT)/LongestCall.o: $(OUT)/tries-$(TRIES)
+$(OUT)/tries-$(TRIES):
+	@mkdir -p $(@D)
+	@rm -f $(OUT)/tries-*
+	@touch $@
 
 # unpack() calls unpackGroup(), or has it in line.
 sizes: $(OUT)/src/sbus/Frame.o $(OUT)/UnpackWays.o

@@ -1,0 +1,252 @@
+// The longest single call of parseSBusFrame() that a search finds. It changes at random what comes, in which calls and
+// when, and anneals: it also goes on from what costs a little less, but ever less so.
+#include "Bench.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+
+#include "KnownAttacks.h"
+#include "line/Random.h"
+#include "support/KnownFrames.h"
+
+#include "Attack.h"  // last: Arduino.h has a type named byte
+
+namespace {
+
+constexpr uint64_t Seed = 20181;
+constexpr uint32_t Tries = TRIES;  // from each start; build.mk
+constexpr size_t Sizes[] = {16, 32, 48, 64};
+constexpr size_t LongestCall = Sizes[3];
+
+// The board's port hands over what has come when the line has been idle for a character.
+constexpr uint32_t IdleUs = 2 * line::CharacterUs;
+
+// Some more than was found with GCC 12.2: 10158, and 4325 for 16 bytes.
+constexpr uint32_t MostPerCall = 10800;
+constexpr uint32_t MostPerByte = 298;
+
+// In instructions. A call of the port takes some more on the board: an emulated Grasshopper takes 1.54 cycles for each
+// instruction, 226 for each call of its port, and 10 for each byte.
+constexpr uint32_t PortCall = 150;
+uint32_t weigh(const Cost &cost) {
+  return cost.instructions + PortCall * cost.portCalls;
+}
+
+size_t startOf(const Attack &attack, size_t call) {
+  size_t start = 0;
+  for (size_t i = 0; i < call; i++) {
+    start += attack.calls[i].size;
+  }
+  return start;
+}
+
+class Search {
+ public:
+  // The costliest attack on the way from this one.
+  Attack climb(const Attack &start, uint32_t tries) {
+    constexpr uint32_t Slack = 200;
+    Attack longest = start, current = start, next;
+    uint32_t cost = weigh(costOf<Ours>(start));
+    uint32_t most = cost;
+    for (uint32_t left = tries; left > 0; left--) {
+      next = current;
+      for (size_t changes = below(2) == 0 ? 1 : 1 + below(4); changes > 0; changes--) {
+        change(next);
+      }
+      const uint32_t found = weigh(costOf<Ours>(next));
+      if (found + below(static_cast<uint32_t>(uint64_t{Slack} * left / tries) + 1) >= cost) {
+        cost = found;
+        std::swap(current, next);
+      }
+      if (cost > most) {
+        most = cost;
+        longest = current;
+      }
+    }
+    return longest;
+  }
+
+ private:
+  static constexpr size_t MostCalls = 16;
+  static constexpr size_t MostBefore = 192;  // bytes before the call measured
+
+  // Random::below() divides, which takes an M0 as long as half a try.
+  size_t below(size_t limit) { return static_cast<size_t>((_random.next() >> 32) * limit >> 32); }
+
+  uint8_t telling() {
+    constexpr uint8_t Telling[] = {0x0F, 0x0F, 0x0F, 0x0F, 0x00, 0x00, 0x04, 0x04,
+                                   0x08, 0x08, 0x14, 0x34, 0x2F, 0x0C, 0x10, 0xFF};
+    return Telling[below(sizeof Telling)];
+  }
+
+  uint32_t quietUs() {
+    constexpr size_t Longest[] = {1, 500, 5000, 12000, 60000};
+    return IdleUs + static_cast<uint32_t>(below(Longest[below(std::size(Longest))]));
+  }
+
+  // What one more call finds: all the same, or not; nothing, sometimes.
+  Bytes some() {
+    Bytes bytes(below(4) == 0 ? 0 : below(41), telling());
+    if (below(2) == 0) {
+      std::generate(bytes.begin(), bytes.end(), [this] { return telling(); });
+    }
+    return bytes;
+  }
+
+  void change(Attack &attack) {
+    Bytes &bytes = attack.bytes;
+    const size_t last = attack.calls.size() - 1;
+    const size_t before = bytes.size() - attack.calls[last].size;
+    const size_t call = below(last + 1);
+    const size_t start = startOf(attack, call);
+    Attack::Call &chosen = attack.calls[call];
+    const auto at = [&](size_t index) { return bytes.begin() + static_cast<std::ptrdiff_t>(index); };
+    const auto position = attack.calls.begin() + static_cast<std::ptrdiff_t>(call);
+    // A byte is changed within the call measured, mostly.
+    const size_t from = below(3) == 0 ? 0 : before;
+    const size_t place = from + below(bytes.size() - from);
+    switch (below(12)) {
+      case 0: {  // some bytes also stand elsewhere
+        const size_t target = from + below(bytes.size() - from);
+        const size_t count = std::min(1 + below(30), bytes.size() - std::max(place, target));
+        const Bytes copied = part(bytes, place, place + count);
+        std::copy(copied.begin(), copied.end(), at(target));
+        break;
+      }
+      case 1:
+        chosen.quietUs = quietUs();
+        break;
+      case 2: {  // one call more
+        const Bytes more = some();
+        if (last + 1 < MostCalls && before + more.size() <= MostBefore) {
+          bytes.insert(at(start), more.begin(), more.end());
+          attack.calls.insert(position, {more.size(), quietUs()});
+        }
+        break;
+      }
+      case 3:  // one less
+        if (call < last) {
+          bytes.erase(at(start), at(start + chosen.size));
+          attack.calls.erase(position);
+        }
+        break;
+      case 4:  // one byte more
+        if (call < last && chosen.size < LongestCall && before < MostBefore) {
+          bytes.insert(at(start), telling());
+          chosen.size++;
+        }
+        break;
+      case 5:  // one less
+        if (call < last && chosen.size > 0) {
+          bytes.erase(at(start));
+          chosen.size--;
+        }
+        break;
+      default:
+        bytes[place] = telling();
+    }
+  }
+
+  line::Random _random{Seed};
+};
+
+// In sync with each kind of line, and about to find so many bytes.
+std::vector<Attack> startsInSync(size_t size) {
+  std::vector<Attack> starts;
+  for (const sbus::LineKind &kind : sbus::LineKinds) {
+    starts.push_back(inSync(withByte(Neutral.bytes, 24, kind.end)));
+    starts.back().add(Bytes(size), IdleUs);
+  }
+  return starts;
+}
+
+Attack longestFrom(const std::vector<Attack> &starts, uint32_t tries) {
+  Attack longest;
+  uint32_t most = 0;
+  for (const Attack &start : starts) {
+    const Attack found = Search().climb(start, tries);
+    const uint32_t cost = weigh(costOf<Ours>(found));
+    if (cost > most) {
+      most = cost;
+      longest = found;
+    }
+  }
+  return longest;
+}
+
+std::vector<Attack> knownAttacks() {
+  std::vector<Attack> attacks;
+  for (const char *const text : KnownAttacks) {
+    attacks.push_back(attackOf(text));
+  }
+  return attacks;
+}
+
+struct Row {
+  std::string what;
+  size_t size;
+  bool isSearched;  // from receivers in sync
+  Attack attack;
+};
+
+std::vector<Row> rows() {
+  std::vector<Row> rows;
+  for (const size_t size : Sizes) {
+    const uint32_t tries = size == LongestCall ? Tries : Tries / 8;
+    rows.push_back({std::to_string(size) + " bytes", size, true, longestFrom(startsInSync(size), tries)});
+  }
+  const std::vector<Attack> known = knownAttacks();
+  for (const Attack &attack : known) {
+    rows.push_back({"64 bytes, known before", LongestCall, false, attack});
+  }
+  rows.push_back({"64 bytes, from those known on", LongestCall, false, longestFrom(known, Tries)});
+  return rows;
+}
+
+void printSeed() {
+  std::printf("Seed %lu, %lu tries from each start.\n", static_cast<unsigned long>(Seed),
+              static_cast<unsigned long>(Tries));
+}
+
+}  // namespace
+
+void printLongestCall() {
+  printSeed();
+  std::printf(
+      "\n| the longest call found | instructions | calls of the port | the paper's way | calls of the port |\n"
+      "| --- | --- | --- | --- | --- |\n");
+  Attack longest;
+  uint32_t most = 0;
+  for (const Row &row : rows()) {
+    const Cost ours = costOf<Ours>(row.attack);
+    const Cost papers = costOf<Papers>(row.attack);
+    std::printf("| %s | %lu | %lu | %lu | %lu |\n", row.what.c_str(), static_cast<unsigned long>(ours.instructions),
+                static_cast<unsigned long>(ours.portCalls), static_cast<unsigned long>(papers.instructions),
+                static_cast<unsigned long>(papers.portCalls));
+    if (weigh(ours) > most) {
+      most = weigh(ours);
+      longest = row.attack;
+    }
+  }
+  std::printf(
+      "\nThe longest is the last of these calls. Each has the time since the one before, in us, and what it finds:\n\n"
+      "```\n%s```\n",
+      textOf(longest).c_str());
+}
+
+void checkLongestCall() {
+  printSeed();
+  uint32_t found = 0;
+  for (const Row &row : rows()) {
+    const uint32_t cost = weigh(costOf<Ours>(row.attack));
+    atMost("the longest call found, " + row.what + ", " + std::to_string(PortCall) + " for a call of the port", cost,
+           std::min(MostPerCall, MostPerByte * static_cast<uint32_t>(row.size)));
+    if (row.isSearched) {
+      found = std::max(found, cost);
+    }
+  }
+  for (const Attack &attack : knownAttacks()) {
+    verdict(found * 10 > weigh(costOf<Ours>(attack)) * 8, "the search alone finds more than 8 tenths of a call known before");
+  }
+}
