@@ -42,6 +42,7 @@ help:
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
 	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
 	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
+	@echo "            TRIES=200000          how long the longest call is searched for"
 	@echo "make figures  writes the tables of extras/docs/measured.md anew (torture, size, bench); some minutes"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
@@ -89,7 +90,7 @@ ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev tmux git unzip $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?'
+	  libncurses-dev tmux git unzip $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

@@ -2,8 +2,9 @@
 # Runs the tests, several steps at once, one line a step; the last line says "N passed, N failed".
 #   run.sh          all
 #   run.sh check    those that find most: unit tests, examples
-#   run.sh step N   one of all, by its number in `steps`
+#   run.sh step N   one of all, by its number in `all`
 # V=1 prints all that the steps print; else it is in BUILD/log. CAPTURES=folder: recordings of real receivers.
+# STEPS='tool|bench' runs these of them.
 #
 # A check that is no doctest case says "ok ..." or "FAILED ..." on a line of its own. What does not build is a failure,
 # so is a program that crashes.
@@ -20,18 +21,19 @@ boards-cortex-m0 Cortex-M0: unit tests
 boards-mega      Arduino Mega: examples
 scope            the page in a browser
 fuzz             libFuzzer
+bench            what the library costs
 boards-cores     other cores: library and examples on stand-ins
 examples-g++     examples and recordings, g++
 examples-clang++ examples and recordings, clang++
 tool             sbus: what it prints, records and refuses
-bench            what the library costs
 table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
 package          the ZIP, and a release
 uses             every public function is used by a sketch
 captures         recordings of real receivers
-figures          the figures of measured.md'
+figures          the figures of measured.md
+commands         the commands of the pages'
 quick='unit-g++         unit tests, g++
 examples-g++     examples and recordings, g++'
 [ -n "${CAPTURES:-}" ] || all=$(echo "$all" | grep -v '^captures')
@@ -116,6 +118,7 @@ newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
 step_figures() { ../extras/docs/figures.sh check; }
+step_commands() { ./commands.sh; }
 
 # Runs step N, and says how it went. (The functions above set `name`.)
 step() {
@@ -125,18 +128,18 @@ step() {
   case $this in
     *-*) "step_${this%%-*}" "${this#*-}" ;;
     *) "step_$this" ;;
-  esac >"$BUILD/steps/$this.log" 2>&1
-  sum=$(awk -f count.awk "$BUILD/steps/$this.log")
+  esac >"$STEP_LOGS/$this.log" 2>&1
+  sum=$(awk -f count.awk "$STEP_LOGS/$this.log")
   (
     flock 8
-    echo "$this" >>"$BUILD/steps/done"
-    [ -z "${V:-}" ] || cat "$BUILD/steps/$this.log"
-    echo "[$(wc -l <"$BUILD/steps/done")/$COUNT] $title: $(echo "$sum" | tail -n 1)"
+    echo "$this" >>"$STEP_LOGS/done"
+    [ -z "${V:-}" ] || cat "$STEP_LOGS/$this.log"
+    echo "[$(wc -l <"$STEP_LOGS/done")/$COUNT] $title: $(echo "$sum" | tail -n 1)"
     case $sum in *" 0 failed"*) ;; *)
-      grep -E -m 1 -A 20 'ERROR:|FAILED|error:' "$BUILD/steps/$this.log"
-      echo "... all of it: $BUILD/steps/$this.log"
+      grep -E -m 1 -A 20 'ERROR:|FAILED|error:' "$STEP_LOGS/$this.log"
+      echo "... all of it: $STEP_LOGS/$this.log"
     esac
-  ) 8>"$BUILD/steps/lock"
+  ) 8>"$STEP_LOGS/lock"
 }
 
 if [ "${1:-}" = step ]; then
@@ -145,17 +148,25 @@ if [ "${1:-}" = step ]; then
 fi
 
 mkdir -p "$BUILD"
-exec 9>"$BUILD/lock"
-flock -n 9 || { echo "Other tests are running here: waiting for their end."; flock 9; }
-rm -rf "$BUILD/steps"
-mkdir -p "$BUILD/steps"
+if [ -n "${STEP_LOGS:-}" ]; then
+  STEP_LOGS=$STEP_LOGS/commands  # called by commands.sh: the lock is ours
+else
+  STEP_LOGS=$BUILD/steps
+  exec 9>"$BUILD/lock"
+  flock -n 9 || { echo "Other tests are running here: waiting for their end."; flock 9; }
+fi
+export STEP_LOGS
+rm -rf "$STEP_LOGS"
+mkdir -p "$STEP_LOGS"
 [ "${1:-}" = check ] && chosen=$quick || chosen=$all
+[ -z "${STEPS:-}" ] || chosen=$(echo "$chosen" | grep -E "^($STEPS) ")
 COUNT=$(echo "$chosen" | wc -l)
 export COUNT
 # Several steps need what these make: make it once.
-build g++ -k unit >"$BUILD/steps/build.log" 2>&1
-echo "$chosen" | grep -v '^figures' | while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done |
-  xargs -P "$(nproc)" -n 1 "$0" step
-case $chosen in *figures*) step "$(echo "$all" | wc -l)" ;; esac  # takes what others have built
-echo "$chosen" | while read -r name _; do cat "$BUILD/steps/$name.log"; done >"$BUILD/log"
+build g++ -k unit >"$STEP_LOGS/build.log" 2>&1
+numbers() { while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done; }
+late='^(figures|commands) '  # they take what others have built
+echo "$chosen" | grep -vE "$late" | numbers | xargs -r -P "$(nproc)" -n 1 "$0" step
+echo "$chosen" | grep -E "$late" | numbers | xargs -r -n 1 "$0" step
+echo "$chosen" | while read -r name _; do cat "$STEP_LOGS/$name.log"; done >"$BUILD/log"
 awk -f count.awk "$BUILD/log"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Keeps the tables of measured.md, which stand between <!-- NAME: begin --> and <!-- NAME: end -->.
-#   figures.sh         writes them anew, some minutes
+#   figures.sh         writes them, some minutes; FRAMES=n and TRIES=n of `make torture` and `make bench` shorten that
 #   figures.sh check   says "ok ...", "FAILED ..." or "skipped ..." of each that takes seconds: is it up to date?
 # A table is checked only with the compilers that its first line names: others make other code. BUILD is an absolute
 # folder for what is built.
@@ -8,13 +8,12 @@ set -u
 cd "$(dirname "$0")" || exit 1
 page=measured.md
 export BUILD="${BUILD:-$(cd ../.. && pwd)/build/test}"
-unset FRAMES SEED ONLY FULL WITHOUT
 out=$BUILD/figures
 mkdir -p "$out"
 
 print() {  # NAME [ONLY=...]
   case $1 in
-    torture | size) "${MAKE:-make}" --no-print-directory -s -C ../../test BUILD="$BUILD" "$@" ;;
+    torture | size) "${MAKE:-make}" --no-print-directory -s -C ../.. BUILD="$BUILD" "$@" ;;
     bench) ../../test/bench/bench.sh known ;;
     worst) ../../test/bench/bench.sh worst ;;
   esac
@@ -53,6 +52,7 @@ check_torture() {
 }
 
 if [ "${1:-}" = check ]; then
+  unset FRAMES SEED ONLY FULL WITHOUT
   printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
   check size
   check bench
