@@ -1,5 +1,5 @@
 // Prints how the receiver and the paper's way do on every line: a table in Markdown, one row a line, as each is done.
-//   FRAMES=n    frames of each line, setup and kind of sticks; 10000
+//   FRAMES=n    frames of each line, setup and kind of sticks; 2000
 //   SEED=n      20181
 //   ONLY=x      only the lines whose name has x in it
 //   FULL=1      one row for each line, setup and kind of sticks
@@ -129,7 +129,7 @@ int main() {
   const char *const only = std::getenv("ONLY");
   const bool full = setting("FULL", 0) != 0;
   const bool summary = setting("SUMMARY", 0) != 0;
-  frames = framesPerCase(summary ? 1000 : 10000);
+  frames = framesPerCase(summary ? 1000 : 2000);
   const uint64_t seed = seedOfAll();
 
   std::vector<Row> chosen;
