@@ -57,7 +57,7 @@ void hold(const JoinLine &line, Payload sticks) {
   CHECK(static_cast<double>(sum.misled) <= line.misled * joins);
   CHECK(static_cast<double>(sum.unseen) <= line.unseen * joins);
   CHECK(sum.frames.outlived <= 1);  // of all setups; a frame that had waited may be handed over behind the gap
-  CHECK(sum.frames.tooYoung == 0);
+  CHECK(sum.frames.tooYoung <= 1);  // frames at rest are alike: the judge takes the newest that fits
 }
 
 // A line as issue 3 describes it for other receivers.
