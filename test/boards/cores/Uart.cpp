@@ -86,12 +86,12 @@ void Uart::receive() {
       handOver();
     }
   };
-  const auto take = [&](uint64_t endUs, uint8_t value, bool heard) {
+  const auto take = [&](uint64_t beginUs, uint64_t endUs, uint8_t value, bool heard) {
     world.next++;
-    if (endUs < _openedUs + characterUs || !heard) {
+    if (beginUs < _openedUs || !heard) {
       return;
     }
-    idleUntil(endUs - characterUs);
+    idleUntil(beginUs);
     _lastUs = endUs;
     _fifo[_filled++] = value;
     _position++;
@@ -102,11 +102,12 @@ void Uart::receive() {
   if (world.looped) {
     while (world.next < world.sent.size() && world.sent[world.next].endUs <= world.nowUs) {
       const Sent &sent = world.sent[world.next];
-      take(sent.endUs, sent.value, _settings.evenStops != 0 && sent.settings.txInverted == _settings.rxInverted);
+      take(sent.beginUs, sent.endUs, sent.value, _settings.evenStops != 0 && sent.settings.txInverted == _settings.rxInverted);
     }
   } else {
     while (world.next < world.line.size() && world.line[world.next].endUs <= world.nowUs) {
-      take(world.line[world.next].endUs, world.line[world.next].value, hears());
+      const auto &character = world.line[world.next];
+      take(character.endUs - characterUs, character.endUs, character.value, hears());
     }
   }
   idleUntil(world.nowUs);
