@@ -1,10 +1,27 @@
 // What the library makes of a recording, as the page's "Save CSV" writes it: seconds, CH1..CH16, switches, flags. It
-// polls after each character, as a sketch whose loop() is fast.
+// polls after each character, and once before, when nothing has come: as a sketch whose loop() is fast.
 #include <cstdio>
 #include <string>
 
 #include "line/RecordingFile.h"
 #include "sbus/FrameFinder.h"
+
+namespace {
+
+void print(const uint8_t *frame, uint64_t us) {
+  if (frame == nullptr) {
+    return;
+  }
+  uint16_t channels[sbus::ChannelCount];
+  sbus::unpack(frame, channels);
+  std::printf("%.6f", static_cast<double>(us) / 1e6);
+  for (const uint16_t channel : channels) {
+    std::printf(",%u", channel);
+  }
+  std::printf(",%d,%d\n", sbus::failsafe(frame), sbus::lostFrame(frame));
+}
+
+}  // namespace
 
 int main(int, char **arguments) {
   std::string header = "seconds";
@@ -13,20 +30,13 @@ int main(int, char **arguments) {
   }
   std::puts((header + ",switch17,switch18,failsafe,lostFrame").c_str());
   sbus::FrameFinder finder;
+  uint64_t us = 0;
   for (const line::Character character : line::readRecording(arguments[1]).characters) {
-    finder.poll(1, static_cast<uint32_t>(character.endUs));
+    us = character.endUs;
+    print(finder.idle(static_cast<uint32_t>(us - 1)), us - 1);
+    finder.poll(1, static_cast<uint32_t>(us));
     *finder.space() = character.value;
-    const uint8_t *const frame = finder.received(1, 0);
-    if (frame == nullptr) {
-      continue;
-    }
-    uint16_t channels[sbus::ChannelCount];
-    sbus::unpack(frame, channels);
-    // The first frame of a line waits for what follows it.
-    std::printf("%.6f", static_cast<double>(character.endUs) / 1e6);
-    for (const uint16_t channel : channels) {
-      std::printf(",%u", channel);
-    }
-    std::printf(",%d,%d\n", sbus::failsafe(frame), sbus::lostFrame(frame));
+    print(finder.received(1, 0), us);
   }
+  print(finder.idle(static_cast<uint32_t>(us + 4000)), us + 4000);
 }
