@@ -26,11 +26,12 @@ struct Counters {
                           ///< for DecodeSBus24, one of 16
   uint32_t period;        ///< us between frames delivered, smoothed over some eight; 0 before the second
 
-  /// A frame with these flags is delivered, `interval` us after the one before.
+  /// A frame with these flags is delivered, `interval` us after the one before; below 0 if a blocked loop() hides how
+  /// late the one before came.
   void count(uint8_t flags, uint32_t interval) {
-    if (frames > 1) {
+    if (static_cast<int32_t>(period) > 0) {
       period += static_cast<uint32_t>(static_cast<int32_t>(interval - period) >> 3);
-    } else if (frames == 1) {
+    } else if (frames != 0 && static_cast<int32_t>(interval) > 0) {
       period = interval;
     }
     frames++;

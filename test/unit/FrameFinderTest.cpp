@@ -274,6 +274,19 @@ TEST_CASE("a frame behind as much noise as a large buffer holds is as old as its
   }
 }
 
+TEST_CASE("there is no period where a frame looks older than the first one, by what is behind it, but from the next on") {
+  Feeder line;
+  REQUIRE(line.settle().feed(Low).empty());
+  REQUIRE(line.wait(4000).waited.size() == 1);
+  const uint32_t first = line.finder.frameTime();
+  CHECK(line.block(41 * Feeder::CharacterUs).poll(Low + part(Low, 0, 16)).size() == 1);
+  const uint32_t second = line.finder.frameTime();
+  CHECK(second - first == 0u - 5480);
+  CHECK(line.finder.counters().period == 0);
+  CHECK(line.feed(part(Low, 16)).size() == 1);
+  CHECK(line.finder.counters().period == line.finder.frameTime() - second);
+}
+
 TEST_CASE("a frame behind one that waited is as old as its own poll makes it") {
   Feeder line;
   line.settle().feed(Low);
