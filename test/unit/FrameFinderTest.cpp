@@ -125,7 +125,7 @@ TEST_CASE("each cause of refusal has its counter, and what belongs to no frame i
   }
 }
 
-TEST_CASE("of many headers in a row each is counted by its cause, but after 24, or 8 that only the whole judgement rejects, the rest of a poll is not searched") {
+TEST_CASE("of many headers in a row each is counted by its cause: 24, or 8 with an end byte and flags, end a search") {
   const struct {
     uint8_t after;  // 25 times, after 25 headers
     size_t burst;
