@@ -1,5 +1,5 @@
 /// @file
-/// What is known of a line before its first frame: does it carry frames of this size at all?
+/// Does a line carry frames of this size at all?
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,8 @@
 
 namespace sbus {
 
-/// Counts the characters from gap to gap. All calls come from the context that reads the port.
+/// Counts the characters from gap to gap: FrSky's frames of 24 channels have 36. All calls come from the context that
+/// reads the port.
 template <typename Format>
 class Acquisition {
  public:
@@ -16,14 +17,12 @@ class Acquisition {
   void reset() {
     _doubts = 0;
     _group = 0;
-    forgetGaps();
+    forget();
   }
 
-  /// No gap is known any more: characters were lost.
-  void forgetGaps() {
-    _run = Unseen;
-    _lastRun = Unseen;
-  }
+  /// The line was silent for so long that the next character is as good as its first; or nothing is known of the
+  /// characters before that one.
+  void forget(bool isSilent = false) { _run = _lastRun = isSilent ? 0 : Unseen; }
 
   /// `found` characters have come.
   void characters(unsigned found) {
@@ -31,23 +30,24 @@ class Acquisition {
   }
 
   /// A gap stands before the next character; `waiting` of those before it belong to no frame yet. Returns true if a
-  /// frame of the other size has just ended (FrSky's 36 characters for 25, and the other way round): it forbids frames
+  /// frame of the other size has just ended. If the line's kind is not known either (`isKindOpen`), it forbids frames
   /// until one of the right size has come, or eight gaps.
-  bool gap(int waiting) {
+  bool gap(int waiting, bool isKindOpen) {
     if (_run == 0) {
       return false;  // it is known already
     }
     const bool isOther = _run == Format::OtherSize;
     if (isOther) {
-      _doubts = Memory;
+      _doubts = isKindOpen ? Memory : _doubts;
     } else if (_run == Format::Size) {
       _doubts = 0;
-    } else if (waiting >= Format::Size && _run > waiting && _run < Unseen) {
-      _doubts = _doubts == 0 ? 1 : _doubts;  // characters came straight before what waits
+    } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {
+      // What waits may be the end of a frame of the other size that lost characters. (One before it may be a stray.)
+      _doubts = _doubts == 0 ? 1 : _doubts;
     } else if (_doubts > 0) {
       _doubts--;
     }
-    _lastRun = _run;
+    _lastRun = _lastRun == 0 ? Unseen : _run;  // the silence before the first character proves nothing
     _run = 0;
     return isOther;
   }
@@ -55,9 +55,10 @@ class Acquisition {
   /// How many characters stood between the two newest gaps; 255 if that is not known.
   int lastRun() const { return _lastRun; }
 
-  /// A frame may stand here: there are no doubts, and it stands at a gap if the line shows any.
-  bool allows(bool isAtGap) const {
-    return (_doubts == 0 || !holds(Rule::other)) && (isAtGap || _run == Unseen || !holds(Rule::first));
+  /// A frame may stand here: there are no doubts, and it stands at a gap if the line shows any, or `isFirst` on it.
+  bool allows(bool isAtGap, bool isFirst) const {
+    const bool showsGaps = _run < (_lastRun == 0 ? 2 * Format::Size : Unseen);
+    return (_doubts == 0 || !holds(Rule::other)) && (isAtGap || !showsGaps || isFirst || !holds(Rule::first));
   }
 
   /// A frame with this end byte has the ID of a telemetry slot behind it. True if the one before announced the group

@@ -118,7 +118,7 @@ class FrameFinderOf : private Events {
   static constexpr int Silent = 2;  // characters off: nothing is expected, and nothing was discarded yet
 
   void startOver(int offBy);
-  void acquire(unsigned found, Silence silence);
+  void gapBefore();
   const uint8_t *settle();
   const uint8_t *search(int waiting);
   bool scan(int waiting);
@@ -144,7 +144,7 @@ class FrameFinderOf : private Events {
   uint8_t _rejected;   // headers rejected in this poll
   uint8_t _old;        // bytes in the buffer that were there before this poll
   bool _onlyNoise;     // since the last frame: neither a gap nor a header
-  Acquisition<Format> _acquisition;  // while the kind is unknown
+  Acquisition<Format> _acquisition;
   LineTiming _timing;
   FrameBuffer<Format> _buffer;
   uint32_t _completeAfter;  // us: the frame at the buffer's beginning was not complete then
@@ -164,10 +164,11 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
     startOver(Silent);
   } else if (silence != Silence::Unknown) {
     _buffer.markGap(silence == Silence::Gap);
+    if (silence == Silence::Gap) {
+      gapBefore();
+    }
   }
-  if (_kind == UnknownKind) {
-    acquire(found, silence);
-  }
+  _acquisition.characters(found);
 }
 
 /// Of 16 channels, as nearly all receivers send them.

@@ -38,7 +38,7 @@ void FrameFinderOf<Format, Events>::startOver(int offBy) {
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
   _onlyNoise = false;
-  _acquisition.forgetGaps();
+  _acquisition.forget(offBy == Silent);
 }
 
 template <typename Format, typename Events>
@@ -47,13 +47,13 @@ void FrameFinderOf<Format, Events>::broken() {
   startOver(FarOff);
 }
 
-// Needed until the first frame only, and out of line: within poll() it would cost every frame 15 cycles.
+// Of a line of the other size two damaged frames may look like one of this size, and the same ones again and again.
 template <typename Format, typename Events>
-void FrameFinderOf<Format, Events>::acquire(unsigned found, Silence silence) {
-  if (silence == Silence::Gap && _acquisition.gap(_buffer.filled())) {
+void FrameFinderOf<Format, Events>::gapBefore() {
+  if (_acquisition.gap(_buffer.filled(), _kind == UnknownKind)) {
     countUp(_counters.otherFrames);
+    _kind = UnknownKind;
   }
-  _acquisition.characters(found);
 }
 
 // A frame waits for what follows it. Is it silence?
@@ -63,9 +63,7 @@ const uint8_t *FrameFinderOf<Format, Events>::settle() {
     return nullptr;
   }
   _buffer.markGap(true);
-  if (_kind == UnknownKind) {
-    acquire(0, Silence::Gap);
-  }
+  gapBefore();
   _rejected = 0;
   return search(0);
 }
@@ -130,7 +128,6 @@ inline bool FrameFinderOf<Format, Events>::find(int waiting) {
         discard(start);
         _kind = kind;
         _certain = verdict.isCertain();
-        _acquisition.forgetGaps();
         return true;
       }
       if (verdict.isOpen()) {
@@ -164,7 +161,7 @@ inline bool FrameFinderOf<Format, Events>::mayBeExtra() const {
 template <typename Format, typename Events>
 inline Verdict FrameFinderOf<Format, Events>::judgeExtra() {
   if (_kind == UnknownKind) {
-    _acquisition.forgetGaps();  // the first frame may follow without a gap
+    _acquisition.forget();  // the first frame may follow without a gap
     return Verdict::reject(Rejection::NotAtGap);
   }
   _onlyNoise = false;
@@ -224,7 +221,7 @@ template <typename Format, typename Events>
 __attribute__((always_inline)) inline Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t kind) {
   const int offBy = start - _expectedAt;
   return rules::judge(Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start,
-                                        _buffer.isGapCertain(), kind, kind == _kind, offBy, offBy == 0 && _certain},
+                                        _buffer.isGapCertain(), kind, _kind, offBy, offBy == 0 && _certain},
                       _acquisition);
 }
 
@@ -268,6 +265,6 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t); \
   template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);             \
   template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                   \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::acquire(unsigned, sbus::Silence); \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();         \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);   

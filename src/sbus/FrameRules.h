@@ -57,10 +57,11 @@ struct Candidate {
   int gapAt;             ///< index of the first one after the newest gap; may lie outside
   bool isGapCertain;     ///< there was one; else loop() may have been blocked
   uint8_t kind;          ///< by its end byte: a row of LineKinds
-  bool isLines;          ///< the line's frames are known to be of that kind
+  uint8_t lineKind;      ///< of the line's frames; UnknownKind before the first
   int offBy;             ///< so many characters stand between the frame before and this one; below 0: its tail lacks some
   bool isSure;           ///< none, and that frame's place was certain
 
+  SBUS_IN_LINE bool isLines() const { return kind == lineKind; }
   SBUS_IN_LINE const LineKind &line() const { return LineKinds[kind]; }
   SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }
   /// With its tail.
@@ -102,7 +103,7 @@ SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
 /// second byte that is no header: then the first could be the stray one.
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
-  return holds(Rule::stray) && !c.isLines && c.bytes[1] != HeaderByte;
+  return holds(Rule::stray) && c.lineKind == UnknownKind && c.bytes[1] != HeaderByte;
 }
 template <typename Format>
 SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
@@ -114,7 +115,7 @@ SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format>
 /// before it as well.
 template <typename Format>
 SBUS_IN_LINE bool mayBeNoTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
-  return !c.isLines && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
+  return !c.isLines() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
 }
 
 /// Its end byte comes twice: noise may stand before the true header, or a stray character behind the true end. That is
@@ -134,7 +135,7 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 /// Where the line's kind is not known, any end byte counts.
 template <typename Format>
 SBUS_IN_LINE int secondReading(const Candidate<Format> &c) {
-  const uint8_t kind = c.isLines || Format::Kinds == 1 ? c.kind : UnknownKind;
+  const uint8_t kind = c.isLines() || Format::Kinds == 1 ? c.kind : UnknownKind;
   return holds(Rule::halves) ? innerHeader(c.bytes, Format::Size, kind) : Format::Size;
 }
 
@@ -168,12 +169,12 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
   bool isInTurn = false;
   if (!isGapAfter) {
     if (c.count <= c.size()) {
-      if (holds(Rule::variant) && !c.isLines) {
+      if (holds(Rule::variant) && !c.isLines()) {
         return Verdict::wait();
       }
     } else if (!isHeaderNext(c)) {
       // Of two headers in a row the second may be the true one, or not: if the first is rejected, so are both.
-      if (c.isLines) {
+      if (c.isLines()) {
         if (!isSlotNext(c) && (endsTwice(c) || goesOn(c))) {
           return Verdict::reject(Rejection::GoesOn, 2);
         }
@@ -190,7 +191,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
       }
     }
   }
-  if (!c.isLines && !acquisition.allows(isAtGap || isInTurn)) {
+  if (!c.isLines() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= 2)) {
     return Verdict::reject(Rejection::NotAtGap);
   }
   // Where its place is not certain it may be the halves of two frames.

@@ -1,7 +1,5 @@
 #include "Company.h"
 
-#include <initializer_list>
-
 #include "Runs.h"
 
 namespace {
@@ -14,35 +12,22 @@ constexpr const char *First = "the first of a line, and such as have a second re
 constexpr Limits AtFirst = {1e-4, 0, First};
 constexpr Limits InDoubt = {0.25, 5e-5, First};
 
-// Every driver, and loops up to the longest that parseSBusFrame() allows.
-std::vector<Setup> setups(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs) {
-  std::vector<Setup> setups;
-  for (const Driver &driver : {Board, ByteByByte, Fifo, Esp32Told}) {
-    for (const uint32_t periodUs : periodsUs) {
-      for (const uint32_t loopUs : loopsUs) {
-        setups.push_back({periodUs, loopUs, driver, driver.isBoards() ? 64u : 256u});
-      }
-    }
-  }
-  return setups;
-}
-
 const std::vector<Setup> &sbus2() {
-  static const std::vector<Setup> list = setups({15000}, {50, 1000, 2000, 3100, 4000, 4900});
+  static const std::vector<Setup> list = everyDriver({15000}, {50, 1000, 2000, 3100, 4000, 4900});
   return list;
 }
 // Here every gap between frames is seen.
 const std::vector<Setup> &gaps() {
   static const std::vector<Setup> list = [] {
-    std::vector<Setup> all = setups({9000}, {50, 1000});
-    const std::vector<Setup> slower = setups({15000}, {50, 1000, 3000, 5000});
+    std::vector<Setup> all = everyDriver({9000}, {50, 1000});
+    const std::vector<Setup> slower = everyDriver({15000}, {50, 1000, 3000, 5000});
     all.insert(all.end(), slower.begin(), slower.end());
     return all;
   }();
   return list;
 }
 const std::vector<Setup> &quick() {
-  static const std::vector<Setup> list = setups({7000, 9000, 14000}, {20, 50});
+  static const std::vector<Setup> list = everyDriver({7000, 9000, 14000}, {20, 50});
   return list;
 }
 
@@ -87,7 +72,7 @@ const std::vector<Condition> &companyLines() {
       company("S.BUS2, 2 slots behind each frame, 0.5 ms late", late(500), sbus2()),
       company("S.BUS2, 2 slots behind each frame, 1 ms early", late(-1000), sbus2()),
       company("S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()),
-      company("FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), setups({6300}, {50, 1000, 2000, 3000})),
+      company("FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), everyDriver({6300}, {50, 1000, 2000, 3000})),
       stray("a character 00 straight behind each frame", behind(0)),
       stray("any character straight behind each frame", behind(Company::AnyStray)),
       stray("a character 00 straight before each frame", before(0)),

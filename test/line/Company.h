@@ -3,5 +3,6 @@
 
 #include "Conditions.h"
 
-// No frame is damaged. None is wrong, and none is missed but frames with a second reading that a stray character touches.
+// No frame is damaged. None is wrong, and none is missed, except frames with a second reading that a stray character
+// touches.
 const std::vector<Condition> &companyLines();

@@ -31,4 +31,5 @@ struct Condition {
 const std::vector<Condition> &conditions();
 
 // One condition, one setup, one kind of sticks: `frames` or a few more. Each has a seed of its own, made of `seed`.
-Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames, uint64_t seed);
+Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames,
+              uint64_t seed);

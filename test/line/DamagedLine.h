@@ -25,7 +25,7 @@ struct Impairments {
   double burst = 0;     // of a character: with it a burst of 2 to 12 begins, which are dropped; one in eight is junk
   double inserted = 0;  // of a character: any other one comes straight before it
   double flipped = 0;   // of a character: two of its bits are wrong, and parity misses it
-  double noise = 0;     // of a pause: it holds one character, anything, anywhere
+  double noise = 0;     // of a gap: it holds one character, anything, anywhere
 };
 
 // Who else is on the wire.
@@ -58,7 +58,7 @@ struct Transmission {
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
   uint32_t spreadUs = 0;  // between the characters of a frame
-  uint64_t frames = 20000;
+  uint64_t frames = UINT64_MAX;
   uint64_t stopEvery = 0;  // after so many frames the line is silent for 100 ms
   Company company{};
   Cut cut{};
@@ -73,8 +73,8 @@ struct SentFrame {
   bool extra = false;     // its header is 2F
   bool intact = true;     // all there, nothing in between, and header, flags and end byte are those of a frame
   bool altered = false;   // not what the receiver sent
-  bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that one;
-                          // nor was the line silent for longer than any frame period
+  bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that
+                          // one; nor was the line silent for longer than any frame period
   uint64_t first = 0;     // number of its first good character
   uint64_t after = 0;     // number of the good character after it
   uint64_t endUs = 0;     // when its last character was through

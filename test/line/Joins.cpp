@@ -1,6 +1,7 @@
 #include "Joins.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <sbus/Frame.h>
 
@@ -19,32 +20,21 @@ bool gapsAreSeen(const Setup &setup) {
   return setup.periodUs >= 6300 && setup.loopUs <= 1000;
 }
 
-std::vector<Setup> setupsOf(bool (*wanted)(const Setup &setup)) {
-  std::vector<Setup> setups;
-  for (const Driver &driver : {Board, ByteByByte, Fifo, Esp32Told, Esp32}) {
-    for (const uint32_t periodUs : {4000u, 6300u, 7000u, 9000u, 14000u, 15000u}) {
-      for (const uint32_t loopUs : {50u, 300u, 1000u, 2000u, 3000u, 4000u, 5000u}) {
-        const Setup setup = {periodUs, loopUs, driver, 256};
-        if (wanted(setup)) {
-          setups.push_back(setup);
-        }
-      }
-    }
-  }
-  return setups;
-}
-
 std::vector<Setup> all() {
-  return setupsOf([](const Setup &) { return true; });
+  return everyDriver({4000, 6300, 7000, 9000, 14000, 15000}, {50, 300, 1000, 2000, 3000, 4000, 5000});
 }
 std::vector<Setup> sbus2() {
-  return setupsOf([](const Setup &setup) { return setup.periodUs == 15000; });
+  return everyDriver({15000}, {50, 300, 1000, 2000, 3000, 4000, 5000});
 }
 std::vector<Setup> seen() {
-  return setupsOf(gapsAreSeen);
+  std::vector<Setup> setups = all();
+  setups.erase(std::remove_if(setups.begin(), setups.end(), std::not_fn(gapsAreSeen)), setups.end());
+  return setups;
 }
 std::vector<Setup> hidden() {
-  return setupsOf([](const Setup &setup) { return !gapsAreSeen(setup); });
+  std::vector<Setup> setups = all();
+  setups.erase(std::remove_if(setups.begin(), setups.end(), gapsAreSeen), setups.end());
+  return setups;
 }
 
 // At this character.
@@ -110,7 +100,8 @@ JoinTally &JoinTally::operator+=(const JoinTally &other) {
   return *this;
 }
 
-JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride, uint64_t seed) {
+JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
+                  uint64_t seed) {
   Random random(ownSeed(line.name, setup, sticks, seed));
   JoinTally sum;
   for (unsigned place = FirstPlace; place <= LastPlace; place++) {

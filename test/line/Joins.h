@@ -1,4 +1,4 @@
-// A receiver that is plugged in, or begins to listen, while frames go over the line: does it take the middle of two for one?
+// A receiver that is plugged in, or begins to listen, while frames go over the line: does it take two halves for one?
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ struct JoinTally {
 };
 
 // With second readings at each place, joined at each character, or at one of `stride`.
-JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride, uint64_t seed);
+JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
+                  uint64_t seed);
 
 // Of lines with so many frames a case.
 unsigned joinStride(uint64_t frames);

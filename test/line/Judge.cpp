@@ -5,8 +5,9 @@
 
 namespace {
 
-constexpr uint64_t Tally::*Counts[] = {&Tally::damaged,  &Tally::intact,  &Tally::missed,   &Tally::wrong, &Tally::late,
-                                       &Tally::tooYoung, &Tally::altered, &Tally::disturbed, &Tally::joined, &Tally::outlived};
+constexpr uint64_t Tally::*Counts[] = {&Tally::damaged, &Tally::intact,   &Tally::missed,  &Tally::wrong,
+                                       &Tally::late,    &Tally::tooYoung, &Tally::altered, &Tally::disturbed,
+                                       &Tally::joined,  &Tally::outlived};
 
 }  // namespace
 

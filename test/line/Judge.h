@@ -11,10 +11,10 @@ struct Tally {
   uint64_t intact = 0;     // all others
   uint64_t missed = 0;     // of these: never given to the sketch
   uint64_t wrong = 0;      // given to the sketch, but never on the line as a frame, at its true place
-  uint64_t late = 0;       // in lock, and given later than at the first poll that had its last byte
+  uint64_t late = 0;       // in sync, and given later than at the first poll that had its last byte
   uint64_t tooYoung = 0;   // given with an age below the time since its last character was through
   uint64_t altered = 0;    // damaged, and given: all its characters were there, and it looked like a frame
-  uint64_t disturbed = 0;  // characters in pauses, and blocked loops
+  uint64_t disturbed = 0;  // characters in gaps, and blocked loops
   uint64_t joined = 0;     // intact, begun after a cut's end, and given
   uint64_t outlived = 0;   // wrong, and given after a gap that can be seen: false sync should have ended there
 
@@ -27,8 +27,8 @@ struct Tally {
 
 // Characters are numbered as in SentFrame: those that the port could receive.
 //
-// In lock is a frame that stands straight after one that was given, with no break in between. Not counted as missed are
-// the first `learning` frames, as long as none was given, and a last one that is not in lock: it may wait for what
+// In sync is a frame that stands straight after one that was given, with no break in between. Not counted as missed are
+// the first `learning` frames, as long as none was given, and a last one that is not in sync: it may wait for what
 // follows.
 class Judge {
  public:
@@ -54,8 +54,8 @@ class Judge {
   // A poll begins, and has all characters before `position`.
   void poll(uint64_t position);
 
-  // The sketch has been given `frame` when it had read all characters before `position`. By the age that it was told, the
-  // frame's last character was through after `sinceUs`. Header and end byte are not looked at.
+  // The sketch has been given `frame` when it had read all characters before `position`. By the age that it was told,
+  // the frame's last character was through after `sinceUs`. Header and end byte are not looked at.
   void given(const uint8_t *frame, uint64_t position, uint64_t sinceUs = 0);
 
   // The sum.

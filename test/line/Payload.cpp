@@ -100,8 +100,8 @@ Frame PayloadFrames::anyFrame() {
   return frame;
 }
 
-// Flags, end byte and header: the bytes from there to the next frame's same place look like a frame. At place 2 the frame's
-// own header serves as flags, and at place 23 its flags as header.
+// Flags, end byte and header: the bytes from there to the next frame's same place look like a frame. At place 2 the
+// frame's own header serves as flags, and at place 23 its flags as header.
 void PayloadFrames::disguise(Frame &frame) {
   if (_place > 2) {
     frame[_place - 2] = static_cast<uint8_t>(_random.below(4));

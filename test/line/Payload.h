@@ -34,8 +34,8 @@ const std::vector<Payload> &deceptiveSticks();
 // Makes frames with end byte 00. Of the moving ones 2 % carry flags, any.
 class PayloadFrames {
  public:
-  // `place`: where the second reading of a shifted one begins, 2 to 23 (at the flags, which are 0F then); 0: anywhere, and
-  // now and then elsewhere.
+  // `place`: where a second reading begins, 2 to 23 (at the flags, which are 0F then). 0: anywhere, and now and then
+  // elsewhere.
   PayloadFrames(Payload sticks, Random &random, unsigned place = 0);
   Frame next();
 

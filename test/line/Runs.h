@@ -43,8 +43,14 @@ inline Run stopping() {
   run.line.stopEvery = 20;
   return run;
 }
+// Of so many frames each.
+inline Run lines(uint64_t frames, Run run) {
+  run.line.frames = frames;
+  return run;
+}
+// Each line begins at another place of a frame.
 inline Run inStep() {
-  Run run;
+  Run run = lines(2000, plain());
   run.inStep = true;
   return run;
 }
@@ -55,7 +61,7 @@ inline Run spread() {
   return run;
 }
 inline Run joined() {
-  Run run;
+  Run run = lines(25, plain());
   run.joining = true;
   return run;
 }

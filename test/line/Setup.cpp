@@ -8,6 +8,18 @@ std::string inUs(uint32_t us) {
 
 }  // namespace
 
+std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs) {
+  std::vector<Setup> setups;
+  for (const Driver &driver : {Board, ByteByByte, Fifo, Esp32Told, Esp32}) {
+    for (const uint32_t periodUs : periodsUs) {
+      for (const uint32_t loopUs : loopsUs) {
+        setups.push_back({periodUs, loopUs, driver, 256});
+      }
+    }
+  }
+  return setups;
+}
+
 std::string name(const Setup &setup) {
   return "T " + inUs(setup.periodUs) + ", loop " + inUs(setup.loopUs) + ", " + setup.driver.name + ", " +
          std::to_string(setup.buffer) + (setup.polling == Polling::ByEvents ? ", by events" : "");

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "Payload.h"
 #include "support/Driver.h"
@@ -21,6 +23,9 @@ struct Setup {
   size_t buffer = 64;
   Polling polling = Polling::InLoop;
 };
+
+// Every driver with each of these, buffers of 256.
+std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs);
 
 // "T 9 ms, loop 50 us, board, 64".
 std::string name(const Setup &setup);

@@ -112,7 +112,7 @@ class Simulation {
   // found none, less what a driver may hold back. More than two characters of it are a gap, up to a silence that is longer
   // than any frame period. It lies between characters if some were found since the line was joined.
   bool isGap() {
-const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
+    const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
     const auto found = static_cast<uint64_t>(_port.available());
     const uint64_t burst = std::min<uint64_t>(sbus::Frame16::spread(static_cast<unsigned>(found)) + idle + 2,
                                               sbus::Frame16::LongestSpread);

@@ -23,8 +23,9 @@ struct Run {
 
 enum class Decoder { Ours, Papers };
 
-// In a silence only the first call and the last before the next character are made: a receiver learns no more from those
-// in between. The paper's decoder is polled by events.
-// Of a line with Futaba's further channels (Kind::With2F) the tally is that of both kinds of frames; late are those with
-// header 0F only: the others wait for what follows them.
+// In a silence only the first call and the last before the next character are made: a receiver learns no more from
+// those in between. The paper's decoder is polled by events.
+//
+// Of a line with Futaba's further channels (Kind::With2F) the tally is that of both kinds of frames; late are those
+// with header 0F only: the others wait for what follows them.
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed);

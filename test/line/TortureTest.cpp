@@ -1,4 +1,5 @@
-// The torture bench: what is missed, wrong and late on every line, against the bounds in Conditions.cpp.
+// The torture bench: what is missed, wrong, late and too young on every line, against the bounds in Conditions.cpp,
+// Company.cpp and Joins.cpp.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -34,7 +35,9 @@ void hold(const Condition &condition, const std::vector<Payload> &group, const L
   const auto base = static_cast<double>(sum.damages() != 0 ? sum.damages() : sum.intact);
   CHECK(static_cast<double>(sum.missed) <= limits.missed * base);
   CHECK(static_cast<double>(sum.wrong) <= limits.wrong * base);
-  CHECK(sum.late <= (sum.damages() == 0 ? 0 : sum.intact / 20000));  // noise makes a place uncertain: then a frame may wait
+  // Noise makes a place uncertain, and so does a blocked loop() where no call finds nothing: then a frame may wait.
+  const bool byEvents = condition.setups.front().polling == Polling::ByEvents;
+  CHECK(sum.late <= (sum.damages() == 0 ? 0 : sum.intact / (byEvents ? 2000 : 20000)));
   CHECK(sum.tooYoung == 0);
   if (condition.name.find("clean") != std::string::npos) {
     CHECK(sum.damages() == 0);
@@ -82,7 +85,7 @@ TEST_CASE("no frame is missed or wrong for telemetry, stray characters, delays, 
   }
 }
 
-TEST_CASE("a receiver that joins anywhere gives no frame that was never sent, and false sync ends at the next gap seen") {
+TEST_CASE("a receiver that joins a line gives no frame that was never sent, and false sync ends at a gap it sees") {
   for (const JoinLine &line : joinLines()) {
     for (const Payload sticks : JoinLine::sticks()) {
       hold(line, sticks);

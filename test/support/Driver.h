@@ -11,22 +11,24 @@ struct Driver {
 };
 
 // GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Source/stm32l0_uart.c: a DMA ring of 32 (variants/*/
-// variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, wherever a frame stands (53, 280), when the
-// line is idle for a character (653), and before a bad character, which is dropped (529). The newest are dropped if there is
-// no place for them (125). host::BoardUart does all that; begin() empties the ring and begins it anew (379).
+// variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, wherever a frame stands (53, 280), when
+// the line is idle for a character (653), and before a bad character, which is dropped (529). What finds no place is
+// dropped, so the newest (125). begin() empties the ring and begins it anew (379). All that is host::BoardUart's.
 constexpr Driver Board = {"board", 16, 1};
 
-// arduino/ArduinoCore-avr 11b9130, cores/arduino/HardwareSerial_private.h:101: an interrupt a character. Only a parity error
-// drops it (103): one with a framing error stays. So do cores that look into the UART's FIFO in available(): arduino-pico
-// 387294c, cores/rp2040/SerialUART.cpp:344 and 415, and Teensy 4, PaulStoffregen/cores 7f107ee, HardwareSerial.cpp:449.
+// arduino/ArduinoCore-avr 11b9130, cores/arduino/HardwareSerial_private.h:101: an interrupt a character. Only a parity
+// error drops one (103); with a framing error it stays. So do cores whose available() looks into the UART's FIFO:
+// arduino-pico 387294c, cores/rp2040/SerialUART.cpp:344, 415; Teensy 4, PaulStoffregen/cores 7f107ee, teensy4/
+// HardwareSerial.cpp:449.
 constexpr Driver ByteByByte = {"bytes", 1, 0};
 
-// What a receiver is to bear; no core of today holds back as much. Before 53043830 (1.13.1) arduino-pico had 4 characters, or
-// 32 bits: SerialUART.cpp:514.
-constexpr Driver Fifo = {"FIFO 8", 8, 4};
-
 // espressif/arduino-esp32, cores/esp32/HardwareSerial.cpp, begin(): "fifoFull = 120" above 57600 baud; _rxTimeout is 2
-// characters in core 2.0, and 1 in core 3. esp-idf 1021229, components/esp_driver_uart/src/uart.c:1341, then empties the FIFO.
-// A bad character stays in it, as nothing calls uart_ll_discard_error_data(): that is a line with flipped bits.
+// characters in core 2.0, and 1 in core 3. espressif/esp-idf 1021229, components/esp_driver_uart/src/uart.c:1341, then
+// empties the FIFO. A bad character stays in it (nothing calls uart_ll_discard_error_data()): that is a line with
+// flipped bits.
 constexpr Driver Esp32 = {"ESP32", 120, 2};       // as the sketch opens it
 constexpr Driver Esp32Told = {"ESP32, 8", 8, 2};  // as DecodeSBus::begin() does
+
+// The most that a receiver has to bear; no core of today holds back as much. Before 1.13.1 (53043830) arduino-pico held
+// back 4 characters, or fewer for 32 bits.
+constexpr Driver Fifo = {"FIFO 8", 8, 4};

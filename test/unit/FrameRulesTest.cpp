@@ -25,7 +25,7 @@ struct Case {
 
   Candidate<Frame16> candidate() const {
     return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, kindOfEnd(bytes[24]),
-            isLines, offBy, isSure && offBy == 0};
+            isLines ? kindOfEnd(bytes[24]) : UnknownKind, offBy, isSure && offBy == 0};
   }
 };
 
@@ -41,9 +41,9 @@ Acquisition<Frame16> noneSeen() {
 // Two gaps have been seen, `run` characters apart.
 Acquisition<Frame16> twoGaps(unsigned run) {
   Acquisition<Frame16> acquisition = noneSeen();
-  acquisition.gap(0);
+  acquisition.gap(0, true);
   acquisition.characters(run);
-  acquisition.gap(static_cast<int>(run));
+  acquisition.gap(static_cast<int>(run), true);
   return acquisition;
 }
 
@@ -239,27 +239,28 @@ TEST_CASE("other, first: before the first frame a line must not look like one of
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
   Acquisition<Frame16> acquisition = twoGaps(36);
   acquisition.characters(25);
-  acquisition.gap(25);  // one of the right size takes the doubt away
+  acquisition.gap(25, true);  // one of the right size takes the doubt away
   CHECK(judged({whole, 0, 9, false, false}, acquisition) == "certain");
 }
 
-TEST_CASE("doubts last for eight gaps, or one where characters came straight before what waits") {
+TEST_CASE("doubts last for eight gaps, or one where what waits may be the end of a frame of the other size") {
   const struct {
     unsigned run;
     int waiting;
     unsigned gaps;
-  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0}, {254, 25, 1}, {255, 25, 0}};
+  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0}, {26, 25, 0}, {27, 25, 1},
+              {37, 25, 0}, {255, 25, 0}};
   for (const auto &row : rows) {
     INFO("run ", row.run, ", waiting ", row.waiting);
     Acquisition<Frame16> acquisition = noneSeen();
-    acquisition.gap(0);
+    acquisition.gap(0, true);
     acquisition.characters(row.run);
-    CHECK(acquisition.gap(row.waiting) == (row.run == 36));
-    CHECK_FALSE(acquisition.gap(row.waiting));  // the same gap again
+    CHECK(acquisition.gap(row.waiting, true) == (row.run == 36));
+    CHECK_FALSE(acquisition.gap(row.waiting, true));  // the same gap again
     unsigned gaps = 0;
-    for (; !acquisition.allows(true); gaps++) {
+    for (; !acquisition.allows(true, false); gaps++) {
       acquisition.characters(3);
-      acquisition.gap(3);
+      acquisition.gap(3, true);
     }
     CHECK(gaps == row.gaps);
   }
