@@ -30,7 +30,7 @@ table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
 package          the ZIP, and a release
-uses             every public function is used by a sketch
+uses             every public function is used by a sketch; keywords
 captures         recordings of real receivers
 figures          the figures of measured.md
 commands         the commands of the pages'
