@@ -32,6 +32,11 @@ library=$out/libraries/DecodeSBus
   [ "$(ls "$library" | tr '\n' ' ')" = "CHANGELOG.md LICENSE README.md examples extras keywords.txt library.json library.properties src " ] &&
   [ "$(ls "$library/extras")" = docs ]
 verdict $? "one folder, and in it what a library has"
+# `pio pkg pack` adds the manifests, README and LICENSE to what library.json names.
+include=$(sed -n 's/.*"include": \[\(.*\)\].*/\1/p' library.json | tr -d '",')
+# shellcheck disable=SC2086  # names, to be split
+[ "$(git ls-files $include library.json library.properties README.md LICENSE)" = "$(cd "$library" && find . -type f | sed 's,^\./,,' | LC_ALL=C sort)" ]
+verdict $? "PlatformIO is told to take the same files"
 failed=0
 for source in "$library"/src/*.cpp "$library"/src/sbus/*.cpp "$library"/examples/DecodeSBus/DecodeSBus.ino; do
   g++ -std=gnu++11 -fsyntax-only -DARDUINO=10819 -I"$library/src" -I"$host/arduino" -I"$host/standin" \
@@ -69,8 +74,10 @@ release() {  # VERSION
     grep -qx "version=$1" "$scratch/library.properties" && grep -qx "url=$url" "$scratch/library.properties" &&
     [ "$(grep -c "\"version\": \"$1\",\$" "$scratch/library.json")" -eq 1 ] &&
     [ "$(grep -c "\"homepage\": \"$url\",\$" "$scratch/library.json")" -eq 1 ] &&
+    grep -qxF "  \"repository\": {\"type\": \"git\", \"url\": \"$url\"}," "$scratch/library.json" &&
+    [ "$(grep -cxF -e "version: \"$1\"" -e "url: $url" -e "repository: $url" "$scratch/idf_component.yml")" -eq 3 ] &&
     grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
-    [ "$(git status --porcelain | tr -d '\n')" = " M CHANGELOG.md M library.json M library.properties" ] &&
+    [ "$(git status --porcelain | tr -d '\n')" = " M CHANGELOG.md M idf_component.yml M library.json M library.properties" ] &&
     grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release"
 }
 release "$version"

@@ -30,7 +30,8 @@ table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
 package          the ZIP, and a release
-uses             every public function is used by a sketch
+platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
+uses             every public function is used by a sketch; keywords
 captures         recordings of real receivers
 figures          the figures of measured.md
 commands         the commands of the pages'
@@ -103,6 +104,7 @@ step_captures() {
 step_rules() { line/without.sh check; }
 step_scope() { scope/run.sh; }
 step_package() { ./package.sh; }
+step_platforms() { platforms/run.sh; }
 step_uses() { ./uses.sh; }
 step_tool() { tool/run.sh; }
 step_fuzz() { ./fuzz.sh; }

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Is every function that a sketch may call (keywords.txt, KEYWORD2) called by a sketch that the tests build: an example, or
-# one of README.md and the pages? Says "ok ..." or "FAILED ..." of each.
+# Is every public function of the headers that sketches include called by a sketch that the tests build: an example, or one
+# of README.md and the pages? Is every word of keywords.txt one of the library, and too special to stand in another sketch,
+# which the IDE would colour, too? Says "ok ..." or "FAILED ..." of each.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 # As golden.sh does it: what stands between ```cpp and ``` and has a loop().
@@ -10,15 +11,33 @@ sketches=$(cat examples/*/*.ino examples/*/*.h; awk '
   /^```cpp$/ { inside = 1; text = "" }' README.md extras/docs/[!R]*.md)
 code=$(echo "$sketches" | sed 's,//.*,,')
 
-printf '\nuses: every public function is used by a sketch\n'
-# Methods of the two classes that no keyword names are counted, too.
-methods=$(sed -nE '/^ protected:|^ private:/,/^};/d; s,^  [a-z][A-Za-z0-9_: ]* ([a-zA-Z]+)\(.*,\1,p' src/DecodeSBus.h src/EncodeSBus.h)
-for name in $(printf '%s\n' "$(sed -n 's/\tKEYWORD2$//p' keywords.txt)" "$methods" | grep -vE "^(De|En)code" | sort -u); do
-  if ! grep -qE "\b$name\(" src/*.h src/sbus/*.h; then
-    echo "FAILED uses: $name() of keywords.txt is not in the library"
-  elif echo "$code" | grep -qE "\b$name\("; then
+printf '\nuses: every public function is used by a sketch; keywords\n'
+cd src || exit 1
+functions=$(sed -nE '/@cond/,/@endcond/d; /^ (protected|private):/,/^};/d; /^ *(return|friend|explicit) /d
+  s,^ {0\,2}[A-Za-z][A-Za-z0-9_: ]* [*&]?([a-zA-Z]+)\(.*,\1,p' \
+  DecodeSBus.h EncodeSBus.h SBusPort.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/Scaling.h | sort -u)
+for name in $functions; do
+  if echo "$code" | grep -qE "\b$name\("; then
     echo "ok uses: $name()"
   else
     echo "FAILED uses: no sketch uses $name()"
   fi
+done
+
+# Two words joined are special enough; begin, high or None are not.
+special='[a-z][A-Z]'
+while IFS='	' read -r name kind; do
+  case $kind in KEYWORD2) place="\b$name\(" ;; *) place="\b$name\b" ;; esac
+  if ! echo "$name" | grep -q "$special"; then
+    echo "FAILED keywords: $name is an ordinary word: other people's sketches have it"
+  elif ! grep -qE "$place" ./*.h sbus/*.h; then
+    echo "FAILED keywords: $name is not in the library"
+  else
+    echo "ok keywords: $name"
+  fi
+done <<END
+$(grep '	' ../keywords.txt)
+END
+for name in $(echo "$functions" | grep "$special"); do
+  grep -qx "$name	KEYWORD2" ../keywords.txt || echo "FAILED keywords: $name() is missing"
 done

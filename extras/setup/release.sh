@@ -30,8 +30,9 @@ change() {  # FILE SED...: all files are changed, or none
   sed "$@" "$file" >"$file.new" && cat "$file.new" >"$file" && rm "$file.new"
 }
 change library.properties -e "s|^version=.*|version=$version|" -e "s|^url=.*|url=$url|"
-change library.json -e '/^  "homepage":/d' -e "s|^  \"version\": .*|  \"version\": \"$version\",\\
-  \"homepage\": \"$url\",|"
+change library.json -e "s|^  \"version\": .*|  \"version\": \"$version\",|" -e "s|^  \"homepage\": .*|  \"homepage\": \"$url\",|" \
+  -e "s|^\(  \"repository\": .*\"url\": \).*|\1\"$url\"},|"
+change idf_component.yml -e "s|^version: .*|version: \"$version\"|" -e "s|^url: .*|url: $url|" -e "s|^repository: .*|repository: $url|"
 change CHANGELOG.md -e "s|^## Unreleased\$|## $version, $(date +%F)|"
 git --no-pager diff --stat
 
@@ -42,6 +43,6 @@ echo "  - read git diff; make test
   - git commit -am 'Release $version' && git tag -a $version -m $version && git push --follow-tags
   - the first time: the Library Manager request, a pull request that adds $url to repositories.txt of
     https://github.com/arduino/library-registry; later it finds the tags by itself
-  - PlatformIO: pio pkg publish
+  - PlatformIO: pio pkg publish; ESP-IDF: compote component upload --name decodesbus
   - make zip, and attach build/DecodeSBus-$version.zip to the release's page
   - begin the next section of CHANGELOG.md with ## Unreleased"
