@@ -8,7 +8,7 @@ namespace sbus {
 namespace {
 
 constexpr int SlotSize = 3;              // characters
-constexpr int JudgedWorth = 3;            // a header that is rejected by the whole judgement costs as much as so many others
+constexpr int JudgedWorth = 4;            // a header that is rejected by the whole judgement costs as much as so many others
 constexpr int FarOff = FrameSize24 + 1;  // characters; more need not be known
 
 // What is counted seldom. Out of line: 40 bytes less on an AVR, 8 on a Cortex-M0+.

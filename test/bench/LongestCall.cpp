@@ -22,9 +22,9 @@ constexpr size_t LongestCall = Sizes[3];
 // The board's port hands over what has come when the line has been idle for a character.
 constexpr uint32_t IdleUs = 2 * line::CharacterUs;
 
-// Some more than was found with GCC 12.2: 10158, and 4325 for 16 bytes.
-constexpr uint32_t MostPerCall = 10800;
-constexpr uint32_t MostPerByte = 298;
+// Some more than was found with GCC 12.2: 7681, and 3424 for 16 bytes.
+constexpr uint32_t MostPerCall = 8200;
+constexpr uint32_t MostPerByte = 230;
 
 // In instructions. A call of the port takes some more on the board: an emulated Grasshopper takes 1.54 cycles for each
 // instruction, 226 for each call of its port, and 10 for each byte.
