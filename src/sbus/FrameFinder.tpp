@@ -194,7 +194,7 @@ template <typename Format, typename Events>
 SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   const uint8_t *const frame = _buffer.complete();
   if (_expectedAt < rules::MostNoise - Size && _counters.frames != 0) {
-    _counters.resyncs++;
+    countUp(_counters.resyncs);
   }
   _expectedAt = static_cast<int8_t>(LineKinds[_kind].tailSize);
   _onlyNoise = true;

@@ -151,11 +151,11 @@ SBUS_IN_LINE bool mayBecomeCertain(const Candidate<Format> &c, int inner) {
 /// header or a gap.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
-  if (c.offBy != 0 && c.gapAt != 0 && c.gapAt != Format::Size) {
-    return Verdict::reject(Rejection::NotAtGap);
-  }
-  if (!c.isLines) {
-    acquisition.forgetGaps();  // the first frame may follow without a gap
+  const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
+  if (!isPlaced || !c.isLines) {
+    if (isPlaced) {
+      acquisition.forgetGaps();  // the first frame may follow without a gap
+    }
     return Verdict::reject(Rejection::NotAtGap);
   }
   if (c.gapAt == Format::Size || (c.count > Format::Size && isHeaderNext(c))) {
