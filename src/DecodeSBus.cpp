@@ -4,26 +4,22 @@ SBUS_COMPILE_DECODER(sbus::Frame16)
 
 // What is found too old is told by its number: the clock may wrap afterwards, and a newer frame may come meanwhile.
 bool DecodeSBus::decodeExtraChannels(uint16_t channels[]) {
-  uint32_t number;
   for (;;) {
-    number = _finder.counters().extraFrames;
+    const uint32_t number = _finder.counters().extraFrames;
     READ_ANEW();
     if (number == _staleExtra) {
       return false;
     }
-    if (!_link.isStale(micros() - _finder.extraTime())) {
-      break;
+    const bool isStale = _link.isStale(micros() - _finder.extraTime());
+    if (!isStale) {
+      sbus::unpackExtra(_finder.extra(), channels);
     }
     READ_ANEW();
     if (number == _finder.counters().extraFrames) {
-      _staleExtra = number;
+      if (isStale) {
+        _staleExtra = number;
+      }
+      return !isStale;
     }
   }
-  do {
-    number = _finder.counters().extraFrames;
-    READ_ANEW();
-    sbus::unpackExtra(_finder.extra(), channels);
-    READ_ANEW();
-  } while (number != _finder.counters().extraFrames);
-  return true;
 }

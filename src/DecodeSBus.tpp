@@ -70,9 +70,8 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
     int more = _port.available();
     if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
       _finder.broken();
-      for (int count = 1; more > 0 && count > 0; more -= count) {
-        const int room = _finder.room();
-        count = _port.read(_finder.space(), static_cast<size_t>(more < room ? more : room));
+      for (; more > 0; more--) {
+        _port.skip();
       }
     }
   }

@@ -290,6 +290,9 @@ class Port {
     return read(_hardware, buffer, size, Choice<1>());
   }
 
+  // Reads a byte that nobody wants.
+  void skip() { _stream.read(); }
+
   // Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
   unsigned half() const { return _half; }
 

@@ -14,9 +14,9 @@ struct Counters {
   uint32_t lostFrames;      ///< of the delivered: with the lost-frame flag
   uint32_t failsafeFrames;  ///< of the delivered: with the failsafe flag
 
-  uint32_t refusedByEnd;    ///< 25 bytes from a 0F on, no end byte: one is missing, or the 0F was no header
-  uint32_t refusedByFlags;  ///< 25 bytes from a 0F on, unused bits of the flags set
-  uint32_t refusedByExtra;  ///< 25 bytes from a 0F on, more belong to them, or a gap lies within
+  uint32_t refusedByEnd;    ///< 25 bytes from a 0F or 2F on, no end byte: one is missing, or that was no header
+  uint32_t refusedByFlags;  ///< 25 bytes from a 0F or 2F on, unused bits of the flags set
+  uint32_t refusedByExtra;  ///< 25 bytes from a 0F or 2F on, more belong to them, or a gap lies within
 
   uint32_t skippedBytes;  ///< bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
   uint32_t resyncs;       ///< frames found again after others had been missed

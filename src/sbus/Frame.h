@@ -172,4 +172,10 @@ struct Frame24 {
   }
 };
 
+/// True if a frame of that format may begin with this byte.
+template <typename Format>
+constexpr bool isHeaderByte(uint8_t byte) {
+  return byte == HeaderByte || (Format::HasExtra && byte == ExtraHeader);
+}
+
 }  // namespace sbus

@@ -28,7 +28,7 @@ class FrameBuffer {
   uint8_t *bytes() { return _incoming; }
   const uint8_t *bytes() const { return _incoming; }
   uint8_t operator[](int index) const { return _incoming[index]; }
-  bool isHeader(int index) const { return _incoming[index] == HeaderByte; }
+  bool isHeader(int index) const { return isHeaderByte<Format>(_incoming[index]); }
 
   /// The index of the first byte after the newest gap, 0..filled(); or Nowhere.
   int gapAt() const { return _gapAt; }

@@ -122,10 +122,8 @@ class FrameFinderOf : private Events {
   const uint8_t *settle();
   const uint8_t *search(int waiting);
   bool scan(int waiting);
-  bool find(int waiting);
+  bool find();
   void noteEnd(int waiting);
-  bool mayBeExtra() const;
-  Verdict judgeExtra();
   void takeExtra(int waiting);
   int firstHeader(int from) const;
   uint8_t kindAt(int start);
@@ -142,7 +140,7 @@ class FrameFinderOf : private Events {
   bool _certain;       // the last frame's place was certain
   int8_t _expectedAt;  // index where the next frame is expected; below 0: so many characters ago
   uint8_t _rejected;   // headers rejected in this poll
-  uint8_t _old;        // bytes in the buffer that were there before this poll
+  uint16_t _found;     // bytes that this poll has found
   bool _onlyNoise;     // since the last frame: neither a gap nor a header
   Acquisition<Format> _acquisition;
   LineTiming _timing;
@@ -158,7 +156,7 @@ class FrameFinderOf : private Events {
 template <typename Format, typename Events>
 SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now) {
   _rejected = 0;
-  _old = static_cast<uint8_t>(_buffer.filled());
+  _found = static_cast<uint16_t>(found);
   const Silence silence = _timing.silenceBefore<Format>(found, now);
   if (silence == Silence::Long && holds(Rule::silence)) {
     startOver(Silent);

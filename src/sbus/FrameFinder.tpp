@@ -65,6 +65,7 @@ const uint8_t *FrameFinderOf<Format, Events>::settle() {
   _buffer.markGap(true);
   gapBefore();
   _rejected = 0;
+  _found = 0;
   return search(0);
 }
 
@@ -81,7 +82,7 @@ const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
 template <typename Format, typename Events>
 inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
   const int behind = _buffer.filled() - Size;
-  if (behind >= 0 && _old < Size) {
+  if (behind >= 0 && behind + waiting < _found) {
     _completeAfter = _timing.endedAfter(static_cast<unsigned>(behind + waiting));
   }
 }
@@ -90,45 +91,39 @@ inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
 template <typename Format, typename Events>
 bool FrameFinderOf<Format, Events>::scan(int waiting) {
   uint8_t *const beginning = _buffer.bytes();
-  const bool found = find(waiting);
+  bool found = find();
+  if (Format::HasExtra && found && _buffer[0] == ExtraHeader) {
+    takeExtra(waiting);
+    found = false;
+  }
   _buffer.moveTo(beginning);
   return found;
 }
 
 // True if a frame is complete. The buffer begins with it then, or with what may become one.
 template <typename Format, typename Events>
-inline bool FrameFinderOf<Format, Events>::find(int waiting) {
-  while (int count = firstHeader(0)) {
-    if (Format::HasExtra && _expectedAt == 0 && _kind == SlotsKind && isSlotId(_buffer[0]) && holds(Rule::slots)) {
-      // The answer of a sensor: the next frame is expected behind it.
-      count = _buffer.gapAt() > 0 && _buffer.gapAt() < SlotSize ? _buffer.gapAt() : SlotSize;
-      if (_buffer.filled() < count) {
-        return false;
-      }
-      _expectedAt = static_cast<int8_t>(count);
-    } else if (Format::HasExtra && mayBeExtra()) {
-      const Verdict verdict = judgeExtra();
-      if (verdict.isOpen()) {
-        return false;
-      }
-      if (verdict.isAccepted()) {
-        takeExtra(waiting);
-        continue;
-      }
+inline bool FrameFinderOf<Format, Events>::find() {
+  while (Format::HasExtra && _kind == SlotsKind && _expectedAt == 0 && isSlotId(_buffer[0]) && holds(Rule::slots)) {
+    // The answer of a sensor: the next frame is expected behind it.
+    if (_buffer.filled() < SlotSize) {
+      return false;
     }
-    discard(count);
+    discard(SlotSize);
+    _expectedAt = 0;
   }
+  discard(firstHeader(0));
   int start = 0;
+  bool found = false;
   for (const int last = _buffer.filled() - Size; start <= last;) {
     int step = 1, worth = 1;
     const uint8_t kind = kindAt(start);
     if (kind != UnknownKind) {
       const Verdict verdict = judge(start, kind);
       if (verdict.isAccepted()) {
-        discard(start);
         _kind = kind;
         _certain = verdict.isCertain();
-        return true;
+        found = true;
+        break;
       }
       if (verdict.isOpen()) {
         break;
@@ -142,40 +137,8 @@ inline bool FrameFinderOf<Format, Events>::find(int waiting) {
     _rejected = static_cast<uint8_t>(_rejected + worth);
     start = _rejected < Size - 1 ? firstHeader(start + step) : _buffer.filled();
   }
-  if (Format::HasExtra && holds(Rule::extra) && _buffer.gapAt() < start && _buffer[_buffer.gapAt()] == ExtraHeader) {
-    start = _buffer.gapAt();  // mayBeExtra() is asked next
-  }
   discard(start);
-  return false;
-}
-
-// A frame with further channels stands where a frame is expected, or after a gap: a noise character 2F straight before
-// a frame would else take that frame for its own.
-template <typename Format, typename Events>
-inline bool FrameFinderOf<Format, Events>::mayBeExtra() const {
-  const int gapAt = _buffer.gapAt();
-  return _buffer[0] == ExtraHeader && (_expectedAt == 0 || gapAt <= FrameSize) && (gapAt == 0 || gapAt >= FrameSize);
-}
-
-// It is believed only on a line whose kind is known, and with a header or a gap after it.
-template <typename Format, typename Events>
-inline Verdict FrameFinderOf<Format, Events>::judgeExtra() {
-  if (_kind == UnknownKind) {
-    _acquisition.forget();  // the first frame may follow without a gap
-    return Verdict::reject(Rejection::NotAtGap);
-  }
-  _onlyNoise = false;
-  if (_buffer.gapAt() != FrameSize) {
-    if (_buffer.filled() <= FrameSize) {
-      return Verdict::wait();
-    }
-    if (!_buffer.isHeader(FrameSize)) {
-      return Verdict::reject(Rejection::GoesOn);
-    }
-  }
-  return rules::areFlags(_buffer[FlagsIndex]) && endsKind(_buffer[EndIndex], _kind)
-             ? Verdict::accept(true)
-             : Verdict::reject(Rejection::NoEnd);
+  return found;
 }
 
 template <typename Format, typename Events>
@@ -185,10 +148,8 @@ inline void FrameFinderOf<Format, Events>::takeExtra(int waiting) {
   _extraTime = _completeAfter;
   countUp(_counters.extraFrames);
   Events::extra();
-  _certain = true;
   _expectedAt = 0;
   _buffer.drop(FrameSize);
-  _old = 0;
 }
 
 // The first header from there on; filled() if there is none.
@@ -229,9 +190,8 @@ __attribute__((always_inline)) inline Verdict FrameFinderOf<Format, Events>::jud
 template <typename Format, typename Events>
 SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   const uint8_t *const frame = _buffer.complete();
-  _old = 0;  // what is left is less than a frame
   if (_expectedAt < rules::MostNoise - Size && _counters.frames != 0) {
-    _counters.resyncs++;
+    countUp(_counters.resyncs);
   }
   _expectedAt = static_cast<int8_t>(LineKinds[_kind].tailSize);
   _onlyNoise = true;
@@ -255,7 +215,6 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   _counters.skippedBytes += static_cast<unsigned>(count);
   Events::discarded(count);
   _buffer.drop(count);
-  _old = static_cast<uint8_t>(_old > count ? _old - count : 0);
 }
 
 }  // namespace sbus

@@ -41,11 +41,11 @@ class Verdict {
   constexpr Rejection why() const { return _why; }  ///< of a rejection
 
  private:
-  enum : int { Certain = -2, Accepted = -1, Open = 0 };
+  enum : int_fast8_t { Certain = -2, Accepted = -1, Open = 0 };
 
-  constexpr Verdict(int next, Rejection why) : _next(next), _why(why) {}
+  constexpr Verdict(int next, Rejection why) : _next(static_cast<int_fast8_t>(next)), _why(why) {}
 
-  int _next;
+  int_fast8_t _next;
   Rejection _why;
 };
 
@@ -147,6 +147,24 @@ SBUS_IN_LINE bool mayBecomeCertain(const Candidate<Format> &c, int inner) {
          (inner >= Format::Size / 2 || c.offBy <= MostNoise);
 }
 
+/// A frame with further channels stands where a frame is expected, or at a gap: a noise character 2F straight before a
+/// frame would else take that frame for its own. It is believed on a line whose kind is known only, and ends before a
+/// header or a gap.
+template <typename Format>
+SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
+  const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
+  if (!isPlaced || !c.isLines()) {
+    if (isPlaced) {
+      acquisition.forget();  // the first frame may follow without a gap
+    }
+    return Verdict::reject(Rejection::NotAtGap);
+  }
+  if (c.gapAt == Format::Size || (c.count > Format::Size && isHeaderNext(c))) {
+    return Verdict::accept(true);
+  }
+  return c.count > Format::Size ? Verdict::reject(Rejection::GoesOn) : Verdict::wait();
+}
+
 /// What `filled` characters are on nearly all lines nearly always: the line's next frame, and no character more. Says
 /// nothing but what the whole judgement would say, in 160 cycles less.
 template <typename Format>
@@ -161,6 +179,9 @@ template <typename Format>
 SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   if (hasGapInside(c)) {
     return Verdict::reject(Rejection::GapInside, c.gapAt);
+  }
+  if (Format::HasExtra && c.bytes[0] == ExtraHeader) {
+    return judgeExtra(c, acquisition);
   }
   // Where it ends: at a gap, before a header, or as the line's frames are known to end.
   const bool isGapAfter = c.isGapAfter();

@@ -63,13 +63,13 @@ class LineTiming {
   /// A call found `found` bytes, 1 or more. (In line: 57 cycles a frame less.)
   template <typename Format>
   __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t now) {
-    const unsigned silence = capped(_lastCall - _lastBytes);
-    const unsigned interval = capped(now - _lastBytes);
+    const bool isKnown = _shortest == HasEmptyCalls;
+    const unsigned silence = capped((isKnown ? _lastCall : now) - _lastBytes);
     _callBefore = _lastCall;
     _lastCall = now;
     _lastBytes = now;
-    if (_shortest != HasEmptyCalls) {
-      return assumedBefore(found, interval);
+    if (!isKnown) {
+      return assumedBefore(found, silence);
     }
     if (silence <= burstTime<Format>(found)) {
       return Silence::Unknown;

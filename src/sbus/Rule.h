@@ -23,7 +23,6 @@ enum class Rule : uint8_t {
   first,
   halves,
   waits,
-  extra,
   silence,
 };
 

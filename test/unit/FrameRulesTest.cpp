@@ -104,6 +104,32 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its kind an
   }
 }
 
+TEST_CASE("2F: further channels are believed on a line of known kind, in place or at a gap, before a gap or a header") {
+  const Bytes extra = bytesOf(withByte(plainFrame(1), 0, ExtraHeader));
+  const struct {
+    const char *what;
+    Bytes bytes;
+    int gapAt, offBy;
+    bool isLines;
+    const char *verdict;
+  } rows[] = {
+      {"in its place, a header follows", extra + Bytes{0x0F}, Far, 0, true, "certain"},
+      {"... 2F follows", extra + Bytes{0x2F}, Far, 0, true, "certain"},
+      {"... a gap follows", extra, 25, 0, true, "certain"},
+      {"... nothing follows yet", extra, Far, 0, true, "wait"},
+      {"... anything follows", extra + Bytes{0x55}, Far, 0, true, "goes on 1"},
+      {"elsewhere, a header follows", extra + Bytes{0x0F}, Far, 1, true, "not at gap 1"},
+      {"... a gap follows", extra, 25, 1, true, "certain"},
+      {"... after a gap", extra + Bytes{0x0F}, 0, 1, true, "certain"},
+      {"a gap within", extra + Bytes{0x0F}, 24, 0, true, "gap inside 24"},
+      {"a line of another kind, or none", extra + Bytes{0x0F}, 0, 0, false, "not at gap 1"},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    CHECK(judged({row.bytes, row.gapAt, row.offBy, true, row.isLines}) == row.verdict);
+  }
+}
+
 TEST_CASE("turn: before the first frame a slot's ID ends a frame if the one before announced the group before") {
   for (unsigned first = 0; first < 4; first++) {
     for (unsigned second = 0; second < 4; second++) {
