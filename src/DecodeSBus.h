@@ -104,8 +104,6 @@ class DecodeSBusOf {
  private:
   friend class DecodeSBus;  // for the further channels
 
-  void forget(unsigned long baud);
-
   sbus::FrameFinderOf<Format> _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
   sbus::Port _port;
   sbus::Link _link;

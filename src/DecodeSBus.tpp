@@ -14,25 +14,19 @@ inline bool isYoung(sbus::LinkState state) {
 
 }  // namespace
 
-// In line twice: most sketches call only one of the two.
 template <typename Format>
-__attribute__((always_inline)) inline void DecodeSBusOf<Format>::forget(unsigned long baud) {
+void DecodeSBusOf<Format>::begin(unsigned long baud, uint32_t config) {
+  _port.open(baud, config);
+  listen(baud);
+}
+
+template <typename Format>
+void DecodeSBusOf<Format>::listen(unsigned long baud) {
   const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
   _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
   _link.reset();
   _decoded = 0;
   _staleExtra = 0;
-}
-
-template <typename Format>
-void DecodeSBusOf<Format>::begin(unsigned long baud, uint32_t config) {
-  _port.open(baud, config);
-  forget(baud);
-}
-
-template <typename Format>
-void DecodeSBusOf<Format>::listen(unsigned long baud) {
-  forget(baud);
 }
 
 template <typename Format>
