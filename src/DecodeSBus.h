@@ -48,7 +48,8 @@ class DecodeSBusOf {
   /// Stream stays as it is: use listen().
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
-  /// For a port that the sketch has opened, such as a SoftwareSerial, which begin() cannot open. `baud` is the port's. Forgets all frames and counters.
+  /// For a port that the sketch has opened, such as a SoftwareSerial, which begin() cannot open. `baud` is the port's.
+  /// Forgets all frames and counters.
   void listen(unsigned long baud = sbus::Baud);
 
   /// Closes a hardware serial port; after begin() only, or the Uno R4 crashes, and the nRF52 waits for ever. The last

@@ -119,9 +119,11 @@ uint8_t idleCharacters(Port *, Choice<0>) {
 
 // ---- Pins
 
-// A port keeps its pins, whatever opens and closes it.
+// A port keeps its pins, whatever opens and closes it: nothing is passed on (4 bytes of flash less).
 struct KeptPins {
   static constexpr bool AreGiven = false;
+  template <typename Port>
+  using Opened = Stream;
   KeptPins() {}
   KeptPins(int8_t, int8_t) {}
 };
@@ -129,6 +131,8 @@ struct KeptPins {
 // A port that forgets its pins when it is opened or closed.
 struct GivenPins {
   static constexpr bool AreGiven = true;
+  template <typename Port>
+  using Opened = Port;
   GivenPins() {}
   GivenPins(int8_t rx, int8_t tx) : rxPin(rx), txPin(tx) {}
   int8_t rxPin = -1, txPin = -1;  // below 0: the core's
@@ -155,7 +159,7 @@ struct ByFormat : Kind {
   static constexpr bool BothWays = Inverts;
   static constexpr unsigned Buffer = CoreBuffer;
   template <typename Port, typename Pins>
-  static unsigned open(Port &port, unsigned long baud, Config config, Pins &) {
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.begin(baud, config);
     return Buffer;
   }
@@ -170,7 +174,7 @@ Format as(Format, Config config) {
 // The same, where two enums fit: SAM.
 struct ByEnum : ByFormat {
   template <typename Port, typename Pins>
-  static unsigned open(Port &port, unsigned long baud, Config config, Pins &) {
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.begin(baud, as(EvenConfig, config));
     return Buffer;
   }
@@ -183,7 +187,7 @@ struct Stm32 : ByFormat {
 #endif
   static constexpr bool BothWays = false;
   template <typename Port, typename Pins>
-  static unsigned open(Port &port, unsigned long baud, Config config, Pins &pins) {
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins pins) {
     if (config.inverted()) {
       port.setRxInvert();
       port.setTxInvert();
@@ -197,7 +201,7 @@ struct Pico : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = SmallestBuffer;
   template <typename Port, typename Pins>
-  static unsigned open(Port &port, unsigned long baud, Config config, Pins &) {
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.end();
     port.setInvertRX(config.inverted());
     port.setInvertTX(config.inverted());
@@ -207,9 +211,9 @@ struct Pico : Kind {
   }
 };
 
-// ESP32. With another inversion begin() starts the driver again, which loses the pins (core 2.0.15 to 3.2, uartEnd() in
-// esp32-hal-uart.c); after end() it takes those that it is given, or the core's, on every core. A port that the sketch has
-// opened is not closed: nobody knows its pins.
+// ESP32. With another inversion begin() starts the driver again, which loses the pins (core 2.0.15 to 3.0 and later,
+// uartEnd() in esp32-hal-uart.c). After end() it takes those that it is given, or the core's, on every core. A port
+// that the sketch has opened is closed only if the pins are given: else they are not known.
 struct Esp32 : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
@@ -248,7 +252,7 @@ struct OpenAlready : Kind {
   static constexpr bool Inverts = false, BothWays = false;
   static constexpr unsigned Buffer = SmallestBuffer;
   template <typename Port, typename Pins>
-  static unsigned open(Port &, unsigned long, Config, Pins &) {
+  static unsigned open(Port &, unsigned long, Config, Pins) {
     return 0;
   }
 };
@@ -304,13 +308,13 @@ class Port : private CoreKind::Pins {
   template <typename Class>
   Port(Class &port, int8_t rx, int8_t tx) : Port(port, Pins(rx, tx)) {
     static_assert(KindOf<Class>::Pins::AreGiven,
-                  "This port's pins cannot be chosen here: extras/docs/boards.md#pins-of-your-choice");
+                  "This port's pins cannot be chosen here: extras/docs/boards.md");
   }
 
   // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Not with a baud that S.Bus never
   // has: cores divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
-    const unsigned half = baud > SlowestBaud ? _open(*this, baud, config) : 0;
+    const unsigned half = baud > SlowestBaud ? _open(opened(*this), baud, config) : 0;
     if (half != 0) {
       _half = static_cast<uint16_t>(half);
     }
@@ -353,7 +357,8 @@ class Port : private CoreKind::Pins {
  private:
   using Pins = CoreKind::Pins;
   // Returns what half() is then; 0: as before.
-  using Open = unsigned(Port &port, unsigned long baud, uint32_t config);
+  using Opened = Pins::Opened<Port>;
+  using Open = unsigned(Opened &opened, unsigned long baud, uint32_t config);
 
   // So many bytes may come between available() and read(): 3.8 ms of interrupts at 100000 baud.
   static constexpr unsigned Late = 32;
@@ -370,12 +375,18 @@ class Port : private CoreKind::Pins {
   static HardwareSerial *hardware(HardwareSerial *port) { return port; }
   static HardwareSerial *hardware(Stream *) { return nullptr; }
 
+  Stream &opened(KeptPins &) { return _stream; }
+  Port &opened(GivenPins &) { return *this; }
+  static Stream &stream(Stream &port) { return port; }
+  static Stream &stream(Port &port) { return port._stream; }
+  static KeptPins pins(Stream &) { return KeptPins(); }
+  static Pins &pins(Port &port) { return port; }
+
   static constexpr unsigned half(size_t buffer) { return buffer != 0 ? static_cast<unsigned>(buffer / 2 - 1) : 0; }
 
   template <typename Class>
-  static unsigned open(Port &port, unsigned long baud, uint32_t config) {
-    Pins &pins = port;
-    return half(KindOf<Class>::open(static_cast<Class &>(port._stream), baud, Config{config}, pins));
+  static unsigned open(Opened &opened, unsigned long baud, uint32_t config) {
+    return half(KindOf<Class>::open(static_cast<Class &>(stream(opened)), baud, Config{config}, pins(opened)));
   }
 
   // In one call, where HardwareSerial can.

@@ -116,12 +116,14 @@ void Uart::receive() {
   if (world.looped) {
     while (world.next < world.sent.size() && world.sent[world.next].endUs <= world.nowUs) {
       const Sent &sent = world.sent[world.next];
-      take(sent.beginUs, sent.endUs, sent.value, _settings.evenStops != 0 && sent.settings.txInverted == _settings.rxInverted && _pin == world.pin);
+      const bool same = sent.settings.txInverted == _settings.rxInverted && _pin == world.pin;
+      take(sent.beginUs, sent.endUs, sent.value, _settings.evenStops != 0 && same);
     }
   } else {
     while (world.next < world.line.size() && world.line[world.next].endUs <= world.nowUs) {
       const auto &character = world.line[world.next];
-      take(character.endUs - characterUs, character.endUs, character.value, hears() && !(character.bad && discards(world.error)));
+      const bool discarded = character.bad && discards(world.error);
+      take(character.endUs - characterUs, character.endUs, character.value, hears() && !discarded);
     }
   }
   idleUntil(world.nowUs);
