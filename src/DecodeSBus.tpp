@@ -53,7 +53,7 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
     return;
   }
   if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
-    _finder.broken();
+    _finder.broken();  // what waits stands after the break
   }
   _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {

@@ -1,18 +1,10 @@
 // DecodeSBus and EncodeSBus on the ports of one core, CORE: every frame comes, none is mixed, whole ones are sent.
-#include <Arduino.h>
-#include <DecodeSBus.h>
 #include <EncodeSBus.h>
-#include <doctest/doctest.h>
 
 #include <algorithm>
-#include <initializer_list>
-#include <new>
-#include <numeric>
 #include <string>
-#include <vector>
 
-#include "World.h"
-#include "support/BitByBit.h"
+#include "Cores.h"
 
 #if defined(ESP8266)
 HardwareSerial Serial, Serial1(1);
@@ -21,44 +13,10 @@ decltype(Serial1) Serial1;
 Console Serial;
 #endif
 void serialEvent1() __attribute__((weak));
-// The example Diagnose, twice.
-namespace onCorePins {
-void setup();
-void loop();
-}  // namespace onCorePins
-namespace onGivenPins {
-void setup();
-void loop();
-}  // namespace onGivenPins
 
-namespace doctest {
-
-template <>
-struct StringMaker<std::vector<unsigned>> {
-  static String convert(const std::vector<unsigned> &numbers) {
-    String text;
-    for (const unsigned number : numbers) {
-      text += toString(number) + " ";
-    }
-    return text;
-  }
-};
-
-}  // namespace doctest
+using namespace cores;
 
 namespace {
-
-using sim::world;
-using Numbers = std::vector<unsigned>;  // of frames, from 0 on
-
-constexpr bool Hears = Core.baud > 98000 && Core.baud < 102000;
-// Core 1 of the ESP32 cannot be told a smaller one.
-#if defined(ESP32) && ESP32_CORE == 1
-constexpr unsigned MostBurst = 112;
-#else
-constexpr unsigned MostBurst = 16;
-#endif
-constexpr uint32_t Uninverted = static_cast<uint32_t>(sbus::EvenConfig);
 
 // A SoftwareSerial: any Stream.
 class Software : public Simulated<Stream> {
@@ -76,91 +34,6 @@ class Software : public Simulated<Stream> {
   }
 #endif
 };
-
-// The board, switched on.
-void switchOn() {
-  const uint64_t now = world.nowUs;
-  world = sim::World();
-  world.nowUs = now;
-  using Port = decltype(SBUS_PORT);
-  new (&SBUS_PORT) Port();
-}
-
-// CH1, CH3 and CH16 count: no two halves of two frames are a third.
-Channels channelsOf(unsigned number) {
-  Channels channels;
-  channels.fill(992);
-  channels[16] = channels[17] = 0;
-  channels[0] = static_cast<uint16_t>(900 + number);
-  channels[2] = channels[15] = static_cast<uint16_t>(300 + number);
-  return channels;
-}
-
-Frame frameOf(unsigned number) {
-  return writeBitByBit(channelsOf(number));
-}
-
-void putOnLine(unsigned frames, unsigned long baud, bool inverted, uint64_t periodUs) {
-  world.baud = baud;
-  world.inverted = inverted;
-  const uint64_t characterUs = 12 * 1000000 / baud;
-  for (unsigned number = 0; number < frames; number++) {
-    uint64_t us = world.nowUs + 5000 + number * periodUs;
-    for (const uint8_t byte : frameOf(number)) {
-      us += characterUs;
-      world.line.push_back({us, byte});
-    }
-  }
-}
-
-struct Delivered : sim::Reader {
-  DecodeSBus *asked = nullptr;
-  Numbers numbers;
-  unsigned wrong = 0;       // were not on the line so, or not yet, or out of order
-  unsigned lossyPolls = 0;  // before which the port has lost bytes
-
-  void poll(DecodeSBus &dSBus) {
-    const unsigned long before = world.dropped;
-    asked = &dSBus;
-    world.reader = this;
-    dSBus.parseSBusFrame();
-    world.reader = nullptr;
-    beforeRead();
-    lossyPolls += world.dropped != before;
-  }
-
-  void beforeRead() override {
-    if (!asked->newFrame()) {
-      return;
-    }
-    Channels channels{};
-    bool failsafe, lostFrame;
-    asked->decodeSBusFrame(channels.data(), failsafe, lostFrame);
-    const unsigned number = channels[0] - 900u;
-    const bool known = channels == channelsOf(number) && world.next >= (number + 1) * 25 &&
-                       (numbers.empty() || number > numbers.back());
-    wrong += !known || failsafe || lostFrame;
-    numbers.push_back(number);
-  }
-
-  // Loops until the line has ended. Each loop takes `loopUs`, now and then `blockedUs` more.
-  void loop(DecodeSBus &dSBus, unsigned loopUs, unsigned blockedUs = 0) {
-    const uint64_t endUs = world.line.back().endUs + 10000;
-    for (uint64_t nextBlock = world.nowUs + 150000; world.nowUs < endUs; world.nowUs += loopUs) {
-      poll(dSBus);
-      if (blockedUs != 0 && world.nowUs >= nextBlock) {
-        world.nowUs += blockedUs;
-        nextBlock = world.nowUs + 151300;
-      }
-    }
-  }
-};
-
-Numbers allOf(unsigned frames) {
-  Numbers numbers(frames);
-  std::iota(numbers.begin(), numbers.end(), 0u);
-  return numbers;
-}
 
 void open(DecodeSBus &dSBus) {
   if (Hears) {
@@ -349,133 +222,6 @@ TEST_CASE("inverts() says what the port can do") {
   CHECK(sbus::inverts(SBUS_PORT) == Core.inverts);
 }
 
-namespace {
-
-struct Setting {
-  unsigned long baud;
-  uint32_t config;
-};
-const Setting Settings[] = {
-    {100000, sbus::PortConfig}, {200000, sbus::PortConfig}, {100000, Uninverted}, {200000, Uninverted}};
-
-// Opens the port in these settings, one after the other, with end() between them or not. The last brings frames, and none
-// of a line of the other polarity.
-void checkOpenedAgain(DecodeSBus &dSBus, std::initializer_list<unsigned> settings, bool ends) {
-  for (const unsigned &setting : settings) {
-    dSBus.begin(Settings[setting].baud, Settings[setting].config);
-    world.nowUs += 20000;
-    dSBus.parseSBusFrame();
-    if (ends && &setting != settings.end() - 1) {
-      dSBus.end();
-    }
-  }
-  const unsigned last = *(settings.end() - 1);
-  putOnLine(10, Settings[last].baud, Core.inverts && last < 2, 9000);
-  Delivered delivered;
-  delivered.loop(dSBus, 1000);
-  CHECK(delivered.numbers == allOf(10));
-  CHECK(delivered.wrong == 0);
-  CHECK(SBUS_PORT.uart.burst() <= MostBurst);
-  CHECK(world.crashes == 0);
-}
-
-// Where the line's polarity cannot be changed, only what begin() opens.
-template <typename Decoder>
-void checkAllOrders(int pin) {
-  const unsigned count = sbus::opensBothWays(SBUS_PORT) ? 4 : 2;
-  for (unsigned order = 0; order < count * count * count; order++) {
-    for (const bool ends : {false, true}) {
-      const unsigned first = order % count, second = order / count % count, third = order / count / count;
-      CAPTURE(first);
-      CAPTURE(second);
-      CAPTURE(third);
-      CAPTURE(ends);
-      switchOn();
-      world.pin = pin;
-      Decoder dSBus;
-      checkOpenedAgain(dSBus, {first, second, third}, ends);
-    }
-  }
-}
-
-struct OnCorePins : DecodeSBus {
-  OnCorePins() : DecodeSBus(SBUS_PORT) {}
-};
-
-}  // namespace
-
-TEST_CASE("a port opens as often as it is told, in any order of settings that opensBothWays() promises") {
-  if (!Hears) {
-    CHECK_FALSE(sbus::opensBothWays(SBUS_PORT));
-    return;
-  }
-  checkAllOrders<OnCorePins>(sim::CorePin);
-}
-
-#if defined(PINS_GIVEN)
-namespace {
-
-// RX and TX.
-constexpr int8_t Given[] = {PINS_GIVEN};
-struct OnGivenPins : DecodeSBus {
-  OnGivenPins() : DecodeSBus(SBUS_PORT, Given[0], Given[1]) {}
-};
-
-}  // namespace
-
-TEST_CASE("a port on pins of the sketch's choice opens as often, and always on these") {
-  checkAllOrders<OnGivenPins>(Given[0]);
-}
-
-#if defined(ESP32) && ESP32_CORE != 1
-TEST_CASE("pins that the sketch gives to an ESP32's port itself last while its inversion stays") {
-  for (const bool set : {false, true}) {
-    for (const unsigned baud : {100000u, 200000u}) {
-      CAPTURE(set);
-      CAPTURE(baud);
-      switchOn();
-      world.pin = 18;
-      if (set) {
-        Serial1.setPins(18, 19);
-      } else {
-        Serial1.begin(100000, SERIAL_8E2, 18, 19, true);
-      }
-      DecodeSBus dSBus(Serial1);
-      dSBus.begin();
-      dSBus.begin(baud);
-      putOnLine(10, baud, true, 9000);
-      Delivered delivered;
-      delivered.loop(dSBus, 1000);
-      CHECK(delivered.numbers == (set && ESP32_CORE == 338 ? Numbers{} : allOf(10)));
-    }
-  }
-}
-#endif
-
-TEST_CASE("pins of the sketch's choice count, whatever it has done with the port before") {
-  for (const unsigned setting : {0u, 2u}) {
-    for (const unsigned way : {0u, 1u, 2u, 3u}) {
-      CAPTURE(setting);
-      CAPTURE(way);
-      switchOn();
-      world.pin = Given[0];
-      if (way == 1) {
-        SBUS_PORT.begin(115200);
-      } else if (way == 2) {
-        SBUS_PORT.end();
-      }
-#if defined(ESP32) && ESP32_CORE != 1
-      if (way == 3) {
-        SBUS_PORT.setPins(18, 19);
-      }
-#endif
-      OnGivenPins dSBus;
-      checkOpenedAgain(dSBus, {setting}, false);
-    }
-  }
-}
-#endif
-
 TEST_CASE("a character with an error: of a core that discards it the frame is missing, of others it is wrong") {
   constexpr unsigned Frames = 60;
   for (const unsigned error : {sim::Parity, sim::Framing}) {
@@ -635,45 +381,4 @@ TEST_CASE("README.md's ten lines print the throttle of every frame, and before t
     }
   }
   CHECK(printed == (Hears ? allOf(Frames) : Numbers{}));
-}
-
-namespace {
-
-// Diagnose, two rounds on each line. `loop` tries one setting.
-void checkVerdicts(void (*setup)(), void (*loop)(), int pin) {
-  struct Row {
-    unsigned long baud;
-    bool other;  // polarity than begin() opens
-    const char *verdict;
-  };
-  const bool bothWays = sbus::opensBothWays(SBUS_PORT);
-  for (const Row &row : {Row{100000, false, "ALL WELL."}, Row{200000, false, "WRONG BAUD RATE:"},
-                         Row{100000, true, bothWays ? "WRONG INVERSION:" : "NO "},
-                         Row{200000, true, bothWays ? "WRONG INVERSION AND BAUD RATE:" : "NO "}}) {
-    CAPTURE(row.baud);
-    CAPTURE(row.other);
-    switchOn();
-    world.tickUs = 100;
-    world.pin = pin;
-    putOnLine(700, row.baud, Core.inverts != row.other, 9000);
-    setup();
-    for (unsigned round = 0; round < 2; round++) {
-      CAPTURE(round);
-      world.printed.clear();
-      for (unsigned setting = 0; setting < (bothWays ? 4 : 2); setting++) {
-        loop();
-      }
-      CAPTURE(world.printed);
-      CHECK(world.printed.find(std::string("\r\n") + (Hears ? row.verdict : "NO ")) != std::string::npos);
-    }
-  }
-}
-
-}  // namespace
-
-TEST_CASE("Diagnose names what is wrong with a line, in each of its rounds") {
-  checkVerdicts(onCorePins::setup, onCorePins::loop, sim::CorePin);
-#if defined(PINS_GIVEN)
-  checkVerdicts(onGivenPins::setup, onGivenPins::loop, Given[0]);
-#endif
 }
