@@ -32,18 +32,24 @@ class DecodeSBusOf {
   template <typename Port>
   explicit DecodeSBusOf(Port &port) : _port(port) {}
 
+  /// On pins of your choice, of an ESP32 or ESP8266: begin() opens `port` on `rx` and `tx`, and always on these. Other
+  /// cores keep a port's pins, and say how they are chosen (extras/docs/boards.md); there this does not compile.
+  template <typename Port>
+  DecodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
+
   /// Opens the port: 8E2, inverted if the port can do that (else the line needs an inverter), and 100000 baud unless
   /// told; Fast S.Bus is 200000. Forgets all frames and counters.
   ///
-  /// An ESP32 takes the core's pins for the port, which on an older core are the flash's: extras/docs/boards.md.
+  /// An ESP32's or ESP8266's port is then on the constructor's pins, or on the core's, which belong to the flash of a
+  /// classic ESP32 with core 1 or 2: extras/docs/boards.md.
   ///
   /// `config`: SERIAL_8E2 for an uninverted line, or another format of the core. What the port cannot do brings no
   /// frames, and nothing is reported: ask the example Diagnose. At less than 47060 baud nothing is opened. Any other
   /// Stream stays as it is: use listen().
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
-  /// For a port that the sketch has opened: an ESP32's, on pins of your choice, or a SoftwareSerial, which begin()
-  /// cannot open. `baud` is the port's. Forgets all frames and counters.
+  /// For a port that the sketch has opened, such as a SoftwareSerial, which begin() cannot open. `baud` is the port's.
+  /// Forgets all frames and counters.
   void listen(unsigned long baud = sbus::Baud);
 
   /// Closes a hardware serial port; after begin() only, or the Uno R4 crashes, and the nRF52 waits for ever. The last
@@ -117,6 +123,10 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
   /// As DecodeSBusOf().
   template <typename Port>
   explicit DecodeSBus(Port &port) : DecodeSBusOf(port) {}
+
+  /// As DecodeSBusOf(), on pins of your choice.
+  template <typename Port>
+  DecodeSBus(Port &port, int8_t rx, int8_t tx) : DecodeSBusOf(port, rx, tx) {}
 
   /// The newest CH17..CH32, 16 values, 0..2047, of Futaba's FASSTest 26, which sends them in frames of their own. True
   /// if such a frame has come within the timeout; else `channels` is left alone. Flags and switches are those of

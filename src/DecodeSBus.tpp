@@ -46,6 +46,9 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
     }
     return;
   }
+  if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
+    _finder.broken();  // what waits stands after the break
+  }
   _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
     const int room = _finder.room();
@@ -60,7 +63,7 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
   }
   // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
   // has come stands before the break or after it: nobody knows.
-  if (static_cast<unsigned>(found) > _port.half()) {
+  if (_port.losesNewest() && static_cast<unsigned>(found) > _port.half()) {
     int more = _port.available();
     if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
       _finder.broken();

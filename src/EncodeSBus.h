@@ -24,6 +24,10 @@ class EncodeSBusOf {
   template <typename Port>
   explicit EncodeSBusOf(Port &port) : _port(port) {}
 
+  /// On pins of your choice, as DecodeSBusOf().
+  template <typename Port>
+  EncodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
+
   /// Opens the port as DecodeSBus::begin() does. Nothing is sent before write().
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 

@@ -117,21 +117,49 @@ uint8_t idleCharacters(Port *, Choice<0>) {
   return MostIdleCharacters;
 }
 
+// ---- Pins
+
+// A port keeps its pins, whatever opens and closes it: nothing is passed on (4 bytes of flash less).
+struct KeptPins {
+  static constexpr bool AreGiven = false;
+  template <typename Port>
+  using Opened = Stream;
+  KeptPins() {}
+  KeptPins(int8_t, int8_t) {}
+};
+
+// A port that forgets its pins when it is opened or closed.
+struct GivenPins {
+  static constexpr bool AreGiven = true;
+  template <typename Port>
+  using Opened = Port;
+  GivenPins() {}
+  GivenPins(int8_t rx, int8_t tx) : rxPin(rx), txPin(tx) {}
+  int8_t rxPin = -1, txPin = -1;  // below 0: the core's
+  int8_t wasInverted = -1;        // how begin() has opened the port last; below 0: not yet
+};
+
 // ---- Kinds of ports, and how each is opened
 //
-// Inverts   begin() can invert the line
-// BothWays  it can also be opened uninverted afterwards
-// Buffer    size of the receive buffer, whoever opened the port
-// open()    opens it, and returns that size; 0: it stays what it was
+// Inverts      begin() can invert the line
+// BothWays     it can also be opened uninverted afterwards
+// Buffer       size of the receive buffer, whoever opened the port
+// LosesOldest  a full buffer loses its oldest byte, not the newest
+// Pins         what is kept for open(), which opens the port, and returns the buffer's size; 0: it stays what it was
+
+struct Kind {
+  static constexpr bool LosesOldest = false;
+  using Pins = KeptPins;
+};
 
 // begin(baud, config), and the format says whether the line is inverted: AVR, SAMD, nRF52, mbed, Uno R4, Teensy,
 // STM32L0.
-struct ByFormat {
+struct ByFormat : Kind {
   static constexpr bool Inverts = (PortConfig & InvertedBit) == 0;
   static constexpr bool BothWays = Inverts;
   static constexpr unsigned Buffer = CoreBuffer;
-  template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config) {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.begin(baud, config);
     return Buffer;
   }
@@ -145,8 +173,8 @@ Format as(Format, Config config) {
 
 // The same, where two enums fit: SAM.
 struct ByEnum : ByFormat {
-  template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config) {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.begin(baud, as(EvenConfig, config));
     return Buffer;
   }
@@ -158,22 +186,22 @@ struct Stm32 : ByFormat {
   static constexpr bool Inverts = true;
 #endif
   static constexpr bool BothWays = false;
-  template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config) {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins pins) {
     if (config.inverted()) {
       port.setRxInvert();
       port.setTxInvert();
     }
-    return ByFormat::open(port, baud, config);
+    return ByFormat::open(port, baud, config, pins);
   }
 };
 
 // arduino-pico. A port takes its settings only while it is closed.
-struct Pico {
+struct Pico : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = SmallestBuffer;
-  template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config) {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
     port.end();
     port.setInvertRX(config.inverted());
     port.setInvertTX(config.inverted());
@@ -183,36 +211,48 @@ struct Pico {
   }
 };
 
-// ESP32. Its pins are those of setPins(), or the core's.
-struct Esp32 {
+// ESP32. With another inversion begin() starts the driver again, which loses the pins (core 2.0.15 to 3.0 and later,
+// uartEnd() in esp32-hal-uart.c). After end() it takes those that it is given, or the core's, on every core. A port
+// that the sketch has opened is closed only if the pins are given: else they are not known.
+struct Esp32 : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
+  using Pins = GivenPins;
   template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config) {
+  static unsigned open(Port &port, unsigned long baud, Config config, GivenPins &pins) {
+    if (port && (pins.rxPin >= 0 || pins.wasInverted == !config.inverted())) {
+      port.end();
+    }
+    pins.wasInverted = config.inverted();
     const unsigned size = port.setRxBufferSize(WantedBuffer);
-    port.begin(baud, config, -1, -1, config.inverted());
+    port.begin(baud, config, pins.rxPin, pins.txPin, config.inverted());
     limitBursts(port, Choice<1>());
     return size;
   }
 };
 
-// ESP8266: mode 0 is SERIAL_FULL, and 1 the pin that sends.
-struct Esp8266 {
+// ESP8266: mode 0 is SERIAL_FULL, and 1 the pin that sends. begin() always goes back to pins 3 and 1.
+struct Esp8266 : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = 128;
+  static constexpr bool LosesOldest = true;  // uart.cpp:149; -DUART_DISCARD_NEWEST reaches the core alone
+  using Pins = GivenPins;
   template <typename Port>
-  static unsigned open(Port &port, unsigned long baud, Config config) {
+  static unsigned open(Port &port, unsigned long baud, Config config, GivenPins &pins) {
     port.begin(baud, config, Config{0}, 1, config.inverted());
+    if (pins.rxPin >= 0) {
+      port.pins(static_cast<uint8_t>(pins.txPin), static_cast<uint8_t>(pins.rxPin));
+    }
     return port.getRxBufferSize();
   }
 };
 
 // Any Stream that is no hardware serial port: whoever knows it opens it.
-struct OpenAlready {
+struct OpenAlready : Kind {
   static constexpr bool Inverts = false, BothWays = false;
   static constexpr unsigned Buffer = SmallestBuffer;
-  template <typename Port>
-  static unsigned open(Port &, unsigned long, Config) {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &, unsigned long, Config, Pins) {
     return 0;
   }
 };
@@ -237,6 +277,9 @@ OpenAlready kindOf(Port *, Stream *, Choice<1>);
 template <typename Port>
 using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Choice<5>()));
 
+// That of the ports which HardwareSerial itself describes: an ESP32's, an ESP8266's.
+using CoreKind = KindOf<HardwareSerial>;
+
 /// @endcond
 
 /// True if begin() opens this port inverted; false: the line needs an inverter, or whoever opens the port inverts it.
@@ -245,7 +288,8 @@ constexpr bool inverts(Port &) {
   return KindOf<Port>::Inverts;
 }
 
-/// True if begin() opens this port inverted or uninverted, as it is told, and as often as it is told.
+/// True if begin() opens this port inverted or uninverted, as it is told, and as often as it is told: an ESP32's or
+/// ESP8266's on the pins of DecodeSBus's constructor, or on the core's.
 template <typename Port>
 constexpr bool opensBothWays(Port &) {
   return KindOf<Port>::BothWays;
@@ -254,21 +298,23 @@ constexpr bool opensBothWays(Port &) {
 /// @cond
 
 // A port, and what its class can do.
-class Port {
+class Port : private CoreKind::Pins {
  public:
   // Of any class.
   template <typename Class>
-  explicit Port(Class &port)
-      : _stream(port),
-        _hardware(hardware(&port)),
-        _open(open<Class>),
-        _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
-        _idleCharacters(sbus::idleCharacters(&port, Choice<1>())) {}
+  explicit Port(Class &port) : Port(port, Pins()) {}
+
+  // On these pins.
+  template <typename Class>
+  Port(Class &port, int8_t rx, int8_t tx) : Port(port, Pins(rx, tx)) {
+    static_assert(KindOf<Class>::Pins::AreGiven,
+                  "This port's pins cannot be chosen here: extras/docs/boards.md");
+  }
 
   // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Not with a baud that S.Bus never
   // has: cores divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
-    const unsigned half = baud > SlowestBaud ? _open(_stream, baud, config) : 0;
+    const unsigned half = baud > SlowestBaud ? _open(opened(*this), baud, config) : 0;
     if (half != 0) {
       _half = static_cast<uint16_t>(half);
     }
@@ -296,6 +342,12 @@ class Port {
   // Half of the bytes that may have filled its receive buffer; a core may keep a place free (AVR).
   unsigned half() const { return _half; }
 
+  // A full buffer loses what comes; or, of some cores, what has waited longest.
+  bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
+
+  // If so many wait, bytes before them may have been lost.
+  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting > 2u * _half - Late; }
+
   // So long it waits for more before it hands over what has come.
   uint8_t idleCharacters() const { return _idleCharacters; }
 
@@ -306,17 +358,38 @@ class Port {
   void write(const uint8_t *bytes, size_t size) { _stream.write(bytes, size); }
 
  private:
+  using Pins = CoreKind::Pins;
   // Returns what half() is then; 0: as before.
-  using Open = unsigned(Stream &port, unsigned long baud, uint32_t config);
+  using Opened = Pins::Opened<Port>;
+  using Open = unsigned(Opened &opened, unsigned long baud, uint32_t config);
+
+  // So many bytes may come between available() and read(): 3.8 ms of interrupts at 100000 baud.
+  static constexpr unsigned Late = 32;
+
+  template <typename Class>
+  Port(Class &port, Pins pins)
+      : Pins(pins),
+        _stream(port),
+        _hardware(hardware(&port)),
+        _open(open<Class>),
+        _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
+        _idleCharacters(sbus::idleCharacters(&port, Choice<1>())) {}
 
   static HardwareSerial *hardware(HardwareSerial *port) { return port; }
   static HardwareSerial *hardware(Stream *) { return nullptr; }
 
+  Stream &opened(KeptPins &) { return _stream; }
+  Port &opened(GivenPins &) { return *this; }
+  static Stream &stream(Stream &port) { return port; }
+  static Stream &stream(Port &port) { return port._stream; }
+  static KeptPins pins(Stream &) { return KeptPins(); }
+  static Pins &pins(Port &port) { return port; }
+
   static constexpr unsigned half(size_t buffer) { return buffer != 0 ? static_cast<unsigned>(buffer / 2 - 1) : 0; }
 
   template <typename Class>
-  static unsigned open(Stream &port, unsigned long baud, uint32_t config) {
-    return half(KindOf<Class>::open(static_cast<Class &>(port), baud, Config{config}));
+  static unsigned open(Opened &opened, unsigned long baud, uint32_t config) {
+    return half(KindOf<Class>::open(static_cast<Class &>(stream(opened)), baud, Config{config}, pins(opened)));
   }
 
   // In one call, where HardwareSerial can.

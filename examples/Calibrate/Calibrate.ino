@@ -12,7 +12,7 @@
 #include "Guide.h"
 #include "Storage.h"
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 Guide guide = {dSBus, calibrator, {}};

@@ -11,8 +11,8 @@
 #include <DecodeSBus.h>
 #include <sbus/Diagnosis.h>
 
-auto &input = Serial1;  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
-DecodeSBus dSBus(input);
+auto &input = Serial1;    // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(input);  // ESP32: dSBus(input, 16, 17), where RX is 16
 
 struct Setting {
   unsigned long baud;

@@ -9,7 +9,7 @@
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
 EncodeSBus eSBus(Serial1);  // TX: D1
 
 const uint16_t FRAMES = 100;

@@ -15,7 +15,7 @@
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 

@@ -19,7 +19,7 @@
 #include <Servo.h>
 #endif
 
-DecodeSBus dSBus(Serial1);        // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
 const int PINS[] = {2, 3, 4, 5};  // of the servos; other boards: the same page
 
 const int THROTTLE = 2;                    // CH3, counted from 0

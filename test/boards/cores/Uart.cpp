@@ -33,7 +33,7 @@ void Uart::open(const Settings &settings) {
   }
   _open = true;
   _openedUs = _lastUs = world.nowUs;
-  _first = _count = _filled = _position = 0;
+  _first = _count = _filled = _stashed = _position = 0;
   _settings = settings;
   _settings.baud = std::max(settings.baud, 1ul);
 }
@@ -58,12 +58,26 @@ void Uart::close() {
 // Within 2 %: beyond, the second stop bit is out of place.
 bool Uart::hears() const {
   const double ratio = static_cast<double>(_settings.baud) / static_cast<double>(world.baud);
-  return _settings.evenStops != 0 && ratio > 0.98 && ratio < 1.02 && _settings.rxInverted == world.inverted;
+  return _settings.evenStops != 0 && ratio > 0.98 && ratio < 1.02 && _settings.rxInverted == world.inverted &&
+         _pin == world.pin;
 }
 
 void Uart::handOver() {
+  if (_drops == Fifo && _count + (_stashed != 0 ? _stashed : _filled) > _size) {
+    _stashed = _stashed != 0 ? _stashed : _filled;
+    if (_filled - _stashed >= FifoSize) {
+      world.dropped += _filled - _stashed;
+      _filled = _stashed;
+    }
+    return;
+  }
   for (unsigned i = 0; i < _filled; i++) {
     if (_count == _size) {
+      if (_drops == Fifo) {
+        std::copy(_fifo + i, _fifo + _filled, _fifo);
+        _filled = _stashed = _filled - i;
+        return;
+      }
       world.dropped++;
       if (_drops == Newest) {
         continue;
@@ -73,7 +87,7 @@ void Uart::handOver() {
     }
     _buffer[(_first + _count++) % Largest] = _fifo[i];
   }
-  _filled = 0;
+  _filled = _stashed = 0;
 }
 
 void Uart::receive() {
@@ -102,12 +116,14 @@ void Uart::receive() {
   if (world.looped) {
     while (world.next < world.sent.size() && world.sent[world.next].endUs <= world.nowUs) {
       const Sent &sent = world.sent[world.next];
-      take(sent.beginUs, sent.endUs, sent.value, _settings.evenStops != 0 && sent.settings.txInverted == _settings.rxInverted);
+      const bool same = sent.settings.txInverted == _settings.rxInverted && _pin == world.pin;
+      take(sent.beginUs, sent.endUs, sent.value, _settings.evenStops != 0 && same);
     }
   } else {
     while (world.next < world.line.size() && world.line[world.next].endUs <= world.nowUs) {
       const auto &character = world.line[world.next];
-      take(character.endUs - characterUs, character.endUs, character.value, hears());
+      const bool discarded = character.bad && discards(world.error);
+      take(character.endUs - characterUs, character.endUs, character.value, hears() && !discarded);
     }
   }
   idleUntil(world.nowUs);
@@ -128,11 +144,16 @@ int Uart::read(uint8_t *buffer, size_t size) {
   if (world.reader != nullptr) {
     world.reader->beforeRead();
   }
+  world.nowUs += world.lateUs;
+  world.lateUs = 0;
   const size_t count = std::min(size, static_cast<size_t>(available()));
   for (size_t i = 0; i < count; i++) {
     buffer[i] = _buffer[_first];
     _first = (_first + 1) % Largest;
     _count--;
+  }
+  if (_stashed != 0) {
+    handOver();
   }
   return static_cast<int>(count);
 }
@@ -185,9 +206,11 @@ void delayMicroseconds(unsigned us);
 void yield();
 
 uint32_t micros() {
+  sim::world.nowUs += sim::world.tickUs;
   return static_cast<uint32_t>(sim::world.nowUs);
 }
 uint32_t millis() {
+  sim::world.nowUs += sim::world.tickUs;
   return static_cast<uint32_t>(sim::world.nowUs / 1000);
 }
 void delay(unsigned long ms) {

@@ -9,6 +9,10 @@ namespace sim {
 
 // What a core does not survive: with a port that is closed, or begin(0). Bits of Facts::faults.
 enum : unsigned { End = 1, Available = 2, Write = 4, Room = 8, NoBaud = 16 };
+// Characters with such an error never reach a buffer. Bits of Facts::discarded.
+enum : unsigned { Parity = 1, Framing = 2 };
+// Where a core's port receives that is told no pin.
+constexpr int CorePin = 3;
 
 struct Facts {
   unsigned buffer;       // bytes that wait to be read
@@ -17,9 +21,12 @@ struct Facts {
   unsigned transmitter;  // bytes that write() takes at once; 0: it waits until each has been sent
   unsigned faults;
   bool ring;  // the bursts' ends stand at places of a ring, so pauses do not move them
+  unsigned discarded;
 };
 
-enum Drops { Newest, Oldest };
+// What a full buffer loses. Fifo: what does not fit is stashed, what comes then waits in a FIFO, and when that is full all
+// of the FIFO is lost (esp-idf v5.1.4, components/driver/uart/uart.c:923 and 982).
+enum Drops { Newest, Oldest, Fifo };
 
 struct Settings {
   unsigned long baud;
@@ -41,12 +48,16 @@ class Uart {
   void open(const Settings &settings);    // with an empty buffer
   void change(const Settings &settings);  // of an open port, or opens it
   void close();
+  void attach(int pin) { _pin = pin; }  // below 0: nothing is attached
   bool isOpen() const { return _open; }
   void crash() const;
   const Settings &settings() const { return _settings; }
+  bool discards(unsigned error) const { return (_facts.discarded & error) != 0; }
   void setBuffer(size_t size) { _size = static_cast<unsigned>(size); }
+  unsigned size() const { return _size; }
   void setBurst(unsigned burst) { _burst = burst; }
   unsigned burst() const { return _burst; }
+  unsigned behind() const { return _drops == Fifo ? FifoSize + _burst : 0; }  // bytes that wait behind a full buffer
 
   int available();
   int peek() { return available() > 0 ? _buffer[_first] : -1; }
@@ -59,7 +70,7 @@ class Uart {
   void flush();
 
  private:
-  static constexpr unsigned Largest = 512;
+  static constexpr unsigned Largest = 512, FifoSize = 128;
 
   void receive();
   void handOver();
@@ -71,10 +82,11 @@ class Uart {
   const bool _wired;
   Settings _settings = {};
   bool _open = false;
+  int _pin = CorePin;
   uint64_t _openedUs = 0, _lastUs = 0, _freeNs = 0;
   unsigned _size, _burst;
   uint8_t _buffer[Largest] = {}, _fifo[Largest] = {};
-  unsigned _first = 0, _count = 0, _filled = 0, _position = 0;
+  unsigned _first = 0, _count = 0, _filled = 0, _stashed = 0, _position = 0;
 };
 
 void print(char c);  // what a sketch says over USB

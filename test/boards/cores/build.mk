@@ -1,6 +1,6 @@
 # Builds the library, the examples and README.md's sketch against the stand-ins of the cores' ports, into the folder OUT
 # (absolute)
-#   OUT/CORE/CoresTest     the program that runs frames through them, both ways
+#   OUT/CORE/CoresTest     the program that runs frames through them, both ways, and Diagnose on them
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.refused  what the compiler says to those that are not for this core
 # `make list` names all of these.
@@ -10,10 +10,12 @@ ROOT := $(abspath $(HERE)/../../..)
 HOST := $(ROOT)/extras/host
 
 # The stand-in, its variant, and the core's C++ (platform.txt).
-CORES := avr esp32 esp32-2.0 esp8266 mbed nano33 nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
+CORES := avr esp32-1.0 esp32-2.0 esp32-3.0 esp32-3.3 esp8266 mbed nano33 nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
 avr := Avr gnu++11
-esp32 := Esp32 gnu++2b
-esp32-2.0 := Esp32 gnu++11 -DESP32_2
+esp32-1.0 := Esp32 gnu++11 -DESP32_CORE=1
+esp32-2.0 := Esp32 gnu++11 -DESP32_CORE=2
+esp32-3.0 := Esp32 gnu++2b -DESP32_CORE=3
+esp32-3.3 := Esp32 gnu++2b -DESP32_CORE=338
 esp8266 := Esp8266 gnu++17
 mbed := Mbed gnu++14
 nano33 := Mbed gnu++14 -DNANO33
@@ -48,14 +50,18 @@ FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
 TEST := -std=gnu++14 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
 
-# $1: the core. The host's Servo.h serves all but the ESP32, which has ESP32Servo.h.
+# On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
+with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g',cat)
+# $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
+# which has ESP32Servo.h.
 define core_rules
 $1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
-$(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
+$(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/onCorePins.o \
+  $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/CoresTest.o: $(HERE)/CoresTest.cpp $(HERE)/build.mk
+$(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
@@ -63,8 +69,12 @@ $(OUT)/$1/%.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	$(CXX) $$($1_board) -O1 $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/README.o: $(OUT)/README.cpp
 	@mkdir -p $$(@D)
-	$(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g' $$<,cat $$<) | \
-	  $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
+	$(call with_its_ports,$1) $$< | $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
+$(OUT)/$1/on%Pins.o: $(ROOT)/examples/Diagnose/Diagnose.ino $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	(echo '#include <DecodeSBus.h>'; echo '#include <sbus/Diagnosis.h>'; echo 'namespace on$$*Pins {'; \
+	  $(call with_its_ports,$1) $$< | sed '$$(if $$(filter Given,$$*),s/dSBus(input)/dSBus(input, PINS_GIVEN)/)'; echo '}') >$$(@:.o=.cpp)
+	$(CXX) $$($1_board) $$(DEPENDENCIES) -include Arduino.h -c $$(@:.o=.cpp) -o $$@
 $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino
@@ -76,7 +86,7 @@ $(OUT)/$1/%.refused: $(ROOT)/examples/%/ $(HERE)/build.mk
 endef
 $(foreach core,$(CORES),$(eval $(call core_rules,$(core))))
 
-# The first sketch of README.md. On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
+# The first sketch of README.md.
 $(OUT)/README.cpp: $(ROOT)/README.md $(HERE)/build.mk
 	@mkdir -p $(@D)
 	awk '/^```$$/ && inside { exit } inside { print } /^```cpp$$/ { inside = 1 }' $< >$@

@@ -1,4 +1,6 @@
-// github.com/arduino/ArduinoCore-avr 1.8.8 (11b9130): cores/arduino/HardwareSerial.h, HardwareSerial_private.h.
+// github.com/arduino/ArduinoCore-avr 1.8.8 (11b9130): cores/arduino/HardwareSerial.h, .cpp, HardwareSerial_private.h.
+// A character with a parity error is discarded, one with a framing error is kept (_private.h:103). begin() keeps what waits
+// (.cpp:117), end() clears it (163).
 #pragma once
 
 #include "../Stream.h"
@@ -11,10 +13,10 @@
 
 class HardwareSerial : public Simulated<Stream> {
  public:
-  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false}) {}
+  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false, sim::Parity}) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config) {
-    uart.open({baud, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), false, false});
+    uart.change({baud, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), false, false});
   }
   void end() { uart.close(); }
   int availableForWrite() override { return uart.room(); }

@@ -1,5 +1,10 @@
-// github.com/espressif/arduino-esp32: cores/esp32/HardwareSerial.h and .cpp of 3.x (8edd529); with ESP32_2 those of 2.0.3
-// (00b486e). Before 2.0.6 it handed over 112 characters at once, since then 120.
+// github.com/espressif/arduino-esp32: cores/esp32/HardwareSerial.h and .cpp, esp32-hal-uart.c. ESP32_CORE is
+//    1  1.0.6 (3691149)
+//    2  2.0.14 (as TotemArduinoBoards 2.0.14-totem.2 has it); its interface is that of 2.0.3 on
+//    3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same way
+//  338  3.3.8, after issue 12527 and pull request 12569; its source was not read
+// Bad characters are kept: core 1 asks for no error (esp32-hal-uart.c, _uart_isr()), IDF only reports them (v5.1.4,
+// driver/uart/uart.c:995). Before 2.0.6 120 characters at once were 112.
 #pragma once
 
 #include "../Stream.h"
@@ -7,58 +12,102 @@
 #define ESP32
 #define ARDUINO_ARCH_ESP32
 #define EEPROM_EMULATED
-#if defined(ESP32_2)
+#if ESP32_CORE < 3
 #define SERIAL_8N1 0x800001c
 #define SERIAL_8E1 0x800001e
 #define SERIAL_8E2 0x800003e
-using Done = void;
 #else
 enum SerialConfig { SERIAL_8N1 = 0x800001c, SERIAL_8E1 = 0x800001e, SERIAL_8E2 = 0x800003e };
-using Done = bool;
 #endif
+#define PINS_GIVEN 16, 17
 
 class HardwareSerial : public Simulated<Stream> {
  public:
-  HardwareSerial() : Simulated<Stream>({256, 120, 2, 128, sim::NoBaud, false}) {}
-  void begin(unsigned long baud, uint32_t config = SERIAL_8N1, int8_t = -1, int8_t = -1, bool invert = false,
+  HardwareSerial()
+      : Simulated<Stream>({256, Burst, 2, 128, sim::NoBaud, false, 0}, ESP32_CORE == 1 ? sim::Newest : sim::Fifo) {}
+
+  void begin(unsigned long baud, uint32_t config = SERIAL_8N1, int8_t rx = -1, int8_t tx = -1, bool invert = false,
              unsigned long = 20000, uint8_t = 120) {
-    if (invert != uart.settings().rxInverted && uart.isOpen()) {
-      end();  // its driver begins anew
+    const sim::Settings settings = {baud, sim::evenStops<uint32_t>(config, SERIAL_8E1, SERIAL_8E2), invert, invert};
+    // Core 1: HardwareSerial.cpp:59. Core 2 knows its driver by that pointer, and end(false) leaves the pins (386).
+    const bool installed = uart.isOpen() && ESP32_CORE != 1;
+    if (!installed && rx < 0 && tx < 0) {  // :296
+      rx = _rx < 0 || ESP32_CORE == 1 ? RX1 : _rx;
     }
-    if (!uart.isOpen()) {
-      uart.setBurst(120);
+    if (installed && ESP32_CORE >= 3 && invert == uart.settings().rxInverted) {  // :424
+      uart.change(settings);
+      if (rx > 0 && rx != _rx) {
+        attach(rx);
+      }
+      return;
     }
-    uart.change({baud, sim::evenStops<uint32_t>(config, SERIAL_8E1, SERIAL_8E2), invert, invert});
+    if (installed && ESP32_CORE == 3) {
+      attach(-1);  // uartEnd(), :425 and :116
+    }
+    uart.open(settings);
+    uart.setBurst(Burst);
+    if (rx >= 0 && (rx != _rx || ESP32_CORE < 3)) {  // uartSetPins(), :325 and :552
+      attach(rx);
+    }
   }
-#if defined(ESP32_2)
-  void end(bool = true) { uart.close(); }
+
+#if ESP32_CORE == 2
+  void end(bool = true) {
 #else
-  void end() { uart.close(); }
+  void end() {  // :400
 #endif
-  Done setRxFIFOFull(uint8_t characters) {
-    if (uart.isOpen()) {
-      uart.setBurst(characters);
-    }
-    return Done(uart.isOpen());
+    uart.close();
+    attach(-1);
   }
-  unsigned setRxBufferSize(unsigned size) {  // not of an open port; their size_t has 32 bits
-    if (uart.isOpen()) {
+
+  unsigned setRxBufferSize(unsigned size) {  // their size_t has 32 bits
+    if (uart.isOpen() != (ESP32_CORE == 1)) {
       return 0;
+    }
+    if (ESP32_CORE == 1) {
+      uart.open(uart.settings());  // its queue is a new one (uartResizeRxBuffer())
     }
     uart.setBuffer(size);
     return size;
   }
-  Done setPins(int8_t, int8_t, int8_t = -1, int8_t = -1) { return Done(true); }
+
+#if ESP32_CORE == 1
+  operator bool() const { return true; }
+#else
+  operator bool() const { return uart.isOpen(); }
+  bool setRxFIFOFull(uint8_t characters) {
+    if (uart.isOpen()) {
+      uart.setBurst(characters);
+    }
+    return uart.isOpen();
+  }
+  bool setPins(int8_t rx, int8_t, int8_t = -1, int8_t = -1) {
+    _rx = rx;
+    if (ESP32_CORE != 338 || uart.isOpen()) {
+      attach(rx);
+    }
+    return true;
+  }
+#endif
+
   using Simulated<Stream>::read;
   size_t read(uint8_t *buffer, size_t size) { return static_cast<size_t>(uart.read(buffer, size)); }
   int availableForWrite() override { return uart.room(); }
-  operator bool() const { return uart.isOpen(); }
+
+ private:
+  static constexpr int8_t RX1 = sim::CorePin;
+  static constexpr unsigned Burst = ESP32_CORE == 1 ? 112 : 120;  // the driver's
+  void attach(int8_t rx) {
+    _rx = rx;
+    uart.attach(rx);
+  }
+  int8_t _rx = -1;
 };
 extern HardwareSerial Serial1, Serial2;
 
-constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};
+constexpr sim::Known Core = {true, ESP32_CORE != 1, 100000, 2, 0, true, true};
 
 #define OPENED_BY_HAND
 inline void openByHand() {
-  Serial1.begin(100000, SERIAL_8E2, 16, 17, true);
+  Serial1.begin(100000, SERIAL_8E2, sim::CorePin, 17, true);
 }

@@ -1,6 +1,6 @@
 // github.com/arduino/ArduinoCore-mbed b4ad4e7: cores/arduino/Serial.h and .cpp, Arduino.h; of mbed-os, serial_api.c of RP2040
 // and NRF52. With NANO33 a Nano 33 BLE: 100000 baud becomes 76800, and two stop bits are an assertion that fails
-// (ArduinoCore-mbed, issue 60).
+// (ArduinoCore-mbed, issue 60). on_rx() keeps bad characters (Serial.cpp:138), begin() what waits (106).
 #pragma once
 
 #include "Api.h"
@@ -15,7 +15,7 @@ namespace arduino {
 
 class UART : public Simulated<HardwareSerial> {
  public:
-  UART() : Simulated<HardwareSerial>({256, 1, 1, 0, sim::Write, false}) {}
+  UART() : Simulated<HardwareSerial>({256, 1, 1, 0, sim::Write, false, 0}) {}
   void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint16_t config) override { begin(baud, config, false); }
   void begin(unsigned long baud, uint16_t config, bool) {

@@ -1,5 +1,6 @@
 // github.com/adafruit/Adafruit_nRF52_Arduino 1.7.0 (fa129c2): cores/nRF5/HardwareSerial.h, Uart.h and .cpp, main.cpp. 100000
-// baud becomes 115200; a sketch can put that right, by NRF_UARTE0->BAUDRATE.
+// baud becomes 115200; a sketch can put that right, by NRF_UARTE0->BAUDRATE. begin() of an open port does nothing
+// (Uart.cpp:78); end() of a closed one waits for ever (168); bad characters are kept (200).
 #pragma once
 
 #include "../Stream.h"
@@ -22,7 +23,7 @@ class HardwareSerial : public Stream {
 };
 class Uart : public Simulated<HardwareSerial> {
  public:
-  Uart() : Simulated<HardwareSerial>({63, 1, 1, 64, sim::End | sim::Write | sim::Room, false}) {}
+  Uart() : Simulated<HardwareSerial>({63, 1, 1, 64, sim::End | sim::Write | sim::Room, false, 0}) {}
   void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint16_t config) override {
     if (!uart.isOpen()) {

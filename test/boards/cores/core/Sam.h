@@ -1,5 +1,6 @@
 // github.com/arduino/ArduinoCore-sam 1.6.12 (790ff2c): cores/arduino/HardwareSerial.h, UARTClass.h, USARTClass.h, Print.h.
-// Two enums are formats; Print and HardwareSerial know less than the ports.
+// Bad characters are kept (UARTClass.cpp:174), begin() clears what waits (74). Two enums are formats; Print and
+// HardwareSerial know less than the ports.
 #pragma once
 
 #define PRINT_WITHOUT_ROOM
@@ -22,7 +23,7 @@ class HardwareSerial : public Stream {
 class UARTClass : public Simulated<HardwareSerial> {
  public:
   enum UARTModes { Mode_8N1 = 0x800, Mode_8E1 = 0x000 };
-  UARTClass() : Simulated<HardwareSerial>({127, 1, 1, 127, sim::End, false}) {}
+  UARTClass() : Simulated<HardwareSerial>({127, 1, 1, 127, sim::End, false, 0}) {}
   void begin(const unsigned long baud) override { begin(baud, Mode_8N1); }
   void begin(const unsigned long baud, const UARTModes config) { open(baud, config == Mode_8E1 ? 1 : 0); }
   void end() override { uart.close(); }

@@ -1,4 +1,5 @@
 // github.com/arduino/ArduinoCore-samd 1.8.14 (993398c): cores/arduino/Uart.h and .cpp, SERCOM.cpp, main.cpp.
+// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48).
 #pragma once
 
 #include "Api.h"
@@ -9,9 +10,9 @@
 
 class Uart : public Simulated<HardwareSerial> {
  public:
-  Uart() : Simulated<HardwareSerial>({256, 1, 1, 256, sim::End, false}) {}
+  Uart() : Simulated<HardwareSerial>({256, 1, 1, 256, sim::End, false, sim::Framing}) {}
   void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
-  void begin(unsigned long baud, uint16_t config) override { uart.open(apiSettings(baud, config)); }
+  void begin(unsigned long baud, uint16_t config) override { uart.change(apiSettings(baud, config)); }
   void end() override { uart.close(); }
   int availableForWrite() override { return uart.room(); }
   operator bool() override { return true; }

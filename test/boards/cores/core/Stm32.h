@@ -1,5 +1,6 @@
 // github.com/stm32duino/Arduino_Core_STM32 2.12.0 (8c31e50): cores/arduino/HardwareSerial.h and .cpp, libraries/SrcWrapper
-// uart.c. With STM32F4 a chip that cannot invert: it ignores setRxInvert().
+// uart.c. Bad characters are kept (uart_getc(), uart.c:968), and so is what waits when begin() is called
+// (HardwareSerial.cpp:390). With STM32F4 a chip that cannot invert: it ignores setRxInvert().
 #pragma once
 
 #include "../Stream.h"
@@ -15,10 +16,10 @@
 
 class HardwareSerial : public Simulated<Stream> {
  public:
-  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false}) {}
+  HardwareSerial() : Simulated<Stream>({63, 1, 1, 63, 0, false, 0}) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config) {
-    uart.open({baud, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), _rxInverted, _txInverted});
+    uart.change({baud, sim::evenStops<int>(config, SERIAL_8E1, SERIAL_8E2), _rxInverted, _txInverted});
   }
   void end() { uart.close(); }
   int availableForWrite() override { return uart.room(); }

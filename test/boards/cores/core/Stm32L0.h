@@ -1,5 +1,7 @@
 // github.com/GrumpyOldPizza/ArduinoCore-stm32l0 1.6.18 (b1cf1cd): cores/arduino/HardwareSerial.h, Uart.h;
-// system/STM32L0xx/Source/stm32l0_uart.c. The formats are made of names that Arduino.h does not bring in.
+// system/STM32L0xx/Source/stm32l0_uart.c. Bad characters are discarded (stm32l0_uart.c:529). begin()
+// ends an open port, end() of a closed one does nothing (Uart.cpp:85, 103). The formats are made of names that Arduino.h
+// does not bring in.
 #pragma once
 
 #include "../Stream.h"
@@ -23,7 +25,7 @@ class HardwareSerial : public Stream {
 };
 class Uart : public Simulated<HardwareSerial> {
  public:
-  Uart() : Simulated<HardwareSerial>({64, 16, 1, 64, 0, true}) {}
+  Uart() : Simulated<HardwareSerial>({64, 16, 1, 64, 0, true, sim::Parity | sim::Framing}) {}
   void begin(unsigned long baud) override { begin(baud, 0); }
   void begin(unsigned long baud, uint32_t config) override;  // below, where its bits are known
   void begin(unsigned long baud, uint8_t *buffer, size_t size);

@@ -1,4 +1,5 @@
-// github.com/PaulStoffregen/cores 7f107ee: teensy4/HardwareSerial.h and .cpp. (Its uint32_t is an unsigned long.)
+// github.com/PaulStoffregen/cores 7f107ee: teensy4/HardwareSerial.h and .cpp. Bad characters are kept
+// (.cpp:638), begin() clears what waits (130), end() of a closed port does nothing (259). (Its uint32_t is an unsigned long.)
 #pragma once
 
 #include "../Stream.h"
@@ -21,7 +22,7 @@ class HardwareSerial : public Stream {
 class HardwareSerialIMXRT : public Simulated<HardwareSerial> {
  public:
   // 64 places, of which one stays free. A closed port has no clock.
-  HardwareSerialIMXRT() : Simulated<HardwareSerial>({63, 1, 1, 63, sim::Available | sim::Write, false}) {}
+  HardwareSerialIMXRT() : Simulated<HardwareSerial>({63, 1, 1, 63, sim::Available | sim::Write, false, 0}) {}
   void begin(unsigned long baud, uint16_t format = 0) override {
     const unsigned stops = (format & 0x100) != 0 ? 2 : 1;
     uart.open({baud, (format & 0xF) == SERIAL_8E1 ? stops : 0, (format & 0x10) != 0, (format & 0x20) != 0});

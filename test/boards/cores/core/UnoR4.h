@@ -1,5 +1,6 @@
 // github.com/arduino/ArduinoCore-renesas 1.5.3 (99f8ee4): cores/arduino/Serial.h and .cpp, Arduino.h. It cannot say how
-// much it takes, and waits for each character. end() reads a null pointer if the port was never opened.
+// much it takes, and waits for each character. Bad characters are discarded (Serial.cpp:71), begin() clears what waits
+// (292). end() reads a null pointer if the port was never opened.
 #pragma once
 
 #include "Api.h"
@@ -10,7 +11,7 @@
 
 class UART : public Simulated<HardwareSerial> {
  public:
-  UART() : Simulated<HardwareSerial>({512, 1, 1, 0, sim::End, false}) {}
+  UART() : Simulated<HardwareSerial>({512, 1, 1, 0, sim::End, false, sim::Parity | sim::Framing}) {}
   void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint16_t config) override { uart.open(apiSettings(baud, config)); }
   void end() override { uart.close(); }
