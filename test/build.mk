@@ -24,7 +24,8 @@ SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
 # Of the host: how its board receives and sends.
 HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp board/PortWatch.cpp
-LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/wire/*.cpp))
+LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/wire/*.cpp \
+  $(EXTRAS)/line/ports/LowLatency.cpp))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \
@@ -45,6 +46,8 @@ $(OUT)/%Test: $(OUT)/%Test.o $(OUT)/support/Main.o $(OUT)/board.a
 	$(CXX) $(SANITIZE) $^ -lrapidcheck -o $@
 $(OUT)/unit/PlainCoreTest: $(OUT)/unit/PlainCoreTest.o $(OUT)/support/Main.o $(OUT)/plain.a
 	$(CXX) $(SANITIZE) $^ -o $@
+# A line as the torture bench has it.
+$(OUT)/host/AdapterTest: $(OUT)/support/DamagedLine.o $(OUT)/support/Payload.o
 # PreemptTest stops after each instruction of the library: as the board has them, without the sanitizers' own.
 $(OUT)/unit/PreemptTest: SANITIZE :=
 $(OUT)/unit/PreemptTest: unit/PreemptTest.cpp support/Main.cpp support/FakeClock.cpp $(SOURCES:%=$(SRC)/%) build.mk
@@ -60,6 +63,9 @@ $(OUT)/$1/%.o: $1/%.cpp build.mk
 	$$(CXX) -std=c++17 $$(WARNINGS) $$(SANITIZE) $$(DEBUG) $$(DEPENDENCIES) $$(PLAIN) $$(ROOMS) $$(ARDUINO) -c $$< -o $$@
 endef
 $(foreach folder,unit host support,$(eval $(call program,$(folder))))
+$(OUT)/support/%.o: line/%.cpp build.mk
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(WARNINGS) $(SANITIZE) $(DEBUG) $(DEPENDENCIES) -Iline $(ROOMS) $(ARDUINO) -c $< -o $@
 $(OUT)/unit/PlainCoreTest.o: PLAIN := -DHOST_PLAIN_CORE
 
 # The library, Arduino's Print and the fake clock; an archive, so that a program takes what it uses and nothing else.

@@ -11,7 +11,10 @@ namespace line {
 
 namespace {
 
-constexpr uint8_t ShortGap = 3;  // as if a port waited for so many characters
+constexpr uint8_t ShortGap = 3;     // as if a port waited for so many characters
+constexpr uint32_t SureLead = 2;    // votes more than the other decoder has
+constexpr uint64_t EndUs = 50000;   // a longer silence ends what came before it
+constexpr size_t MostOpen = 8;      // frames of a decoder, so that none waits for ever
 
 }  // namespace
 
@@ -27,22 +30,55 @@ void Places::found(Stretch::Kind kind, int size) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;
   discarded(size);
+  votes += kind != Stretch::Kind::Extra && !isDoubtful(kind, begin);
+  _foundEnd = end;
   pieces.push_back({end - begin == static_cast<uint64_t>(size) ? kind : Stretch::Kind::NoFrame, begin, end});
+}
+
+// Where gaps do not tell, what one decoder takes for a frame may be a part of the other's, again and again: 25 of 36
+// bytes, or 36 that begin in each second frame.
+bool Places::isDoubtful(Stretch::Kind kind, uint64_t begin) const {
+  const uint64_t between = (begin - _foundEnd) % sbus::FrameSize24;
+  const bool is24 = kind == Stretch::Kind::Frame24;
+  return isLumpy && (_foundEnd == 0 || (is24 ? between != 0 : between == sbus::FrameSize24 - sbus::FrameSize));
 }
 
 template <typename Call>
 const std::vector<Piece> &Decoders::forBoth(Call call) {
-  _finder16.events().pieces.clear();
-  _finder24.events().pieces.clear();
+  if (_isDecided) {
+    _finder16.events().pieces.clear();
+    _finder24.events().pieces.clear();
+  }
   call(_finder16);
   call(_finder24);
-  return places().pieces;
+  return decide(_nowUs >= _byteUs + EndUs);
+}
+
+bool Decoders::has24() const {
+  const uint32_t votes16 = _finder16.events().votes;
+  const uint32_t votes24 = _finder24.events().votes;
+  return votes16 != votes24 ? votes24 > votes16 : _finder24.counters().frames > counters16().frames;
+}
+
+const std::vector<Piece> &Decoders::decide(bool isOver) {
+  const uint32_t votes16 = _finder16.events().votes;
+  const uint32_t votes24 = _finder24.events().votes;
+  const uint32_t lead = std::max(votes16, votes24) - std::min(votes16, votes24);
+  _isDecided = _isDecided || !_finder16.events().isLumpy || lead >= SureLead || (isOver && counters().frames != 0) ||
+               places().pieces.size() >= MostOpen;
+  return _isDecided ? places().pieces : _none;
+}
+
+const std::vector<Piece> &Decoders::finish() {
+  return decide(true);
 }
 
 // A gap of eight characters is known, one of seven is not. idle(): a finder that has heard of no such call would guess.
 void Decoders::reset(uint64_t nowUs, uint32_t characterUs) {
   const auto us = static_cast<uint8_t>(std::min<uint32_t>(characterUs, UINT8_MAX));  // a slower line has no S.Bus
   _nowUs = nowUs;
+  _byteUs = nowUs;
+  _isDecided = false;
   forBoth([=](auto &finder) {
     finder.reset(static_cast<uint32_t>(nowUs), us, ShortGap);
     finder.events() = {};
@@ -55,10 +91,12 @@ const std::vector<Piece> &Decoders::idle(uint64_t nowUs) {
   return forBoth([this](auto &finder) { finder.idle(static_cast<uint32_t>(_nowUs)); });
 }
 
-const std::vector<Piece> &Decoders::put(uint8_t byte, uint64_t at, uint64_t nowUs) {
+const std::vector<Piece> &Decoders::put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy) {
   _nowUs = nowUs;
+  _byteUs = nowUs;
   return forBoth([=](auto &finder) {
     finder.events().put(at);
+    finder.events().isLumpy = isLumpy;
     finder.poll(1, static_cast<uint32_t>(nowUs));
     *finder.space() = byte;
     finder.received(1, 0);
@@ -66,8 +104,14 @@ const std::vector<Piece> &Decoders::put(uint8_t byte, uint64_t at, uint64_t nowU
 }
 
 uint64_t Decoders::openAt(uint64_t end) const {
-  return counters().frames != 0 ? places().openAt(end)
-                                : std::min(_finder16.events().openAt(end), _finder24.events().openAt(end));
+  if (counters().frames != 0 && _isDecided) {
+    return places().openAt(end);
+  }
+  for (const Places *each : {static_cast<const Places *>(&_finder16.events()),
+                             static_cast<const Places *>(&_finder24.events())}) {
+    end = std::min(each->pieces.empty() ? end : each->pieces.front().begin, each->openAt(end));
+  }
+  return end;
 }
 
 }  // namespace line

@@ -22,7 +22,10 @@ class Places {
   void extra() { found(Stretch::Kind::Extra, sbus::FrameSize); }
   void discarded(int count) { _open.erase(_open.begin(), _open.begin() + count); }
   void rejected(int at, sbus::Rejection why);
+  bool seesEachGap() const { return !isLumpy; }
 
+  bool isLumpy = true;               // a port brings lumps: gaps within them are not seen
+  uint32_t votes = 0;                // frames that tell which decoder is right
   std::vector<Piece> pieces;         // found at the last call
   std::vector<Rejected> rejections;  // the newest ones
 
@@ -30,7 +33,10 @@ class Places {
   void found(Stretch::Kind kind, int size);
 
  private:
+  bool isDoubtful(Stretch::Kind kind, uint64_t begin) const;
+
   std::deque<uint64_t> _open;  // places of the bytes that the decoder still holds
+  uint64_t _foundEnd = 0;      // place after the last frame; 0 before the first
 };
 
 template <typename Format>
@@ -46,9 +52,9 @@ class Decoders {
   const std::vector<Piece> &idle(uint64_t nowUs);
 
   // At `nowUs` the character at place `at` has come, and is good. Returns what was found by that.
-  const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs);
+  const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
 
-  bool has24() const { return _finder24.counters().frames > counters16().frames; }
+  bool has24() const;
   const sbus::Counters &counters() const { return has24() ? _finder24.counters() : counters16(); }
   const sbus::Counters &counters16() const { return _finder16.counters(); }
 
@@ -56,7 +62,10 @@ class Decoders {
   const Places &places() const {
     return has24() ? static_cast<const Places &>(_finder24.events()) : _finder16.events();
   }
-  // Before the first frame either may be right.
+  // Nothing more will come. Returns what waited.
+  const std::vector<Piece> &finish();
+
+  // Before it is known which is right, all may be a frame's.
   uint64_t openAt(uint64_t end) const;
 
  private:
@@ -65,10 +74,14 @@ class Decoders {
 
   template <typename Call>
   const std::vector<Piece> &forBoth(Call call);
+  const std::vector<Piece> &decide(bool isOver);
 
   Finder<sbus::Frame16> _finder16;
   Finder<sbus::Frame24> _finder24;
-  uint64_t _nowUs;  // as they were told last
+  uint64_t _nowUs;   // as they were told last
+  uint64_t _byteUs;  // of the last byte
+  bool _isDecided;   // it is known which of the two is right
+  std::vector<Piece> _none;
 };
 
 }  // namespace line

@@ -13,7 +13,8 @@ constexpr uint32_t CharacterUs = sbus::CharacterTime;  // unless the wire is a f
 struct Character {
   uint64_t endUs = 0;  // when its last bit was through, in microseconds since the program's start
   uint8_t value = 0;
-  bool bad = false;  // its parity or a stop bit was wrong
+  bool bad = false;     // its parity or a stop bit was wrong
+  uint32_t lateUs = 0;  // a port kept it back: it ended no earlier than so much before
 };
 
 class Line {
@@ -26,6 +27,12 @@ class Line {
   // The next character that was through by `nowUs`, the oldest first; false if there is none.
   virtual bool next(uint64_t nowUs, Character &character) = 0;
 
+  // Returns the time up to which next() has brought all that was through.
+  virtual uint64_t knownUs(uint64_t nowUs) const { return nowUs; }
+
+  // Waits until next() may bring more, for 50 ms at most. Returns false without waiting if the line cannot tell.
+  virtual bool wait() { return false; }
+
   // True if nothing more will ever come.
   virtual bool finished(uint64_t /*nowUs*/) const { return false; }
 
@@ -34,6 +41,9 @@ class Line {
 
   // What has happened to it since the last call, for whoever watches: a port has gone, or is back. Mostly nothing.
   virtual std::string news() { return {}; }
+
+  // Returns what keeps its times from being exact, a line with what to do; mostly nothing.
+  virtual std::string note() const { return {}; }
 };
 
 }  // namespace line

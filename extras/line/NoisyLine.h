@@ -20,6 +20,7 @@ class NoisyLine : public Line {
   void opened(uint64_t nowUs) override { _line->opened(nowUs); }
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
+  uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
 
  private:
   std::unique_ptr<Line> _line;

@@ -31,15 +31,11 @@ class Observer : public Statistics {
   // Starts over on a line whose characters take so long.
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // The next character, the oldest first. Its time is exact: a gap of eight characters is seen. The decoders get it as
-  // ports hand it over: with the next one, or when the line has been idle for a character.
+  // The next character, the oldest first. A gap of eight characters before it is seen, less what it may be late. The
+  // decoders get it as ports hand it over: with the next one, or when the line has been idle for a character.
   void put(const Character &character);
 
-  // The same of a port that tells no more than what one read has brought, now or up to 50 ms ago, as a browser's does.
-  // From then on no shorter gap is believed: of 6666 frames that came up to 1 ms late all are found so, 6178 by put().
-  void putBurst(const uint8_t *bytes, size_t count, uint64_t nowUs);
-
-  // Nothing else has come up to now.
+  // No other character was through by then.
   void idleUntil(uint64_t nowUs);
 
   // Nothing more will come: what still waits is no frame.
@@ -55,16 +51,16 @@ class Observer : public Statistics {
   const sbus::Counters &counters16() const { return _decoders.counters16(); }
 
  private:
-  void take(const Character &character);
-  void handOver(uint64_t nowUs);
+  void handOver();
   void say(Stretch &stretch);
 
   Listener _listener;
   Decoders _decoders;
   Segments _segments{[this](Stretch &stretch) { say(stretch); }};
   uint32_t _characterUs;
-  uint64_t _lateUs;  // so late a character may be put
   Character _last;
+  uint64_t _lineUs;     // the decoders' time at its end: characters and what is certain to be silence, no more
+  uint64_t _silenceUs;  // what is certain since then
   bool _waits;  // the last one has not been handed over
   unsigned long _badCharacters;
 };

@@ -11,6 +11,10 @@ bool RecordedLine::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
+uint64_t RecordedLine::knownUs(uint64_t nowUs) const {
+  return nowUs < _zeroUs ? 0 : _zeroUs + _recording.characters.knownUs(_index, nowUs - _zeroUs);
+}
+
 bool RecordedLine::finished(uint64_t nowUs) const {
   return nowUs >= _zeroUs + _recording.characters.back().endUs + TailUs;
 }

@@ -17,6 +17,8 @@ class RecordedLine : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
 
+  uint64_t knownUs(uint64_t nowUs) const override;
+
   // A little later than its last character, so that the sketch can show what it has made of it.
   bool finished(uint64_t nowUs) const override;
 

@@ -10,6 +10,8 @@ namespace line {
 
 namespace {
 
+constexpr uint64_t LateMaxUs = UINT32_MAX;
+
 // Takes the next word off `text`; empty at the end.
 std::string_view takeWord(std::string_view &text) {
   while (!text.empty() && isBlank(text.front())) {
@@ -73,13 +75,17 @@ std::string parseLine(std::string_view line, uint32_t characterUs, Characters &c
     return {};
   }
   Character character;
-  if (!parseTime(timeWord, character.endUs)) {
+  const size_t mark = timeWord.find('~');
+  uint64_t lateUs = 0;
+  if (!parseTime(timeWord.substr(0, mark), character.endUs) ||
+      (mark != std::string_view::npos && (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs > LateMaxUs))) {
     return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
   }
   if (!characters.empty() && character.endUs < characters.back().endUs + characterUs) {
     return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
            std::to_string(characters.back().endUs) + " us, and each takes " + std::to_string(characterUs) + " us";
   }
+  character.lateUs = static_cast<uint32_t>(lateUs);
   std::string_view word = takeWord(line);
   if (word.empty()) {
     return "there is a time, but no characters: bytes in hexadecimal are expected after it";

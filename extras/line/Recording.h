@@ -1,13 +1,16 @@
 // A recording of a line, as a text file:
 //
 //   # a comment
-//   120 0F E5 03! 1F    microseconds at which the first character was complete, then characters back to back; ! after
-//   one
-//                       with a wrong parity or stop bit
+//   120 0F E5 03! 1F       microseconds at which the first character was complete, then characters back to back; !
+//                          after one with a wrong parity or stop bit
+//   16120~18000 0F E5      of a port that hands bytes over late: each was complete up to 18000 us earlier, and gaps may
+//                          stand between them
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -16,7 +19,7 @@
 
 namespace line {
 
-// Characters in their order, 8 bytes each: an hour of S.Bus has nine million.
+// Characters in their order, 8 bytes each, and 16 for each read of a late port: an hour of S.Bus has nine million.
 class Characters {
  public:
   class Iterator {
@@ -35,12 +38,15 @@ class Characters {
   };
 
   void push_back(const Character &character) {
+    if (character.lateUs != (_late.empty() ? 0 : _late.back().us)) {
+      _late.push_back({size(), character.lateUs});
+    }
     _packed.push_back(character.endUs << 9 | (character.bad ? 0x100u : 0u) | character.value);
   }
 
   Character operator[](size_t index) const {
     const uint64_t packed = _packed[index];
-    return {packed >> 9, static_cast<uint8_t>(packed), (packed & 0x100) != 0};
+    return {packed >> 9, static_cast<uint8_t>(packed), (packed & 0x100) != 0, lateUs(index)};
   }
   Character back() const { return (*this)[size() - 1]; }
   size_t size() const { return _packed.size(); }
@@ -48,8 +54,26 @@ class Characters {
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size()}; }
 
+  // Of a line that has brought the first `count` of them: see Line::knownUs().
+  uint64_t knownUs(size_t count, uint64_t nowUs) const {
+    const Character next = count < size() ? (*this)[count] : Character{nowUs + CharacterUs};
+    return std::min(nowUs, next.endUs - std::min<uint64_t>(next.endUs, CharacterUs + next.lateUs));
+  }
+
  private:
+  struct Late {
+    size_t from;  // index
+    uint32_t us;
+  };
+
+  uint32_t lateUs(size_t index) const {
+    const auto after =
+        std::upper_bound(_late.begin(), _late.end(), index, [](size_t i, const Late &late) { return i < late.from; });
+    return after == _late.begin() ? 0 : std::prev(after)->us;
+  }
+
   std::deque<uint64_t> _packed;  // a vector would take three times as much while it grows
+  std::deque<Late> _late;        // where it changes
 };
 
 struct Recording {

@@ -28,11 +28,12 @@ void RecordingWriter::opened(const LineSettings &settings) {
 void RecordingWriter::put(const Character &character) {
   const uint64_t earliestUs = _lastEndUs == 0 ? 0 : _lastEndUs + _settings.characterUs();
   const uint64_t endUs = std::max(character.endUs, earliestUs);
-  if (_onLine == LineMax || endUs != earliestUs) {
+  if (_onLine == LineMax || endUs != earliestUs || character.lateUs != _lateUs) {
     endLine();
   }
   if (_onLine == 0) {
-    _line = std::to_string(endUs);
+    _line = std::to_string(endUs) + (character.lateUs == 0 ? "" : "~" + std::to_string(character.lateUs));
+    _lateUs = character.lateUs;
   }
   constexpr char Digits[] = "0123456789ABCDEF";
   _line += ' ';

@@ -35,6 +35,7 @@ class RecordingWriter {
   bool _opened = false;
   LineSettings _settings;
   uint64_t _lastEndUs = 0;
+  uint32_t _lateUs = 0;  // of its characters
   unsigned _onLine = 0;  // characters of it
 };
 

@@ -17,6 +17,7 @@ class SampledLine : public Line {
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
   std::string failure() const override { return _line->failure(); }
+  uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
 
  private:
   std::unique_ptr<Line> _line;

@@ -46,8 +46,8 @@ class CsvView {
     _observer.put(character);
   }
 
-  void tick(uint64_t nowUs) {
-    _observer.idleUntil(nowUs);
+  void tick(uint64_t nowUs, uint64_t knownUs) {
+    _observer.idleUntil(knownUs);
     _silence.tick(nowUs, framesCame());
     if (nowUs < _nextUs) {
       return;
@@ -102,7 +102,7 @@ void run(const SourceOption &source, const CsvOptions &options) {
   const std::unique_ptr<Input> input = source.open();
   CsvView view(options, source.name(), input->settings().characterUs());
   input->run([&view](const line::Character &character) { view.put(character); },
-             [&view](uint64_t nowUs) { view.tick(nowUs); });
+             [&](uint64_t nowUs) { view.tick(nowUs, input->knownUs()); });
   view.finish();
 }
 

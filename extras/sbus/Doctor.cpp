@@ -46,14 +46,18 @@ class Heard {
           _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
         },
         [&](uint64_t nowUs) {
-          _observer.idleUntil(nowUs);
+          _observer.idleUntil(input.knownUs());
           _heardUs = us == ToItsEnd ? _lastUs - _firstUs + pauseUs() : nowUs;
           if (nowUs >= (framesCome() ? framesUs : us)) {
             input.end();
           }
         });
     _observer.finish();
+    _note = input.note();
   }
+
+  // What keeps the times of this source from being exact, a line; or nothing.
+  std::string note() const { return _note.empty() ? "" : _note + "\n"; }
 
   bool isCsv() const { return _isCsv; }
 
@@ -124,6 +128,7 @@ class Heard {
   uint64_t _firstUs = 0;  // of the characters
   uint64_t _lastUs = 0;
   uint64_t _heardUs = 0;
+  std::string _note;
 };
 
 // The one that is meant first: of sim what a sketch's begin() opens, of a recording how its line was set. What inverts
@@ -185,7 +190,7 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
   }
   const sbus::Finding finding = diagnosis.finding();
   write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
-        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures());
+        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures() + heard[diagnosis.best()]->note());
   return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
 }
 

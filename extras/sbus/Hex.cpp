@@ -94,7 +94,7 @@ void run(const SourceOption &source, const std::string &colour) {
   SilenceNote silence(source.name(), "bytes");
   input->run([&observer](const line::Character &character) { observer.put(character); },
              [&](uint64_t nowUs) {
-               observer.idleUntil(nowUs);
+               observer.idleUntil(input->knownUs());
                silence.tick(nowUs, observer.characters() > 0);
              });
   observer.finish();

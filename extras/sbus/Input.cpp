@@ -34,6 +34,7 @@ void Input::run(const std::function<void(const line::Character &)> &put,
     for (line::Character character; _line->next(nowUs, character);) {
       put(character);
     }
+    _knownUs = _line->knownUs(nowUs);
     tick(nowUs);
     const std::string news = _line->news();
     if (!news.empty() && _tell) {
@@ -50,7 +51,9 @@ void Input::run(const std::function<void(const line::Character &)> &put,
     if (_pace == Pace::AtOnce) {
       nowUs += TickUs;
     } else {
-      std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
+      if (!_line->wait()) {
+        std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
+      }
       nowUs = static_cast<uint64_t>(static_cast<double>(sinceUs(start)) * _speed);
     }
     nowUs = std::min(nowUs, endUs);

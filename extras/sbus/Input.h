@@ -28,10 +28,16 @@ class Input {
   // So many times as fast as true time.
   void setSpeed(double speed) { _speed = speed; }
 
-  // Hands over each character as it comes, and every millisecond says the time, up to which all have come. Both begin
-  // at 0. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws std::runtime_error
+  // Hands over each character as it comes, and says the time: every millisecond, of a port whenever it brings bytes and
+  // 20 times a second. Both begin at 0. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws std::runtime_error
   // if the line breaks down.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
+
+  // In a tick: all that was through by then has been handed over. Earlier than its time, if the port is late.
+  uint64_t knownUs() const { return _knownUs; }
+
+  // As Line's.
+  std::string note() const { return _line->note(); }
 
   // run() returns after the present tick: a key was pressed.
   void end() { _ended = true; }
@@ -43,6 +49,7 @@ class Input {
   double _seconds;
   double _speed = 1;
   bool _ended = false;
+  uint64_t _knownUs = 0;
   std::function<void(const std::string &)> _tell;
 };
 

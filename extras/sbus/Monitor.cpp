@@ -144,7 +144,7 @@ void run(const SourceOption &source, const std::string &range) {
     input->run([&watch](const line::Character &character) { watch.put(character); },
                [&](uint64_t nowUs) {
                  lastUs = nowUs;
-                 watch.tick(nowUs);
+                 watch.idleUntil(input->knownUs());
                  tick(nowUs);
                });
   };

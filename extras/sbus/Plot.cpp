@@ -172,7 +172,7 @@ void run(const SourceOption &source, const PlotOptions &options) {
   SilenceNote silence(source.name(), "frames");
   input->run([&](const line::Character &character) { plotter.put(character); },
              [&](uint64_t nowUs) {
-               plotter.idleUntil(nowUs);
+               plotter.idleUntil(input->knownUs());
                silence.tick(nowUs, plotter.any());
              });
   const std::string picture = plotter.finish(source.name());

@@ -5,12 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "Output.h"
 #include "Verbs.h"
+#include "line/ports/LowLatency.h"
 
 namespace tool {
 
@@ -65,15 +65,11 @@ std::string usbText(sp_port *port) {
   return ids + (serial.empty() ? "" : ", serial number " + serial);
 }
 
-// An FTDI adapter keeps bytes back for so many ms; 16 unless told.
+// While sbus has a port open it asks for 1 ms.
 std::string latencyText(const std::string &device) {
-  const std::string file = "/sys/bus/usb-serial/devices/" + device.substr(device.rfind('/') + 1) + "/latency_timer";
-  std::ifstream in(file);
-  int ms = 0;
-  if (!(in >> ms) || ms <= 1) {
-    return "";
-  }
-  return "hands bytes over after " + std::to_string(ms) + " ms, so times are wrong: echo 1 | sudo tee " + file;
+  const std::string file = line::latencyFile(device);
+  const std::optional<unsigned> ms = line::latencyMs(file);
+  return !ms || *ms <= 1 ? "" : "keeps bytes back for up to " + std::to_string(*ms) + " ms: echo 1 | sudo tee " + file;
 }
 
 void addLine(std::string &text, const std::string &line) {

@@ -18,7 +18,7 @@ class Watch {
   Watch &operator=(const Watch &) = delete;
 
   void put(const line::Character &character);
-  void tick(uint64_t nowUs) { _observer.idleUntil(nowUs); }
+  void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
 
   // The port has gone, or is back.
   void news(const std::string &text, uint64_t nowUs);

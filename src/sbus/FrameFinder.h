@@ -21,6 +21,8 @@ struct NoEvents {
   void extra() {}                   ///< the next 25 bytes are a frame with header 2F
   void discarded(int) {}            ///< so many bytes belong to no frame
   void rejected(int, Rejection) {}  ///< at this place stands a header, and no frame begins with it
+  /// Asks it whether polls tell each gap of the line. Where they tell some only, none says how long a frame is.
+  static constexpr bool seesEachGap() { return true; }
 };
 
 /// Bytes are read straight into the incoming frame:

@@ -50,6 +50,9 @@ void FrameFinderOf<Format, Events>::broken() {
 // Of a line of the other size two damaged frames may look like one of this size, and the same ones again and again.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore() {
+  if (!Events::seesEachGap()) {
+    _acquisition.forget();
+  }
   if (_acquisition.gap(_buffer.filled(), _kind == UnknownKind)) {
     countUp(_counters.otherFrames);
     _kind = UnknownKind;

@@ -9,7 +9,6 @@
 
 #include "line/Observer.h"
 #include "line/NoisyLine.h"
-#include "line/Random.h"
 #include "line/SimulatedReceiver.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
@@ -349,61 +348,4 @@ TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a b
     CHECK(watched.observer.badCharacters() > 500);
     CHECK(rejected > 100);
   }
-}
-
-TEST_CASE("Of a port that a browser reads, late and never twice the same, every frame is found") {
-  struct Port {
-    uint64_t everyUs;  // it brings what has come
-    unsigned missed;   // frames, of 666
-  };
-  for (const Port &port : {Port{1000, 0}, Port{4000, 0}, Port{16000, 0}, Port{33000, 0}}) {
-    CAPTURE(port.everyUs);
-    Watched watched;
-    line::SimulatedReceiver receiver;
-    line::Random random(20181);
-    Bytes sent;
-    for (uint64_t us = port.everyUs; us < 6000000; us += port.everyUs) {
-      const uint64_t nowUs = us + random.below(1000);
-      Bytes bytes;
-      for (Character character; receiver.next(nowUs, character);) {
-        bytes.push_back(character.value);
-      }
-      if (!bytes.empty()) {
-        watched.observer.putBurst(bytes.data(), bytes.size(), nowUs);
-        sent.insert(sent.end(), bytes.begin(), bytes.end());
-      }
-    }
-    watched.observer.finish();
-    CHECK(watched.observer.counters().frames + port.missed >= sent.size() / sbus::FrameSize);
-    Bytes seen;
-    uint64_t lastUs = 0;
-    for (const Stretch &stretch : watched.stretches) {
-      for (const Character &character : stretch.characters) {
-        seen.push_back(character.value);
-        REQUIRE(character.endUs >= lastUs + line::CharacterUs);
-        lastUs = character.endUs;
-      }
-    }
-    CHECK(seen == sent);
-  }
-}
-
-TEST_CASE("A port that a browser reads: a silence that is longer than any delay is a pause") {
-  Watched watched;
-  const Bytes frame = Watched::frameOf(1000);
-  const Bytes half(frame.begin(), frame.begin() + 12);
-  uint64_t us = 0;
-  const auto read = [&](const Bytes &bytes, uint64_t afterUs) {
-    us += afterUs;
-    watched.observer.putBurst(bytes.data(), bytes.size(), us);
-  };
-  read(frame, 9000);
-  read(frame, 9000);
-  read(half, 9000);  // the wire is cut
-  CHECK(watched.observer.state(us + 200000) == sbus::LinkState::Stale);
-  read(frame, 500000);
-  read(frame, 9000);
-  CHECK(watched.observer.counters().frames == 4);
-  CHECK(watched.observer.counters().skippedBytes == half.size());
-  CHECK(watched.observer.state(us) == sbus::LinkState::Ok);
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "line/SilentLine.h"
+#include "line/ports/RestoredLine.h"
 #include "line/ports/SerialPort.h"
 
 namespace host {
@@ -22,7 +23,7 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
     return std::make_unique<line::SilentLine>();
   }
   if (!options.port.empty()) {
-    auto line = std::make_unique<line::SerialPort>(options.port);
+    auto line = std::make_unique<line::RestoredLine>(std::make_unique<line::SerialPort>(options.port));
     std::fprintf(stderr, "Serial%d: receiver at %s, 100000 baud, 8E2%s\n", options.on, options.port.c_str(),
                  options.seconds > 0 ? "" : ", until Ctrl-C");
     return line;

@@ -13,7 +13,7 @@ namespace line {
 ByteStream::ByteStream(const std::string &name, uint32_t characterUs, bool patient)
     : _name(name == "-" ? "standard input" : name),
       _file(name == "-" ? STDIN_FILENO : open(name.c_str(), O_RDONLY | O_CLOEXEC)),
-      _characterUs(characterUs),
+      _reads(characterUs),
       _patient(patient) {
   if (_file < 0) {
     throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) + "); name a pipe that can be read");
@@ -41,10 +41,16 @@ bool ByteStream::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
+bool ByteStream::wait() {
+  pollfd state = {_file, POLLIN, 0};
+  return !_ended && _waiting.empty() && ::poll(&state, 1, _reads.knownAfterMs()) >= 0;
+}
+
 // Takes in more bytes, if any wait. Ctrl-C ends the waiting.
 void ByteStream::fill(uint64_t nowUs) {
   pollfd state = {_file, POLLIN, 0};
   if (_ended || ::poll(&state, 1, _patient ? -1 : 0) != 1) {
+    _reads.empty(_patient ? 0 : nowUs);
     return;
   }
   uint8_t bytes[ReadMax];
@@ -53,9 +59,12 @@ void ByteStream::fill(uint64_t nowUs) {
     _failure = _name + ": cannot be read (" + std::strerror(errno) + ")";
   }
   _ended = count == 0;
+  if (count > 0) {
+    _reads.begin(static_cast<size_t>(count), _patient ? 0 : nowUs);
+  }
   for (ssize_t i = 0; i < count; i++) {
-    _lastEndUs = _patient || nowUs <= _lastEndUs ? _lastEndUs + _characterUs : nowUs + LaterUs;
-    _waiting.push_back({_lastEndUs, bytes[i], false});
+    _waiting.push_back(_reads.next(bytes[i]));
+    _lastEndUs = _waiting.back().endUs;
   }
 }
 

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "line/Line.h"
+#include "line/PortReads.h"
 
 namespace line {
 
-// A pipe brings a frame in pieces, as USB does: they go over the line as SerialPort's.
+// A pipe brings a frame in pieces, as a port does. What comes quicker than a line is held back to its pace.
 class ByteStream : public Line {
  public:
   // `name`: a file, or - for standard input. `patient`: next() waits for bytes, whatever the time, and no silence is
@@ -20,18 +21,19 @@ class ByteStream : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override;
+  uint64_t knownUs(uint64_t) const override { return _reads.knownUs(); }
+  bool wait() override;
   std::string failure() const override { return _failure; }
 
  private:
   static constexpr uint64_t TailUs = 300000;  // as RecordedLine's
-  static constexpr uint64_t LaterUs = 2000;   // as SerialPort's
   static constexpr size_t ReadMax = 256;
 
   void fill(uint64_t nowUs);
 
   std::string _name;
   int _file;
-  uint32_t _characterUs;
+  PortReads _reads;
   bool _patient;
   std::deque<Character> _waiting;
   uint64_t _lastEndUs = 0;

@@ -1,19 +1,31 @@
 #include "ReopenedPort.h"
 
+#include <chrono>
+#include <thread>
+
 namespace line {
 
 bool ReopenedPort::next(uint64_t nowUs, Character &character) {
-  SerialPort *const port = _port.at(nowUs);
-  if (port == nullptr) {
+  _open = _port.at(nowUs);
+  if (_open == nullptr) {
     return false;
   }
-  if (port->next(nowUs, character)) {
+  if (_open->next(nowUs, character)) {
     return true;
   }
-  if (!port->failure().empty()) {
+  if (!_open->failure().empty()) {
     _port.gone();
+    _open = nullptr;
   }
   return false;
+}
+
+bool ReopenedPort::wait() {
+  if (_open != nullptr) {
+    return _open->wait();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return true;
 }
 
 }  // namespace line

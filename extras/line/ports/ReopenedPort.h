@@ -13,11 +13,15 @@ class ReopenedPort : public Line {
       : _port(device, [=] { return std::make_unique<SerialPort>(device, settings); }) {}
 
   bool next(uint64_t nowUs, Character &character) override;
+  uint64_t knownUs(uint64_t nowUs) const override { return _open == nullptr ? 0 : _open->knownUs(nowUs); }
+  bool wait() override;
   bool finished(uint64_t) const override { return _port.finished(); }
+  std::string note() const override { return _open == nullptr ? "" : _open->note(); }
   std::string news() override { return _port.news(); }
 
  private:
   Reopened<SerialPort> _port;
+  SerialPort *_open = nullptr;  // none while it is gone
 };
 
 }  // namespace line

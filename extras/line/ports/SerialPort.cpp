@@ -1,18 +1,20 @@
 #include "SerialPort.h"
 
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace line {
 
 namespace {
 
-constexpr uint64_t PollUs = 200;  // two characters: asking the system more often finds nothing
+constexpr int IdleMs = 50;  // a silent port is asked so often
 
 // libserialport does not look at parity. The board drops bad characters, so they must be told from good ones.
 bool markBadCharacters(int file) {
@@ -28,7 +30,12 @@ bool markBadCharacters(int file) {
 }  // namespace
 
 SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
-    : _device(device), _port(device, settings, PortFile::Way::Read), _characterUs(settings.characterUs()) {
+    : _device(device),
+      _port(device, settings, PortFile::Way::Read),
+      _lowLatency(_port.file(), ioctl),
+      _latencyFile(latencyFile(device)),
+      _latencyMs(latencyMs(_latencyFile)),
+      _reads(settings.characterUs(), _latencyMs ? *_latencyMs * 1000 : PortReads::UsualLatencyUs) {
   if (!markBadCharacters(_port.file())) {
     throw std::runtime_error(device + ": the system does not tell bad characters from good ones; name another port");
   }
@@ -36,11 +43,14 @@ SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
 }
 
 bool SerialPort::next(uint64_t nowUs, Character &character) {
-  if (nowUs >= _nextPollUs && _failure.empty()) {
-    _nextPollUs = nowUs + PollUs;
-    poll(nowUs);
+  if (!_started) {
+    _started = true;
+    _zero = Clock::now() - std::chrono::microseconds(nowUs);
   }
-  if (_waiting.empty() || _waiting.front().endUs > nowUs) {
+  if (_waiting.empty() && _failure.empty()) {
+    poll();
+  }
+  if (_waiting.empty()) {
     return false;
   }
   character = _waiting.front();
@@ -48,12 +58,39 @@ bool SerialPort::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
-void SerialPort::poll(uint64_t nowUs) {
+// After bytes the next look is due when it can tell that the line fell silent.
+bool SerialPort::wait() {
+  pollfd state = {_port.file(), POLLIN, 0};
+  ::poll(&state, 1, _isSilent ? IdleMs : _reads.knownAfterMs());
+  return true;
+}
+
+std::string SerialPort::note() const {
+  if (!_latencyMs) {
+    return "This port does not tell how long it keeps bytes back: gaps shorter than " +
+           std::to_string(_reads.knownAfterMs()) + " ms are not seen.";
+  }
+  return *_latencyMs <= 1 ? ""
+                          : "The adapter keeps bytes back for up to " + std::to_string(*_latencyMs) +
+                                " ms, which hides the gaps between frames. To see them: echo 1 | sudo tee " +
+                                _latencyFile;
+}
+
+// The caller's time may be older than the bytes.
+uint64_t SerialPort::nowUs() const {
+  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _zero).count());
+}
+
+void SerialPort::poll() {
   uint8_t bytes[256];
+  const uint64_t askedUs = nowUs();
   const ssize_t count = read(_port.file(), bytes, sizeof bytes);
   const bool failed = count < 0 && errno != EAGAIN && errno != EINTR;
-  for (ssize_t i = 0; i < count; i++) {
-    take(bytes[i], nowUs);
+  if (count > 0) {
+    take(bytes, static_cast<size_t>(count));
+  } else {
+    _isSilent = askedUs > _lastReadUs + uint64_t{1000} * static_cast<unsigned>(_reads.knownAfterMs());
+    _reads.empty(askedUs);
   }
   // A port that has gone reads as one that is silent; only poll() tells them apart.
   pollfd state = {_port.file(), POLLIN, 0};
@@ -62,33 +99,36 @@ void SerialPort::poll(uint64_t nowUs) {
   }
 }
 
-// USB brings a frame in pieces. They go on at the pace of the line, or they would overrun the board's buffer, and so
-// much later that the next piece is there before they have gone: else there were pauses within frames. A pause on the
-// line that is shorter is lost, which a decoder can bear.
-void SerialPort::take(uint8_t byte, uint64_t nowUs) {
-  Character character;
-  character.value = byte;
-  switch (_mark) {
-    case Mark::None:
-      if (byte == 0xFF) {
-        _mark = Mark::Escape;
-        return;
-      }
-      break;
-    case Mark::Escape:
-      if (byte == 0x00) {
-        _mark = Mark::Bad;
-        return;
-      }
-      break;
-    case Mark::Bad:
-      character.bad = true;
-      break;
+void SerialPort::take(const uint8_t *bytes, size_t count) {
+  _lastReadUs = nowUs();
+  std::vector<Character> characters;
+  for (size_t i = 0; i < count; i++) {
+    Character character;
+    if (unmark(bytes[i], character)) {
+      characters.push_back(character);
+    }
   }
-  _mark = Mark::None;
-  _lastEndUs = nowUs <= _lastEndUs ? _lastEndUs + _characterUs : nowUs + LaterUs;
-  character.endUs = _lastEndUs;
-  _waiting.push_back(character);
+  if (!characters.empty()) {
+    _reads.begin(characters.size(), _lastReadUs);
+  }
+  for (const Character &character : characters) {
+    _waiting.push_back(_reads.next(character.value, character.bad));
+  }
+}
+
+// True if the character is complete.
+bool SerialPort::unmark(uint8_t byte, Character &character) {
+  if (_mark == Mark::None && byte == 0xFF) {
+    _mark = Mark::Escape;
+    return false;
+  }
+  if (_mark == Mark::Escape && byte == 0x00) {
+    _mark = Mark::Bad;
+    return false;
+  }
+  character.value = byte;
+  character.bad = std::exchange(_mark, Mark::None) == Mark::Bad;
+  return true;
 }
 
 }  // namespace line

@@ -1,11 +1,15 @@
 // A real receiver, at a serial port of this PC: an adapter whose RXD is inverted, or with an inverter in front of it.
 #pragma once
 
+#include <chrono>
 #include <deque>
+#include <optional>
 #include <string>
 
+#include "LowLatency.h"
 #include "PortFile.h"
 #include "line/Line.h"
+#include "line/PortReads.h"
 
 namespace line {
 
@@ -15,26 +19,36 @@ class SerialPort : public Line {
   explicit SerialPort(const std::string &device, const LineSettings &settings = {});
 
   bool next(uint64_t nowUs, Character &character) override;
+  uint64_t knownUs(uint64_t) const override { return _reads.knownUs(); }
+  bool wait() override;
   std::string failure() const override { return _failure; }
+  std::string note() const override;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   // An adapter marks a bad character as FF 00 character, and sends FF as FF FF.
   enum class Mark { None, Escape, Bad };
 
-  static constexpr uint64_t LaterUs = 2000;
-
-  void poll(uint64_t nowUs);
-  void take(uint8_t byte, uint64_t nowUs);
+  uint64_t nowUs() const;
+  void poll();
+  void take(const uint8_t *bytes, size_t count);
+  bool unmark(uint8_t byte, Character &character);
 
   std::string _device;
   PortFile _port;
-  uint32_t _characterUs;
+  LowLatency _lowLatency;
+  std::string _latencyFile;
+  std::optional<unsigned> _latencyMs;  // none: the port does not tell
+  PortReads _reads;
   std::string _failure;
 
   Mark _mark = Mark::None;
   std::deque<Character> _waiting;
-  uint64_t _lastEndUs = 0;
-  uint64_t _nextPollUs = 0;
+  bool _started = false;
+  Clock::time_point _zero;
+  uint64_t _lastReadUs = 0;
+  bool _isSilent = false;  // for longer than bytes may be late
 };
 
 }  // namespace line

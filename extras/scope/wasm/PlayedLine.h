@@ -20,6 +20,8 @@ class PlayedLine : public line::Line {
     return true;
   }
 
+  uint64_t knownUs(uint64_t nowUs) const override { return _recording.characters.knownUs(_index, nowUs); }
+
   void rewind() { _index = 0; }
   uint64_t lengthUs() const { return _recording.characters.back().endUs; }
 

@@ -21,7 +21,6 @@ class Recorder {
  private:
   bool _on = false;
   line::RecordingWriter _writer;
-  uint32_t _characterUs = line::CharacterUs;
 };
 
 }  // namespace scope

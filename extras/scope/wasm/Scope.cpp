@@ -25,11 +25,14 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   records.clear();
   rows = BoardRows();
   observer.reset(nowUs, settings.characterUs());
+  _reads = line::PortReads(settings.characterUs());
+  _turnUs = nowUs;
 }
 
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
-  observer.putBurst(bytes, count, nowUs);
+  _reads.begin(count, nowUs);
   for (size_t i = 0; i < count; i++) {
+    observer.put(_reads.next(bytes[i]));
     if (rows.put(bytes[i], nowUs)) {
       takeRow(nowUs);
     }
@@ -37,10 +40,8 @@ void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
 }
 
 void Scope::receivedBad(uint64_t nowUs) {
-  line::Character character;
-  character.endUs = nowUs;
-  character.bad = true;
-  observer.put(character);
+  _reads.begin(1, nowUs);
+  observer.put(_reads.next(0, true));
 }
 
 void Scope::advance(uint64_t nowUs) {
@@ -52,9 +53,13 @@ void Scope::advance(uint64_t nowUs) {
       takeRow(character.endUs);
     }
   }
+  if (nowUs > _turnUs) {  // what had come by the last turn, a turn of the browser has brought
+    _reads.empty(_turnUs);
+    _turnUs = nowUs;
+  }
   const uint64_t onItsWayUs = 2 * settings.characterUs();  // a character that is not known yet
   if (records.size() < Enough && nowUs > onItsWayUs) {
-    observer.idleUntil(nowUs - onItsWayUs);
+    observer.idleUntil(line != nullptr ? line->knownUs(nowUs - onItsWayUs) : _reads.knownUs());
   }
 }
 

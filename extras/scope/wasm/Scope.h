@@ -10,6 +10,7 @@
 #include "SimulatedLine.h"
 #include "line/LineSettings.h"
 #include "line/Observer.h"
+#include "line/PortReads.h"
 
 namespace scope {
 
@@ -53,6 +54,9 @@ class Scope {
  private:
   void take(const line::Stretch &stretch);
   void takeRow(uint64_t nowUs);
+
+  line::PortReads _reads;  // of a port
+  uint64_t _turnUs = 0;    // of the last picture or read
 };
 
 extern Scope theScope;

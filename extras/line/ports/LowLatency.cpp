@@ -1,0 +1,40 @@
+#include "LowLatency.h"
+
+#include <linux/serial.h>
+#include <sys/ioctl.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace line {
+
+LowLatency::LowLatency(int file, Control control) : _file(file), _control(control) {
+  serial_struct settings{};
+  if (_control(_file, TIOCGSERIAL, &settings) == 0 && (settings.flags & ASYNC_LOW_LATENCY) == 0) {
+    settings.flags |= ASYNC_LOW_LATENCY;
+    _isOurs = _control(_file, TIOCSSERIAL, &settings) == 0;
+  }
+}
+
+LowLatency::~LowLatency() {
+  serial_struct settings{};
+  if (_isOurs && _control(_file, TIOCGSERIAL, &settings) == 0) {
+    settings.flags &= ~ASYNC_LOW_LATENCY;
+    _control(_file, TIOCSSERIAL, &settings);
+  }
+}
+
+std::string latencyFile(const std::string &device) {
+  std::error_code error;
+  const std::filesystem::path port = std::filesystem::canonical(device, error);
+  const std::string name = (error ? std::filesystem::path(device) : port).filename();
+  return "/sys/bus/usb-serial/devices/" + name + "/latency_timer";
+}
+
+std::optional<unsigned> latencyMs(const std::string &file) {
+  unsigned ms = 0;
+  std::ifstream in(file);
+  return in >> ms ? std::optional<unsigned>(ms) : std::nullopt;
+}
+
+}  // namespace line

@@ -1,0 +1,32 @@
+#include "RestoredLine.h"
+
+#include <algorithm>
+
+namespace line {
+
+bool RestoredLine::next(uint64_t nowUs, Character &character) {
+  if (nowUs >= _nextPollUs) {
+    _nextPollUs = nowUs + PollUs;
+    _nowUs = nowUs;
+    for (Character brought; _line->next(nowUs, brought);) {
+      _observer.put(brought);
+    }
+    _observer.idleUntil(_line->knownUs(nowUs));
+  }
+  if (_waiting.empty() || _waiting.front().endUs > nowUs) {
+    return false;
+  }
+  character = _waiting.front();
+  _waiting.pop_front();
+  return true;
+}
+
+void RestoredLine::take(const Stretch &stretch) {
+  _lastEndUs = std::max(_nowUs, _lastEndUs + GapUs);
+  for (const Character &brought : stretch.characters) {
+    _lastEndUs += CharacterUs;
+    _waiting.push_back({_lastEndUs, brought.value, brought.bad});
+  }
+}
+
+}  // namespace line
