@@ -57,7 +57,13 @@ const std::vector<Piece> &Decoders::forBoth(Call call) {
 bool Decoders::has24() const {
   const uint32_t votes16 = _finder16.events().votes;
   const uint32_t votes24 = _finder24.events().votes;
-  return votes16 != votes24 ? votes24 > votes16 : _finder24.counters().frames > counters16().frames;
+  return votes16 != votes24 ? votes24 > votes16 : _finder24.counters().frames > _finder16.counters().frames;
+}
+
+sbus::Counters Decoders::counters16() const {
+  sbus::Counters counters = _finder16.counters();
+  counters.otherFrames = std::max(counters.otherFrames, has24() ? _finder24.counters().frames : 0);
+  return counters;
 }
 
 const std::vector<Piece> &Decoders::decide(bool isOver) {

@@ -55,8 +55,9 @@ class Decoders {
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
 
   bool has24() const;
-  const sbus::Counters &counters() const { return has24() ? _finder24.counters() : counters16(); }
-  const sbus::Counters &counters16() const { return _finder16.counters(); }
+  const sbus::Counters &counters() const { return has24() ? _finder24.counters() : _finder16.counters(); }
+  // Of the decoder for 16. Where no gaps tell the size of frames, those of the other decoder are its other frames.
+  sbus::Counters counters16() const;
 
   // Of the decoder that is right.
   const Places &places() const {

@@ -48,7 +48,7 @@ class Observer : public Statistics {
   const sbus::Counters &counters() const { return _decoders.counters(); }
 
   // Of the decoder for 16 channels, even if it is not the one that is right: for sbus::Diagnosis.
-  const sbus::Counters &counters16() const { return _decoders.counters16(); }
+  sbus::Counters counters16() const { return _decoders.counters16(); }
 
  private:
   void handOver();

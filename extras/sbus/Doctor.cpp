@@ -24,6 +24,7 @@ namespace {
 constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest receiver known (25 Hz)
 constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
 constexpr uint64_t FramesUs = 1500000;  // of a setting that is right from the beginning: more to judge by
+constexpr uint64_t SilenceUs = 100000;  // no time from one frame to the next
 constexpr uint64_t ToItsEnd = UINT64_MAX;
 
 // What came with a setting.
@@ -42,6 +43,7 @@ class Heard {
         [this](const line::Character &character) {
           _firstUs = _observer.characters() == 0 ? character.endUs : _firstUs;
           _lastUs = character.endUs;
+          _isLate = _isLate || character.lateUs > 0;
           _observer.put(character);
           _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
         },
@@ -99,12 +101,17 @@ class Heard {
     }
   }
 
-  // The median: a line may have been silent for hours.
+  // The median, since a line may have been silent for hours; the mean where a port's lumps leave no period as it was.
   uint64_t usualPeriodUs() const {
     std::vector<uint64_t> periods(_ends.size());
     std::adjacent_difference(_ends.begin(), _ends.end(), periods.begin());
     if (periods.size() < 2) {
       return 0;
+    }
+    if (_isLate) {
+      const auto silence = std::partition(periods.begin() + 1, periods.end(), [](uint64_t us) { return us < SilenceUs; });
+      const auto count = std::max<std::ptrdiff_t>(1, silence - periods.begin() - 1);
+      return std::accumulate(periods.begin() + 1, silence, uint64_t{0}) / static_cast<uint64_t>(count);
     }
     const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
     std::nth_element(periods.begin() + 1, middle, periods.end());
@@ -128,6 +135,7 @@ class Heard {
   uint64_t _firstUs = 0;  // of the characters
   uint64_t _lastUs = 0;
   uint64_t _heardUs = 0;
+  bool _isLate = false;
   std::string _note;
 };
 

@@ -2,7 +2,7 @@
 //
 //   Adapter LINE PERIOD_MS LATENCY_MS FRAMES      LINE: 16, 24, sbus2 (two telemetry slots behind each frame), 2F
 //
-// It prints the terminal's name; when a program has opened it, the frames go, of sticks that move.
+// It prints the terminal's name; when a program has opened it, the frames go.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 Transmission transmission(const std::string &line, const char *periodMs, const char *frames) {
   Transmission sent;
-  sent.sticks = Payload::Smooth;
+  sent.sticks = Payload::Neutral;
   sent.periodUs = static_cast<uint32_t>(std::strtod(periodMs, nullptr) * 1000);
   sent.frames = std::strtoul(frames, nullptr, 10);
   sent.kind = line == "24" ? Kind::Channels24 : line == "sbus2" ? Kind::Sbus2 : line == "2F" ? Kind::With2F : Kind::Plain;

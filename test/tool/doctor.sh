@@ -68,6 +68,39 @@ player replay golden/AllChannels.csv --loop
 asked 1 'ROWS OF CSV:' - "$terminal"
 kill $player
 
+# At an adapter that hands bytes over every so many ms. A doctor listens for 1.5 s.
+sources="tool/Adapter.cpp line/DamagedLine.cpp line/Payload.cpp ../extras/line/LineSettings.cpp"
+# shellcheck disable=SC2086  # they are several
+g++ -std=c++17 -O1 -I. -Iline -I../src -I../extras -I../extras/host $sources ../extras/line/ports/PseudoTerminal.cpp \
+  ../src/sbus/Frame.cpp -o "$WORK/Adapter"
+verdict $? "tool/Adapter builds"
+adapter() {  # LINE PERIOD_MS LATENCY_MS FRAMES
+  rm -f "$WORK/terminal"
+  "$WORK/Adapter" "$@" >"$WORK/terminal" &
+  player=$!
+  until [ -s "$WORK/terminal" ] || ! kill -0 $player; do sleep 0.1; done
+  terminal=$(cat "$WORK/terminal")
+}
+note='This port does not tell how long it keeps bytes back: gaps shorter than 19 ms are not seen.'
+while read -r line period latency status finding; do
+  adapter "$line" "$period" "$latency" 1000
+  asked "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"
+  grep -qxF "$note" "$WORK/doctor.out"
+  verdict $? "doctor names the gaps that are not seen: $line, $latency ms"
+  kill $player
+done <<END
+16 9 1 0 ALL WELL.
+16 9 16 0 ALL WELL.
+sbus2 15 16 0 ALL WELL.
+2F 18 16 0 ALL WELL.
+24 9 16 1 24 CHANNELS:
+END
+adapter 16 9 16 200
+"$SBUS" record "$terminal" "$WORK/adapter.txt" 2>"$WORK/err"
+grep -q '^[0-9]*~[0-9]* ' "$WORK/adapter.txt" && "$SBUS" hex "$WORK/adapter.txt" >"$WORK/adapter.hex" &&
+  [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'ALL WELL.'
+verdict $? "a recording of an adapter at 16 ms keeps its reads: its frames are found again"
+
 # One who is not root, to whom a port may be denied: mode 000, or another program's alone (TIOCEXCL).
 folder=$(mktemp -d)
 chmod 755 "$folder"

@@ -47,7 +47,7 @@ bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
 
 # Whole lines, which can be read.
 is_whole() {
-  [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ] && "$sbus" hex "$1" >"$work/whole.txt" 2>&1 && ! grep -v '^#' "$1" | grep -vE '^[0-9]+( [0-9A-F]{2}!?)+$'
+  [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ] && "$sbus" hex "$1" >"$work/whole.txt" 2>&1 && ! grep -v '^#' "$1" | grep -vE '^[0-9]+(~[0-9]+)?( [0-9A-F]{2}!?)+$'
 }
 
 printf '\nsbus\n'
@@ -226,6 +226,21 @@ player simulate --seconds 1
 timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}.$' "$work/out")" -ge 2 ]
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
+
+# wakeups PID: how often it has waited for something so far
+wakeups() { sed -n 's/^voluntary_ctxt_switches:[^0-9]*//p' "/proc/$1/status"; }
+
+player simulate --silent
+"$sbus" monitor "$terminal" >"$work/out" 2>"$work/err" &
+monitor=$!
+until_true has_lines 1 "$work/out"
+before=$(wakeups $monitor)
+sleep 3
+after=$(wakeups $monitor)
+[ $((after - before)) -gt 10 ] && [ $((after - before)) -lt 150 ]
+verdict $? "monitor of a silent port wakes up 20 times a second: $((after - before)) times in 3 s"
+kill -INT $monitor "$player"
+wait $monitor "$player"
 
 SBUS=$sbus BUILD=$work tool/wire.sh
 SBUS=$sbus WORK=$work tool/pages.sh
