@@ -65,8 +65,26 @@
     port: new FakePort(),
     // The clock goes on by so much.
     skip: (ms) => (skipped += ms),
-    // A frame every `ms`, until clearInterval() of what this returns.
-    every: (ms, bytes) => setInterval(() => fake.port.readable && fake.port.feed(bytes), ms),
+    sent: 0, // bytes, by every()
+    // A frame every `ms`, until clearInterval() of what this returns, as an FTDI adapter brings it: every 16 ms what has
+    // come since, in packets of 62 (test/support/Adapter.h has the sources).
+    every: (ms, bytes) => {
+      const start = real();
+      let sent = 0;
+      return setInterval(() => {
+        const frames = Math.floor((real() - start) / ms);
+        const into = Math.floor((real() - start - frames * ms) / 0.12);
+        const end = frames * bytes.length + Math.min(bytes.length, into);
+        while (sent < end) {
+          const packet = Array.from({ length: Math.min(62, end - sent) }, (_, i) => bytes[(sent + i) % bytes.length]);
+          sent += packet.length;
+          if (fake.port.readable) {
+            fake.port.feed(packet);
+            fake.sent += packet.length;
+          }
+        }
+      }, 16);
+    },
   };
   Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
 

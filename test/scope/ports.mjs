@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { bytesOf, check, codes, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
 
-// The port brings `bytes` again and again: a frame every 9 ms, as a USB adapter brings them, whenever it is opened so.
+// The port brings `bytes` again and again: a frame every 9 ms, whenever it is opened so.
 const brings = (page, bytes, baud = 100000, everyMs = 9) =>
   page.evaluate(([frameBytes, wanted, ms]) => {
     fake.port.onOpen = ({ baudRate }) => {
@@ -209,6 +209,20 @@ export default async function () {
     await page.click('#source-simulated');
     await connect(page, 'board');
     await reads(page, '#verdict-text', /^TEXT COMES, but no rows/);
+  });
+
+  await check('S.BUS2 with two sensors behind each frame: every frame after the first dozen', async (page) => {
+    const ids = [[0x03, 0x83], [0x13, 0x93], [0x0b, 0x8b], [0x1b, 0x9b]];
+    const group = ids.flatMap(([first, second], i) => [
+      ...frame([1100 + i], { end: 0x04 + 0x10 * i }), first, 0xc0, 0x2e, second, 0x12, 0x34]);
+    await brings(page, group, 100000, 60);
+    await connect(page);
+    await until('100 frames come', async () => (await counter(page, 'frames')) > 100);
+    await page.evaluate(() => clearInterval(fake.timer));
+    const sent = Math.floor((await page.evaluate(() => fake.sent)) / 31);
+    await until(async () => `${await counter(page, 'frames')} frames, of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 12);
+    await counts(page, 'refusedByExtra', /^0?$/);
+    await reads(page, '#verdict-text', /^ALL WELL/);
   });
 
   await check('24 channels, and frames with header 2F, of a port', async (page) => {
