@@ -262,3 +262,85 @@ TEST_CASE("a recording of it keeps what each read brought: decoded again it has 
     CHECK(frames + Dozen > count.sent);
   }
 }
+
+TEST_CASE("a recording: what two reads brought stands on two lines, even back to back") {
+  line::PortReads reads;
+  line::RecordingWriter writer;
+  reads.empty(100000);
+  for (const uint64_t us : {uint64_t{101000}, uint64_t{101120}}) {
+    reads.begin(2, us);
+    writer.put(reads.next(0x0F));
+    writer.put(reads.next(0xE5, true));
+  }
+  writer.finish();
+  CHECK(writer.take() == "100880~19000 0F E5!\n101120~19120 0F E5!\n");
+}
+
+// Its frame's last 25 bytes look like one of 16 channels.
+TEST_CASE("24 channels whose tenth byte of payload is a header's, at 16 ms: no frame of 16") {
+  for (uint64_t seed = Seed; seed < Seed + 300; seed++) {
+    CAPTURE(seed);
+    line::Random random(seed);
+    std::vector<uint8_t> bytes(36);
+    std::generate_n(bytes.begin() + 1, 33, [&random] { return random.byte(); });
+    bytes[0] = bytes[11] = sbus::HeaderByte;
+    Program program(16000, 0, random);
+    size_t frames16 = 0;
+    size_t frames24 = 0;
+    program.observer.listen([&](const Stretch &stretch) {
+      frames16 += stretch.kind == Stretch::Kind::Frame;
+      frames24 += stretch.kind == Stretch::Kind::Frame24;
+    });
+    const size_t skipped = random.below(36);
+    for (size_t i = skipped; i < 40 * bytes.size(); i++) {
+      Character character;
+      character.endUs = i / 36 * 9000 + (i % 36 + 1) * line::CharacterUs;
+      character.value = bytes[i % 36];
+      program.put(character);
+    }
+    program.idleUntil(500000);
+    program.observer.finish();
+    CHECK(frames16 == 0);
+    CHECK(frames24 + Dozen >= 39);
+  }
+}
+
+TEST_CASE("a cable that is pulled in mid frame and plugged in again: the halves are no frame once the silence is proved") {
+  const struct {
+    uint32_t latencyUs;
+    uint32_t silenceUs;
+  } rows[] = {{1000, 10000}, {16000, 40000}, {16000, 500000}};
+  for (const auto &row : rows) {
+    CAPTURE(row.latencyUs);
+    CAPTURE(row.silenceUs);
+    line::Random random(Seed);
+    Program program(row.latencyUs, 0, random);
+    size_t frames = 0;
+    program.observer.listen([&](const Stretch &stretch) { frames += stretch.isFrame(); });
+    PayloadFrames sticks(Payload::Smooth, random);
+    uint64_t us = 20000;
+    const auto send = [&](size_t from, size_t to) {
+      const Frame frame = sticks.next();
+      for (size_t i = from; i < to; i++) {
+        Character character;
+        character.endUs = us += line::CharacterUs;
+        character.value = frame[i];
+        program.put(character);
+      }
+    };
+    for (int i = 0; i < 20; i++, us += 6000) {
+      send(0, sbus::FrameSize);
+    }
+    send(0, 12);
+    us += row.silenceUs;
+    send(12, sbus::FrameSize);
+    for (int i = 0; i < 20; i++) {
+      us += 6000;
+      send(0, sbus::FrameSize);
+    }
+    program.idleUntil(us + 500000);
+    program.observer.finish();
+    CHECK(frames == 40);
+    CHECK(program.observer.counters().skippedBytes == sbus::FrameSize);
+  }
+}
