@@ -23,7 +23,8 @@ SOURCES := $(wildcard $(SRC)/*.cpp)
 SOURCES := $(CORE_SOURCES) $(SOURCES:$(SRC)/%=%)
 ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports themselves are fakes
 # Of the host: how its board receives and sends.
-HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/PortSettings.cpp board/PortWatch.cpp
+HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/Port.cpp board/PortSettings.cpp board/PortWatch.cpp \
+  board/Sender.cpp
 LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/wire/*.cpp \
   $(EXTRAS)/line/ports/LowLatency.cpp))
 

@@ -24,7 +24,7 @@ class PortReads {
 
   // A read at `nowUs` brings so many characters: get each by next().
   void begin(size_t count, uint64_t nowUs) {
-    const uint64_t earliestUs = nowUs - std::min(nowUs, (count - 1) * _characterUs);
+    const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
     _nextUs = std::max(_nextUs, earliestUs);
     _readLateUs = static_cast<uint32_t>(std::min<uint64_t>(_lateUs + nowUs - _emptyUs, UINT32_MAX));
   }

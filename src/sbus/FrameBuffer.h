@@ -22,22 +22,26 @@ class FrameBuffer {
 
   uint8_t *space() { return _incoming + _filled; }    ///< where the next bytes go
   int room() const { return Capacity - _filled; }     ///< how many fit there: 1 or more
+  /// `count` bytes were written to space().
   void received(int count) { _filled = static_cast<uint8_t>(_filled + count); }
 
-  int filled() const { return _filled; }
-  uint8_t *bytes() { return _incoming; }
-  const uint8_t *bytes() const { return _incoming; }
-  uint8_t operator[](int index) const { return _incoming[index]; }
+  int filled() const { return _filled; }                            ///< bytes of the incoming frame
+  uint8_t *bytes() { return _incoming; }                            ///< the incoming frame, filled() bytes
+  const uint8_t *bytes() const { return _incoming; }                ///< the same
+  uint8_t operator[](int index) const { return _incoming[index]; }  ///< a byte of it
+  /// A header stands there.
   bool isHeader(int index) const { return isHeaderByte<Format>(_incoming[index]); }
 
   /// The index of the first byte after the newest gap, 0..filled(); or Nowhere.
   int gapAt() const { return _gapAt; }
-  bool isGapCertain() const { return _gapCertain; }
+  bool isGapCertain() const { return _gapCertain; }  ///< else loop() may have been blocked
+  /// The next byte is the first after a gap.
   void markGap(bool isCertain) {
     _gapAt = _filled;
     _gapCertain = isCertain;
   }
 
+  /// Forgets the incoming frame.
   void clear() {
     _filled = 0;
     _gapAt = Nowhere;

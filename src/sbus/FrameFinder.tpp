@@ -85,7 +85,7 @@ const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
 template <typename Format, typename Events>
 inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
   const int behind = _buffer.filled() - Size;
-  if (behind >= 0 && behind + waiting < _found) {
+  if (behind >= 0 && static_cast<unsigned>(behind + waiting) < _found) {
     _completeAfter = _timing.endedAfter(static_cast<unsigned>(behind + waiting));
   }
 }

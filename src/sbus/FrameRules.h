@@ -8,7 +8,7 @@
 #include "Frame.h"
 #include "Rule.h"
 
-// A call of a rule would cost more than the rule.
+/// A call of a rule would cost more than the rule.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline
 
 namespace sbus {
@@ -34,9 +34,9 @@ class Verdict {
   /// Another frame may begin `next` characters further on, 1 or more.
   static constexpr Verdict reject(Rejection why, int next = 1) { return Verdict(next, why); }
 
-  constexpr bool isAccepted() const { return _next < Open; }
-  constexpr bool isCertain() const { return _next == Certain; }
-  constexpr bool isOpen() const { return _next == Open; }
+  constexpr bool isAccepted() const { return _next < Open; }     ///< accept()
+  constexpr bool isCertain() const { return _next == Certain; }  ///< accept(true)
+  constexpr bool isOpen() const { return _next == Open; }        ///< wait()
   constexpr int next() const { return _next; }       ///< of a rejection
   constexpr Rejection why() const { return _why; }  ///< of a rejection
 
@@ -61,20 +61,20 @@ struct Candidate {
   int offBy;             ///< so many characters stand between the frame before and this one; below 0: its tail lacks some
   bool isSure;           ///< none, and that frame's place was certain
 
-  SBUS_IN_LINE bool isLines() const { return kind == lineKind; }
-  SBUS_IN_LINE const LineKind &line() const { return LineKinds[kind]; }
-  SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }
+  SBUS_IN_LINE bool isLines() const { return kind == lineKind; }          ///< of the line's kind
+  SBUS_IN_LINE const LineKind &line() const { return LineKinds[kind]; }   ///< what is known of its kind
+  SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }    ///< its end byte
   /// With its tail.
   SBUS_IN_LINE int size() const { return Format::Size + (holds(Rule::tail) ? line().tailSize : 0); }
   /// A gap follows it, or cuts its tail short.
   SBUS_IN_LINE bool isGapAfter() const { return isGapCertain && gapAt >= Format::Size && gapAt <= size(); }
-  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }
+  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< it stands at a gap
 };
 
 /// Each says what its name says of a candidate. All but isUsual() are for lines on which something is unusual.
 namespace rules {
 
-constexpr int MostNoise = 4;  // characters; more in a row are no noise
+constexpr int MostNoise = 4;  ///< characters; more in a row are no noise
 
 /// The flags' unused bits are 0.
 SBUS_IN_LINE bool areFlags(uint8_t byte) {
@@ -105,6 +105,7 @@ template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   return holds(Rule::stray) && c.lineKind == UnknownKind && c.bytes[1] != HeaderByte;
 }
+/// One does.
 template <typename Format>
 SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
   const int after = c.size() + 1;

@@ -26,6 +26,7 @@ enum class Rule : uint8_t {
   silence,
 };
 
+/// The rule that is left out: none.
 #if !defined(SBUS_WITHOUT)
 #define SBUS_WITHOUT none
 #endif

@@ -191,10 +191,10 @@ TEST_CASE("the reason names its cause, and the header that it was found at") {
       {"more follow", {good + noise + noise, good}, "more bytes than a frame | no header | frame"},
       {"no gap",
        {noise, noise + good + good, good},
-       "no header | not at a gap (byte 2) | not at a gap (byte 2) | no header | frame"},
+       "no header | not at a gap (byte 2) | no header | frame | frame"},
       {"halves",
-       {part(failsafe, 8) + failsafe, good},
-       "no end byte, may be the halves of two frames (byte 15) | frame | frame"},
+       {Bytes(40, 0x55) + part(failsafe, 8) + failsafe, good},
+       "no header | no end byte (byte 15) | may be the halves of two frames (byte 5) | frame | frame"},
       {"neither", {good, noise + failsafe, good}, "frame | no header | frame | frame"},
   };
   for (const auto &row : rows) {

@@ -155,7 +155,7 @@ const std::vector<Condition> &conditions() {
       {"S.BUS2 at 15 ms, dropped 1/50, by events", slots(1, dropped(1 / 50.)), byEvents(Telemetry15),
        {1e-3, 2e-4, Splices}, {2e-3, 5e-4, Splices}},
       {"S.BUS2 at 15 ms, bursts 1/300", slots(1, with(&Impairments::burst, 1 / 300.)), Telemetry15, {2e-4, 2e-4, Junk},
-       {0.005, 0.0015, Junk}},
+       {0.01, 0.0015, Junk}},
       {"R7003SB, dropped 1/300", dropped(1 / 300., Kind::R7003SB), LongTail, Spliced, {1e-3, 3e-4, Splices}},
       {"24 channels, clean", long24(plain()), Seen24, None, None},
       {"24 channels, clean, short gaps", long24(plain()), Hidden24, None, HiddenClean},

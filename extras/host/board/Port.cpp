@@ -6,6 +6,7 @@ namespace host {
 
 void Port::attach(line::Line &line, const line::LineSettings &wire) {
   _line = &line;
+  _hasBegun = false;
   _wire = wire;
   _observer.reset(0, wire.characterUs());
   _receptions.clear();
@@ -61,8 +62,9 @@ void Port::listen(uint64_t nowUs) {
 }
 
 void Port::receive(uint64_t nowUs) {
-  line::Character character;
-  while (_line != nullptr && _line->next(nowUs, character)) {
+  while (hasBegun(nowUs) && _begun.endUs <= nowUs) {
+    const line::Character character = _begun;
+    _hasBegun = false;
     _observer.put(character);
     if (!_uart.isOpen()) {
       _missedClosed++;
@@ -79,13 +81,21 @@ void Port::receive(uint64_t nowUs) {
     return;
   }
   if (_agrees) {
-    _uart.advance(nowUs);
+    // While the next character comes in the line is not idle (STM32L082's reference manual RM0376, USART_ISR: IDLE).
+    _uart.advance(_hasBegun ? std::min(nowUs, _begun.endUs - _wire.characterUs()) : nowUs);
     return;
   }
+  line::Character character;
   while (_sampler.next(nowUs, character)) {
     take(character);
   }
   _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
+}
+
+// A character is on the wire at `nowUs`, or was through before and has not been taken.
+bool Port::hasBegun(uint64_t nowUs) {
+  _hasBegun = _hasBegun || (_line != nullptr && _line->next(nowUs + _wire.characterUs(), _begun));
+  return _hasBegun;
 }
 
 void Port::take(const line::Character &character) {

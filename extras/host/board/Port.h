@@ -56,10 +56,13 @@ class Port {
 
  private:
   void listen(uint64_t nowUs);
+  bool hasBegun(uint64_t nowUs);
   void take(const line::Character &character);
 
   line::Line *_line = nullptr;
   line::LineSettings _wire;
+  line::Character _begun;  // if _hasBegun
+  bool _hasBegun = false;
   PortSettings _settings;
   BoardUart _uart;
   Sender _sender;

@@ -84,6 +84,22 @@ const Opening Openings[] = {
      100000, Core.inverts, false},
     {"begin(200000)", [](DecodeSBus &dSBus) { dSBus.begin(200000); }, 200000, Core.inverts, false},
     {"begin(100000, SERIAL_8E2)", [](DecodeSBus &dSBus) { dSBus.begin(100000, Uninverted); }, 100000, false, false},
+#if defined(PORT_INVEN_bm)
+    {"begin(), the pin inverts",
+     [](DecodeSBus &dSBus) {
+       dSBus.begin();
+       PORTC.PIN5CTRL |= PORT_INVEN_bm;
+     },
+     100000, true, false},
+    {"the pin inverts, begin(), something sent, begin(200000)",
+     [](DecodeSBus &dSBus) {
+       PORTC.PIN5CTRL |= PORT_INVEN_bm;
+       dSBus.begin();
+       SBUS_PORT.write(0);
+       dSBus.begin(200000);
+     },
+     200000, true, false},
+#endif
 #if defined(OPENED_BY_HAND)
     {"listen(), opened as the core wants it",
      [](DecodeSBus &dSBus) {

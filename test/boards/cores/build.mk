@@ -10,19 +10,22 @@ ROOT := $(abspath $(HERE)/../../..)
 HOST := $(ROOT)/extras/host
 
 # The stand-in, its variant, and the core's C++ (platform.txt).
-CORES := avr esp32-1.0 esp32-2.0 esp32-3.0 esp32-3.3 esp8266 mbed nano33 nrf52 pico sam samd stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
+CORES := avr dxcore esp32-1.0 esp32-2.0 esp32-3.0 esp32-3.3 esp8266 mbed megaavr nano33 nrf52 pico sam samd samd51 stm32 stm32f4 stm32l0 teensy32 teensy4 uno-r4
 avr := Avr gnu++11
+dxcore := MegaAvr gnu++17 -DDXCORE
 esp32-1.0 := Esp32 gnu++11 -DESP32_CORE=1
 esp32-2.0 := Esp32 gnu++11 -DESP32_CORE=2
 esp32-3.0 := Esp32 gnu++2b -DESP32_CORE=3
 esp32-3.3 := Esp32 gnu++2b -DESP32_CORE=338
 esp8266 := Esp8266 gnu++17
 mbed := Mbed gnu++14
+megaavr := MegaAvr gnu++11
 nano33 := Mbed gnu++14 -DNANO33
 nrf52 := Nrf52 gnu++11
 pico := Pico gnu++2b
 sam := Sam gnu++11
 samd := Samd gnu++11
+samd51 := Samd gnu++11 -DSAMD51
 stm32 := Stm32 gnu++17
 stm32f4 := Stm32 gnu++17 -DSTM32F4
 stm32l0 := Stm32L0 gnu++11
@@ -32,9 +35,9 @@ uno-r4 := UnoR4 gnu++17
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
-refused = $(if $(filter nano33 stm32f4 stm32l0,$1),,Background)
-# To them a Nano 33 is as the Pico, and an STM32F4 as an STM32.
-compiled = $(if $(filter nano33 stm32f4,$1),,$(filter-out $(call refused,$1),$(EXAMPLES)))
+refused = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
+# To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
+compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call refused,$1),$(EXAMPLES)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(patsubst %,$(OUT)/$(core)/%.refused,$(call refused,$(core))))
 

@@ -1,16 +1,23 @@
 // github.com/arduino/ArduinoCore-samd 1.8.14 (993398c): cores/arduino/Uart.h and .cpp, SERCOM.cpp, main.cpp.
-// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48).
+// A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48). With SAMD51
+// github.com/adafruit/ArduinoCore-samd 1.7.17 (26c39c0): the same (Uart.cpp:93, 101, 70) but for its buffer (RingBuffer.h:32).
 #pragma once
 
 #include "Api.h"
 
 #define ARDUINO_ARCH_SAMD
 #define NO_EEPROM
+#if defined(SAMD51)
+#define SERIAL_BUFFER_SIZE 350
+constexpr unsigned Holds = 349;  // RingBuffer.h:76
+#else
 #define SERIAL_BUFFER_SIZE 256
+constexpr unsigned Holds = 256;
+#endif
 
 class Uart : public Simulated<HardwareSerial> {
  public:
-  Uart() : Simulated<HardwareSerial>({256, 1, 1, 256, sim::End, false, sim::Framing}) {}
+  Uart() : Simulated<HardwareSerial>({Holds, 1, 1, Holds, sim::End, false, sim::Framing}) {}
   void begin(unsigned long baud) override { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint16_t config) override { uart.change(apiSettings(baud, config)); }
   void end() override { uart.close(); }
