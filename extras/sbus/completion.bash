@@ -6,7 +6,7 @@ _sbus() {
   local line="--baud --channels --sticks --silent --noise --uninverted"
   local source="$line --csv --seconds --simulated-time"
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="ports monitor doctor hex csv plot record replay simulate decode wave --help --help-all --version"
+    words="ports monitor doctor hex csv plot record replay simulate decode wave explain --help --help-all --version"
   else
     case $before in
       --baud) words="100000 200000" ;;

@@ -25,6 +25,7 @@ void addVerbs(CLI::App &app) {
   tool::addSimulate(app);
   tool::addDecode(app);
   tool::addWave(app);
+  tool::addExplain(app);
 }
 
 // What is opened next would else be taken for a standard stream that is closed, and get its text.

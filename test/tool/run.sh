@@ -7,6 +7,7 @@
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
+#   tool/explain.sh            the tables of `sbus explain`
 #   the manual and the completion
 # "run.sh update" writes tool/golden and tool/pages anew instead. BUILD: an absolute folder for what is built.
 set -u
@@ -230,6 +231,7 @@ wait "$player"
 SBUS=$sbus BUILD=$work tool/wire.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
+SBUS=$sbus WORK=$work tool/explain.sh
 
 # ---- What comes with it
 
