@@ -108,6 +108,18 @@ verdict $? "bytes on standard input, a frame in two pieces"
 [ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State" | tr -d '\r')" = "CH1,CH18,state
 1248,0,ok" ]
 verdict $? "columns with blanks between them"
+for channels in 16 24 32; do
+  line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"
+  # shellcheck disable=SC2086  # the arguments are words
+  "$sbus" hex $line >"$work/hex" && "$sbus" hex $line --values >"$work/values" && "$sbus" hex $line --delta >"$work/delta" &&
+    awk '/  (frame|frame24|extra) end/ { sub(/^ *[0-9.]+ +/, ""); sub(/ +(frame|extra).*/, ""); print }' "$work/hex" |
+    while read -r bytes; do "$sbus" explain "$bytes" | awk '/^CH/ { printf " %s", $2 } END { print "" }'; done >"$work/explained.txt" &&
+    awk '/  (frame|frame24|extra) end/ { for (i = NF - (/frame24/ ? 23 : 15); i <= NF; i++) printf " %s", $i; print "" }' "$work/values" |
+    cmp - "$work/explained.txt" &&
+    [ "$(wc -l <"$work/explained.txt")" -gt 10 ] &&
+    awk '{ sum += $1; $1 = sprintf("%.6f", sum) } 1' "$work/delta" >"$work/sums" && awk '{ $1 = $1 } 1' "$work/hex" | cmp - "$work/sums"
+  verdict $? "hex --values and --delta of $channels channels"
+done
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
