@@ -3,7 +3,7 @@
 
 .DEFAULT_GOAL := help
 
-work := help demo sbus install scope test check torture fuzz size bench figures docs clean
+work := help demo sbus install uninstall scope test check torture fuzz size bench figures docs clean
 .PHONY: $(work) zip release
 zip:
 	@sh extras/setup/zip.sh
@@ -31,7 +31,8 @@ help:
 	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
 	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/sbus"
-	@echo "make install PREFIX=/usr/local  installs it, its manual and its completion"
+	@echo "make install PREFIX=/usr/local  installs it, its manual and completion for bash, zsh and fish"
+	@echo "make uninstall PREFIX=/usr/local  removes these again"
 	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
 	@echo "make test   builds and runs all tests; installs what it lacks"
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
@@ -70,8 +71,14 @@ installed := $(DESTDIR)$(PREFIX)
 install: sbus
 	@install -D '$(SBUS)' '$(installed)/bin/sbus'
 	@install -D -m 644 extras/sbus/sbus.1 '$(installed)/share/man/man1/sbus.1'
+	@install -D -m 644 extras/sbus/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
+	@install -D -m 644 extras/sbus/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'
 	@install -D -m 644 extras/sbus/completion.bash '$(installed)/share/bash-completion/completions/sbus'
 	@echo '$(installed)/bin/sbus'
+
+uninstall:
+	@rm -fv $(foreach file,bin/sbus share/man/man1/sbus.1 share/bash-completion/completions/sbus \
+	  share/zsh/site-functions/_sbus share/fish/vendor_completions.d/sbus.fish,'$(installed)/$(file)')
 
 SCOPE_PORT ?= 8000
 scope:
@@ -90,7 +97,7 @@ ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev tmux git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	  libncurses-dev tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

@@ -42,14 +42,22 @@ const char *kindText(line::Stretch::Kind kind) {
                                                 : "-";
 }
 
+struct HexOptions {
+  std::string colour = "auto";
+  bool values = false;
+  bool delta = false;
+};
+
 class HexView {
  public:
-  HexView(const line::Observer &observer, const Colours &colours) : _observer(observer), _colours(colours) {}
+  HexView(const line::Observer &observer, const HexOptions &options)
+      : _observer(observer), _options(options), _colours(coloursOf(options.colour)) {}
 
   void show(const line::Stretch &stretch) {
     const bool frame = stretch.isFrame();
     char time[40];
-    std::snprintf(time, sizeof time, "%12.6f  ", static_cast<double>(stretch.endUs()) / 1e6);
+    std::snprintf(time, sizeof time, "%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6);
+    _lastUs = _options.delta ? stretch.endUs() : 0;
     std::string text = _colours.time + std::string(time) + _colours.off;
     text += frame ? "" : _colours.refused;
     for (const line::Character &character : stretch.characters) {
@@ -63,6 +71,7 @@ class HexView {
     }
     text += " " + std::string(kindText(stretch.kind));
     text += frame ? verdict(stretch) : " " + why(stretch) + _colours.off;
+    text += frame && _options.values ? values(stretch) : "";
     write(text + '\n');
   }
 
@@ -81,15 +90,32 @@ class HexView {
     return text + (flags.empty() ? "" : _colours.flags + flags + _colours.off);
   }
 
+  // The frame's channels, raw.
+  std::string values(const line::Stretch &stretch) const {
+    const bool extra = stretch.kind == line::Stretch::Kind::Extra;
+    const size_t first = extra ? sbus::ProportionalCount : 0;
+    const size_t count =
+        stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
+    std::string text = " ";
+    for (size_t channel = first; channel < first + count; channel++) {
+      char value[8];
+      std::snprintf(value, sizeof value, " %4u", static_cast<unsigned>(_observer.newest().raw[channel]));
+      text += value;
+    }
+    return text;
+  }
+
   const line::Observer &_observer;
+  const HexOptions &_options;
   Colours _colours;
+  uint64_t _lastUs = 0;  // what times are counted from
 };
 
-void run(const SourceOption &source, const std::string &colour) {
+void run(const SourceOption &source, const HexOptions &options) {
   const std::unique_ptr<Input> input = source.open();
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
-  HexView view(observer, coloursOf(colour));
+  HexView view(observer, options);
   observer.listen([&view](const line::Stretch &stretch) { view.show(stretch); });
   SilenceNote silence(source.name(), "bytes");
   input->run([&observer](const line::Character &character) { observer.put(character); },
@@ -106,14 +132,16 @@ void run(const SourceOption &source, const std::string &colour) {
 void addHex(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("hex", "the bytes, 25 a line, and what was refused and why");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
-  const auto colour = std::make_shared<std::string>("auto");
-  verb->add_option("--color", *colour, "auto: on a terminal (auto)")
+  const auto options = std::make_shared<HexOptions>();
+  verb->add_flag("--values", options->values, "the raw values of a frame's channels behind it");
+  verb->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  verb->add_option("--color", options->colour, "auto: on a terminal (auto)")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
       ->type_name("auto|always|never");
   verb->footer(
       "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
-  verb->callback([source, colour] { run(*source, *colour); });
+  verb->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

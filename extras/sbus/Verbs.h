@@ -19,5 +19,6 @@ void addSimulate(CLI::App &app);
 void addDecode(CLI::App &app);
 void addWave(CLI::App &app);
 void addDoctor(CLI::App &app);
+void addExplain(CLI::App &app);
 
 }  // namespace tool

@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 
+#include "CommandLine.h"
 #include "Stop.h"
 #include "Verbs.h"
 
@@ -25,6 +27,8 @@ void addVerbs(CLI::App &app) {
   tool::addSimulate(app);
   tool::addDecode(app);
   tool::addWave(app);
+  tool::addExplain(app);
+  tool::addHelp(app);
 }
 
 // What is opened next would else be taken for a standard stream that is closed, and get its text.
@@ -36,7 +40,7 @@ void keepStreamsApart() {
   }
 }
 
-// Of the verb that was asked for, if any.
+// Of the subcommand that was asked for, if any.
 std::string nameOf(const CLI::App &app) {
   const auto verbs = app.get_subcommands();
   return verbs.empty() ? app.get_name() : app.get_name() + " " + verbs.front()->get_name();
@@ -48,20 +52,29 @@ int main(int argc, char **argv) {
   keepStreamsApart();
   CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", VERSION);
-  app.set_help_all_flag("--help-all", "what every verb takes");
+  app.set_version_flag("--version", VERSION, "the version");
+  app.set_help_flag("-h,--help", "what there is to give");
+  app.set_help_all_flag("--help-all", "what every subcommand takes");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a recording, - for bytes on standard input, or sim, a receiver that "
-      "is built in. `sbus VERB --help` tells more; so does `man sbus`.");
+      "is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
   addVerbs(app);
   tool::catchSignals();
   try {
+    if (argc > 1 && std::strcmp(argv[1], "__complete") == 0) {  // of completion.bash, completion.zsh, completion.fish
+      tool::printCompletions(app, {argv + 2, argv + argc});
+      return EXIT_SUCCESS;
+    }
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError &error) {
-    return error.get_exit_code();  // the verb has said why
+    return error.get_exit_code();  // the subcommand has said why
   } catch (const CLI::ParseError &error) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-      std::fprintf(stderr, "%s is no verb; sbus --help lists them\n", argv[1]);
+      std::fprintf(stderr, "%s\n", tool::unknownSubcommand(app, argv[1]).c_str());
+      return tool::WrongCommandLine;
+    }
+    if (error.get_exit_code() != 0 && !tool::misplacedWord(app).empty()) {
+      std::fprintf(stderr, "%s\n", tool::misplacedWord(app).c_str());
       return tool::WrongCommandLine;
     }
     const int status = app.exit(error, std::cout, std::cerr);

@@ -7,7 +7,10 @@
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
-#   the manual and the completion
+#   tool/explain.sh            the tables of `sbus explain`
+#   tool/STATUS                the exit status
+#   tool/completion.sh         what bash, zsh and fish complete
+#   the manual
 # "run.sh update" writes tool/golden and tool/pages anew instead. BUILD: an absolute folder for what is built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -105,6 +108,18 @@ verdict $? "bytes on standard input, a frame in two pieces"
 [ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State" | tr -d '\r')" = "CH1,CH18,state
 1248,0,ok" ]
 verdict $? "columns with blanks between them"
+for channels in 16 24 32; do
+  line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"
+  # shellcheck disable=SC2086  # the arguments are words
+  "$sbus" hex $line >"$work/hex" && "$sbus" hex $line --values >"$work/values" && "$sbus" hex $line --delta >"$work/delta" &&
+    awk '/  (frame|frame24|extra) end/ { sub(/^ *[0-9.]+ +/, ""); sub(/ +(frame|extra).*/, ""); print }' "$work/hex" |
+    while read -r bytes; do "$sbus" explain "$bytes" | awk '/^CH/ { printf " %s", $2 } END { print "" }'; done >"$work/explained.txt" &&
+    awk '/  (frame|frame24|extra) end/ { for (i = NF - (/frame24/ ? 23 : 15); i <= NF; i++) printf " %s", $i; print "" }' "$work/values" |
+    cmp - "$work/explained.txt" &&
+    [ "$(wc -l <"$work/explained.txt")" -gt 10 ] &&
+    awk '{ sum += $1; $1 = sprintf("%.6f", sum) } 1' "$work/delta" >"$work/sums" && awk '{ $1 = $1 } 1' "$work/hex" | cmp - "$work/sums"
+  verdict $? "hex --values and --delta of $channels channels"
+done
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
@@ -143,6 +158,22 @@ done <"$work/refusals"
 while IFS= read -r message; do
   (cd recordings/bad && refused "sbus hex: $message" hex "${message%%:*}")
 done <recordings/bad/MESSAGES
+
+grep -v '^#' tool/STATUS >"$work/statuses"
+while IFS= read -r line; do
+  # shellcheck disable=SC2086  # the arguments are words
+  timeout 60 "$sbus" ${line%=*} >"$work/out" 2>"$work/err" </dev/null
+  [ $? -eq "${line##*= }" ]
+  verdict $? "exit status: $line"
+done <"$work/statuses"
+[ "$("$sbus" --version)" = "$(sed -n 's/^version=//p' ../library.properties)" ]
+verdict $? "--version prints the version alone on its line"
+for verb in hex explain doctor; do
+  "$sbus" help $verb >"$work/help" && "$sbus" $verb --help | cmp - "$work/help" && grep -q "^Usage: sbus $verb " "$work/help"
+  verdict $? "help $verb"
+done
+"$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
+verdict $? "help of all"
 
 printf 'Time [s],Channel 0\n0.000000000,0\n0.008,1\n' >"$work/saleae.csv"
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
@@ -245,6 +276,7 @@ wait $monitor "$player"
 SBUS=$sbus BUILD=$work tool/wire.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
+SBUS=$sbus WORK=$work tool/explain.sh
 
 # ---- What comes with it
 
@@ -254,19 +286,21 @@ SBUS=$sbus WORK=$work tool/doctor.sh
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
 verdict $? "--help-all lists verbs and options"
+# An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
+sed 's/\\-/-/g' ../extras/sbus/sbus.1 | awk '
+  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || section == "simulate"); print "has", section }
+  /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
+  common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
 while read -r verb option; do
-  sed 's/\\-/-/g' ../extras/sbus/sbus.1 | grep -qE -- "(^|[ B])${option:-$verb}( |$)"
-  verdict $? "sbus.1 has ${option:-$verb}"
-done <<END
-$(awk '{ print $NF }' "$work/words" | sort -u)
-END
-bash -c '
-  . ../extras/sbus/completion.bash
-  while read -r verb option; do
-    COMP_WORDS=(sbus "$verb"); COMP_CWORD=1
-    if [ -n "$option" ]; then COMP_WORDS=(sbus "$verb" "$option"); COMP_CWORD=2; fi
-    COMPREPLY=()
-    _sbus sbus "${COMP_WORDS[COMP_CWORD]}"
-    [[ " ${COMPREPLY[*]} " == *" ${option:-$verb} "* ]] || { echo "FAILED sbus: completion.bash lacks $verb $option"; failed=1; }
-  done <"$1"
-  [ -z "${failed:-}" ] && echo "ok sbus: completion.bash has every verb and option"' bash "$work/words"
+  case $verb in -*) line=".SH OPTIONS $verb" ;; *) line="${option:+$verb }${option:-has $verb}" ;; esac
+  grep -qxFe "$line" "$work/manual" ||
+    { grep -qxF "$verb SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
+  verdict $? "sbus.1 has $verb $option"
+done <"$work/words"
+for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
+  grep -qx "has .SH $section" "$work/manual"
+  verdict $? "sbus.1 has $section"
+done
+grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' ../extras/sbus/sbus.1
+verdict $? "sbus.1 has a date"
+SBUS=$sbus WORK=$work tool/completion.sh

@@ -1,0 +1,57 @@
+#!/bin/bash
+# Completes command lines, and says "ok ..." or "FAILED ..." of:
+#   every subcommand and option that --help-all lists
+#   tool/COMPLETIONS, by bash, zsh and fish
+# SBUS: the program; WORK: an absolute folder with `words`, a subcommand and an option a line.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+export PATH="${SBUS%/*}:$PATH"
+completions=$PWD/../extras/sbus
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# Each prints what the last of its arguments, a command line, may become.
+complete_bash() {
+  bash -c '. "$0/completion.bash"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sbus sbus; printf "%s\n" "${COMPREPLY[@]}"' \
+    "$completions" "$@"
+}
+complete_zsh() {
+  zsh -f -c 'fpath=("$0"); autoload -Uz _sbus; compadd() { print -r -- "${@[2,-1]}" }; _files() { print -rl -- * }
+    words=("$@"); CURRENT=$#; _sbus' "$WORK/zsh" "$@"
+}
+complete_fish() {
+  fish --no-config -c 'source $argv[1]/completion.fish; complete -C (string join " " -- $argv[2..-1])' "$completions" "$@"
+}
+
+failed=0
+while read -r verb option; do
+  complete_bash sbus $verb ${option:+"$option"} | grep -qxFe "${option:-$verb}" ||
+    { echo "$verb $option is not completed"; failed=1; }
+done <"$WORK/words"
+verdict $failed "every subcommand and option is completed"
+
+mkdir -p "$WORK/zsh" "$WORK/here"
+cp "$completions/completion.zsh" "$WORK/zsh/_sbus"
+touch "$WORK/here/flight 1.txt" "$WORK/here/receiver.vcd"
+"$SBUS" ports 2>/dev/null | sed -n 's,^\(/dev/[^ ]*\).*,\1,p' >"$WORK/ports"
+grep -v '^#' tool/COMPLETIONS >"$WORK/completions"
+for shell in bash zsh fish; do
+  command -v $shell >/dev/null || { echo "skipped sbus: completion by $shell, which is not here"; continue; }
+  while IFS= read -r line; do
+    begun=${line% =*}
+    read -r -a words <<<"sbus $begun"
+    [[ $begun =~ (^|\ )$ ]] && words+=("")
+    for each in ${line##* =}; do
+      case $each in
+        '<ports>') cat "$WORK/ports" ;;
+        '<files>') ls "$WORK/here" ;;
+        *) echo "$each" ;;
+      esac
+    done | sort >"$WORK/wanted"
+    (cd "$WORK/here" && complete_$shell "${words[@]}") 2>&1 | sed 's/\t.*//; /^$/d' | sort >"$WORK/got"
+    diff "$WORK/wanted" "$WORK/got"
+    verdict $? "$shell completes: sbus $begun"
+  done <"$WORK/completions"
+done
