@@ -30,7 +30,8 @@ std::unique_ptr<Input> open(const ReplayOptions &options) {
   refuseOtherKinds(options.file);
   const bool csv = line::isCsv(options.file);
   const line::LineSettings settings = csv ? line::csvSettings() : settingsOf(options.baud, options.file);
-  line::Recording recording = csv ? line::readCsv(options.file) : line::readRecording(options.file, settings.characterUs());
+  line::Recording recording =
+      csv ? line::readCsv(options.file) : line::readRecording(options.file, settings.characterUs());
   const bool isLate = recording.characters.isLate();
   std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(std::move(recording));
   if (isLate) {

@@ -334,7 +334,7 @@ TEST_CASE("24 channels whose tenth byte of payload is a header's, at 16 ms: no f
   }
 }
 
-TEST_CASE("a cable that is pulled in mid frame and plugged in again: the halves are no frame once the silence is proved") {
+TEST_CASE("pulled in mid frame and plugged in again: the halves are no frame if reads prove the silence") {
   const struct {
     uint32_t latencyUs;
     uint32_t silenceUs;

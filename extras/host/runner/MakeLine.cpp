@@ -1,6 +1,7 @@
 #include "MakeLine.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "line/RestoredLine.h"
 #include "line/SilentLine.h"
@@ -23,7 +24,8 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
     return std::make_unique<line::SilentLine>();
   }
   if (!options.port.empty()) {
-    auto line = std::make_unique<line::RestoredLine>(std::make_unique<line::SerialPort>(options.port), line::CharacterUs);
+    auto port = std::make_unique<line::SerialPort>(options.port);
+    auto line = std::make_unique<line::RestoredLine>(std::move(port), line::CharacterUs);
     std::fprintf(stderr, "Serial%d: receiver at %s, 100000 baud, 8E2%s\n", options.on, options.port.c_str(),
                  options.seconds > 0 ? "" : ", until Ctrl-C");
     return line;
