@@ -54,6 +54,9 @@ class Characters {
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size()}; }
 
+  // True if a port has brought some of them late.
+  bool isLate() const { return !_late.empty(); }
+
   // Of a line that has brought the first `count` of them: see Line::knownUs().
   uint64_t knownUs(size_t count, uint64_t nowUs) const {
     const Character next = count < size() ? (*this)[count] : Character{nowUs + CharacterUs};

@@ -5,6 +5,7 @@
 #include "NoisyLine.h"
 #include "RecordedLine.h"
 #include "RecordingFile.h"
+#include "RestoredLine.h"
 #include "SilentLine.h"
 
 namespace line {
@@ -12,7 +13,12 @@ namespace line {
 std::unique_ptr<Line> Source::open() const {
   std::unique_ptr<Line> line;
   if (!recording.empty()) {
-    line = std::make_unique<RecordedLine>(readRecording(recording, settings.characterUs()));
+    Recording read = readRecording(recording, settings.characterUs());
+    const bool isLate = read.characters.isLate();
+    line = std::make_unique<RecordedLine>(std::move(read));
+    if (isLate && isForSketch) {
+      line = std::make_unique<RestoredLine>(std::move(line), settings.characterUs());
+    }
   } else if (silent) {
     line = std::make_unique<SilentLine>();
   } else {

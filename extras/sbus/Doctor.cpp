@@ -109,7 +109,8 @@ class Heard {
       return 0;
     }
     if (_isLate) {
-      const auto silence = std::partition(periods.begin() + 1, periods.end(), [](uint64_t us) { return us < SilenceUs; });
+      const auto isPeriod = [](uint64_t us) { return us < SilenceUs; };
+      const auto silence = std::partition(periods.begin() + 1, periods.end(), isPeriod);
       const auto count = std::max<std::ptrdiff_t>(1, silence - periods.begin() - 1);
       return std::accumulate(periods.begin() + 1, silence, uint64_t{0}) / static_cast<uint64_t>(count);
     }

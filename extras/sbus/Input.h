@@ -29,8 +29,8 @@ class Input {
   void setSpeed(double speed) { _speed = speed; }
 
   // Hands over each character as it comes, and says the time: every millisecond, of a port whenever it brings bytes and
-  // 20 times a second. Both begin at 0. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws std::runtime_error
-  // if the line breaks down.
+  // 20 times a second. Both begin at 0. Returns when the line has ended, after Ctrl-C, after the seconds, or after
+  // end(). Throws std::runtime_error if the line breaks down.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 
   // In a tick: all that was through by then has been handed over. Earlier than its time, if the port is late.

@@ -9,6 +9,7 @@
 #include "line/CsvRows.h"
 #include "line/RecordedLine.h"
 #include "line/RecordingFile.h"
+#include "line/RestoredLine.h"
 
 namespace tool {
 
@@ -29,8 +30,13 @@ std::unique_ptr<Input> open(const ReplayOptions &options) {
   refuseOtherKinds(options.file);
   const bool csv = line::isCsv(options.file);
   const line::LineSettings settings = csv ? line::csvSettings() : settingsOf(options.baud, options.file);
-  auto line = std::make_unique<line::RecordedLine>(csv ? line::readCsv(options.file)
-                                                       : line::readRecording(options.file, settings.characterUs()));
+  line::Recording recording =
+      csv ? line::readCsv(options.file) : line::readRecording(options.file, settings.characterUs());
+  const bool isLate = recording.characters.isLate();
+  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(std::move(recording));
+  if (isLate) {
+    line = std::make_unique<line::RestoredLine>(std::move(line), settings.characterUs());
+  }
   auto input = std::make_unique<Input>(std::move(line), settings, Input::Pace::True, 0);
   input->setSpeed(options.speed);
   return input;

@@ -22,6 +22,7 @@ struct Heard {
   std::array<uint32_t, 6> reasons{};
   uint32_t bytesDiscarded = 0;
 
+  static constexpr bool seesEachGap() { return true; }
   void taken() {
     frames.push_back(at);
     at += Format::Size;

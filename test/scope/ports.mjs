@@ -221,7 +221,7 @@ export default async function () {
     await page.evaluate(() => clearInterval(fake.timer));
     const sent = Math.floor((await page.evaluate(() => fake.sent)) / 31);
     await until(async () => `${await counter(page, 'frames')} frames, of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 12);
-    await counts(page, 'refusedByExtra', /^0?$/);
+    await counts(page, 'resyncs', /^0?$/);
     await reads(page, '#verdict-text', /^ALL WELL/);
   });
 

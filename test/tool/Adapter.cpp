@@ -22,7 +22,10 @@ Transmission transmission(const std::string &line, const char *periodMs, const c
   sent.sticks = Payload::Neutral;
   sent.periodUs = static_cast<uint32_t>(std::strtod(periodMs, nullptr) * 1000);
   sent.frames = std::strtoul(frames, nullptr, 10);
-  sent.kind = line == "24" ? Kind::Channels24 : line == "sbus2" ? Kind::Sbus2 : line == "2F" ? Kind::With2F : Kind::Plain;
+  sent.kind = line == "24"      ? Kind::Channels24
+              : line == "sbus2" ? Kind::Sbus2
+              : line == "2F"    ? Kind::With2F
+                                : Kind::Plain;
   sent.company.slots = sent.kind == Kind::Sbus2 ? 2 : 0;
   sent.company.afterEach = true;
   return sent;
@@ -40,7 +43,7 @@ int main(int count, char **arguments) {
   while (!terminal.hasReader()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it throws away what has come until it has set the port
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it throws away what comes before the port is set
   const auto start = Clock::now();
   Random random(20181);
   DamagedLine line(transmission(arguments[1], arguments[2], arguments[4]), 5000, random);

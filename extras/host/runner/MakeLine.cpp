@@ -1,9 +1,10 @@
 #include "MakeLine.h"
 
 #include <cstdio>
+#include <utility>
 
+#include "line/RestoredLine.h"
 #include "line/SilentLine.h"
-#include "line/ports/RestoredLine.h"
 #include "line/ports/SerialPort.h"
 
 namespace host {
@@ -23,12 +24,14 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
     return std::make_unique<line::SilentLine>();
   }
   if (!options.port.empty()) {
-    auto line = std::make_unique<line::RestoredLine>(std::make_unique<line::SerialPort>(options.port));
+    auto port = std::make_unique<line::SerialPort>(options.port);
+    auto line = std::make_unique<line::RestoredLine>(std::move(port), line::CharacterUs);
     std::fprintf(stderr, "Serial%d: receiver at %s, 100000 baud, 8E2%s\n", options.on, options.port.c_str(),
                  options.seconds > 0 ? "" : ", until Ctrl-C");
     return line;
   }
-  const line::Source &source = options.source;
+  line::Source source = options.source;
+  source.isForSketch = true;
   std::unique_ptr<line::Line> line = source.open();
   std::fprintf(stderr, "Serial%d: %s", options.on, source.text().c_str());
   if (options.seconds > 0 && source.recording.empty()) {

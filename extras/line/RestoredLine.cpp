@@ -22,9 +22,9 @@ bool RestoredLine::next(uint64_t nowUs, Character &character) {
 }
 
 void RestoredLine::take(const Stretch &stretch) {
-  _lastEndUs = std::max(_nowUs, _lastEndUs + GapUs);
+  _lastEndUs = std::max(_nowUs, _lastEndUs + GapCharacters * _characterUs);
   for (const Character &brought : stretch.characters) {
-    _lastEndUs += CharacterUs;
+    _lastEndUs += _characterUs;
     _waiting.push_back({_lastEndUs, brought.value, brought.bad});
   }
 }
