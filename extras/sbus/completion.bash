@@ -15,7 +15,8 @@ _sbus() {
       --range) words="frsky futaba" ;;
       --color) words="auto always never" ;;
       --columns) words="ch1-ch4,failsafe,lostframe ch1-ch18 ch1-ch24 ch1-ch32 time state age" ;;
-      --noise | --seconds | --rate | --speed | --signal) return ;;
+      --invert) words="yes no" ;;
+      --noise | --seconds | --rate | --speed | --signal | --threshold) return ;;
       --to | --output | -o) ;;
       *)
         case $verb in
@@ -24,7 +25,7 @@ _sbus() {
           hex) words="$source --color" ;;
           csv) words="$source --columns --rate --every-frame --header" ;;
           plot) words="$source --columns --output" ;;
-          decode) words="--signal --csv --json --characters" ;;
+          decode) words="--signal --baud --invert --rate --threshold --csv --json --characters" ;;
           wave) words="--output --baud --uninverted" ;;
           record) words="$source" ;;
           replay) words="--to --baud --speed --loop" ;;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "Overrules.h"
+
 namespace line {
 
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: what is later is a mistake
@@ -63,7 +65,7 @@ struct OpenedCapture {
   std::unique_ptr<CaptureReader> reader;
   std::string error;
 };
-OpenedCapture openCapture(std::string_view head, LevelSink &sink);
+OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules = {});
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
 

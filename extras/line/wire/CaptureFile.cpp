@@ -28,7 +28,7 @@ File open(const std::string &name) {
 
 }  // namespace
 
-CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
+CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder) {
   const File file = open(name);
   CaptureEnd end;
   std::unique_ptr<CaptureReader> reader;
@@ -46,7 +46,7 @@ CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
     more = filled == block.size();
     std::string_view text(block.data(), filled);
     if (!reader) {
-      OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), decoder);
+      OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), decoder, overrules);
       if (!opened.error.empty()) {
         throw std::runtime_error(name + ": " + opened.error);
       }
