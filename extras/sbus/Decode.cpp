@@ -75,6 +75,9 @@ void run(const Options &options) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_DFL);  // it waits for standard input, and leaves nothing behind
   }
+  if (options.capture == "-") {
+    setLineByLine();
+  }
   DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters);
   Frames frames(output);
   line::WireDecoder wire(

@@ -130,6 +130,35 @@ verdict $? "decode of a capture that is cut off, on standard input"
 [ $? -eq 1 ] && ! grep -q 'ends within' "$work/err"
 verdict $? "decode of a capture whose last line is wrong, but whole"
 
+# Standard input that stays open: frames come before its end, of a VCD and of samples; here of 60 times the capture.
+begin=$(sed -n '1,/^#/p' "$work/sbus2.vcd" | sed '$d')
+awk '!/^#/ && !lines { next } { line[lines++] = $0 } /^#/ { end = substr($0, 2) + 0 }
+  END {
+    for (; from < 60 * end; from += end) {
+      for (i = 0; i < lines - 1; i++) print line[i] ~ /^#/ ? "#" from + substr(line[i], 2) : line[i]
+    }
+  }' "$work/sbus2.vcd" >"$work/body"
+(echo "$begin"; cat "$work/body") >"$work/live.vcd"
+(echo '; Samplerate: 1 MHz'; echo logic; cat "$work/samples.csv" "$work/samples.csv" "$work/samples.csv" "$work/samples.csv") >"$work/live.csv"
+for capture in live.vcd live.csv; do
+  rm -f "$work/fifo"
+  mkfifo "$work/fifo"
+  "$SBUS" decode - --csv <"$work/fifo" >"$work/live.out" &
+  decoder=$!
+  exec 7>"$work/fifo"
+  cat "$work/$capture" >&7
+  tries=0
+  until [ "$(wc -l <"$work/live.out")" -gt 10 ] || [ $tries -ge 600 ]; do
+    tries=$((tries + 1))
+    sleep 0.1
+  done
+  [ "$(wc -l <"$work/live.out")" -gt 10 ] && kill -0 $decoder
+  early=$?
+  exec 7>&-
+  wait $decoder && [ $early -eq 0 ] && "$SBUS" decode "$work/$capture" --csv | cmp - "$work/live.out"
+  verdict $? "decode of standard input prints the frames of $capture as they come"
+done
+
 # The last line but one is the last character's last edge: that was the end, or more has been lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"
 (cat "$work/edge.vcd"; printf '#') | "$SBUS" decode - --characters --csv >"$work/out" 2>"$work/err"

@@ -43,6 +43,9 @@ class CaptureReader {
   // "VCD", "PulseView CSV, 1 MHz"
   virtual std::string format() const = 0;
 
+  // True if a threshold is found block by block: then a block is as large as it can be.
+  virtual bool wantsFullBlocks() const { return false; }
+
   // The lines read; after an error the last one is wrong.
   uint64_t lines() const { return _lines; }
 

@@ -46,6 +46,8 @@ class AnalogueReader : public CsvReader {
   // `threshold`: of all signals; none: each has its own, which is found.
   AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
 
+  bool wantsFullBlocks() const override { return true; }
+
  private:
   struct Signal {
     Threshold threshold;
