@@ -32,6 +32,12 @@ struct WireCharacter {
   bool stopWrong = false;  // a framing error: the first stop bit is not idle
 
   bool bad() const { return parityWrong || stopWrong; }
+
+  // Returns the character with its time since `zeroNs`, as an Observer takes it. `characterNs`: how long it lasts.
+  Character since(int64_t zeroNs, double characterNs) const {
+    const double endNs = static_cast<double>(startNs - zeroNs) + characterNs;
+    return {static_cast<uint64_t>(endNs / 1000), value, bad()};
+  }
 };
 
 // It works as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the

@@ -18,7 +18,8 @@ namespace {
 
 struct Options {
   std::string capture;
-  std::string signal;
+  line::Overrules overrules;
+  std::string invert;
   bool csv = false;
   bool json = false;
   bool characters = false;
@@ -41,14 +42,11 @@ class Frames {
       _zeroNs = std::min<int64_t>(0, wire.startNs);
     }
     _waiting.push_back(wire);
-    line::Character character;
-    character.endUs = static_cast<uint64_t>((static_cast<double>(wire.startNs - _zeroNs) + _characterNs) / 1000);
-    character.value = wire.value;
-    character.bad = wire.bad();
-    _observer.put(character);
+    _observer.put(wire.since(_zeroNs, _characterNs));
   }
 
-  const line::Observer &finish() {
+  const line::Observer &finish(int64_t endNs) {
+    _observer.idleUntil(static_cast<uint64_t>(std::max<int64_t>(0, endNs - _zeroNs) / 1000));
     _observer.finish();
     return _observer;
   }
@@ -68,14 +66,22 @@ class Frames {
   int64_t _zeroNs = 0;
 };
 
+std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) {
+  return "signal " + wire.signal() + " has " + std::to_string(characters) + " characters at " +
+         text(wire.wire().settings) + ", but no frame of S.Bus: " + line::FrameForm;
+}
+
 void run(const Options &options) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_DFL);  // it waits for standard input, and leaves nothing behind
   }
+  if (options.capture == "-") {
+    setLineByLine();
+  }
   DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters);
   Frames frames(output);
   line::WireDecoder wire(
-      options.signal,
+      options.overrules,
       [&] {
         output.begin(wire);
         frames.begin(wire.wire());
@@ -84,12 +90,13 @@ void run(const Options &options) {
         output.character(character);
         frames.put(character);
       });
-  const line::CaptureEnd capture = readCapture(options.capture, wire);
+  const line::CaptureEnd capture = readCapture(options.capture, options.overrules, wire);
   if (!wire.found()) {
     throw std::runtime_error(capture.error.empty() ? options.capture + ": " + wire.failure(capture.periodNs)
                                                    : capture.error);
   }
-  output.end(options.capture, capture, frames.finish());
+  const line::Observer &observer = frames.finish(wire.endNs());
+  output.end(options.capture, capture, observer);
   flush();
   if (!capture.error.empty()) {
     throw std::runtime_error(capture.error + "; what came before it is decoded above");
@@ -97,6 +104,13 @@ void run(const Options &options) {
   const std::string slow = line::tooSlow(capture.periodNs, wire.wire().bitNs);
   if (!slow.empty()) {
     throw std::runtime_error(options.capture + ": " + slow + ". What could be decoded is above");
+  }
+  if (observer.counters().frames == 0 && !options.characters) {
+    throw std::runtime_error(options.capture + ": " + whyNoFrame(wire, observer.characters()));
+  }
+  if (output.leftOut() > 0) {
+    throw std::runtime_error(options.capture + ": " + std::to_string(output.leftOut()) +
+                             " frames have other channels than the first ones, and are left out; --json has all");
   }
 }
 
@@ -106,19 +120,38 @@ void addDecode(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
   const auto options = std::make_shared<Options>();
   verb->add_option("CAPTURE", options->capture,
-                   "VCD; CSV of Saleae Logic 2, PulseView or an oscilloscope; bits as 0 and 1; - is standard input")
+                   "VCD; CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; bits as 0 and 1; - is standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  verb->add_option("--signal", options->signal, "the only one to be looked at (the one that carries S.Bus)")
+  line::Overrules &overrules = options->overrules;
+  verb->add_option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
       ->type_name("NAME");
+  verb->add_option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
+      ->check(numberBetween(50000, 400000))
+      ->type_name("N");
+  verb->add_option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
+      ->check(CLI::IsMember({"yes", "no"}).description(""))
+      ->type_name("yes|no");
+  verb->add_option_function<double>("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
+                                    "samples a second, each row or bit one (as the capture says)")
+      ->check(numberBetween(1, 1e10))
+      ->type_name("HZ");
+  verb->add_option_function<double>("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
+                                    "voltage above which the wire is high, in the capture's unit (found)")
+      ->type_name("V");
   const auto csv = verb->add_flag("--csv", options->csv, "rows for a spreadsheet");
   verb->add_flag("--json", options->json, "JSON lines")->excludes(csv);
   verb->add_flag("--characters", options->characters, "the characters, not the frames");
   verb->footer(
-      "Polarity, baud rate (100000 or 200000) and an oscilloscope's threshold are found by themselves. Times are the "
-      "capture's: of the first start bit's edge.");
-  verb->callback([options] { run(*options); });
+      "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
+      "options name them. Times are the capture's: of the first start bit's edge. Exits with 1 if there is no frame.");
+  verb->callback([options] {
+    options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
+                                  : options->invert == "yes" ? line::Polarity::Inverted
+                                                             : line::Polarity::Uninverted;
+    run(*options);
+  });
 }
 
 }  // namespace tool

@@ -38,6 +38,7 @@ std::string json(const std::string &text) {
 void DecodeOutput::begin(const line::WireDecoder &wire) {
   const line::FoundWire &found = wire.wire();
   _inverted = found.settings.polarity == line::Polarity::Inverted;
+  _channels = found.channels;
   const double measured = 1e9 / found.bitNs;
   switch (_form) {
     case Form::Table: {
@@ -45,7 +46,8 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       for (const std::string &name : wire.others()) {
         others += (others.empty() ? ", as does " : ", ") + name;
       }
-      write(format("signal %s carries S.Bus%s: %s (measured %.0f, %+.2f %%)\n", wire.signal().c_str(), others.c_str(),
+      write(format("signal %s %s%s: %s (measured %.0f, %+.2f %%)\n", wire.signal().c_str(),
+                   found.frames > 0 ? "carries S.Bus" : "has characters, but no frame of S.Bus", others.c_str(),
                    text(found.settings).c_str(), measured, 100 * found.deviation()));
       if (_showsCharacters) {
         write("\n     time ms  byte\n");
@@ -55,6 +57,8 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
     case Form::Csv:
       if (_showsCharacters) {
         write("time_us,byte,parity_error,framing_error\n");
+      } else {
+        csvHead();
       }
       break;
     case Form::Json:
@@ -127,24 +131,9 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
       write((newHead ? head + "  end\n" : "") + row + '\n');
       break;
     }
-    case Form::Csv: {
-      if (extra) {
-        break;  // its channels would stand in other columns
-      }
-      std::string head = "time_us";
-      std::string row = us(startNs);
-      for (size_t i = from; i < to; i++) {
-        head += ",CH" + std::to_string(i + 1);
-        row += "," + std::to_string(values.raw[i]);
-      }
-      if (to == 16) {
-        head += ",CH17,CH18";
-        row += format(",%d,%d", values.switches[0], values.switches[1]);
-      }
-      row += format(",%d,%d,", values.lostFrame, values.failsafe) + end;
-      write((newHead ? head + ",lost_frame,failsafe,end\n" : "") + row + '\n');
+    case Form::Csv:
+      csvRow(stretch, startNs, values);
       break;
-    }
     case Form::Json: {
       std::string row = "{\"type\":\"frame\",\"time_us\":" + us(startNs) + ",\"first\":" + std::to_string(from + 1) +
                         ",\"channels\":";
@@ -161,6 +150,38 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
       write(row + ",\"end\":\"" + end + "\"}\n");
     }
   }
+}
+
+// One head for all rows, as a spreadsheet expects it.
+void DecodeOutput::csvHead() {
+  std::string head = "time_us";
+  for (unsigned i = 1; i <= _channels; i++) {
+    head += ",CH" + std::to_string(i);
+  }
+  head += _channels == 16 ? ",CH17,CH18" : _channels == 32 ? ",DG1,DG2" : "";
+  write(head + ",lost_frame,failsafe,end\n");
+}
+
+// What a frame does not carry is empty: of 32 channels each frame has a half.
+void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values) {
+  const bool extra = stretch.kind == line::Stretch::Kind::Extra;
+  if ((stretch.kind == line::Stretch::Kind::Frame24) != (_channels == 24) || (extra && _channels != 32)) {
+    _leftOut++;
+    return;
+  }
+  const unsigned from = extra ? 16 : 0;
+  const unsigned to = _channels == 24 ? 24 : from + 16;
+  std::string row = us(startNs);
+  for (unsigned i = 0; i < _channels; i++) {
+    row += i >= from && i < to ? "," + std::to_string(values.raw[i]) : ",";
+  }
+  if (extra) {
+    row += ",,,,,";
+  } else {
+    row += _channels == 24 ? "" : format(",%d,%d", values.switches[0], values.switches[1]);
+    row += format(",%d,%d,", values.lostFrame, values.failsafe);
+  }
+  write(row + hex(stretch.characters.back().value) + '\n');
 }
 
 void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters) {

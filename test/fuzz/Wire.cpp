@@ -26,7 +26,7 @@ void requireText(const std::string &text) {
 Result decode(const std::string &text, bool byLines) {
   Result result;
   line::WireDecoder decoder(
-      "", [] {}, [&result](const line::WireCharacter &character) { result.characters.push_back(character); });
+      {}, [] {}, [&result](const line::WireCharacter &character) { result.characters.push_back(character); });
   line::OpenedCapture opened = line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder);
   result.error = opened.error;
   require(opened.error.empty() == (opened.reader != nullptr), "a reader, or an error");

@@ -76,6 +76,52 @@ for form in table csv json; do
   (cd "$work" && "$SBUS" decode sbus2.vcd $option) | cmp - "tool/golden/decode-sbus2.$form"
   verdict $? "decode of S.BUS2, $form"
 done
+
+# A line of 32 channels: half of them are in frames with header 2F. One head, one width, and no channel is missing.
+"$SBUS" record sim --channels 32 --simulated-time --seconds 0.3 "$work/32.txt" 2>/dev/null &&
+  "$SBUS" wave "$work/32.txt" -o "$work/32.vcd" && "$SBUS" decode "$work/32.vcd" --csv >"$work/32.csv" &&
+  [ "$(grep -c time_us "$work/32.csv")" -eq 1 ] && [ "$(awk -F, '{ print NF }' "$work/32.csv" | sort -u)" = 38 ] &&
+  "$SBUS" decode "$work/32.vcd" --json | sed -n 's/.*"first":\(.*\),"channels":\[\([0-9,]*\)\].*/\1,\2/p' >"$work/32.want" &&
+  awk -F, 'NR > 1 { from = $2 == "" ? 17 : 1; row = from; for (i = 0; i < 16; i++) row = row "," $(1 + from + i); print row }' \
+    "$work/32.csv" | cmp - "$work/32.want" && grep -q '^17,' "$work/32.want" && grep -q '^1,' "$work/32.want"
+verdict $? "decode of 32 channels as CSV"
+
+# The last frame waits for the silence after it: the capture ends with an edge.
+awk 'NF == 26 { print; exit }' recordings/frsky-neutral.txt >"$work/one.txt"
+"$SBUS" wave "$work/one.txt" | sed '$d' >"$work/one.vcd"
+[ "$("$SBUS" decode "$work/one.vcd" --csv | wc -l)" -eq 2 ]
+verdict $? "decode of a single frame"
+
+# A capture without a frame: nothing is said to carry S.Bus, and it is a failure that says what was looked for.
+"$SBUS" decode tool/paper-4.1.bits >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && ! grep -q 'carries S.Bus' "$work/out" &&
+  grep -q 'signal bits has 8 characters at 100000 baud, 8E2, inverted, but no frame of S.Bus: a frame is 25 characters' "$work/err"
+verdict $? "decode of what has no frame"
+"$SBUS" decode tool/paper-4.1.bits --characters >/dev/null
+verdict $? "decode of characters that were asked for"
+
+# Overruled: what is found otherwise.
+overruled() {  # FRAMES ARGUMENTS...
+  frames=$1
+  shift
+  [ "$("$SBUS" decode "$@" --json 2>/dev/null | grep -c '"type":"frame"')" -eq "$frames" ]
+  verdict $? "decode $* has $frames frames"
+}
+all=$(($(wc -l <tool/golden/decode-sbus2.csv) - 1))
+overruled "$all" "$work/sbus2.vcd"
+overruled "$all" "$work/sbus2.vcd" --baud 100000
+overruled 0 "$work/sbus2.vcd" --baud 200000
+overruled "$all" "$work/sbus2.vcd" --invert yes
+overruled 0 "$work/sbus2.vcd" --invert no
+awk '/^#/ { for (us = substr($0, 2) + 0; at < us; at++) print level }
+  /^[01]!/ { level = substr($0, 1, 1) }' "$work/sbus2.vcd" | sed 1d >"$work/samples.csv"
+sed 's/.*/&.5/; 1s/^/volt\n/' "$work/samples.csv" >"$work/volts.csv"
+overruled 0 "$work/samples.csv"
+overruled "$all" "$work/samples.csv" --rate 1000000
+overruled "$all" "$work/volts.csv" --rate 1e6
+overruled "$all" "$work/volts.csv" --rate 1e6 --threshold 1.4
+overruled 0 "$work/volts.csv" --rate 1e6 --threshold 1.6
+
 (cat "$work/sbus2.vcd"; printf '#') | "$SBUS" decode - --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && cmp "$work/out" tool/golden/decode-sbus2.csv &&
   grep -qx "sbus decode: -:$(($(wc -l <"$work/sbus2.vcd") + 1)): the capture ends within this line: .* decoded above" "$work/err"
@@ -83,6 +129,35 @@ verdict $? "decode of a capture that is cut off, on standard input"
 (cat "$work/sbus2.vcd"; echo '#') | "$SBUS" decode - >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && ! grep -q 'ends within' "$work/err"
 verdict $? "decode of a capture whose last line is wrong, but whole"
+
+# Standard input that stays open: frames come before its end, of a VCD and of samples; here of 60 times the capture.
+begin=$(sed -n '1,/^#/p' "$work/sbus2.vcd" | sed '$d')
+awk '!/^#/ && !lines { next } { line[lines++] = $0 } /^#/ { end = substr($0, 2) + 0 }
+  END {
+    for (; from < 60 * end; from += end) {
+      for (i = 0; i < lines - 1; i++) print line[i] ~ /^#/ ? "#" from + substr(line[i], 2) : line[i]
+    }
+  }' "$work/sbus2.vcd" >"$work/body"
+(echo "$begin"; cat "$work/body") >"$work/live.vcd"
+(echo '; Samplerate: 1 MHz'; echo logic; cat "$work/samples.csv" "$work/samples.csv" "$work/samples.csv" "$work/samples.csv") >"$work/live.csv"
+for capture in live.vcd live.csv; do
+  rm -f "$work/fifo"
+  mkfifo "$work/fifo"
+  "$SBUS" decode - --csv <"$work/fifo" >"$work/live.out" &
+  decoder=$!
+  exec 7>"$work/fifo"
+  cat "$work/$capture" >&7
+  tries=0
+  until [ "$(wc -l <"$work/live.out")" -gt 10 ] || [ $tries -ge 600 ]; do
+    tries=$((tries + 1))
+    sleep 0.1
+  done
+  [ "$(wc -l <"$work/live.out")" -gt 10 ] && kill -0 $decoder
+  early=$?
+  exec 7>&-
+  wait $decoder && [ $early -eq 0 ] && "$SBUS" decode "$work/$capture" --csv | cmp - "$work/live.out"
+  verdict $? "decode of standard input prints the frames of $capture as they come"
+done
 
 # The last line but one is the last character's last edge: that was the end, or more has been lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"

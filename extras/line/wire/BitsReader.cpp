@@ -1,8 +1,18 @@
 #include "BitsReader.h"
 
+#include <cmath>
+
 #include "Text.h"
 
 namespace line {
+
+BitsReader::BitsReader(LevelSink &sink, double periodNs) : CaptureReader(sink), _bitNs(periodNs > 0 ? periodNs : 10000) {
+  _periodNs = periodNs;
+}
+
+std::string BitsReader::format() const {
+  return _periodNs > 0 ? "bits" : "bits, 10 us each";
+}
 
 std::string BitsReader::put(std::string_view lines) {
   while (!lines.empty()) {
@@ -22,14 +32,14 @@ std::string BitsReader::put(std::string_view lines) {
       const bool high = c == '1';
       if (!_begun) {
         _sink.signals({"bits"});
-        _sink.level(0, -BitNs, !high);  // idle: the first bit is a start bit
+        _sink.level(0, -std::llround(_bitNs), !high);  // idle: the first bit is a start bit
       }
       if (!_begun || high != _high) {
         _sink.level(0, _endNs, high);
       }
       _begun = true;
       _high = high;
-      _endNs += BitNs;
+      _endNs = std::llround(static_cast<double>(++_bits) * _bitNs);
     }
   }
   return {};

@@ -1,5 +1,5 @@
 // Bits as an oscilloscope's picture shows them and somebody has typed them: 0 and 1, one bit after the other, from a
-// start bit on; blanks do not count, and # begins a comment. 100000 baud.
+// start bit on; blanks do not count, and # begins a comment.
 #pragma once
 
 #include "Capture.h"
@@ -8,14 +8,15 @@ namespace line {
 
 class BitsReader : public CaptureReader {
  public:
-  explicit BitsReader(LevelSink &sink) : CaptureReader(sink) {}
+  // `periodNs`: of a bit, or of a sample. 0: a bit's of 100000 baud.
+  BitsReader(LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;
-  std::string format() const override { return "bits, 10 us each"; }
+  std::string format() const override;
 
  private:
-  static constexpr int64_t BitNs = 10000;
-
+  const double _bitNs;
+  uint64_t _bits = 0;
   bool _begun = false;
   bool _high = false;
 };

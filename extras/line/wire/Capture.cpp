@@ -57,18 +57,20 @@ std::string whyUnknown(std::string_view head) {
 
 }  // namespace
 
-OpenedCapture openCapture(std::string_view head, LevelSink &sink) {
+OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules) {
   OpenedCapture opened;
-  if (trimmed(head).substr(0, 1) == "$") {
+  if (overrules.periodNs > 0 && trimmed(head).substr(0, 1) == "$") {
+    opened.error = "is a VCD, whose times are its own: leave out --rate";
+  } else if (trimmed(head).substr(0, 1) == "$") {
     opened.reader = std::make_unique<VcdReader>(sink);
   } else if (isBits(head)) {
-    opened.reader = std::make_unique<BitsReader>(sink);
+    opened.reader = std::make_unique<BitsReader>(sink, overrules.periodNs);
   } else {
     CsvLayout layout;
     opened.error = whyUnknown(head);
-    opened.error = opened.error.empty() ? findLayout(head, layout) : opened.error;
+    opened.error = opened.error.empty() ? findLayout(head, layout, overrules.periodNs) : opened.error;
     if (opened.error.empty() && layout.analogue) {
-      opened.reader = std::make_unique<AnalogueReader>(layout, sink);
+      opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrules.threshold);
     } else if (opened.error.empty()) {
       opened.reader = std::make_unique<DigitalReader>(layout, sink);
     }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "Overrules.h"
+
 namespace line {
 
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: what is later is a mistake
@@ -41,6 +43,9 @@ class CaptureReader {
   // "VCD", "PulseView CSV, 1 MHz"
   virtual std::string format() const = 0;
 
+  // True if a threshold is found block by block: then a block is as large as it can be.
+  virtual bool wantsFullBlocks() const { return false; }
+
   // The lines read; after an error the last one is wrong.
   uint64_t lines() const { return _lines; }
 
@@ -63,7 +68,7 @@ struct OpenedCapture {
   std::unique_ptr<CaptureReader> reader;
   std::string error;
 };
-OpenedCapture openCapture(std::string_view head, LevelSink &sink);
+OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules = {});
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
 

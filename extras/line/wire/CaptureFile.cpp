@@ -1,10 +1,14 @@
 #include "CaptureFile.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+
+#include "Text.h"
 
 namespace line {
 
@@ -12,24 +16,49 @@ namespace {
 
 constexpr size_t BlockSize = size_t{1} << 20;
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
+// Takes what has come, as a pipe brings it.
+class File {
+ public:
+  explicit File(const std::string &name) : _name(name), _file(name == "-" ? STDIN_FILENO : open(name.c_str(), O_RDONLY)) {
+    if (_file < 0) {
+      throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
+                               "); the name of a capture is expected");
+    }
+  }
+  ~File() {
+    if (_file != STDIN_FILENO) {
+      close(_file);
+    }
+  }
+  File(const File &) = delete;
+  File &operator=(const File &) = delete;
 
-File open(const std::string &name) {
-  if (name == "-") {
-    return File(stdin, [](std::FILE *) { return 0; });
+  // Waits for a byte or more. Returns how many there are; 0 at the end.
+  size_t read(char *at, size_t most) {
+    ssize_t count;
+    do {
+      count = ::read(_file, at, most);
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) {
+      throw std::runtime_error(_name + ": cannot be read (" + std::strerror(errno) + ")");
+    }
+    return static_cast<size_t>(count);
   }
-  File file(std::fopen(name.c_str(), "rb"), std::fclose);
-  if (!file) {
-    throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
-                             "); the name of a capture is expected");
-  }
-  return file;
+
+ private:
+  const std::string _name;
+  const int _file;
+};
+
+// Returns true if the format shows itself in the first characters of a capture, though more of it will come.
+bool isHead(std::string_view text) {
+  return trimmed(text).substr(0, 1) == "$" || text.size() >= CaptureHeadMax;
 }
 
 }  // namespace
 
-CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
-  const File file = open(name);
+CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder) {
+  File file(name);
   CaptureEnd end;
   std::unique_ptr<CaptureReader> reader;
   std::vector<char> block(BlockSize);
@@ -37,16 +66,16 @@ CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
   bool more = true;
   bool cutOff = false;
   while (more && end.error.empty()) {
-    errno = 0;
-    const size_t count = std::fread(block.data() + filled, 1, block.size() - filled, file.get());
-    if (std::ferror(file.get()) != 0) {
-      throw std::runtime_error(name + ": cannot be read (" + std::strerror(errno) + ")");
-    }
+    const size_t count = file.read(block.data() + filled, block.size() - filled);
     filled += count;
-    more = filled == block.size();
+    more = count > 0;
     std::string_view text(block.data(), filled);
+    const bool full = filled == block.size();
+    if (more && !full && (reader ? reader->wantsFullBlocks() : !isHead(text))) {
+      continue;
+    }
     if (!reader) {
-      OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), decoder);
+      OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), decoder, overrules);
       if (!opened.error.empty()) {
         throw std::runtime_error(name + ": " + opened.error);
       }
@@ -54,6 +83,9 @@ CaptureEnd readCapture(const std::string &name, WireDecoder &decoder) {
     }
     if (more) {
       text = text.substr(0, text.rfind('\n') + 1);
+      if (text.empty() && !full) {
+        continue;
+      }
       if (text.empty()) {
         throw std::runtime_error(name + ": line " + std::to_string(reader->lines() + 1) + " is longer than " +
                                  std::to_string(BlockSize) + " characters: is this text?");

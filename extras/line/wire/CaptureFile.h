@@ -15,6 +15,6 @@ struct CaptureEnd {
 
 // Reads a capture to its end, or until something is wrong. `name`: a file, or "-" for standard input. Throws
 // std::runtime_error if it cannot be opened, or is no capture.
-CaptureEnd readCapture(const std::string &name, WireDecoder &decoder);
+CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder);
 
 }  // namespace line

@@ -90,13 +90,28 @@ double unitOf(std::string_view title) {
                                                                  : 1e9;
 }
 
+// A unit as oscilloscopes write it below a channel's name.
+bool isUnit(std::string_view field) {
+  return field.empty() || hasWord(field, {"sequence", "s", "second", "ms", "us", "ns", "v", "mv", "volt", "volts"});
+}
+
+// Names; but for the first one, a channel's may be its number.
+bool isTitles(const Fields &fields) {
+  const auto isChannel = [](std::string_view field) {
+    return !isNumber(field) ||
+           (field.size() <= 2 && std::all_of(field.begin(), field.end(), isDigit));
+  };
+  return !fields.empty() && !isNumber(fields.front()) && std::all_of(fields.begin(), fields.end(), isChannel);
+}
+
 // What stands before the rows.
 struct Header {
   std::vector<std::string> titles;  // of the columns
+  std::vector<std::string> units;   // from a row below the titles
   std::vector<std::string> names;   // of the signals, from a comment
   double startNs = 0;
   double periodNs = 0;
-  bool sigrok = false;
+  std::string program;  // "PulseView" or "DSView"; empty: another one
 
   void comment(std::string_view line);
   void row(const Fields &fields);
@@ -105,7 +120,9 @@ struct Header {
 // "; Samplerate: 1 MHz", "; Channels (2/8): D0, D1"
 void Header::comment(std::string_view line) {
   const std::string small = lower(line);
-  sigrok = sigrok || small.find("sigrok") != std::string::npos;
+  // DSView was made of sigrok, and has said so in its header up to 1.1; its times are seconds.
+  const bool dsView = small.find("dsview") != std::string::npos || small.find("sigrok4dsl") != std::string::npos;
+  program = dsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
   const size_t colon = line.find(": ");
   if (colon == std::string_view::npos) {
     return;
@@ -130,12 +147,14 @@ void Header::row(const Fields &fields) {
       break;
     }
   }
-  if (std::none_of(fields.begin(), fields.end(), isNumber)) {
-    const bool units = !fields.empty() && fields.front().substr(0, 1) == "(";
-    titles.resize(units ? std::max(titles.size(), fields.size()) : fields.size());
-    for (size_t i = 0; i < fields.size(); i++) {
-      titles[i] = units ? titles[i] + " " + std::string(fields[i]) : std::string(fields[i]);
-    }
+  const bool inBrackets = !fields.empty() && fields.front().substr(0, 1) == "(";
+  if (!titles.empty() && (inBrackets || (fields.size() == titles.size() && std::all_of(fields.begin(), fields.end(), isUnit)))) {
+    units.assign(fields.begin(), fields.end());
+    return;
+  }
+  if (isTitles(fields)) {
+    titles.assign(fields.begin(), fields.end());
+    units.clear();
     return;
   }
   // Rigol's: under "Start" and "Increment" stand the first row's time and that between two rows.
@@ -274,7 +293,7 @@ bool CsvLayout::timeOf(std::string_view field, double &ns) const {
   return true;
 }
 
-std::string findLayout(std::string_view head, CsvLayout &layout) {
+std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs) {
   layout.separator = separatorOf(head);
   std::string points(head);
   if (layout.separator != ',') {
@@ -285,7 +304,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   Header header;
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
-    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, of PulseView or of an oscilloscope, or "
+    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, or "
            "bits as 0 and 1 are expected";
   }
   for (size_t i = 0; i < rows.front().size(); i++) {
@@ -294,7 +313,8 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
     }
   }
   const auto title = [&header](size_t column) {
-    return column < header.titles.size() ? header.titles[column] : std::string();
+    return (column < header.titles.size() ? header.titles[column] : "") + " " +
+           (column < header.units.size() ? header.units[column] : "");
   };
   // Before the times, or instead of them, there may be a column that counts the rows.
   size_t first = layout.columns.front();
@@ -306,12 +326,16 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
   if (layout.columns.size() > 1 && (isTime(title(first)) || (!counted && grows(rows, first, false)))) {
     layout.columns.erase(layout.columns.begin());
     layout.timeColumn = first;
-    layout.timeUnitNs = header.sigrok && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(first));
+    layout.timeUnitNs = header.program == "PulseView" && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(first));
     parseTimestamp(rows.front()[first], layout.zeroNs);
+  }
+  if (periodNs > 0) {
+    header.periodNs = periodNs;
+    layout.timeColumn = CsvLayout::None;
   }
   if (layout.timeColumn == CsvLayout::None && header.periodNs <= 0) {
     return "does not say when its samples were taken: a column of times, or a comment such as \"; Samplerate: 1 MHz\", "
-           "is expected";
+           "or --rate is expected";
   }
   layout.startNs = header.startNs;
   layout.periodNs = header.periodNs;
@@ -328,7 +352,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout) {
     layout.timeColumn = counted ? CsvLayout::None : layout.timeColumn;
   }
   layout.names = namesOf(header, layout.columns);
-  layout.name = header.sigrok ? "PulseView CSV" : layout.analogue ? OscilloscopeFormat : "logic analyser's CSV";
+  layout.name = !header.program.empty() ? header.program + " CSV" : layout.analogue ? OscilloscopeFormat : "logic analyser's CSV";
   return {};
 }
 

@@ -29,8 +29,9 @@ struct CsvLayout {
   bool timeOf(std::string_view field, double &ns) const;
 };
 
-// Returns what is wrong and what is expected, or nothing. `head`: the file's first lines.
-std::string findLayout(std::string_view head, CsvLayout &layout);
+// Returns what is wrong and what is expected, or nothing. `head`: the file's first lines. `periodNs`: between two rows,
+// whatever the file says; 0: the file says it.
+std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs = 0);
 
 // Takes what PicoScope writes of a voltage beyond its range off the front: an infinity sign, or a minus and one, which
 // any encoding makes something beyond ASCII of; false if there is none.

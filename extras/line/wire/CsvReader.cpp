@@ -110,8 +110,13 @@ std::string DigitalReader::changed(std::string_view row) {
   return {};
 }
 
-AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink) : CsvReader(std::move(layout), sink) {
+AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
+    : CsvReader(std::move(layout), sink), _told(threshold.has_value()) {
   _signals.resize(_layout.columns.size());
+  for (Signal &signal : _signals) {
+    signal.threshold = Threshold(threshold.value_or(0), 0);
+    signal.found = _told;
+  }
 }
 
 // First all voltages of the rows at hand, then the edges in them; only where there is one the time is looked at.
@@ -127,7 +132,9 @@ std::string AnalogueReader::rows(std::string_view text) {
     error = isPassedOver(row) ? "" : takeVolts(row);
   }
   for (Signal &signal : _signals) {
-    signal.learn();
+    if (!_told) {
+      signal.learn();
+    }
   }
   for (size_t i = 0; i < _rows.size(); i++, _row++) {
     for (size_t s = 0; s < _signals.size(); s++) {

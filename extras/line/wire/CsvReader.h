@@ -43,7 +43,10 @@ class DigitalReader : public CsvReader {
 
 class AnalogueReader : public CsvReader {
  public:
-  AnalogueReader(CsvLayout layout, LevelSink &sink);
+  // `threshold`: of all signals; none: each has its own, which is found.
+  AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
+
+  bool wantsFullBlocks() const override { return true; }
 
  private:
   struct Signal {
@@ -59,6 +62,7 @@ class AnalogueReader : public CsvReader {
   std::string rows(std::string_view text) override;
   std::string takeVolts(std::string_view row);
 
+  const bool _told;  // the threshold
   std::vector<Signal> _signals;
   std::vector<std::string_view> _rows;  // at hand
 };

@@ -11,6 +11,8 @@ namespace line {
 class Threshold {
  public:
   Threshold() = default;
+  // The wire goes up and down by `swing` volts around `middle`; 0: each crossing of the middle is an edge.
+  Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
 
   // Of voltages; one that is infinite, beyond what was measured, is taken for two spans beyond the others.
   struct Range {
@@ -30,8 +32,6 @@ class Threshold {
 
  private:
   static constexpr double Hysteresis = 0.15;  // of the swing, on either side of the middle
-
-  Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
 
   // A converter's last digit goes to and fro, too, but no bit is that short.
   bool lasts(const std::vector<double> &volts) const;

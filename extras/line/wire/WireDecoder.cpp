@@ -29,7 +29,7 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
   if (sample.size() < SampleMax) {
     return;
   }
-  if (findWire(sample).found()) {
+  if (findWire(sample, _overrules).frames > 0) {
     choose();
   } else {
     sample.erase(sample.begin(), sample.begin() + SampleMax / 2);
@@ -38,22 +38,41 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
 
 void WireDecoder::choose() {
   for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i]);
-    if (!wire.found()) {
+    const FoundWire wire = findWire(_samples[i], _overrules);
+    if (wire.frames == 0) {
       continue;
     }
-    if (_wire.found()) {
-      const size_t worse = wire.share() > _wire.share() ? _chosen : i;
-      _others.push_back(_names[worse]);
+    const bool better = wire.betterThan(_wire);
+    if (_wire.frames > 0) {
+      _others.push_back(_names[better ? _chosen : i]);
     }
-    if (wire.share() > _wire.share()) {
+    if (better) {
       _wire = wire;
       _chosen = i;
     }
   }
-  if (!_wire.found()) {
+  if (_wire.frames > 0) {
+    begin();
+  }
+}
+
+// Bits off an oscilloscope's picture, say, may be less than a frame.
+void WireDecoder::chooseOnly() {
+  if (_overrules.signal.empty() && _samples.size() != 1) {
     return;
   }
+  for (size_t i = 0; i < _samples.size(); i++) {
+    const FoundWire wire = findWire(_samples[i], _overrules);
+    if (isWanted(i) && wire.hasCharacters() && (_overrules.baud != 0 || hasBits(_samples[i]))) {
+      _wire = wire;
+      _chosen = i;
+      begin();
+      return;
+    }
+  }
+}
+
+void WireDecoder::begin() {
   _decoder.emplace(_wire.settings, _wire.bitNs);
   _onFound();
   for (const Level &level : _samples[_chosen]) {
@@ -67,9 +86,13 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
     choose();
   }
   if (!_decoder) {
+    chooseOnly();
+  }
+  if (!_decoder) {
     return;
   }
   const bool goesOn = _lastNs >= endNs && !cutOff;
+  _endNs = endNs + (goesOn ? static_cast<int64_t>(SilenceUs) * 1000 : 0);
   if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {
     _onCharacter(_character);
   }
@@ -84,12 +107,15 @@ std::string WireDecoder::failure(double periodNs) const {
     if (isWanted(i)) {
       const std::vector<Level> &sample = _samples[i];
       reasons += (reasons.empty() ? "" : "; ") + ("signal " + _names[i] + " ") +
-                 whyNotFound(sample, findWire(sample), periodNs);
+                 whyNotFound(sample, findWire(sample, _overrules), periodNs);
     }
   }
   names += _names.size() > Shown ? ", ..." : "";
-  const bool known = std::find(_names.begin(), _names.end(), _wanted) != _names.end() || _wanted.empty();
-  return known ? reasons : "there is no signal " + _wanted + ": one of " + names + " is expected";
+  const std::string &wanted = _overrules.signal;
+  if (!wanted.empty() && std::find(_names.begin(), _names.end(), wanted) == _names.end()) {
+    return "there is no signal " + wanted + ": one of " + names + " is expected";
+  }
+  return reasons + ". No signal has a frame of S.Bus: " + FrameForm;
 }
 
 }  // namespace line

@@ -8,17 +8,18 @@
 
 #include "../Levels.h"
 #include "Capture.h"
+#include "Overrules.h"
 #include "WireFinder.h"
 
 namespace line {
 
-// It keeps the newest edges of each signal until one is found to be S.Bus; then it decodes that one, and forgets the
-// others.
+// It keeps the newest edges of each signal until one has frames; then it decodes the one that has most, and forgets the
+// others. If the capture ends before, and only one signal is looked at, it decodes that one's characters.
 class WireDecoder : public LevelSink {
  public:
-  // `signal`: the name of the only one to be looked at; empty: all. `found` is called once, before the first character.
-  WireDecoder(std::string signal, std::function<void()> found, std::function<void(const WireCharacter &)> character)
-      : _wanted(std::move(signal)), _onFound(std::move(found)), _onCharacter(std::move(character)) {}
+  // `found` is called once, before the first character.
+  WireDecoder(Overrules overrules, std::function<void()> found, std::function<void(const WireCharacter &)> character)
+      : _overrules(std::move(overrules)), _onFound(std::move(found)), _onCharacter(std::move(character)) {}
 
   void signals(const std::vector<std::string> &names) override;
   void level(size_t signal, int64_t ns, bool high) override {
@@ -34,6 +35,9 @@ class WireDecoder : public LevelSink {
   // edge, and is not `cutOff`, the wire stayed so, and the last character is taken if that makes it a good one.
   void finish(int64_t endNs, bool cutOff);
 
+  // The wire is known up to there, after finish().
+  int64_t endNs() const { return _endNs; }
+
   bool found() const { return _decoder.has_value(); }
   const FoundWire &wire() const { return _wire; }
   const std::string &signal() const { return _names[_chosen]; }
@@ -41,22 +45,24 @@ class WireDecoder : public LevelSink {
   // Signals beside the chosen one that carry S.Bus, too.
   const std::vector<std::string> &others() const { return _others; }
 
-  // Why none was found, after finish(). `periodNs`: between two samples, 0 if it is not known.
+  // Returns why none was found, after finish(). `periodNs`: between two samples, 0 if it is not known.
   std::string failure(double periodNs) const;
 
  private:
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
 
   void collect(size_t signal, int64_t ns, bool high);
-  bool isWanted(size_t signal) const { return _wanted.empty() || _names[signal] == _wanted; }
+  bool isWanted(size_t signal) const { return _overrules.signal.empty() || _names[signal] == _overrules.signal; }
   void choose();
+  void chooseOnly();
+  void begin();
   void decode(int64_t ns, bool high) {
     if (_decoder->level(ns, high, _character)) {
       _onCharacter(_character);
     }
   }
 
-  const std::string _wanted;
+  const Overrules _overrules;
   const std::function<void()> _onFound;
   const std::function<void(const WireCharacter &)> _onCharacter;
   std::vector<std::string> _names;           // of the signals
@@ -67,6 +73,7 @@ class WireDecoder : public LevelSink {
   std::optional<CharacterDecoder> _decoder;  // none before a signal is chosen
   WireCharacter _character;
   int64_t _lastNs = INT64_MIN;  // of the newest level
+  int64_t _endNs = 0;
 };
 
 }  // namespace line

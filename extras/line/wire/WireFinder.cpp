@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../Levels.h"
+#include "../Observer.h"
 
 namespace line {
 
@@ -58,16 +59,28 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   FoundWire wire;
   wire.settings = settings;
   wire.bitNs = bitNs;
+  Observer observer;
+  observer.reset(0, settings.characterUs());
+  bool extra = false;
+  observer.listen([&extra](const Stretch &stretch) { extra = extra || stretch.kind == Stretch::Kind::Extra; });
   CharacterDecoder decoder(settings, bitNs);
   WireCharacter character;
+  const auto take = [&] {
+    (character.bad() ? wire.bad : wire.good)++;
+    observer.put(character.since(levels.front().ns, settings.format.bits() * bitNs));
+  };
   for (const Level &level : levels) {
     if (decoder.level(level.ns, level.high, character)) {
-      (character.bad() ? wire.bad : wire.good)++;
+      take();
     }
   }
   if (decoder.until(INT64_MAX / 2, character)) {
-    (character.bad() ? wire.bad : wire.good)++;
+    take();
   }
+  observer.idleUntil(static_cast<uint64_t>((levels.back().ns - levels.front().ns) / 1000) + SilenceUs);
+  observer.finish();
+  wire.frames = observer.counters().frames;
+  wire.channels = observer.has24() ? 24 : extra ? 32 : 16;
   return wire;
 }
 
@@ -102,6 +115,16 @@ double gridNs(const std::vector<int64_t> &lengths) {
   return grid;
 }
 
+// All but the glitches last so long; 0 if there are none.
+double shortest(const std::vector<int64_t> &lengths) {
+  return lengths.empty() ? 0 : static_cast<double>(lengths[lengths.size() / 20]);
+}
+
+bool lastsABit(double ns) {
+  constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
+  return std::abs(ns - ShortestBitNs) < SampleNs || std::abs(ns - 2 * ShortestBitNs) < SampleNs;
+}
+
 std::string microseconds(double ns) {
   const auto tenths = static_cast<unsigned long long>(std::llround(ns / 100));
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " us";
@@ -118,25 +141,34 @@ std::string tooSlow(double sampledNs, double bitNs) {
          ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
 }
 
-FoundWire findWire(const std::vector<Level> &levels) {
+FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules) {
   FoundWire best;
-  for (const unsigned long baud : {sbus::Baud, 2 * sbus::Baud}) {
+  const bool told = overrules.baud != 0;
+  for (const unsigned long baud : told ? std::vector{overrules.baud} : std::vector{sbus::Baud, 2 * sbus::Baud}) {
     LineSettings settings;
     settings.baud = baud;
     const double nominalNs = settings.bitNs();
-    const double bitNs = fit(levels, nominalNs);
+    double bitNs = fit(levels, nominalNs);
     if (std::abs(bitNs - nominalNs) > BaudTolerance * nominalNs) {
-      continue;
+      if (!told || levels.empty()) {
+        continue;
+      }
+      bitNs = nominalNs;
     }
     for (const Polarity polarity : {Polarity::Inverted, Polarity::Uninverted}) {
+      if (overrules.polarity != Polarity::Either && overrules.polarity != polarity) {
+        continue;
+      }
       settings.polarity = polarity;
       const FoundWire wire = judge(levels, settings, bitNs);
-      if (wire.share() > best.share()) {
-        best = wire;
-      }
+      best = wire.betterThan(best) ? wire : best;
     }
   }
   return best;
+}
+
+bool hasBits(const std::vector<Level> &levels) {
+  return lastsABit(shortest(pulses(levels)));
 }
 
 std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs) {
@@ -144,24 +176,21 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   if (lengths.empty()) {
     return "has no pulses: is the probe on S-BUS_OUT, and the receiver on?";
   }
-  const double shortest = static_cast<double>(lengths[lengths.size() / 20]);
+  const double pulseNs = shortest(lengths);
   const double grid = gridNs(lengths);
-  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * shortest ? grid : 0;  // the grid may be that of bits
+  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the grid may be that of bits
   const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
   if (!slow.empty()) {
     return slow;
   }
-  const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(shortest);
-  constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
-  const bool lastsABit =
-      std::abs(shortest - ShortestBitNs) < SampleNs || std::abs(shortest - 2 * ShortestBitNs) < SampleNs;
-  if (best.good + best.bad == 0 || !lastsABit) {
-    const double baud = 1e9 / std::max(shortest, 1.0);
+  const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(pulseNs);
+  if (best.good + best.bad == 0 || !lastsABit(pulseNs)) {
+    const double baud = 1e9 / std::max(pulseNs, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
            " baud do: 10 us or 5 us are expected, within 3 %";
   }
   if (best.good >= 2 * best.bad) {
-    return "has only " + std::to_string(best.good) + " good characters: at least 4 are expected, record for longer";
+    return "has " + std::to_string(best.good) + " good characters at " + text(best.settings) + ", but no frame";
   }
   return seen + ", but of " + std::to_string(best.good + best.bad) + " characters " + std::to_string(best.bad) +
          " have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected";
