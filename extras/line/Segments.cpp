@@ -64,8 +64,9 @@ void Segments::cutRows(uint64_t end, uint64_t nowUs) {
     bool isGapNext = false;
     while (count < most && !isGapNext) {
       count++;
-      const uint64_t nextUs = count < _kept.size() ? _kept[count].endUs - _characterUs - _kept[count].lateUs : nowUs;
-      isGapNext = nextUs >= _kept[count - 1].endUs + uint64_t{GapCharacters} * _characterUs;
+      const uint64_t gapEndUs = _kept[count - 1].endUs + uint64_t{GapCharacters} * _characterUs;
+      isGapNext = count < _kept.size() ? _kept[count].endUs >= gapEndUs + _characterUs + _kept[count].lateUs
+                                       : nowUs >= gapEndUs;
     }
     if (count < RowMax && !isGapNext && nowUs != Forever) {
       return;
