@@ -57,6 +57,10 @@ void Segments::cutBefore(uint64_t end, uint64_t nowUs) {
   cutRows(std::max(end, this->end() - std::min(this->end(), KeptMax)), nowUs);
 }
 
+void Segments::finish() {
+  cutRows(end(), Forever);
+}
+
 void Segments::cutRows(uint64_t end, uint64_t nowUs) {
   while (_at < end) {
     const auto most = static_cast<size_t>(std::min<uint64_t>(end - _at, RowMax));

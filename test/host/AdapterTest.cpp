@@ -61,8 +61,6 @@ class Program {
   Program(uint32_t latencyUs, uint32_t stallUs, line::Random &random)
       : _reads(line::CharacterUs, latencyUs), _adapter(latencyUs, random), _stallUs(stallUs), _random(random) {}
 
-  void listen(const std::function<void(const Stretch &)> &listener) { observer.listen(listener); }
-
   void put(const Character &character) {
     _adapter.put(character, [this](const Read &read) { arrived(read); });
   }
