@@ -143,7 +143,7 @@ struct GivenPins {
 //
 // Inverts      begin() can invert the line
 // BothWays     it can also be opened uninverted afterwards
-// Buffer       size of the receive buffer, whoever opened the port
+// Buffer       size of the receive buffer, also of a port that the sketch has opened
 // LosesOldest  a full buffer loses its oldest byte, not the newest
 // Pins         what is kept for open(), which opens the port, and returns the buffer's size; 0: it stays what it was
 

@@ -16,7 +16,7 @@ class Places {
   // The next byte that the decoder gets stands there.
   void put(uint64_t at) { _open.push_back(at); }
 
-  // The place of the first byte that may still be a frame's; `end` if there is none.
+  // Returns the place of the first byte that may still belong to a frame, or `end`.
   uint64_t openAt(uint64_t end) const { return _open.empty() ? end : _open.front(); }
 
   void extra() { found(Stretch::Kind::Extra, sbus::FrameSize); }

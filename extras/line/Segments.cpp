@@ -57,6 +57,10 @@ void Segments::cutBefore(uint64_t end, uint64_t nowUs) {
   cutRows(std::max(end, this->end() - std::min(this->end(), KeptMax)), nowUs);
 }
 
+void Segments::finish() {
+  cutRows(end(), Forever);
+}
+
 void Segments::cutRows(uint64_t end, uint64_t nowUs) {
   while (_at < end) {
     const auto most = static_cast<size_t>(std::min<uint64_t>(end - _at, RowMax));
@@ -64,8 +68,9 @@ void Segments::cutRows(uint64_t end, uint64_t nowUs) {
     bool isGapNext = false;
     while (count < most && !isGapNext) {
       count++;
-      const uint64_t nextUs = count < _kept.size() ? _kept[count].endUs - _characterUs - _kept[count].lateUs : nowUs;
-      isGapNext = nextUs >= _kept[count - 1].endUs + uint64_t{GapCharacters} * _characterUs;
+      const uint64_t gapEndUs = _kept[count - 1].endUs + uint64_t{GapCharacters} * _characterUs;
+      isGapNext = count < _kept.size() ? _kept[count].endUs >= gapEndUs + _characterUs + _kept[count].lateUs
+                                       : nowUs >= gapEndUs;
     }
     if (count < RowMax && !isGapNext && nowUs != Forever) {
       return;

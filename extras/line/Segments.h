@@ -63,7 +63,7 @@ class Segments {
   void cutBefore(uint64_t end, uint64_t nowUs);
 
   // Nothing waits any more.
-  void finish() { cutRows(end(), UINT64_MAX); }
+  void finish();
 
  private:
   void cutRows(uint64_t end, uint64_t nowUs);

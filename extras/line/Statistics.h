@@ -60,7 +60,7 @@ struct Values {
 class Statistics : public Arrivals {
  public:
   const Values &newest() const { return _newest; }
-  // The travel of a channel, counted from 0: of frames without a flag, since a failsafe setting is nobody's stick.
+  // Returns the travel of a channel, counted from 0, of frames without a flag: failsafe values are no stick's positions.
   const Extent &travel(size_t channel) const { return _travel[channel]; }
   void resetMarks();
 

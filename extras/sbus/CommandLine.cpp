@@ -55,7 +55,7 @@ size_t distance(const std::string &a, const std::string &b) {
 }
 
 // Returns "did you mean NAME? " for the nearest name: one that `word` begins, or one with a third of its letters wrong
-// at most; empty if there is none.
+// at most. Returns "" where no name is near.
 std::string meant(const std::string &word, const Words &names) {
   std::string nearest;
   size_t least = SIZE_MAX;

@@ -37,7 +37,7 @@ bool isByte(const std::string &digits, bool alone) {
 }
 
 // Takes one word: a byte of one digit, or bytes of two digits each; 0x before it and ! behind it (a parity or framing
-// error, as `sbus hex` marks it) are allowed. Returns false at the first byte that is none.
+// error, as `sbus hex` marks it) are allowed. Returns false at what is not hexadecimal.
 bool takeWord(const std::string &word, HexText &text) {
   const size_t begin = word.rfind("0x", 0) == 0 || word.rfind("0X", 0) == 0 ? 2 : 0;
   const size_t end = word.size() - (word.back() == '!' ? 1 : 0);

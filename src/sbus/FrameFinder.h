@@ -117,8 +117,6 @@ class FrameFinderOf : private Events {
  private:
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
-  static constexpr int Silent = 2;  // characters off: nothing is expected, and nothing was discarded yet
-
   void startOver(int offBy);
   void gapBefore();
   const uint8_t *settle();
@@ -161,12 +159,11 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
   _found = static_cast<uint16_t>(found);
   const Silence silence = _timing.silenceBefore<Format>(found, now);
   if (silence == Silence::Long && holds(Rule::silence)) {
-    startOver(Silent);
+    startOver(rules::FirstOffBy);
+  } else if (silence == Silence::Gap) {
+    gapBefore();
   } else if (silence != Silence::Unknown) {
-    _buffer.markGap(silence == Silence::Gap);
-    if (silence == Silence::Gap) {
-      gapBefore();
-    }
+    _buffer.markGap(false);
   }
   _acquisition.characters(found);
 }

@@ -25,7 +25,7 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _kind = UnknownKind;
   _certain = false;
   _buffer.clear();
-  startOver(Silent);
+  startOver(rules::FirstOffBy);
   _counters = Counters();
 }
 
@@ -38,7 +38,7 @@ void FrameFinderOf<Format, Events>::startOver(int offBy) {
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
   _onlyNoise = false;
-  _acquisition.forget(offBy == Silent);
+  _acquisition.forget(offBy == rules::FirstOffBy);
 }
 
 template <typename Format, typename Events>
@@ -47,9 +47,11 @@ void FrameFinderOf<Format, Events>::broken() {
   startOver(FarOff);
 }
 
-// Of a line of the other size two damaged frames may look like one of this size, and the same ones again and again.
+// A gap stands before the next character, for certain. Of a line of the other size two damaged frames may look like one
+// of this size, and the same ones again and again.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore() {
+  _buffer.markGap(true);
   if (!Events::seesEachGap()) {
     _acquisition.forget();
   }
@@ -65,7 +67,6 @@ const uint8_t *FrameFinderOf<Format, Events>::settle() {
   if (!_timing.template isSilent<Format>() || _buffer.gapAt() == _buffer.filled()) {
     return nullptr;
   }
-  _buffer.markGap(true);
   gapBefore();
   _rejected = 0;
   _found = 0;
@@ -182,7 +183,7 @@ inline uint8_t FrameFinderOf<Format, Events>::kindAt(int start) {
 
 // In line: a call would make a line of headers cost a fifth more.
 template <typename Format, typename Events>
-__attribute__((always_inline)) inline Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t kind) {
+SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t kind) {
   const int offBy = start - _expectedAt;
   return rules::judge(Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start,
                                         _buffer.isGapCertain(), kind, _kind, offBy, offBy == 0 && _certain},
@@ -223,10 +224,10 @@ void FrameFinderOf<Format, Events>::discard(int count) {
 }  // namespace sbus
 
 // Only what others call: of a whole class nothing would be compiled in line.
-#define SBUS_COMPILE_FINDER(...)                                              \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t); \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);             \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                   \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                \
-  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();         \
-  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);   
+#define SBUS_COMPILE_FINDER(...)                                                       \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t);   \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);                      \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                            \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                         \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();                  \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

@@ -37,8 +37,8 @@ class Verdict {
   constexpr bool isAccepted() const { return _next < Open; }     ///< accept()
   constexpr bool isCertain() const { return _next == Certain; }  ///< accept(true)
   constexpr bool isOpen() const { return _next == Open; }        ///< wait()
-  constexpr int next() const { return _next; }       ///< of a rejection
-  constexpr Rejection why() const { return _why; }  ///< of a rejection
+  constexpr int next() const { return _next; }                   ///< of a rejection
+  constexpr Rejection why() const { return _why; }               ///< of a rejection
 
  private:
   enum : int_fast8_t { Certain = -2, Accepted = -1, Open = 0 };
@@ -75,6 +75,8 @@ struct Candidate {
 namespace rules {
 
 constexpr int MostNoise = 4;  ///< characters; more in a row are no noise
+/// Where the first character on a line, or behind a long silence, stands by Candidate::offBy: nothing is expected there.
+constexpr int FirstOffBy = 2;
 
 /// The flags' unused bits are 0.
 SBUS_IN_LINE bool areFlags(uint8_t byte) {
@@ -144,8 +146,7 @@ SBUS_IN_LINE int secondReading(const Candidate<Format> &c) {
 /// frame, and what follows one that lost as many characters: that part is short, and more than noise stands before it.
 template <typename Format>
 SBUS_IN_LINE bool mayBecomeCertain(const Candidate<Format> &c, int inner) {
-  return holds(Rule::waits) && c.count <= c.size() &&
-         (inner >= Format::Size / 2 || c.offBy <= MostNoise);
+  return holds(Rule::waits) && c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
 }
 
 /// A frame with further channels stands where a frame is expected, or at a gap: a noise character 2F straight before a
@@ -169,8 +170,7 @@ SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> 
 /// What `filled` characters are on nearly all lines nearly always: the line's next frame, and no character more. Says
 /// nothing but what the whole judgement would say, in 160 cycles less.
 template <typename Format>
-SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t kind,
-                                                   bool isSure) {
+SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t kind, bool isSure) {
   return filled == Format::Size && isSure && (gapAt == 0 || gapAt > Format::Size) && bytes[0] == HeaderByte &&
          areFlags(bytes[Format::Size - 2]) && endsKind(bytes[Format::Size - 1], kind);
 }
@@ -213,7 +213,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
       }
     }
   }
-  if (!c.isLines() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= 2)) {
+  if (!c.isLines() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= FirstOffBy)) {
     return Verdict::reject(Rejection::NotAtGap);
   }
   // Where its place is not certain it may be the halves of two frames.

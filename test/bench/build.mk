@@ -24,7 +24,6 @@ PARTS := Attack BadLines Bench Cost Frames LongestCall Values
 bench: $(OUT)/Bench
 .PHONY: bench sizes
 .DELETE_ON_ERROR:
-.SECONDARY:
 
 $(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o \
   $(OUT)/BoardUart.o $(OUT)/FakeClock.o $(OUT)/Print.o $(M0)/microbit.ld

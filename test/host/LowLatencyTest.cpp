@@ -36,7 +36,7 @@ int control(int, unsigned long request, ...) {
     return 0;
   }
   driver.sets++;
-  if (driver.setError != 0 || ((settings->flags ^ driver.flags) & ~ASYNC_USR_MASK) != 0) {
+  if (driver.setError != 0 || ((settings->flags ^ driver.flags) & ~static_cast<int>(ASYNC_USR_MASK)) != 0) {
     errno = driver.setError != 0 ? driver.setError : EPERM;
     return -1;
   }

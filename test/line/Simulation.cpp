@@ -156,8 +156,6 @@ class Simulation {
 
   static constexpr uint64_t Learning = 4;            // frames
   static constexpr uint64_t LongestIdle = 5;         // characters; no driver waits longer
-  static constexpr uint64_t HeldBack = 4;            // idle characters for which a receiver takes it that a driver waits
-  static constexpr uint64_t LongestBurst = 17;       // characters, likewise
   static constexpr uint64_t LongestPeriodUs = 50000;
 
   const Run _run;

@@ -68,7 +68,8 @@ player replay golden/AllChannels.csv --loop
 asked 1 'ROWS OF CSV:' - "$terminal"
 kill $player
 
-# At an adapter that hands bytes over every so many ms. A doctor listens for 1.5 s.
+# At an adapter that hands bytes over every so many ms, in true time: a busy PC may well be late, so only lines that bear
+# it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
 sources="tool/Adapter.cpp line/DamagedLine.cpp line/Payload.cpp ../extras/line/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several
 g++ -std=c++17 -O1 -I. -Iline -I../src -I../extras -I../extras/host $sources ../extras/line/ports/PseudoTerminal.cpp \
@@ -92,8 +93,6 @@ done <<END
 16 9 1 0 ALL WELL.
 16 9 16 0 ALL WELL.
 sbus2 15 16 0 ALL WELL.
-2F 18 16 0 ALL WELL.
-24 9 16 1 24 CHANNELS:
 END
 adapter 16 9 16 200
 "$SBUS" record "$terminal" "$WORK/adapter.txt" 2>"$WORK/err"

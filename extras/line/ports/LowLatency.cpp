@@ -8,10 +8,16 @@
 
 namespace line {
 
+namespace {
+
+constexpr int Flag = static_cast<int>(ASYNC_LOW_LATENCY);  // the settings' flags are an int
+
+}  // namespace
+
 LowLatency::LowLatency(int file, Control control) : _file(file), _control(control) {
   serial_struct settings{};
-  if (_control(_file, TIOCGSERIAL, &settings) == 0 && (settings.flags & ASYNC_LOW_LATENCY) == 0) {
-    settings.flags |= ASYNC_LOW_LATENCY;
+  if (_control(_file, TIOCGSERIAL, &settings) == 0 && (settings.flags & Flag) == 0) {
+    settings.flags |= Flag;
     _isOurs = _control(_file, TIOCSSERIAL, &settings) == 0;
   }
 }
@@ -19,7 +25,7 @@ LowLatency::LowLatency(int file, Control control) : _file(file), _control(contro
 LowLatency::~LowLatency() {
   serial_struct settings{};
   if (_isOurs && _control(_file, TIOCGSERIAL, &settings) == 0) {
-    settings.flags &= ~ASYNC_LOW_LATENCY;
+    settings.flags &= ~Flag;
     _control(_file, TIOCSSERIAL, &settings);
   }
 }
