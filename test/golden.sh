@@ -5,6 +5,7 @@
 #   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has extras/host/OPTIONS, to
 #                                  which a second of frames says nothing
 #   golden/README.csv              what README.md's ten lines print
+#   verdicts/LINES                 what the sketch Diagnose finds on each of these lines
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
@@ -103,6 +104,18 @@ silence() {
 }
 silence '120 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00' 'ends before this sketch prints'
 silence '120 E5 03 1F' 'has no frame'
+
+mkdir -p "$build/verdicts"
+verdicts/lines.sh "$build/verdicts"
+grep -v '^#' verdicts/LINES >"$build/lines"
+while IFS='|' read -r finding _ _ by arguments; do
+  case $by in *d*) ;; *) continue ;; esac
+  options=$(echo " $arguments" | sed "s,^ sim, --seconds 3.5,; s,^ , --recording ,; s,--recording --,--,; s,--baud,--line-baud,; s,WORK,$build/verdicts,")
+  # shellcheck disable=SC2086  # the options are words
+  timeout 300 "$build/Diagnose" --simulated-time $options </dev/null 2>"$build/err" | grep -m 1 -v '^begin' >"$build/out"
+  grep "^$finding" "$build/out" || { cat "$build/out" "$build/err"; false; }
+  verdict $? "Diagnose of $arguments: $finding"
+done <"$build/lines"
 
 while IFS= read -r message; do
   bad_recording "$build/DecodeSBus" "$message"

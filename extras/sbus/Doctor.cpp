@@ -13,8 +13,8 @@
 #include "Stop.h"
 #include "Verbs.h"
 #include "line/CsvRows.h"
+#include "line/Examination.h"
 #include "line/Observer.h"
-#include "sbus/Diagnosis.h"
 
 namespace tool {
 
@@ -40,8 +40,10 @@ class Heard {
   // For so long; if frames come, for as long as `framesUs`.
   void listen(Input &input, uint64_t us, uint64_t framesUs) {
     input.run(
-        [this](const line::Character &character) {
-          _firstUs = _observer.characters() == 0 ? character.endUs : _firstUs;
+        [this, us](const line::Character &character) {
+          if (us == ToItsEnd && _observer.characters() == 0) {
+            _examination.begin(_observer, character.endUs);
+          }
           _lastUs = character.endUs;
           _isLate = _isLate || character.lateUs > 0;
           _observer.put(character);
@@ -49,7 +51,7 @@ class Heard {
         },
         [&](uint64_t nowUs) {
           _observer.idleUntil(input.knownUs());
-          _heardUs = us == ToItsEnd ? _lastUs - _firstUs + pauseUs() : nowUs;
+          _endUs = us == ToItsEnd ? _lastUs + pauseUs() : nowUs;
           if (nowUs >= (framesCome() ? framesUs : us)) {
             input.end();
           }
@@ -65,9 +67,7 @@ class Heard {
 
   bool framesCome() const { return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > ms(); }
 
-  sbus::Trial trial() const {
-    return {_settings.baud, _settings.polarity != line::Polarity::Uninverted, ms(), _observer.counters16()};
-  }
+  sbus::Trial trial() const { return _examination.trial(_observer, _settings, _endUs); }
 
   // "100000 baud, 8E2, inverted: 55 frames, 0 bytes of no frame"
   std::string text() const {
@@ -125,17 +125,17 @@ class Heard {
     const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
     return std::max(_observer.gaps().low, frameUs) - frameUs;
   }
-  uint32_t ms() const { return std::max<uint32_t>(1, static_cast<uint32_t>(_heardUs / 1000)); }
+  uint32_t ms() const { return trial().ms; }
 
   const line::LineSettings _settings;
   line::Observer _observer;
+  line::Examination _examination;
   KindOfLine _kind;
   std::vector<uint64_t> _ends;  // of the frames, in us
   line::CsvRows _rows;
   bool _isCsv = false;
-  uint64_t _firstUs = 0;  // of the characters
-  uint64_t _lastUs = 0;
-  uint64_t _heardUs = 0;
+  uint64_t _lastUs = 0;  // of the characters
+  uint64_t _endUs = 0;   // of what was heard
   bool _isLate = false;
   std::string _note;
 };
@@ -200,7 +200,7 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
   const sbus::Finding finding = diagnosis.finding();
   write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
         advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures() + heard[diagnosis.best()]->note());
-  return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
+  return line::isWell(finding);
 }
 
 bool examine(const SourceOption &source) {

@@ -71,6 +71,7 @@ export default async function () {
 
   await check('24 channels: all of them, no switches', async (page) => {
     await page.selectOption('#receiver', '24');
+    await reads(page, '#verdict-text', '24 CHANNELS: frames come, but of 24 channels, not of 16.');
     await reads(page, '#bars li:nth-child(24) .chip', 'CH24');
     assert.equal(await page.locator('#bars li:visible').count(), 24);
     await raw(page, 24, /^1[234]\d\d$/);

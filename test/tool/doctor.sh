@@ -1,5 +1,5 @@
 #!/bin/sh
-# Asks `sbus doctor` about each line of tool/DOCTOR, and about ports, and says "ok ..." or "FAILED ...".
+# Asks `sbus doctor` about each line of verdicts/LINES, and about ports, and says "ok ..." or "FAILED ...".
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -20,30 +20,15 @@ asked() {
   verdict $status "doctor $*: $finding"
 }
 
-# The radio is off from 9.5 s on; the first second of that without failsafe.
-"$SBUS" record sim "$WORK/flight.txt" --simulated-time --seconds 11 2>"$WORK/err"
-sed -n '/^#/p' "$WORK/flight.txt" >"$WORK/head.txt"
-awk '!/^#/ && $1 > 10100000' "$WORK/flight.txt" | cat "$WORK/head.txt" - >"$WORK/failsafe.txt"
-awk '/^#/ { print; next } $1 < 9000000 { $1 += 10000000 * ($1 > 8800000); print }' "$WORK/flight.txt" >"$WORK/gap.txt"
-awk '!/^#/ && $1 > 9520000 && $1 < 9950000' "$WORK/flight.txt" | cat "$WORK/head.txt" - >"$WORK/no-radio.txt"
-# Futaba's, of the frame of recordings/sbus2.txt: a sensor answers 04; five bytes come after each 08.
-awk -v sbus2="$WORK/sbus2.txt" -v r7003sb="$WORK/r7003sb.txt" -v other="$WORK/other.txt" 'BEGIN {
-  frame = "0F E9 03 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00"
-  split("04 14 24 34", ends, " ")
-  for (i = 0; i < 200; i++) {
-    print 15000 * i + 120, frame, ends[i % 4 + 1] >sbus2
-    if (i % 4 == 0) print 15000 * i + 5120, "03 C0 2E" >sbus2
-    print 15000 * i + 120, frame, "08 00 03 C0 33 00" >r7003sb
-    print 15000 * i + 120, "55 AA 01 02 03 04 05 06" >other
-  }
-}'
-"$SBUS" record sim "$WORK/fast.txt" --simulated-time --seconds 2 --baud 200000 2>"$WORK/err"
-grep -v '^#' tool/DOCTOR >"$WORK/doctor"
-while IFS='|' read -r status finding figures arguments; do
+verdicts/lines.sh "$WORK"
+grep -v '^#' verdicts/LINES >"$WORK/lines"
+while IFS='|' read -r finding well figures by arguments; do
+  case $by in *s*) ;; *) continue ;; esac
   case $arguments in sim*) arguments="$arguments --simulated-time" ;; esac
+  [ "$well" = yes ] && status=0 || status=1
   # shellcheck disable=SC2086,SC2046  # the arguments are words
-  asked "$status" "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
-done <"$WORK/doctor"
+  asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
+done <"$WORK/lines"
 
 # player VERB ARGUMENTS...: on a pseudo-terminal, `terminal`
 player() {

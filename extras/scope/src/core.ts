@@ -193,8 +193,8 @@ export class Core {
     this.native.beginRound();
   }
 
-  addTrial(setting: Setting, ms: number): void {
-    this.native.addTrial(setting.baud, Number(setting.inverted), ms);
+  addTrial(): void {
+    this.native.addTrial();
   }
 
   endRound(): { finding: Finding; best: number } {
@@ -206,8 +206,8 @@ export class Core {
   }
 
   // Of what came since mark().
-  verdict(ms: number): Finding {
-    return this.native.verdict(ms);
+  get verdict(): Finding {
+    return this.native.verdict();
   }
 
   findingText(finding: Finding): string {
@@ -216,6 +216,10 @@ export class Core {
 
   findingCure(finding: Finding): string {
     return this.words(this.native.findingCure(finding));
+  }
+
+  isWell(finding: Finding): boolean {
+    return this.native.findingIsWell(finding) !== 0;
   }
 
   // Values.

@@ -13,7 +13,8 @@ export interface Verdict extends Problem {
   severity: Severity;
 }
 
-const severities: Record<Finding, Severity> = {
+// Of what is not well.
+const severities: Partial<Record<Finding, Severity>> = {
   [Finding.NoSignal]: 'alarm',
   [Finding.NoFrames]: 'alarm',
   [Finding.Channels24]: 'note',
@@ -25,8 +26,6 @@ const severities: Record<Finding, Severity> = {
   [Finding.Failsafe]: 'alarm',
   [Finding.NoRadio]: 'alarm',
   [Finding.Lossy]: 'warning',
-  [Finding.AllWellAndMore]: 'good',
-  [Finding.AllWell]: 'good',
 };
 
 export const words = (setting: Setting): string =>
@@ -63,13 +62,13 @@ export class Doctor {
     const elapsed = ms - this.sinceMs;
     if (this.trying) {
       if (elapsed >= trialMs) {
-        await this.endTrial(elapsed);
+        await this.endTrial();
       }
       return;
     }
     this.seen ||= status.frames > 0 || status.rows > 0;
     if (elapsed >= patienceMs) {
-      this.finding = this.core.verdict(elapsed);
+      this.finding = this.core.verdict;
       this.watch(status);
       const mayTry = this.lineSettings.length > 1 && !this.source.problem && ms >= this.pausedUntilMs;
       if (!this.seen && mayTry && status.otherLines === 0) {
@@ -119,9 +118,9 @@ export class Doctor {
     this.sinceMs = performance.now();
   }
 
-  private async endTrial(elapsedMs: number): Promise<void> {
+  private async endTrial(): Promise<void> {
     this.sinceMs = Infinity; // until the next one has begun
-    this.core.addTrial(this.lineSettings[this.trial], elapsedMs);
+    this.core.addTrial();
     if (this.trial + 1 < this.lineSettings.length) {
       await this.beginTrial(this.trial + 1);
       return;
@@ -144,7 +143,7 @@ export class Doctor {
     return {
       text: this.core.findingText(finding),
       cure: this.core.findingCure(finding),
-      severity: severities[finding],
+      severity: this.core.isWell(finding) ? 'good' : (severities[finding] ?? 'alarm'),
     };
   }
 }

@@ -25,6 +25,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   records.clear();
   rows = BoardRows();
   observer.reset(nowUs, settings.characterUs());
+  examination.begin(observer, nowUs);
   _reads = line::PortReads(settings.characterUs());
   _turnUs = nowUs;
 }

@@ -8,6 +8,7 @@
 #include "PlayedLine.h"
 #include "Recorder.h"
 #include "SimulatedLine.h"
+#include "line/Examination.h"
 #include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/PortReads.h"
@@ -42,8 +43,11 @@ class Scope {
   void receivedBad(uint64_t nowUs);
   // All that was through by then; less if there are records enough.
   void advance(uint64_t nowUs);
+  // The line's time, as it was told last: it stands still while a recording does.
+  uint64_t nowUs() const { return _turnUs; }
 
   line::Observer observer;
+  line::Examination examination;             // of what came since the port was opened, or since mark()
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
   std::unique_ptr<SimulatedLine> simulated;  // one of the two, or none of them: a port, which the browser reads

@@ -1,37 +1,11 @@
 // What is wrong with the line, in the words of sbus/Diagnosis.
 #include "Scope.h"
-#include "sbus/Diagnosis.h"
 
 using namespace scope;
 
 namespace {
 
 sbus::Diagnosis trials;
-
-// A character that a port has dropped is a byte of no frame, too.
-sbus::Counters seen() {
-  sbus::Counters counters = theScope.observer.counters();
-  counters.skippedBytes += static_cast<uint32_t>(theScope.observer.badCharacters());
-  return counters;
-}
-
-sbus::Counters since(const sbus::Counters &before, const sbus::Counters &now) {
-  sbus::Counters counters = now;
-  counters.frames -= before.frames;
-  counters.lostFrames -= before.lostFrames;
-  counters.failsafeFrames -= before.failsafeFrames;
-  counters.refusedByEnd -= before.refusedByEnd;
-  counters.refusedByFlags -= before.refusedByFlags;
-  counters.refusedByExtra -= before.refusedByExtra;
-  counters.skippedBytes -= before.skippedBytes;
-  counters.resyncs -= before.resyncs;
-  counters.overflows -= before.overflows;
-  counters.extraFrames -= before.extraFrames;
-  counters.otherFrames -= before.otherFrames;
-  return counters;
-}
-
-sbus::Counters atMark;
 
 }  // namespace
 
@@ -40,9 +14,9 @@ EXPORT(beginRound)()->void {
   trials.begin();
 }
 
-// What came since the port was opened, `ms` ago, with this setting.
-EXPORT(addTrial)(double baud, int inverted, unsigned ms)->void {
-  trials.add({static_cast<unsigned long>(baud), inverted != 0, ms, seen()});
+// What came since the port was opened, with the setting that it has.
+EXPORT(addTrial)()->void {
+  trials.add(theScope.examination.trial(theScope.observer, theScope.settings, theScope.nowUs()));
 }
 
 EXPORT(roundFinding)()->int {
@@ -54,13 +28,13 @@ EXPORT(roundBest)()->int {
 
 // From here on verdict() counts.
 EXPORT(mark)()->void {
-  atMark = seen();
+  theScope.examination.begin(theScope.observer, theScope.nowUs());
 }
 
-// Of the setting as it is, and what came since mark(), `ms` ago.
-EXPORT(verdict)(unsigned ms)->int {
+// Of the setting as it is, and what came since mark(), or since the port was opened.
+EXPORT(verdict)()->int {
   sbus::Diagnosis diagnosis;
-  diagnosis.add({sbus::Baud, true, ms, since(atMark, seen())});
+  diagnosis.add(theScope.examination.trial(theScope.observer, theScope.settings, theScope.nowUs()));
   return static_cast<int>(diagnosis.finding());
 }
 
@@ -69,4 +43,7 @@ EXPORT(findingText)(int finding)->const char * {
 }
 EXPORT(findingCure)(int finding)->const char * {
   return sbus::cure(static_cast<sbus::Finding>(finding));
+}
+EXPORT(findingIsWell)(int finding)->int {
+  return line::isWell(static_cast<sbus::Finding>(finding));
 }

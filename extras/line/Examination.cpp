@@ -1,0 +1,46 @@
+#include "Examination.h"
+
+#include <algorithm>
+
+namespace line {
+
+namespace {
+
+// Counters that a change of the decoder that is right has set back count from 0.
+sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
+  const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
+  subtract(now.frames, before.frames);
+  subtract(now.lostFrames, before.lostFrames);
+  subtract(now.failsafeFrames, before.failsafeFrames);
+  subtract(now.refusedByEnd, before.refusedByEnd);
+  subtract(now.refusedByFlags, before.refusedByFlags);
+  subtract(now.refusedByExtra, before.refusedByExtra);
+  subtract(now.skippedBytes, before.skippedBytes);
+  subtract(now.resyncs, before.resyncs);
+  subtract(now.overflows, before.overflows);
+  subtract(now.extraFrames, before.extraFrames);
+  subtract(now.otherFrames, before.otherFrames);
+  return now;
+}
+
+}  // namespace
+
+void Examination::begin(const Observer &observer, uint64_t nowUs) {
+  _before = observer.counters16();
+  _badBefore = observer.badCharacters();
+  _beganUs = nowUs;
+}
+
+sbus::Trial Examination::trial(const Observer &observer, const LineSettings &port, uint64_t nowUs) const {
+  const uint64_t ms = (nowUs - std::min(nowUs, _beganUs)) / 1000;
+  sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
+                       static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
+                       difference(observer.counters16(), _before)};
+  // Bad characters never reach a decoder, and damagedFrames() counts on that. But a line of bad ones only is no silence.
+  if (trial.counters.frames == 0 && trial.counters.skippedBytes == 0) {
+    trial.counters.skippedBytes = static_cast<uint32_t>(observer.badCharacters() - _badBefore);
+  }
+  return trial;
+}
+
+}  // namespace line

@@ -1,0 +1,109 @@
+// What the page finds on each line of verdicts/LINES, where `sbus doctor` and the sketch Diagnose are asked, too. The
+// library itself is asked, as src/doctor.ts does it: the settings of a port one after the other, unless frames come.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { build, check, root } from './support.mjs';
+
+const test = path.join(root, 'test');
+const trialUs = 500000;
+const watchUs = 1000000;
+const settings = [[100000, 1], [200000, 1], [100000, 0], [200000, 0]];
+
+class Page {
+  static async load() {
+    const noSystem = new Proxy({}, { get: () => () => 52 });
+    const wasm = readFileSync(path.join(build, 'scope.wasm'));
+    const { instance } = await WebAssembly.instantiate(wasm, { wasi_snapshot_preview1: noSystem });
+    instance.exports._initialize();
+    return Object.assign(new Page(), { wasm: instance.exports });
+  }
+
+  words(at) {
+    const bytes = new Uint8Array(this.wasm.memory.buffer, at);
+    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+
+  give(bytes, take) {
+    new Uint8Array(this.wasm.memory.buffer, this.wasm.transferBuffer()).set(bytes);
+    take(bytes.length);
+  }
+
+  advance(us) {
+    while (this.wasm.advance(us) >= 256) this.wasm.takenRecords();
+    this.wasm.takenRecords();
+  }
+
+  simulated(option) {
+    const inverted = Number(!option('uninverted'));
+    this.wasm.openSimulated(0, option('channels') ?? 16, option('noise') ?? 0, option('baud') ?? 100000, inverted);
+    this.wasm.setPort(0, 100000, 1);
+    this.wasm.cutWire(Number(option('silent') ?? 0));
+    this.wasm.mark();
+    this.advance(watchUs);
+    if (new Float64Array(this.wasm.memory.buffer, this.wasm.status(watchUs), 9)[8] > 0) {
+      return this.wasm.verdict();
+    }
+    this.wasm.beginRound();
+    settings.forEach(([baud, way], i) => {
+      this.wasm.setPort(watchUs + i * trialUs, baud, way);
+      this.advance(watchUs + (i + 1) * trialUs);
+      this.wasm.addTrial();
+    });
+    return this.wasm.roundFinding();
+  }
+
+  recording(text) {
+    const bytes = new TextEncoder().encode(text);
+    this.give(bytes.subarray(0, 4096), (count) => this.wasm.openRecording(count));
+    for (let at = 0; at < bytes.length; at += 65536) {
+      this.give(bytes.subarray(at, at + 65536), (count) => this.wasm.recordingText(count));
+    }
+    assert.equal(this.words(this.wasm.endRecording()), '');
+    this.wasm.mark();
+    this.advance(this.wasm.recordingLengthUs() + 1000);
+    return this.wasm.verdict();
+  }
+
+  // A line of a recording of an adapter is what it has brought at once.
+  port(text) {
+    this.wasm.openPort(0, 100000, 0);
+    this.wasm.mark();
+    let nowUs = 0;
+    for (const [, us, words] of text.matchAll(/^(\d+)~\d+ (.*)$/gm)) {
+      const bytes = words.split(' ').map((word) => parseInt(word, 16));
+      nowUs = Number(us) + 120 * (bytes.length - 1);
+      this.advance(nowUs - 1000);
+      this.give(bytes, (count) => this.wasm.received(count, nowUs));
+    }
+    this.advance(nowUs + 100000);
+    return this.wasm.verdict();
+  }
+}
+
+export default async function () {
+  const folder = mkdtempSync(path.join(os.tmpdir(), 'lines-'));
+  execFileSync('sh', [path.join(test, 'verdicts/lines.sh'), folder]);
+  for (const line of readFileSync(path.join(test, 'verdicts/LINES'), 'utf8').trim().split('\n')) {
+    const [finding, well, , by, source] = line.split('|');
+    if (line.startsWith('#') || !by.includes('p')) {
+      continue;
+    }
+    await check(`the page finds on ${source}: ${finding}`, async () => {
+      const page = await Page.load();
+      const option = (name) => new RegExp(`--${name}(?: (\\w+))?`).exec(source)?.map((word) => word ?? true)[1];
+      const text = source.startsWith('sim') ? '' : readFileSync(path.resolve(test, source.replace('WORK', folder)), 'utf8');
+      const found = text === '' ? [page.simulated(option)] : [page.recording(text)];
+      if (text.includes('~')) {
+        found.push(page.port(text));
+      }
+      for (const each of found) {
+        assert.equal(page.words(page.wasm.findingText(each)).slice(0, finding.length), finding);
+        assert.equal(page.wasm.findingIsWell(each), Number(well === 'yes'));
+      }
+    });
+  }
+  rmSync(folder, { recursive: true });
+}

@@ -1,0 +1,69 @@
+#!/bin/sh
+# Writes the recordings that verdicts/LINES names into a folder, three seconds each: as long as a round of the sketch
+# Diagnose and more.   lines.sh FOLDER
+set -eu
+folder=$1
+
+# lines KIND: one of S.Bus in the form of a recording
+lines() {
+  awk -v kind="$1" 'BEGIN {
+    seed = 20181
+    srand(seed)
+    print "# verdicts/lines.sh, seed " seed
+    print kind == "fast" ? "# 200000 baud, 8E2, inverted" : "# 100000 baud, 8E2, inverted"
+    neutral = "F8 C0 07 3E F0 81 0F 7C E0 03 1F"  # eight channels of 992
+    sixteen = "0F E5 03 1F " neutral " F8 C0 07 3E F0 81 0F 7C"
+    twentyfour = "0F E5 03 1F " neutral " " neutral " F8 C0 07 3E F0 81 0F 7C"
+    futaba = "0F E9 03 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00"
+    split("04 14 24 34", ends, " ")
+    periodUs = kind ~ /^(sbus2|r7003sb|other)$/ ? 15000 : 9000
+    silenceUs = kind == "gap" ? 10000000 : 0
+    for (us = 120; us < silenceUs + 3000000 && kind !~ /^(noise|bad)$/; us += periodUs) {
+      count++
+      if (kind == "sbus2") {  # a sensor answers each 04
+        print us, futaba, ends[count % 4 + 1]
+        if (count % 4 == 0) print us + 5000, "03 C0 2E"
+      } else if (kind == "r7003sb") print us, futaba, "08 00 03 C0 33 00"
+      else if (kind == "other") print us, "55 AA 01 02 03 04 05 06"
+      else if (kind == "24") print us, twentyfour, "00 00"
+      else if (kind == "failsafe") print us, sixteen, "0C 00"
+      else if (kind == "no-radio") print us, sixteen, "04 00"
+      else if (kind == "half") print us, substr(sixteen, 1, 3 * 12)
+      else if (kind != "cut" || count < 4 || us > 2991000) print us, sixteen, "00 00"  # cut for all but three frames
+      if (count == 167) us += silenceUs
+    }
+    for (us = 120; us < 3000000 && kind ~ /^(noise|bad)$/; us += 120 + int(rand() * 4000)) {
+      printf "%d %02X%s\n", us, int(rand() * 256), kind == "bad" || rand() < 0.5 ? "!" : ""
+    }
+  }'
+}
+
+# at_adapter: what an FTDI adapter makes of it that hands bytes over every 16 ms, in packets of 62
+at_adapter() {
+  awk '
+    function packet(us,  i, first) {
+      first = us - 120 * (count - 1)
+      if (first < next_) first = next_
+      for (i = 0; i < count; i++) printf "%s%s", i == 0 ? first "~18000 " : " ", bytes[i]
+      if (count > 0) print ""
+      next_ = first + 120 * count
+      count = 0
+    }
+    /^#/ { print; next }
+    {
+      for (field = 2; field <= NF; field++) {
+        us = $1 + 120 * (field - 2)
+        for (; timer < us; timer += 16000) packet(timer)
+        bytes[count++] = $field
+        if (count == 62) packet(us)
+      }
+    }
+    END { packet(timer) }'
+}
+
+for kind in fast gap failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
+  lines $kind >"$folder/$kind.txt"
+done
+for kind in good 24 sbus2; do
+  at_adapter <"$folder/$kind.txt" >"$folder/adapter-$kind.txt"
+done
