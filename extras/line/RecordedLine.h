@@ -10,10 +10,11 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
-  explicit RecordedLine(Recording recording) : _recording(std::move(recording)) {}
+  // `leadUs`: so long after the port was opened the recording begins; a sketch would miss its first character otherwise.
+  explicit RecordedLine(Recording recording, uint64_t leadUs = 0)
+      : _recording(std::move(recording)), _leadUs(leadUs) {}
 
-  // The recording begins a moment after the sketch has opened the port: nobody wants to miss its beginning.
-  void opened(uint64_t nowUs) override { _zeroUs = nowUs + LeadUs; }
+  void opened(uint64_t nowUs) override { _zeroUs = nowUs + _leadUs; }
 
   bool next(uint64_t nowUs, Character &character) override;
 
@@ -23,11 +24,11 @@ class RecordedLine : public Line {
   bool finished(uint64_t nowUs) const override;
 
  private:
-  static constexpr uint64_t LeadUs = 1000;
   static constexpr uint64_t TailUs = 300000;
 
   Recording _recording;
-  uint64_t _zeroUs = LeadUs;
+  uint64_t _leadUs;
+  uint64_t _zeroUs = 0;
   size_t _index = 0;
 };
 

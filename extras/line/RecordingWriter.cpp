@@ -26,7 +26,7 @@ void RecordingWriter::opened(const LineSettings &settings) {
 }
 
 void RecordingWriter::put(const Character &character) {
-  const uint64_t earliestUs = _lastEndUs == 0 ? 0 : _lastEndUs + _settings.characterUs();
+  const uint64_t earliestUs = _begun ? _lastEndUs + _settings.characterUs() : 0;
   const uint64_t endUs = std::max(character.endUs, earliestUs);
   if (_onLine == LineMax || endUs != earliestUs || character.lateUs != _lateUs) {
     endLine();
@@ -41,6 +41,7 @@ void RecordingWriter::put(const Character &character) {
   _line += Digits[character.value & 0xF];
   _line += character.bad ? "!" : "";
   _lastEndUs = endUs;
+  _begun = true;
   _onLine++;
 }
 

@@ -34,6 +34,7 @@ class RecordingWriter {
   std::string _line;  // not yet complete
   bool _opened = false;
   LineSettings _settings;
+  bool _begun = false;  // a character has come
   uint64_t _lastEndUs = 0;
   uint32_t _lateUs = 0;  // of its characters
   unsigned _onLine = 0;  // characters of it

@@ -10,12 +10,18 @@
 
 namespace line {
 
+namespace {
+
+constexpr uint64_t SketchLeadUs = 1000;
+
+}  // namespace
+
 std::unique_ptr<Line> Source::open() const {
   std::unique_ptr<Line> line;
   if (!recording.empty()) {
     Recording read = readRecording(recording, settings.characterUs());
     const bool isLate = read.characters.isLate();
-    line = std::make_unique<RecordedLine>(std::move(read));
+    line = std::make_unique<RecordedLine>(std::move(read), isForSketch ? SketchLeadUs : 0);
     if (isLate && isForSketch) {
       line = std::make_unique<RestoredLine>(std::move(line), settings.characterUs());
     }

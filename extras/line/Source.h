@@ -19,7 +19,7 @@ struct Source {
   Channels channels = Channels::Sixteen;
   unsigned noise = 0;  // disturbances per second
   LineSettings settings;
-  bool isForSketch = false;  // a late port's recording gets its gaps back
+  bool isForSketch = false;  // a recording begins a moment after the port is opened, a late port's gets its gaps back
 
   // Throws std::runtime_error if the recording cannot be read.
   std::unique_ptr<Line> open() const;

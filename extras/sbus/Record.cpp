@@ -17,12 +17,16 @@ namespace tool {
 
 namespace {
 
-// What comes is kept until it is clear whether it is S.Bus or a sketch's rows.
+// What comes is kept until it is clear whether it is S.Bus or a sketch's rows. A recording's copy is a recording, with
+// its times, of rows also.
 class Recorder {
  public:
-  Recorder(const std::string &source, const line::LineSettings &settings, const Put &write)
+  Recorder(const std::string &source, const line::LineSettings &settings, bool isCopy, const Put &write)
       : _source(source), _settings(settings), _write(write) {
     _observer.reset(0, settings.characterUs());
+    if (isCopy) {
+      begin(Kind::Characters);
+    }
   }
 
   void put(const line::Character &character) {
@@ -30,7 +34,7 @@ class Recorder {
     const bool line = _rows.put(character);
     if (_kind == Kind::Rows) {
       writeRow(line);
-    } else if (_kind == Kind::SBus) {
+    } else if (_kind == Kind::Characters) {
       _writer.put(character);
     } else {
       _first.push_back(character);
@@ -42,14 +46,14 @@ class Recorder {
   // After the last character.
   void finish() {
     if (_kind == Kind::Unknown && !_first.empty()) {
-      begin(Kind::SBus);
+      begin(Kind::Characters);
     }
     _writer.finish();
     flush();
   }
 
   // Frames or rows have come.
-  bool knows() const { return _kind == Kind::Rows || _observer.counters().frames > 0; }
+  bool knows() const { return _rows.recognised() || _observer.counters().frames > 0; }
 
   std::string summary() {
     if (_kind == Kind::Rows) {
@@ -62,7 +66,7 @@ class Recorder {
   }
 
  private:
-  enum class Kind { Unknown, SBus, Rows };
+  enum class Kind { Unknown, Characters, Rows };
 
   static constexpr size_t TextMax = 4096;  // bytes of a text whose rows are none
 
@@ -72,13 +76,13 @@ class Recorder {
     if (_rows.recognised()) {
       begin(Kind::Rows);
     } else if (!text || _first.size() == TextMax) {
-      begin(Kind::SBus);
+      begin(Kind::Characters);
     }
   }
 
   void begin(Kind kind) {
     _kind = kind;
-    if (kind == Kind::SBus) {
+    if (kind == Kind::Characters) {
       _writer.comment("sbus record " + _source);
       _writer.opened(_settings);
       for (const line::Character &character : _first) {
@@ -129,15 +133,20 @@ class Recorder {
 void run(const SourceOption &source, const std::string &name) {
   const std::unique_ptr<Input> input = source.open();
   writeTo(name, File::New, [&](const Put &put) {
-    Recorder recorder(source.name(), input->settings(), put);
+    Recorder recorder(source.name(), input->settings(), source.isFile() && source.isWire(), put);
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
     SilenceNote silence(source.name(), "frames");
     uint64_t endUs = 0;
-    input->run([&recorder](const line::Character &character) { recorder.put(character); },
-               [&](uint64_t nowUs) {
-                 endUs = nowUs;
-                 silence.tick(nowUs, recorder.knows());
-               });
+    const bool isFile = source.isFile();  // a file ends with its last character, however long that is waited for
+    input->run(
+        [&](const line::Character &character) {
+          recorder.put(character);
+          endUs = character.endUs;
+        },
+        [&](uint64_t nowUs) {
+          endUs = isFile ? endUs : nowUs;
+          silence.tick(nowUs, recorder.knows());
+        });
     recorder.finish();
     std::fprintf(stderr, "%s: %.1f s, %s\n", name.c_str(), static_cast<double>(endUs) / 1e6,
                  recorder.summary().c_str());

@@ -195,11 +195,30 @@ refused "sbus plot: $work/times.csv: has a column of times, as sbus csv and the 
   "$sbus" record sim - --simulated-time --seconds 0.2 2>"$work/err" | cmp - "$work/sim.txt"
 verdict $? "record writes to standard output, too"
 
-"$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err" &&
-  "$sbus" record "$work/noisy.txt" "$work/again.txt" 2>>"$work/err" &&
-  bytes "$work/noisy.txt" >"$work/noisy.bytes" && bytes "$work/again.txt" | cmp - "$work/noisy.bytes" &&
-  grep -q '!' "$work/noisy.bytes" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
-verdict $? "a recording of a recording has the same characters, the bad ones too"
+# characters RECORDING: each character with its time, one a line
+characters() {
+  awk -v us="$2" '!/^#/ { late = $1; sub(/^[0-9]+/, "", late); for (i = 2; i <= NF; i++) print $1 + us * (i - 2) late, $i }' "$1" | tr -d '\r'
+}
+mkdir "$work/verdicts"
+verdicts/lines.sh "$work/verdicts"
+"$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err"
+grep -q '!' "$work/noisy.txt" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
+verdict $? "a recording of a noisy line"
+echo "0 $(printf "$frame" | od -An -v -tx1 | tr -d '\n')" >"$work/at-0.txt"
+for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordings/sbus2.txt recordings/board/rows.txt "$work/verdicts/fast.txt" "$work/verdicts/adapter-24.txt"; do
+  rm -f "$work/copy.txt" "$work/again.txt"
+  us=$(case $recording in *fast*) echo 60 ;; *rows*) echo 86 ;; *) echo 120 ;; esac)
+  "$sbus" record "$recording" "$work/copy.txt" 2>"$work/err" && "$sbus" record "$work/copy.txt" "$work/again.txt" 2>>"$work/err"
+  characters "$recording" "$us" | tr a-f A-F >"$work/characters" && [ -s "$work/characters" ] &&
+    characters "$work/again.txt" "$us" | cmp - "$work/characters" && grep -v '^#' "$work/copy.txt" >"$work/lines.copy" &&
+    grep -v '^#' "$work/again.txt" | cmp - "$work/lines.copy"
+  verdict $? "a copy of a copy of ${recording#"$work/"}: each character at the same microsecond, bad ones and late ones also"
+done
+awk '!/^#/ { printf "%.6f\n", ($1 + 120 * (NF - 2)) / 1e6 }' recordings/paper.txt >"$work/ends"
+"$sbus" hex recordings/paper.txt | awk '{ print $1 }' | cmp - "$work/ends" &&
+  "$sbus" csv recordings/paper.txt --every-frame --columns time,ch1 | cut -d, -f1 | cmp - "$work/ends" &&
+  "$sbus" record recordings/paper.txt - 2>&1 >"$work/out" | grep -q ': 0.4 s, 150 characters'
+verdict $? "times are the recording's own"
 
 player replay recordings/paper.txt
 "$sbus" record "$terminal" "$work/paper.txt" 2>"$work/err"
