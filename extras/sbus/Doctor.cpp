@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "Format.h"
 #include "KindOfLine.h"
 #include "Output.h"
 #include "SourceOption.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest receiver known (25 Hz)
 constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
 constexpr uint64_t FramesUs = 1500000;  // of a setting that is right from the beginning: more to judge by
-constexpr uint64_t SilenceUs = 100000;  // no time from one frame to the next
+constexpr uint64_t SilenceUs = 100000;  // between characters: no frame period is so long
 constexpr uint64_t ToItsEnd = UINT64_MAX;
 
 // What came with a setting.
@@ -43,8 +44,9 @@ class Heard {
         [this, us](const line::Character &character) {
           if (us == ToItsEnd && _observer.characters() == 0) {
             _examination.begin(_observer, character.endUs);
+            _lastUs = character.endUs;
           }
-          _lastUs = character.endUs;
+          heard(character.endUs);
           _isLate = _isLate || character.lateUs > 0;
           _observer.put(character);
           _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
@@ -57,6 +59,9 @@ class Heard {
           }
         });
     _observer.finish();
+    if (us != ToItsEnd) {
+      heard(std::max(_endUs, _lastUs));
+    }
     _note = input.note();
   }
 
@@ -74,23 +79,29 @@ class Heard {
     const std::string bad = std::to_string(_observer.badCharacters());
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
-                   : std::to_string(counters().frames) + " frames" + (_observer.has24() ? " of 24 channels" : "") +
-                         ", " + std::to_string(counters().skippedBytes) +
+                   : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " + std::to_string(counters().skippedBytes) +
                          (counters().skippedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
            (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
            "\n";
   }
 
-  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag"
+  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it by
+  // the times of the frames: one frame has no rate.
   std::string figures() const {
     const sbus::Counters &seen = counters();
     if (seen.frames == 0) {
       return {};
     }
-    const auto aSecond = [this](uint64_t count) { return std::to_string((count * 1000 + ms() / 2) / ms()); };
-    return _kind.text() + ": " + aSecond(seen.frames) + " frames a second and " + aSecond(sbus::damagedFrames(seen)) +
-           " damaged, " + std::to_string(usualPeriodUs()) + " us from one to the next; " +
-           std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) + " % with the lost-frame flag\n";
+    const std::vector<uint64_t> periods = this->periods();
+    const uint64_t us = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
+    const auto aSecond = [us](uint64_t count) { return std::to_string((count * 1000000 + us / 2) / us); };
+    const std::string rate = us == 0 ? frames() + ", too few for a rate"
+                                     : aSecond(periods.size()) + " frames a second and " +
+                                           aSecond(sbus::damagedFrames(seen)) + " damaged, " +
+                                           std::to_string(usualPeriodUs(periods, us)) + " us from one to the next";
+    return _kind.text() + ": " + rate + "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) +
+           " % with the lost-frame flag" +
+           (_silentUs == 0 ? "" : format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
   }
 
  private:
@@ -101,22 +112,36 @@ class Heard {
     }
   }
 
-  // The median, since a line may have been silent for hours; the mean where a port's lumps leave no period as it was.
-  uint64_t usualPeriodUs() const {
-    std::vector<uint64_t> periods(_ends.size());
-    std::adjacent_difference(_ends.begin(), _ends.end(), periods.begin());
-    if (periods.size() < 2) {
-      return 0;
+  // No character came between the last one and this time, or the one that is complete then.
+  void heard(uint64_t us) {
+    if (us >= _lastUs + SilenceUs) {
+      _silences.push_back(_lastUs);
+      _silentUs += us - _lastUs;
     }
-    if (_isLate) {
-      const auto isPeriod = [](uint64_t us) { return us < SilenceUs; };
-      const auto silence = std::partition(periods.begin() + 1, periods.end(), isPeriod);
-      const auto count = std::max<std::ptrdiff_t>(1, silence - periods.begin() - 1);
-      return std::accumulate(periods.begin() + 1, silence, uint64_t{0}) / static_cast<uint64_t>(count);
+    _lastUs = us;
+  }
+
+  // Returns the times from frame to frame in which the line was not silent: it may have been so for hours.
+  std::vector<uint64_t> periods() const {
+    std::vector<uint64_t> periods;
+    for (size_t i = 1; i < _ends.size(); i++) {
+      const auto silence = std::lower_bound(_silences.begin(), _silences.end(), _ends[i - 1]);
+      if (silence == _silences.end() || *silence >= _ends[i]) {
+        periods.push_back(_ends[i] - _ends[i - 1]);
+      }
     }
+    return periods;
+  }
+
+  // The median, which a damaged frame does not move; the mean where a port's lumps leave no period as it was.
+  uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
     const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
-    std::nth_element(periods.begin() + 1, middle, periods.end());
-    return *middle;
+    std::nth_element(periods.begin(), middle, periods.end());
+    return _isLate ? us / periods.size() : *middle;
+  }
+
+  std::string frames() const {
+    return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
   }
 
   const sbus::Counters &counters() const { return _observer.counters(); }
@@ -131,7 +156,9 @@ class Heard {
   line::Observer _observer;
   line::Examination _examination;
   KindOfLine _kind;
-  std::vector<uint64_t> _ends;  // of the frames, in us
+  std::vector<uint64_t> _ends;      // of the frames, in us
+  std::vector<uint64_t> _silences;  // where they begin, in us
+  uint64_t _silentUs = 0;
   line::CsvRows _rows;
   bool _isCsv = false;
   uint64_t _lastUs = 0;  // of the characters

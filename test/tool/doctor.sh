@@ -8,13 +8,21 @@ verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
 }
 
+# agree FILE: so many frames a second and so many us from one to the next are the same, within a frame a second
+agree() {
+  awk '/ frames a second and 0 damaged, / {
+    for (i = 1; i < NF; i++) { if ($(i + 1) == "frames") rate = $i; if ($(i + 1) == "us") us = $i }
+    if (rate > 1e6 / us + 1 || rate < 1e6 / us - 1) { print; exit 1 }
+  }' "$1"
+}
+
 # asked STATUS FINDING FIGURES ARGUMENTS...: three lines say the finding, the cure and the figures
 asked() {
   wanted=$1 finding=$2 figures=$3
   shift 3
   timeout 60 "$SBUS" doctor "$@" >"$WORK/doctor.out" 2>"$WORK/doctor.err" </dev/null
   [ $? -eq "$wanted" ] && [ ! -s "$WORK/doctor.err" ] && grep -A 1 "^$finding" "$WORK/doctor.out" | sed -n '2s/./&/p' | grep -q . &&
-    if [ "$figures" = - ]; then ! grep -q 'frames a second' "$WORK/doctor.out"; else grep -q "^$figures" "$WORK/doctor.out"; fi
+    if [ "$figures" = - ]; then ! grep -q 'frames a second' "$WORK/doctor.out"; else grep -q "^$figures" "$WORK/doctor.out"; fi && agree "$WORK/doctor.out"
   status=$?
   [ $status -eq 0 ] || cat "$WORK/doctor.out" "$WORK/doctor.err"
   verdict $status "doctor $*: $finding"

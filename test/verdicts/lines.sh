@@ -64,6 +64,8 @@ at_adapter() {
 for kind in fast gap failsafe no-radio sbus2 r7003sb other 24 half cut noise bad good; do
   lines $kind >"$folder/$kind.txt"
 done
+head -n 3 "$folder/good.txt" >"$folder/one.txt"
+head -n 4 "$folder/good.txt" >"$folder/two.txt"
 for kind in good 24 sbus2; do
   at_adapter <"$folder/$kind.txt" >"$folder/adapter-$kind.txt"
 done
