@@ -58,8 +58,12 @@ class CsvView {
     }
   }
 
+  // A line that was over before the first row was due has one row.
   void finish() {
     _observer.finish();
+    if (_firstUs == 0 && framesCame()) {
+      print(_observer.newest().endUs);
+    }
     flush();
     if (!framesCame()) {
       throw std::runtime_error(_source + ": no frames came; sbus doctor says why");

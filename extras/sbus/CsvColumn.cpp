@@ -107,7 +107,7 @@ std::string header(const std::vector<CsvColumn> &columns) {
                                           [&column](const Name &each) { return each.kind == column.kind; });
     line += (line.empty() ? "" : ",") + (isChannel ? "CH" + std::to_string(column.channel) : std::string(name->name));
   }
-  return line + "\r\n";
+  return line + '\n';
 }
 
 std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs) {
@@ -137,7 +137,7 @@ std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer,
         break;
     }
   }
-  return line + "\r\n";
+  return line + '\n';
 }
 
 }  // namespace tool

@@ -66,11 +66,12 @@ fi
 
 # ---- What it prints
 
-# sketch GOLDEN ARGUMENTS...: csv prints what the sketch prints
+# sketch GOLDEN ARGUMENTS...: csv prints what the sketch prints, whose println() ends lines with CR and LF
 sketch() {
   golden=golden/$1.csv
   shift
-  timeout 60 "$sbus" csv "$@" | tail -n 20 | cmp - "$golden"
+  tr -d '\r' <"$golden" >"$work/golden.csv"
+  timeout 60 "$sbus" csv "$@" | tail -n 20 | cmp - "$work/golden.csv"
   verdict $? "csv prints what is in $golden"
 }
 sketch DecodeSBus sim --simulated-time --seconds 13.1
@@ -101,13 +102,20 @@ done
 
 # The paper's first frame, as bytes on standard input: two of them, since the second shows where the first one ends.
 frame='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
-[ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tr -d '\r' | tail -n 1)" = "997,992,992,992,0,0" ]
+[ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tail -n 1)" = "997,992,992,992,0,0" ]
 verdict $? "csv of bytes on standard input"
 [ "$( (printf "$frame\017"; sleep 0.1; printf "$frame" | tail -c 24) | timeout 60 "$sbus" csv - --baud 200000 --simulated-time --every-frame | wc -l)" -eq 2 ]
 verdict $? "bytes on standard input, a frame in two pieces"
-[ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State" | tr -d '\r')" = "CH1,CH18,state
+[ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State")" = "CH1,CH18,state
 1248,0,ok" ]
 verdict $? "columns with blanks between them"
+"$sbus" csv recordings/paper.txt --header >"$work/lf.csv" && "$sbus" csv recordings/paper.txt --header | cmp - "$work/lf.csv" &&
+  [ "$(tr -dc '\r' <"$work/lf.csv" | wc -c)" -eq 0 ] && has_lines 3 "$work/lf.csv"
+verdict $? "rows end with LF, in a file and in a pipe"
+echo "0 $(printf "$frame" | od -An -v -tx1 | tr -d '\n')" >"$work/at-0.txt"
+[ "$("$sbus" csv "$work/at-0.txt" --columns ch1,time)" = "997,0.002880" ] &&
+  [ "$("$sbus" csv sim --simulated-time --seconds 0.03 --columns ch1,time)" = "1018,0.026000" ]
+verdict $? "a line shorter than 0.2 s has a row, of its newest frame"
 for channels in 16 24 32; do
   line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"
   # shellcheck disable=SC2086  # the arguments are words
@@ -204,7 +212,6 @@ verdicts/lines.sh "$work/verdicts"
 "$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err"
 grep -q '!' "$work/noisy.txt" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
 verdict $? "a recording of a noisy line"
-echo "0 $(printf "$frame" | od -An -v -tx1 | tr -d '\n')" >"$work/at-0.txt"
 for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordings/sbus2.txt recordings/board/rows.txt "$work/verdicts/fast.txt" "$work/verdicts/adapter-24.txt"; do
   rm -f "$work/copy.txt" "$work/again.txt"
   us=$(case $recording in *fast*) echo 60 ;; *rows*) echo 86 ;; *) echo 120 ;; esac)
@@ -273,7 +280,7 @@ kill -INT "$player"
 wait "$player"
 
 player simulate --seconds 1
-timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}.$' "$work/out")" -ge 2 ]
+timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}$' "$work/out")" -ge 2 ]
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
 
