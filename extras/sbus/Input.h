@@ -36,6 +36,9 @@ class Input {
   // In a tick: all that was through by then has been handed over. Earlier than its time, if the port is late.
   uint64_t knownUs() const { return _knownUs; }
 
+  // Returns when --seconds ends what is done in true time; without them it is never.
+  uint64_t limitUs() const { return _pace == Pace::True && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX; }
+
   // As Line's.
   std::string note() const { return _line->note(); }
 

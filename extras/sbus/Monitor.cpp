@@ -57,11 +57,11 @@ class Page {
     }
   }
 
-  // The line has ended: what was seen stays, until the user has had enough.
-  void stay(uint64_t nowUs) {
+  // The line has ended at `endUs`: what was seen stays, until the user has had enough, or the seconds are over.
+  void stay(uint64_t endUs, uint64_t limitUs) {
     _ended = true;
-    while (takeKeys() && !stopped()) {
-      draw(nowUs);
+    for (uint64_t nowUs = endUs; takeKeys() && !stopped() && nowUs < limitUs; nowUs += PeriodUs) {
+      draw(endUs);
       std::this_thread::sleep_for(std::chrono::microseconds(PeriodUs));
     }
   }
@@ -112,7 +112,7 @@ void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)
     }
     page.drawNowAndThen(nowUs);
   });
-  page.stay(endUs);
+  page.stay(endUs, input.limitUs());
 }
 
 // A line a second, and one when the state changes.
@@ -166,7 +166,7 @@ void addMonitor(CLI::App &app) {
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
   verb->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
-      "ended. Where standard output is no terminal: a line a second, and one when the state changes.");
+      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
   verb->callback([source, range] { run(*source, *range); });
 }
 

@@ -123,6 +123,12 @@ for end in q INT TERM; do
   close
 done
 
+for source in sim "'$PWD/recordings/paper.txt'"; do
+  open 80x24 "sh -c \"'$SBUS' monitor $source --seconds 1.5; echo it ended: \\$?; sleep 1000\"" && shows 'it ended: 0'
+  verdict $? "monitor $source ends after --seconds, in true time"
+  close
+done
+
 # ---- A real line
 
 rm -f "$WORK/terminal"
