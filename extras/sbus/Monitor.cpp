@@ -24,8 +24,12 @@ constexpr uint64_t PeriodUs = 50000;  // of the page: more often nobody can read
 constexpr uint64_t LineUs = 1000000;  // of the lines
 constexpr uint64_t LookUs = 10000;    // the state is asked so often
 
+bool isMake(const std::string &text) {
+  return text == "frsky" || text == "futaba";
+}
+
 sbus::Range rangeOf(const std::string &text) {
-  if (text == "frsky" || text == "futaba") {
+  if (isMake(text)) {
     return text == "frsky" ? sbus::FrSky : sbus::Futaba;
   }
   unsigned low = 0, centre = 0, high = 0;
@@ -136,9 +140,11 @@ void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
 }
 
 void run(const SourceOption &source, const std::string &range) {
+  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940 us.
   const sbus::Range scale = rangeOf(range);
+  const sbus::Range pulses = isMake(range) ? sbus::FrSky : scale;
   const std::unique_ptr<Input> input = source.open();
-  Watch watch(source.name(), input->settings(), scale);
+  Watch watch(source.name(), input->settings(), scale, pulses);
   uint64_t lastUs = 0;
   const auto read = [&](const Tick &tick) {
     input->run([&watch](const line::Character &character) { watch.put(character); },

@@ -177,7 +177,7 @@ class Layout {
     row.push_back({right(none ? "-" : channel.text, cells.value), _view.old ? Style::Dim : Style::Strong});
     std::string numbers;
     if (cells.us) {
-      numbers += right(none ? "-" : std::to_string(sbus::toMicroseconds(raw, _view.range)), Cells::Us);
+      numbers += right(none ? "-" : std::to_string(sbus::toMicroseconds(raw, _view.pulses)), Cells::Us);
     }
     if (cells.percent) {
       numbers += right(none ? "-" : percentText(raw, _view.range), Cells::Percent);
@@ -277,7 +277,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "?      this page, and back",
       "[ ]    least and most since the reset;",
       "       frames with a flag do not count",
-      "%, us  as of --range, a FrSky's unless told",
+      "%      of --range; us: a servo's pulse",
       "gap    from a frame's end to the next's",
       "lost by radio: lost-frame flag, old values",
       "failsafe: the receiver has given up",

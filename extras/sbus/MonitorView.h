@@ -37,7 +37,8 @@ struct MonitorView {
   Mood bannerMood = Mood::Bad;
   bool old = false;     // the values are no longer those of the line
   bool isRaw = true;    // the values are raw ones, 0..2047, so that us and % mean something
-  sbus::Range range{};  // what these are scaled by
+  sbus::Range range{};   // of -100, 0 and +100 %
+  sbus::Range pulses{};  // of 988, 1500 and 2012 us
   std::vector<Channel> channels;
   std::vector<Lamp> lamps;
   std::vector<Group> groups;

@@ -35,8 +35,9 @@ std::string gaps(const line::Extent &gaps) {
 
 }  // namespace
 
-Watch::Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range)
-    : _source(source), _settings(settings), _range(range) {
+Watch::Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
+             const sbus::Range &pulses)
+    : _source(source), _settings(settings), _range(range), _pulses(pulses) {
   _observer.reset(0, settings.characterUs());
   _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
@@ -101,6 +102,7 @@ MonitorView Watch::view(uint64_t nowUs) {
   MonitorView view;
   view.source = _source;
   view.range = _range;
+  view.pulses = _pulses;
   if (_isCsv) {
     showRows(view, nowUs);
   } else {

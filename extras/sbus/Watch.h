@@ -13,7 +13,9 @@ namespace tool {
 
 class Watch {
  public:
-  Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range);
+  // `range`, `pulses`: as MonitorView's.
+  Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
+        const sbus::Range &pulses);
   Watch(const Watch &) = delete;  // its observer's listener leads into it
   Watch &operator=(const Watch &) = delete;
 
@@ -45,6 +47,7 @@ class Watch {
   const std::string _source;
   const line::LineSettings _settings;
   const sbus::Range _range;
+  const sbus::Range _pulses;
 
   line::Observer _observer;
   KindOfLine _kind;

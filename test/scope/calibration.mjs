@@ -95,9 +95,11 @@ export default async function () {
     await connect(page);
     await frames(page, times(5, [1024, 352, 1696]));
     await page.selectOption('#scale', '1');
-    await reads(page, '#bars li:nth-child(1) .us', '1500');
+    await reads(page, '#bars li:nth-child(1) .us', '1520');
+    await reads(page, '#bars li:nth-child(1) .percent', '0.0');
     await reads(page, '#bars li:nth-child(2) .percent', '-100.0');
-    await reads(page, '#bars li:nth-child(3) .us', '2012');
+    await reads(page, '#bars li:nth-child(2) .us', '1100');
+    await reads(page, '#bars li:nth-child(3) .us', '1940');
   });
 
   await check('marks show the least and the most, and are cleared by their button', async (page) => {

@@ -36,8 +36,10 @@ void scope::feedCalibrator(const line::Values &newest) {
 EXPORT(setScale)(int chosen)->void {
   scale = chosen;
 }
+// Of a Futaba 1100, 1520 and 1940 us: either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880.
 EXPORT(microseconds)(unsigned channel, double raw)->int {
-  return of(channel).toMicroseconds(static_cast<uint16_t>(raw));
+  const sbus::CalibratedChannel scaled = scale == Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
+  return scaled.toMicroseconds(static_cast<uint16_t>(raw));
 }
 EXPORT(thousandths)(unsigned channel, double raw)->int {
   return of(channel).toNormalised(static_cast<uint16_t>(raw));
