@@ -86,14 +86,36 @@ class Plotter {
     _lost.at(end, false, _picture.spans);
     _picture.title = name == "-" ? "standard input" : name.substr(name.rfind('/') + 1);
     _picture.yTitle = "raw";
-    _picture.xBegin = ms(_firstUs);
-    _picture.xEnd = end > _picture.xBegin ? end : _picture.xBegin + 1;
-    _picture.xTitle = _rows.recognised() && !_rowsHaveTimes ? "rows" : "ms";
+    const double margin = _lastUs > _firstUs ? 0 : 0.5;  // of a single frame: its time is in the middle
+    _picture.xBegin = std::max(0.0, ms(_firstUs) - margin);
+    _picture.xEnd = end + margin;
+    if (_rows.recognised() && !_rowsHaveTimes) {
+      _picture.xTitle = "rows";
+    } else {
+      chooseUnit(end);
+    }
     return svg(_picture);
   }
 
  private:
   static double ms(uint64_t us) { return static_cast<double>(us) / 1000; }
+
+  // Of an axis that ends there.
+  void chooseUnit(double endMs) {
+    const double perMs = endMs < 10 ? 1000 : endMs < 1000 ? 1 : 0.001;
+    _picture.xTitle = endMs < 10 ? "us" : endMs < 1000 ? "ms" : "s";
+    for (Curve &curve : _picture.curves) {
+      for (Curve::Point &point : curve.points) {
+        point.x *= perMs;
+      }
+    }
+    for (ShadedTime &span : _picture.spans) {
+      span.from *= perMs;
+      span.to *= perMs;
+    }
+    _picture.xBegin *= perMs;
+    _picture.xEnd *= perMs;
+  }
 
   void takeFrame(const line::Stretch &stretch) {
     if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {

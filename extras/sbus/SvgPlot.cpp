@@ -176,11 +176,13 @@ class Drawing {
     label(Left - 8, Top - 10, "end", _picture.yTitle);
   }
 
-  // Of all points that fall on one column of pixels the first, the last, the least and the most.
+  // Of all points that fall on one column of pixels the first, the last, the least and the most. One that is joined to no
+  // other is a ring.
   void curves() {
     for (size_t i = 0; i < _picture.curves.size(); i++) {
       const std::vector<Curve::Point> &points = _picture.curves[i].points;
       std::string path;
+      std::string rings;
       for (size_t from = 0; from < points.size();) {
         size_t to = from;
         size_t least = from;
@@ -197,9 +199,13 @@ class Drawing {
           }
           last = k;
         }
+        if (to == from + 1 && !points[from].joined && (to == points.size() || !points[to].joined)) {
+          rings += format("<circle class=\"curve %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\"/>\n", look(i).c_str(),
+                          px(points[from].x), py(points[from].y));
+        }
         from = to;
       }
-      _text += "<path class=\"curve " + look(i) + "\" d=\"" + path + "\"/>\n";
+      _text += "<path class=\"curve " + look(i) + "\" d=\"" + path + "\"/>\n" + rings;
     }
   }
 
