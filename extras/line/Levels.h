@@ -36,7 +36,7 @@ struct WireCharacter {
   // Returns the character with its time since `zeroNs`, as an Observer takes it. `characterNs`: how long it lasts.
   Character since(int64_t zeroNs, double characterNs) const {
     const double endNs = static_cast<double>(startNs - zeroNs) + characterNs;
-    return {static_cast<uint64_t>(endNs / 1000), value, bad()};
+    return {static_cast<uint64_t>(endNs / 1000), value, bad(), 0, parityWrong, stopWrong};
   }
 };
 

@@ -15,6 +15,8 @@ struct Character {
   uint8_t value = 0;
   bool bad = false;     // its parity or a stop bit was wrong
   uint32_t lateUs = 0;  // a port kept it back: it ended no earlier than so much before
+  bool parityWrong = false;  // of a bad one, what was wrong; neither, if its source does not tell
+  bool stopWrong = false;
 };
 
 class Line {

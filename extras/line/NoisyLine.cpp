@@ -18,6 +18,7 @@ bool NoisyLine::next(uint64_t nowUs, Character &character) {
     character.bad = character.bad || _noiseUs < endUs;
     _hasQuiet = false;
   }
+  character.parityWrong = character.parityWrong || (character.bad && !character.stopWrong);
   character.endUs = endUs;
   while (_noiseUs < endUs) {
     _noiseUs += 1 + _random.below(_longestUs);

@@ -16,15 +16,50 @@ constexpr const char *Reasons[] = {"no end byte",  "unused flags set", "a gap in
                                    "not at a gap", "may be the halves of two frames"};
 static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::SecondReading) + 1, "one for each");
 
+// What may be wrong with a bad character.
+struct Error {
+  bool parity, stop;
+  const char *text;
+};
+constexpr Error Errors[] = {{true, false, "parity error"},
+                            {false, true, "framing error"},
+                            {true, true, "parity and framing error"},
+                            {false, false, "parity or framing error"}};
+
+// "parity error (byte 12)", "2 framing errors (bytes 0, 3)", "7 parity errors"; empty if no character has it.
+std::string places(const std::vector<Character> &characters, const Error &error) {
+  constexpr size_t Named = 3;
+  size_t count = 0;
+  std::string bytes;
+  for (size_t i = 0; i < characters.size(); i++) {
+    const Character &each = characters[i];
+    if (each.bad && each.parityWrong == error.parity && each.stopWrong == error.stop) {
+      bytes += (count++ == 0 ? "" : ", ") + std::to_string(i);
+    }
+  }
+  if (count == 0) {
+    return "";
+  }
+  const std::string text = count == 1 ? error.text : std::to_string(count) + " " + error.text + "s";
+  return count > Named || characters.size() == 1 ? text : text + (count == 1 ? " (byte " : " (bytes ") + bytes + ")";
+}
+
 }  // namespace
 
+// Behind a bad character, which no decoder gets, all bytes are one too early: what they are rejected for is not told.
 std::string why(const Stretch &stretch) {
   if (stretch.isFrame()) {
     return {};
   }
   const auto &characters = stretch.characters;
-  const auto bad = std::count_if(characters.begin(), characters.end(), [](const Character &c) { return c.bad; });
-  std::string text = bad == 0 ? "" : std::to_string(bad) + (bad == 1 ? " bad character" : " bad characters");
+  std::string text;
+  for (const Error &error : Errors) {
+    const std::string found = places(characters, error);
+    text += (text.empty() || found.empty() ? "" : ", ") + found;
+  }
+  if (!text.empty()) {
+    return text;
+  }
   bool told[std::size(Reasons)] = {};
   for (const Rejected &rejected : stretch.rejected) {
     const auto reason = static_cast<size_t>(rejected.why);
@@ -33,7 +68,7 @@ std::string why(const Stretch &stretch) {
               (rejected.at == 0 ? "" : " (byte " + std::to_string(rejected.at) + ")");
     }
   }
-  const auto isHeader = [](const Character &c) { return !c.bad && c.value == sbus::HeaderByte; };
+  const auto isHeader = [](const Character &c) { return c.value == sbus::HeaderByte; };
   const bool hasHeader = std::any_of(characters.begin(), characters.end(), isHeader);
   return !text.empty() ? text : hasHeader ? "incomplete" : "no header";
 }

@@ -43,7 +43,8 @@ bool UartSampler::next(uint64_t nowUs, Character &character) {
 void UartSampler::take(bool through) {
   if (through) {
     const int64_t endNs = _newest.startNs + static_cast<int64_t>(_port.characterNs());
-    _seen.push_back({static_cast<uint64_t>((endNs + NsPerUs - 1) / NsPerUs), _newest.value, _newest.bad()});
+    _seen.push_back({static_cast<uint64_t>((endNs + NsPerUs - 1) / NsPerUs), _newest.value, _newest.bad(), 0,
+                     _newest.parityWrong, _newest.stopWrong});
   }
 }
 

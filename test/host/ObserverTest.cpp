@@ -155,10 +155,12 @@ TEST_CASE("what is no frame stands between the frames, with the reason") {
     const char *reason;
   } cases[] = {
       {"telemetry", {0x03, 0xC0, 0x2E}, SIZE_MAX, "no header"},
-      {"a bad character in a frame", good, 9, "1 bad character, no end byte"},
+      {"a bad character in a frame", good, 9, "parity or framing error (byte 9)"},
+      {"its header", good, 0, "parity or framing error (byte 0)"},
+      {"its end byte", good, 24, "parity or framing error (byte 24)"},
       {"a byte is missing", shortened, SIZE_MAX, "no end byte"},
       {"unused flags", flags, SIZE_MAX, "unused flags set, no end byte (byte 10)"},
-      {"one bad character", {0x55}, 0, "1 bad character"},
+      {"one bad character", {0x55}, 0, "parity or framing error"},
   };
   for (const auto &each : cases) {
     CAPTURE(each.what);
@@ -212,6 +214,34 @@ TEST_CASE("the reason names its cause, and the header that it was found at") {
   }
 }
 
+TEST_CASE("what is wrong with a bad character is named with its place, as far as its source tells") {
+  struct Bad {
+    size_t at;
+    bool parity, stop;
+  };
+  const struct {
+    std::vector<Bad> bad;
+    const char *reason;
+  } rows[] = {
+      {{{3, true, false}}, "parity error (byte 3)"},
+      {{{0, false, true}}, "framing error (byte 0)"},
+      {{{24, true, true}}, "parity and framing error (byte 24)"},
+      {{{2, false, false}}, "parity or framing error (byte 2)"},
+      {{{3, false, true}, {2, true, false}, {9, true, false}}, "2 parity errors (bytes 2, 9), framing error (byte 3)"},
+      {{{1, true, false}, {2, true, false}, {3, true, false}, {4, true, false}}, "4 parity errors"},
+  };
+  for (const auto &row : rows) {
+    Stretch stretch;
+    stretch.characters.resize(25);
+    for (const Bad &bad : row.bad) {
+      stretch.characters[bad.at] = {0, 0x0F, true, 0, bad.parity, bad.stop};
+    }
+    CHECK(why(stretch) == row.reason);
+    stretch.rejected.push_back({5, sbus::Rejection::NoEnd});
+    CHECK(why(stretch) == row.reason);
+  }
+}
+
 TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not") {
   for (const uint32_t characterUs : {120u, 60u}) {
     CAPTURE(characterUs);
@@ -248,7 +278,7 @@ TEST_CASE("a frame that has lost a character to an error and got another at its 
     CHECK(line.observer.newest().endUs == 4 * PeriodUs + 3000);
     REQUIRE(line.stretches.size() == 6);
     CHECK(bytesOf(line.stretches[5]) == bytes);
-    CHECK(why(line.stretches[5]) == "1 bad character");
+    CHECK(why(line.stretches[5]) == "parity or framing error (byte " + std::to_string(bad) + ")");
     CHECK(line.observer.badCharacters() == 1);
     line.frame(1001);
     CHECK(line.frames() == 6);
