@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "Decoders.h"
@@ -45,24 +46,30 @@ class Observer : public Statistics {
   unsigned long badCharacters() const { return _badCharacters; }
   // True if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
-  const sbus::Counters &counters() const { return _decoders.counters(); }
+  // As the decoder has them that is right; and the frame with header 2F that the line was joined at is one.
+  sbus::Counters counters() const;
 
   // Of the decoder for 16 channels, even if it is not the one that is right: for sbus::Diagnosis.
   sbus::Counters counters16() const { return _decoders.counters16(); }
 
  private:
   void handOver();
+  void take(Stretch &stretch);
   void say(Stretch &stretch);
+  bool isExtraAlone(const Stretch &stretch) const;
 
   Listener _listener;
   Decoders _decoders;
-  Segments _segments{[this](Stretch &stretch) { say(stretch); }};
+  Segments _segments{[this](Stretch &stretch) { take(stretch); }};
   uint32_t _characterUs;
   Character _last;
   uint64_t _lineUs;     // the decoders' time at its end: characters and what is certain to be silence, no more
   uint64_t _silenceUs;  // what is certain since then
   bool _waits;  // the last one has not been handed over
   unsigned long _badCharacters;
+  uint64_t _saidUs;               // the end of the last stretch
+  std::optional<Stretch> _first;  // may be the frame with header 2F that comes before the first frame
+  bool _joinedAtExtra;            // it was
 };
 
 }  // namespace line

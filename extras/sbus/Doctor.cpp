@@ -144,7 +144,7 @@ class Heard {
     return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
   }
 
-  const sbus::Counters &counters() const { return _observer.counters(); }
+  sbus::Counters counters() const { return _observer.counters(); }
   // A recording ends with a frame, not with the pause that belongs to it.
   uint64_t pauseUs() const {
     const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();

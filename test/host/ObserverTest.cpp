@@ -255,6 +255,48 @@ TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not
   }
 }
 
+TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined is one, and so is the last one") {
+  Bytes extra = Watched::frameOf(500);
+  extra[0] = sbus::ExtraHeader;
+  const Bytes frame = Watched::frameOf(992);
+  const Bytes noise = {0x55};
+  const struct {
+    const char *what;
+    std::vector<Bytes> groups;  // 1 ms of silence between them, none at the end
+    size_t frames, extra, skipped;
+  } rows[] = {
+      {"a pair", {extra, frame}, 1, 1, 0},
+      {"a pair and a half", {extra, frame, extra}, 1, 2, 0},
+      {"two pairs", {extra, frame, extra, frame}, 2, 2, 0},
+      {"joined in the middle of one", {part(extra, 9), frame, extra, frame, extra}, 2, 2, 16},
+      {"joined in the middle of the one before", {part(frame, 9), extra, frame, extra}, 1, 2, 16},
+      {"alone", {extra}, 0, 0, 3},  // its payload has a header: the decoder waits for more of that
+      {"noise straight before it", {noise + extra, frame}, 1, 0, 26},
+      {"noise behind it", {extra, noise, frame}, 1, 0, 26},
+      {"cut off", {extra, part(frame, 0, 24)}, 0, 0, 25},
+      {"one frame", {frame}, 1, 0, 0},
+  };
+  for (const auto &row : rows) {
+    INFO(std::string(row.what));
+    Watched line;
+    for (size_t i = 0; i < row.groups.size(); i++) {
+      line.us += i == 0 ? 0 : 1000;
+      line.send(row.groups[i]);
+    }
+    line.observer.finish();
+    CHECK(line.observer.counters().frames == row.frames);
+    CHECK(line.observer.counters().extraFrames == row.extra);
+    CHECK(line.observer.counters().skippedBytes == row.skipped);
+    CHECK(line.frames() == row.frames + row.extra);
+    size_t at = 0;
+    for (const Stretch &stretch : line.stretches) {
+      CHECK(stretch.at == at);
+      at += stretch.characters.size();
+    }
+    CHECK(at == line.observer.characters());
+  }
+}
+
 TEST_CASE("telemetry is told at the next pause, not with the next frame") {
   Watched line;
   line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).pause(2000);

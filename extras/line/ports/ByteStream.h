@@ -21,7 +21,8 @@ class ByteStream : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override;
-  uint64_t knownUs(uint64_t) const override { return _reads.knownUs(); }
+  // At its end it is silent.
+  uint64_t knownUs(uint64_t nowUs) const override { return _ended && _waiting.empty() ? nowUs : _reads.knownUs(); }
   bool wait() override;
   std::string failure() const override { return _failure; }
 
