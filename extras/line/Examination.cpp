@@ -36,7 +36,7 @@ sbus::Trial Examination::trial(const Observer &observer, const LineSettings &por
   sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
                        static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
                        difference(observer.counters16(), _before)};
-  // Bad characters never reach a decoder, and damagedFrames() counts on that. But a line of bad ones only is no silence.
+  // Bad characters never reach a decoder, and damagedFrames() counts on that. A line of bad ones only is no silence.
   if (trial.counters.frames == 0 && trial.counters.skippedBytes == 0) {
     trial.counters.skippedBytes = static_cast<uint32_t>(observer.badCharacters() - _badBefore);
   }

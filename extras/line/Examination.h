@@ -1,5 +1,5 @@
-// What has come of a line since a moment, as sbus::Diagnosis takes it. `sbus doctor` and the page both judge by this, and
-// a sketch's decoder counts the same: a line gets the same finding from each.
+// What has come of a line since a moment, as sbus::Diagnosis takes it. `sbus doctor` and the page both judge by this,
+// and a sketch's decoder counts the same: a line gets the same finding from each.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@ constexpr uint32_t CharacterUs = sbus::CharacterTime;  // unless the wire is a f
 struct Character {
   uint64_t endUs = 0;  // when its last bit was through, in microseconds since the program's start
   uint8_t value = 0;
-  bool bad = false;     // its parity or a stop bit was wrong
-  uint32_t lateUs = 0;  // a port kept it back: it ended no earlier than so much before
+  bool bad = false;          // its parity or a stop bit was wrong
+  uint32_t lateUs = 0;       // a port kept it back: it ended no earlier than so much before
   bool parityWrong = false;  // of a bad one, what was wrong; neither, if its source does not tell
   bool stopWrong = false;
 };

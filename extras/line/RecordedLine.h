@@ -10,9 +10,8 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
-  // `leadUs`: so long after the port was opened the recording begins; a sketch would miss its first character otherwise.
-  explicit RecordedLine(Recording recording, uint64_t leadUs = 0)
-      : _recording(std::move(recording)), _leadUs(leadUs) {}
+  // `leadUs`: so long after the port was opened the recording begins. A sketch would miss its first character without.
+  explicit RecordedLine(Recording recording, uint64_t leadUs = 0) : _recording(std::move(recording)), _leadUs(leadUs) {}
 
   void opened(uint64_t nowUs) override { _zeroUs = nowUs + _leadUs; }
 

@@ -32,8 +32,8 @@ struct Stretch {
   uint64_t endUs() const { return characters.back().endUs; }
 };
 
-// Why a stretch is no frame: "parity error (byte 12)"; without a bad character "unused flags set (byte 10)", if that is the
-// place of the header, or "no header"; empty if it is one.
+// Why a stretch is no frame: "parity error (byte 12)"; without a bad character "unused flags set (byte 10)", if that is
+// the place of the header, or "no header"; empty if it is one.
 std::string why(const Stretch &stretch);
 
 // A stretch as a decoder has found it.

@@ -79,14 +79,15 @@ class Heard {
     const std::string bad = std::to_string(_observer.badCharacters());
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
-                   : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " + std::to_string(counters().skippedBytes) +
+                   : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
+                         std::to_string(counters().skippedBytes) +
                          (counters().skippedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
            (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
            "\n";
   }
 
-  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it by
-  // the times of the frames: one frame has no rate.
+  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it
+  // by the times of the frames: one frame has no rate.
   std::string figures() const {
     const sbus::Counters &seen = counters();
     if (seen.frames == 0) {
@@ -226,7 +227,8 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
   }
   const sbus::Finding finding = diagnosis.finding();
   write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
-        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures() + heard[diagnosis.best()]->note());
+        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures() +
+        heard[diagnosis.best()]->note());
   return line::isWell(finding);
 }
 

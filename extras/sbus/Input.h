@@ -37,7 +37,9 @@ class Input {
   uint64_t knownUs() const { return _knownUs; }
 
   // Returns when --seconds ends what is done in true time; without them it is never.
-  uint64_t limitUs() const { return _pace == Pace::True && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX; }
+  uint64_t limitUs() const {
+    return _pace == Pace::True && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
+  }
 
   // As Line's.
   std::string note() const { return _line->note(); }

@@ -140,7 +140,7 @@ void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
 }
 
 void run(const SourceOption &source, const std::string &range) {
-  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940 us.
+  // Receivers of either make turn a raw value into the same pulse, 5 * raw / 8 + 880 us: Futaba's 1100, 1520 and 1940.
   const sbus::Range scale = rangeOf(range);
   const sbus::Range pulses = isMake(range) ? sbus::FrSky : scale;
   const std::unique_ptr<Input> input = source.open();
@@ -172,7 +172,8 @@ void addMonitor(CLI::App &app) {
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
   verb->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
-      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
+      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state "
+      "changes.");
   verb->callback([source, range] { run(*source, *range); });
 }
 

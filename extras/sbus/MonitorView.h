@@ -35,8 +35,8 @@ struct MonitorView {
   Mood mood = Mood::Calm;
   std::string banner;  // what must not be overlooked; mostly nothing
   Mood bannerMood = Mood::Bad;
-  bool old = false;     // the values are no longer those of the line
-  bool isRaw = true;    // the values are raw ones, 0..2047, so that us and % mean something
+  bool old = false;      // the values are no longer those of the line
+  bool isRaw = true;     // the values are raw ones, 0..2047, so that us and % mean something
   sbus::Range range{};   // of -100, 0 and +100 %
   sbus::Range pulses{};  // of 988, 1500 and 2012 us
   std::vector<Channel> channels;

@@ -176,8 +176,8 @@ class Drawing {
     label(Left - 8, Top - 10, "end", _picture.yTitle);
   }
 
-  // Of all points that fall on one column of pixels the first, the last, the least and the most. One that is joined to no
-  // other is a ring.
+  // Of all points that fall on one column of pixels the first, the last, the least and the most. One that is joined to
+  // no other is a ring.
   void curves() {
     for (size_t i = 0; i < _picture.curves.size(); i++) {
       const std::vector<Curve::Point> &points = _picture.curves[i].points;
