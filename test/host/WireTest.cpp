@@ -17,6 +17,7 @@ struct Decoded {
   std::vector<WireCharacter> characters;
   std::string error;  // the place and what is wrong
   std::string failure;
+  std::string format;
   std::string signal;
   std::vector<std::string> others;
   line::FoundWire wire;
@@ -38,6 +39,7 @@ struct Decoded {
       from = end;
     }
     error = error.empty() ? opened.reader->finish() : error;
+    format = opened.reader->format();
     error = error.empty() ? "" : std::to_string(opened.reader->lines()) + ": " + error;
     decoder.finish(opened.reader->endNs(), !error.empty());
     if (decoder.found()) {
@@ -64,6 +66,25 @@ struct Decoded {
     return all;
   }
 };
+
+const char *nameOf(TestFormat format) {
+  switch (format) {
+    case TestFormat::Vcd:
+      return "VCD";
+    case TestFormat::Saleae:
+    case TestFormat::SaleaeIso:
+      return "logic analyser's CSV";
+    case TestFormat::PulseView:
+    case TestFormat::PulseViewTimed:
+      return "PulseView CSV";
+    case TestFormat::DsView:
+    case TestFormat::DsViewOld:
+    case TestFormat::DsViewAnalogue:
+      return "DSView CSV";
+    default:
+      return "oscilloscope's CSV";
+  }
+}
 
 TestWire wireOf(double bitNs = 10000, bool inverted = true) {
   TestWire wire;
@@ -125,6 +146,7 @@ TEST_CASE("each format, 100000 and 200000 baud within 3 %, either way up: the sa
           const Decoded decoded(textOf(wire, format));
           CHECK(decoded.error == "");
           CHECK(decoded.failure == "");
+          CHECK(decoded.format == nameOf(format));
           CHECK(holds(decoded.signal, "RX"));
           CHECK(decoded.bytes() == All);
           CHECK(decoded.wire.settings.baud == (nominalNs > 7000 ? 100000 : 200000));
@@ -379,7 +401,13 @@ TEST_CASE("what the user knows better overrules what is found") {
     CHECK((decoded.wire.frames > 0) == row.right);
     CHECK((decoded.characters.size() == All.size() && decoded.bytes() == All) == row.right);
   }
-  CHECK(holds(Decoded(textOf(wireOf(), TestFormat::Vcd), overrules(0, Either, 1000, {})).error, "is a VCD, whose times are its own"));
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrules(0, Either, 1000, {})).error == "has times of its own: leave out --rate");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrules(0, Either, 0, 1.5)).error == "has no voltages: leave out --threshold");
+  TestWire zeros;  // whose pulses are all of ten bits: nothing tells how long one is
+  zeros.bytes(Bytes(5, 0));
+  zeros.pause(1e6);
+  CHECK(Decoded(textOf(zeros, TestFormat::Saleae)).characters.empty());
+  CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrules(100000, Either, 0, {})).bytes() == Bytes(5, 0));
 }
 
 TEST_CASE("of two signals that carry S.Bus the one with less errors is decoded, and the other one named") {

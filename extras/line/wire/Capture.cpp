@@ -59,9 +59,11 @@ std::string whyUnknown(std::string_view head) {
 
 OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules) {
   OpenedCapture opened;
-  if (overrules.periodNs > 0 && trimmed(head).substr(0, 1) == "$") {
-    opened.error = "is a VCD, whose times are its own: leave out --rate";
-  } else if (trimmed(head).substr(0, 1) == "$") {
+  bool analogue = false;
+  const bool isVcd = trimmed(head).substr(0, 1) == "$";
+  if (isVcd && overrules.periodNs > 0) {
+    opened.error = "has times of its own: leave out --rate";
+  } else if (isVcd) {
     opened.reader = std::make_unique<VcdReader>(sink);
   } else if (isBits(head)) {
     opened.reader = std::make_unique<BitsReader>(sink, overrules.periodNs);
@@ -69,11 +71,15 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrule
     CsvLayout layout;
     opened.error = whyUnknown(head);
     opened.error = opened.error.empty() ? findLayout(head, layout, overrules.periodNs) : opened.error;
-    if (opened.error.empty() && layout.analogue) {
+    analogue = layout.analogue;
+    if (opened.error.empty() && analogue) {
       opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrules.threshold);
     } else if (opened.error.empty()) {
       opened.reader = std::make_unique<DigitalReader>(layout, sink);
     }
+  }
+  if (opened.reader && overrules.threshold && !analogue) {
+    return {nullptr, "has no voltages: leave out --threshold"};
   }
   return opened;
 }
