@@ -120,7 +120,8 @@ void addDecode(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
   const auto options = std::make_shared<Options>();
   verb->add_option("CAPTURE", options->capture,
-                   "VCD; CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; bits as 0 and 1; - is standard input")
+                   "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; bits as 0 and 1; "
+                   "each also as .gz; - is standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "line/wire/SessionReader.h"
 #include "line/wire/VcdWriter.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
@@ -51,6 +52,19 @@ struct Decoded {
     }
   }
 
+  // Of a session, unpacked; the samples in pieces.
+  Decoded(const std::string &metadata, const std::string &samples, size_t piece) {
+    line::WireDecoder decoder(
+        {}, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
+    line::SessionReader reader(decoder, 0);
+    error = reader.metadata(metadata);
+    for (size_t from = 0; from < samples.size() && error.empty(); from += piece) {
+      error = reader.put(std::string_view(samples).substr(from, piece));
+    }
+    decoder.finish(reader.endNs(), !error.empty());
+    signal = decoder.found() ? decoder.signal() : "";
+  }
+
   static line::Overrules signalOf(const std::string &name) {
     line::Overrules overrules;
     overrules.signal = name;
@@ -95,6 +109,13 @@ TestWire wireOf(double bitNs = 10000, bool inverted = true) {
     wire.pause(4000000);
   }
   return wire;
+}
+
+// As libsigrok writes it, src/output/srzip.c:103 to 156 and 278; RX is this bit of a sample.
+std::string metadataOf(size_t sampleSize, size_t bit) {
+  return "[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=" + std::to_string(8 * sampleSize) +
+         "\nsamplerate=1 MHz\ntotal analog=0\nprobe2=CLK\nprobe" + std::to_string(bit + 1) +
+         "=RX\nunitsize=" + std::to_string(sampleSize) + "\n";
 }
 
 // As a logic analyser samples it.
@@ -253,6 +274,52 @@ TEST_CASE("the names of an oscilloscope's and of DSView's channels: numbers, in 
     CHECK(decoded.signal == row.signal);
     CHECK(decoded.bytes() == All);
     CHECK(Decoded(row.text, row.signal).bytes() == All);
+  }
+}
+
+TEST_CASE("a session of sigrok: its metadata, and samples in pieces of any size") {
+  const std::string text = sampled(wireOf(), 1000);
+  const struct {
+    size_t sampleSize, bit;
+  } rows[] = {{1, 0}, {1, 7}, {2, 9}, {4, 31}};
+  for (const auto &row : rows) {
+    std::string samples;
+    for (size_t at = text.find("logic\n") + 6, i = 0; at < text.size(); at += 2, i++) {
+      std::string sample(row.sampleSize, '\0');
+      sample[row.bit / 8] = static_cast<char>(static_cast<unsigned>(text[at] == '1') << row.bit % 8);
+      sample[0] = static_cast<char>(sample[0] | static_cast<char>(i / 3 % 2 << 1));  // a clock
+      samples += sample;
+    }
+    for (const size_t piece : {size_t{1}, size_t{3}, size_t{1000}, samples.size()}) {
+      INFO("bit ", row.bit, " of ", row.sampleSize, " bytes, in pieces of ", piece);
+      const Decoded decoded(metadataOf(row.sampleSize, row.bit), samples, piece);
+      CHECK(decoded.error == "");
+      CHECK(decoded.signal == "RX");
+      CHECK(decoded.bytes() == All);
+      REQUIRE(!decoded.characters.empty());
+      CHECK(std::abs(decoded.characters.front().startNs - 2000000) <= 1000);
+    }
+  }
+}
+
+TEST_CASE("a session of sigrok that cannot be decoded: what is wrong and what is expected") {
+  const std::string metadata = metadataOf(1, 0);
+  const std::string none = "has no logic signals: a session with them, or CSV of analogue ones, is expected";
+  const struct {
+    std::string metadata, error;
+  } rows[] = {
+      {"", none},
+      {replaced(metadata, "[device 1]", "[device 2]"), none},
+      {replaced(metadata, "capturefile=logic-1\n", ""), none},  // analogue ones alone
+      {replaced(metadata, "unitsize=1\n", ""), none},          // no samples
+      {replaced(replaced(metadata, "probe1", "analog1"), "probe2", "analog2"), none},
+      {replaced(metadata, "probe1=", "probe9="), "has more probes than fit into its unitsize of 1"},
+      {replaced(metadata, "1 MHz", "0 Hz"), "does not say when its samples were taken: --rate is expected"},
+      {replaced(metadata, "1 MHz", "0.000000001 Hz"), "is longer than a year: is its samplerate right?"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.metadata);
+    CHECK(Decoded(row.metadata, "ab", 2).error == row.error);
   }
 }
 
@@ -574,7 +641,6 @@ TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
     std::string text, error;
   } rows[] = {
       {"", "is empty: a capture of a wire is expected"},
-      {"PK\x03\x04", "is a session of PulseView or Logic 2: export it as VCD or as CSV"},
       {"<SALEAE>\x01", "is Logic 2's binary export: export it as CSV"},
       {"# ours\n120 0F E3\n", "is a recording of characters, not a capture of the wire"},
       {"beef 0F E3\n", "is no capture of a wire that is known"},

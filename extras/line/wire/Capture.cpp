@@ -42,9 +42,6 @@ std::string whyUnknown(std::string_view head) {
   if (trimmed(head).empty()) {
     return "is empty: a capture of a wire is expected";
   }
-  if (head.substr(0, 2) == "PK") {
-    return "is a session of PulseView or Logic 2: export it as VCD or as CSV";
-  }
   if (head.substr(0, 8) == "<SALEAE>") {
     return "is Logic 2's binary export: export it as CSV";
   }
