@@ -200,6 +200,8 @@ TEST_CASE("what else analysers and oscilloscopes write: the same bytes") {
       {"each level twice", replaced(replaced(vcd, "1!\n", "1!\n1!\n"), "0!\n", "0!\n0!\n")},
       {"unknown, then known", replaced(vcd, "#0\n", "#0\nx!\nz!\n")},
       {"comments, and strings as GTKWave has them", replaced(vcd, "$dumpvars\n", "$comment why? $end\nsidle %\n$dumpvars\n")},
+      {"reals", replaced(replaced(vcd, "$var wire 8 % bus", "$var real 64 % bus"), "b0101 %", "r1.25e3 %")},
+      {"a vector of more bits than signals can be", replaced(vcd, "$var wire 8 % bus", "$var wire 99999 % bus")},
       {"a long header", replaced(vcd, "$date today", "$date" + replaced("0000000000000000", "0", " today"))},
       {"a signal that is switched off", replaced(clocked, ",0,", ",X,")},
       {"quotation marks", replaced(replaced(saleae, "Time [s]", "\"Time [s]\""), ",1\r", ",\"1\"\r")},
@@ -274,6 +276,40 @@ TEST_CASE("the names of an oscilloscope's and of DSView's channels: numbers, in 
     CHECK(decoded.signal == row.signal);
     CHECK(decoded.bytes() == All);
     CHECK(Decoded(row.text, row.signal).bytes() == All);
+  }
+}
+
+TEST_CASE("a VCD's vectors: each bit is a signal and has its number") {
+  // As simulators write them: zeros before the first one are left out (IEEE 1364-2005, 18.2.1). Bit 3 from the right is
+  // the wire, bit 0 a clock.
+  const TestWire wire = wireOf();
+  std::string body = "$enddefinitions $end\n#0\nb0 %\n";
+  for (size_t i = 0; i < wire.edges.size(); i++) {
+    body += printed("#%.0f\nb%s %%\n#%.0f\nb%s %%\n", wire.edges[i], i % 2 == 0 ? "1000" : "0", wire.edges[i] + 500,
+                    i % 2 == 0 ? "1001" : "1");
+  }
+  body += printed("#%.0f\n", wire.ns);
+  const struct {
+    std::string variable, body, signal;
+  } rows[] = {
+      {"$var wire 8 % bus $end", body, "bus[3]"},
+      {"$var reg 8 % bus [7:0] $end", body, "bus[3]"},
+      {"$var integer 32 % bus[31:0] $end", body, "bus[3]"},
+      {"$var wire 8 % bus [15:8] $end", body, "bus[11]"},
+      {"$var wire 8 % bus [0:7] $end", body, "bus[4]"},
+      {"$var wire 4 % bus [99999999999999999999] $end", body, "bus[3]"},
+      {"$var wire 8 %%% bus $end", replaced(body, " %", " %%%"), "bus[3]"},
+      {"$var wire 8 % bus $end", replaced(body, "b", "B"), "bus[3]"},
+      {"$var wire 8 % bus $end", replaced(replaced(body, "b1001 ", "bx1 "), "b1 ", "bz1 "), "bus[3]"},  // others unknown
+      {"$var wire 4 % bus $end", replaced(replaced(body, "b0 ", "b110000 "), "b1", "b111"), "bus[3]"},
+      {"$var wire 1 % bus [3] $end", replaced(replaced(replaced(body, "b1 ", "b0 "), "b1001", "b1"), "b1000", "b1"), "bus[3]"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.variable, " ", row.body.substr(20, 30));
+    const Decoded decoded("$timescale 1 ns $end\n" + row.variable + "\n" + row.body);
+    CHECK(decoded.error == "");
+    CHECK(decoded.signal == row.signal);
+    CHECK(decoded.bytes() == All);
   }
 }
 
@@ -594,7 +630,9 @@ TEST_CASE("what is no S.Bus, and why") {
       {textOf(wireOf(10400), TestFormat::Saleae), "its shortest pulses last 10.4 us, as bits of 96153 baud do: 10 us or 5 us are expected, within 3 %"},
       {textOf(seldom, TestFormat::Saleae), "signal RX was sampled every 3.3 us, but a bit lasts 10.0 us"},
       {textOf(brief, TestFormat::Saleae), "signal RX has 3 good characters at 100000 baud, 8E2, inverted, but no frame. No signal has a frame of S.Bus: a frame is 25 characters"},
-      {textOf(silent, TestFormat::Vcd), "signal RX has no pulses: is the probe on S-BUS_OUT, and the receiver on?"},
+      {textOf(silent, TestFormat::Saleae), "signal RX has no pulses: is the probe on S-BUS_OUT, and the receiver on?"},
+      {textOf(silent, TestFormat::Saleae, true), "no signal has pulses: is the probe on S-BUS_OUT, and the receiver on? No signal has a frame"},
+      {textOf(uart, TestFormat::Vcd), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do: 10 us or 5 us are expected, within 3 %. No"},
       {textOf(silent, TestFormat::Scope), "has no pulses"},  // noise alone
       {textOf(uart, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
       {textOf(other, TestFormat::Saleae), "have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected"},
@@ -650,7 +688,8 @@ TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
       {"$timescale 1 us $end\n", "1: ends within its header: $enddefinitions $end is expected"},
       {"$timescale 3 us $end\n", "1: \"3us\" is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected"},
       {"$var wire 1 ! RX $end\n$enddefinitions $end\n", "2: there is no $timescale before this line"},
-      {"$timescale 1 us $end\n$enddefinitions $end\n", "2: there is no variable of one bit before this line"},
+      {"$timescale 1 us $end\n$enddefinitions $end\n", "2: there is no variable of bits before this line"},
+      {"$timescale 1 us $end\n$var real 64 ! v $end\n$enddefinitions $end\n", "3: there is no variable of bits before this line"},
       {"$timescale 1 us $end\nvar\n", "2: \"var\" stands outside of a section"},
       {"$var wire 1 $end\n", "1: a variable is not complete: type, number of bits, code and name are expected"},
       {vcd + "#0\n0!\n#x\n", "6: \"x\" is not a time: a whole number is expected after #"},

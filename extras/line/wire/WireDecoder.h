@@ -49,6 +49,7 @@ class WireDecoder : public LevelSink {
   std::string failure(double periodNs) const;
 
  private:
+  static constexpr size_t Shown = 8;         // signals, in a message
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
 
   void collect(size_t signal, int64_t ns, bool high);
@@ -56,6 +57,7 @@ class WireDecoder : public LevelSink {
   void choose();
   void chooseOnly();
   void begin();
+  std::string someNames() const;
   void decode(int64_t ns, bool high) {
     if (_decoder->level(ns, high, _character)) {
       _onCharacter(_character);
