@@ -224,6 +224,21 @@ if [ -n "$have_sigrok" ]; then
   verdict $? "decode of a session that sigrok has written"
 fi
 
+# The tables of Saleae's analyser: of the wire they tell nothing.
+"$SBUS" decode "$work/sbus2.vcd" --characters --csv >"$work/characters.csv"
+awk -F, 'NR == 1 { print "Time [s],Value,Parity Error,Framing Error"; next }
+  { printf "%.15f,0x%s,,\n", $1 / 1e6, $2 }' "$work/characters.csv" >"$work/logic1.csv"
+awk -F, 'NR == 1 { print "name,type,start_time,duration,\"data\",\"error\""; next }
+  { printf "\"Async Serial\",\"data\",%.9g,0.000115,0x%s,\n", $1 / 1e6, $2 }' "$work/characters.csv" >"$work/logic2.csv"
+for capture in logic1.csv logic2.csv; do
+  "$SBUS" decode "$work/$capture" --csv | cmp - tool/golden/decode-sbus2.csv &&
+    [ "$("$SBUS" decode "$work/$capture" --json | head -n 1)" = '{"type":"wire","signal":"Async Serial"}' ] &&
+    [ "$("$SBUS" decode "$work/$capture" | head -n 1)" = 'signal Async Serial carries S.Bus, as the analyser has decoded it' ]
+  verdict $? "decode of $capture"
+done
+[ "$(sed '30s/,,$/,Error,Error/' "$work/logic1.csv" | "$SBUS" decode - --characters | grep -c '  parity error; framing error$')" -eq 1 ]
+verdict $? "decode of a character that Saleae's analyser has found bad"
+
 # The last line but one is the last character's last edge: that was the end, or more has been lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"
 (cat "$work/edge.vcd"; printf '#') | "$SBUS" decode - --characters --csv >"$work/out" 2>"$work/err"

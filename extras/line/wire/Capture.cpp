@@ -1,5 +1,6 @@
 #include "Capture.h"
 
+#include "AsyncReader.h"
 #include "BitsReader.h"
 #include "CsvReader.h"
 #include "Text.h"
@@ -58,8 +59,13 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrule
   OpenedCapture opened;
   bool analogue = false;
   const bool isVcd = trimmed(head).substr(0, 1) == "$";
-  if (isVcd && overrules.periodNs > 0) {
+  const bool isAsync = AsyncReader::isHead(head);
+  if ((isVcd || isAsync) && overrules.periodNs > 0) {
     opened.error = "has times of its own: leave out --rate";
+  } else if (isAsync && overrules.polarity != Polarity::Either) {
+    opened.error = "has characters that are decoded already: leave out --invert";
+  } else if (isAsync) {
+    opened.reader = std::make_unique<AsyncReader>(head, sink, overrules.baud);
   } else if (isVcd) {
     opened.reader = std::make_unique<VcdReader>(sink);
   } else if (isBits(head)) {

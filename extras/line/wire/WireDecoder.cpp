@@ -10,6 +10,12 @@ namespace {
 
 constexpr int64_t Never = INT64_MAX / 2;
 
+// Of a wire whose characters an analyser has decoded.
+std::string whyNoCharacters(const FoundWire &wire) {
+  return "has " + std::to_string(wire.good) + " good characters and " + std::to_string(wire.bad) +
+         " bad ones: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted?";
+}
+
 }  // namespace
 
 void WireDecoder::signals(const std::vector<std::string> &names) {
@@ -109,8 +115,9 @@ std::string WireDecoder::failure(double periodNs) const {
   for (size_t i = 0; i < _names.size() && told < Shown; i++) {
     const std::vector<Level> &sample = _samples[i];
     if (isWanted(i) && (hasPulses(sample) || _names.size() == 1 || !wanted.empty())) {
+      const FoundWire wire = findWire(sample, _overrules);
       reasons += (told > 0 ? "; signal " : "signal ") + _names[i] + " " +
-                 whyNotFound(sample, findWire(sample, _overrules), periodNs);
+                 (_isMeasured ? whyNotFound(sample, wire, periodNs) : whyNoCharacters(wire));
       told++;
     }
   }

@@ -1,6 +1,7 @@
 // The characters of a capture: of the signal that carries S.Bus, however fast it is and whichever way up.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,9 +22,10 @@ class WireDecoder : public LevelSink {
   WireDecoder(Overrules overrules, std::function<void()> found, std::function<void(const WireCharacter &)> character)
       : _overrules(std::move(overrules)), _onFound(std::move(found)), _onCharacter(std::move(character)) {}
 
+  void ofCharacters() override { _isMeasured = false; }
   void signals(const std::vector<std::string> &names) override;
   void level(size_t signal, int64_t ns, bool high) override {
-    _lastNs = ns;
+    _lastNs = std::max(_lastNs, ns);
     if (!_decoder) {
       collect(signal, ns, high);
     } else if (signal == _chosen) {
@@ -41,6 +43,9 @@ class WireDecoder : public LevelSink {
   bool found() const { return _decoder.has_value(); }
   const FoundWire &wire() const { return _wire; }
   const std::string &signal() const { return _names[_chosen]; }
+
+  // Returns false if an analyser has decoded the characters: of wire() only the frames are then true.
+  bool isMeasured() const { return _isMeasured; }
 
   // Signals beside the chosen one that carry S.Bus, too.
   const std::vector<std::string> &others() const { return _others; }
@@ -70,6 +75,7 @@ class WireDecoder : public LevelSink {
   std::vector<std::string> _names;           // of the signals
   std::vector<std::vector<Level>> _samples;  // of each signal
   std::vector<std::string> _others;
+  bool _isMeasured = true;
   size_t _chosen = 0;
   FoundWire _wire;
   std::optional<CharacterDecoder> _decoder;  // none before a signal is chosen
