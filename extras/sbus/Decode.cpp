@@ -121,7 +121,7 @@ void addDecode(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   verb->add_option("CAPTURE", options->capture,
                    "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
-                   "table of Saleae's Async Serial; bits as 0 and 1; "
+                   "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
                    "each also as .gz; - is standard input")
       ->required()
       ->check(notEmpty())

@@ -3,6 +3,7 @@
 #include "AsyncReader.h"
 #include "BitsReader.h"
 #include "CsvReader.h"
+#include "SigrokTextReader.h"
 #include "Text.h"
 #include "VcdReader.h"
 
@@ -68,6 +69,8 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrule
     opened.reader = std::make_unique<AsyncReader>(head, sink, overrules.baud);
   } else if (isVcd) {
     opened.reader = std::make_unique<VcdReader>(sink);
+  } else if (SigrokTextReader::isHead(head)) {
+    opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrules.periodNs);
   } else if (isBits(head)) {
     opened.reader = std::make_unique<BitsReader>(sink, overrules.periodNs);
   } else {

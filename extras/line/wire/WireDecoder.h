@@ -1,7 +1,6 @@
 // The characters of a capture: of the signal that carries S.Bus, however fast it is and whichever way up.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,7 +24,7 @@ class WireDecoder : public LevelSink {
   void ofCharacters() override { _isMeasured = false; }
   void signals(const std::vector<std::string> &names) override;
   void level(size_t signal, int64_t ns, bool high) override {
-    _lastNs = std::max(_lastNs, ns);
+    _lastNs = ns;
     if (!_decoder) {
       collect(signal, ns, high);
     } else if (signal == _chosen) {
