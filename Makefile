@@ -89,7 +89,7 @@ scope:
 CAPTURES ?=
 # WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
 SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
-TOOL := g++ libcli11-dev libserialport-dev libncurses-dev
+TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev
 AVR := gcc-avr avr-libc arduino-core-avr
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
@@ -97,11 +97,11 @@ ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	  libncurses-dev libarchive-dev tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:
-	@sh extras/setup/need.sh g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev
+	@sh extras/setup/need.sh g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test check
 
 torture:

@@ -67,8 +67,8 @@ class Frames {
 };
 
 std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) {
-  return "signal " + wire.signal() + " has " + std::to_string(characters) + " characters at " +
-         text(wire.wire().settings) + ", but no frame of S.Bus: " + line::FrameForm;
+  return "signal " + wire.signal() + " has " + std::to_string(characters) + " characters" +
+         (wire.isMeasured() ? " at " + text(wire.wire().settings) : "") + ", but no frame of S.Bus: " + line::FrameForm;
 }
 
 void run(const Options &options) {
@@ -120,7 +120,9 @@ void addDecode(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
   const auto options = std::make_shared<Options>();
   verb->add_option("CAPTURE", options->capture,
-                   "VCD; CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; bits as 0 and 1; - is standard input")
+                   "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
+                   "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
+                   "each also as .gz; - is standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");

@@ -37,6 +37,7 @@ std::string json(const std::string &text) {
 
 void DecodeOutput::begin(const line::WireDecoder &wire) {
   const line::FoundWire &found = wire.wire();
+  _isMeasured = wire.isMeasured();
   _inverted = found.settings.polarity == line::Polarity::Inverted;
   _channels = found.channels;
   const double measured = 1e9 / found.bitNs;
@@ -46,9 +47,11 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       for (const std::string &name : wire.others()) {
         others += (others.empty() ? ", as does " : ", ") + name;
       }
-      write(format("signal %s %s%s: %s (measured %.0f, %+.2f %%)\n", wire.signal().c_str(),
-                   found.frames > 0 ? "carries S.Bus" : "has characters, but no frame of S.Bus", others.c_str(),
-                   text(found.settings).c_str(), measured, 100 * found.deviation()));
+      write("signal " + wire.signal() +
+            (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") + others +
+            (_isMeasured ? ": " + text(found.settings) + format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
+                         : ", as the analyser has decoded it") +
+            '\n');
       if (_showsCharacters) {
         write("\n     time ms  byte\n");
       }
@@ -63,8 +66,10 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       break;
     case Form::Json:
       write("{\"type\":\"wire\",\"signal\":" + json(wire.signal()) +
-            ",\"baud\":" + std::to_string(found.settings.baud) +
-            format(",\"measured_baud\":%.0f,\"inverted\":%s}\n", measured, yes(_inverted)));
+            (_isMeasured ? ",\"baud\":" + std::to_string(found.settings.baud) +
+                               format(",\"measured_baud\":%.0f,\"inverted\":%s", measured, yes(_inverted))
+                         : "") +
+            "}\n");
   }
 }
 
@@ -207,6 +212,10 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
 }
 
 std::string DecodeOutput::fault(const line::WireCharacter &character) const {
+  if (!_isMeasured) {
+    return std::string(character.parityWrong ? "parity error" : "") +
+           (character.parityWrong && character.stopWrong ? "; " : "") + (character.stopWrong ? "framing error" : "");
+  }
   // On the wire, as an oscilloscope shows it.
   const int idle = _inverted ? 0 : 1;
   const int parity = line::isOdd(character.value) ? idle : 1 - idle;

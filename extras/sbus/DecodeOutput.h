@@ -40,6 +40,7 @@ class DecodeOutput {
 
   const Form _form;
   const bool _showsCharacters;
+  bool _isMeasured = true;  // the wire, not characters that are decoded already
   bool _inverted = true;
   size_t _columns = 0;  // of the frame above: a table's head stands where it changes
   unsigned _channels = 16;     // of the rows of CSV

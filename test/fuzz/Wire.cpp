@@ -5,6 +5,7 @@
 
 #include "fuzz/Require.h"
 #include "line/wire/CsvReader.h"
+#include "line/wire/SessionReader.h"
 #include "line/wire/WireDecoder.h"
 
 namespace {
@@ -23,7 +24,29 @@ void requireText(const std::string &text) {
   }
 }
 
+// A session of sigrok, unpacked: its metadata begin with [ and end with a 0; samples follow.
+Result decodeSession(const std::string &text, size_t piece) {
+  Result result;
+  line::WireDecoder decoder(
+      {}, [] {}, [&result](const line::WireCharacter &character) { result.characters.push_back(character); });
+  line::SessionReader reader(decoder, 0);
+  const size_t end = std::min(text.find('\0'), text.size());
+  result.error = reader.metadata(text.substr(0, end));
+  const bool begun = result.error.empty();
+  for (size_t from = end + 1; from < text.size() && result.error.empty(); from += piece) {
+    result.error = reader.put(std::string_view(text).substr(from, piece));
+  }
+  if (begun) {
+    decoder.finish(reader.endNs(), !result.error.empty());
+    requireText(decoder.found() ? "" : decoder.failure(reader.periodNs()));
+  }
+  return result;
+}
+
 Result decode(const std::string &text, bool byLines) {
+  if (text.substr(0, 1) == "[") {
+    return decodeSession(text, byLines ? 1 : text.size());
+  }
   Result result;
   line::WireDecoder decoder(
       {}, [] {}, [&result](const line::WireCharacter &character) { result.characters.push_back(character); });

@@ -48,8 +48,8 @@ struct TestWire {
 };
 
 // PicoScope: the wire goes further up and down than it can measure. Owon: its program, with times that go back.
-// OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c, gen_header() and receive(); the old one as
-// before DSView 1.2. Keysight: two rows of names, channels are numbers.
+// OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c:158 to 209, 276 to 313 (a row for each
+// change) and 365 to 391 (each sample); the old one as before DSView 1.2. PulseView...: libsigrok, src/output/csv.c. Keysight: two rows of names, channels are numbers.
 enum class TestFormat { Vcd, Saleae, SaleaeIso, PulseView, PulseViewTimed, Scope, PicoScope, Rigol, Owon, OwonHandheld, DecimalCommas, DsView, DsViewOld, DsViewAnalogue, Keysight };
 constexpr TestFormat TestFormats[] = {TestFormat::Vcd,          TestFormat::Saleae,    TestFormat::SaleaeIso, TestFormat::PulseView,
                                       TestFormat::PulseViewTimed, TestFormat::Scope,   TestFormat::PicoScope, TestFormat::Rigol,

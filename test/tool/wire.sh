@@ -130,16 +130,18 @@ verdict $? "decode of a capture that is cut off, on standard input"
 [ $? -eq 1 ] && ! grep -q 'ends within' "$work/err"
 verdict $? "decode of a capture whose last line is wrong, but whole"
 
-# Standard input that stays open: frames come before its end, of a VCD and of samples; here of 60 times the capture.
+# Standard input that stays open: frames come before its end, of a VCD and of CSV; here of 4 times the capture, far less than a
+# block.
 begin=$(sed -n '1,/^#/p' "$work/sbus2.vcd" | sed '$d')
 awk '!/^#/ && !lines { next } { line[lines++] = $0 } /^#/ { end = substr($0, 2) + 0 }
   END {
-    for (; from < 60 * end; from += end) {
+    for (; from < 4 * end; from += end) {
       for (i = 0; i < lines - 1; i++) print line[i] ~ /^#/ ? "#" from + substr(line[i], 2) : line[i]
     }
   }' "$work/sbus2.vcd" >"$work/body"
 (echo "$begin"; cat "$work/body") >"$work/live.vcd"
-(echo '; Samplerate: 1 MHz'; echo logic; cat "$work/samples.csv" "$work/samples.csv" "$work/samples.csv" "$work/samples.csv") >"$work/live.csv"
+awk 'BEGIN { print "Time [s],SBUS" } /^#/ { us = substr($0, 2) } /^[01]!/ { printf "%.6f,%s\n", us / 1e6, substr($0, 1, 1) }' \
+  "$work/live.vcd" >"$work/live.csv"
 for capture in live.vcd live.csv; do
   rm -f "$work/fifo"
   mkfifo "$work/fifo"
@@ -158,6 +160,93 @@ for capture in live.vcd live.csv; do
   wait $decoder && [ $early -eq 0 ] && "$SBUS" decode "$work/$capture" --csv | cmp - "$work/live.out"
   verdict $? "decode of standard input prints the frames of $capture as they come"
 done
+
+# Packed, in a file and through a pipe; of one that is cut off what came before.
+for capture in sbus2.vcd live.csv; do
+  gzip -c "$work/$capture" >"$work/$capture.gz"
+  "$SBUS" decode "$work/$capture" --csv >"$work/plain" && "$SBUS" decode "$work/$capture.gz" --csv | cmp - "$work/plain" &&
+    gzip -c "$work/$capture" | "$SBUS" decode - --csv | cmp - "$work/plain"
+  verdict $? "decode of $capture.gz"
+done
+(echo '; Samplerate: 1 MHz'; echo logic; cat "$work/samples.csv" "$work/samples.csv") >"$work/long.csv"
+"$SBUS" decode "$work/long.csv" --csv >"$work/plain"
+gzip -c "$work/long.csv" >"$work/long.gz"
+head -c $(($(wc -c <"$work/long.gz") * 9 / 10)) "$work/long.gz" >"$work/cut.gz"
+"$SBUS" decode "$work/cut.gz" --csv >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 10 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
+  grep -qx "sbus decode: $work/cut.gz: cannot be read to its end (truncated gzip input); what came before it is decoded above" "$work/err"
+verdict $? "decode of a .gz that is cut off"
+
+# Sessions of sigrok and PulseView. Real ones (sigrokproject/sigrok-dumps) have their entries in each of these orders.
+session() {  # FILE ENTRY...: logic-1 has all samples, logic-1-N a part of them
+  python3 - "$work" "$@" <<'EOF'
+import sys, zipfile
+work, file, *entries = sys.argv[1:]
+samples = bytes(int(level) << 4 for level in open(work + "/samples.csv").read().split())
+size = len(samples) // max(1, sum(entry.startswith("logic-1-") for entry in entries)) + 1
+with zipfile.ZipFile(work + "/" + file, "w", zipfile.ZIP_DEFLATED) as session:
+    for entry in entries:
+        part = int(entry[8:] or 0) if entry.startswith("logic-1") else 0
+        session.writestr(entry, {
+            "version": "2",
+            "metadata": "[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=8\n"
+                        "samplerate=1 MHz\ntotal analog=0\nprobe5=SBUS\nunitsize=1\n",
+            "logic-1": samples}.get(entry, samples[size * (part - 1):size * part]))
+EOF
+}
+"$SBUS" decode "$work/samples.csv" --rate 1e6 --csv >"$work/plain"
+sessions=0
+while read -r entries; do
+  sessions=$((sessions + 1))
+  # shellcheck disable=SC2086
+  session $sessions.sr $entries && "$SBUS" decode "$work/$sessions.sr" --csv | cmp - "$work/plain" &&
+    "$SBUS" decode - --csv <"$work/$sessions.sr" | cmp - "$work/plain"
+  verdict $? "decode of a session: $entries"
+done <<'EOF'
+version metadata logic-1-1 logic-1-2 logic-1-3 logic-1-4 logic-1-5 logic-1-6 logic-1-7 logic-1-8 logic-1-9 logic-1-10 logic-1-11
+version logic-1 metadata
+logic-1-6 logic-1-7 logic-1-8 logic-1-9 metadata logic-1-10 logic-1-11 version logic-1-1 logic-1-2 logic-1-3 logic-1-4 logic-1-5
+EOF
+cat "$work/2.sr" | "$SBUS" decode - 2>"$work/err"
+[ $? -eq 1 ] && grep -qx "sbus decode: -: is a pipe, and a session is read more than once: save it in a file first" "$work/err"
+verdict $? "decode of a session through a pipe"
+session other.zip version logic-1
+! "$SBUS" decode "$work/other.zip" 2>"$work/err" &&
+  grep -qx "sbus decode: $work/other.zip: is a ZIP, but no session of sigrok or PulseView, .*: export it as VCD or as CSV" "$work/err"
+verdict $? "decode of a ZIP that is no session"
+session empty.sr version metadata
+! "$SBUS" decode "$work/empty.sr" 2>"$work/err" &&
+  grep -qx "sbus decode: $work/empty.sr: has no samples: logic-1 or logic-1-1 is expected in it" "$work/err"
+verdict $? "decode of a session without samples"
+head -c $(($(wc -c <"$work/1.sr") * 2 / 3)) "$work/1.sr" >"$work/cut.sr"
+"$SBUS" decode "$work/cut.sr" --csv >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 3 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
+  grep -q "cut.sr: cannot be read to its end (.*; what came before it is decoded above" "$work/err"
+verdict $? "decode of a session that is cut off"
+if [ -n "$have_sigrok" ]; then
+  sigrok-cli -I vcd -i "$work/sbus2.vcd" -o "$work/sigrok.sr" && "$SBUS" decode "$work/sigrok.sr" --csv |
+    cmp - tool/golden/decode-sbus2.csv
+  verdict $? "decode of a session that sigrok has written"
+  for form in bits hex csv vcd; do
+    sigrok-cli -i "$work/sigrok.sr" -O $form | "$SBUS" decode - --csv | cmp - tool/golden/decode-sbus2.csv
+    verdict $? "decode of what sigrok-cli -O $form prints"
+  done
+fi
+
+# The tables of Saleae's analyser: of the wire they tell nothing.
+"$SBUS" decode "$work/sbus2.vcd" --characters --csv >"$work/characters.csv"
+awk -F, 'NR == 1 { print "Time [s],Value,Parity Error,Framing Error"; next }
+  { printf "%.15f,0x%s,,\n", $1 / 1e6, $2 }' "$work/characters.csv" >"$work/logic1.csv"
+awk -F, 'NR == 1 { print "name,type,start_time,duration,\"data\",\"error\""; next }
+  { printf "\"Async Serial\",\"data\",%.9g,0.000115,0x%s,\n", $1 / 1e6, $2 }' "$work/characters.csv" >"$work/logic2.csv"
+for capture in logic1.csv logic2.csv; do
+  "$SBUS" decode "$work/$capture" --csv | cmp - tool/golden/decode-sbus2.csv &&
+    [ "$("$SBUS" decode "$work/$capture" --json | head -n 1)" = '{"type":"wire","signal":"Async Serial"}' ] &&
+    [ "$("$SBUS" decode "$work/$capture" | head -n 1)" = 'signal Async Serial carries S.Bus, as the analyser has decoded it' ]
+  verdict $? "decode of $capture"
+done
+[ "$(sed '30s/,,$/,Error,Error/' "$work/logic1.csv" | "$SBUS" decode - --characters | grep -c '  parity error; framing error$')" -eq 1 ]
+verdict $? "decode of a character that Saleae's analyser has found bad"
 
 # The last line but one is the last character's last edge: that was the end, or more has been lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"

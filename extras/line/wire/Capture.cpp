@@ -1,7 +1,9 @@
 #include "Capture.h"
 
+#include "AsyncReader.h"
 #include "BitsReader.h"
 #include "CsvReader.h"
+#include "SigrokTextReader.h"
 #include "Text.h"
 #include "VcdReader.h"
 
@@ -42,9 +44,6 @@ std::string whyUnknown(std::string_view head) {
   if (trimmed(head).empty()) {
     return "is empty: a capture of a wire is expected";
   }
-  if (head.substr(0, 2) == "PK") {
-    return "is a session of PulseView or Logic 2: export it as VCD or as CSV";
-  }
   if (head.substr(0, 8) == "<SALEAE>") {
     return "is Logic 2's binary export: export it as CSV";
   }
@@ -59,21 +58,34 @@ std::string whyUnknown(std::string_view head) {
 
 OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules) {
   OpenedCapture opened;
-  if (overrules.periodNs > 0 && trimmed(head).substr(0, 1) == "$") {
-    opened.error = "is a VCD, whose times are its own: leave out --rate";
-  } else if (trimmed(head).substr(0, 1) == "$") {
+  bool analogue = false;
+  const bool isVcd = trimmed(head).substr(0, 1) == "$";
+  const bool isAsync = AsyncReader::isHead(head);
+  if ((isVcd || isAsync) && overrules.periodNs > 0) {
+    opened.error = "has times of its own: leave out --rate";
+  } else if (isAsync && overrules.polarity != Polarity::Either) {
+    opened.error = "has characters that are decoded already: leave out --invert";
+  } else if (isAsync) {
+    opened.reader = std::make_unique<AsyncReader>(head, sink, overrules.baud);
+  } else if (isVcd) {
     opened.reader = std::make_unique<VcdReader>(sink);
+  } else if (SigrokTextReader::isHead(head)) {
+    opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrules.periodNs);
   } else if (isBits(head)) {
     opened.reader = std::make_unique<BitsReader>(sink, overrules.periodNs);
   } else {
     CsvLayout layout;
     opened.error = whyUnknown(head);
     opened.error = opened.error.empty() ? findLayout(head, layout, overrules.periodNs) : opened.error;
-    if (opened.error.empty() && layout.analogue) {
+    analogue = layout.analogue;
+    if (opened.error.empty() && analogue) {
       opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrules.threshold);
     } else if (opened.error.empty()) {
       opened.reader = std::make_unique<DigitalReader>(layout, sink);
     }
+  }
+  if (opened.reader && overrules.threshold && !analogue) {
+    return {nullptr, "has no voltages: leave out --threshold"};
   }
   return opened;
 }

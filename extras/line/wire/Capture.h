@@ -14,6 +14,7 @@ namespace line {
 
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: what is later is a mistake
 constexpr size_t CaptureLineMax = size_t{1} << 16;                           // characters of text
+constexpr size_t SignalsMax = 4096;                                          // of a capture
 constexpr size_t CaptureHeadMax = size_t{1} << 16;  // characters in which the format must show itself
 
 // Where a reader's levels go.
@@ -21,10 +22,14 @@ class LevelSink {
  public:
   virtual ~LevelSink() = default;
 
+  // Called before signals() if the levels are made of characters that an analyser has decoded: they tell nothing of the
+  // wire's speed and polarity.
+  virtual void ofCharacters() {}
+
   // Called once, before the first level: the names of the signals.
   virtual void signals(const std::vector<std::string> &names) = 0;
 
-  // From `ns` on the signal is so. Called at its beginning and at each change; times never go back.
+  // From `ns` on the signal is so. Called at its beginning and at each change; the times of a signal never go back.
   virtual void level(size_t signal, int64_t ns, bool high) = 0;
 };
 

@@ -1,13 +1,12 @@
 #include "CaptureFile.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
 
+#include "PackedFile.h"
+#include "SessionReader.h"
 #include "Text.h"
 
 namespace line {
@@ -16,39 +15,45 @@ namespace {
 
 constexpr size_t BlockSize = size_t{1} << 20;
 
-// Takes what has come, as a pipe brings it.
-class File {
- public:
-  explicit File(const std::string &name) : _name(name), _file(name == "-" ? STDIN_FILENO : open(name.c_str(), O_RDONLY)) {
-    if (_file < 0) {
-      throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
-                               "); the name of a capture is expected");
-    }
-  }
-  ~File() {
-    if (_file != STDIN_FILENO) {
-      close(_file);
-    }
-  }
-  File(const File &) = delete;
-  File &operator=(const File &) = delete;
+constexpr size_t MetadataMax = size_t{1} << 20;
 
-  // Waits for a byte or more. Returns how many there are; 0 at the end.
-  size_t read(char *at, size_t most) {
-    ssize_t count;
-    do {
-      count = ::read(_file, at, most);
-    } while (count < 0 && errno == EINTR);
-    if (count < 0) {
-      throw std::runtime_error(_name + ": cannot be read (" + std::strerror(errno) + ")");
-    }
-    return static_cast<size_t>(count);
+CaptureEnd readSession(const std::string &name, const Overrules &overrules, PackedFile &file, WireDecoder &decoder) {
+  const auto refuse = [&](const std::string &why) {
+    throw std::runtime_error(name + ": " + (file.failure().empty() ? why : file.failure()));
+  };
+  if (!file.canGoBack()) {
+    refuse("is a pipe, and a session is read more than once: save it in a file first");
   }
-
- private:
-  const std::string _name;
-  const int _file;
-};
+  if (!file.find("metadata")) {
+    refuse("is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV");
+  }
+  std::string metadata;
+  for (std::string_view bytes = file.read(); !bytes.empty() && metadata.size() < MetadataMax; bytes = file.read()) {
+    metadata += bytes;
+  }
+  SessionReader reader(decoder, overrules.periodNs);
+  std::string error = reader.metadata(metadata);
+  if (!error.empty() || overrules.threshold) {
+    refuse(error.empty() ? "has no voltages: leave out --threshold" : error);
+  }
+  // In one entry, or in several that are numbered.
+  const std::string &entry = reader.samplesName();
+  const bool isWhole = file.find(entry);
+  unsigned entries = 0;
+  while (error.empty() && (isWhole ? entries == 0 : file.find(entry + "-" + std::to_string(entries + 1)))) {
+    entries++;
+    for (std::string_view bytes = file.read(); !bytes.empty() && error.empty(); bytes = file.read()) {
+      error = reader.put(bytes);
+    }
+    error = error.empty() ? file.failure() : error;
+  }
+  error = error.empty() ? file.failure() : error;
+  if (entries == 0) {
+    refuse("has no samples: " + entry + " or " + entry + "-1 is expected in it");
+  }
+  decoder.finish(reader.endNs(), !error.empty());
+  return {reader.format(), reader.periodNs(), error.empty() ? "" : name + ": " + error};
+}
 
 // Returns true if the format shows itself in the first characters of a capture, though more of it will come.
 bool isHead(std::string_view text) {
@@ -58,15 +63,22 @@ bool isHead(std::string_view text) {
 }  // namespace
 
 CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder) {
-  File file(name);
+  PackedFile file(name);
+  if (file.isZip()) {
+    return readSession(name, overrules, file, decoder);
+  }
   CaptureEnd end;
+  std::string_view fresh;
   std::unique_ptr<CaptureReader> reader;
   std::vector<char> block(BlockSize);
   size_t filled = 0;
   bool more = true;
   bool cutOff = false;
   while (more && end.error.empty()) {
-    const size_t count = file.read(block.data() + filled, block.size() - filled);
+    fresh = fresh.empty() ? file.read() : fresh;
+    const size_t count = std::min(fresh.size(), block.size() - filled);
+    std::copy_n(fresh.data(), count, block.data() + filled);
+    fresh.remove_prefix(count);
     filled += count;
     more = count > 0;
     std::string_view text(block.data(), filled);
@@ -77,7 +89,7 @@ CaptureEnd readCapture(const std::string &name, const Overrules &overrules, Wire
     if (!reader) {
       OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), decoder, overrules);
       if (!opened.error.empty()) {
-        throw std::runtime_error(name + ": " + opened.error);
+        throw std::runtime_error(name + ": " + (file.failure().empty() ? opened.error : file.failure()));
       }
       reader = std::move(opened.reader);
     }
@@ -101,6 +113,7 @@ CaptureEnd readCapture(const std::string &name, const Overrules &overrules, Wire
     end.error = reader->finish();
   }
   end.error = end.error.empty() ? "" : place + (cutOff ? "the capture ends within this line: " : "") + end.error;
+  end.error = file.failure().empty() ? end.error : name + ": " + file.failure();
   decoder.finish(reader->endNs(), !end.error.empty());
   end.format = reader->format();
   end.periodNs = reader->periodNs();

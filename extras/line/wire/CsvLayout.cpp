@@ -70,19 +70,6 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> word
   return false;
 }
 
-// The period of "1 MHz" or "1000000"; 0 if it is none.
-double periodOf(std::string_view rate) {
-  const char *at = rate.data();
-  const char *end = at + rate.size();
-  double number = 0;
-  if (!takeNumber(at, end, number) || number <= 0) {
-    return 0;
-  }
-  const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
-  const double hertz = unit == "ghz" ? 1e9 : unit == "mhz" ? 1e6 : unit == "khz" ? 1e3 : 1;
-  return 1e9 / (number * hertz);
-}
-
 double unitOf(std::string_view title) {
   return hasWord(title, {"ns", "nanosecond", "nanoseconds"})     ? 1
          : hasWord(title, {"us", "microsecond", "microseconds"}) ? 1e3

@@ -46,7 +46,7 @@ class AnalogueReader : public CsvReader {
   // `threshold`: of all signals; none: each has its own, which is found.
   AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
 
-  bool wantsFullBlocks() const override { return true; }
+  bool wantsFullBlocks() const override { return !_told; }
 
  private:
   struct Signal {

@@ -95,6 +95,18 @@ bool parseNumber(std::string_view word, double &value, char mark) {
   return takeNumber(at, end, value, mark) && at == end;
 }
 
+double periodOf(std::string_view rate) {
+  const char *at = rate.data();
+  const char *end = at + rate.size();
+  double number = 0;
+  if (!takeNumber(at, end, number) || number <= 0) {
+    return 0;
+  }
+  const std::string unit = lower(trimmed(std::string_view(at, static_cast<size_t>(end - at))));
+  const double hertz = unit == "ghz" ? 1e9 : unit == "mhz" ? 1e6 : unit == "khz" ? 1e3 : 1;
+  return 1e9 / (number * hertz);
+}
+
 bool parseTimestamp(std::string_view word, int64_t &ns) {
   const std::string text(word);
   std::tm calendar{};

@@ -34,4 +34,7 @@ bool parseNumber(std::string_view word, double &value, char mark = '.');
 // taken.
 bool parseTimestamp(std::string_view word, int64_t &ns);
 
+// Returns the period of "1 MHz" or "1000000" in ns; 0 if it is no rate.
+double periodOf(std::string_view rate);
+
 }  // namespace line

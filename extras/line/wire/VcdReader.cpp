@@ -1,6 +1,7 @@
 #include "VcdReader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "Text.h"
@@ -9,7 +10,21 @@ namespace line {
 
 namespace {
 
-constexpr size_t SignalsMax = 4096;
+constexpr double NumberMax = 1e9;  // of a bit
+
+// Takes "7:0" of "[7:0]", or "3" of "[3]"; leaves the numbers as they are if it is no range.
+void takeRange(std::string_view range, double &highest, double &lowest) {
+  const char *at = range.data() + 1;
+  const char *end = range.data() + range.size();
+  double first, last;
+  if (range.empty() || range.front() != '[' || !takeNumber(at, end, first) || !(first < NumberMax)) {
+    return;
+  }
+  highest = lowest = first;
+  if (at < end && *at == ':' && takeNumber(++at, end, last) && last < NumberMax) {
+    lowest = last;
+  }
+}
 
 // Takes the next word off `text`; empty at the end.
 std::string_view takeWord(std::string_view &text) {
@@ -113,7 +128,7 @@ std::string VcdReader::endSection() {
       return "there is no $timescale before this line: one such as $timescale 1 us $end is expected";
     }
     if (_names.empty()) {
-      return "there is no variable of one bit before this line: one such as $var wire 1 ! SBUS $end is expected";
+      return "there is no variable of bits before this line: one such as $var wire 1 ! SBUS $end is expected";
     }
     _inBody = true;
     _sink.signals(_names);
@@ -125,23 +140,36 @@ std::string VcdReader::defineVariable() {
   if (_words.size() < 4) {
     return "a variable is not complete: type, number of bits, code and name are expected";
   }
-  if (_words[1] != "1" || _words[0] == "real" || _names.size() == SignalsMax) {
+  double width;
+  if (!parseNumber(_words[1], width) || !(width >= 1) || _words[0] == "real" ||
+      static_cast<double>(_names.size()) + width > static_cast<double>(SignalsMax)) {
     return {};
   }
   const std::string &code = _words[2];
   if (signalOf(code) != None) {
     return {};  // the same wire, seen from another module
   }
-  std::string name = _words[3];
-  if (std::find(_names.begin(), _names.end(), name) != _names.end() && !_scopes.empty()) {
-    name = _scopes.back() + "." + name;
-  }
   if (code.size() == 1 && static_cast<unsigned char>(code[0]) < _byCharacter.size()) {
     _byCharacter[static_cast<unsigned char>(code[0])] = _names.size();
   } else {
     _byCode[code] = _names.size();
   }
-  _names.push_back(name);
+  // "bus[7:0]", or "bus" and "[7:0]"
+  const size_t bracket = std::min(_words[3].find('[', 1), _words[3].size());
+  const std::string range = bracket < _words[3].size() ? _words[3].substr(bracket) : _words.size() > 4 ? _words[4] : "";
+  const bool numbered = width > 1 || range.substr(0, 1) == "[";
+  double highest = width - 1, lowest = 0;
+  takeRange(range, highest, lowest);
+  for (double i = 0; i < width; i++) {
+    const double number = lowest + (highest < lowest ? -i : i);
+    std::string name = _words[3].substr(0, bracket);
+    name += numbered ? "[" + std::to_string(std::llround(number)) + "]" : "";
+    if (std::find(_names.begin(), _names.end(), name) != _names.end() && !_scopes.empty()) {
+      name = _scopes.back() + "." + name;
+    }
+    _names.push_back(name);
+    _widths.push_back(static_cast<size_t>(width));
+  }
   return {};
 }
 
@@ -160,9 +188,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
   }
   if (_codeFollows) {
     _codeFollows = false;
-    if (signalOf(word) != None && _bit != 'x') {
-      _sink.level(signalOf(word), _ns, _bit == '1');
-    }
+    setVector(signalOf(word));
     return {};
   }
   switch (word.front()) {
@@ -188,13 +214,23 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case 's':  // a string, as GTKWave writes it
     case 'S':
       _codeFollows = true;
-      _bit = word == "b0" || word == "b1" ? word.back() : 'x';
+      _bits = word.front() == 'b' || word.front() == 'B' ? word.substr(1) : "";
       return {};
     case '$':
       _passing = word == "$comment";
       return {};
     default:
       return quoted(word) + " is no value change: #TIME, or 0 or 1 and a variable's code is expected";
+  }
+}
+
+// Where the value has fewer bits than the vector, zeros stand before it; but x or z, if it begins so.
+void VcdReader::setVector(size_t lowest) {
+  for (size_t i = 0; lowest != None && !_bits.empty() && i < _widths[lowest]; i++) {
+    const char bit = i < _bits.size() ? _bits[_bits.size() - 1 - i] : _bits.front() == '1' ? '0' : _bits.front();
+    if (bit == '0' || bit == '1') {
+      _sink.level(lowest + i, _ns, bit == '1');
+    }
   }
 }
 

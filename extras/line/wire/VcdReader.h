@@ -1,5 +1,5 @@
-// A value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its scalar
-// variables are the signals; vectors and reals are passed over.
+// A value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its signals are
+// scalar variables and the bits of vectors; reals are passed over.
 #pragma once
 
 #include <array>
@@ -23,18 +23,21 @@ class VcdReader : public CaptureReader {
   std::string headerWord(std::string_view word);
   std::string endSection();
   std::string defineVariable();
+  void setVector(size_t lowest);
   std::string bodyWord(std::string_view word);
   std::string setTime(std::string_view digits);
+  // Of a vector: that of its lowest bit, whose higher ones follow.
   size_t signalOf(std::string_view code) const;
 
   bool _inBody = false;
   bool _passing = false;      // over what is not for us, up to $end; in the body: a comment
   bool _codeFollows = false;  // of a vector or real
-  char _bit = 'x';            // and this was its value, if it has one bit
+  std::string _bits;          // and this was its value, if it is a vector
   std::string _section;       // "$var": which words are collected, up to $end
   std::vector<std::string> _words;
   std::vector<std::string> _scopes;
   std::vector<std::string> _names;
+  std::vector<size_t> _widths;  // of the variable whose lowest bit this signal is
   std::array<size_t, 128> _byCharacter;  // the signal of a code of one character
   std::unordered_map<std::string, size_t> _byCode;
   uint64_t _unitNumerator = 0;  // a unit of time is so many ns

@@ -10,6 +10,12 @@ namespace {
 
 constexpr int64_t Never = INT64_MAX / 2;
 
+// Of a wire whose characters an analyser has decoded.
+std::string whyNoCharacters(const FoundWire &wire) {
+  return "has " + std::to_string(wire.good) + " good characters and " + std::to_string(wire.bad) +
+         " bad ones: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted?";
+}
+
 }  // namespace
 
 void WireDecoder::signals(const std::vector<std::string> &names) {
@@ -99,23 +105,32 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
 }
 
 std::string WireDecoder::failure(double periodNs) const {
-  constexpr size_t Shown = 8;
-  std::string names;
-  std::string reasons;
-  for (size_t i = 0; i < _names.size() && i < Shown; i++) {
-    names += (i > 0 ? ", " : "") + _names[i];
-    if (isWanted(i)) {
-      const std::vector<Level> &sample = _samples[i];
-      reasons += (reasons.empty() ? "" : "; ") + ("signal " + _names[i] + " ") +
-                 whyNotFound(sample, findWire(sample, _overrules), periodNs);
-    }
-  }
-  names += _names.size() > Shown ? ", ..." : "";
   const std::string &wanted = _overrules.signal;
   if (!wanted.empty() && std::find(_names.begin(), _names.end(), wanted) == _names.end()) {
-    return "there is no signal " + wanted + ": one of " + names + " is expected";
+    return "there is no signal " + wanted + ": one of " + someNames() + " is expected";
   }
-  return reasons + ". No signal has a frame of S.Bus: " + FrameForm;
+  // Of many signals some are told: those with pulses, unless none has.
+  size_t told = 0;
+  std::string reasons;
+  for (size_t i = 0; i < _names.size() && told < Shown; i++) {
+    const std::vector<Level> &sample = _samples[i];
+    if (isWanted(i) && (hasPulses(sample) || _names.size() == 1 || !wanted.empty())) {
+      const FoundWire wire = findWire(sample, _overrules);
+      reasons += (told > 0 ? "; signal " : "signal ") + _names[i] + " " +
+                 (_isMeasured ? whyNotFound(sample, wire, periodNs) : whyNoCharacters(wire));
+      told++;
+    }
+  }
+  reasons = told > 0 ? reasons : "no signal has pulses: is the probe on S-BUS_OUT, and the receiver on?";
+  return reasons + (reasons.back() == '?' ? "" : ".") + " No signal has a frame of S.Bus: " + FrameForm;
+}
+
+std::string WireDecoder::someNames() const {
+  std::string names;
+  for (size_t i = 0; i < _names.size() && i < Shown; i++) {
+    names += (i > 0 ? ", " : "") + _names[i];
+  }
+  return names + (_names.size() > Shown ? ", ..." : "");
 }
 
 }  // namespace line

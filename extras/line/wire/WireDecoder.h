@@ -21,6 +21,7 @@ class WireDecoder : public LevelSink {
   WireDecoder(Overrules overrules, std::function<void()> found, std::function<void(const WireCharacter &)> character)
       : _overrules(std::move(overrules)), _onFound(std::move(found)), _onCharacter(std::move(character)) {}
 
+  void ofCharacters() override { _isMeasured = false; }
   void signals(const std::vector<std::string> &names) override;
   void level(size_t signal, int64_t ns, bool high) override {
     _lastNs = ns;
@@ -42,6 +43,9 @@ class WireDecoder : public LevelSink {
   const FoundWire &wire() const { return _wire; }
   const std::string &signal() const { return _names[_chosen]; }
 
+  // Returns false if an analyser has decoded the characters: of wire() only the frames are then true.
+  bool isMeasured() const { return _isMeasured; }
+
   // Signals beside the chosen one that carry S.Bus, too.
   const std::vector<std::string> &others() const { return _others; }
 
@@ -49,6 +53,7 @@ class WireDecoder : public LevelSink {
   std::string failure(double periodNs) const;
 
  private:
+  static constexpr size_t Shown = 8;         // signals, in a message
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
 
   void collect(size_t signal, int64_t ns, bool high);
@@ -56,6 +61,7 @@ class WireDecoder : public LevelSink {
   void choose();
   void chooseOnly();
   void begin();
+  std::string someNames() const;
   void decode(int64_t ns, bool high) {
     if (_decoder->level(ns, high, _character)) {
       _onCharacter(_character);
@@ -68,6 +74,7 @@ class WireDecoder : public LevelSink {
   std::vector<std::string> _names;           // of the signals
   std::vector<std::vector<Level>> _samples;  // of each signal
   std::vector<std::string> _others;
+  bool _isMeasured = true;
   size_t _chosen = 0;
   FoundWire _wire;
   std::optional<CharacterDecoder> _decoder;  // none before a signal is chosen

@@ -167,6 +167,10 @@ FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules)
   return best;
 }
 
+bool hasPulses(const std::vector<Level> &levels) {
+  return !pulses(levels).empty();
+}
+
 bool hasBits(const std::vector<Level> &levels) {
   return lastsABit(shortest(pulses(levels)));
 }

@@ -45,6 +45,8 @@ struct FoundWire {
 // first is where the sample begins. Only the overrules' baud rate and polarity are tried.
 FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules = {});
 
+bool hasPulses(const std::vector<Level> &levels);
+
 // Returns true if the shortest pulses last a bit of 100000 or 200000 baud.
 bool hasBits(const std::vector<Level> &levels);
 
