@@ -1,6 +1,7 @@
 // Plays a recording once.
 #pragma once
 
+#include <memory>
 #include <utility>
 
 #include "Line.h"
@@ -10,7 +11,11 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
-  explicit RecordedLine(Recording recording) : _recording(std::move(recording)) {}
+  explicit RecordedLine(Recording recording)
+      : RecordedLine(std::make_shared<const Recording>(std::move(recording))) {}
+
+  // Several lines may play one recording.
+  explicit RecordedLine(std::shared_ptr<const Recording> recording) : _characters(recording, &recording->characters) {}
 
   // The recording begins a moment after the sketch has opened the port: nobody wants to miss its beginning.
   void opened(uint64_t nowUs) override { _zeroUs = nowUs + LeadUs; }
@@ -26,7 +31,7 @@ class RecordedLine : public Line {
   static constexpr uint64_t LeadUs = 1000;
   static constexpr uint64_t TailUs = 300000;
 
-  Recording _recording;
+  const std::shared_ptr<const Characters> _characters;
   uint64_t _zeroUs = LeadUs;
   size_t _index = 0;
 };

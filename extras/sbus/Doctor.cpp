@@ -150,7 +150,7 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   settings.baud = source.isWire() && !source.isFile() ? sbus::Baud : settings.baud;
   settings.polarity = source.isWire() ? settings.polarity : line::Polarity::Either;
   std::vector<line::LineSettings> all = {settings};
-  if (source.isStream()) {
+  if (source.isStream() || !source.hasTimes()) {
     return all;
   }
   settings.baud = settings.baud == sbus::Baud ? 2 * sbus::Baud : sbus::Baud;
@@ -161,7 +161,7 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   }
   for (const size_t i : {size_t{0}, size_t{1}}) {
     line::LineSettings other = all[i];
-    other.polarity = line::Polarity::Uninverted;
+    other.polarity = other.idleHigh() ? line::Polarity::Inverted : line::Polarity::Uninverted;
     all.push_back(other);
   }
   return all;
@@ -199,7 +199,7 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
   }
   const sbus::Finding finding = diagnosis.finding();
   write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
-        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures() + heard[diagnosis.best()]->note());
+        advice(finding, source, settings.front(), settings[diagnosis.best()]) + (source.hasTimes() ? heard[diagnosis.best()]->figures() : "") + heard[diagnosis.best()]->note());
   return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
 }
 

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "line/CsvRows.h"
+#include "line/NoisyLine.h"
 #include "line/RecordedLine.h"
-#include "line/RecordingFile.h"
 #include "line/SampledLine.h"
 #include "line/ports/ByteStream.h"
 #include "line/ports/ReopenedPort.h"
@@ -35,7 +35,7 @@ Kind kindOf(const std::string &name) {
 }  // namespace
 
 SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(verb), _recordings(recordings) {
-  verb.add_option("SOURCE", _name, "a serial port, a recording, - for bytes on standard input, or sim")
+  verb.add_option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
       ->required()
       ->check(notEmpty())
       ->type_name("");
@@ -46,7 +46,7 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
 }
 
 line::LineSettings SourceOption::settings() const {
-  return _csv->count() > 0 ? line::csvSettings() : _options.settings(isFile() ? _name : "");
+  return _csv->count() > 0 ? line::csvSettings() : isFile() ? file().settings : _options.settings();
 }
 
 bool SourceOption::isFile() const {
@@ -58,7 +58,19 @@ bool SourceOption::isStream() const {
 }
 
 bool SourceOption::isWire() const {
-  return kindOf(_name) == Kind::Simulated || (isFile() && !line::isCsv(_name));
+  const auto hasLevels = [](FileKind kind) { return kind == FileKind::Recording || kind == FileKind::Capture; };
+  return isFile() ? hasLevels(file().kind) : kindOf(_name) == Kind::Simulated;
+}
+
+bool SourceOption::hasTimes() const {
+  return !isFile() || file().kind != FileKind::Bytes;
+}
+
+const FileSource &SourceOption::file() const {
+  if (!_file) {
+    _file = std::make_shared<const FileSource>(readFile(_name, _options.baud()));
+  }
+  return *_file;
 }
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
@@ -84,14 +96,29 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime->count() > 0);
   }
   if (kind == Kind::File) {
-    refuseOtherKinds(_name);
+    return openFile(port);
   }
-  if (kind == Kind::File && line::isCsv(_name)) {
-    _options.refuseDisturbing("rows of CSV");
-    return std::make_unique<line::RecordedLine>(line::readCsv(_name));
-  }
-  const line::Source source = _options.source(kind == Kind::File ? _name : "");
+  const line::Source source = _options.source(_options.settings());
   return std::make_unique<line::SampledLine>(source.open(), source.settings, port);
+}
+
+std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
+  const FileSource &read = file();
+  if (read.kind != FileKind::Recording) {
+    _options.refuseDisturbing(read.kind == FileKind::Rows      ? "rows of CSV"
+                              : read.kind == FileKind::Capture ? "a capture of the wire"
+                                                               : "bytes without times");
+  }
+  const std::shared_ptr<const line::Recording> recording(_file, &read.recording);
+  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(recording);
+  if (!isWire()) {
+    return line;
+  }
+  const line::Source source = _options.source(read.settings);
+  if (source.noise > 0) {
+    line = std::make_unique<line::NoisyLine>(std::move(line), source.noise, source.settings.characterUs());
+  }
+  return std::make_unique<line::SampledLine>(std::move(line), source.settings, port);
 }
 
 }  // namespace tool

@@ -1,8 +1,9 @@
-// SOURCE on the command line: a port, a recording, rows of CSV, - or sim; and the options that go with it.
+// SOURCE on the command line: a port, a file, - or sim; and the options that go with it.
 #pragma once
 
 #include <memory>
 
+#include "FileSource.h"
 #include "Input.h"
 #include "LineOptions.h"
 
@@ -22,18 +23,23 @@ class SourceOption {
   // The same with another setting. The polarity of a serial port is its adapter's affair.
   std::unique_ptr<Input> open(const line::LineSettings &port) const;
 
-  // 8E2 and inverted, at --baud; with --csv what a sketch's Serial has, 115200 baud, 8N1.
+  // 8E2 and inverted, at --baud; what a file says; with --csv what a sketch's Serial has, 115200 baud, 8N1. Throws
+  // std::runtime_error if it is a file that cannot be read.
   line::LineSettings settings() const;
 
   const std::string &name() const { return _name; }
 
   bool isFile() const;
   bool isStream() const;
-  // Its levels are known, so that a port of either polarity can hear it: sim and recordings.
+  // Its levels are known, so that a port of either polarity can hear it: sim, recordings and captures.
   bool isWire() const;
+  // Its times are those of the line, if it is not a file of bytes.
+  bool hasTimes() const;
 
  private:
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
+  std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
+  const FileSource &file() const;
 
   LineOptions _options;
   Recordings _recordings;
@@ -41,6 +47,7 @@ class SourceOption {
   double _seconds = 0;
   const CLI::Option *_csv;
   const CLI::Option *_simulatedTime;
+  mutable std::shared_ptr<const FileSource> _file;  // once it has been read
 };
 
 }  // namespace tool

@@ -5,7 +5,7 @@
 #   tool/REFUSALS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
-#   captures of the wire       tool/wire.sh
+#   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
@@ -175,14 +175,9 @@ done
 "$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
 verdict $? "help of all"
 
-printf 'Time [s],Channel 0\n0.000000000,0\n0.008,1\n' >"$work/saleae.csv"
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
-printf "$frame" >"$work/bytes"
-for verb in csv wave replay; do
-  refused "sbus $verb: $work/saleae.csv: is a capture of the wire (logic analyser's CSV), no recording: sbus decode reads it" $verb "$work/saleae.csv"
-  refused "sbus $verb: $work/paper.vcd: is a capture of the wire (VCD), no recording: sbus decode reads it" $verb "$work/paper.vcd"
-  refused "sbus $verb: $work/bytes: is no text, as a recording is; bytes as they came are read from standard input, - <$work/bytes" $verb "$work/bytes"
-done
+refused "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
+refused "--noise: is of sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is none of the wire"
@@ -274,6 +269,7 @@ kill -INT $monitor "$player"
 wait $monitor "$player"
 
 SBUS=$sbus BUILD=$work tool/wire.sh
+SBUS=$sbus WORK=$work tool/files.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh
