@@ -10,6 +10,7 @@
 
 #include "MonitorPage.h"
 #include "Output.h"
+#include "Recorder.h"
 #include "Screen.h"
 #include "SourceOption.h"
 #include "Stop.h"
@@ -23,6 +24,11 @@ namespace {
 constexpr uint64_t PeriodUs = 50000;  // of the page: more often nobody can read it
 constexpr uint64_t LineUs = 1000000;  // of the lines
 constexpr uint64_t LookUs = 10000;    // the state is asked so often
+
+struct MonitorOptions {
+  std::string range = "frsky";
+  std::string record;  // a file
+};
 
 sbus::Range rangeOf(const std::string &text) {
   if (text == "frsky" || text == "futaba") {
@@ -102,7 +108,9 @@ class Page {
 
 using Tick = std::function<void(uint64_t nowUs)>;
 
-void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run) {
+// `ended` is called once the line has ended, before the user has had enough.
+void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run,
+              const std::function<void()> &ended) {
   Page page(watch);
   uint64_t endUs = 0;
   run([&](uint64_t nowUs) {
@@ -112,6 +120,7 @@ void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)
     }
     page.drawNowAndThen(nowUs);
   });
+  ended();
   page.stay(endUs);
 }
 
@@ -135,25 +144,48 @@ void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
   flush();
 }
 
-void run(const SourceOption &source, const std::string &range) {
-  const sbus::Range scale = rangeOf(range);
-  const std::unique_ptr<Input> input = source.open();
-  Watch watch(source.name(), input->settings(), scale);
+void show(const SourceOption &source, Input &input, const sbus::Range &scale, Recorder *recorder) {
+  Watch watch(source.name(), input.settings(), scale);
   uint64_t lastUs = 0;
+  const auto put = [&](const line::Character &character) {
+    watch.put(character);
+    if (recorder != nullptr) {
+      recorder->put(character);
+    }
+  };
   const auto read = [&](const Tick &tick) {
-    input->run([&watch](const line::Character &character) { watch.put(character); },
-               [&](uint64_t nowUs) {
-                 lastUs = nowUs;
-                 watch.idleUntil(input->knownUs());
-                 tick(nowUs);
-               });
+    input.run(put, [&](uint64_t nowUs) {
+      lastUs = nowUs;
+      watch.idleUntil(input.knownUs());
+      tick(nowUs);
+    });
+  };
+  const auto ended = [recorder] {
+    if (recorder != nullptr) {
+      recorder->finish();
+    }
   };
   if (Screen::isPossible()) {
-    input->onNews([&](const std::string &text) { watch.news(text, lastUs); });
-    showPage(watch, *input, read);
+    input.onNews([&](const std::string &text) { watch.news(text, lastUs); });
+    showPage(watch, input, read, ended);
   } else {
     showLines(watch, read);
+    ended();
   }
+}
+
+void run(const SourceOption &source, const MonitorOptions &options) {
+  const sbus::Range scale = rangeOf(options.range);
+  const std::unique_ptr<Input> input = source.open();
+  if (options.record.empty()) {
+    show(source, *input, scale, nullptr);
+    return;
+  }
+  writeTo(options.record, File::New, [&](const Put &put) {
+    Recorder recorder("monitor", source.name(), input->settings(), put);
+    show(source, *input, scale, &recorder);
+    std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
+  });
 }
 
 }  // namespace
@@ -161,13 +193,16 @@ void run(const SourceOption &source, const std::string &range) {
 void addMonitor(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::InTrueTime);
-  const auto range = std::make_shared<std::string>("frsky");
-  verb->add_option("--range", *range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+  const auto options = std::make_shared<MonitorOptions>();
+  verb->add_option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
+  verb->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
+      ->check(notStandardOutput())
+      ->type_name("FILE");
   verb->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
       "ended. Where standard output is no terminal: a line a second, and one when the state changes.");
-  verb->callback([source, range] { run(*source, *range); });
+  verb->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -190,6 +190,15 @@ refused "sbus plot: $work/times.csv: has a column of times, as sbus csv and the 
   "$sbus" record sim - --simulated-time --seconds 0.2 2>"$work/err" | cmp - "$work/sim.txt"
 verdict $? "record writes to standard output, too"
 
+"$sbus" monitor sim --simulated-time --seconds 0.2 >"$work/lines" && "$sbus" record sim "$work/record.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
+  "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
+  sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 bad\), [1-9][0-9]* frames$' "$work/err"
+verdict $? "monitor --record records what record does, and shows what it shows"
+refused "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
+refused "sbus monitor: /dev/full: could not be written to its end (No space left on device); is there place for it?" monitor sim --simulated-time --seconds 1 --record /dev/full
+"$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
+verdict $? "monitor --record of a sketch's rows"
+
 "$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err" &&
   "$sbus" record "$work/noisy.txt" "$work/again.txt" 2>>"$work/err" &&
   bytes "$work/noisy.txt" >"$work/noisy.bytes" && bytes "$work/again.txt" | cmp - "$work/noisy.bytes" &&
