@@ -25,6 +25,7 @@ void addVerbs(CLI::App &app) {
   tool::addRecord(app);
   tool::addReplay(app);
   tool::addSimulate(app);
+  tool::addSend(app);
   tool::addDecode(app);
   tool::addWave(app);
   tool::addExplain(app);

@@ -7,6 +7,7 @@
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
+#   tool/send.sh               what `sbus send` sends
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
 #   tool/completion.sh         what bash, zsh and fish complete
@@ -279,6 +280,7 @@ wait $monitor "$player"
 
 SBUS=$sbus BUILD=$work tool/wire.sh
 SBUS=$sbus WORK=$work tool/files.sh
+SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh
