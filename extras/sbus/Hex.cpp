@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 
+#include "Json.h"
 #include "Output.h"
 #include "SilenceNote.h"
 #include "SourceOption.h"
@@ -46,6 +47,7 @@ struct HexOptions {
   std::string colour = "auto";
   bool values = false;
   bool delta = false;
+  bool json = false;
 };
 
 class HexView {
@@ -111,12 +113,29 @@ class HexView {
   uint64_t _lastUs = 0;  // what times are counted from
 };
 
+void writeJson(const line::Stretch &stretch, const line::Values &values, uint32_t characterUs) {
+  const auto startUs = static_cast<double>(stretch.characters.front().endUs) - characterUs;
+  write((stretch.isFrame() ? frameJson(stretch, startUs, values) : noFrameJson(stretch, startUs)).line());
+}
+
+void writeJsonEnd(const line::Observer &observer) {
+  write(Json("end")
+            .number("characters", observer.characters())
+            .number("bad_characters", observer.badCharacters())
+            .number("frames", observer.counters().frames)
+            .number("lost_frames", observer.counters().lostFrames)
+            .number("failsafe_frames", observer.counters().failsafeFrames)
+            .line());
+}
+
 void run(const SourceOption &source, const HexOptions &options) {
   const std::unique_ptr<Input> input = source.open();
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   HexView view(observer, options);
-  observer.listen([&view](const line::Stretch &stretch) { view.show(stretch); });
+  observer.listen([&](const line::Stretch &stretch) {
+    options.json ? writeJson(stretch, observer.newest(), input->settings().characterUs()) : view.show(stretch);
+  });
   SilenceNote silence(source.name(), "bytes");
   input->run([&observer](const line::Character &character) { observer.put(character); },
              [&](uint64_t nowUs) {
@@ -124,6 +143,9 @@ void run(const SourceOption &source, const HexOptions &options) {
                silence.tick(nowUs, observer.characters() > 0);
              });
   observer.finish();
+  if (options.json) {
+    writeJsonEnd(observer);
+  }
   flush();
 }
 
@@ -133,8 +155,10 @@ void addHex(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("hex", "the bytes, 25 a line, and what was refused and why");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
   const auto options = std::make_shared<HexOptions>();
-  verb->add_flag("--values", options->values, "the raw values of a frame's channels behind it");
-  verb->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  auto *const values = verb->add_flag("--values", options->values, "the raw values of a frame's channels behind it");
+  auto *const delta =
+      verb->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  verb->add_flag("--json", options->json, "JSON lines: every frame, and what is none")->excludes(values)->excludes(delta);
   verb->add_option("--color", options->colour, "auto: on a terminal (auto)")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
       ->type_name("auto|always|never");

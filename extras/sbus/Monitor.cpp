@@ -28,6 +28,7 @@ constexpr uint64_t LookUs = 10000;    // the state is asked so often
 struct MonitorOptions {
   std::string range = "frsky";
   std::string record;  // a file
+  bool json = false;
 };
 
 sbus::Range rangeOf(const std::string &text) {
@@ -125,7 +126,7 @@ void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)
 }
 
 // A line a second, and one when the state changes.
-void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
+void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> &run) {
   uint64_t lookUs = 0;
   uint64_t nextUs = LineUs;
   std::string state;
@@ -138,14 +139,14 @@ void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
     if (nowUs >= nextUs || view.state != state) {
       nextUs += nowUs >= nextUs ? LineUs : 0;
       state = view.state;
-      write(plainLine(view, nowUs));
+      write(json ? watch.json(nowUs) : plainLine(view, nowUs));
     }
   });
   flush();
 }
 
-void show(const SourceOption &source, Input &input, const sbus::Range &scale, Recorder *recorder) {
-  Watch watch(source.name(), input.settings(), scale);
+void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
+  Watch watch(source.name(), input.settings(), rangeOf(options.range));
   uint64_t lastUs = 0;
   const auto put = [&](const line::Character &character) {
     watch.put(character);
@@ -165,25 +166,25 @@ void show(const SourceOption &source, Input &input, const sbus::Range &scale, Re
       recorder->finish();
     }
   };
-  if (Screen::isPossible()) {
+  if (Screen::isPossible() && !options.json) {
     input.onNews([&](const std::string &text) { watch.news(text, lastUs); });
     showPage(watch, input, read, ended);
   } else {
-    showLines(watch, read);
+    showLines(watch, options.json, read);
     ended();
   }
 }
 
 void run(const SourceOption &source, const MonitorOptions &options) {
-  const sbus::Range scale = rangeOf(options.range);
+  rangeOf(options.range);  // what is wrong is said first
   const std::unique_ptr<Input> input = source.open();
   if (options.record.empty()) {
-    show(source, *input, scale, nullptr);
+    show(source, *input, options, nullptr);
     return;
   }
   writeTo(options.record, File::New, [&](const Put &put) {
     Recorder recorder("monitor", source.name(), input->settings(), put);
-    show(source, *input, scale, &recorder);
+    show(source, *input, options, &recorder);
     std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
   });
 }
@@ -199,6 +200,7 @@ void addMonitor(CLI::App &app) {
   verb->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
       ->check(notStandardOutput())
       ->type_name("FILE");
+  verb->add_flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
   verb->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
       "ended. Where standard output is no terminal: a line a second, and one when the state changes.");
