@@ -137,7 +137,7 @@ void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> 
     lookUs = nowUs + LookUs;
     const MonitorView view = watch.view(nowUs);
     if (nowUs >= nextUs || view.state != state) {
-      nextUs += nowUs >= nextUs ? LineUs : 0;
+      nextUs += nowUs >= nextUs ? LineUs * (1 + (nowUs - nextUs) / LineUs) : 0;
       state = view.state;
       write(json ? watch.json(nowUs) : plainLine(view, nowUs));
     }

@@ -3,6 +3,9 @@
 #include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
 
 #include "line/CsvRows.h"
 #include "line/NoisyLine.h"
@@ -14,6 +17,24 @@
 namespace tool {
 
 namespace {
+
+constexpr double YearS = 366.0 * 24 * 60 * 60;
+
+// Leaves what ends within the time, and all if `toUs` is 0 and `fromUs` too.
+void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t toUs) {
+  const line::Characters all = std::exchange(file.recording.characters, {});
+  for (const line::Character character : all) {
+    if (character.endUs >= fromUs && (toUs == 0 || character.endUs <= toUs)) {
+      file.recording.characters.push_back(character);
+    }
+  }
+  if (file.recording.characters.empty()) {
+    char text[100];
+    std::snprintf(text, sizeof text, ": has nothing there; it has characters from %.3f s to %.3f s",
+                  static_cast<double>(all[0].endUs) / 1e6, static_cast<double>(all.back().endUs) / 1e6);
+    throw std::runtime_error(name + text);
+  }
+}
 
 enum class Kind { Port, File, Stream, Simulated };
 
@@ -41,6 +62,8 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
       ->type_name("");
   _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
   verb.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  _part = {verb.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
+           verb.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
   _simulatedTime =
       verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
@@ -66,9 +89,23 @@ bool SourceOption::hasTimes() const {
   return !isFile() || file().kind != FileKind::Bytes;
 }
 
+void SourceOption::refusePart(const std::string &reason) const {
+  for (const CLI::Option *const option : _part) {
+    if (option->count() > 0) {
+      throw CLI::ValidationError(option->get_name(), reason);
+    }
+  }
+}
+
 const FileSource &SourceOption::file() const {
   if (!_file) {
-    _file = std::make_shared<const FileSource>(readFile(_name, _options.baud()));
+    FileSource read = readFile(_name, _options.baud());
+    if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
+      refusePart("is of a file with times; leave it out for " + _name);
+    } else if (_from > 0 || _to > 0) {
+      cut(_name, read, static_cast<uint64_t>(_from * 1e6), static_cast<uint64_t>(_to * 1e6));
+    }
+    _file = std::make_shared<const FileSource>(std::move(read));
   }
   return *_file;
 }
@@ -79,13 +116,19 @@ std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const 
     throw CLI::ValidationError("--simulated-time", "is of sim and -; a port has a time of its own");
   }
   const bool atOnce = _simulatedTime->count() > 0 || (kind == Kind::File && _recordings == Recordings::AtOnce);
-  return std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, _seconds);
+  auto input =
+      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, _seconds);
+  input->setStart(static_cast<uint64_t>(_from * 1e6));
+  return input;
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
   if (kind != Kind::Simulated) {
     _options.refuseSimulated(_name);
+  }
+  if (kind != Kind::File) {
+    refusePart("is of a file; leave it out for " + _name);
   }
   if (kind == Kind::Port) {
     _options.refuseDisturbing("a port");

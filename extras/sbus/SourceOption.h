@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "FileSource.h"
 #include "Input.h"
@@ -40,12 +42,16 @@ class SourceOption {
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
   const FileSource &file() const;
+  void refusePart(const std::string &reason) const;
 
   LineOptions _options;
   Recordings _recordings;
   std::string _name;
   double _seconds = 0;
+  double _from = 0;  // seconds
+  double _to = 0;    // 0: to the end
   const CLI::Option *_csv;
+  std::vector<const CLI::Option *> _part;  // --from and --to
   const CLI::Option *_simulatedTime;
   mutable std::shared_ptr<const FileSource> _file;  // once it has been read
 };

@@ -20,6 +20,7 @@ void addSend(CLI::App &app);
 void addDecode(CLI::App &app);
 void addWave(CLI::App &app);
 void addDoctor(CLI::App &app);
+void addSummary(CLI::App &app);
 void addExplain(CLI::App &app);
 
 }  // namespace tool

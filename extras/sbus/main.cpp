@@ -19,6 +19,7 @@ void addVerbs(CLI::App &app) {
   tool::addPorts(app);
   tool::addMonitor(app);
   tool::addDoctor(app);
+  tool::addSummary(app);
   tool::addHex(app);
   tool::addCsv(app);
   tool::addPlot(app);

@@ -27,6 +27,8 @@ run doctor sim --simulated-time --uninverted
 run doctor golden/DecodeSBus.csv
 run decode "$work/sbus2.vcd"
 run decode tool/paper-4.1.bits --characters
+run summary sim --simulated-time --seconds 14
+run summary recordings/sbus2.txt
 run ports
 python3 - "$work/all" ../extras/sbus/sbus.1 "$SBUS" <<'END'
 import json, os, re, subprocess, sys

@@ -8,6 +8,7 @@
 #   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
 #   tool/send.sh               what `sbus send` sends
+#   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/json.sh               JSON lines, held against the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
@@ -283,6 +284,7 @@ SBUS=$sbus BUILD=$work tool/wire.sh
 SBUS=$sbus WORK=$work tool/files.sh
 SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/json.sh
+SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh
