@@ -123,6 +123,28 @@ for channels in 16 24 32; do
     awk '{ sum += $1; $1 = sprintf("%.6f", sum) } 1' "$work/delta" >"$work/sums" && awk '{ $1 = $1 } 1' "$work/hex" | cmp - "$work/sums"
   verdict $? "hex --values and --delta of $channels channels"
 done
+# whole: puts the rows of each line together again, one blank between words
+whole() {
+  awk '{ text = substr($0, 15); bytes = ""
+      while (match(text, /^[0-9A-F][0-9A-F][ !]/)) { bytes = bytes substr(text, 1, 3); text = substr(text, 4) }
+      if (substr($0, 1, 12) ~ /[0-9]/) { if (NR > 1) print line rest; line = substr($0, 1, 14); rest = "" }
+      line = line bytes; rest = rest " " text }
+    END { print line rest }' | sed 's/  */ /g; s/ $//'
+}
+line="sim --simulated-time --seconds 10.2 --noise 20"
+for width in 60 80 120 300; do
+  for options in '--channels 16' '--channels 24 --values' '--channels 32 --values --delta'; do
+    # shellcheck disable=SC2086  # the arguments are words
+    "$sbus" hex $line $options | whole >"$work/whole" && "$sbus" hex $line $options --width $width >"$work/folded" &&
+      whole <"$work/folded" | cmp - "$work/whole" && [ "$(wc -l <"$work/whole")" -gt 900 ] &&
+      awk -v width=$width 'length($0) > width { print; exit 1 }' "$work/folded"
+    verdict $? "hex --width $width $options: no line is longer, and nothing is missing"
+  done
+done
+[ "$("$sbus" hex sim --simulated-time --seconds 0.02 --width 80 | head -n 2)" = "\
+    0.008000  0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00
+              03 1F F8 C0 07 3E F0 81 0F 7C 00 00 " ]
+verdict $? "hex --width 80 prints a frame in two rows"
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
