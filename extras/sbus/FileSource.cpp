@@ -155,10 +155,11 @@ FileSource readCapture(const std::string &name, unsigned long baud) {
 
 // An oscilloscope's columns may be a sketch's rows.
 FileKind kindOfFile(const std::string &name) {
-  if (hasNameOfBytes(name) && !line::beginningOf(name, 1).empty()) {
+  const std::string head = line::beginningOf(name, line::CaptureHeadMax);
+  const bool isLogic2 = head.rfind("<SALEAE>", 0) == 0;
+  if (hasNameOfBytes(name) && !head.empty() && !isLogic2) {
     return FileKind::Bytes;
   }
-  const std::string head = line::beginningOf(name, line::CaptureHeadMax);
   if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
     throw std::runtime_error(name +
                              ": has a column of times, as sbus csv and the scope write it; only rows without are "
@@ -168,6 +169,9 @@ FileKind kindOfFile(const std::string &name) {
   const bool rows = line::isCsv(name);
   if (!format.empty() && !(format == line::OscilloscopeFormat && rows)) {
     return FileKind::Capture;
+  }
+  if (isLogic2) {
+    throw std::runtime_error(name + ": is Logic 2's binary export: export it as CSV");
   }
   const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
   if (std::any_of(head.begin(), head.end(), isControl)) {

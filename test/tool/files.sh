@@ -157,4 +157,5 @@ echo '00000000: 0fe5 031f f8c0 073e f081 0f7c e003 06f8  .......>...|....' | rej
 echo '00000000  0f e5 03 1f f8 c0 07 3e  f0 81 0f 7c e0 03 06 f8  |.......>...|....|' | rejected hexdump.txt ":1: $offset"
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
 printf '\017\345\003' | rejected control.txt ": is no text; bytes as a receiver has sent them are read if the file is called NAME.bin or NAME.raw, or from standard input: - <$work/control.txt"
+printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
 printf '' | rejected empty.bin ': is empty: at least one line "microseconds byte byte ..." is expected'
