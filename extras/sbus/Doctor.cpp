@@ -250,7 +250,8 @@ bool examine(const SourceOption &source, bool asJson) {
       if (heard.empty()) {
         throw;
       }
-      write(asJson ? Json("error").text("message", error.what()).line() : std::string(error.what()) + "\n");  // this adapter cannot do all of them
+      write(asJson ? Json("error").text("message", error.what()).line()
+                   : std::string(error.what()) + "\n");  // this adapter cannot do all of them
       continue;
     }
     const bool rows = each == line::csvSettings();

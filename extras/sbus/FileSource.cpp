@@ -81,8 +81,9 @@ void readHexText(std::istream &in, const std::string &name, BackToBack &bytes) {
     const std::string_view text = content(line);
     const std::string place = name + ":" + std::to_string(number) + ": ";
     if (isOffset(text)) {
-      throw std::runtime_error(place + "begins with the offset of a dump; leave offsets and text out, or make bytes of "
-                                       "it: xxd -r DUMP FILE.bin");
+      throw std::runtime_error(place +
+                               "begins with the offset of a dump; leave offsets and text out, or make bytes of "
+                               "it: xxd -r DUMP FILE.bin");
     }
     const HexText hex = parseHex(text);
     if (!hex.wrong.empty()) {
@@ -115,7 +116,8 @@ FileSource readBytes(const std::string &name, unsigned long baud) {
   if (file.recording.characters.empty()) {
     throw std::runtime_error(name + ": is empty: bytes of a line are expected");
   }
-  std::fprintf(stderr, "%s: has bytes without times: times are not known, frames are taken back to back\n", name.c_str());
+  std::fprintf(stderr, "%s: has bytes without times: times are not known, frames are taken back to back\n",
+               name.c_str());
   return file;
 }
 
@@ -141,8 +143,9 @@ FileSource readCapture(const std::string &name, unsigned long baud) {
     throw std::runtime_error(end.error + "; sbus decode -o FILE keeps what came before it");
   }
   if (file.recording.characters.empty()) {
-    throw std::runtime_error(name + ": " + (wire.found() ? "has no characters: " + std::string(line::FrameForm)
-                                                         : wire.failure(end.periodNs)));
+    throw std::runtime_error(
+        name + ": " +
+        (wire.found() ? "has no characters: " + std::string(line::FrameForm) : wire.failure(end.periodNs)));
   }
   const std::string slow = line::tooSlow(end.periodNs, wire.wire().bitNs);
   if (!slow.empty()) {
@@ -175,8 +178,10 @@ FileKind kindOfFile(const std::string &name) {
   }
   const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
   if (std::any_of(head.begin(), head.end(), isControl)) {
-    throw std::runtime_error(name + ": is no text; bytes as a receiver has sent them are read if the file is called "
-                                    "NAME.bin or NAME.raw, or from standard input: - <" + name);
+    throw std::runtime_error(name +
+                             ": is no text; bytes as a receiver has sent them are read if the file is called "
+                             "NAME.bin or NAME.raw, or from standard input: - <" +
+                             name);
   }
   return rows ? FileKind::Rows : isHexText(head) ? FileKind::Bytes : FileKind::Recording;
 }

@@ -104,7 +104,7 @@ class HexView {
   }
 
  private:
-  static constexpr size_t ByteWidth = 3;   // columns, as are these
+  static constexpr size_t ByteWidth = 3;  // columns, as are these
   static constexpr size_t LeastText = 15;
   static constexpr size_t LeastValues = 4;
   static constexpr size_t ValueWidth = 5;
@@ -185,8 +185,7 @@ class HexView {
       return texts;
     }
     const size_t first = stretch.kind == line::Stretch::Kind::Extra ? sbus::ProportionalCount : 0;
-    const size_t count =
-        stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
+    const size_t count = stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
     for (size_t channel = first; channel < first + count; channel++) {
       texts.push_back(format(" %4u", static_cast<unsigned>(_observer.newest().raw[channel])));
     }
@@ -244,8 +243,11 @@ void addHex(CLI::App &app) {
   auto *const values = verb->add_flag("--values", options->values, "the raw values of a frame's channels beside it");
   auto *const delta =
       verb->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
-  verb->add_flag("--json", options->json, "JSON lines: every frame, and what is none")->excludes(values)->excludes(delta);
-  verb->add_option("--width", options->width, "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
+  verb->add_flag("--json", options->json, "JSON lines: every frame, and what is none")
+      ->excludes(values)
+      ->excludes(delta);
+  verb->add_option("--width", options->width,
+                   "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
       ->check(numberBetween(LeastWidth, 1000))
       ->type_name("N");
   verb->add_option("--color", options->colour, "auto: on a terminal (auto)")

@@ -46,7 +46,10 @@ void run(const ReplayOptions &options) {
 void addReplay(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
   const auto options = std::make_shared<ReplayOptions>(*verb);
-  verb->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")->required()->check(notEmpty())->type_name("");
+  verb->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
   verb->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");

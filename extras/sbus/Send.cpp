@@ -53,12 +53,13 @@ void run(Options options) {
   if (periodUs <= sbus::FrameSize * settings.characterUs()) {
     throw CLI::ValidationError("--period", "a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected");
   }
-  Sending(options.port).run(
-      [&] {
-        auto line = std::make_unique<FrameLine>(rows, periodUs, settings);
-        return std::make_unique<Input>(std::move(line), settings, Input::Pace::True, options.seconds);
-      },
-      false);
+  Sending(options.port)
+      .run(
+          [&] {
+            auto line = std::make_unique<FrameLine>(rows, periodUs, settings);
+            return std::make_unique<Input>(std::move(line), settings, Input::Pace::True, options.seconds);
+          },
+          false);
 }
 
 }  // namespace

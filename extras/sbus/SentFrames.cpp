@@ -171,8 +171,9 @@ void assign(const std::string &word, FrameValues &values) {
   if (isOn || text == "off") {
     value = isSwitch(name) ? isOn : isOn ? sbus::FrSky.high : sbus::FrSky.low;
   } else if (!line::parseNumber(text, value) || !isValue(name, value)) {
-    throw std::runtime_error(line::quoted(word) + " is out of range; " +
-                             (isSwitch(name) ? "on or off is expected" : "0 to 2047, on (1811) or off (172) is expected"));
+    throw std::runtime_error(
+        line::quoted(word) + " is out of range; " +
+        (isSwitch(name) ? "on or off is expected" : "0 to 2047, on (1811) or off (172) is expected"));
   }
   set(name, static_cast<unsigned>(value), values);
 }

@@ -57,8 +57,8 @@ class FrameLine : public line::Line {
   const uint64_t _periodUs;
   const uint64_t _characterUs;
   size_t _row = 0;
-  uint64_t _frameUs = 0;             // when the frame begins
-  size_t _index = 0;                 // of its next character
+  uint64_t _frameUs = 0;  // when the frame begins
+  size_t _index = 0;      // of its next character
   uint8_t _frame[sbus::FrameSize] = {};
 };
 

@@ -62,8 +62,9 @@ SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(ver
       ->type_name("");
   _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
   verb.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
-  _part = {verb.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
-           verb.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
+  _part = {
+      verb.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
+      verb.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
   _simulatedTime =
       verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }

@@ -65,9 +65,9 @@ class Spans {
     std::stable_sort(shown.begin(), shown.end(), [](const Span &a, const Span &b) { return a.us() > b.us(); });
     shown.resize(std::min(shown.size(), ShownMost));
     std::sort(shown.begin(), shown.end(), [](const Span &a, const Span &b) { return a.fromUs < b.fromUs; });
-    std::string text = format("%-12s %zu %s, %.3f s in all%s\n", _name, _spans.size(),
-                              _spans.size() == 1 ? "time" : "times", seconds(us),
-                              shown.size() < _spans.size() ? "; the longest are" : "");
+    std::string text =
+        format("%-12s %zu %s, %.3f s in all%s\n", _name, _spans.size(), _spans.size() == 1 ? "time" : "times",
+               seconds(us), shown.size() < _spans.size() ? "; the longest are" : "");
     for (const Span &span : shown) {
       text += format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
     }
@@ -203,7 +203,8 @@ void run(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addSummary(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("summary", "a flight: when failsafe and losses were, how often frames came");
+  CLI::App *const verb =
+      app.add_subcommand("summary", "a flight: when failsafe and losses were, how often frames came");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
   const auto json = std::make_shared<bool>(false);
   verb->add_flag("--json", *json, "JSON lines");
