@@ -112,8 +112,9 @@ close
 
 # The recording grows while the page is there, and is whole after q.
 rm -f "$WORK/seen.txt"
-open 80x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving &&
-  until [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; do sleep 0.1; done
+open 80x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving
+tries=0
+until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
   frames=$("$SBUS" hex "$WORK/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 bad), $frames frames" "$WORK/page.txt"
 verdict $? "monitor --record on a page"
