@@ -3,20 +3,20 @@
 namespace line {
 
 bool RecordedLine::next(uint64_t nowUs, Character &character) {
-  if (_index == _recording.characters.size() || _zeroUs + _recording.characters[_index].endUs > nowUs) {
+  if (_index == _characters->size() || _zeroUs + (*_characters)[_index].endUs > nowUs) {
     return false;
   }
-  character = _recording.characters[_index++];
+  character = (*_characters)[_index++];
   character.endUs += _zeroUs;
   return true;
 }
 
 uint64_t RecordedLine::knownUs(uint64_t nowUs) const {
-  return nowUs < _zeroUs ? 0 : _zeroUs + _recording.characters.knownUs(_index, nowUs - _zeroUs);
+  return nowUs < _zeroUs ? 0 : _zeroUs + _characters->knownUs(_index, nowUs - _zeroUs);
 }
 
 bool RecordedLine::finished(uint64_t nowUs) const {
-  return nowUs >= _zeroUs + _recording.characters.back().endUs + TailUs;
+  return nowUs >= _zeroUs + _characters->back().endUs + TailUs;
 }
 
 }  // namespace line

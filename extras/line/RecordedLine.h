@@ -1,6 +1,7 @@
 // Plays a recording once.
 #pragma once
 
+#include <memory>
 #include <utility>
 
 #include "Line.h"
@@ -10,8 +11,13 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
-  // `leadUs`: so long after the port was opened the recording begins. A sketch would miss its first character without.
-  explicit RecordedLine(Recording recording, uint64_t leadUs = 0) : _recording(std::move(recording)), _leadUs(leadUs) {}
+  // `leadUs`: so long after the port was opened the recording begins; a sketch would miss its first character otherwise.
+  explicit RecordedLine(Recording recording, uint64_t leadUs = 0)
+      : RecordedLine(std::make_shared<const Recording>(std::move(recording)), leadUs) {}
+
+  // Several lines may play one recording.
+  explicit RecordedLine(std::shared_ptr<const Recording> recording, uint64_t leadUs = 0)
+      : _characters(recording, &recording->characters), _leadUs(leadUs) {}
 
   void opened(uint64_t nowUs) override { _zeroUs = nowUs + _leadUs; }
 
@@ -25,7 +31,7 @@ class RecordedLine : public Line {
  private:
   static constexpr uint64_t TailUs = 300000;
 
-  Recording _recording;
+  const std::shared_ptr<const Characters> _characters;
   uint64_t _leadUs;
   uint64_t _zeroUs = 0;
   size_t _index = 0;

@@ -48,11 +48,6 @@ bool append(const std::string &word, std::vector<CsvColumn> &columns) {
   return first > 0 && first <= last;
 }
 
-const char *text(sbus::LinkState state) {
-  const char *const texts[] = {"never seen", "ok", "lossy", "failsafe", "stale"};
-  return texts[static_cast<int>(state)];
-}
-
 // CH17 and CH18 of a line of 16 channels are the switches, as in examples/AllChannels.
 unsigned valueOf(const line::Values &values, unsigned channel) {
   const bool isSwitch = channel > sbus::ProportionalCount && values.count == sbus::ProportionalCount;
@@ -110,6 +105,11 @@ std::string header(const std::vector<CsvColumn> &columns) {
   return line + '\n';
 }
 
+const char *stateName(sbus::LinkState state) {
+  const char *const texts[] = {"never seen", "ok", "lossy", "failsafe", "stale"};
+  return texts[static_cast<int>(state)];
+}
+
 std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs) {
   const line::Values &values = observer.newest();
   const sbus::LinkState state = observer.state(nowUs);
@@ -130,7 +130,7 @@ std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer,
         line += seconds(nowUs);
         break;
       case CsvColumn::Kind::State:
-        line += text(state);
+        line += stateName(state);
         break;
       case CsvColumn::Kind::Age:
         line += seconds(observer.ageUs(nowUs));

@@ -26,6 +26,9 @@ bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values,
 // "CH1,CH2,failsafe", with CR and LF as Serial.println() has them.
 std::string header(const std::vector<CsvColumn> &columns);
 
+// "ok", "never seen" ...
+const char *stateName(sbus::LinkState state);
+
 // A row of the newest frame.
 std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs);
 

@@ -11,6 +11,7 @@
 #include "LineOptions.h"
 #include "Output.h"
 #include "Verbs.h"
+#include "line/RecordingWriter.h"
 
 namespace tool {
 
@@ -18,6 +19,7 @@ namespace {
 
 struct Options {
   std::string capture;
+  std::string output;  // a recording
   line::Overrules overrules;
   std::string invert;
   bool csv = false;
@@ -28,13 +30,17 @@ struct Options {
 // Hands the characters of the wire over to the Observer, whose times begin at 0, and gets them back in stretches.
 class Frames {
  public:
-  explicit Frames(DecodeOutput &output) : _output(output) {
+  // `record`: takes the text of a recording; it may be empty. `isShown`: the frames go to `output`.
+  Frames(DecodeOutput &output, bool isShown, Put record)
+      : _output(output), _isShown(isShown), _record(std::move(record)) {
     _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
   }
 
-  void begin(const line::FoundWire &wire) {
+  void begin(const std::string &capture, const line::FoundWire &wire) {
     _characterNs = wire.settings.format.bits() * wire.bitNs;
     _observer.reset(0, wire.settings.characterUs());
+    _writer.comment("sbus decode " + capture);
+    _writer.opened(wire.settings);
   }
 
   void put(const line::WireCharacter &wire) {
@@ -42,12 +48,21 @@ class Frames {
       _zeroNs = std::min<int64_t>(0, wire.startNs);
     }
     _waiting.push_back(wire);
-    _observer.put(wire.since(_zeroNs, _characterNs));
+    const line::Character character = wire.since(_zeroNs, _characterNs);
+    _observer.put(character);
+    if (_record) {
+      _writer.put(character);
+      _record(_writer.take());
+    }
   }
 
   const line::Observer &finish(int64_t endNs) {
     _observer.idleUntil(static_cast<uint64_t>(std::max<int64_t>(0, endNs - _zeroNs) / 1000));
     _observer.finish();
+    if (_record) {
+      _writer.finish();
+      _record(_writer.take());
+    }
     return _observer;
   }
 
@@ -56,10 +71,15 @@ class Frames {
     const auto end = _waiting.begin() + static_cast<std::ptrdiff_t>(stretch.characters.size());
     const std::vector<line::WireCharacter> characters(_waiting.begin(), end);
     _waiting.erase(_waiting.begin(), end);
-    _output.stretch(stretch, characters, _observer.newest());
+    if (_isShown) {
+      _output.stretch(stretch, characters, _observer.newest());
+    }
   }
 
   DecodeOutput &_output;
+  const bool _isShown;
+  const Put _record;
+  line::RecordingWriter _writer;
   line::Observer _observer;
   std::deque<line::WireCharacter> _waiting;  // in no stretch yet
   double _characterNs = 0;
@@ -71,7 +91,7 @@ std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) 
          (wire.isMeasured() ? " at " + text(wire.wire().settings) : "") + ", but no frame of S.Bus: " + line::FrameForm;
 }
 
-void run(const Options &options) {
+void decode(const Options &options, const Put &record) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_DFL);  // it waits for standard input, and leaves nothing behind
   }
@@ -79,12 +99,12 @@ void run(const Options &options) {
     setLineByLine();
   }
   DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters);
-  Frames frames(output);
+  Frames frames(output, !record || options.csv || options.json, record);
   line::WireDecoder wire(
       options.overrules,
       [&] {
         output.begin(wire);
-        frames.begin(wire.wire());
+        frames.begin(options.capture, wire.wire());
       },
       [&](const line::WireCharacter &character) {
         output.character(character);
@@ -99,7 +119,8 @@ void run(const Options &options) {
   output.end(options.capture, capture, observer);
   flush();
   if (!capture.error.empty()) {
-    throw std::runtime_error(capture.error + "; what came before it is decoded above");
+    throw std::runtime_error(capture.error + "; what came before it is " +
+                             (options.output.empty() ? "decoded above" : "in " + options.output));
   }
   const std::string slow = line::tooSlow(capture.periodNs, wire.wire().bitNs);
   if (!slow.empty()) {
@@ -114,6 +135,15 @@ void run(const Options &options) {
   }
 }
 
+void run(const Options &options) {
+  if (options.output.empty()) {
+    decode(options, Put());
+    return;
+  }
+  refuseSameFile(options.capture, options.output);
+  writeTo(options.output, File::New, [&options](const Put &put) { decode(options, put); });
+}
+
 }  // namespace
 
 void addDecode(CLI::App &app) {
@@ -126,6 +156,9 @@ void addDecode(CLI::App &app) {
       ->required()
       ->check(notEmpty())
       ->type_name("");
+  verb->add_option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
+      ->check(notStandardOutput())
+      ->type_name("FILE.txt");
   line::Overrules &overrules = options->overrules;
   verb->add_option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
       ->type_name("NAME");

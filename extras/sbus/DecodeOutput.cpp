@@ -1,6 +1,7 @@
 #include "DecodeOutput.h"
 
 #include "Format.h"
+#include "Json.h"
 #include "Output.h"
 
 namespace tool {
@@ -18,19 +19,6 @@ double ms(int64_t ns) {
 // To a tenth of a microsecond: a sample more or less is no more.
 std::string us(int64_t ns) {
   return format("%.1f", static_cast<double>(ns) / 1e3);
-}
-
-const char *yes(bool is) {
-  return is ? "true" : "false";
-}
-
-// In quotation marks. The names of signals are printable.
-std::string json(const std::string &text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  }
-  return quoted + '"';
 }
 
 }  // namespace
@@ -64,12 +52,16 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
         csvHead();
       }
       break;
-    case Form::Json:
-      write("{\"type\":\"wire\",\"signal\":" + json(wire.signal()) +
-            (_isMeasured ? ",\"baud\":" + std::to_string(found.settings.baud) +
-                               format(",\"measured_baud\":%.0f,\"inverted\":%s", measured, yes(_inverted))
-                         : "") +
-            "}\n");
+    case Form::Json: {
+      Json json("wire");
+      json.text("signal", wire.signal());
+      if (_isMeasured) {
+        json.number("baud", uint64_t{found.settings.baud})
+            .number("measured_baud", static_cast<uint64_t>(measured + 0.5))
+            .flag("inverted", _inverted);
+      }
+      write(json.line());
+    }
   }
 }
 
@@ -89,9 +81,12 @@ void DecodeOutput::character(const line::WireCharacter &character) {
       write(us(character.startNs) + "," + byte + format(",%d,%d\n", character.parityWrong, character.stopWrong));
       break;
     case Form::Json:
-      write("{\"type\":\"character\",\"time_us\":" + us(character.startNs) + ",\"byte\":\"" + byte +
-            format("\",\"parity_error\":%s,\"framing_error\":%s}\n", yes(character.parityWrong),
-                   yes(character.stopWrong)));
+      write(Json("character")
+                .decimal("time_us", static_cast<double>(character.startNs) / 1e3)
+                .text("byte", byte)
+                .flag("parity_error", character.parityWrong)
+                .flag("framing_error", character.stopWrong)
+                .line());
   }
 }
 
@@ -139,21 +134,8 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
     case Form::Csv:
       csvRow(stretch, startNs, values);
       break;
-    case Form::Json: {
-      std::string row = "{\"type\":\"frame\",\"time_us\":" + us(startNs) + ",\"first\":" + std::to_string(from + 1) +
-                        ",\"channels\":";
-      for (size_t i = from; i < to; i++) {
-        row += (i == from ? "[" : ",") + std::to_string(values.raw[i]);
-      }
-      row += "]";
-      if (to == 16) {
-        row += format(",\"ch17\":%s,\"ch18\":%s", yes(values.switches[0]), yes(values.switches[1]));
-      }
-      if (!extra) {
-        row += format(",\"lost_frame\":%s,\"failsafe\":%s", yes(values.lostFrame), yes(values.failsafe));
-      }
-      write(row + ",\"end\":\"" + end + "\"}\n");
-    }
+    case Form::Json:
+      write(frameJson(stretch, static_cast<double>(startNs) / 1e3, values).line());
   }
 }
 
@@ -196,8 +178,7 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
   }
   const int64_t startNs = characters.front().startNs;
   if (_form == Form::Json) {
-    write("{\"type\":\"no_frame\",\"time_us\":" + us(startNs) + ",\"bytes\":\"" + bytes + "\",\"why\":\"" +
-          why(stretch) + "\"}\n");
+    write(noFrameJson(stretch, static_cast<double>(startNs) / 1e3).line());
   }
   if (_form != Form::Table) {
     return;
@@ -244,11 +225,14 @@ void DecodeOutput::end(const std::string &name, const line::CaptureEnd &capture,
     case Form::Csv:
       break;
     case Form::Json:
-      write("{\"type\":\"end\",\"characters\":" + std::to_string(_characters) +
-            ",\"parity_errors\":" + std::to_string(_parityErrors) +
-            ",\"framing_errors\":" + std::to_string(_framingErrors) + ",\"frames\":" + std::to_string(counters.frames) +
-            ",\"lost_frames\":" + std::to_string(counters.lostFrames) +
-            ",\"failsafe_frames\":" + std::to_string(counters.failsafeFrames) + "}\n");
+      write(Json("end")
+                .number("characters", _characters)
+                .number("parity_errors", _parityErrors)
+                .number("framing_errors", _framingErrors)
+                .number("frames", counters.frames)
+                .number("lost_frames", counters.lostFrames)
+                .number("failsafe_frames", counters.failsafeFrames)
+                .line());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Format.h"
+#include "Json.h"
 #include "KindOfLine.h"
 #include "Output.h"
 #include "SourceOption.h"
@@ -27,6 +28,12 @@ constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
 constexpr uint64_t FramesUs = 1500000;  // of a setting that is right from the beginning: more to judge by
 constexpr uint64_t SilenceUs = 100000;  // between characters: no frame period is so long
 constexpr uint64_t ToItsEnd = UINT64_MAX;
+
+const char *polarityName(line::Polarity polarity) {
+  return polarity == line::Polarity::Inverted     ? "inverted"
+         : polarity == line::Polarity::Uninverted ? "uninverted"
+                                                  : "unknown";
+}
 
 // What came with a setting.
 class Heard {
@@ -86,8 +93,25 @@ class Heard {
            "\n";
   }
 
-  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it
-  // by the times of the frames: one frame has no rate.
+  Json json() const {
+    return Json("trial")
+        .number("baud", _settings.baud)
+        .text("polarity", polarityName(_settings.polarity))
+        .number("heard_ms", ms())
+        .number("frames", counters().frames)
+        .flag("has_24_channels", _observer.has24())
+        .number("discarded_bytes", counters().skippedBytes)
+        .number("bad_characters", _observer.badCharacters())
+        .number("lost_frames", counters().lostFrames)
+        .number("failsafe_frames", counters().failsafeFrames)
+        .flag("rows_of_csv", _isCsv);
+  }
+
+  // "S.BUS", "S.BUS2" ...; empty without frames.
+  std::string kind() const { return _kind.text(); }
+
+  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it by
+  // the times of the frames: one frame has no rate.
   std::string figures() const {
     const sbus::Counters &seen = counters();
     if (seen.frames == 0) {
@@ -178,7 +202,7 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   settings.baud = source.isWire() && !source.isFile() ? sbus::Baud : settings.baud;
   settings.polarity = source.isWire() ? settings.polarity : line::Polarity::Either;
   std::vector<line::LineSettings> all = {settings};
-  if (source.isStream()) {
+  if (source.isStream() || !source.hasTimes()) {
     return all;
   }
   settings.baud = settings.baud == sbus::Baud ? 2 * sbus::Baud : sbus::Baud;
@@ -189,7 +213,7 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   }
   for (const size_t i : {size_t{0}, size_t{1}}) {
     line::LineSettings other = all[i];
-    other.polarity = line::Polarity::Uninverted;
+    other.polarity = other.idleHigh() ? line::Polarity::Inverted : line::Polarity::Uninverted;
     all.push_back(other);
   }
   return all;
@@ -212,13 +236,17 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
   }
 }
 
+Json verdict(bool well, const std::string &finding, const std::string &cure) {
+  return Json("verdict").flag("well", well).text("finding", finding).text("cure", cure);
+}
+
 // True if all is well.
 bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> &heard,
-          const std::vector<line::LineSettings> &settings) {
+          const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
-    write(
-        "ROWS OF CSV: they come from a sketch; this is no S.Bus.\n"
-        "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.\n");
+    const std::string finding = "ROWS OF CSV: they come from a sketch; this is no S.Bus.";
+    const std::string cure = "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
+    write(asJson ? verdict(false, finding, cure).line() : finding + "\n" + cure + "\n");
     return false;
   }
   sbus::Diagnosis diagnosis;
@@ -226,13 +254,19 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
     diagnosis.add(each->trial());
   }
   const sbus::Finding finding = diagnosis.finding();
+  const Heard &best = *heard[diagnosis.best()];
+  const bool well = line::isWell(finding);
+  if (asJson) {
+    write(verdict(well, text(finding), cure(finding)).text("line", best.kind()).line());
+    return well;
+  }
   write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
-        advice(finding, source, settings.front(), settings[diagnosis.best()]) + heard[diagnosis.best()]->figures() +
-        heard[diagnosis.best()]->note());
-  return line::isWell(finding);
+         advice(finding, source, settings.front(), settings[diagnosis.best()]) +
+         (source.hasTimes() ? best.figures() : "") + best.note());
+  return well;
 }
 
-bool examine(const SourceOption &source) {
+bool examine(const SourceOption &source, bool asJson) {
   const std::vector<line::LineSettings> settings = settingsOf(source);
   std::vector<line::LineSettings> tried;
   std::vector<std::unique_ptr<Heard>> heard;
@@ -244,7 +278,8 @@ bool examine(const SourceOption &source) {
       if (heard.empty()) {
         throw;
       }
-      write(std::string(error.what()) + "\n");  // this adapter cannot do all of them
+      write(asJson ? Json("error").text("message", error.what()).line()
+                   : std::string(error.what()) + "\n");  // this adapter cannot do all of them
       continue;
     }
     const bool rows = each == line::csvSettings();
@@ -252,7 +287,7 @@ bool examine(const SourceOption &source) {
     tried.push_back(each);
     heard.push_back(std::make_unique<Heard>(each));
     heard.back()->listen(*input, us, source.isFile() ? ToItsEnd : heard.size() == 1 ? FramesUs : TrialUs);
-    write(heard.back()->text());
+    write(asJson ? heard.back()->json().line() : heard.back()->text());
     flush();
     if (stopped()) {
       return false;
@@ -261,7 +296,7 @@ bool examine(const SourceOption &source) {
       break;
     }
   }
-  const bool well = tell(source, heard, tried);
+  const bool well = tell(source, heard, tried, asJson);
   flush();
   return well;
 }
@@ -274,8 +309,10 @@ void addDoctor(CLI::App &app) {
   verb->footer(
       "It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
       "1 if not.");
-  verb->callback([source] {
-    if (!examine(*source)) {
+  const auto json = std::make_shared<bool>(false);
+  verb->add_flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");
+  verb->callback([source, json] {
+    if (!examine(*source, *json)) {
       throw CLI::RuntimeError(EXIT_FAILURE);
     }
   });

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "Format.h"
+#include "HexText.h"
 #include "Output.h"
 #include "Verbs.h"
 #include "sbus/Frame.h"
@@ -23,55 +23,26 @@ namespace {
 
 constexpr size_t ChannelBits = 11;
 
-struct HexText {
+struct Input {
   std::vector<uint8_t> bytes;
   std::vector<std::string> problems;
 };
 
-bool isSeparator(char letter) {
-  return std::strchr(" \t\r\n,;:-{}", letter) != nullptr;
-}
-
-bool isByte(const std::string &digits, bool alone) {
-  return digits.find_first_not_of("0123456789ABCDEFabcdef") == std::string::npos && digits.size() == (alone ? 1 : 2);
-}
-
-// Takes one word: a byte of one digit, or bytes of two digits each; 0x before it and ! behind it (a parity or framing
-// error, as `sbus hex` marks it) are allowed. Returns false at what is not hexadecimal.
-bool takeWord(const std::string &word, HexText &text) {
-  const size_t begin = word.rfind("0x", 0) == 0 || word.rfind("0X", 0) == 0 ? 2 : 0;
-  const size_t end = word.size() - (word.back() == '!' ? 1 : 0);
-  for (size_t i = begin; i == begin || i < end; i += 2) {
-    const std::string digits = i < end ? word.substr(i, std::min<size_t>(2, end - i)) : "";
-    if (!isByte(digits, end - begin == 1)) {
-      text.problems.push_back(format("byte %zu: \"%s\" is not hexadecimal; two digits a byte are expected, such as 0F",
-                                     text.bytes.size(), digits.empty() ? word.c_str() : digits.c_str()));
-      return false;
-    }
-    text.bytes.push_back(static_cast<uint8_t>(std::stoul(digits, nullptr, 16)));
-  }
-  if (end < word.size()) {
-    text.problems.push_back(format("byte %zu: %02X is marked with !, a parity or framing error", text.bytes.size() - 1,
-                                   static_cast<unsigned>(text.bytes.back())));
-  }
-  return true;
-}
-
-HexText parse(const std::string &input) {
-  HexText text;
-  std::string word;
-  for (const char letter : input + " ") {
-    if (!isSeparator(letter)) {
-      word += letter;
-    }
-    if ((isSeparator(letter) || letter == '!') && !word.empty()) {
-      if (!takeWord(word, text)) {
-        break;
-      }
-      word.clear();
+Input parse(const std::string &text) {
+  const HexText hex = parseHex(text);
+  Input input;
+  for (const HexText::Byte &byte : hex.bytes) {
+    input.bytes.push_back(byte.value);
+    if (byte.bad) {
+      input.problems.push_back(format("byte %zu: %02X is marked with !, a parity or framing error",
+                                      input.bytes.size() - 1, static_cast<unsigned>(byte.value)));
     }
   }
-  return text;
+  if (!hex.wrong.empty()) {
+    input.problems.push_back(format("byte %zu: \"%s\" is not hexadecimal; two digits a byte are expected, such as 0F",
+                                    input.bytes.size(), hex.wrong.c_str()));
+  }
+  return input;
 }
 
 std::string bitsOf(unsigned value, unsigned count) {
@@ -234,17 +205,17 @@ class Frame {
 };
 
 void run(const std::vector<std::string> &words) {
-  std::string input;
+  std::string text;
   for (const std::string &word : words) {
-    input += word + ' ';
+    text += word + ' ';
   }
-  if (words.empty() || input == "- ") {
-    input.assign(std::istreambuf_iterator<char>(std::cin), {});
+  if (words.empty() || text == "- ") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
   }
-  const HexText text = parse(input);
-  std::vector<std::string> problems = text.problems;
-  if (!text.bytes.empty()) {
-    Frame frame(text.bytes, text.problems);
+  const Input input = parse(text);
+  std::vector<std::string> problems = input.problems;
+  if (!input.bytes.empty()) {
+    Frame frame(input.bytes, input.problems);
     frame.print();
     flush();
     problems = frame.problems();

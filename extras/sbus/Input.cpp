@@ -28,9 +28,9 @@ void Input::run(const std::function<void(const line::Character &)> &put,
     setLineByLine();
   }
   const auto start = std::chrono::steady_clock::now();
-  const uint64_t endUs = _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
+  const uint64_t endUs = _seconds > 0 ? _startUs + static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   _line->opened(0);
-  for (uint64_t nowUs = 0; !_ended && !stopped();) {
+  for (uint64_t nowUs = _startUs; !_ended && !stopped();) {
     for (line::Character character; _line->next(nowUs, character);) {
       put(character);
     }
@@ -54,7 +54,7 @@ void Input::run(const std::function<void(const line::Character &)> &put,
       if (!_line->wait()) {
         std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
       }
-      nowUs = static_cast<uint64_t>(static_cast<double>(sinceUs(start)) * _speed);
+      nowUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs(start)) * _speed);
     }
     nowUs = std::min(nowUs, endUs);
   }

@@ -25,11 +25,14 @@ class Input {
   // What is said of a port that has gone, or is back: on standard error unless told.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
+  // The time that run() begins with: a line before that is not heard. Default: 0.
+  void setStart(uint64_t us) { _startUs = us; }
+
   // So many times as fast as true time.
   void setSpeed(double speed) { _speed = speed; }
 
   // Hands over each character as it comes, and says the time: every millisecond, of a port whenever it brings bytes and
-  // 20 times a second. Both begin at 0. Returns when the line has ended, after Ctrl-C, after the seconds, or after
+  // 20 times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after
   // end(). Throws std::runtime_error if the line breaks down.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 
@@ -53,6 +56,7 @@ class Input {
   Pace _pace;
   double _seconds;
   double _speed = 1;
+  uint64_t _startUs = 0;
   bool _ended = false;
   uint64_t _knownUs = 0;
   std::function<void(const std::string &)> _tell;

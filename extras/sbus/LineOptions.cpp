@@ -3,13 +3,9 @@
 #include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
-
-#include "line/RecordingFile.h"
-#include "line/wire/Capture.h"
 
 namespace tool {
 
@@ -24,15 +20,6 @@ void refuse(const std::vector<const CLI::Option *> &options, const std::string &
 }
 
 }  // namespace
-
-line::LineSettings settingsOf(unsigned long told, const std::string &recording) {
-  if (told == 0 && !recording.empty()) {
-    return line::recordedSettings(recording);
-  }
-  line::LineSettings settings;
-  settings.baud = told > 0 ? told : sbus::Baud;
-  return settings;
-}
 
 LineOptions::LineOptions(CLI::App &verb) {
   verb.add_option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
@@ -63,16 +50,21 @@ void LineOptions::refuseDisturbing(const std::string &what) const {
   refuse(_disturbing, "is of sim or a recording; leave it out for " + what);
 }
 
-line::Source LineOptions::source(const std::string &recording) const {
+line::LineSettings LineOptions::settings() const {
+  line::LineSettings settings;
+  settings.baud = _baud > 0 ? _baud : sbus::Baud;
+  return settings;
+}
+
+line::Source LineOptions::source(const line::LineSettings &settings) const {
   line::Source source;
-  source.recording = recording;
   source.silent = _silent->count() > 0;
   source.sticks = _sticks == "flight" ? line::Sticks::Flight : line::Sticks::Calibration;
   source.channels = _channels == 24   ? line::Channels::TwentyFour
                     : _channels == 32 ? line::Channels::ThirtyTwo
                                       : line::Channels::Sixteen;
   source.noise = _noise;
-  source.settings = settings(recording);
+  source.settings = settings;
   if (_uninverted->count() > 0) {
     source.settings.polarity = line::Polarity::Uninverted;
   }
@@ -102,29 +94,18 @@ CLI::Validator notEmpty() {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator notStandardOutput() {
+  const auto check = [](const std::string &name) {
+    const bool isFile = !name.empty() && name != "-";
+    return std::string(isFile ? "" : "the name of a file is expected; standard output is taken");
+  };
+  return CLI::Validator(check, "");
+}
+
 void refusePipe(const std::string &name) {
   struct stat status;
   if (name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))) {
     throw std::runtime_error(name + ": is a pipe, and is read more than once: save it in a file first");
-  }
-}
-
-// An oscilloscope's columns may be a sketch's rows.
-void refuseOtherKinds(const std::string &name) {
-  const std::string head = line::beginningOf(name, line::CaptureHeadMax);
-  const std::string format = line::captureFormat(head);
-  if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
-    throw std::runtime_error(name +
-                             ": has a column of times, as sbus csv and the scope write it; only rows without are "
-                             "read again. Keep the line with sbus record");
-  }
-  if (!format.empty() && !(format == line::OscilloscopeFormat && line::isCsv(name))) {
-    throw std::runtime_error(name + ": is a capture of the wire (" + format + "), no recording: sbus decode reads it");
-  }
-  const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
-  if (std::any_of(head.begin(), head.end(), isControl)) {
-    throw std::runtime_error(
-        name + ": is no text, as a recording is; bytes as they came are read from standard input, - <" + name);
   }
 }
 

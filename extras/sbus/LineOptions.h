@@ -9,9 +9,6 @@
 
 namespace tool {
 
-// S.Bus at the baud rate told; else (0) as the recording says; `recording` may be empty.
-line::LineSettings settingsOf(unsigned long told, const std::string &recording);
-
 class LineOptions {
  public:
   // Adds them to a verb; it must not move afterwards.
@@ -23,11 +20,14 @@ class LineOptions {
   void refuseSimulated(const std::string &what) const;   // those of the built-in receiver
   void refuseDisturbing(const std::string &what) const;  // --noise and --uninverted
 
-  // As the options have it; the built-in receiver, unless `recording` is a file's name.
-  line::Source source(const std::string &recording = {}) const;
+  // The built-in receiver, or what disturbs a line, as the options have it; on a line that is set so.
+  line::Source source(const line::LineSettings &settings) const;
 
-  // As --baud has it, else as the recording says.
-  line::LineSettings settings(const std::string &recording) const { return settingsOf(_baud, recording); }
+  // S.Bus at --baud; Default: 100000.
+  line::LineSettings settings() const;
+
+  // 0 without the option.
+  unsigned long baud() const { return _baud; }
 
  private:
   unsigned long _baud = 0;  // not told
@@ -49,10 +49,11 @@ CLI::Validator seconds();
 // Of a name: an empty one is a variable that a script has forgotten to set.
 CLI::Validator notEmpty();
 
-// Throw std::runtime_error: if it is read more than once and cannot be; if it is a capture of the wire, or no text, and
-// not a recording; if what would be written is what is read.
+// Of a file beside standard output, which is taken.
+CLI::Validator notStandardOutput();
+
+// Throw std::runtime_error: if it is read more than once and cannot be; if what would be written is what is read.
 void refusePipe(const std::string &name);
-void refuseOtherKinds(const std::string &name);
 void refuseSameFile(const std::string &read, const std::string &written);
 
 }  // namespace tool

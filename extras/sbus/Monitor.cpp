@@ -10,6 +10,7 @@
 
 #include "MonitorPage.h"
 #include "Output.h"
+#include "Recorder.h"
 #include "Screen.h"
 #include "SourceOption.h"
 #include "Stop.h"
@@ -23,6 +24,12 @@ namespace {
 constexpr uint64_t PeriodUs = 50000;  // of the page: more often nobody can read it
 constexpr uint64_t LineUs = 1000000;  // of the lines
 constexpr uint64_t LookUs = 10000;    // the state is asked so often
+
+struct MonitorOptions {
+  std::string range = "frsky";
+  std::string record;  // a file
+  bool json = false;
+};
 
 bool isMake(const std::string &text) {
   return text == "frsky" || text == "futaba";
@@ -106,7 +113,9 @@ class Page {
 
 using Tick = std::function<void(uint64_t nowUs)>;
 
-void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run) {
+// `ended` is called once the line has ended, before the user has had enough.
+void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run,
+              const std::function<void()> &ended) {
   Page page(watch);
   uint64_t endUs = 0;
   run([&](uint64_t nowUs) {
@@ -116,11 +125,12 @@ void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)
     }
     page.drawNowAndThen(nowUs);
   });
+  ended();
   page.stay(endUs, input.limitUs());
 }
 
 // A line a second, and one when the state changes.
-void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
+void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> &run) {
   uint64_t lookUs = 0;
   uint64_t nextUs = LineUs;
   std::string state;
@@ -131,35 +141,59 @@ void showLines(Watch &watch, const std::function<void(const Tick &)> &run) {
     lookUs = nowUs + LookUs;
     const MonitorView view = watch.view(nowUs);
     if (nowUs >= nextUs || view.state != state) {
-      nextUs += nowUs >= nextUs ? LineUs : 0;
+      nextUs += nowUs >= nextUs ? LineUs * (1 + (nowUs - nextUs) / LineUs) : 0;
       state = view.state;
-      write(plainLine(view, nowUs));
+      write(json ? watch.json(nowUs) : plainLine(view, nowUs));
     }
   });
   flush();
 }
 
-void run(const SourceOption &source, const std::string &range) {
-  // Receivers of either make turn a raw value into the same pulse, 5 * raw / 8 + 880 us: Futaba's 1100, 1520 and 1940.
-  const sbus::Range scale = rangeOf(range);
-  const sbus::Range pulses = isMake(range) ? sbus::FrSky : scale;
-  const std::unique_ptr<Input> input = source.open();
-  Watch watch(source.name(), input->settings(), scale, pulses);
+void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
+  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940 us.
+  const sbus::Range scale = rangeOf(options.range);
+  const sbus::Range pulses = isMake(options.range) ? sbus::FrSky : scale;
+  Watch watch(source.name(), input.settings(), scale, pulses);
   uint64_t lastUs = 0;
-  const auto read = [&](const Tick &tick) {
-    input->run([&watch](const line::Character &character) { watch.put(character); },
-               [&](uint64_t nowUs) {
-                 lastUs = nowUs;
-                 watch.idleUntil(input->knownUs());
-                 tick(nowUs);
-               });
+  const auto put = [&](const line::Character &character) {
+    watch.put(character);
+    if (recorder != nullptr) {
+      recorder->put(character);
+    }
   };
-  if (Screen::isPossible()) {
-    input->onNews([&](const std::string &text) { watch.news(text, lastUs); });
-    showPage(watch, *input, read);
+  const auto read = [&](const Tick &tick) {
+    input.run(put, [&](uint64_t nowUs) {
+      lastUs = nowUs;
+      watch.idleUntil(input.knownUs());
+      tick(nowUs);
+    });
+  };
+  const auto ended = [recorder] {
+    if (recorder != nullptr) {
+      recorder->finish();
+    }
+  };
+  if (Screen::isPossible() && !options.json) {
+    input.onNews([&](const std::string &text) { watch.news(text, lastUs); });
+    showPage(watch, input, read, ended);
   } else {
-    showLines(watch, read);
+    showLines(watch, options.json, read);
+    ended();
   }
+}
+
+void run(const SourceOption &source, const MonitorOptions &options) {
+  rangeOf(options.range);  // what is wrong is said first
+  const std::unique_ptr<Input> input = source.open();
+  if (options.record.empty()) {
+    show(source, *input, options, nullptr);
+    return;
+  }
+  writeTo(options.record, File::New, [&](const Put &put) {
+    Recorder recorder("monitor", source.name(), input->settings(), source.isFile() && source.isWire(), put);
+    show(source, *input, options, &recorder);
+    std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
+  });
 }
 
 }  // namespace
@@ -167,14 +201,17 @@ void run(const SourceOption &source, const std::string &range) {
 void addMonitor(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
   const auto source = std::make_shared<SourceOption>(*verb, Recordings::InTrueTime);
-  const auto range = std::make_shared<std::string>("frsky");
-  verb->add_option("--range", *range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+  const auto options = std::make_shared<MonitorOptions>();
+  verb->add_option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
+  verb->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
+      ->check(notStandardOutput())
+      ->type_name("FILE");
+  verb->add_flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
   verb->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
-      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state "
-      "changes.");
-  verb->callback([source, range] { run(*source, *range); });
+      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
+  verb->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -8,6 +8,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "Format.h"
+#include "Json.h"
 #include "Output.h"
 #include "Verbs.h"
 #include "line/ports/LowLatency.h"
@@ -65,6 +67,25 @@ std::string usbText(sp_port *port) {
   return ids + (serial.empty() ? "" : ", serial number " + serial);
 }
 
+Json json(sp_port *port) {
+  const std::string device = sp_get_port_name(port);
+  Json json("port");
+  json.text("name", device).text("description", textOf(sp_get_port_description(port)));
+  int vendor = 0;
+  int product = 0;
+  if (sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK) {
+    json.text("usb_vendor", format("%04x", static_cast<unsigned>(vendor)))
+        .text("usb_product", format("%04x", static_cast<unsigned>(product)))
+        .text("serial_number", textOf(sp_get_port_usb_serial(port)))
+        .text("known_as", known(port));
+  }
+  const std::optional<unsigned> ms = line::latencyMs(line::latencyFile(device));
+  if (ms) {
+    json.number("latency_ms", *ms);
+  }
+  return json.flag("permission", access(device.c_str(), R_OK) == 0);
+}
+
 // While sbus has a port open it asks for 1 ms.
 std::string latencyText(const std::string &device) {
   const std::string file = line::latencyFile(device);
@@ -88,7 +109,7 @@ std::string describe(sp_port *port) {
   return text;
 }
 
-void run() {
+void run(bool asJson) {
   sp_port **ports = nullptr;
   if (sp_list_ports(&ports) != SP_OK) {
     throw std::runtime_error("the system does not list its ports; look into /dev/serial/by-id");
@@ -98,7 +119,7 @@ void run() {
     std::fprintf(stderr, "no serial port; plug the adapter in\n");
   }
   for (size_t i = 0; ports[i] != nullptr; i++) {
-    write(describe(ports[i]));
+    write(asJson ? json(ports[i]).line() : describe(ports[i]));
   }
   flush();
 }
@@ -107,7 +128,9 @@ void run() {
 
 void addPorts(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("ports", "the serial ports, and what is known of each");
-  verb->callback(run);
+  const auto asJson = std::make_shared<bool>(false);
+  verb->add_flag("--json", *asJson, "JSON lines, one a port");
+  verb->callback([asJson] { run(*asJson); });
 }
 
 }  // namespace tool

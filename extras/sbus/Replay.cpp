@@ -3,12 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "FileSource.h"
 #include "LineOptions.h"
 #include "Sending.h"
 #include "Verbs.h"
-#include "line/CsvRows.h"
 #include "line/RecordedLine.h"
-#include "line/RecordingFile.h"
 #include "line/RestoredLine.h"
 
 namespace tool {
@@ -25,21 +24,21 @@ struct ReplayOptions {
   const CLI::Option *loop = nullptr;
 };
 
-std::unique_ptr<Input> open(const ReplayOptions &options) {
-  refusePipe(options.file);
-  refuseOtherKinds(options.file);
-  const bool csv = line::isCsv(options.file);
-  const line::LineSettings settings = csv ? line::csvSettings() : settingsOf(options.baud, options.file);
-  line::Recording recording =
-      csv ? line::readCsv(options.file) : line::readRecording(options.file, settings.characterUs());
-  const bool isLate = recording.characters.isLate();
-  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(std::move(recording));
-  if (isLate) {
-    line = std::make_unique<line::RestoredLine>(std::move(line), settings.characterUs());
+std::unique_ptr<Input> open(const std::shared_ptr<const FileSource> &file, double speed) {
+  const std::shared_ptr<const line::Recording> recording(file, &file->recording);
+  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(recording);
+  if (recording->characters.isLate()) {
+    line = std::make_unique<line::RestoredLine>(std::move(line), file->settings.characterUs());
   }
-  auto input = std::make_unique<Input>(std::move(line), settings, Input::Pace::True, 0);
-  input->setSpeed(options.speed);
+  auto input = std::make_unique<Input>(std::move(line), file->settings, Input::Pace::True, 0);
+  input->setSpeed(speed);
   return input;
+}
+
+void run(const ReplayOptions &options) {
+  refusePipe(options.file);
+  const auto file = std::make_shared<const FileSource>(readFile(options.file, options.baud));
+  options.sending.run([&] { return open(file, options.speed); }, options.loop->count() > 0);
 }
 
 }  // namespace
@@ -47,7 +46,10 @@ std::unique_ptr<Input> open(const ReplayOptions &options) {
 void addReplay(CLI::App &app) {
   CLI::App *const verb = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
   const auto options = std::make_shared<ReplayOptions>(*verb);
-  verb->add_option("FILE", options->file, "a recording, or rows of CSV")->required()->check(notEmpty())->type_name("");
+  verb->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
   verb->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
@@ -55,8 +57,7 @@ void addReplay(CLI::App &app) {
       ->check(numberBetween(0.001, 1000))
       ->type_name("N");
   options->loop = verb->add_flag("--loop", "again and again");
-  verb->callback(
-      [options] { options->sending.run([&options] { return open(*options); }, options->loop->count() > 0); });
+  verb->callback([options] { run(*options); });
 }
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// Sends a line's characters through a port, or a pseudo-terminal: for `replay` and `simulate`.
+// Sends a line's characters through a port, or a pseudo-terminal: for `replay`, `simulate` and `send`.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,6 +14,9 @@ class Sending {
  public:
   // Adds its options to a verb.
   explicit Sending(CLI::App &verb);
+
+  // Sends to this port; to a pseudo-terminal if it is empty.
+  explicit Sending(std::string port) : _to(std::move(port)) {}
 
   // Sends what `open` gives, for ever if `loop`. A pseudo-terminal waits for its reader first. Throws
   // std::runtime_error.

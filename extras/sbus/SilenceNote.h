@@ -1,6 +1,7 @@
 // Says on standard error, once, that a source has not brought yet what is waited for.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -13,10 +14,12 @@ class SilenceNote {
   SilenceNote(const std::string &source, const char *what) : _source(source), _what(what) {}
 
   void tick(uint64_t nowUs, bool has) {
-    if (!has && !_done && nowUs >= AfterUs) {
+    _beginUs = std::min(_beginUs, nowUs);
+    const bool isLong = nowUs - _beginUs >= AfterUs;
+    if (!has && !_done && isLong) {
       std::fprintf(stderr, "%s: no %s yet; sbus doctor %s says why\n", _source.c_str(), _what, _source.c_str());
     }
-    _done = _done || has || nowUs >= AfterUs;
+    _done = _done || has || isLong;
   }
 
  private:
@@ -24,6 +27,7 @@ class SilenceNote {
 
   const std::string _source;
   const char *const _what;
+  uint64_t _beginUs = UINT64_MAX;
   bool _done = false;
 };
 

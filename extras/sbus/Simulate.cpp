@@ -23,7 +23,7 @@ void addSimulate(CLI::App &app) {
   verb->callback([options] {
     options->sending.run(
         [&options] {
-          const line::Source source = options->line.source();
+          const line::Source source = options->line.source(options->line.settings());
           line::LineSettings port;
           port.baud = source.settings.baud;
           auto line = std::make_unique<line::SampledLine>(source.open(), source.settings, port);

@@ -16,9 +16,11 @@ void addPlot(CLI::App &app);
 void addRecord(CLI::App &app);
 void addReplay(CLI::App &app);
 void addSimulate(CLI::App &app);
+void addSend(CLI::App &app);
 void addDecode(CLI::App &app);
 void addWave(CLI::App &app);
 void addDoctor(CLI::App &app);
+void addSummary(CLI::App &app);
 void addExplain(CLI::App &app);
 
 }  // namespace tool

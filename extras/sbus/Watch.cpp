@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "CsvColumn.h"
 #include "Format.h"
+#include "Json.h"
 #include "sbus/Diagnosis.h"
 
 namespace tool {
@@ -119,6 +121,36 @@ MonitorView Watch::view(uint64_t nowUs) {
     }
   }
   return view;
+}
+
+std::string Watch::json(uint64_t nowUs) {
+  if (_isCsv) {
+    std::vector<double> values(_row.size());
+    std::transform(_row.begin(), _row.end(), values.begin(), [](const line::CsvField &field) { return field.value; });
+    return Json("row")
+        .number("time_us", nowUs)
+        .number("age_us", nowUs - std::min(nowUs, _rowUs))
+        .numbers("values", values)
+        .line();
+  }
+  const line::Values &values = _observer.newest();
+  const sbus::Counters &now = _observer.counters();
+  Json json("state");
+  json.number("time_us", nowUs).text("state", stateName(_observer.state(nowUs)));
+  if (values.count > 0) {
+    json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count);
+    if (!_observer.has24()) {
+      json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
+    }
+    json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
+  }
+  return json.number("frames_per_second", _observer.perSecond(nowUs))
+      .number("frames", now.frames)
+      .number("lost_frames", now.lostFrames)
+      .number("failsafe_frames", now.failsafeFrames)
+      .number("discarded_bytes", now.skippedBytes)
+      .number("bad_characters", _observer.badCharacters())
+      .line();
 }
 
 void Watch::showFrames(MonitorView &view, uint64_t nowUs) {

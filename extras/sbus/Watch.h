@@ -30,6 +30,9 @@ class Watch {
 
   MonitorView view(uint64_t nowUs);
 
+  // Returns the state and the newest values as a line of JSON.
+  std::string json(uint64_t nowUs);
+
  private:
   struct Column {
     double low = 0;

@@ -2,11 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <stdexcept>
 
+#include "FileSource.h"
 #include "LineOptions.h"
 #include "Output.h"
 #include "Verbs.h"
-#include "line/RecordingFile.h"
 #include "line/wire/VcdWriter.h"
 
 namespace tool {
@@ -21,9 +22,9 @@ struct Options {
 };
 
 // The whole text of the wire goes to `put`, piece by piece.
-void wave(const line::Recording &recording, const line::LineSettings &settings, const Put &put) {
-  line::VcdWriter writer(settings);
-  for (const line::Character character : recording.characters) {
+void wave(const FileSource &file, const Put &put) {
+  line::VcdWriter writer(file.settings);
+  for (const line::Character character : file.recording.characters) {
     put(writer.put(character));
   }
   put(writer.finish());
@@ -31,12 +32,13 @@ void wave(const line::Recording &recording, const line::LineSettings &settings, 
 
 void run(const Options &options) {
   refusePipe(options.recording);
-  refuseOtherKinds(options.recording);
   refuseSameFile(options.recording, options.output);
-  line::LineSettings settings = settingsOf(options.baud, options.recording);
-  settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
-  const line::Recording recording = line::readRecording(options.recording, settings.characterUs());
-  writeTo(options.output, File::Any, [&](const Put &put) { wave(recording, settings, put); });
+  FileSource file = readFile(options.recording, options.baud);
+  if (file.kind == FileKind::Capture) {
+    throw std::runtime_error(options.recording + ": is a capture of the wire already; sbus decode reads it");
+  }
+  file.settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  writeTo(options.output, File::Any, [&](const Put &put) { wave(file, put); });
 }
 
 }  // namespace

@@ -19,12 +19,14 @@ void addVerbs(CLI::App &app) {
   tool::addPorts(app);
   tool::addMonitor(app);
   tool::addDoctor(app);
+  tool::addSummary(app);
   tool::addHex(app);
   tool::addCsv(app);
   tool::addPlot(app);
   tool::addRecord(app);
   tool::addReplay(app);
   tool::addSimulate(app);
+  tool::addSend(app);
   tool::addDecode(app);
   tool::addWave(app);
   tool::addExplain(app);
@@ -56,8 +58,8 @@ int main(int argc, char **argv) {
   app.set_help_flag("-h,--help", "what there is to give");
   app.set_help_all_flag("--help-all", "what every subcommand takes");
   app.footer(
-      "SOURCE is a serial port (see `sbus ports`), a recording, - for bytes on standard input, or sim, a receiver that "
-      "is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
+      "SOURCE is a serial port (see `sbus ports`), a file (a recording, a capture of a logic analyser, bytes), - for "
+      "bytes on standard input, or sim, a receiver that is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
   addVerbs(app);
   tool::catchSignals();
   try {

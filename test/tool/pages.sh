@@ -110,6 +110,16 @@ open 80x24 "env $utf8 '$SBUS' monitor sim" && shows receiving && tmux send-keys 
 verdict $? "space pauses"
 close
 
+# The recording grows while the page is there, and is whole after q.
+rm -f "$WORK/seen.txt"
+open 80x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving
+tries=0
+until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
+tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
+  frames=$("$SBUS" hex "$WORK/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 bad), $frames frames" "$WORK/page.txt"
+verdict $? "monitor --record on a page"
+close
+
 # ---- The terminal afterwards
 
 for end in q INT TERM; do
@@ -128,6 +138,10 @@ for source in sim "'$PWD/recordings/paper.txt'"; do
   verdict $? "monitor $source ends after --seconds, in true time"
   close
 done
+open 80x24 "'$SBUS' hex sim --simulated-time --seconds 0.02; sleep 1000" && shows '0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00' &&
+  grep -qx ' *03 1F F8 C0 07 3E F0 81 0F 7C 00 00 *' "$WORK/page.txt"
+verdict $? "hex is fitted to the terminal's width"
+close
 
 # ---- A real line
 

@@ -5,8 +5,12 @@
 #   tool/REFUSALS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
-#   captures of the wire       tool/wire.sh
+#   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
+#   tool/hex.sh                the values, times and widths of `sbus hex`
+#   tool/send.sh               what `sbus send` sends
+#   tool/summary.sh            `sbus summary`; a part of a file
+#   tool/json.sh               JSON lines, held against the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
 #   tool/completion.sh         what bash, zsh and fish complete
@@ -116,18 +120,6 @@ echo "0 $(printf "$frame" | od -An -v -tx1 | tr -d '\n')" >"$work/at-0.txt"
 [ "$("$sbus" csv "$work/at-0.txt" --columns ch1,time)" = "997,0.002880" ] &&
   [ "$("$sbus" csv sim --simulated-time --seconds 0.03 --columns ch1,time)" = "1018,0.026000" ]
 verdict $? "a line shorter than 0.2 s has a row, of its newest frame"
-for channels in 16 24 32; do
-  line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"
-  # shellcheck disable=SC2086  # the arguments are words
-  "$sbus" hex $line >"$work/hex" && "$sbus" hex $line --values >"$work/values" && "$sbus" hex $line --delta >"$work/delta" &&
-    awk '/  (frame|frame24|extra) end/ { sub(/^ *[0-9.]+ +/, ""); sub(/ +(frame|extra).*/, ""); print }' "$work/hex" |
-    while read -r bytes; do "$sbus" explain "$bytes" | awk '/^CH/ { printf " %s", $2 } END { print "" }'; done >"$work/explained.txt" &&
-    awk '/  (frame|frame24|extra) end/ { for (i = NF - (/frame24/ ? 23 : 15); i <= NF; i++) printf " %s", $i; print "" }' "$work/values" |
-    cmp - "$work/explained.txt" &&
-    [ "$(wc -l <"$work/explained.txt")" -gt 10 ] &&
-    awk '{ sum += $1; $1 = sprintf("%.6f", sum) } 1' "$work/delta" >"$work/sums" && awk '{ $1 = $1 } 1' "$work/hex" | cmp - "$work/sums"
-  verdict $? "hex --values and --delta of $channels channels"
-done
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
@@ -183,14 +175,9 @@ done
 "$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
 verdict $? "help of all"
 
-printf 'Time [s],Channel 0\n0.000000000,0\n0.008,1\n' >"$work/saleae.csv"
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
-printf "$frame" >"$work/bytes"
-for verb in csv wave replay; do
-  refused "sbus $verb: $work/saleae.csv: is a capture of the wire (logic analyser's CSV), no recording: sbus decode reads it" $verb "$work/saleae.csv"
-  refused "sbus $verb: $work/paper.vcd: is a capture of the wire (VCD), no recording: sbus decode reads it" $verb "$work/paper.vcd"
-  refused "sbus $verb: $work/bytes: is no text, as a recording is; bytes as they came are read from standard input, - <$work/bytes" $verb "$work/bytes"
-done
+refused "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
+refused "--noise: is of sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is none of the wire"
@@ -226,6 +213,15 @@ awk '!/^#/ { printf "%.6f\n", ($1 + 120 * (NF - 2)) / 1e6 }' recordings/paper.tx
   "$sbus" csv recordings/paper.txt --every-frame --columns time,ch1 | cut -d, -f1 | cmp - "$work/ends" &&
   "$sbus" record recordings/paper.txt - 2>&1 >"$work/out" | grep -q ': 0.4 s, 150 characters'
 verdict $? "times are the recording's own"
+"$sbus" monitor sim --simulated-time --seconds 0.2 >"$work/lines" && "$sbus" record sim "$work/record.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
+  "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
+  sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 bad\), [1-9][0-9]* frames$' "$work/err"
+verdict $? "monitor --record records what record does, and shows what it shows"
+refused "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
+refused "sbus monitor: /dev/full: could not be written to its end (No space left on device); is there place for it?" monitor sim --simulated-time --seconds 1 --record /dev/full
+"$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
+verdict $? "monitor --record of a sketch's rows"
+
 
 player replay recordings/paper.txt
 "$sbus" record "$terminal" "$work/paper.txt" 2>"$work/err"
@@ -300,6 +296,11 @@ kill -INT $monitor "$player"
 wait $monitor "$player"
 
 SBUS=$sbus BUILD=$work tool/wire.sh
+SBUS=$sbus WORK=$work tool/hex.sh
+SBUS=$sbus WORK=$work tool/files.sh
+SBUS=$sbus WORK=$work tool/send.sh
+SBUS=$sbus WORK=$work tool/json.sh
+SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh

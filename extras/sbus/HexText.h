@@ -1,0 +1,24 @@
+// Bytes as people write them down: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3, {0x0F, 0xE3}; ! behind one marks a parity or
+// framing error, as `sbus hex` prints it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tool {
+
+struct HexText {
+  struct Byte {
+    uint8_t value;
+    bool bad;
+  };
+  std::vector<Byte> bytes;
+  std::string wrong;  // what is not hexadecimal; the text is read up to there. Empty: nothing
+};
+
+// Blanks, commas, semicolons, colons, hyphens and braces separate bytes.
+HexText parseHex(std::string_view text);
+
+}  // namespace tool

@@ -1,0 +1,161 @@
+#!/bin/sh
+# Gives `sbus` files that are no recordings: captures of the wire, and bytes without times. Says "ok ..." or "FAILED ...".
+# The captures are written here, bit by bit, of the recordings; what is read of them is what the recordings hold.
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/files
+rm -rf "$work"
+mkdir -p "$work"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# The bytes of a recording, one a line.
+bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n' | grep .; }
+
+# capture FORM IDLE BIT_US <RECORDING: its wire as VCD or as Logic 2's CSV, idle at 0 or 1
+capture() {
+  awk -v form="$1" -v idle="$2" -v bit="$3" '
+    function level(us, high) {
+      if (high == now) return
+      now = high
+      if (form == "vcd") printf "#%d\n%d!\n", us, high; else printf "%.6f,%d\n", us / 1e6, high
+    }
+    function send(us, value,   i, ones) {
+      level(us, 1 - idle)
+      for (i = 0; i < 8; i++) {
+        one = int(value / 2 ^ i) % 2
+        ones += one
+        level(us + (i + 1) * bit, one ? idle : 1 - idle)
+      }
+      level(us + 9 * bit, ones % 2 ? idle : 1 - idle)
+      level(us + 10 * bit, idle)
+      end = us + 12 * bit
+    }
+    BEGIN {
+      for (i = 0; i < 256; i++) byte[sprintf("%02X", i)] = i
+      now = idle
+      if (form == "vcd") printf "$timescale 1us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n#0\n%d!\n", idle
+      else printf "Time [s],Channel 0\n0.000000,%d\n", idle
+    }
+    { sub(/\r/, "") }
+    !/^#/ && NF > 1 { for (i = 2; i <= NF; i++) send($1 + (i - 3) * 12 * bit, byte[$i]) }
+    END { us = end + 20000; if (form == "vcd") printf "#%d\n", us; else printf "%.6f,%d\n", us / 1e6, 1 - idle }'
+}
+
+# ---- Captures
+
+for form in vcd csv; do
+  for idle in 0 1; do
+    for recording in paper sbus2 frsky-neutral; do
+      file=$work/$recording-$idle.$form
+      capture $form $idle 10 <recordings/$recording.txt >"$file"
+      for verb in 'hex' 'csv --every-frame --columns time,ch1-ch18,failsafe'; do
+        # shellcheck disable=SC2086  # the arguments are words
+        "$SBUS" $verb recordings/$recording.txt >"$work/wanted" && "$SBUS" $verb "$file" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
+        verdict $? "$verb of $recording as $form, idle $idle"
+      done
+    done
+  done
+done
+"$SBUS" doctor "$work/frsky-neutral-1.vcd" >"$work/doctor" 2>"$work/err" && [ ! -s "$work/err" ] && grep -qx 'ALL WELL.' "$work/doctor" &&
+  tail -n 1 "$work/doctor" >"$work/last" &&
+  grep -q '^100000 baud, 8E2, not inverted: [1-9][0-9]* frames' "$work/doctor" && "$SBUS" doctor recordings/frsky-neutral.txt | tail -n 1 | cmp - "$work/last"
+verdict $? "doctor of a capture says how the wire was"
+"$SBUS" plot "$work/sbus2-0.csv" -o "$work/capture.svg" && "$SBUS" plot recordings/sbus2.txt -o "$work/recording.svg" &&
+  sed 's/sbus2-0.csv/sbus2.txt/' "$work/capture.svg" | cmp - "$work/recording.svg"
+verdict $? "plot of a capture"
+"$SBUS" monitor "$work/sbus2-0.vcd" --simulated-time >"$work/lines" &&
+  "$SBUS" monitor recordings/sbus2.txt --simulated-time | cmp - "$work/lines" && [ "$(wc -l <"$work/lines")" -ge 2 ]
+verdict $? "monitor of a capture"
+"$SBUS" record "$work/sbus2-0.vcd" "$work/recorded.txt" 2>"$work/err" && bytes recordings/sbus2.txt >"$work/wanted" &&
+  bytes "$work/recorded.txt" | cmp - "$work/wanted"
+verdict $? "record of a capture"
+"$SBUS" replay "$work/sbus2-1.csv" >"$work/terminal" 2>"$work/err" &
+player=$!
+until [ -s "$work/terminal" ] || ! kill -0 $player; do sleep 0.1; done
+"$SBUS" record "$(cat "$work/terminal")" "$work/replayed.txt" 2>"$work/err" && bytes "$work/replayed.txt" | cmp - "$work/wanted"
+verdict $? "replay of a capture"
+wait $player
+
+capture vcd 0 5 <recordings/slow/"$(ls recordings/slow | head -n 1)" >"$work/fast.vcd"
+[ "$("$SBUS" hex "$work/fast.vcd" | grep -c ' frame end ')" -gt 3 ] && "$SBUS" doctor "$work/fast.vcd" | grep -q '^200000 baud, 8E2, inverted: '
+verdict $? "a capture of Fast S.Bus needs no option"
+! "$SBUS" csv "$work/fast.vcd" --baud 100000 >"$work/out" 2>"$work/err"
+verdict $? "--baud overrules what is found in a capture"
+
+# decode -o: the recording, and no table; what came before a mistake is kept.
+"$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" >"$work/out" && bytes "$work/decoded.txt" | cmp - "$work/wanted" &&
+  [ "$(grep -c . "$work/out")" -eq 2 ] && grep -q ' frames, ' "$work/out" && grep -qx '# 100000 baud, 8E2, not inverted' "$work/decoded.txt" &&
+  "$SBUS" hex "$work/sbus2-1.vcd" >"$work/hex" && "$SBUS" hex "$work/decoded.txt" | cmp - "$work/hex"
+verdict $? "decode -o writes a recording"
+"$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" 2>"$work/err" >"$work/out"
+[ $? -eq 1 ] && grep -q 'decoded.txt: is there already; name another file' "$work/err"
+verdict $? "decode -o leaves a file alone"
+"$SBUS" decode "$work/sbus2-1.vcd" --csv -o "$work/both.txt" | cmp - tool/golden/decode-sbus2.csv && cmp "$work/both.txt" "$work/decoded.txt"
+verdict $? "decode --csv -o writes both"
+(head -n 2000 "$work/sbus2-1.vcd"; echo '#x') >"$work/broken.vcd"
+"$SBUS" decode "$work/broken.vcd" -o "$work/part.txt" >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && bytes "$work/part.txt" >"$work/part" && [ "$(wc -l <"$work/part")" -gt 100 ] && head -n "$(wc -l <"$work/part")" "$work/wanted" | cmp - "$work/part"
+verdict $? "decode -o keeps what came before a mistake"
+"$SBUS" csv "$work/broken.vcd" >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && grep -q "^sbus csv: $work/broken.vcd:2001: .*; sbus decode -o FILE keeps what came before it$" "$work/err"
+verdict $? "a capture with a mistake is named with its place"
+
+# ---- Bytes without times
+
+frame='0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00'
+octal='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
+note='has bytes without times: times are not known, frames are taken back to back'
+# written NAME: standard input is a file whose bytes are two frames
+written() {
+  cat >"$work/$1"
+  "$SBUS" record "$work/$1" "$work/$1.recording" 2>"$work/err" && grep -qxF "$work/$1: $note" "$work/err" &&
+    bytes "$work/$1.recording" | paste -sd ' ' | grep -qxF "$frame $frame" &&
+    [ "$("$SBUS" csv "$work/$1" --every-frame 2>"$work/err")" = "$(printf '997,992,992,992,0,0\r\n997,992,992,992,0,0\r')" ]
+  verdict $? "bytes without times: $1"
+}
+# RealTerm wraps where its window ends; its capture does not wrap.
+printf '%s %s' "$frame" "$frame" | fold -w 48 | written realterm.txt
+printf '%s\r\n%s\r\n' "$frame" "$frame" | written lines.txt
+printf '%s%s' "$frame" "$frame" | tr -d ' ' | written no-blanks.txt
+printf '# of a forum\n\n{0x%s, 0x%s};\n' "$frame" "$frame" | sed 's/ \([0-9A-F][0-9A-F]\)/, 0x\1/g' | written array.txt
+printf '%s,%s' "$frame" "$frame" | tr ' ' , | tr '[:upper:]' '[:lower:]' | written commas.txt
+printf '%s %s\n' "$frame" "$frame" | sed 's/ 0\([0-9A-F]\)/ \1/g; s/^0//' | written arduino.txt
+for name in bytes.bin dump.RAW; do
+  # shellcheck disable=SC2059  # the frame has no %
+  printf "$octal$octal" | written $name
+done
+# The bytes of a line that was cut look like times; a second line shows that they are none.
+printf '03 1F %s %s\n10 %s\n' "$frame" "$frame" "$frame" >"$work/cut.txt"
+"$SBUS" record "$work/cut.txt" - 2>"$work/err" >"$work/cut.recording" && [ "$(bytes "$work/cut.recording" | wc -l)" -eq 78 ]
+verdict $? "bytes without times whose lines begin with decimal digits"
+printf '30 0F E5\n' >"$work/time.txt"
+"$SBUS" hex "$work/time.txt" 2>"$work/err" | grep -q '  0F E5  ' && [ ! -s "$work/err" ]
+verdict $? "a time of two digits, alone, is a time"
+printf '%s %s\n' "$frame" "$frame" | sed 's/1F/1F!/' >"$work/bad.txt"
+"$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.* 1 bad character'
+verdict $? "bytes without times, one bad"
+"$SBUS" doctor "$work/bytes.bin" >"$work/out" 2>"$work/err"
+[ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 bytes of no frame' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"
+verdict $? "doctor of bytes without times says no times"
+
+# rejected NAME MESSAGE: standard input is a file that is none of these
+rejected() {
+  cat >"$work/$1"
+  "$SBUS" hex "$work/$1" >"$work/out" 2>"$work/err"
+  [ $? -eq 1 ] && grep -qxF "sbus hex: $work/$1$2" "$work/err" || { cat "$work/err"; false; }
+  verdict $? "rejects $1"
+}
+want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
+offset='begins with the offset of a dump; leave offsets and text out, or make bytes of it: xxd -r DUMP FILE.bin'
+printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
+printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"an\"$want"
+echo '00000000: 0fe5 031f f8c0 073e f081 0f7c e003 06f8  .......>...|....' | rejected xxd.txt ":1: $offset"
+echo '00000000  0f e5 03 1f f8 c0 07 3e  f0 81 0f 7c e0 03 06 f8  |.......>...|....|' | rejected hexdump.txt ":1: $offset"
+printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
+printf '\017\345\003' | rejected control.txt ": is no text; bytes as a receiver has sent them are read if the file is called NAME.bin or NAME.raw, or from standard input: - <$work/control.txt"
+printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
+printf '' | rejected empty.bin ': is empty: at least one line "microseconds byte byte ..." is expected'

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Runs `sbus hex` with its options, and says "ok ..." or "FAILED ..." of the values and times that it prints, and of what is
+# left of its lines where they are fitted to a width. SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/hex
+rm -rf "$work"
+mkdir -p "$work"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+for channels in 16 24 32; do
+  line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"
+  # shellcheck disable=SC2086  # the arguments are words
+  "$SBUS" hex $line >"$work/hex" && "$SBUS" hex $line --values >"$work/values" && "$SBUS" hex $line --delta >"$work/delta" &&
+    awk '/  (frame|frame24|extra) end/ { sub(/^ *[0-9.]+ +/, ""); sub(/ +(frame|extra).*/, ""); print }' "$work/hex" |
+    while read -r bytes; do "$SBUS" explain "$bytes" | awk '/^CH/ { printf " %s", $2 } END { print "" }'; done >"$work/explained.txt" &&
+    awk '/  (frame|frame24|extra) end/ { for (i = NF - (/frame24/ ? 23 : 15); i <= NF; i++) printf " %s", $i; print "" }' "$work/values" |
+    cmp - "$work/explained.txt" &&
+    [ "$(wc -l <"$work/explained.txt")" -gt 10 ] &&
+    awk '{ sum += $1; $1 = sprintf("%.6f", sum) } 1' "$work/delta" >"$work/sums" && awk '{ $1 = $1 } 1' "$work/hex" | cmp - "$work/sums"
+  verdict $? "hex --values and --delta of $channels channels"
+done
+# whole: puts the rows of each line together again, one blank between words
+whole() {
+  awk '{ text = substr($0, 15); bytes = ""
+      while (match(text, /^[0-9A-F][0-9A-F][ !]/)) { bytes = bytes substr(text, 1, 3); text = substr(text, 4) }
+      if (substr($0, 1, 12) ~ /[0-9]/) { if (NR > 1) print line rest; line = substr($0, 1, 14); rest = "" }
+      line = line bytes; rest = rest " " text }
+    END { print line rest }' | sed 's/  */ /g; s/ $//'
+}
+line="sim --simulated-time --seconds 10.2 --noise 20"
+for width in 60 80 120 300; do
+  for options in '--channels 16' '--channels 24 --values' '--channels 32 --values --delta'; do
+    # shellcheck disable=SC2086  # the arguments are words
+    "$SBUS" hex $line $options | whole >"$work/whole" && "$SBUS" hex $line $options --width $width >"$work/folded" &&
+      whole <"$work/folded" | cmp - "$work/whole" && [ "$(wc -l <"$work/whole")" -gt 900 ] &&
+      awk -v width=$width 'length($0) > width { print; exit 1 }' "$work/folded"
+    verdict $? "hex --width $width $options: no line is longer, and nothing is missing"
+  done
+done
+[ "$("$SBUS" hex sim --simulated-time --seconds 0.02 --width 80 | head -n 2)" = "\
+    0.008000  0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00
+              03 1F F8 C0 07 3E F0 81 0F 7C 00 00 " ]
+verdict $? "hex --width 80 prints a frame in two rows"

@@ -1,0 +1,92 @@
+#!/bin/sh
+# Holds every JSON line that `sbus` prints against the manual's section JSON LINES, and says "ok ..." or "FAILED ...": each
+# field is there with the type that its name asks for, and each field of the manual occurs.
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/json
+rm -rf "$work"
+mkdir -p "$work"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+run() { timeout 60 "$SBUS" "$@" --json >>"$work/all" 2>"$work/err" </dev/null; }
+
+: >"$work/all"
+"$SBUS" wave recordings/sbus2.txt -o "$work/sbus2.vcd"
+for channels in 16 24 32; do
+  run hex sim --simulated-time --seconds 0.5 --noise 20 --channels $channels
+  run monitor sim --simulated-time --seconds 2 --channels $channels
+done
+run monitor sim --simulated-time --seconds 11
+run monitor sim --simulated-time --seconds 1 --silent
+run monitor golden/DecodeSBus.csv --simulated-time
+run doctor sim --simulated-time --uninverted
+run doctor golden/DecodeSBus.csv
+run decode "$work/sbus2.vcd"
+run decode tool/paper-4.1.bits --characters
+run summary sim --simulated-time --seconds 14
+run summary recordings/sbus2.txt
+run ports
+python3 - "$work/all" ../extras/sbus/sbus.1 "$SBUS" <<'END'
+import json, os, re, subprocess, sys
+manual = open(sys.argv[2]).read().replace("\\-", "-")
+section = manual[manual.index(".SH JSON LINES"):].split("\n.SH ")[0]
+fields = {}
+for block in section.split("\n.TP\n")[1:]:
+    name, rest = re.match(r"\.B (\w+)\n(.*)", block, re.S).groups()
+    fields[name] = re.findall(r"\w+", rest.split("\n.br\n")[0])
+seen, wrong, states = set(), [], set()
+def check(line):
+    try:
+        object = json.loads(line)
+    except ValueError as error:
+        return wrong.append("%s: %s" % (error, line))
+    kind = object.get("type")
+    states.add(object.get("state"))
+    for name, value in object.items():
+        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "cure", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind") else
+                    list if name in ("channels", "values", "intervals") else
+                    bool if name in ("ch17", "ch18", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "has_24_channels", "rows_of_csv", "well", "permission") else
+                    (int, float))
+        if not isinstance(value, expected) or (expected != bool and isinstance(value, bool)):
+            wrong.append("%s of %s is %r" % (name, kind, value))
+        if name != "type" and name not in fields.get(kind, []):
+            wrong.append("the manual has no %s of %s" % (name, kind))
+        seen.add((kind, name))
+for line in open(sys.argv[1]):
+    check(line)
+# A PC of the tests may have no serial port, none that is USB's, and no adapter's timer.
+rare = {("port", name) for name in fields["port"]} | {("error", "message")}
+wrong += ["no %s of %s came" % (name, kind) for kind in fields for name in fields[kind] if (kind, name) not in seen | rare]
+wrong += ["no state " + state for state in ("never seen", "ok", "lossy", "failsafe") if state not in states]
+if wrong:
+    print("\n".join(sorted(set(wrong))[:20]))
+sys.exit(bool(wrong) or len(fields) < 10)
+END
+verdict $? "JSON lines are as the manual has them"
+
+# The figures are those of the other forms.
+line="sim --simulated-time --seconds 10 --noise 5"
+# shellcheck disable=SC2086  # the arguments are words
+"$SBUS" hex $line --json | sed -n 's/.*"channels":\[\(.*\)\],"ch17":\(.*\),"ch18":\(.*\),"lost_frame":\(.*\),"fail.*/\1,\2,\3,\4/p' | sed 's/false/0/g; s/true/1/g' >"$work/json" &&
+  "$SBUS" csv $line --every-frame --columns ch1-ch18,lostframe | tr -d '\r' | cmp - "$work/json" && [ "$(wc -l <"$work/json")" -gt 900 ] && grep -q ',1$' "$work/json"
+verdict $? "hex --json has the frames of csv"
+for form in hex decode; do
+  # Times from the first one.
+  "$SBUS" $form "$work/sbus2.vcd" --json | grep '"type":"\(no_\)\?frame"' |
+    awk -F '[:,]' '{ zero = NR == 1 ? $4 : zero; sub(/"time_us":[0-9.]+/, $4 - zero); print }' >"$work/$form"
+done
+cmp "$work/hex" "$work/decode" && grep -q no_frame "$work/hex" && [ "$(wc -l <"$work/hex")" -gt 10 ]
+verdict $? "hex --json and decode --json of a capture are the same"
+"$SBUS" doctor sim --simulated-time --json >"$work/doctor"
+[ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"ALL WELL' && ! "$SBUS" doctor sim --simulated-time --uninverted --json >"$work/doctor" &&
+  [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"WRONG INVERSION'
+verdict $? "doctor --json: the verdict and the exit status"
+printf '$timescale 1us $end\n$var wire 1 ! a"b\\c $end\n$enddefinitions $end\n' >"$work/odd.vcd"
+sed '1,/enddefinitions/d' "$work/sbus2.vcd" >>"$work/odd.vcd"
+"$SBUS" decode "$work/odd.vcd" --json | python3 -c 'import json, sys
+[json.loads(line) for line in sys.stdin]' && "$SBUS" decode "$work/odd.vcd" --json | grep -q '"signal":"a\\"b'
+verdict $? "JSON of a name with a quotation mark and a backslash"

@@ -1,0 +1,115 @@
+#!/bin/sh
+# Runs `sbus send` on pseudo-terminals, and says "ok ..." or "FAILED ..." of what comes out of them.
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/send
+rm -rf "$work"
+mkdir -p "$work"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# sent ARGUMENTS...: what a port gets of `send` with them, as rows of all channels and flags in $work/rows. STOP=bytes: it
+# is interrupted after so many.
+sent() {
+  python3 - "$work/port.bin" "$SBUS" send "$@" 2>"$work/err" <<'END'
+import os, pty, select, subprocess, sys, tty
+master, slave = pty.openpty()
+tty.setraw(slave)
+sender = subprocess.Popen(sys.argv[2:4] + [os.ttyname(slave)] + sys.argv[4:])
+stop = int(os.environ.get("STOP", "0"))
+got = b""
+while sender.poll() is None or select.select([master], [], [], 0)[0]:
+    if select.select([master], [], [], 0.1)[0]:
+        got += os.read(master, 4096)
+    if stop and len(got) >= stop and sender.poll() is None:
+        stop = sender.send_signal(2)
+open(sys.argv[1], "wb").write(got)
+sys.exit(sender.returncode)
+END
+  [ $? -eq 0 ] && grep -q "^$(wc -c <"$work/port.bin") characters sent$" "$work/err" &&
+    "$SBUS" csv "$work/port.bin" --every-frame --columns ch1-ch18,failsafe,lostframe 2>"$work/note" | tr -d '\r' >"$work/rows"
+}
+
+# constant FRAMES ROW ARGUMENTS...: so many frames, all of them ROW
+constant() {
+  frames=$1 row=$2
+  shift 2
+  sent "$@" --seconds 0.5 && [ "$(sort -u "$work/rows")" = "$row" ] && [ "$(wc -l <"$work/rows")" -eq "$frames" ]
+  status=$?
+  [ $status -eq 0 ] || { wc -l "$work/rows"; head -n 3 "$work/rows"; cat "$work/err"; }
+  verdict $status "send $*"
+}
+rest=992,992,992,992,992,992,992,992,992,992,992,992
+constant 56 992,992,0,992,$rest,0,0,0,0 ch3=0
+constant 56 0,992,172,1811,$rest,0,1,0,1 ch4=on CH1=0 ch18=on lostframe=on
+constant 56 172,992,2047,992,$rest,1,0,1,0 ch1=off ch3=2047 failsafe=on ch17=1
+constant 17 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 30
+constant 125 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 4 --baud 200000
+STOP=1000 sent ch1=1000 && [ "$(sort -u "$work/rows")" = "1000,992,172,992,$rest,0,0,0,0" ] && [ "$(wc -l <"$work/rows")" -ge 40 ]
+verdict $? "send until Ctrl-C"
+
+"$SBUS" send ch1=1000 --seconds 0.5 >"$work/terminal" 2>"$work/err" &
+player=$!
+until [ -s "$work/terminal" ] || ! kill -0 $player 2>/dev/null; do sleep 0.1; done
+"$SBUS" record "$(cat "$work/terminal")" "$work/terminal.txt" 2>"$work/note" && wait $player &&
+  grep -v '^#' "$work/terminal.txt" | tr ' ' '\n' | grep -vc '~\|...' | grep -qx 1400
+verdict $? "send without a port: to a pseudo-terminal"
+
+# ---- Rows of CSV
+
+"$SBUS" csv sim --simulated-time --seconds 10.2 --columns ch1-ch18,failsafe,lostframe --rate 20 --header >"$work/flight.csv"
+tail -n 20 "$work/flight.csv" | (head -n 1 "$work/flight.csv"; cat) >"$work/end.csv"
+# Its failsafe is the link's, which many lost frames bring, too: that column is no flag of a frame.
+sent --from "$work/end.csv" && sed 1d "$work/end.csv" | tr -d '\r' | cut -d, -f1-18,20 | uniq >"$work/wanted" &&
+  cut -d, -f1-18,20 "$work/rows" | uniq | cmp - "$work/wanted" && grep -q ',0,1$' "$work/wanted"
+verdict $? "send --from what csv has written"
+printf 'time,state,CH2,failsafe\n10.5,ok,100,0\n10.77,ok,200,0\n11.5,failsafe,300,1\n' >"$work/times.csv"
+sent --from "$work/times.csv" &&
+  [ "$(cut -d, -f2,19 "$work/rows" | uniq -c | awk '{ printf "%s:%s ", $2, $1 }')" = "100,0:30 200,0:82 300,1:81 " ]
+verdict $? "send --from a CSV with times"
+printf '# a sketch printed this\n1,2,3,4,0,1\r\n5,6,7,8,1,0\r\n' >"$work/sketch.csv"
+printf '%s\n' "1,2,3,4,$rest,0,0,0,1" "5,6,7,8,$rest,0,0,1,0" >"$work/wanted"
+sent --from "$work/sketch.csv" && uniq "$work/rows" | cmp - "$work/wanted"
+verdict $? "send --from a sketch's rows"
+
+# rejected MESSAGE ARGUMENTS...: standard input is $work/x.csv
+rejected() {
+  message=$1
+  shift
+  cat >"$work/x.csv"
+  (cd "$work" && timeout 60 "$SBUS" send "$@") >"$work/out" 2>"$work/err"
+  [ $? -ne 0 ] && grep -qxFe "$message" "$work/err" && [ ! -s "$work/out" ] || { cat "$work/err"; false; }
+  verdict $? "send: $message"
+}
+while IFS='|' read -r text message; do
+  # shellcheck disable=SC2059  # it has \n
+  printf "$text" | rejected "sbus send: x.csv$message" --from x.csv
+done <<'END'
+|: has no rows; rows as sbus csv writes them are expected
+CH1\n|: has no rows; rows as sbus csv writes them are expected
+CH1,CH19\n1,2\n|:1: "CH19" is no column of sbus csv; CH1 to CH18, failsafe, lostframe, time, state and age are
+CH1,CH2\n1,2\n3\n|:3: has 1 fields; 2 are expected
+CH1\n2048\n|:2: "2048" is no value of column 1; 0 to 2047 is expected
+CH1\n1.5\n|:2: "1.5" is no value of column 1; 0 to 2047 is expected
+CH1,failsafe\n1,2\n|:2: "2" is no value of column 2; 0 or 1 is expected
+time,CH1\nsoon,2\n|:2: "soon" is no time; seconds are expected
+time,CH1\n2,2\n1,2\n|:3: time 1 does not come after that of the row before
+END
+while IFS='|' read -r arguments message; do
+  # shellcheck disable=SC2086  # the arguments are words
+  rejected "$message" $arguments </dev/null
+done <<'END'
+|CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv
+--from no.csv|sbus send: no.csv: cannot be read; the name of a CSV is expected
+--from x.csv ch1=5|--from: is in place of ch1=5; leave one of them out
+ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
+ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
+time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
+ch1=2048|"ch1=2048" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=|"ch1=" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch17=2|"ch17=2" is out of range; on or off is expected
+ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected
+END

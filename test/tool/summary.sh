@@ -1,0 +1,92 @@
+#!/bin/sh
+# Runs `sbus summary` on a flight whose losses are known, and a part of a file by --from and --to. Says "ok ..." or
+# "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/summary
+rm -rf "$work"
+mkdir -p "$work"
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
+}
+
+# Frame i ends at 1 s + 9 ms * i. Frames 10 to 12, 50 and 88 are lost, 60 to 79 have failsafe, too, 89 only that; frame 90
+# comes 0.5 s later, frame 95 3 ms later, the last two have failsafe again.
+awk 'BEGIN {
+  for (i = 0; i < 100; i++) {
+    end = 1000000 + 9000 * i + (i >= 90) * 500000 + (i >= 95) * 3000
+    lost = i >= 10 && i <= 12 || i == 50 || i == 88 || i >= 60 && i < 80
+    failsafe = i >= 60 && i < 80 || i == 89 || i >= 98
+    print end - 24 * 120, "0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C", sprintf("%02X", lost * 4 + failsafe * 8), "00"
+  }
+}' >"$work/flight.txt"
+# Times from the first frame, in ms.
+relative() { awk -v zero="$1" '{ while (match($0, / [0-9]+\.[0-9]+ s to +[0-9.]+ s/)) { split(substr($0, RSTART, RLENGTH), word, " "); $0 = substr($0, 1, RSTART) sprintf("%.0f to %.0f ms", (word[1] - zero) * 1000, (word[4] - zero) * 1000) substr($0, RSTART + RLENGTH) } gsub(/ +/, " "); print }'; }
+zero=$("$SBUS" hex "$work/flight.txt" | awk '{ print $1; exit }')
+"$SBUS" summary "$work/flight.txt" | sed 's/^[^:]*flight.txt/FILE/' | relative "$zero" >"$work/text"
+cat >"$work/wanted" <<'END'
+FILE: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 bytes of no frame, 0 bad characters
+frames 0 to 1394 ms
+failsafe 3 times, 0.189 s in all
+ 540 to 720 ms 0.180 s
+ 801 to 801 ms 0.000 s
+ 1385 to 1394 ms 0.009 s
+lost frames 3 times, 0.045 s in all
+ 90 to 117 ms 0.027 s
+ 450 to 459 ms 0.009 s
+ 792 to 801 ms 0.009 s
+no frames 1 time, 0.509 s in all
+ 801 to 1310 ms 0.509 s
+intervals from the end of a frame to the end of the next, in ms
+ 9 97 ##################################################
+ 12 1 #
+END
+diff "$work/wanted" "$work/text"
+verdict $? "summary of a flight"
+"$SBUS" summary "$work/flight.txt" --json | sed 's/,"\(from\|to\)_us":[0-9]*//g' >"$work/json"
+cat >"$work/wanted" <<'END'
+{"type":"summary","line":"S.BUS","frames":100,"lost_frames":25,"failsafe_frames":23,"discarded_bytes":0,"bad_characters":0}
+{"type":"span","kind":"failsafe"}
+{"type":"span","kind":"failsafe"}
+{"type":"span","kind":"failsafe"}
+{"type":"span","kind":"lost_frames"}
+{"type":"span","kind":"lost_frames"}
+{"type":"span","kind":"lost_frames"}
+{"type":"span","kind":"no_frames"}
+{"type":"interval","ms":9,"count":97}
+{"type":"interval","ms":12,"count":1}
+END
+diff "$work/wanted" "$work/json"
+verdict $? "summary --json of a flight"
+[ "$("$SBUS" summary sim --simulated-time --seconds 60 | grep -A 21 '^lost frames' | grep -c ' s to ')" -eq 20 ] &&
+  "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
+verdict $? "summary lists the twenty longest losses"
+cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
+[ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 bytes of no frame, 0 bad characters" ]
+verdict $? "summary of bytes without times has no times"
+"$SBUS" summary sim --silent --simulated-time --seconds 1 2>"$work/err"
+[ $? -eq 1 ] && grep -qx 'sbus summary: sim: no frames came; sbus doctor says why' "$work/err"
+verdict $? "summary without a frame is a failure"
+
+# ---- Parts of a file
+
+"$SBUS" record sim "$work/sim.txt" --simulated-time --seconds 12 2>"$work/err"
+"$SBUS" wave "$work/sim.txt" -o "$work/sim.vcd"
+for file in sim.txt sim.vcd; do
+  "$SBUS" hex "$work/$file" | awk '$1 - 0.003 >= 9.305 && $1 <= 10.697 && / frame end /' >"$work/wanted" && [ "$(wc -l <"$work/wanted")" -ge 150 ] &&
+    "$SBUS" hex "$work/$file" --from 9.305 --to 10.697 | grep ' frame end ' | cmp - "$work/wanted"
+  verdict $? "hex --from --to of $file has the frames of that time, and their times"
+  "$SBUS" csv "$work/$file" --columns time,ch1-ch18,failsafe | awk -F, '$1 > 9.5 && $1 <= 10.7' >"$work/wanted" && [ -s "$work/wanted" ] &&
+    "$SBUS" csv "$work/$file" --columns time,ch1-ch18,failsafe --from 9.3 --to 10.7 | awk -F, '$1 > 9.5 && $1 <= 10.7' | cmp - "$work/wanted"
+  verdict $? "csv --from --to of $file"
+done
+"$SBUS" summary "$work/sim.txt" --from 5 --seconds 1 | grep -qE '^frames +5\.0[0-9]* s to 5\.99[0-9] s$' &&
+  "$SBUS" summary "$work/sim.txt" --to 1 | grep -qE '^frames +0\.0[0-9]* s to 0\.99[0-9] s$'
+verdict $? "--from with --seconds, and --to alone"
+"$SBUS" monitor "$work/sim.txt" --from 11 2>"$work/err" | sed -n 1p | grep -q '^11\.000 ' && [ ! -s "$work/err" ]
+verdict $? "monitor --from begins at that time"
+"$SBUS" monitor "$work/sim.txt" --from 9.95 --to 11 --simulated-time | cut -d' ' -f1,3 | paste -sd ' ' | grep -qE '^9.950 no 9.9[0-9]* lossy 10.000 lossy 10.0[0-9]* failsafe 11.000 '
+verdict $? "monitor --from --to prints a line a second"
+"$SBUS" hex "$work/sim.txt" --from 11 2>&1 >"$work/out" | cmp - /dev/null
+verdict $? "--from of a file says nothing of silence"
