@@ -19,7 +19,7 @@ const feed = (page, bytes, from, to) =>
       fake.port.feed(part);
       fake.skip(10 * count);
       await (number % 2000 === 0 ? new Promise(requestAnimationFrame) : Promise.resolve());
-      while (fake.port.controller.desiredSize <= 0) await new Promise((resolve) => setTimeout(resolve));
+      while (!fake.port.isEmpty) await new Promise((resolve) => setTimeout(resolve));
     }
   }, [bytes, from, to, perRead]);
 

@@ -3,13 +3,13 @@ import assert from 'node:assert/strict';
 import { bytesOf, check, codes, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
 
 // The port brings `bytes` again and again: a frame every 9 ms, whenever it is opened so.
-const brings = (page, bytes, baud = 100000, everyMs = 9) =>
-  page.evaluate(([frameBytes, wanted, ms]) => {
+const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
+  page.evaluate(([frameBytes, wanted, ms, latency]) => {
     fake.port.onOpen = ({ baudRate }) => {
       clearInterval(fake.timer);
-      fake.timer = baudRate === wanted ? fake.every(ms, frameBytes) : undefined;
+      fake.timer = baudRate === wanted ? fake.every(ms, frameBytes, latency) : undefined;
     };
-  }, [bytes, baud, everyMs]);
+  }, [bytes, baud, everyMs, latencyMs]);
 
 export default async function () {
   await check('an adapter is opened as S.Bus wants it, and its frames are shown', async (page) => {
@@ -24,6 +24,14 @@ export default async function () {
     await reads(page, '#verdict-text', 'ALL WELL.');
     const [options] = await page.evaluate(() => fake.port.opened);
     assert.deepEqual(options, { baudRate: 100000, dataBits: 8, parity: 'even', stopBits: 2, bufferSize: 4096 });
+  });
+
+  await check('an adapter that was set to 1 ms: its frames are shown', async (page) => {
+    await brings(page, frame([172, 992]), 100000, 9, 1);
+    await connect(page);
+    await raw(page, 1, '172');
+    await reads(page, '#verdict-text', 'ALL WELL.');
+    await counts(page, 'skippedBytes', 0);
   });
 
   await check("the paper's frames, byte by byte as they may come", async (page) => {
@@ -51,11 +59,11 @@ export default async function () {
     await reads(page, '#verdict-text', /^NO RADIO/);
   });
 
-  await check('parity, framing and overrun errors and breaks: counted by cause, the numbers go on', async (page) => {
+  await check('parity, framing, overrun and system errors and breaks: counted by cause, the numbers go on', async (page) => {
     await brings(page, frame([1200]));
     await connect(page);
     await reads(page, '#state', 'Fine');
-    for (const name of ['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'ParityError']) {
+    for (const name of ['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'UnknownError', 'ParityError']) {
       await page.evaluate((error) => fake.port.fail(error), name);
       await page.waitForTimeout(50);
     }
@@ -63,55 +71,137 @@ export default async function () {
     await counts(page, 'port framing errors', 1);
     await counts(page, 'port breaks', 1);
     await counts(page, 'port overruns', 1);
-    await counts(page, 'badCharacters', 5);
+    await counts(page, 'port system errors', 1);
+    await counts(page, 'badCharacters', 6);
     const before = await counter(page, 'frames');
     await until('no more frames come', async () => (await counter(page, 'frames')) > before + 10);
     await reads(page, '#state', 'Fine');
     assert.equal((await page.evaluate(() => fake.port.opened)).length, 1);
   });
 
-  await check('unplugged: it says so; plugged in again it goes on by itself, and both are counted', async (page) => {
+  for (const bound of [true, false]) {
+    await check(`unplugged, ${bound ? 'and a read finds it' : 'and the browser finds it'}: it says so; plugged in again it goes on by itself, and both are counted`, async (page) => {
+      await brings(page, frame([1200]));
+      await connect(page);
+      await reads(page, '#state', 'Fine');
+      await page.evaluate((still) => fake.port.unplug({ bound: still }), bound);
+      await reads(page, '#verdict-text', 'The port has gone.');
+      await reads(page, '#state', 'Stale');
+      await page.waitForTimeout(1500); // it was tried again, and the browser says only that it cannot be opened
+      await reads(page, '#verdict-text', 'The port has gone.');
+      await page.evaluate(() => fake.port.plug());
+      await reads(page, '#state', 'Fine');
+      await counts(page, 'port unplugged', 1);
+      await counts(page, 'port reopened', 1);
+      await reads(page, '#verdict-text', 'ALL WELL.');
+    });
+  }
+
+  await check('unplugged while it opens: it says so, and goes on when it is there again', async (page) => {
     await brings(page, frame([1200]));
-    await connect(page);
-    await reads(page, '#state', 'Fine');
+    await page.evaluate(() => (fake.port.openMs = 1300));
+    await page.click('#source-adapter');
+    await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
     await page.evaluate(() => fake.port.unplug());
-    await reads(page, '#verdict-text', 'THE PORT HAS GONE.');
-    await reads(page, '#state', 'Stale');
+    await reads(page, '#verdict-text', 'The port has gone.');
     await page.evaluate(() => fake.port.plug());
     await reads(page, '#state', 'Fine');
-    await counts(page, 'port unplugged', 1);
-    await counts(page, 'port reopened', 1);
-    await reads(page, '#verdict-text', 'ALL WELL.');
   });
 
   await check('a busy port: who may have it; free again, it is opened', async (page) => {
     await brings(page, frame([1200]));
     await page.evaluate(() => (fake.port.busy = true));
-    await connect(page);
-    await reads(page, '#verdict-text', /^THE PORT CANNOT BE OPENED/);
+    await page.click('#source-adapter');
+    await reads(page, '#verdict-text', 'The port cannot be opened.');
     await reads(page, '#verdict-cure', /^Close the other program/);
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
   });
 
-  await check('no port chosen: it says so, and the simulation goes on', async (page) => {
-    await page.evaluate(() => (fake.port = undefined));
+  await check('a port that takes 1.3 s to open: nothing is tried meanwhile, and each baud rate is listened to for as long as the other', async (page) => {
+    await brings(page, frame([1300]), 200000);
+    await page.evaluate(() => (fake.port.openMs = 1300));
     await connect(page);
-    await reads(page, '#verdict-text', 'NO PORT WAS CHOSEN.');
+    await reads(page, '#verdict-text', 'LISTENING.');
+    await reads(page, '#verdict-note', /^WRONG BAUD RATE: .* Done: 200000 baud/);
     await reads(page, '#state', 'Fine');
+    const opened = await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate));
+    assert.deepEqual(opened, [100000, 200000]);
   });
 
-  await check('a browser that refuses: in its words', async (page) => {
+  await check('another source is chosen while a port opens, and that port again: never stuck, and each time it is the last one', async (page) => {
+    await brings(page, frame([1200]));
+    await page.evaluate(() => (fake.port.openMs = 1300));
+    await page.click('#source-adapter');
+    await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
+    await page.click('#source-simulated');
+    await reads(page, '#title', /^Simulated/);
+    await reads(page, '#state', 'Fine');
+    await until('the port stays open', async () => !(await page.evaluate(() => fake.port.isOpen)));
+    await page.click('#source-adapter');
+    await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
+    await page.click('#source-board');
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^S\.Bus at a serial adapter/);
+    await raw(page, 1, '1200');
+    await reads(page, '#state', 'Fine');
+    assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
+  });
+
+  // The source that runs goes on as it was: its history, its recording, its frames.
+  async function untouched(page, act) {
+    await page.click('#record');
+    await until('no frames come', async () => (await counter(page, 'frames')) > 30);
+    const before = await counter(page, 'frames');
+    await act();
+    assert.ok((await counter(page, 'frames')) >= before);
+    assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
+    assert.equal(await page.getAttribute('#source-simulated', 'aria-pressed'), 'true');
+    await reads(page, '#title', /^Simulated/);
+    await reads(page, '#verdict-text', 'ALL WELL.');
+  }
+
+  await check('no port chosen: a notice says so, and the simulation, its recording and its verdict go on', async (page) => {
+    await untouched(page, async () => {
+      await page.evaluate(() => (fake.choose = () => undefined));
+      await page.click('#source-adapter');
+      await reads(page, '#notice-text', 'No port was chosen.');
+      await reads(page, '#notice-cure', /^Plug the adapter in/);
+    });
+    await page.click('#notice-close');
+    await page.waitForSelector('#notice', { state: 'hidden' });
+  });
+
+  await check('a file that cannot be read: a notice, and the simulation, its recording and its verdict go on', (page) =>
+    untouched(page, async () => {
+      await page.setInputFiles('#file', { name: 'x.txt', mimeType: 'text/plain', buffer: Buffer.from('120 0F\n240 XY\n') });
+      await reads(page, '#notice-text', /^This is no recording: x\.txt: line 2/);
+    }));
+
+  await check('a notice fades by itself', async (page) => {
+    await page.clock.install();
+    await page.reload();
+    await page.evaluate(() => (fake.choose = () => undefined));
+    await page.click('#source-adapter');
+    await reads(page, '#notice-text', 'No port was chosen.');
+    await page.mouse.move(5, 5);
+    await page.clock.fastForward(19000);
+    assert.ok(await page.isVisible('#notice'));
+    await page.clock.fastForward(2000);
+    await page.waitForSelector('#notice', { state: 'hidden' });
+  });
+
+  await check('a browser that gives no port: in its words', async (page) => {
     await page.evaluate(() => (navigator.serial.requestPort = () => Promise.reject(new DOMException('Blocked by the user.', 'SecurityError'))));
-    await connect(page);
-    await reads(page, '#verdict-text', 'THE BROWSER GIVES NO PORT: Blocked by the user.');
+    await page.click('#source-adapter');
+    await reads(page, '#notice-text', 'The browser gives no port: Blocked by the user.');
     await reads(page, '#state', 'Fine');
   });
 
   await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
-    await connect(page);
-    await reads(page, '#verdict-text', 'THIS BROWSER HAS NO WEB SERIAL.');
-    await reads(page, '#verdict-cure', /Chrome, Edge or Firefox/);
+    await page.click('#source-adapter');
+    await reads(page, '#notice-text', 'This browser has no Web Serial.');
+    await reads(page, '#notice-cure', /Chrome, Edge or Firefox/);
     await reads(page, '#state', 'Fine');
   }, { serial: false });
 
@@ -143,7 +233,7 @@ export default async function () {
     await page.evaluate(() => {
       fake.port.onOpen = () => {
         clearInterval(fake.timer);
-        fake.timer = setInterval(() => fake.port.readable && fake.port.fail('BreakError'), 20);
+        fake.timer = setInterval(() => fake.port.fail('BreakError'), 20);
       };
     });
     await connect(page);

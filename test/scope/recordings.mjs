@@ -41,8 +41,8 @@ export default async function () {
     }
     await check(`bad/${name}: what is wrong, and where, in the words of the host`, async (page) => {
       await page.setInputFiles('#file', path.join(recordings, 'bad', name));
-      await reads(page, '#verdict-text', /^THIS IS NO RECORDING/);
-      const said = await page.textContent('#verdict-text');
+      await reads(page, '#notice-text', /^This is no recording/);
+      const said = await page.textContent('#notice-text');
       const [, line, words] = /^[^:]+(?::(\d+))?: (.*)$/.exec(message);
       assert.ok(said.includes(`${name}: ${line ? `line ${line}: ` : ''}${words}`), `${said}\n${message}`);
       await reads(page, '#state', 'Fine');  // the simulation goes on
@@ -99,15 +99,15 @@ export default async function () {
   ]) {
     await check(`${name} is no recording: why, and what reads captures`, async (page) => {
       await drop(page, name, content);
-      await reads(page, '#verdict-text', said);
-      await reads(page, '#verdict-cure', /sbus decode/);
+      await reads(page, '#notice-text', said);
+      await reads(page, '#notice-cure', /sbus decode/);
       await reads(page, '#state', 'Fine');
     });
   }
 
   await check('a file that no memory has room for is refused, with what reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
-    await reads(page, '#verdict-text', /year\.txt: is larger than 500 MB: sbus plot/);
+    await reads(page, '#notice-text', /year\.txt: is larger than 500 MB: sbus plot/);
   });
 
   await check('sources asked for one after the other, before any is there: the last one stays', async (page) => {

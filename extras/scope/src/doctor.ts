@@ -67,6 +67,10 @@ export class Doctor {
       }
       return;
     }
+    if (this.source.state !== 'open') {
+      this.watch(status);
+      return;
+    }
     this.seen ||= status.frames > 0 || status.rows > 0;
     if (elapsed >= patienceMs) {
       this.finding = this.core.verdict(elapsed);
@@ -115,6 +119,7 @@ export class Doctor {
   private async beginTrial(trial: number): Promise<void> {
     this.trial = trial;
     this.trying = this.lineSettings[trial];
+    this.sinceMs = Infinity; // until the port is open
     await this.source.use(this.trying);
     this.sinceMs = performance.now();
   }

@@ -8,7 +8,9 @@ import { Scope } from './scope';
 import { PortSource, pickPort, type PortKind } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
+import type { Problem } from './source/Source';
 import { CalibrationView } from './view/calibration';
+import { NoticeView } from './view/notice';
 import { ScaleView } from './view/scale';
 
 // Never a blank page: a fault of its own is told, too.
@@ -22,6 +24,7 @@ addEventListener('unhandledrejection', (event) => fault(event.reason));
 
 const core = await Core.load();
 const scope = new Scope(core);
+const notice = new NoticeView();
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
 
 function pressed(source: string): void {
@@ -38,7 +41,7 @@ async function simulate(): Promise<void> {
   const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
   const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
   const noise = { noise: 30, storm: 300 }[fault] ?? 0;
-  await scope.open(() => {
+  await scope.choice.change(async () => () => {
     pressed('simulated');
     const source = new SimulatedSource(core, { calibration: receiver === 'calibration', channels, noise, line }, port);
     core.cutWire(fault === 'silent');
@@ -48,33 +51,38 @@ async function simulate(): Promise<void> {
 }
 
 async function connect(kind: PortKind): Promise<void> {
-  const port = await pickPort(kind);
-  if ('cure' in port) {
-    scope.problem = port;
-    return;
+  notice.hide();
+  try {
+    const port = await scope.choice.ask(() => pickPort(kind));
+    if (port) {
+      await scope.choice.change(async () => () => {
+        pressed(kind);
+        return new PortSource(core, port, kind, scope.take);
+      });
+    }
+  } catch (problem) {
+    notice.show(problem as Problem);
   }
-  await scope.open(() => {
-    pressed(kind);
-    return new PortSource(core, port, kind, scope.take);
-  });
 }
 
 async function play(file: File | undefined): Promise<void> {
   if (!file) {
     return;
   }
+  notice.hide();
   try {
-    await scope.open(async () => {
-      const source = await RecordingSource.open(core, file);
-      pressed('recording');
-      return source;
+    await scope.choice.change(async (signal) => {
+      const make = await RecordingSource.read(core, file, signal);
+      return () => {
+        pressed('recording');
+        return make();
+      };
     });
   } catch (error) {
-    await simulate();
-    scope.problem = {
-      text: `THIS IS NO RECORDING: ${(error as Error).message}.`,
+    notice.show({
+      text: `This is no recording: ${(error as Error).message}.`,
       cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
-    };
+    });
   }
 }
 
@@ -100,7 +108,7 @@ function wire(): void {
     if (scope.recorder.on) {
       scope.recorder.end();
     } else {
-      scope.recorder.begin(scope.source?.title ?? '');
+      scope.recorder.begin(scope.choice.current?.title ?? '');
     }
   });
   addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());

@@ -5,8 +5,9 @@ import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History } from './history';
 import { Recorder } from './recorder';
+import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
-import type { Problem, Source } from './source/Source';
+import type { Source } from './source/Source';
 import { forgetUnit, unitOf } from './unit';
 import { Bars } from './view/bars';
 import { CountersView } from './view/counters';
@@ -22,12 +23,9 @@ export class Scope {
   readonly history = new History();
   readonly recorder: Recorder;
   readonly curves: Curves;
-  source?: Source;
+  readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
   newest?: Stretch; // frame or row
-  // Why no other source could be opened; until one is.
-  problem?: Problem;
 
-  private opening: Promise<void> = Promise.resolve();
   private taken = 0;
   private doctor?: Doctor;
   private readonly chosen = new Set([0, 1, 2, 3]);
@@ -50,24 +48,13 @@ export class Scope {
     this.timeline = new Timeline(() => this.forget());
   }
 
-  // One after the other, however quickly they are asked for: there is one line.
-  open(make: () => Source | Promise<Source>): Promise<void> {
-    const opened = this.opening.then(() => this.change(make));
-    this.opening = opened.catch(() => undefined); // whoever asked is told
-    return opened;
-  }
-
-  // The old source is closed first: `make` opens the new one.
-  private async change(make: () => Source | Promise<Source>): Promise<void> {
+  private leave(): void {
     this.recorder.end();
-    const old = this.source;
-    this.source = undefined;
-    await old?.close();
     this.forget();
     this.curves.pause(false);
-    const source = await make();
-    this.source = source;
-    this.problem = undefined;
+  }
+
+  private enter(source: Source): void {
     this.doctor = new Doctor(this.core, source);
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
     setText(byId('title'), source.title);
@@ -97,7 +84,7 @@ export class Scope {
   }
 
   draw(): void {
-    const source = this.source;
+    const source = this.choice.current;
     if (!source) {
       return;
     }
@@ -118,11 +105,7 @@ export class Scope {
     this.frames.draw();
     this.timeline.draw();
     const doctor = this.doctor as Doctor;
-    if (this.problem) {
-      this.verdict.draw({ ...this.problem, severity: 'alarm' }, '');
-    } else {
-      this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
-    }
+    this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
   }
 
   private forget(): void {
