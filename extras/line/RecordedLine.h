@@ -10,6 +10,8 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
+  static constexpr uint64_t LeadUs = 1000;
+
   explicit RecordedLine(Recording recording) : _recording(std::move(recording)) {}
 
   // The recording begins a moment after the sketch has opened the port: nobody wants to miss its beginning.
@@ -23,7 +25,6 @@ class RecordedLine : public Line {
   bool finished(uint64_t nowUs) const override;
 
  private:
-  static constexpr uint64_t LeadUs = 1000;
   static constexpr uint64_t TailUs = 300000;
 
   Recording _recording;

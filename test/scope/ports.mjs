@@ -280,6 +280,76 @@ export default async function () {
     });
   }
 
+  for (const [row, shown, lamps] of [
+    ['1500 1000 0', ['1500', '1000', '0'], 2],
+    ['1500\t1000\t', ['1500', '1000'], 2],
+    ['throttle:172,roll:992', ['172', '992'], 2],
+    ['1,2,3,4,5,0', ['1', '2', '3', '4', '5', '0'], 2], // six channels: 5 is no flag
+  ]) {
+    await check(`a board that prints "${row}": each number is a channel`, async (page) => {
+      await brings(page, codes(`${row}\r\n`), 115200, 100);
+      await connect(page, 'board');
+      for (const [i, value] of shown.entries()) {
+        await reads(page, `#bars li:nth-child(${i + 1}) .raw`, value);
+      }
+      assert.equal(await page.locator('#bars li:visible').count(), shown.length);
+      assert.equal(await page.locator('.lamp[data-on="true"]').count(), 0);
+    });
+  }
+
+  await check('what the numbers of a board are is asked for, not guessed', async (page) => {
+    await brings(page, codes('1500,-0.5,988,12\r\n'), 115200, 100);
+    await connect(page, 'board');
+    await reads(page, '#bars li:nth-child(2) .raw', '-0.5');
+    await reads(page, '#bars li:nth-child(1) .us', '–');
+    await reads(page, '#bars li:nth-child(1) .percent', '–');
+    await page.waitForSelector('#bars li:nth-child(1) .track[aria-valuemax="2000"]');
+    await page.selectOption('#unit', 'raw');
+    await reads(page, '#bars li:nth-child(1) .us', '1818');
+    await page.waitForSelector('#bars li:nth-child(1) .track[aria-valuemax="2047"]');
+    await page.selectOption('#unit', 'us');
+    await reads(page, '#bars li:nth-child(1) .us', '–');
+    await page.waitForSelector('#bars li:nth-child(1) .track[aria-valuemax="2140"]');
+    await page.click('#source-simulated');
+    await page.waitForSelector('#rows', { state: 'hidden' });
+    await reads(page, '#bars li:nth-child(7) .us', '1500');
+  });
+
+  await check('a board at another baud rate: it says what to choose, and reads it then', async (page) => {
+    await page.evaluate((row) => {
+      fake.port.onOpen = ({ baudRate }) => {
+        clearInterval(fake.timer);
+        fake.timer = fake.every(100, baudRate === 9600 ? row : [0xfe, 0x80, 0x1e, 0x06, 0xf8, 0x41, 0x9f]);
+      };
+    }, codes('832,626,1811,866\r\n'));
+    await connect(page, 'board');
+    await reads(page, '#verdict-text', 'BYTES COME, but no rows.');
+    await reads(page, '#verdict-cure', /^Choose the baud rate/);
+    await page.selectOption('#baud', '9600');
+    await reads(page, '#bars li:nth-child(1) .raw', '832');
+    await reads(page, '#title', 'A board that prints numbers, 9600 baud');
+    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    assert.deepEqual(await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate)), [115200, 9600]);
+  });
+
+  await check('a slow sketch is waited for, before its first row and between its rows', async (page) => {
+    await connect(page, 'board');
+    await page.evaluate(() => fake.skip(3000));
+    await page.waitForTimeout(1500);
+    await reads(page, '#verdict-text', 'WAITING for rows.');
+    await reads(page, '#state', 'Never seen');
+    for (let i = 0; i < 4; i++) {
+      await page.evaluate((row) => fake.port.feed(row), codes('995,992,172,992,0,0\r\n'));
+      await counts(page, 'rows', i);
+      await page.evaluate(() => fake.skip(4000));
+    }
+    await page.waitForTimeout(300);
+    await reads(page, '#state', 'Fine');
+    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    await page.evaluate(() => fake.skip(9000));
+    await reads(page, '#state', 'Stale');
+  });
+
   await check('a board at the button for adapters: its rows are recognised all the same', async (page) => {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);
     await connect(page);

@@ -56,7 +56,7 @@ export interface Stretch {
 const statusNames = [
   'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
   'lostFrames', 'failsafeFrames', 'refusedByEnd', 'refusedByFlags', 'refusedByExtra', 'skippedBytes', 'resyncs', 'overflows',
-  'extraFrames', 'rows', 'otherLines',
+  'extraFrames', 'rows', 'otherLines', 'garbled',
 ] as const;
 export type Status = Record<(typeof statusNames)[number], number>;
 

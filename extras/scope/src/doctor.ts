@@ -90,6 +90,9 @@ export class Doctor {
     if (status.rows > 0 || (status.otherLines > 0 && status.frames === 0)) {
       return ofBoard(status, this.of(Finding.Failsafe));
     }
+    if (this.source.isBoard && status.state === LinkState.NeverSeen) {
+      return 4 * status.garbled <= status.characters ? awaited : noText;
+    }
     switch (status.state) {
       case LinkState.Failsafe:
         return this.of((newest?.flags ?? 0) & Flag.Failsafe ? Finding.Failsafe : Finding.NoRadio);
@@ -154,11 +157,23 @@ export class Doctor {
   }
 }
 
+const awaited: Verdict = {
+  text: 'WAITING for rows.',
+  cure: 'A board may start anew when its port is opened, and a slow sketch is waited for.',
+  severity: 'note',
+};
+
+const noText: Verdict = {
+  text: 'BYTES COME, but no rows.',
+  cure: 'Choose the baud rate that the sketch gives to Serial.begin().',
+  severity: 'warning',
+};
+
 function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'TEXT COMES, but no rows of numbers.',
-      cure: 'Upload a sketch that prints 2 to 32 of them with commas: DecodeSBus, AllChannels, Channels24.',
+      cure: 'Upload a sketch that prints 2 to 32 of them, with commas, tabs or blanks: DecodeSBus, AllChannels, Channels24.',
       severity: 'warning',
     };
   }

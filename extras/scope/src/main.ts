@@ -32,6 +32,7 @@ function pressed(source: string): void {
     byId(`source-${name}`).setAttribute('aria-pressed', String(name === source));
   }
   byId('simulation').hidden = source !== 'simulated';
+  byId('board').hidden = source !== 'board';
 }
 
 async function simulate(): Promise<void> {
@@ -57,7 +58,7 @@ async function connect(kind: PortKind): Promise<void> {
     if (port) {
       await scope.choice.change(async () => () => {
         pressed(kind);
-        return new PortSource(core, port, kind, scope.take);
+        return new PortSource(core, port, kind, scope.take, Number(select('baud').value));
       });
     }
   } catch (problem) {
@@ -95,6 +96,9 @@ function wire(): void {
     const input = event.target as HTMLInputElement;
     void play(input.files?.[0]);
     input.value = '';
+  });
+  select('baud').addEventListener('change', () => {
+    void scope.choice.current?.use({ baud: Number(select('baud').value), inverted: false });
   });
   select('receiver').addEventListener('change', simulate);
   select('fault').addEventListener('change', simulate);

@@ -8,7 +8,7 @@ import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
 import type { Source } from './source/Source';
-import { forgetUnit, unitOf } from './unit';
+import { Units } from './unit';
 import { Bars } from './view/bars';
 import { CountersView } from './view/counters';
 import { Curves } from './view/curves';
@@ -26,6 +26,7 @@ export class Scope {
   readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
   newest?: Stretch; // frame or row
 
+  private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
   private doctor?: Doctor;
   private readonly chosen = new Set([0, 1, 2, 3]);
@@ -57,7 +58,6 @@ export class Scope {
   private enter(source: Source): void {
     this.doctor = new Doctor(this.core, source);
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
-    setText(byId('title'), source.title);
   }
 
   // A stretch of the line has come.
@@ -97,11 +97,14 @@ export class Scope {
   }
 
   private show(source: Source, status: Status, nowUs: number): void {
+    const unit = this.units.of(this.newest);
+    byId('rows').hidden = this.newest?.kind !== Kind.Row;
+    setText(byId('title'), source.title);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
-    this.bars.draw(this.newest, trusted);
+    this.bars.draw(this.newest, unit, trusted);
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
-    this.curves.draw(nowUs, this.newest, unitOf(this.newest));
+    this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
     this.frames.draw();
     this.timeline.draw();
     const doctor = this.doctor as Doctor;
@@ -112,6 +115,6 @@ export class Scope {
     this.history.clear();
     this.frames.clear();
     this.newest = undefined;
-    forgetUnit();
+    this.units.forget();
   }
 }

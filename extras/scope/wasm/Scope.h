@@ -42,6 +42,8 @@ class Scope {
   void receivedBad(uint64_t nowUs);
   // All that was through by then; less if there are records enough.
   void advance(uint64_t nowUs);
+  // From the last advance() on.
+  void record(bool on);
 
   line::Observer observer;
   BoardRows rows;                            // of a port that carries text
@@ -52,11 +54,13 @@ class Scope {
   Recorder recorder;
 
  private:
+  void put(const line::Character &character);
   void take(const line::Stretch &stretch);
   void takeRow(uint64_t nowUs);
 
   line::PortReads _reads;  // of a port
   uint64_t _turnUs = 0;    // of the last picture or read
+  bool _finished = false;  // the recording: nothing waits any more
 };
 
 extern Scope theScope;

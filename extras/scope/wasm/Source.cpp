@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "Scope.h"
+#include "line/RecordedLine.h"
 
 using namespace scope;
 
@@ -12,6 +13,7 @@ uint8_t buffer[1 << 16];  // what the page hands over: bytes of a port, text of 
 std::unique_ptr<line::RecordingReader> reader;
 line::LineSettings readSettings;
 line::Recording read;  // to be played
+uint64_t readZeroUs;
 std::string partOfLine;
 std::string words;
 
@@ -65,7 +67,9 @@ EXPORT(cutWire)(int cut)->void {
 }
 
 EXPORT(openPort)(double nowUs, double baud, int board)->void {
-  begin(nowUs, board != 0 ? line::csvSettings() : settings(baud, true));
+  line::LineSettings port = board != 0 ? line::csvSettings() : settings(baud, true);
+  port.baud = static_cast<unsigned long>(baud);
+  begin(nowUs, port);
 }
 
 EXPORT(received)(unsigned count, double nowUs)->void {
@@ -101,6 +105,7 @@ EXPORT(endRecording)()->const char * {
   if (!partOfLine.empty()) {
     reader->line(partOfLine);
   }
+  readZeroUs = reader->hasTimes() ? 0 : line::RecordedLine::LeadUs;  // so that all times are those of sbus
   read = reader->finish();
   reader.reset();
   words = read.errorLine > 0 ? "line " + std::to_string(read.errorLine) + ": " : "";
@@ -114,7 +119,7 @@ EXPORT(endRecording)()->const char * {
 // What was read takes the place of the line that there was.
 EXPORT(playRecording)()->void {
   begin(0, readSettings);
-  theScope.played = std::make_unique<PlayedLine>(std::exchange(read, {}));
+  theScope.played = std::make_unique<PlayedLine>(std::exchange(read, {}), readZeroUs);
 }
 
 EXPORT(recordingLengthUs)()->double {
@@ -143,11 +148,7 @@ EXPORT(takenRecords)()->void {
 }
 
 EXPORT(record)(int on)->void {
-  if (on != 0) {
-    theScope.recorder.begin(theScope.settings);
-  } else {
-    theScope.recorder.end();
-  }
+  theScope.record(on != 0);
 }
 
 // What was recorded since this was last asked.

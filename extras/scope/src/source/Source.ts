@@ -24,6 +24,9 @@ export interface Source {
   // Resolves once the port has that setting.
   use(setting: Setting): Promise<void>;
 
+  // Rows of numbers are awaited, no S.Bus.
+  readonly isBoard?: boolean;
+
   readonly problem?: Problem;
 
   // What has happened to the port, by cause.

@@ -17,8 +17,8 @@ const lineErrors: Record<string, string> = {
 };
 
 export class PortSource implements Source {
-  readonly title: string;
   readonly settings: readonly Setting[];
+  readonly isBoard: boolean;
   readonly events = new Map<string, number>();
   private setting: Setting;
   private readonly connection: Connection;
@@ -28,14 +28,15 @@ export class PortSource implements Source {
   constructor(
     private readonly core: Core,
     private port: SerialPort,
-    readonly kind: PortKind,
+    kind: PortKind,
     private readonly take: (stretch: Stretch) => void,
+    boardBaud = 115200,
   ) {
+    this.isBoard = kind === 'board';
     // What inverts is the adapter, or a part before it: the page cannot.
-    const bauds = kind === 'adapter' ? [100000, 200000] : [115200];
-    this.settings = bauds.map((baud) => ({ baud, inverted: kind === 'adapter' }));
+    const bauds = this.isBoard ? [boardBaud] : [100000, 200000];
+    this.settings = bauds.map((baud) => ({ baud, inverted: !this.isBoard }));
     this.setting = this.settings[0];
-    this.title = kind === 'adapter' ? 'S.Bus at a serial adapter, 8E2' : 'A board that prints numbers, 115200 baud';
     this.info = port.getInfo();
     navigator.serial?.addEventListener('connect', this.connected);
     navigator.serial?.addEventListener('disconnect', this.disconnected);
@@ -46,6 +47,10 @@ export class PortSource implements Source {
       disturbed: (error) => this.disturbed(error),
       unplugged: () => this.count('unplugged'),
     });
+  }
+
+  get title(): string {
+    return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : 'S.Bus at a serial adapter, 8E2';
   }
 
   get state(): State {
@@ -77,12 +82,12 @@ export class PortSource implements Source {
   }
 
   private begin(): void {
-    this.core.openPort(this.nowUs(), this.setting.baud, this.kind === 'board');
+    this.core.openPort(this.nowUs(), this.setting.baud, this.isBoard);
   }
 
   private options(): SerialOptions {
     const baudRate = this.setting.baud;
-    return this.kind === 'board' ? { baudRate, bufferSize } : { baudRate, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
+    return this.isBoard ? { baudRate, bufferSize } : { baudRate, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
   }
 
   private received(bytes: Uint8Array): void {

@@ -27,8 +27,8 @@ export class RecordingSource implements Source {
     }
     const beginning = await file.slice(0, recordingBeginning).arrayBuffer();
     signal.throwIfAborted(); // the core reads one file at a time
-    if (/^(seconds|time)\b/im.test(new TextDecoder().decode(beginning))) {
-      throw new Error(`${file.name}: has a column of times: only rows as a sketch prints them can be played`);
+    if (/^(?!time,|seconds,)"?time\b/im.test(new TextDecoder().decode(beginning))) {
+      throw new Error(`${file.name}: is a capture of the wire`);
     }
     core.openRecording(new Uint8Array(beginning));
     const reader = file.stream().getReader();

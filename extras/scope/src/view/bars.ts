@@ -2,7 +2,7 @@
 
 import type { Core, Stretch } from '../core';
 import { make, setAttribute, setText } from '../dom';
-import { unitOf, type Unit } from '../unit';
+import type { Unit } from '../unit';
 
 const textMs = 100; // numbers that change faster cannot be read
 const spokenMs = 1000;
@@ -32,7 +32,7 @@ export class Bars {
     private readonly chosen: Set<number>,
   ) {}
 
-  draw(newest: Stretch | undefined, trusted: boolean): void {
+  draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
     const count = newest?.channels.length || 16;
     this.grow(count);
     const ms = performance.now();
@@ -41,7 +41,6 @@ export class Bars {
     this.textAt = text ? ms : this.textAt;
     this.spokenAt = spoken ? ms : this.spokenAt;
     this.list.classList.toggle('doubtful', !trusted);
-    const unit = unitOf(newest);
     for (let i = 0; i < count; i++) {
       const value = newest ? newest.channels[i] : undefined;
       this.drawBar(this.bars[i], i, value, unit, text, spoken);
@@ -51,7 +50,7 @@ export class Bars {
   private drawBar(bar: Bar, channel: number, value: number | undefined, unit: Unit, text: boolean, spoken: boolean): void {
     const share = (x: number): number => Math.min(Math.max((x - unit.low) / (unit.high - unit.low), 0), 1);
     const range = unit.raw ? this.core.range(channel) : unit.range;
-    const zero = share(range.centre);
+    const zero = share(range?.centre ?? 0);
     const at = value === undefined ? zero : share(value);
     bar.fill.style.transform = `translateX(${Math.min(at, zero) * 100}%) scaleX(${Math.abs(at - zero)})`;
     if (!text) {
@@ -64,7 +63,10 @@ export class Bars {
       bar.high.style.left = `${share(travel[1]) * 100}%`;
       setAttribute(bar.track, 'title', `CH${channel + 1}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
     }
-    [range.low, range.centre, range.high].forEach((end, i) => (bar.ends[i].style.left = `${share(end) * 100}%`));
+    bar.ends.forEach((end) => (end.hidden = range === undefined));
+    if (range) {
+      [range.low, range.centre, range.high].forEach((end, i) => (bar.ends[i].style.left = `${share(end) * 100}%`));
+    }
     setText(bar.raw, value === undefined ? '–' : unit.text(value));
     setText(bar.us, value === undefined || !unit.raw ? '–' : String(this.core.microseconds(channel, value)));
     setText(bar.percent, value === undefined || !unit.raw ? '–' : this.core.percent(channel, value).toFixed(1));
