@@ -2,14 +2,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, bytesOf, check, codes, connect, counter, counts, downloaded, frame, play, raw, root, toEnd, until } from './support.mjs';
+import { build, bytesOf, check, codes, connect, counter, counts, downloaded, frame, opensWith, play, raw, root, toEnd, until } from './support.mjs';
 
 const bytesIn = (text) => text.split('\n').filter((line) => /^\d/.test(line)).flatMap((line) => line.split(' ').slice(1));
 
 export default async function () {
   await check('a recording of a port has every byte from when Record is pressed, damaged ones too, and plays again as it was', async (page) => {
+    await opensWith(page, [frame([7]), frame([7]), 0x0f, 0x11]);
     await connect(page);
-    await page.evaluate((early) => fake.port.feed(early), [...frame([7]), ...frame([7]), 0x0f, 0x11]);
     await counts(page, 'frames', 2);
     const sent = [...bytesOf('sbus2.txt'), ...frame([1, 2, 3]).slice(0, 9), ...bytesOf('paper.txt'), ...frame([5]), ...frame([6])];
     await page.click('#record');

@@ -1,6 +1,6 @@
 // Ports: a fake navigator.serial brings real bytes, faults, and is unplugged.
 import assert from 'node:assert/strict';
-import { bytesOf, check, codes, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
+import { bytesOf, check, codes, connect, counter, counts, frame, lit, opensWith, raw, reads, until } from './support.mjs';
 
 // The port brings `bytes` again and again: a frame every 9 ms, whenever it is opened so.
 const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
@@ -35,8 +35,8 @@ export default async function () {
   });
 
   await check("the paper's frames, byte by byte as they may come", async (page) => {
+    await page.evaluate((bytes) => (fake.port.onOpen = () => bytes.forEach((byte) => fake.port.feed([byte]))), bytesOf('paper.txt'));
     await connect(page);
-    await page.evaluate((bytes) => bytes.forEach((byte) => fake.port.feed([byte])), bytesOf('paper.txt'));
     await counts(page, 'frames', 6);
     await raw(page, 3, '1811');
     await raw(page, 1, '995');
@@ -244,8 +244,8 @@ export default async function () {
     const good = frame([1000]);
     const bad = frame([1000]);
     bad.splice(5, 1);
+    await opensWith(page, [good, good, good, bad, good, good]);
     await connect(page);
-    await page.evaluate(([first, second]) => fake.port.feed([...first, ...first, ...first, ...second, ...first, ...first]), [good, bad]);
     await counts(page, 'frames', 5);
     await counts(page, 'skippedBytes', 24);
     await counts(page, 'resyncs', 1);

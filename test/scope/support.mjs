@@ -88,6 +88,11 @@ export const counts = (page, name, value) => reads(page, `[data-counter="${name}
 export const raw = (page, channel, value) => reads(page, `#bars li:nth-child(${channel}) .raw`, value);
 export const lit = (page, lamp) => page.waitForSelector(`#lamp-${lamp}[data-on="true"]`);
 
+// The port brings these frames as soon as it is open. Without any for a second, the page tries another baud rate, and what a test on
+// a busy PC feeds is lost.
+export const opensWith = (page, frames) =>
+  page.evaluate((bytes) => (fake.port.onOpen = () => fake.port.feed(bytes)), frames.flat());
+
 // Until the port is read.
 export async function connect(page, kind = 'adapter') {
   await page.click(`#source-${kind}`);
