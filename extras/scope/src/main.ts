@@ -151,7 +151,9 @@ function themes(): void {
     document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark';
     scope.curves.repaint();
   });
-  dark.addEventListener('change', () => scope.curves.repaint());
+  for (const query of [dark, matchMedia('(forced-colors: active)')]) {
+    query.addEventListener('change', () => scope.curves.repaint());
+  }
 }
 
 function recordButton(): void {

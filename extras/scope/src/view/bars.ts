@@ -3,9 +3,10 @@
 import type { Core, Stretch } from '../core';
 import { make, setAttribute, setText } from '../dom';
 import type { Unit } from '../unit';
+import { dashOf } from './dash';
 
 const textMs = 100; // numbers that change faster cannot be read
-const spokenMs = 1000;
+const spokenMs = 500; // for screen readers
 
 interface Bar {
   row: HTMLLIElement;
@@ -37,7 +38,7 @@ export class Bars {
     this.grow(count);
     const ms = performance.now();
     const text = ms - this.textAt >= textMs;
-    const spoken = ms - this.spokenAt >= spokenMs;
+    const spoken = text && ms - this.spokenAt >= spokenMs;
     this.textAt = text ? ms : this.textAt;
     this.spokenAt = spoken ? ms : this.spokenAt;
     this.list.classList.toggle('doubtful', !trusted);
@@ -87,10 +88,8 @@ export class Bars {
   private add(channel: number): Bar {
     const name = `CH${channel + 1}`;
     const shown = this.chosen.has(channel);
-    const swatch = make('span', { class: 'swatch', 'aria-hidden': true });
-    const chip = make('button', { class: 'chip', 'aria-pressed': String(shown), title: `${name} as a curve` }, swatch, name);
+    const chip = make('button', { class: 'chip', 'aria-pressed': String(shown), title: `${name} as a curve` }, swatch(channel), name);
     chip.dataset.color = String(channel % 8);
-    chip.dataset.dash = String(Math.floor(channel / 8));
     chip.addEventListener('click', () => {
       const on = !this.chosen.has(channel);
       this.chosen[on ? 'add' : 'delete'](channel);
@@ -109,4 +108,17 @@ export class Bars {
     this.list.append(row);
     return { row, chip, track, fill, low, high, ends, raw, us, percent };
   }
+}
+
+// A piece of the curve.
+function swatch(channel: number): SVGSVGElement {
+  const namespace = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(namespace, 'svg');
+  const line = svg.appendChild(document.createElementNS(namespace, 'path'));
+  svg.setAttribute('class', 'swatch');
+  svg.setAttribute('viewBox', '0 0 26 8');
+  svg.setAttribute('aria-hidden', 'true');
+  line.setAttribute('d', 'M0 4h26');
+  line.setAttribute('stroke-dasharray', dashOf(channel).join(' '));
+  return svg;
 }

@@ -6,11 +6,12 @@ import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
 import type { Unit } from '../unit';
+import { dashOf } from './dash';
+import { Touch } from './touch';
 
 const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240]; // s
 const pauseS = 0.1; // without a frame: the curve breaks
 const rowPauseS = 1.5; // of a slow sketch three rows
-const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 const height = 300;
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until what has moved by less than a pixel is drawn
@@ -35,6 +36,7 @@ export class Curves {
   ) {
     new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height })).observe(root);
     root.addEventListener('keydown', (event) => this.key(event));
+    new Touch(root, (part) => this.scroll(part), (steps) => this.zoom(steps));
     root.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     this.told();
   }
@@ -243,7 +245,7 @@ export class Curves {
             label: `CH${channel + 1}`,
             stroke: colors[channel % 8],
             width: channels.length > many ? 1 : 2,
-            dash: dashes[Math.floor(channel / 8)],
+            dash: dashOf(channel),
             points: { show: false },
             paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
           })),
