@@ -86,6 +86,7 @@ export default async function () {
       await reads(page, '#state', 'Fine');
       await page.evaluate((still) => fake.port.unplug({ bound: still }), bound);
       await reads(page, '#verdict-text', 'The port has gone.');
+      await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (opening again)');
       await reads(page, '#state', 'Stale');
       await page.waitForTimeout(1500); // it was tried again, and the browser says only that it cannot be opened
       await reads(page, '#verdict-text', 'The port has gone.');
@@ -114,8 +115,10 @@ export default async function () {
     await page.click('#source-adapter');
     await reads(page, '#verdict-text', 'The port cannot be opened.');
     await reads(page, '#verdict-cure', /^Close the other program/);
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2');
   });
 
   await check('a port that takes 1.3 s to open: nothing is tried meanwhile, and each baud rate is listened to for as long as the other', async (page) => {
@@ -134,6 +137,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.openMs = 1300));
     await page.click('#source-adapter');
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (opening)');
     await page.click('#source-simulated');
     await reads(page, '#title', /^Simulated/);
     await reads(page, '#state', 'Fine');
@@ -163,10 +167,13 @@ export default async function () {
 
   await check('no port chosen: a notice says so, and the simulation, its recording and its verdict go on', async (page) => {
     await untouched(page, async () => {
-      await page.evaluate(() => (fake.choose = () => undefined));
+      await page.evaluate(() => (fake.choose = () => new Promise((resolve) => (fake.choice = resolve))));
       await page.click('#source-adapter');
+      await reads(page, '#title', /^Simulated .* \(until another one is there\)$/);
+      await page.evaluate(() => fake.choice());
       await reads(page, '#notice-text', 'No port was chosen.');
       await reads(page, '#notice-cure', /^Plug the adapter in/);
+      await reads(page, '#title', /^Simulated [^(]*$/);
     });
     await page.click('#notice-close');
     await page.waitForSelector('#notice', { state: 'hidden' });

@@ -6,6 +6,7 @@ import { byId, setText } from './dom';
 import { History } from './history';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
+import type { State } from './source/connection';
 import { RecordingSource } from './source/recording';
 import type { Source } from './source/Source';
 import { Units } from './unit';
@@ -18,6 +19,16 @@ import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
 
 const pollAfter = 1000; // stretches
+
+// Beside the title: what the source is about.
+const asides: Record<State, string> = {
+  closed: '',
+  choosing: ' (until another one is there)',
+  opening: ' (opening)',
+  open: '',
+  reopening: ' (opening again)',
+  failed: ' (not open)',
+};
 
 export class Scope {
   readonly history = new History();
@@ -99,7 +110,7 @@ export class Scope {
   private show(source: Source, status: Status, nowUs: number): void {
     const unit = this.units.of(this.newest);
     byId('rows').hidden = this.newest?.kind !== Kind.Row;
-    setText(byId('title'), source.title);
+    setText(byId('title'), source.title + asides[this.choice.state]);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
     this.link.draw(status, this.newest);
