@@ -330,7 +330,7 @@ export default async function () {
       };
     }, codes('832,626,1811,866\r\n'));
     await connect(page, 'board');
-    await reads(page, '#verdict-text', 'BYTES COME, but no rows.');
+    await reads(page, '#verdict-text', 'Bytes come, but no rows.');
     await reads(page, '#verdict-cure', /^Choose the baud rate/);
     await page.selectOption('#baud', '9600');
     await reads(page, '#bars li:nth-child(1) .raw', '832');
@@ -343,7 +343,7 @@ export default async function () {
     await connect(page, 'board');
     await page.evaluate(() => fake.skip(3000));
     await page.waitForTimeout(1500);
-    await reads(page, '#verdict-text', 'WAITING for rows.');
+    await reads(page, '#verdict-text', 'Waiting for rows.');
     await reads(page, '#state', 'Never seen');
     for (let i = 0; i < 4; i++) {
       await page.evaluate((row) => fake.port.feed(row), codes('995,992,172,992,0,0\r\n'));

@@ -158,13 +158,13 @@ export class Doctor {
 }
 
 const awaited: Verdict = {
-  text: 'WAITING for rows.',
+  text: 'Waiting for rows.',
   cure: 'A board may start anew when its port is opened, and a slow sketch is waited for.',
   severity: 'note',
 };
 
 const noText: Verdict = {
-  text: 'BYTES COME, but no rows.',
+  text: 'Bytes come, but no rows.',
   cure: 'Choose the baud rate that the sketch gives to Serial.begin().',
   severity: 'warning',
 };

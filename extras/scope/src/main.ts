@@ -16,7 +16,7 @@ import { ScaleView } from './view/scale';
 // Never a blank page: a fault of its own is told, too.
 function fault(error: unknown): void {
   byId('verdict').dataset.severity = 'alarm';
-  setText(byId('verdict-text'), `THE PAGE HAS A FAULT: ${error instanceof Error ? error.message : error}.`);
+  setText(byId('verdict-text'), `The page has a fault: ${error instanceof Error ? error.message : error}.`);
   setText(byId('verdict-cure'), 'Load it again, in a browser of this year or the last.');
 }
 addEventListener('error', (event) => event.error && fault(event.error)); // without one: an observer's complaint, no fault
