@@ -5,7 +5,7 @@ import { check, connect, frame, opensWith, reads } from './support.mjs';
 // So many frames of these channels, one after the other, as quickly as it goes.
 async function frames(page, list) {
   for (const channels of list) {
-    await page.evaluate((bytes) => fake.port.feed(bytes), frame(channels));
+    assert.ok(await page.evaluate((bytes) => fake.port.feed(bytes), frame(channels)), 'the port is closed');
     await page.evaluate(() => fake.skip(9));
   }
 }
@@ -81,6 +81,7 @@ export default async function () {
     await page.reload();
     await reads(page, '#state', 'Fine');
     await calibrate(page, whole);
+    await reads(page, '#calibration-text', ''); // it says what it lacks
     await page.waitForSelector('#calibrated');
     await page.click('#calibration-drop');
     assert.equal(await page.inputValue('#scale'), '0');
