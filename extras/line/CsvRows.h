@@ -1,4 +1,5 @@
-// The rows of numbers that a sketch prints: 1048,992,172,992,0,1
+// The rows of numbers that a sketch prints, as serial plotters take them: 1048,992,172,992,0,1 or 1048 992 or
+// throttle:172,roll:992, with commas, tabs or blanks.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +13,16 @@
 namespace line {
 
 struct CsvField {
-  std::string text;  // as it was printed
+  std::string text;  // the number as it was printed
+  std::string name;  // of "name:number"; else empty
   double value = 0;
   bool isNumber = false;
 };
 
 using CsvRow = std::vector<CsvField>;
 
-// What such a column is most likely called: "CH1" to "CH4", "failsafe", "lostFrame" of 6 columns, as
-// examples/DecodeSBus prints them; else "CH1" and so on.
-std::string csvName(size_t column, size_t columns);
+// What a column holds.
+enum class CsvKind { Channel, Failsafe, LostFrame, Switch17, Switch18 };
 
 // How a sketch's Serial is set: 115200 baud, 8N1.
 LineSettings csvSettings();
@@ -38,6 +39,17 @@ class CsvRows {
   // The newest line's fields; further ones than 64 are left out, and so is what follows 1024 bytes of a line.
   const CsvRow &row() const { return _row; }
 
+  // What a column of the newest row holds: as its name says, or a line of names before the rows. Without names the last
+  // two of 6 are flags, as examples/DecodeSBus prints them, and the last two of 18 are switches, as
+  // examples/AllChannels prints them, as long as nothing but 0 and 1 has stood there.
+  CsvKind kind(size_t column) const;
+
+  // Bytes that are no text, since the beginning: many of them if the baud rate is wrong.
+  unsigned garbled() const { return _garbled; }
+
+  // The newest line has a comma or a name: it is no line of a recording.
+  bool isTable() const { return _isTable; }
+
   // The newest line is one of a sketch's rows: 1 or more fields, each a number.
   bool isRow() const { return _isRow; }
 
@@ -50,10 +62,15 @@ class CsvRows {
 
  private:
   void endLine();
+  void split();
 
   std::string _line;
   bool _text = true;  // nothing else has come on this line
   CsvRow _row;
+  CsvRow _names;  // the line before the rows
+  unsigned _garbled = 0;
+  bool _isTable = false;
+  bool _hasFlags = true;  // the last two columns were 0 or 1
   bool _isText = false;
   bool _isRow = false;
   size_t _columns = 0;  // of the row before

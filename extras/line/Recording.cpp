@@ -100,10 +100,17 @@ std::string parseLine(std::string_view line, uint32_t characterUs, Characters &c
   return {};
 }
 
+// The line of names over rows with times, as sbus csv and the scope write it.
+bool namesTimes(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find(','));
+  return first == "time" || first == "seconds";
+}
+
 }  // namespace
 
 LineSettings settingsIn(std::string_view beginning) {
   LineSettings settings;
+  beginning = withoutMark(beginning);
   while (!beginning.empty() && beginning.front() == '#') {
     const std::string comment(takeLine(beginning));
     const size_t end = comment.find(" baud");
@@ -111,8 +118,10 @@ LineSettings settingsIn(std::string_view beginning) {
       continue;
     }
     const unsigned long baud = std::strtoul(comment.c_str() + 2, nullptr, 10);
-    if (baud == csvSettings().baud) {
-      return csvSettings();
+    if (comment.find("8N1", end) != std::string::npos) {
+      settings = csvSettings();
+      settings.baud = std::clamp(baud, 1ul, 10000000ul);
+      return settings;
     }
     settings.baud = baud == 2 * sbus::Baud ? baud : sbus::Baud;
     return settings;
@@ -121,10 +130,14 @@ LineSettings settingsIn(std::string_view beginning) {
 }
 
 bool isCsvText(std::string_view beginning) {
+  beginning = withoutMark(beginning);
+  if (namesTimes(beginning)) {
+    return true;
+  }
   CsvRows rows;
   for (const char c : beginning) {
     rows.put(static_cast<uint8_t>(c));
-    if (rows.recognised()) {
+    if (rows.recognised() && rows.isTable()) {
       return true;
     }
   }
@@ -133,19 +146,43 @@ bool isCsvText(std::string_view beginning) {
 
 void RecordingReader::row(std::string_view text) {
   constexpr uint64_t RowUs = 200000;
+  constexpr uint32_t AtOnceUs = 1;  // so that 111 rows a second with 32 numbers each have room
+  const Characters &characters = _recording.characters;
+  const size_t comma = text.find(',');
+  _hasTimes = _hasTimes || (characters.empty() && namesTimes(text));
+  if (!_hasTimes || comma == std::string_view::npos) {
+    put(text, (characters.empty() ? 1 : characters.back().endUs / RowUs + 1) * RowUs, _characterUs);
+    return;
+  }
+  const double seconds = std::strtod(std::string(text.substr(0, comma)).c_str(), nullptr);
+  const uint64_t us =
+      seconds > 0 && seconds * 1e6 < RecordingTimeMaxUs ? static_cast<uint64_t>(seconds * 1e6 + 0.5) : 0;
+  put(text.substr(comma + 1), us, AtOnceUs);
+}
+
+// The first character is complete at `endUs`; with times the last one is.
+void RecordingReader::put(std::string_view text, uint64_t endUs, uint32_t characterUs) {
   Characters &characters = _recording.characters;
+  const std::string row = std::string(text.substr(0, RecordingLineMax / 2)) + '\n';
+  if (_hasTimes) {
+    const uint64_t earliestUs = characters.empty() ? characterUs : characters.back().endUs + characterUs;
+    endUs = std::max(earliestUs, endUs - std::min<uint64_t>(endUs, (row.size() - 1) * characterUs));
+  }
   Character character;
-  character.endUs = (characters.empty() ? 1 : characters.back().endUs / RowUs + 1) * RowUs;
-  for (const char c : std::string(text.substr(0, RecordingLineMax / 2)) + '\n') {
+  character.endUs = endUs;
+  for (const char c : row) {
     character.value = static_cast<uint8_t>(c);
     characters.push_back(character);
-    character.endUs += _characterUs;
+    character.endUs += characterUs;
   }
 }
 
 void RecordingReader::line(std::string_view text) {
   if (!_recording.error.empty()) {
     return;
+  }
+  if (_number == 0 && _recording.characters.empty()) {
+    text = withoutMark(text);
   }
   if (_csv) {
     row(text);

@@ -91,7 +91,7 @@ constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  //
 constexpr size_t RecordingBeginning = 4096;  // bytes of a file: they tell what it is
 
 // How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: as Fast S.Bus,
-// or as a sketch's Serial; as S.Bus if none says so.
+// or as a sketch's Serial, 8N1; as S.Bus if none says so.
 LineSettings settingsIn(std::string_view beginning);
 
 // True if it is no recording, but the rows that a sketch prints.
@@ -100,8 +100,9 @@ bool isCsvText(std::string_view beginning);
 // Takes a recording line by line.
 class RecordingReader {
  public:
-  // `characterUs`: what a character takes on the line. `csv`: the lines are a sketch's rows, which have no times; they
-  // come every 200 ms, as the examples print them.
+  // `characterUs`: what a character takes on the line. `csv`: the lines are a sketch's rows. They come every 200 ms, as
+  // the examples print them, or when their first column says, if that is called "time" or "seconds": so sbus csv and
+  // the scope write them.
   explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
       : _characterUs(characterUs), _csv(csv) {}
 
@@ -113,11 +114,13 @@ class RecordingReader {
 
  private:
   void row(std::string_view text);
+  void put(std::string_view text, uint64_t endUs, uint32_t characterUs);
 
   const uint32_t _characterUs;
   const bool _csv;
   Recording _recording;
-  unsigned _number = 0;  // of the last line
+  unsigned _number = 0;    // of the last line
+  bool _hasTimes = false;  // of its rows
 };
 
 // A whole recording's text.

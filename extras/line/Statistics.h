@@ -36,6 +36,7 @@ class Arrivals {
   const Extent &gaps() const { return _gaps; }
 
  protected:
+  void setTimeout(uint16_t ms) { _link.setTimeout(ms); }
   // One has come, with these flags of a frame.
   void add(uint64_t nowUs, uint8_t flags);
   void resetMarks() { _gaps = Extent(); }

@@ -11,6 +11,12 @@ constexpr bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
+// Without the byte order mark that some editors put before a text.
+inline std::string_view withoutMark(std::string_view text) {
+  constexpr std::string_view Mark = "\xEF\xBB\xBF";
+  return text.substr(0, Mark.size()) == Mark ? text.substr(Mark.size()) : text;
+}
+
 // Takes the next line off `text`, without its LF and CR.
 inline std::string_view takeLine(std::string_view &text) {
   const size_t size = text.find('\n');

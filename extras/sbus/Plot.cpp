@@ -145,13 +145,13 @@ class Plotter {
     bool lostFrame = false;
     size_t curve = 0;
     for (size_t i = 0; i < row.size(); i++) {
-      const std::string name = line::csvName(i, row.size());
-      if (name == "failsafe" || name == "lostFrame") {
-        (name == "failsafe" ? failsafe : lostFrame) = row[i].value != 0;
+      const line::CsvKind kind = _rows.kind(i);
+      if (kind == line::CsvKind::Failsafe || kind == line::CsvKind::LostFrame) {
+        (kind == line::CsvKind::Failsafe ? failsafe : lostFrame) = row[i].value != 0;
         continue;
       }
       _picture.curves.resize(std::max(_picture.curves.size(), curve + 1));
-      _picture.curves[curve].name = name;
+      _picture.curves[curve].name = row[i].name.empty() ? "CH" + std::to_string(i + 1) : row[i].name;
       _picture.curves[curve++].points.push_back({ms(_lastUs), row[i].value, joined});
     }
     shade(failsafe, lostFrame);

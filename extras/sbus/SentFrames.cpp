@@ -57,11 +57,27 @@ void set(const Name &name, unsigned value, FrameValues &values) {
   }
 }
 
-// What the columns of a CSV are called.
-std::vector<std::string> namesOf(const line::CsvRow &row, bool isHeader) {
+std::string nameOf(line::CsvKind kind, size_t column) {
+  switch (kind) {
+    case line::CsvKind::Failsafe:
+      return "failsafe";
+    case line::CsvKind::LostFrame:
+      return "lostFrame";
+    case line::CsvKind::Switch17:
+      return "CH17";
+    case line::CsvKind::Switch18:
+      return "CH18";
+    case line::CsvKind::Channel:
+      break;
+  }
+  return "CH" + std::to_string(column + 1);
+}
+
+// What the columns of the newest row are called.
+std::vector<std::string> namesOf(const line::CsvRows &rows, bool isHeader) {
   std::vector<std::string> names;
-  for (size_t i = 0; i < row.size(); i++) {
-    names.push_back(isHeader ? row[i].text : line::csvName(i, row.size()));
+  for (size_t i = 0; i < rows.row().size(); i++) {
+    names.push_back(isHeader ? rows.row()[i].text : nameOf(rows.kind(i), i));
   }
   return names;
 }
@@ -81,7 +97,7 @@ class RowReader {
     const line::CsvRow &row = _parser.row();
     if (_columns.empty()) {
       const bool isHeader = !row.front().isNumber;
-      takeNames(namesOf(row, isHeader));
+      takeNames(namesOf(_parser, isHeader));
       if (isHeader) {
         return;
       }

@@ -51,6 +51,14 @@ TEST_CASE("what is a sketch's text, and what is not") {
       {"1,2\n1,2\n\x0F", false},
       {"1,2\x0F\n1,2\n", false},
       {"\n\n", false},
+      {"1500 1000 0\n1501 1000 0\n", true},
+      {" 1500  1000 0 \r\n1501 1000 0\r\n", true},
+      {"1500\t1000\t\r\n1501\t1000\t\r\n", true},  // each number with a tab behind it
+      {"1, 2, 3\n1, 2, 3\n", true},
+      {"throttle:172,roll:992\nthrottle:173,roll:991\n", true},
+      {"throttle:172 roll:992\nthrottle:173 roll:991\n", true},
+      {"throttle:,roll:992\nthrottle:,roll:991\n", false},
+      {"1\t\t3\n1\t\t3\n", false},
   };
   for (const auto &each : cases) {
     CAPTURE(each.text);
@@ -94,10 +102,55 @@ TEST_CASE("a line without an end is not kept") {
   CHECK(rows.row().size() == 64);
 }
 
-TEST_CASE("what columns are called") {
-  CHECK(line::csvName(0, 6) == "CH1");
-  CHECK(line::csvName(4, 6) == "failsafe");
-  CHECK(line::csvName(5, 6) == "lostFrame");
-  CHECK(line::csvName(5, 18) == "CH6");
-  CHECK(line::csvName(23, 24) == "CH24");
+TEST_CASE("what the columns of a row hold") {
+  using line::CsvKind;
+  const struct {
+    const char *text;
+    size_t column;
+    CsvKind kind;
+  } cases[] = {
+      {"1,2,3,4,0,1\n", 3, CsvKind::Channel},
+      {"1,2,3,4,0,1\n", 4, CsvKind::Failsafe},
+      {"1,2,3,4,0,1\n", 5, CsvKind::LostFrame},
+      {"1,2,3,4,5,1\n", 5, CsvKind::Channel},
+      {"1,2,3,4,0,0.5\n", 4, CsvKind::Channel},
+      {"1,2,3,4,0,7\n1,2,3,4,0,1\n", 5, CsvKind::Channel},  // 7 has stood there
+      {"1,2,3,4,0,1,7\n1,2,3,4,0,1\n", 5, CsvKind::LostFrame},
+      {"1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,0,1\n", 15, CsvKind::Channel},
+      {"1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,0,1\n", 16, CsvKind::Switch17},
+      {"1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,0,1\n", 17, CsvKind::Switch18},
+      {"1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,1\n", 17, CsvKind::Channel},
+      {"1,2,3,4,0\n", 4, CsvKind::Channel},
+      {"CH1,failsafe\n5,1\n", 0, CsvKind::Channel},
+      {"CH1,failsafe\n5,1\n", 1, CsvKind::Failsafe},
+      {"CH1,lostFrame\n5,1\n", 1, CsvKind::LostFrame},
+      {"CH1,lostframe\n5,1\n", 1, CsvKind::LostFrame},  // as sbus csv writes it
+      {"CH1,failsafe\n5,1,1\n", 1, CsvKind::Channel},   // names of another table
+      {"CH1,CH2,CH3,CH4,CH5,CH6\n1,2,3,4,0,1\n", 5, CsvKind::Channel},
+      {"a:1,failsafe:1\n", 1, CsvKind::Failsafe},
+      {"a:1,b:2,c:3,d:4,e:0,f:1\n", 5, CsvKind::Channel},
+      {"switch17:1,switch18:0\n", 0, CsvKind::Switch17},
+      {"switch17:1,switch18:0\n", 1, CsvKind::Switch18},
+  };
+  for (const auto &each : cases) {
+    CAPTURE(each.text);
+    CAPTURE(each.column);
+    CsvRows rows;
+    for (const char c : std::string(each.text)) {
+      rows.put(static_cast<uint8_t>(c));
+    }
+    CHECK(rows.kind(each.column) == each.kind);
+  }
+}
+
+TEST_CASE("a name stands before its number") {
+  CsvRows rows;
+  for (const char c : std::string("throttle: 172, roll:-5.5\n")) {
+    rows.put(static_cast<uint8_t>(c));
+  }
+  REQUIRE(rows.row().size() == 2);
+  CHECK(rows.row()[0].name == "throttle");
+  CHECK(rows.row()[0].text == "172");
+  CHECK(rows.row()[1].name == "roll");
+  CHECK(rows.row()[1].value == -5.5);
 }

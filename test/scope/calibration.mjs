@@ -1,11 +1,11 @@
 // A calibration, at a port.
 import assert from 'node:assert/strict';
-import { check, connect, frame, reads } from './support.mjs';
+import { check, connect, frame, opensWith, reads } from './support.mjs';
 
 // So many frames of these channels, one after the other, as quickly as it goes.
 async function frames(page, list) {
   for (const channels of list) {
-    await page.evaluate((bytes) => fake.port.feed(bytes), frame(channels));
+    assert.ok(await page.evaluate((bytes) => fake.port.feed(bytes), frame(channels)), 'the port is closed');
     await page.evaluate(() => fake.skip(9));
   }
 }
@@ -13,6 +13,7 @@ const times = (count, channels) => Array.from({ length: count }, () => channels)
 const whole = [...times(10, [200, 200, 250, 300]), ...times(10, [1800, 1790, 1750, 1700])]; // travel
 
 async function calibrate(page, travel) {
+  await opensWith(page, times(3, frame(travel[0])));
   await connect(page);
   await page.click('#calibrate');
   await reads(page, '#calibration-text', /^1 of 3/);
@@ -47,8 +48,8 @@ export default async function () {
     await page.reload();
     await page.waitForSelector('#calibrated');
     assert.equal(await page.inputValue('#scale'), '2');
+    await opensWith(page, times(3, frame([1800, 200, 250, 1024])));
     await connect(page);
-    await frames(page, times(3, [1800, 200, 250, 1024]));
     await reads(page, '#bars li:nth-child(2) .percent', '100.0');
     await page.selectOption('#scale', '1');
     await page.waitForSelector('#calibrated', { state: 'hidden' });
@@ -80,6 +81,7 @@ export default async function () {
     await page.reload();
     await reads(page, '#state', 'Fine');
     await calibrate(page, whole);
+    await reads(page, '#calibration-text', ''); // it says what it lacks
     await page.waitForSelector('#calibrated');
     await page.click('#calibration-drop');
     assert.equal(await page.inputValue('#scale'), '0');
@@ -92,8 +94,8 @@ export default async function () {
   });
 
   await check('scales: Futaba puts its centre at 1024', async (page) => {
+    await opensWith(page, times(5, frame([1024, 352, 1696])));
     await connect(page);
-    await frames(page, times(5, [1024, 352, 1696]));
     await page.selectOption('#scale', '1');
     await reads(page, '#bars li:nth-child(1) .us', '1520');
     await reads(page, '#bars li:nth-child(1) .percent', '0.0');
@@ -103,8 +105,8 @@ export default async function () {
   });
 
   await check('marks show the least and the most, and are cleared by their button', async (page) => {
+    await opensWith(page, [...times(3, frame([300])), ...times(3, frame([1500]))]);
     await connect(page);
-    await frames(page, [...times(3, [300]), ...times(3, [1500])]);
     await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 300, most 1500"]');
     await page.click('#reset-marks');
     await frames(page, times(3, [700]));

@@ -1,6 +1,6 @@
 // Curves and bytes: what pointer and keyboard show.
 import assert from 'node:assert/strict';
-import { check, connect, counter, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
+import { check, codes, connect, counter, counts, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
 import path from 'node:path';
 
 const pixels = (page) => page.evaluate(() => {
@@ -32,6 +32,19 @@ export default async function () {
     await until('CH6 is not drawn', async () => (await pixels(page))[await colorOf(page, 6)] > 5);
     await page.click('#bars li:nth-child(1) .chip');
     await until('CH1 is still drawn', async () => (await pixels(page))[await colorOf(page, 1)] === undefined);
+    page.complaints.length = 0;  // that pixels are read
+  });
+
+  await check('the curve of a slow sketch joins its rows, four seconds apart', async (page) => {
+    await connect(page, 'board');
+    await page.click('#zoom-out');
+    await reads(page, '#window', '20 s');
+    for (let i = 0; i < 4; i++) {
+      await page.evaluate((row) => fake.port.feed(row), codes('1500,1000\r\n'));
+      await counts(page, 'rows', i);
+      await page.evaluate(() => fake.skip(4000));
+    }
+    await until('CH1 is not drawn', async () => (await pixels(page))[await colorOf(page, 1)] > 200);
     page.complaints.length = 0;  // that pixels are read
   });
 

@@ -1,97 +1,220 @@
-// Runs in the page, before it: a navigator.serial whose ports the tests play. `fake.port` is the one that is picked.
+// Web Serial as Chromium has it, for tests to play: `fake.port` is the one that is picked. It runs in the page before all scripts,
+// and in node. Copied from Chromium's third_party/blink/renderer/modules/serial, commit 08bac9d: serial_port.cc,
+// serial_port_underlying_source.cc and serial.cc; each place names the function.
 {
-  const real = performance.now.bind(performance);
-  let skipped = 0;
-  performance.now = () => real() + skipped;
+  const later = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  const failure = (method, name, text) => new DOMException(`Failed to execute '${method}' on 'SerialPort': ${text}`, name);
+
+  // SerialPortUnderlyingSource::SignalErrorOnClose()
+  const errorTexts = {
+    BreakError: 'Break received',
+    FramingError: 'Framing error',
+    ParityError: 'Parity error',
+    BufferOverrunError: 'Buffer overrun',
+    UnknownError: 'An unknown system error has occurred.',
+    NetworkError: 'The device has been lost.',
+  };
 
   class FakePort extends EventTarget {
-    readable = null;
-    opened = []; // the options of each open()
-    busy = false;
+    opened = []; // the options of each open() that a port has come of
+    busy = false; // another program has it open
     gone = false;
+    openMs = 60; // an FTDI adapter's open() took 60 to 1300 ms; 0 for a port that is there at once
+    closeMs = 5;
+    ids = { usbVendorId: 0x0403, usbProductId: 0x6001 };
     // What comes at a setting: called when the port is opened so.
     onOpen = () => {};
 
+    #bound = false;
+    #opening = false;
+    #closing = false;
+    #fatal = false;
+    #stream = null;
+    #controller;
+    #waiting = []; // packets, then perhaps the name of an error
+    #wanted; // resolves a pull()
+    #closed; // resolves a close()
+
     getInfo() {
-      return { usbVendorId: 0x0403, usbProductId: 0x6001 };
+      return this.ids;
     }
 
+    // SerialPort::open(), OnOpen(): a device that has gone, one that is busy and one without permission have one text.
     async open(options) {
-      if (this.gone) throw new DOMException('The device has been lost.', 'NetworkError');
-      if (this.busy) throw new DOMException('Failed to open serial port.', 'NetworkError');
-      if (this.readable) throw new DOMException('The port is already open.', 'InvalidStateError');
+      if (this.#opening) throw failure('open', 'InvalidStateError', 'A call to open() is already in progress.');
+      if (this.#bound) throw failure('open', 'InvalidStateError', 'The port is already open.');
+      this.#opening = true;
+      await later(this.openMs);
+      this.#opening = false;
+      if (this.gone || this.busy) throw failure('open', 'NetworkError', 'Failed to open serial port.');
+      this.#bound = true;
+      this.#waiting = [];
       this.opened.push(options);
-      this.stream();
       this.onOpen(options);
     }
 
+    // SerialPort::readable(): made when it is asked for; none while the port opens or closes, nor once the device is lost.
+    get readable() {
+      if (!this.#stream && this.#bound && !this.#closing && !this.#fatal) {
+        this.#stream = new ReadableStream({
+          type: 'bytes',
+          start: (controller) => (this.#controller = controller),
+          pull: () => this.#pull(),
+          cancel: () => this.#cancel(),
+        });
+      }
+      return this.#stream;
+    }
+
+    // SerialPort::close(): a stream that somebody reads cannot be cancelled.
     async close() {
-      this.readable = null;
+      if (!this.#bound) throw failure('close', 'InvalidStateError', 'The port is already closed.');
+      if (this.#closing) throw failure('close', 'InvalidStateError', 'A call to close() is already in progress.');
+      if (this.#stream?.locked) throw new TypeError("Failed to execute 'close' on 'SerialPort': Cannot cancel a locked stream");
+      this.#closing = true;
+      if (this.#stream) {
+        const streamClosed = new Promise((resolve) => (this.#closed = resolve));
+        this.#stream.cancel();
+        await streamClosed;
+      }
+      await later(this.closeMs);
+      this.#closing = false;
+      this.#bound = false;
+      this.#fatal = false;
     }
 
-    stream() {
-      this.readable = new ReadableStream({ start: (controller) => (this.controller = controller) });
+    get isOpen() {
+      return this.#bound || this.#opening;
     }
 
+    get isLocked() {
+      return this.#stream?.locked ?? false;
+    }
+
+    // True once all that was fed has been read, or cannot be.
+    get isEmpty() {
+      return this.#waiting.length === 0;
+    }
+
+    // Without a reader they wait. False if the port is closed.
     feed(bytes) {
-      this.controller.enqueue(Uint8Array.from(bytes));
+      if (this.#bound) this.#come(Uint8Array.from(bytes));
+      return this.#bound;
     }
 
-    // ParityError and the like: the port stays open, its stream does not.
+    // SerialPort::OnReadError(): what has come before is read first. Then the stream breaks and `readable` is another one; of a
+    // lost device there is none.
     fail(name) {
-      const { controller } = this;
-      this.stream();
-      controller.error(new DOMException(name, name));
+      this.#fatal ||= name === 'NetworkError';
+      if (this.#stream) this.#come(name);
     }
 
-    unplug() {
+    // A read finds that the device has gone, and the port is still to be closed (`bound`); or the browser's service finds it first,
+    // SerialPort::OnConnectionError(), and the port is closed. Then Serial::OnPortConnectedStateChanged().
+    unplug({ bound = true } = {}) {
       this.gone = true;
-      this.readable = null;
-      this.controller.error(new DOMException('The device has been lost.', 'NetworkError'));
+      if (this.#bound) {
+        this.#bound = bound;
+        this.fail('NetworkError');
+        this.#fatal = bound;
+      }
+      tell('disconnect', this);
     }
 
+    // A device that is plugged in again is another SerialPort: Serial::GetOrCreatePort() knows it by a new token.
     plug() {
-      this.gone = false;
-      serial.dispatchEvent(Object.defineProperty(new Event('connect'), 'target', { value: this }));
+      const port = Object.assign(new FakePort(), { ids: this.ids, opened: this.opened, onOpen: this.onOpen, openMs: this.openMs });
+      if (fake.port === this) fake.port = port;
+      tell('connect', port);
+      return port;
+    }
+
+    #come(packetOrError) {
+      this.#waiting.push(packetOrError);
+      this.#deliver();
+    }
+
+    #pull() {
+      return new Promise((resolve) => {
+        this.#wanted = resolve;
+        this.#deliver();
+      });
+    }
+
+    // SerialPortUnderlyingSource::ReadDataOrArmWatcher(), PipeClosed()
+    #deliver() {
+      if (!this.#wanted || this.#waiting.length === 0) return;
+      const next = this.#waiting.shift();
+      const wanted = this.#wanted;
+      this.#wanted = undefined;
+      if (typeof next === 'string') {
+        this.#stream = null;
+        this.#controller.error(new DOMException(errorTexts[next], next));
+      } else {
+        this.#controller.enqueue(next);
+      }
+      wanted();
+    }
+
+    // SerialPortUnderlyingSource::Cancel(): what waits is dropped, which takes a moment. Until then `readable` is the old one.
+    async #cancel() {
+      this.#wanted?.();
+      this.#wanted = undefined;
+      this.#waiting = [];
+      if (!this.#closing) await later(this.closeMs);
+      this.#stream = null;
+      this.#closed?.();
     }
   }
 
+  // SerialPort::DispatchEventInternal(): the event bubbles to navigator.serial.
+  const tell = (name, port) => {
+    const event = Object.defineProperty(new Event(name), 'target', { value: port });
+    port.dispatchEvent(new Event(name));
+    serial.dispatchEvent(event);
+  };
+
   const serial = new EventTarget();
+  let refuse; // the chooser that is open
+  const refusal = () => new DOMException("Failed to execute 'requestPort' on 'Serial': No port selected by the user.", 'NotFoundError');
+  // Serial::requestPort(). A second chooser takes the place of the first, whose caller gets no port: SerialService::RequestPort() in
+  // content/browser/serial/serial_service.cc, ~SerialChooserController().
   serial.requestPort = async () => {
-    if (!fake.port) throw new DOMException('No port selected by the user.', 'NotFoundError');
-    return fake.port;
+    if (globalThis.navigator?.userActivation?.isActive === false) {
+      throw new DOMException("Failed to execute 'requestPort' on 'Serial': Must be handling a user gesture to show a permission request.", 'SecurityError');
+    }
+    refuse?.();
+    return new Promise((resolve, reject) => {
+      refuse = () => reject(refusal());
+      Promise.resolve(fake.choose()).then((port) => (port ? resolve(port) : reject(refusal())));
+    });
   };
   globalThis.fake = {
     port: new FakePort(),
-    // The clock goes on by so much.
-    skip: (ms) => (skipped += ms),
+    newPort: () => new FakePort(),
+    serial,
+    // What the user picks in the chooser, if anything.
+    choose: () => fake.port,
     sent: 0, // bytes, by every()
-    // A frame every `ms`, until clearInterval() of what this returns, as an FTDI adapter brings it: every 16 ms what has
-    // come since, in packets of 62 (test/support/Adapter.h has the sources).
-    every: (ms, bytes) => {
-      const start = real();
+    // A frame every `ms`, until clearInterval() of what this returns, as an adapter brings it: every 16 ms (an FTDI's latency timer;
+    // 1 ms if it was set so) what has come since, in packets of 62 (test/support/Adapter.h has the sources).
+    every: (ms, bytes, latencyMs = 16) => {
+      const { port } = fake;
+      const start = performance.now();
       let sent = 0;
       return setInterval(() => {
-        const frames = Math.floor((real() - start) / ms);
-        const into = Math.floor((real() - start - frames * ms) / 0.12);
+        const frames = Math.floor((performance.now() - start) / ms);
+        const into = Math.floor((performance.now() - start - frames * ms) / 0.12);
         const end = frames * bytes.length + Math.min(bytes.length, into);
         while (sent < end) {
           const packet = Array.from({ length: Math.min(62, end - sent) }, (_, i) => bytes[(sent + i) % bytes.length]);
           sent += packet.length;
-          if (fake.port.readable) {
-            fake.port.feed(packet);
-            fake.sent += packet.length;
-          }
+          fake.sent += port.feed(packet) ? packet.length : 0;
         }
-      }, 16);
+      }, latencyMs);
     },
   };
-  Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
-
-  const instantiate = WebAssembly.instantiate;
-  WebAssembly.instantiate = async (...parts) => {
-    const result = await instantiate(...parts);
-    fake.memory = result.instance.exports.memory;
-    return result;
-  };
+  if (globalThis.Navigator) {
+    Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
+  }
 }

@@ -1,6 +1,6 @@
 // Sizes, themes, keyboard and screen readers.
 import assert from 'node:assert/strict';
-import { axe, check, connect, reads, until } from './support.mjs';
+import { axe, check, connect, frame, reads, until } from './support.mjs';
 
 const sizes = {
   desktop: { width: 1440, height: 900 },
@@ -94,4 +94,154 @@ export default async function () {
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'role'), 'meter');
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'aria-label'), 'CH7');
   });
+
+  // The page draws as a busy PC does: after 5 to 60 ms, of a clock that runs as fast as the PC can. `watch` is called after each
+  // picture, with the time.
+  const busy = (page, watch) => page.addInitScript(`{
+    let seed = 20181;
+    let now = 0;
+    performance.now = () => now;
+    requestAnimationFrame = (draw) => setTimeout(() => {
+      seed = (seed * 1103515245 + 12345) % 2147483648;
+      now += 5 + (seed % 56);
+      draw(now);
+      (${watch})(now);
+      globalThis.busyMs = now;
+    });
+  }`);
+  const busyFor = (page, seconds) => until('the page stands still', async () => (await page.evaluate(() => globalThis.busyMs)) > 1000 * seconds);
+
+  await check("a meter's value is what the page has shown within the last second, however busy the PC is", async (page) => {
+    await busy(page, (now) => {
+      const seen = (globalThis.seen ??= []);
+      const at = (selector) => document.querySelector(`#bars li:nth-child(1) ${selector}`);
+      seen.push([now, at('.raw')?.textContent]);
+      const spoken = at('.track')?.getAttribute('aria-valuenow');
+      if (now > 2000 && !seen.some(([ms, text]) => ms >= now - 1000 && text === spoken)) {
+        globalThis.old = (globalThis.old ?? 0) + 1;
+      }
+    });
+    await page.reload();
+    await busyFor(page, 30);
+    assert.equal(await page.evaluate(() => globalThis.old), undefined);
+  });
+
+  await check('no live region floods a screen reader: at noise, in a calibration, and with the pointer on the curves', async (page) => {
+    await busy(page, () => {
+      const said = (globalThis.said ??= new Map());
+      for (const region of document.querySelectorAll('[role="status"], [role="alert"], output, [aria-live]')) {
+        const [count, text] = said.get(region.id) ?? [0, ''];
+        said.set(region.id, [count + (region.textContent !== text), region.textContent]);
+      }
+    });
+    await page.reload();
+    await page.selectOption('#fault', 'storm');
+    await page.click('#calibrate');
+    const plot = await page.locator('#plot .u-over').boundingBox();
+    await page.mouse.move(plot.x + plot.width - 40, plot.y + 50);
+    await reads(page, '#readout', /CH1/);
+    const seconds = 40;
+    for (let part = 10; part <= seconds; part += 10) {
+      await busyFor(page, part);
+    }
+    const said = await page.evaluate(() => [...globalThis.said].map(([id, [count]]) => [id, count]));
+    assert.ok(said.length >= 5, String(said));
+    assert.deepEqual(said.filter(([, count]) => count > 1 + seconds / 5), []);
+  });
+
+  await check('curves are told without their colours: each of eight is dashed in its own way, as its button shows', async (page) => {
+    const levels = [100, 350, 600, 850, 1100, 1350, 1600, 1850];
+    await page.evaluate((bytes) => (fake.port.onOpen = () => fake.every(9, bytes)), frame(levels));
+    await connect(page);
+    for (const channel of [5, 6, 7, 8]) {
+      await page.click(`#bars li:nth-child(${channel}) .chip`);
+    }
+    await page.click('#zoom-in');
+    await page.click('#zoom-in');
+    await page.click('#zoom-in');
+    await reads(page, '#window', '1 s');
+    // Of each curve: dashes in 100 pixels, the part of it that is drawn, in %, and the longest dash.
+    const look = () => page.evaluate((values) => {
+      const canvas = document.querySelector('#plot canvas');
+      const over = document.querySelector('#plot .u-over');
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      const [left, top] = [parseFloat(over.style.left) + 5, parseFloat(over.style.top)];
+      const [width, height] = [parseFloat(over.style.width) - 30, parseFloat(over.style.height)];
+      return values.map((value) => {
+        const y = Math.round(top + (1 - value / 2047) * height) - 1;
+        // Grid lines are pale.
+        const on = Array.from({ length: Math.floor(width) }, (_, x) => {
+          const at = 4 * (y * canvas.width + Math.floor(left) + x);
+          return data[at + 3] > 128 && Math.min(data[at], data[at + 1], data[at + 2]) < 150;
+        });
+        const dashes = on.filter((is, i) => is && !on[i - 1]).length;
+        const longest = Math.max(...on.map((is) => (is ? '-' : ' ')).join('').trim().split(/ +/).map((dash) => dash.length));
+        return [Math.round((100 * dashes) / width), Math.round((100 * on.filter(Boolean).length) / width), longest];
+      });
+    }, levels);
+    let drawn;
+    await until(async () => `CH1 is not drawn from edge to edge: ${JSON.stringify(drawn)}`, async () => (drawn = await look())[0][1] > 98);
+    page.complaints.length = 0; // that pixels are read
+    assert.ok(drawn.every(([, part]) => part > 15), JSON.stringify(drawn));
+    drawn.forEach((one, i) =>
+      drawn.slice(0, i).forEach((other, j) =>
+        assert.ok(one.some((figure, what) => Math.abs(figure - other[what]) > 4), `CH${j + 1} and CH${i + 1}: ${JSON.stringify(drawn)}`)));
+    const swatches = await page.$$eval('.swatch path', (paths) => paths.slice(0, 8).map((path) => path.getAttribute('stroke-dasharray')));
+    assert.equal(new Set(swatches).size, 8);
+  });
+
+  for (const colorScheme of ['light', 'dark']) {
+    await check(`forced colours, ${colorScheme}: bars, bits, lamps and buttons are still told`, async (page) => {
+      await page.selectOption('#receiver', '32');
+      await reads(page, '#state', 'Fine');
+      await page.waitForSelector('.eight i.one');
+      await page.waitForSelector('.lamp[data-on="true"]');
+      const colors = await page.evaluate(() => {
+        const of = (selector, what = 'backgroundColor') => getComputedStyle(document.querySelector(selector))[what];
+        return {
+          bar: [of('.fill'), of('.track')],
+          mark: [of('.mark'), of('.track')],
+          bit: [of('.eight i.one'), of('.eight i:not(.one)')],
+          button: [of('#source-simulated'), of('#source-adapter')],
+          lamp: [of('.lamp[data-on="true"] i'), of('.lamp[data-on="false"] i')],
+          swatch: [of('.chip[aria-pressed="true"] path', 'stroke'), of('.chip[aria-pressed="false"] path', 'stroke')],
+          curve: [getComputedStyle(document.documentElement).getPropertyValue('--c0').trim(), of('body')],
+        };
+      });
+      for (const [what, [one, other]] of Object.entries(colors)) {
+        assert.notEqual(one, other, `${what}: ${JSON.stringify(colors)}`);
+      }
+      assert.equal(colors.curve[0], 'CanvasText');
+      await fits(page);
+    }, { forcedColors: 'active', colorScheme });
+  }
+
+  // Fingers, by the debugger's protocol.
+  async function fingers(page) {
+    const session = await page.context().newCDPSession(page);
+    const send = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    return { put: (...points) => send('touchStart', ...points), move: (...points) => send('touchMove', ...points), lift: () => send('touchEnd') };
+  }
+  await check('fingers: one scrolls the curves, two zoom them, and what is pressed is 44 px high', async (page) => {
+    await reads(page, '#state', 'Fine');
+    const small = await page.evaluate(() => [...document.querySelectorAll('button, select')].filter((each) => each.offsetParent && each.offsetHeight < 44).map((each) => each.id || each.textContent));
+    assert.deepEqual(small, []);
+    await page.locator('#plot').scrollIntoViewIfNeeded();
+    const box = await page.locator('#plot .u-over').boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + 100];
+    const { put, move, lift } = await fingers(page);
+    await put([x, y]);
+    for (let i = 1; i <= 10; i++) await move([x + 10 * i, y]);
+    await lift();
+    await reads(page, '#pause', 'Go on');
+    await reads(page, '#window', '10 s');
+    await put([x - 50, y], [x + 50, y]);
+    for (let i = 1; i <= 10; i++) await move([x - 50 - 5 * i, y], [x + 50 + 5 * i, y]);
+    await lift();
+    await reads(page, '#window', '5 s');
+    await put([x - 100, y], [x + 100, y]);
+    for (let i = 1; i <= 10; i++) await move([x - 100 + 5 * i, y], [x + 100 - 5 * i, y]);
+    await lift();
+    await reads(page, '#window', '10 s');
+  }, { size: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
 }

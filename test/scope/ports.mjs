@@ -1,15 +1,15 @@
 // Ports: a fake navigator.serial brings real bytes, faults, and is unplugged.
 import assert from 'node:assert/strict';
-import { bytesOf, check, codes, connect, counter, counts, frame, lit, raw, reads, until } from './support.mjs';
+import { bytesOf, check, codes, connect, counter, counts, frame, lit, opensWith, raw, reads, until } from './support.mjs';
 
 // The port brings `bytes` again and again: a frame every 9 ms, whenever it is opened so.
-const brings = (page, bytes, baud = 100000, everyMs = 9) =>
-  page.evaluate(([frameBytes, wanted, ms]) => {
+const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
+  page.evaluate(([frameBytes, wanted, ms, latency]) => {
     fake.port.onOpen = ({ baudRate }) => {
       clearInterval(fake.timer);
-      fake.timer = baudRate === wanted ? fake.every(ms, frameBytes) : undefined;
+      fake.timer = baudRate === wanted ? fake.every(ms, frameBytes, latency) : undefined;
     };
-  }, [bytes, baud, everyMs]);
+  }, [bytes, baud, everyMs, latencyMs]);
 
 export default async function () {
   await check('an adapter is opened as S.Bus wants it, and its frames are shown', async (page) => {
@@ -26,9 +26,17 @@ export default async function () {
     assert.deepEqual(options, { baudRate: 100000, dataBits: 8, parity: 'even', stopBits: 2, bufferSize: 4096 });
   });
 
-  await check("the paper's frames, byte by byte as they may come", async (page) => {
+  await check('an adapter that was set to 1 ms: its frames are shown', async (page) => {
+    await brings(page, frame([172, 992]), 100000, 9, 1);
     await connect(page);
-    await page.evaluate((bytes) => bytes.forEach((byte) => fake.port.feed([byte])), bytesOf('paper.txt'));
+    await raw(page, 1, '172');
+    await reads(page, '#verdict-text', 'ALL WELL.');
+    await counts(page, 'skippedBytes', 0);
+  });
+
+  await check("the paper's frames, byte by byte as they may come", async (page) => {
+    await page.evaluate((bytes) => (fake.port.onOpen = () => bytes.forEach((byte) => fake.port.feed([byte]))), bytesOf('paper.txt'));
+    await connect(page);
     await counts(page, 'frames', 6);
     await raw(page, 3, '1811');
     await raw(page, 1, '995');
@@ -51,11 +59,11 @@ export default async function () {
     await reads(page, '#verdict-text', /^NO RADIO/);
   });
 
-  await check('parity, framing and overrun errors and breaks: counted by cause, the numbers go on', async (page) => {
+  await check('parity, framing, overrun and system errors and breaks: counted by cause, the numbers go on', async (page) => {
     await brings(page, frame([1200]));
     await connect(page);
     await reads(page, '#state', 'Fine');
-    for (const name of ['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'ParityError']) {
+    for (const name of ['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'UnknownError', 'ParityError']) {
       await page.evaluate((error) => fake.port.fail(error), name);
       await page.waitForTimeout(50);
     }
@@ -63,55 +71,144 @@ export default async function () {
     await counts(page, 'port framing errors', 1);
     await counts(page, 'port breaks', 1);
     await counts(page, 'port overruns', 1);
-    await counts(page, 'badCharacters', 5);
+    await counts(page, 'port system errors', 1);
+    await counts(page, 'badCharacters', 6);
     const before = await counter(page, 'frames');
     await until('no more frames come', async () => (await counter(page, 'frames')) > before + 10);
     await reads(page, '#state', 'Fine');
     assert.equal((await page.evaluate(() => fake.port.opened)).length, 1);
   });
 
-  await check('unplugged: it says so; plugged in again it goes on by itself, and both are counted', async (page) => {
+  for (const bound of [true, false]) {
+    await check(`unplugged, ${bound ? 'and a read finds it' : 'and the browser finds it'}: it says so; plugged in again it goes on by itself, and both are counted`, async (page) => {
+      await brings(page, frame([1200]));
+      await connect(page);
+      await reads(page, '#state', 'Fine');
+      await page.evaluate((still) => fake.port.unplug({ bound: still }), bound);
+      await reads(page, '#verdict-text', 'The port has gone.');
+      await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (opening again)');
+      await reads(page, '#state', 'Stale');
+      await page.waitForTimeout(1500); // it was tried again, and the browser says only that it cannot be opened
+      await reads(page, '#verdict-text', 'The port has gone.');
+      await page.evaluate(() => fake.port.plug());
+      await reads(page, '#state', 'Fine');
+      await counts(page, 'port unplugged', 1);
+      await counts(page, 'port reopened', 1);
+      await reads(page, '#verdict-text', 'ALL WELL.');
+    });
+  }
+
+  await check('unplugged while it opens: it says so, and goes on when it is there again', async (page) => {
     await brings(page, frame([1200]));
-    await connect(page);
-    await reads(page, '#state', 'Fine');
+    await page.evaluate(() => (fake.port.openMs = 1300));
+    await page.click('#source-adapter');
+    await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
     await page.evaluate(() => fake.port.unplug());
-    await reads(page, '#verdict-text', 'THE PORT HAS GONE.');
-    await reads(page, '#state', 'Stale');
+    await reads(page, '#verdict-text', 'The port has gone.');
     await page.evaluate(() => fake.port.plug());
     await reads(page, '#state', 'Fine');
-    await counts(page, 'port unplugged', 1);
-    await counts(page, 'port reopened', 1);
-    await reads(page, '#verdict-text', 'ALL WELL.');
   });
 
   await check('a busy port: who may have it; free again, it is opened', async (page) => {
     await brings(page, frame([1200]));
     await page.evaluate(() => (fake.port.busy = true));
-    await connect(page);
-    await reads(page, '#verdict-text', /^THE PORT CANNOT BE OPENED/);
+    await page.click('#source-adapter');
+    await reads(page, '#verdict-text', 'The port cannot be opened.');
     await reads(page, '#verdict-cure', /^Close the other program/);
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2');
   });
 
-  await check('no port chosen: it says so, and the simulation goes on', async (page) => {
-    await page.evaluate(() => (fake.port = undefined));
+  await check('a port that takes 1.3 s to open: nothing is tried meanwhile, and each baud rate is listened to for as long as the other', async (page) => {
+    await brings(page, frame([1300]), 200000);
+    await page.evaluate(() => (fake.port.openMs = 1300));
     await connect(page);
-    await reads(page, '#verdict-text', 'NO PORT WAS CHOSEN.');
+    await reads(page, '#verdict-text', 'LISTENING.');
+    await reads(page, '#verdict-note', /^WRONG BAUD RATE: .* Done: 200000 baud/);
     await reads(page, '#state', 'Fine');
+    const opened = await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate));
+    assert.deepEqual(opened, [100000, 200000]);
   });
 
-  await check('a browser that refuses: in its words', async (page) => {
+  await check('another source is chosen while a port opens, and that port again: never stuck, and each time it is the last one', async (page) => {
+    await brings(page, frame([1200]));
+    await page.evaluate(() => (fake.port.openMs = 1300));
+    await page.click('#source-adapter');
+    await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (opening)');
+    await page.click('#source-simulated');
+    await reads(page, '#title', /^Simulated/);
+    await reads(page, '#state', 'Fine');
+    await until('the port stays open', async () => !(await page.evaluate(() => fake.port.isOpen)));
+    await page.click('#source-adapter');
+    await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
+    await page.click('#source-board');
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^S\.Bus at a serial adapter/);
+    await raw(page, 1, '1200');
+    await reads(page, '#state', 'Fine');
+    assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
+  });
+
+  // The source that runs goes on as it was: its history, its recording, its frames.
+  async function untouched(page, act) {
+    await page.click('#record');
+    await until('no frames come', async () => (await counter(page, 'frames')) > 30);
+    const before = await counter(page, 'frames');
+    await act();
+    assert.ok((await counter(page, 'frames')) >= before);
+    assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
+    assert.equal(await page.getAttribute('#source-simulated', 'aria-pressed'), 'true');
+    await reads(page, '#title', /^Simulated/);
+    await reads(page, '#verdict-text', 'ALL WELL.');
+  }
+
+  await check('no port chosen: a notice says so, and the simulation, its recording and its verdict go on', async (page) => {
+    await untouched(page, async () => {
+      await page.evaluate(() => (fake.choose = () => new Promise((resolve) => (fake.choice = resolve))));
+      await page.click('#source-adapter');
+      await reads(page, '#title', /^Simulated .* \(until another one is there\)$/);
+      await page.evaluate(() => fake.choice());
+      await reads(page, '#notice-text', 'No port was chosen.');
+      await reads(page, '#notice-cure', /^Plug the adapter in/);
+      await reads(page, '#title', /^Simulated [^(]*$/);
+    });
+    await page.click('#notice-close');
+    await page.waitForSelector('#notice', { state: 'hidden' });
+  });
+
+  await check('a file that cannot be read: a notice, and the simulation, its recording and its verdict go on', (page) =>
+    untouched(page, async () => {
+      await page.setInputFiles('#file', { name: 'x.txt', mimeType: 'text/plain', buffer: Buffer.from('120 0F\n240 XY\n') });
+      await reads(page, '#notice-text', /^This is no recording: x\.txt: line 2/);
+    }));
+
+  await check('a notice fades by itself', async (page) => {
+    await page.clock.install();
+    await page.reload();
+    await page.evaluate(() => (fake.choose = () => undefined));
+    await page.click('#source-adapter');
+    await reads(page, '#notice-text', 'No port was chosen.');
+    await page.mouse.move(5, 5);
+    await page.clock.fastForward(19000);
+    assert.ok(await page.isVisible('#notice'));
+    await page.clock.fastForward(2000);
+    await page.waitForSelector('#notice', { state: 'hidden' });
+  });
+
+  await check('a browser that gives no port: in its words', async (page) => {
     await page.evaluate(() => (navigator.serial.requestPort = () => Promise.reject(new DOMException('Blocked by the user.', 'SecurityError'))));
-    await connect(page);
-    await reads(page, '#verdict-text', 'THE BROWSER GIVES NO PORT: Blocked by the user.');
+    await page.click('#source-adapter');
+    await reads(page, '#notice-text', 'The browser gives no port: Blocked by the user.');
     await reads(page, '#state', 'Fine');
   });
 
   await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
-    await connect(page);
-    await reads(page, '#verdict-text', 'THIS BROWSER HAS NO WEB SERIAL.');
-    await reads(page, '#verdict-cure', /Chrome, Edge or Firefox/);
+    await page.click('#source-adapter');
+    await reads(page, '#notice-text', 'This browser has no Web Serial.');
+    await reads(page, '#notice-cure', /Chrome, Edge or Firefox/);
     await reads(page, '#state', 'Fine');
   }, { serial: false });
 
@@ -143,7 +240,7 @@ export default async function () {
     await page.evaluate(() => {
       fake.port.onOpen = () => {
         clearInterval(fake.timer);
-        fake.timer = setInterval(() => fake.port.readable && fake.port.fail('BreakError'), 20);
+        fake.timer = setInterval(() => fake.port.fail('BreakError'), 20);
       };
     });
     await connect(page);
@@ -154,8 +251,8 @@ export default async function () {
     const good = frame([1000]);
     const bad = frame([1000]);
     bad.splice(5, 1);
+    await opensWith(page, [good, good, good, bad, good, good]);
     await connect(page);
-    await page.evaluate(([first, second]) => fake.port.feed([...first, ...first, ...first, ...second, ...first, ...first]), [good, bad]);
     await counts(page, 'frames', 5);
     await counts(page, 'skippedBytes', 24);
     await counts(page, 'resyncs', 1);
@@ -189,6 +286,76 @@ export default async function () {
       assert.deepEqual((await page.evaluate(() => fake.port.opened))[0], { baudRate: 115200, bufferSize: 4096 });
     });
   }
+
+  for (const [row, shown, lamps] of [
+    ['1500 1000 0', ['1500', '1000', '0'], 2],
+    ['1500\t1000\t', ['1500', '1000'], 2],
+    ['throttle:172,roll:992', ['172', '992'], 2],
+    ['1,2,3,4,5,0', ['1', '2', '3', '4', '5', '0'], 2], // six channels: 5 is no flag
+  ]) {
+    await check(`a board that prints "${row}": each number is a channel`, async (page) => {
+      await brings(page, codes(`${row}\r\n`), 115200, 100);
+      await connect(page, 'board');
+      for (const [i, value] of shown.entries()) {
+        await reads(page, `#bars li:nth-child(${i + 1}) .raw`, value);
+      }
+      assert.equal(await page.locator('#bars li:visible').count(), shown.length);
+      assert.equal(await page.locator('.lamp[data-on="true"]').count(), 0);
+    });
+  }
+
+  await check('what the numbers of a board are is asked for, not guessed', async (page) => {
+    await brings(page, codes('1500,-0.5,988,12\r\n'), 115200, 100);
+    await connect(page, 'board');
+    await reads(page, '#bars li:nth-child(2) .raw', '-0.5');
+    await reads(page, '#bars li:nth-child(1) .us', '–');
+    await reads(page, '#bars li:nth-child(1) .percent', '–');
+    await page.waitForSelector('#bars li:nth-child(1) .track[aria-valuemax="2000"]');
+    await page.selectOption('#unit', 'raw');
+    await reads(page, '#bars li:nth-child(1) .us', '1818');
+    await page.waitForSelector('#bars li:nth-child(1) .track[aria-valuemax="2047"]');
+    await page.selectOption('#unit', 'us');
+    await reads(page, '#bars li:nth-child(1) .us', '–');
+    await page.waitForSelector('#bars li:nth-child(1) .track[aria-valuemax="2140"]');
+    await page.click('#source-simulated');
+    await page.waitForSelector('#rows', { state: 'hidden' });
+    await reads(page, '#bars li:nth-child(7) .us', '1500');
+  });
+
+  await check('a board at another baud rate: it says what to choose, and reads it then', async (page) => {
+    await page.evaluate((row) => {
+      fake.port.onOpen = ({ baudRate }) => {
+        clearInterval(fake.timer);
+        fake.timer = fake.every(100, baudRate === 9600 ? row : [0xfe, 0x80, 0x1e, 0x06, 0xf8, 0x41, 0x9f]);
+      };
+    }, codes('832,626,1811,866\r\n'));
+    await connect(page, 'board');
+    await reads(page, '#verdict-text', 'Bytes come, but no rows.');
+    await reads(page, '#verdict-cure', /^Choose the baud rate/);
+    await page.selectOption('#baud', '9600');
+    await reads(page, '#bars li:nth-child(1) .raw', '832');
+    await reads(page, '#title', 'A board that prints numbers, 9600 baud');
+    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    assert.deepEqual(await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate)), [115200, 9600]);
+  });
+
+  await check('a slow sketch is waited for, before its first row and between its rows', async (page) => {
+    await connect(page, 'board');
+    await page.evaluate(() => fake.skip(3000));
+    await page.waitForTimeout(1500);
+    await reads(page, '#verdict-text', 'Waiting for rows.');
+    await reads(page, '#state', 'Never seen');
+    for (let i = 0; i < 4; i++) {
+      await page.evaluate((row) => fake.port.feed(row), codes('995,992,172,992,0,0\r\n'));
+      await counts(page, 'rows', i);
+      await page.evaluate(() => fake.skip(4000));
+    }
+    await page.waitForTimeout(300);
+    await reads(page, '#state', 'Fine');
+    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    await page.evaluate(() => fake.skip(9000));
+    await reads(page, '#state', 'Stale');
+  });
 
   await check('a board at the button for adapters: its rows are recognised all the same', async (page) => {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);

@@ -41,11 +41,41 @@ export default async function () {
     }
     await check(`bad/${name}: what is wrong, and where, in the words of the host`, async (page) => {
       await page.setInputFiles('#file', path.join(recordings, 'bad', name));
-      await reads(page, '#verdict-text', /^THIS IS NO RECORDING/);
-      const said = await page.textContent('#verdict-text');
+      await reads(page, '#notice-text', /^This is no recording/);
+      const said = await page.textContent('#notice-text');
       const [, line, words] = /^[^:]+(?::(\d+))?: (.*)$/.exec(message);
       assert.ok(said.includes(`${name}: ${line ? `line ${line}: ` : ''}${words}`), `${said}\n${message}`);
       await reads(page, '#state', 'Fine');  // the simulation goes on
+    });
+  }
+
+  await check('its times are those of sbus csv', async (page) => {
+    await play(page, path.join(recordings, 'paper.txt'));
+    await toEnd(page);
+    const { text } = await downloaded(page, '#csv');
+    // sbus csv test/recordings/paper.txt --every-frame --columns time
+    assert.deepEqual(rows(text).map((row) => row.split(',')[0]), ['0.164000', '0.173000', '0.182000', '0.364000', '0.373000', '0.382000']);
+  });
+
+  await check('a byte order mark before a recording is no error', async (page) => {
+    const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
+    await page.setInputFiles('#file', { name: 'mark.txt', mimeType: 'text/plain', buffer: Buffer.from(`\ufeff${text}`) });
+    await reads(page, '#title', 'Recording mark.txt');
+    await toEnd(page);
+    await counts(page, 'frames', 6);
+  });
+
+  for (const [end, shown] of [
+    ['0F E3 03 1F', /^0F E3 03 1F$/],
+    ['55!', /^55$/],
+  ]) {
+    await check(`the last bytes of a recording are shown: ${end}`, async (page) => {
+      const text = readFileSync(path.join(recordings, 'paper.txt'), 'utf8');
+      await page.setInputFiles('#file', { name: 'cut.txt', mimeType: 'text/plain', buffer: Buffer.from(`${text}400000 ${end}`) });
+      await reads(page, '#title', 'Recording cut.txt');
+      await toEnd(page);
+      await reads(page, '#lines li:first-child.none code', shown);
+      await counts(page, 'frames', 6);
     });
   }
 
@@ -94,20 +124,19 @@ export default async function () {
     ['wire.vcd', '$date today $end\n$timescale 1 us $end\n', /line 1: "\$date" is not a time/],
     ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /line 1: .* is not a time/],
     ['nothing.txt', '', /is empty/],
-    ['saved.csv', 'seconds,CH1,CH2\n0.1,992,993\n0.2,992,994\n', /has a column of times/],
-    ['capture.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', /has a column of times/],
+    ['capture.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', /capture\.csv: is a capture of the wire/],
   ]) {
     await check(`${name} is no recording: why, and what reads captures`, async (page) => {
       await drop(page, name, content);
-      await reads(page, '#verdict-text', said);
-      await reads(page, '#verdict-cure', /sbus decode/);
+      await reads(page, '#notice-text', said);
+      await reads(page, '#notice-cure', /sbus decode/);
       await reads(page, '#state', 'Fine');
     });
   }
 
   await check('a file that no memory has room for is refused, with what reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
-    await reads(page, '#verdict-text', /year\.txt: is larger than 500 MB: sbus plot/);
+    await reads(page, '#notice-text', /year\.txt: is larger than 500 MB: sbus plot/);
   });
 
   await check('sources asked for one after the other, before any is there: the last one stays', async (page) => {

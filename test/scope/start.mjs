@@ -26,7 +26,7 @@ export default async function () {
   await check('a browser without WebAssembly is told so: no blank page', async (page) => {
     await page.addInitScript(() => (WebAssembly.instantiate = () => Promise.reject(new Error('no WebAssembly'))));
     await page.reload();
-    await reads(page, '#verdict-text', 'THE PAGE HAS A FAULT: no WebAssembly.');
+    await reads(page, '#verdict-text', 'The page has a fault: no WebAssembly.');
     page.complaints.length = 0;
   });
 

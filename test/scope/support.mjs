@@ -59,6 +59,7 @@ async function open({ size = { width: 1440, height: 900 }, serial = true, ...con
   page.on('request', (request) => /^(file|blob|data):/.test(request.url()) || page.complaints.push(request.url()));
   if (serial) {
     await page.addInitScript({ path: path.join(here, 'fakeSerial.js') });
+    await page.addInitScript({ path: path.join(here, 'fakePage.js') });
   } else {
     await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'serial', { get: () => undefined }));
   }
@@ -87,8 +88,15 @@ export const counts = (page, name, value) => reads(page, `[data-counter="${name}
 export const raw = (page, channel, value) => reads(page, `#bars li:nth-child(${channel}) .raw`, value);
 export const lit = (page, lamp) => page.waitForSelector(`#lamp-${lamp}[data-on="true"]`);
 
+// The port brings these frames as soon as it is open. Without any for a second, the page tries another baud rate, and what a test on
+// a busy PC feeds is lost.
+export const opensWith = (page, frames) =>
+  page.evaluate((bytes) => (fake.port.onOpen = () => fake.port.feed(bytes)), frames.flat());
+
+// Until the port is read.
 export async function connect(page, kind = 'adapter') {
   await page.click(`#source-${kind}`);
+  await until('the port is not read', () => page.evaluate(() => fake.port.isLocked));
 }
 
 export async function play(page, file) {

@@ -56,7 +56,7 @@ export interface Stretch {
 const statusNames = [
   'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
   'lostFrames', 'failsafeFrames', 'refusedByEnd', 'refusedByFlags', 'refusedByExtra', 'skippedBytes', 'resyncs', 'overflows',
-  'extraFrames', 'rows', 'otherLines',
+  'extraFrames', 'rows', 'otherLines', 'garbled',
 ] as const;
 export type Status = Record<(typeof statusNames)[number], number>;
 
@@ -148,9 +148,13 @@ export class Core {
     this.transfer(text, (count) => this.native.recordingText(count));
   }
 
-  // What is wrong with the recording, or ''.
+  // What is wrong with the recording, or ''. Until playRecording() the line is as it was.
   endRecording(): string {
     return this.words(this.native.endRecording());
+  }
+
+  playRecording(): void {
+    this.native.playRecording();
   }
 
   get recordingLengthUs(): number {

@@ -66,6 +66,10 @@ export class Doctor {
       }
       return;
     }
+    if (this.source.state !== 'open') {
+      this.watch(status);
+      return;
+    }
     this.seen ||= status.frames > 0 || status.rows > 0;
     if (elapsed >= patienceMs) {
       this.finding = this.core.verdict;
@@ -84,6 +88,9 @@ export class Doctor {
     }
     if (status.rows > 0 || (status.otherLines > 0 && status.frames === 0)) {
       return ofBoard(status, this.of(Finding.Failsafe));
+    }
+    if (this.source.isBoard && status.state === LinkState.NeverSeen) {
+      return 4 * status.garbled <= status.characters ? awaited : noText;
     }
     switch (status.state) {
       case LinkState.Failsafe:
@@ -114,6 +121,7 @@ export class Doctor {
   private async beginTrial(trial: number): Promise<void> {
     this.trial = trial;
     this.trying = this.lineSettings[trial];
+    this.sinceMs = Infinity; // until the port is open
     await this.source.use(this.trying);
     this.sinceMs = performance.now();
   }
@@ -148,11 +156,23 @@ export class Doctor {
   }
 }
 
+const awaited: Verdict = {
+  text: 'Waiting for rows.',
+  cure: 'A board may start anew when its port is opened, and a slow sketch is waited for.',
+  severity: 'note',
+};
+
+const noText: Verdict = {
+  text: 'Bytes come, but no rows.',
+  cure: 'Choose the baud rate that the sketch gives to Serial.begin().',
+  severity: 'warning',
+};
+
 function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'TEXT COMES, but no rows of numbers.',
-      cure: 'Upload a sketch that prints 2 to 32 of them with commas: DecodeSBus, AllChannels, Channels24.',
+      cure: 'Upload a sketch that prints 2 to 32 of them, with commas, tabs or blanks: DecodeSBus, AllChannels, Channels24.',
       severity: 'warning',
     };
   }

@@ -8,13 +8,15 @@ import { Scope } from './scope';
 import { PortSource, pickPort, type PortKind } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
+import type { Problem } from './source/Source';
 import { CalibrationView } from './view/calibration';
+import { NoticeView } from './view/notice';
 import { ScaleView } from './view/scale';
 
 // Never a blank page: a fault of its own is told, too.
 function fault(error: unknown): void {
   byId('verdict').dataset.severity = 'alarm';
-  setText(byId('verdict-text'), `THE PAGE HAS A FAULT: ${error instanceof Error ? error.message : error}.`);
+  setText(byId('verdict-text'), `The page has a fault: ${error instanceof Error ? error.message : error}.`);
   setText(byId('verdict-cure'), 'Load it again, in a browser of this year or the last.');
 }
 addEventListener('error', (event) => event.error && fault(event.error)); // without one: an observer's complaint, no fault
@@ -22,6 +24,7 @@ addEventListener('unhandledrejection', (event) => fault(event.reason));
 
 const core = await Core.load();
 const scope = new Scope(core);
+const notice = new NoticeView();
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
 
 function pressed(source: string): void {
@@ -29,6 +32,7 @@ function pressed(source: string): void {
     byId(`source-${name}`).setAttribute('aria-pressed', String(name === source));
   }
   byId('simulation').hidden = source !== 'simulated';
+  byId('board').hidden = source !== 'board';
 }
 
 async function simulate(): Promise<void> {
@@ -38,7 +42,7 @@ async function simulate(): Promise<void> {
   const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
   const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
   const noise = { noise: 30, storm: 300 }[fault] ?? 0;
-  await scope.open(() => {
+  await scope.choice.change(async () => () => {
     pressed('simulated');
     const source = new SimulatedSource(core, { calibration: receiver === 'calibration', channels, noise, line }, port);
     core.cutWire(fault === 'silent');
@@ -48,33 +52,38 @@ async function simulate(): Promise<void> {
 }
 
 async function connect(kind: PortKind): Promise<void> {
-  const port = await pickPort(kind);
-  if ('cure' in port) {
-    scope.problem = port;
-    return;
+  notice.hide();
+  try {
+    const port = await scope.choice.ask(() => pickPort(kind));
+    if (port) {
+      await scope.choice.change(async () => () => {
+        pressed(kind);
+        return new PortSource(core, port, kind, scope.take, Number(select('baud').value));
+      });
+    }
+  } catch (problem) {
+    notice.show(problem as Problem);
   }
-  await scope.open(() => {
-    pressed(kind);
-    return new PortSource(core, port, kind, scope.take);
-  });
 }
 
 async function play(file: File | undefined): Promise<void> {
   if (!file) {
     return;
   }
+  notice.hide();
   try {
-    await scope.open(async () => {
-      const source = await RecordingSource.open(core, file);
-      pressed('recording');
-      return source;
+    await scope.choice.change(async (signal) => {
+      const make = await RecordingSource.read(core, file, signal);
+      return () => {
+        pressed('recording');
+        return make();
+      };
     });
   } catch (error) {
-    await simulate();
-    scope.problem = {
-      text: `THIS IS NO RECORDING: ${(error as Error).message}.`,
+    notice.show({
+      text: `This is no recording: ${(error as Error).message}.`,
       cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
-    };
+    });
   }
 }
 
@@ -88,6 +97,9 @@ function wire(): void {
     void play(input.files?.[0]);
     input.value = '';
   });
+  select('baud').addEventListener('change', () => {
+    void scope.choice.current?.use({ baud: Number(select('baud').value), inverted: false });
+  });
   select('receiver').addEventListener('change', simulate);
   select('fault').addEventListener('change', simulate);
   byId('cut').addEventListener('click', () => {
@@ -100,7 +112,7 @@ function wire(): void {
     if (scope.recorder.on) {
       scope.recorder.end();
     } else {
-      scope.recorder.begin(scope.source?.title ?? '');
+      scope.recorder.begin(scope.choice.current?.title ?? '');
     }
   });
   addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
@@ -139,7 +151,9 @@ function themes(): void {
     document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark';
     scope.curves.repaint();
   });
-  dark.addEventListener('change', () => scope.curves.repaint());
+  for (const query of [dark, matchMedia('(forced-colors: active)')]) {
+    query.addEventListener('change', () => scope.curves.repaint());
+  }
 }
 
 function recordButton(): void {

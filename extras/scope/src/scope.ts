@@ -5,9 +5,11 @@ import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History } from './history';
 import { Recorder } from './recorder';
+import { Choice } from './source/choice';
+import type { State } from './source/connection';
 import { RecordingSource } from './source/recording';
-import type { Problem, Source } from './source/Source';
-import { forgetUnit, unitOf } from './unit';
+import type { Source } from './source/Source';
+import { Units } from './unit';
 import { Bars } from './view/bars';
 import { CountersView } from './view/counters';
 import { Curves } from './view/curves';
@@ -18,16 +20,24 @@ import { VerdictView } from './view/verdict';
 
 const pollAfter = 1000; // stretches
 
+// Beside the title: what the source is about.
+const asides: Record<State, string> = {
+  closed: '',
+  choosing: ' (until another one is there)',
+  opening: ' (opening)',
+  open: '',
+  reopening: ' (opening again)',
+  failed: ' (not open)',
+};
+
 export class Scope {
   readonly history = new History();
   readonly recorder: Recorder;
   readonly curves: Curves;
-  source?: Source;
+  readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
   newest?: Stretch; // frame or row
-  // Why no other source could be opened; until one is.
-  problem?: Problem;
 
-  private opening: Promise<void> = Promise.resolve();
+  private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
   private doctor?: Doctor;
   private readonly chosen = new Set([0, 1, 2, 3]);
@@ -50,27 +60,15 @@ export class Scope {
     this.timeline = new Timeline(() => this.forget());
   }
 
-  // One after the other, however quickly they are asked for: there is one line.
-  open(make: () => Source | Promise<Source>): Promise<void> {
-    const opened = this.opening.then(() => this.change(make));
-    this.opening = opened.catch(() => undefined); // whoever asked is told
-    return opened;
-  }
-
-  // The old source is closed first: `make` opens the new one.
-  private async change(make: () => Source | Promise<Source>): Promise<void> {
+  private leave(): void {
     this.recorder.end();
-    const old = this.source;
-    this.source = undefined;
-    await old?.close();
     this.forget();
     this.curves.pause(false);
-    const source = await make();
-    this.source = source;
-    this.problem = undefined;
+  }
+
+  private enter(source: Source): void {
     this.doctor = new Doctor(this.core, source);
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
-    setText(byId('title'), source.title);
   }
 
   // A stretch of the line has come.
@@ -97,7 +95,7 @@ export class Scope {
   }
 
   draw(): void {
-    const source = this.source;
+    const source = this.choice.current;
     if (!source) {
       return;
     }
@@ -110,25 +108,24 @@ export class Scope {
   }
 
   private show(source: Source, status: Status, nowUs: number): void {
+    const unit = this.units.of(this.newest);
+    byId('rows').hidden = this.newest?.kind !== Kind.Row;
+    setText(byId('title'), source.title + asides[this.choice.state]);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
-    this.bars.draw(this.newest, trusted);
+    this.bars.draw(this.newest, unit, trusted);
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
-    this.curves.draw(nowUs, this.newest, unitOf(this.newest));
+    this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
     this.frames.draw();
     this.timeline.draw();
     const doctor = this.doctor as Doctor;
-    if (this.problem) {
-      this.verdict.draw({ ...this.problem, severity: 'alarm' }, '');
-    } else {
-      this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
-    }
+    this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
   }
 
   private forget(): void {
     this.history.clear();
     this.frames.clear();
     this.newest = undefined;
-    forgetUnit();
+    this.units.forget();
   }
 }

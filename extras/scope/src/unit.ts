@@ -1,4 +1,4 @@
-// What a channel's numbers are: raw ones of a frame, or whatever a sketch prints.
+// What a channel's numbers are: raw ones of a frame, or what a sketch prints. Of those only the user knows it.
 
 import { Kind, type Range, type Stretch } from './core';
 
@@ -6,31 +6,49 @@ export interface Unit {
   raw: boolean; // 0..2047: they can be scaled
   low: number; // the ends of a bar
   high: number;
-  range: Range; // -100, 0, +100 %
+  range?: Range; // -100, 0, +100 %
   text(value: number): string;
 }
 
 const whole = (value: number): string => String(Math.round(value));
+const asPrinted = (value: number): string => String(+value.toFixed(3));
 
 const raw: Unit = { raw: true, low: 0, high: 2047, range: { low: 172, centre: 992, high: 1811 }, text: whole };
-const thousandths: Unit = { raw: false, low: -1250, high: 1250, range: { low: -1000, centre: 0, high: 1000 }, text: whole };
-const parts: Unit = { raw: false, low: -1.25, high: 1.25, range: { low: -1, centre: 0, high: 1 }, text: (value) => value.toFixed(3) };
 
-let rows = raw; // until a row says more
+// By the value of their option in index.html. Without one of these the numbers stand as they were printed.
+const units: Record<string, Unit> = {
+  raw,
+  us: { raw: false, low: 860, high: 2140, range: { low: 988, centre: 1500, high: 2012 }, text: whole },
+  percent: { raw: false, low: -125, high: 125, range: { low: -100, centre: 0, high: 100 }, text: asPrinted },
+  thousandths: { raw: false, low: -1250, high: 1250, range: { low: -1000, centre: 0, high: 1000 }, text: whole },
+  parts: { raw: false, low: -1.25, high: 1.25, range: { low: -1, centre: 0, high: 1 }, text: (value) => value.toFixed(3) },
+};
 
-export function unitOf(stretch: Stretch | undefined): Unit {
-  if (stretch?.kind !== Kind.Row) {
-    return raw;
-  }
-  const values = Array.from(stretch.channels);
-  if (values.some((value) => !Number.isInteger(value))) {
-    rows = parts;
-  } else if (rows === raw && values.some((value) => value < 0)) {
-    rows = thousandths;
-  }
-  return rows;
+// The next number away from 0 that is 1, 2 or 5 times a power of ten.
+function round(value: number): number {
+  const size = Math.abs(value);
+  const ten = 10 ** Math.floor(Math.log10(size));
+  return value === 0 ? 0 : Math.sign(value) * ten * ([1, 2, 5].find((times) => size <= times * ten) ?? 10);
 }
 
-export function forgetUnit(): void {
-  rows = raw;
+export class Units {
+  private printed: Unit = { raw: false, low: 0, high: 0, text: asPrinted };
+
+  constructor(private readonly select: HTMLSelectElement) {}
+
+  of(newest: Stretch | undefined): Unit {
+    if (newest?.kind !== Kind.Row) {
+      return raw;
+    }
+    const low = round(Math.min(this.printed.low, ...newest.channels));
+    const high = round(Math.max(this.printed.high, ...newest.channels));
+    if (low !== this.printed.low || high !== this.printed.high) {
+      this.printed = { ...this.printed, low, high };
+    }
+    return units[this.select.value] ?? this.printed;
+  }
+
+  forget(): void {
+    this.printed = { ...this.printed, low: 0, high: 0 };
+  }
 }

@@ -24,10 +24,12 @@ class BoardRows : public line::Arrivals {
   bool recognised() const { return _rows.recognised(); }
 
   const line::CsvRow &row() const { return _rows.row(); }
+  line::CsvKind kind(size_t column) const { return _rows.kind(column); }
   bool failsafe() const { return _failsafe; }
   bool lostFrame() const { return _lostFrame; }
   unsigned count() const { return _count; }
   unsigned otherLines() const { return _otherLines; }
+  unsigned garbled() const { return _rows.garbled(); }
 
   // Least and most of a channel, from 0 on, in rows without a flag; nullptr before the first.
   struct Travel {
@@ -39,12 +41,15 @@ class BoardRows : public line::Arrivals {
 
  private:
   void mark();
+  void waitFor(uint64_t nowUs);
 
   line::CsvRows _rows;
   bool _failsafe = false;
   bool _lostFrame = false;
   unsigned _count = 0;
   unsigned _otherLines = 0;
+  uint64_t _newestUs = 0;
+  uint64_t _longestUs = 0;  // from one row to the next
   std::vector<Travel> _travel;
 };
 

@@ -1,18 +1,22 @@
 #include "Recorder.h"
 
+#include <algorithm>
+
 namespace scope {
 
-void Recorder::begin(const line::LineSettings &settings) {
+void Recorder::begin(const line::LineSettings &settings, uint64_t nowUs) {
   _on = true;
+  _zeroUs = nowUs;
+  _characterUs = settings.characterUs();
   _writer = line::RecordingWriter();
   _writer.opened(settings);
 }
 
-void Recorder::put(const line::Stretch &stretch) {
-  for (const line::Character &character : stretch.characters) {
-    if (_on) {
-      _writer.put(character);
-    }
+// What a read brings may have been on the line a little before.
+void Recorder::put(line::Character character) {
+  if (_on) {
+    character.endUs = std::max(character.endUs, _zeroUs + _characterUs) - _zeroUs;
+    _writer.put(character);
   }
 }
 

@@ -4,15 +4,15 @@
 #include <string>
 
 #include "line/LineSettings.h"
-#include "line/Observer.h"
 #include "line/RecordingWriter.h"
 
 namespace scope {
 
 class Recorder {
  public:
-  void begin(const line::LineSettings &settings);
-  void put(const line::Stretch &stretch);
+  // Its times count from `nowUs`.
+  void begin(const line::LineSettings &settings, uint64_t nowUs);
+  void put(line::Character character);
   void end();
 
   // Whole lines, since it was last asked.
@@ -20,6 +20,8 @@ class Recorder {
 
  private:
   bool _on = false;
+  uint64_t _zeroUs = 0;
+  uint32_t _characterUs = 0;
   line::RecordingWriter _writer;
 };
 

@@ -24,6 +24,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   settings = now;
   records.clear();
   rows = BoardRows();
+  _finished = false;
   observer.reset(nowUs, settings.characterUs());
   examination.begin(observer, nowUs);
   _reads = line::PortReads(settings.characterUs());
@@ -33,7 +34,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
   _reads.begin(count, nowUs);
   for (size_t i = 0; i < count; i++) {
-    observer.put(_reads.next(bytes[i]));
+    put(_reads.next(bytes[i]));
     if (rows.put(bytes[i], nowUs)) {
       takeRow(nowUs);
     }
@@ -42,14 +43,27 @@ void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
 
 void Scope::receivedBad(uint64_t nowUs) {
   _reads.begin(1, nowUs);
-  observer.put(_reads.next(0, true));
+  put(_reads.next(0, true));
+}
+
+void Scope::put(const line::Character &character) {
+  recorder.put(character);
+  observer.put(character);
+}
+
+void Scope::record(bool on) {
+  if (on) {
+    recorder.begin(settings, _turnUs);
+  } else {
+    recorder.end();
+  }
 }
 
 void Scope::advance(uint64_t nowUs) {
   line::Line *const line = simulated ? static_cast<line::Line *>(simulated.get()) : played.get();
   line::Character character;
   while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
-    observer.put(character);
+    put(character);
     if (played && rows.put(character)) {  // a board's port was recorded
       takeRow(character.endUs);
     }
@@ -62,6 +76,10 @@ void Scope::advance(uint64_t nowUs) {
   if (records.size() < Enough && nowUs > onItsWayUs) {
     observer.idleUntil(line != nullptr ? line->knownUs(nowUs - onItsWayUs) : _reads.knownUs());
   }
+  if (played && played->atEnd() && !_finished) {
+    _finished = true;
+    observer.finish();
+  }
 }
 
 void Scope::takeRow(uint64_t nowUs) {
@@ -70,17 +88,16 @@ void Scope::takeRow(uint64_t nowUs) {
   record.kind = Record::RowKind;
   record.flags =
       static_cast<uint8_t>((rows.lostFrame() ? sbus::FlagLostFrame : 0) | (rows.failsafe() ? sbus::FlagFailsafe : 0));
-  const line::CsvRow &row = rows.row();
-  const size_t count = row.size();
-  for (size_t i = 0; i < count && record.channelCount < Record::ChannelsMax; i++) {
-    if (line::csvName(i, count).compare(0, 2, "CH") == 0) {
-      record.channels[record.channelCount++] = row[i].value;
+  for (size_t i = 0; i < rows.row().size(); i++) {
+    const double value = rows.row()[i].value;
+    const line::CsvKind kind = rows.kind(i);
+    if (kind == line::CsvKind::Channel && record.channelCount < Record::ChannelsMax) {
+      record.channels[record.channelCount++] = value;
     }
-  }
-  if (record.channelCount == sbus::ChannelCount) {  // AllChannels: the last two are switches
-    record.channelCount = sbus::ProportionalCount;
-    record.flags = static_cast<uint8_t>(record.flags | (row[count - 2].value != 0 ? sbus::FlagChannel17 : 0) |
-                                        (row[count - 1].value != 0 ? sbus::FlagChannel18 : 0));
+    const uint8_t flag = kind == line::CsvKind::Switch17   ? sbus::FlagChannel17
+                         : kind == line::CsvKind::Switch18 ? sbus::FlagChannel18
+                                                           : 0;
+    record.flags = static_cast<uint8_t>(record.flags | (value != 0 ? flag : 0));
   }
   records.push_back(record);
 }
@@ -91,7 +108,6 @@ void Scope::take(const line::Stretch &stretch) {
   if (stretch.kind == Kind::Frame || stretch.kind == Kind::Frame24) {
     feedCalibrator(newest);
   }
-  recorder.put(stretch);
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
   record.kind = static_cast<uint8_t>(stretch.kind);

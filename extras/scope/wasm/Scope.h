@@ -45,6 +45,8 @@ class Scope {
   void advance(uint64_t nowUs);
   // The line's time, as it was told last: it stands still while a recording does.
   uint64_t nowUs() const { return _turnUs; }
+  // From the last advance() on.
+  void record(bool on);
 
   line::Observer observer;
   line::Examination examination;             // of what came since the port was opened, or since mark()
@@ -56,11 +58,13 @@ class Scope {
   Recorder recorder;
 
  private:
+  void put(const line::Character &character);
   void take(const line::Stretch &stretch);
   void takeRow(uint64_t nowUs);
 
   line::PortReads _reads;  // of a port
   uint64_t _turnUs = 0;    // of the last picture or read
+  bool _finished = false;  // the recording: nothing waits any more
 };
 
 extern Scope theScope;

@@ -1,5 +1,6 @@
 // Which line the page looks at, and what it brings.
 #include <algorithm>
+#include <utility>
 
 #include "Scope.h"
 
@@ -9,6 +10,8 @@ namespace {
 
 uint8_t buffer[1 << 16];  // what the page hands over: bytes of a port, text of a recording
 std::unique_ptr<line::RecordingReader> reader;
+line::LineSettings readSettings;
+line::Recording read;  // to be played
 std::string partOfLine;
 std::string words;
 
@@ -62,7 +65,9 @@ EXPORT(cutWire)(int cut)->void {
 }
 
 EXPORT(openPort)(double nowUs, double baud, int board)->void {
-  begin(nowUs, board != 0 ? line::csvSettings() : settings(baud, true));
+  line::LineSettings port = board != 0 ? line::csvSettings() : settings(baud, true);
+  port.baud = static_cast<unsigned long>(baud);
+  begin(nowUs, port);
 }
 
 EXPORT(received)(unsigned count, double nowUs)->void {
@@ -76,8 +81,8 @@ EXPORT(receivedBad)(double nowUs)->void {
 EXPORT(openRecording)(unsigned count)->void {
   const std::string_view beginning(reinterpret_cast<const char *>(buffer), count);
   const bool csv = line::isCsvText(beginning);
-  begin(0, csv ? line::csvSettings() : line::settingsIn(beginning));
-  reader = std::make_unique<line::RecordingReader>(theScope.settings.characterUs(), csv);
+  readSettings = csv ? line::csvSettings() : line::settingsIn(beginning);
+  reader = std::make_unique<line::RecordingReader>(readSettings.characterUs(), csv);
   partOfLine.clear();
 }
 
@@ -93,19 +98,25 @@ EXPORT(recordingText)(unsigned count)->void {
   partOfLine += text.substr(0, line::RecordingLineMax + 1 - std::min(partOfLine.size(), line::RecordingLineMax));
 }
 
-// What is wrong with it, and nothing is played; or "".
+// What is wrong with it, or "".
 EXPORT(endRecording)()->const char * {
   if (!partOfLine.empty()) {
     reader->line(partOfLine);
   }
-  line::Recording recording = reader->finish();
+  read = reader->finish();
   reader.reset();
-  words = recording.errorLine > 0 ? "line " + std::to_string(recording.errorLine) + ": " : "";
-  words += recording.error;
-  if (recording.error.empty()) {
-    theScope.played = std::make_unique<PlayedLine>(std::move(recording));
+  words = read.errorLine > 0 ? "line " + std::to_string(read.errorLine) + ": " : "";
+  words += read.error;
+  if (!read.error.empty()) {
+    read = line::Recording();
   }
   return words.c_str();
+}
+
+// What was read takes the place of the line that there was.
+EXPORT(playRecording)()->void {
+  begin(0, readSettings);
+  theScope.played = std::make_unique<PlayedLine>(std::exchange(read, {}));
 }
 
 EXPORT(recordingLengthUs)()->double {
@@ -134,11 +145,7 @@ EXPORT(takenRecords)()->void {
 }
 
 EXPORT(record)(int on)->void {
-  if (on != 0) {
-    theScope.recorder.begin(theScope.settings);
-  } else {
-    theScope.recorder.end();
-  }
+  theScope.record(on != 0);
 }
 
 // What was recorded since this was last asked.

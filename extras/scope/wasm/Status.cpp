@@ -9,7 +9,7 @@ namespace {
 struct Status {
   double state, ageUs, framesPerSecond, gapMinUs, gapMeanUs, gapMaxUs, characters, badCharacters, frames, lostFrames,
       failsafeFrames, refusedByEnd, refusedByFlags, refusedByExtra, skippedBytes, resyncs, overflows, extraFrames, rows,
-      otherLines;
+      otherLines, garbled;
 };
 Status answer;
 
@@ -44,7 +44,8 @@ EXPORT(status)(double now)->const Status * {
             d(counters.overflows),
             d(counters.extraFrames),
             d(rows.count()),
-            d(rows.otherLines())};
+            d(rows.otherLines()),
+            d(rows.garbled())};
   return &answer;
 }
 

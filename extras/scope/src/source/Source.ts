@@ -1,8 +1,9 @@
 // Where a line comes from.
 
 import type { Setting } from '../core';
+import type { State } from './connection';
 
-// Why nothing comes, in words: what is wrong, and what to do.
+// What is wrong, and what to do.
 export interface Problem {
   text: string;
   cure: string;
@@ -12,17 +13,24 @@ export interface Source {
   // What it is, for a person.
   readonly title: string;
 
+  // Nothing can come unless it is open.
+  readonly state: State;
+
   // The line's time: all that was through by then has come. Asked for each picture.
   nowUs(): number;
 
   // The settings that its port can have, the one that is meant first; none, or one, if there is nothing to try.
   readonly settings: readonly Setting[];
+  // Resolves once the port has that setting.
   use(setting: Setting): Promise<void>;
+
+  // Rows of numbers are awaited, no S.Bus.
+  readonly isBoard?: boolean;
 
   readonly problem?: Problem;
 
   // What has happened to the port, by cause.
   readonly events?: ReadonlyMap<string, number>;
 
-  close(): Promise<void>;
+  close(): void;
 }

@@ -1,14 +1,14 @@
 // A serial port, through Web Serial: an adapter that receives S.Bus itself, or a board that prints numbers.
 
 import type { Core, Setting, Stretch } from '../core';
+import { Connection, type State } from './connection';
 import type { Problem, Source } from './Source';
 
 export type PortKind = 'adapter' | 'board';
 
 const bufferSize = 4096; // bytes: more than a second of S.Bus
-const retryMs = 1000;
 
-// Web Serial's names of errors that leave the port open: a character, or some, were lost.
+// Web Serial's names of errors that leave the port open.
 const lineErrors: Record<string, string> = {
   ParityError: 'parity errors',
   FramingError: 'framing errors',
@@ -17,31 +17,48 @@ const lineErrors: Record<string, string> = {
 };
 
 export class PortSource implements Source {
-  readonly title: string;
   readonly settings: readonly Setting[];
+  readonly isBoard: boolean;
   readonly events = new Map<string, number>();
-  problem?: Problem;
-  private wanted = true;
   private setting: Setting;
-  private reader?: ReadableStreamDefaultReader<Uint8Array>;
-  private done: Promise<void>;
+  private readonly connection: Connection;
+  private readonly info: ReturnType<SerialPort['getInfo']>;
   private readonly zeroMs = performance.now();
-  private wake?: () => void;
 
   constructor(
     private readonly core: Core,
     private port: SerialPort,
-    readonly kind: PortKind,
+    kind: PortKind,
     private readonly take: (stretch: Stretch) => void,
+    boardBaud = 115200,
   ) {
+    this.isBoard = kind === 'board';
     // What inverts is the adapter, or a part before it: the page cannot.
-    const bauds = kind === 'adapter' ? [100000, 200000] : [115200];
-    this.settings = bauds.map((baud) => ({ baud, inverted: kind === 'adapter' }));
+    const bauds = this.isBoard ? [boardBaud] : [100000, 200000];
+    this.settings = bauds.map((baud) => ({ baud, inverted: !this.isBoard }));
     this.setting = this.settings[0];
-    this.title = kind === 'adapter' ? 'S.Bus at a serial adapter, 8E2' : 'A board that prints numbers, 115200 baud';
+    this.info = port.getInfo();
     navigator.serial?.addEventListener('connect', this.connected);
+    navigator.serial?.addEventListener('disconnect', this.disconnected);
     this.begin();
-    this.done = this.run();
+    this.connection = new Connection(port, this.options(), {
+      opened: () => this.events.has('unplugged') && this.count('reopened'),
+      bytes: (bytes) => this.received(bytes),
+      disturbed: (error) => this.disturbed(error),
+      unplugged: () => this.count('unplugged'),
+    });
+  }
+
+  get title(): string {
+    return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : 'S.Bus at a serial adapter, 8E2';
+  }
+
+  get state(): State {
+    return this.connection.state;
+  }
+
+  get problem(): Problem | undefined {
+    return this.connection.isUnplugged ? unplugged : this.state === 'failed' ? notOpened : undefined;
   }
 
   nowUs(): number {
@@ -51,157 +68,93 @@ export class PortSource implements Source {
   async use(setting: Setting): Promise<void> {
     if (setting !== this.setting) {
       this.setting = setting;
-      await this.stopReading(); // run() opens it again
+      await this.connection.reopen(this.options());
     }
-    if (this.wanted) {
+    if (this.state !== 'closed') {
       this.begin();
     }
   }
 
-  async close(): Promise<void> {
-    this.wanted = false;
+  close(): void {
     navigator.serial?.removeEventListener('connect', this.connected);
-    this.wake?.();
-    await this.stopReading();
-    await this.done;
+    navigator.serial?.removeEventListener('disconnect', this.disconnected);
+    this.connection.close();
   }
 
   private begin(): void {
-    this.core.openPort(this.nowUs(), this.setting.baud, this.kind === 'board');
-  }
-
-  private async run(): Promise<void> {
-    while (this.wanted) {
-      try {
-        await this.port.open(this.options());
-      } catch (error) {
-        this.problem = whyNotOpen(error);
-        await this.sleep();
-        continue;
-      }
-      if (this.problem === gone) {
-        this.count('reopened');
-      }
-      this.problem = undefined;
-      await this.readAll();
-      try {
-        await this.port.close();
-      } catch {
-        // It has gone.
-      }
-      if (this.problem) {
-        await this.sleep();
-      }
-    }
+    this.core.openPort(this.nowUs(), this.setting.baud, this.isBoard);
   }
 
   private options(): SerialOptions {
     const baudRate = this.setting.baud;
-    return this.kind === 'board' ? { baudRate, bufferSize } : { baudRate, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
+    return this.isBoard ? { baudRate, bufferSize } : { baudRate, dataBits: 8, parity: 'even', stopBits: 2, bufferSize };
   }
 
-  // Until somebody stops it, or the port has gone.
-  private async readAll(): Promise<void> {
-    const opened = this.setting;
-    let ended = false;
-    while (!ended && this.port.readable) {
-      this.reader = this.port.readable.getReader();
-      try {
-        for (let part = await this.reader.read(); !part.done; part = await this.reader.read()) {
-          this.core.received(part.value, this.nowUs());
-          this.core.advance(this.nowUs(), this.take);
-        }
-        ended = true;
-      } catch (error) {
-        this.broken(error as DOMException);
-      } finally {
-        this.reader.releaseLock();
-        this.reader = undefined;
-      }
-    }
-    if (this.wanted && this.setting === opened) {
-      this.problem ??= gone;
-    }
+  private received(bytes: Uint8Array): void {
+    this.core.received(bytes, this.nowUs());
+    this.core.advance(this.nowUs(), this.take);
   }
 
-  private broken(error: DOMException): void {
-    const what = lineErrors[error.name];
-    if (what) {
-      this.count(what);
-      this.core.receivedBad(this.nowUs());
-    } else {
-      this.count('unplugged');
-      this.problem = gone;
-    }
+  private disturbed(error: string): void {
+    this.count(lineErrors[error] ?? 'system errors');
+    this.core.receivedBad(this.nowUs());
   }
 
-  private async stopReading(): Promise<void> {
-    try {
-      await this.reader?.cancel();
-    } catch {
-      // It has broken meanwhile.
-    }
-  }
-
+  // A device that is plugged in again is another port.
   private readonly connected = (event: Event): void => {
     const port = event.target as SerialPort;
-    const { usbVendorId, usbProductId } = this.port.getInfo();
-    const info = port.getInfo?.();
-    if (info && info.usbVendorId === usbVendorId && info.usbProductId === usbProductId && !this.port.readable) {
+    const { usbVendorId, usbProductId } = port.getInfo();
+    if (this.connection.isUnplugged && usbVendorId === this.info.usbVendorId && usbProductId === this.info.usbProductId) {
       this.port = port;
-      this.wake?.();
+      this.connection.replugged(port);
     }
   };
 
-  private sleep(): Promise<void> {
-    return new Promise((resolve) => {
-      const timer = setTimeout(resolve, retryMs);
-      this.wake = () => {
-        clearTimeout(timer);
-        resolve();
-      };
-    });
-  }
+  private readonly disconnected = (event: Event): void => {
+    if (event.target === this.port) {
+      this.connection.unplugged();
+    }
+  };
 
   private count(what: string): void {
     this.events.set(what, (this.events.get(what) ?? 0) + 1);
   }
 }
 
-const gone: Problem = {
-  text: 'THE PORT HAS GONE.',
+const unplugged: Problem = {
+  text: 'The port has gone.',
   cure: 'Plug the adapter or the board in again: the page goes on by itself.',
 };
 
-function whyNotOpen(error: unknown): Problem {
-  const message = error instanceof Error ? error.message : String(error);
-  if (/no longer|lost|disconnected|NotFound/i.test(message)) {
-    return gone;
-  }
-  return {
-    text: `THE PORT CANNOT BE OPENED: ${message}`,
-    cure: 'Close the other program that has it open: a Serial Monitor, or another page. On Linux you must be in the group dialout.',
-  };
-}
+// Chromium has one text for every cause, which says no more than this.
+const notOpened: Problem = {
+  text: 'The port cannot be opened.',
+  cure: 'Close the other program that has it open, such as a Serial Monitor or another page. On Linux, add yourself to the group dialout. The page tries again every second.',
+};
 
-export const noWebSerial: Problem = {
-  text: 'THIS BROWSER HAS NO WEB SERIAL.',
+const noWebSerial: Problem = {
+  text: 'This browser has no Web Serial.',
   cure: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
 };
 
-// The port that the user picks; a Problem if none.
-export async function pickPort(kind: PortKind): Promise<SerialPort | Problem> {
+// The port that the user picks. Throws a Problem if there is none.
+export async function pickPort(kind: PortKind): Promise<SerialPort> {
   if (!navigator.serial) {
-    return noWebSerial;
+    throw noWebSerial;
   }
   try {
     return await navigator.serial.requestPort();
   } catch (error) {
-    const what = kind === 'adapter' ? 'adapter' : 'board';
-    const { name, message } = error as DOMException;
-    if (name !== 'NotFoundError') {
-      return { text: `THE BROWSER GIVES NO PORT: ${message}`, cure: 'Allow this page to use one. From disk it may refuse: make scope serves the page.' };
-    }
-    return { text: 'NO PORT WAS CHOSEN.', cure: `Plug the ${what} in, press the button again, and choose it in the list.` };
+    throw whyNoPort(error as DOMException, kind);
   }
+}
+
+function whyNoPort({ name, message }: DOMException, kind: PortKind): Problem {
+  if (name === 'NotFoundError') {
+    return { text: 'No port was chosen.', cure: `Plug the ${kind} in, press the button again, and choose it in the list.` };
+  }
+  return {
+    text: `The browser gives no port: ${message}`,
+    cure: 'Allow this page to use one. If the page was opened from disk and the browser rejects it, make scope serves it.',
+  };
 }

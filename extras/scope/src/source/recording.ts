@@ -6,6 +6,7 @@ import type { Source } from './Source';
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
 
 export class RecordingSource implements Source {
+  readonly state = 'open';
   readonly settings = [];
   speed = 1;
   loop = false;
@@ -19,25 +20,31 @@ export class RecordingSource implements Source {
     readonly lengthUs: number,
   ) {}
 
-  // Throws an Error that says what is wrong with the recording.
-  static async open(core: Core, file: File): Promise<RecordingSource> {
+  // Reads the file; what it returns plays it. Throws an Error that says what is wrong with the recording.
+  static async read(core: Core, file: File, signal: AbortSignal): Promise<() => RecordingSource> {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv read it`);
     }
     const beginning = await file.slice(0, recordingBeginning).arrayBuffer();
-    if (/^(seconds|time)\b/im.test(new TextDecoder().decode(beginning))) {
-      throw new Error(`${file.name}: has a column of times: only rows as a sketch prints them can be played`);
+    signal.throwIfAborted(); // the core reads one file at a time
+    if (/^(?!time,|seconds,)"?time\b/im.test(new TextDecoder().decode(beginning))) {
+      throw new Error(`${file.name}: is a capture of the wire`);
     }
     core.openRecording(new Uint8Array(beginning));
     const reader = file.stream().getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      signal.throwIfAborted();
       core.recordingText(part.value);
     }
+    signal.throwIfAborted();
     const error = core.endRecording();
     if (error !== '') {
       throw new Error(`${file.name}: ${error}`);
     }
-    return new RecordingSource(core, `Recording ${file.name}`, core.recordingLengthUs);
+    return () => {
+      core.playRecording();
+      return new RecordingSource(core, `Recording ${file.name}`, core.recordingLengthUs);
+    };
   }
 
   get positionUs(): number {
@@ -68,7 +75,7 @@ export class RecordingSource implements Source {
   }
 
   async use(): Promise<void> {}
-  async close(): Promise<void> {}
+  close(): void {}
 
   // A moment after the last character: then it is known to be the last.
   private get endUs(): number {

@@ -6,6 +6,7 @@ import type { Source } from './Source';
 const longestStepMs = 250; // a page in the background stands still: what it has missed is left out
 
 export class SimulatedSource implements Source {
+  readonly state = 'open';
   readonly title: string;
   readonly settings: readonly Setting[];
   private us = 0;
@@ -42,5 +43,5 @@ export class SimulatedSource implements Source {
     this.core.setPort(this.us, setting);
   }
 
-  async close(): Promise<void> {}
+  close(): void {}
 }

@@ -2,10 +2,11 @@
 
 import type { Core, Stretch } from '../core';
 import { make, setAttribute, setText } from '../dom';
-import { unitOf, type Unit } from '../unit';
+import type { Unit } from '../unit';
+import { dashOf } from './dash';
 
 const textMs = 100; // numbers that change faster cannot be read
-const spokenMs = 1000;
+const spokenMs = 500; // for screen readers
 
 interface Bar {
   row: HTMLLIElement;
@@ -32,16 +33,15 @@ export class Bars {
     private readonly chosen: Set<number>,
   ) {}
 
-  draw(newest: Stretch | undefined, trusted: boolean): void {
+  draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
     const count = newest?.channels.length || 16;
     this.grow(count);
     const ms = performance.now();
     const text = ms - this.textAt >= textMs;
-    const spoken = ms - this.spokenAt >= spokenMs;
+    const spoken = text && ms - this.spokenAt >= spokenMs;
     this.textAt = text ? ms : this.textAt;
     this.spokenAt = spoken ? ms : this.spokenAt;
     this.list.classList.toggle('doubtful', !trusted);
-    const unit = unitOf(newest);
     for (let i = 0; i < count; i++) {
       const value = newest ? newest.channels[i] : undefined;
       this.drawBar(this.bars[i], i, value, unit, text, spoken);
@@ -51,7 +51,7 @@ export class Bars {
   private drawBar(bar: Bar, channel: number, value: number | undefined, unit: Unit, text: boolean, spoken: boolean): void {
     const share = (x: number): number => Math.min(Math.max((x - unit.low) / (unit.high - unit.low), 0), 1);
     const range = unit.raw ? this.core.range(channel) : unit.range;
-    const zero = share(range.centre);
+    const zero = share(range?.centre ?? 0);
     const at = value === undefined ? zero : share(value);
     bar.fill.style.transform = `translateX(${Math.min(at, zero) * 100}%) scaleX(${Math.abs(at - zero)})`;
     if (!text) {
@@ -64,7 +64,10 @@ export class Bars {
       bar.high.style.left = `${share(travel[1]) * 100}%`;
       setAttribute(bar.track, 'title', `CH${channel + 1}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
     }
-    [range.low, range.centre, range.high].forEach((end, i) => (bar.ends[i].style.left = `${share(end) * 100}%`));
+    bar.ends.forEach((end) => (end.hidden = range === undefined));
+    if (range) {
+      [range.low, range.centre, range.high].forEach((end, i) => (bar.ends[i].style.left = `${share(end) * 100}%`));
+    }
     setText(bar.raw, value === undefined ? '–' : unit.text(value));
     setText(bar.us, value === undefined || !unit.raw ? '–' : String(this.core.microseconds(channel, value)));
     setText(bar.percent, value === undefined || !unit.raw ? '–' : this.core.percent(channel, value).toFixed(1));
@@ -85,10 +88,8 @@ export class Bars {
   private add(channel: number): Bar {
     const name = `CH${channel + 1}`;
     const shown = this.chosen.has(channel);
-    const swatch = make('span', { class: 'swatch', 'aria-hidden': true });
-    const chip = make('button', { class: 'chip', 'aria-pressed': String(shown), title: `${name} as a curve` }, swatch, name);
+    const chip = make('button', { class: 'chip', 'aria-pressed': String(shown), title: `${name} as a curve` }, swatch(channel), name);
     chip.dataset.color = String(channel % 8);
-    chip.dataset.dash = String(Math.floor(channel / 8));
     chip.addEventListener('click', () => {
       const on = !this.chosen.has(channel);
       this.chosen[on ? 'add' : 'delete'](channel);
@@ -107,4 +108,17 @@ export class Bars {
     this.list.append(row);
     return { row, chip, track, fill, low, high, ends, raw, us, percent };
   }
+}
+
+// A piece of the curve.
+function swatch(channel: number): SVGSVGElement {
+  const namespace = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(namespace, 'svg');
+  const line = svg.appendChild(document.createElementNS(namespace, 'path'));
+  svg.setAttribute('class', 'swatch');
+  svg.setAttribute('viewBox', '0 0 26 8');
+  svg.setAttribute('aria-hidden', 'true');
+  line.setAttribute('d', 'M0 4h26');
+  line.setAttribute('stroke-dasharray', dashOf(channel).join(' '));
+  return svg;
 }

@@ -2,6 +2,7 @@
 
 import type { Core } from '../core';
 import { byId, setText } from '../dom';
+import { Announcer } from './announcer';
 
 const steps = [
   '',
@@ -18,6 +19,7 @@ export class CalibrationView {
   private readonly panel = byId('calibration');
   private readonly open = byId<HTMLButtonElement>('calibrate');
   private readonly text = byId('calibration-text');
+  private readonly announcer = new Announcer(byId('calibration-announcement'));
   private readonly next = byId<HTMLButtonElement>('calibration-next');
 
   // `done`: there is a calibration now.
@@ -31,6 +33,7 @@ export class CalibrationView {
   }
 
   draw(): void {
+    this.announcer.say(this.text.textContent ?? '');
     const now = performance.now();
     if (this.step === 0 || now - this.textAt < 500) {
       return;

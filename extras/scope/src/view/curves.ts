@@ -6,11 +6,12 @@ import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
 import type { Unit } from '../unit';
+import { dashOf } from './dash';
+import { Touch } from './touch';
 
 const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240]; // s
 const pauseS = 0.1; // without a frame: the curve breaks
-const rowPauseS = 1.5;
-const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
+const rowPauseS = 1.5; // of a slow sketch three rows
 const height = 300;
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until what has moved by less than a pixel is drawn
@@ -25,6 +26,7 @@ export class Curves {
   private drawn = { edge: NaN, seconds: 0, atMs: 0 };
   private unit?: Unit;
   private rows = false;
+  private rowS = 0;
 
   constructor(
     private readonly root: HTMLElement,
@@ -34,6 +36,7 @@ export class Curves {
   ) {
     new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height })).observe(root);
     root.addEventListener('keydown', (event) => this.key(event));
+    new Touch(root, (part) => this.scroll(part), (steps) => this.zoom(steps));
     root.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     this.told();
   }
@@ -58,11 +61,13 @@ export class Curves {
     this.shown = '';
   }
 
-  draw(nowUs: number, newest: Stretch | undefined, unit: Unit): void {
+  // `intervalUs`: from one frame or row to the next, on average.
+  draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number): void {
     this.now = nowUs / 1e6;
+    this.rowS = intervalUs / 1e6;
     this.rows = newest !== undefined && newest.bytes.length === 0;
     const channels = [...this.chosen].filter((channel) => channel < (newest?.channels.length || 16)).sort((a, b) => a - b);
-    const shown = `${channels} ${unit.low} ${unit.high}`;
+    const shown = `${channels} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
       this.unit = unit;
@@ -118,7 +123,7 @@ export class Curves {
     const { history } = this;
     const { edge, seconds } = this.drawn;
     const { left, top, width, height } = plot.bbox;
-    const longest = this.rows ? rowPauseS : pauseS;
+    const longest = this.rows ? Math.max(rowPauseS, 3 * this.rowS) : pauseS;
     const stroke = new Path2D();
     let [x, y] = [0, 0];
     let before = -Infinity; // the time of x, y
@@ -217,7 +222,9 @@ export class Curves {
     const grid = { stroke: color('--grid'), width: 1 };
     const axis = { stroke: color('--muted'), font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
     const colors = Array.from({ length: 8 }, (_, i) => color(`--c${i}`));
-    const ends = [unit.low, unit.range.low, unit.range.centre, unit.range.high, unit.high];
+    const { low, high, range } = unit;
+    const middle = range ? [range.low, range.centre, range.high] : low < -high / 8 && high > -low / 8 ? [0] : [];
+    const ends = [low, ...middle, high];
     this.root.replaceChildren();
     this.root.style.color = '';
     this.drawn.edge = NaN;
@@ -238,7 +245,7 @@ export class Curves {
             label: `CH${channel + 1}`,
             stroke: colors[channel % 8],
             width: channels.length > many ? 1 : 2,
-            dash: dashes[Math.floor(channel / 8)],
+            dash: dashOf(channel),
             points: { show: false },
             paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
           })),

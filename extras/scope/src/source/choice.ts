@@ -1,0 +1,68 @@
+// Which source the page looks at: always the one that was chosen last. The running one goes on until the next one has all that it
+// needs; if that fails, it just goes on.
+
+import type { State } from './connection';
+
+interface Chosen {
+  readonly state: State;
+  close(): void;
+}
+
+export class Choice<Source extends Chosen> {
+  current?: Source;
+  private asking?: AbortController;
+  private preparing?: AbortController;
+
+  // `leaving`: called before the running source is closed. `entered`: called with each new one.
+  constructor(
+    private readonly leaving: () => void,
+    private readonly entered: (source: Source) => void,
+  ) {}
+
+  get state(): State {
+    return this.asking || this.preparing ? 'choosing' : (this.current?.state ?? 'closed');
+  }
+
+  // Asks the user, by a chooser of the browser. Returns undefined if another question has taken its place. What `question` throws
+  // is thrown.
+  async ask<Answer>(question: () => Promise<Answer>): Promise<Answer | undefined> {
+    const asking = (this.asking = new AbortController());
+    try {
+      return await question();
+    } catch (error) {
+      if (this.asking === asking) {
+        throw error;
+      }
+      return undefined;
+    } finally {
+      this.asking = this.asking === asking ? undefined : this.asking;
+    }
+  }
+
+  // Changes to another source. `prepare` does what takes time and may throw; `signal` tells it that a later source was chosen. What it
+  // returns makes the source, once the running one is closed.
+  async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<void> {
+    this.preparing?.abort();
+    const { signal } = (this.preparing = new AbortController());
+    try {
+      const make = await prepare(signal);
+      if (!signal.aborted) {
+        this.replace(make);
+      }
+    } catch (error) {
+      if (!signal.aborted) {
+        throw error;
+      }
+    } finally {
+      this.preparing = signal === this.preparing?.signal ? undefined : this.preparing;
+    }
+  }
+
+  private replace(make: () => Source): void {
+    this.leaving();
+    this.current?.close();
+    this.current = undefined;
+    this.current = make();
+    this.entered(this.current);
+  }
+}

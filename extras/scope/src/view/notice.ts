@@ -1,0 +1,38 @@
+// What has not worked, and what to do. It says nothing of the line, and fades; the verdict stays.
+
+import { byId, setText } from '../dom';
+import type { Problem } from '../source/Source';
+
+const shownMs = 20000;
+
+export class NoticeView {
+  private readonly box = byId('notice');
+  private timer?: number;
+
+  constructor() {
+    byId('notice-close').addEventListener('click', () => this.hide());
+    for (const event of ['pointerenter', 'focusin']) {
+      this.box.addEventListener(event, () => clearTimeout(this.timer)); // it is being read
+    }
+    for (const event of ['pointerleave', 'focusout']) {
+      this.box.addEventListener(event, () => this.fade());
+    }
+  }
+
+  show({ text, cure }: Problem): void {
+    setText(byId('notice-text'), text);
+    setText(byId('notice-cure'), cure);
+    this.box.hidden = false;
+    this.fade();
+  }
+
+  hide(): void {
+    clearTimeout(this.timer);
+    this.box.hidden = true;
+  }
+
+  private fade(): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.hide(), shownMs);
+  }
+}

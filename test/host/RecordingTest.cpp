@@ -1,0 +1,68 @@
+// What the text of a recording, or of rows, says.
+#include <doctest/doctest.h>
+
+#include "line/CsvRows.h"
+#include "line/Recording.h"
+
+using line::Recording;
+using line::RecordingReader;
+
+namespace {
+
+const std::string Mark = "\xEF\xBB\xBF";
+
+Recording readRows(const std::vector<std::string> &lines) {
+  RecordingReader reader(line::csvSettings().characterUs(), true);
+  for (const std::string &text : lines) {
+    reader.line(text);
+  }
+  return reader.finish();
+}
+
+// When each row was complete.
+std::vector<uint64_t> rowEnds(const Recording &recording) {
+  std::vector<uint64_t> ends;
+  for (const line::Character character : recording.characters) {
+    if (character.value == '\n') {
+      ends.push_back(character.endUs);
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+TEST_CASE("a byte order mark before a text is no error") {
+  const Recording recording = line::parseRecording(Mark + "120 0F E5\n");
+  CHECK(recording.error.empty());
+  REQUIRE(recording.characters.size() == 2);
+  CHECK(recording.characters[0].endUs == 120);
+  CHECK(line::parseRecording(Mark + "# a comment\n120 0F\n").error.empty());
+  CHECK(line::parseRecording("120 0F\n" + Mark + "240 0F\n").errorLine == 2);
+  CHECK(line::settingsIn(Mark + "# 200000 baud, 8E2\n").baud == 200000);
+  CHECK(line::isCsvText(Mark + "1,2\n1,2\n"));
+}
+
+TEST_CASE("a board's line may have any baud rate") {
+  CHECK(line::settingsIn("# 9600 baud, 8N1\n").baud == 9600);
+  CHECK(line::settingsIn("# 9600 baud, 8N1\n").format == line::csvSettings().format);
+  CHECK(line::settingsIn("# 115200 baud, 8N1\n") == line::csvSettings());
+  CHECK(line::settingsIn("# 9600 baud, 8E2\n") == line::LineSettings());
+}
+
+TEST_CASE("what is a table of rows, and what is a recording") {
+  CHECK(line::isCsvText("1,2\n1,2\n"));
+  CHECK(line::isCsvText("a:1 b:2\na:1 b:2\n"));
+  CHECK(line::isCsvText("seconds,CH1\n0.009,992\n"));
+  CHECK(line::isCsvText("time,CH1\n"));
+  CHECK_FALSE(line::isCsvText("120 00 11\n480 00 11\n"));  // bytes that are all digits
+  CHECK_FALSE(line::isCsvText("120\t00\t11\n480\t00\t11\n"));
+}
+
+TEST_CASE("rows without times come five times a second, those with times when they say") {
+  CHECK(rowEnds(readRows({"1,2", "3,4"})) == std::vector<uint64_t>{200000 + 3 * 86, 400000 + 3 * 86});
+  CHECK(rowEnds(readRows({"seconds,CH1,CH2", "0.009000,992,1811", "0.018500,992,172", "3600.000001,1,2"})) ==
+        std::vector<uint64_t>{8, 9000, 18500, 3600000001});
+  CHECK(rowEnds(readRows({"time,CH1", "0.009,992", "0.008,993", "-1,994", "x,995"})) ==
+        std::vector<uint64_t>{4, 9000, 9004, 9008, 9012});  // never back
+}
