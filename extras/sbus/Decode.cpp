@@ -10,7 +10,7 @@
 #include "DecodeOutput.h"
 #include "LineOptions.h"
 #include "Output.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 
 namespace tool {
 
@@ -103,22 +103,22 @@ void run(const Options &options) {
 }  // namespace
 
 void addDecode(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
+  CLI::App *const subcommand = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
   const auto options = std::make_shared<Options>();
-  verb->add_option("CAPTURE", options->capture,
+  subcommand->add_option("CAPTURE", options->capture,
                    "VCD; CSV of Saleae Logic 2, PulseView or an oscilloscope; bits as 0 and 1; - is standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  verb->add_option("--signal", options->signal, "the only one to be looked at (the one that carries S.Bus)")
+  subcommand->add_option("--signal", options->signal, "the only one to be looked at (the one that carries S.Bus)")
       ->type_name("NAME");
-  const auto csv = verb->add_flag("--csv", options->csv, "rows for a spreadsheet");
-  verb->add_flag("--json", options->json, "JSON lines")->excludes(csv);
-  verb->add_flag("--characters", options->characters, "the characters, not the frames");
-  verb->footer(
+  const auto csv = subcommand->add_flag("--csv", options->csv, "rows for a spreadsheet");
+  subcommand->add_flag("--json", options->json, "JSON lines")->excludes(csv);
+  subcommand->add_flag("--characters", options->characters, "the characters, not the frames");
+  subcommand->footer(
       "Polarity, baud rate (100000 or 200000) and an oscilloscope's threshold are found by themselves. Times are the "
       "capture's: of the first start bit's edge.");
-  verb->callback([options] { run(*options); });
+  subcommand->callback([options] { run(*options); });
 }
 
 }  // namespace tool

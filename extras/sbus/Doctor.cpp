@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "KindOfLine.h"
+#include "VariantOfLine.h"
 #include "Output.h"
 #include "SourceOption.h"
 #include "Stop.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/CsvRows.h"
 #include "line/Observer.h"
 #include "sbus/Diagnosis.h"
@@ -75,8 +75,8 @@ class Heard {
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
                    : std::to_string(counters().frames) + " frames" + (_observer.has24() ? " of 24 channels" : "") +
-                         ", " + std::to_string(counters().skippedBytes) +
-                         (counters().skippedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
+                         ", " + std::to_string(counters().discardedBytes) +
+                         (counters().discardedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
            (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
            "\n";
   }
@@ -88,7 +88,7 @@ class Heard {
       return {};
     }
     const auto aSecond = [this](uint64_t count) { return std::to_string((count * 1000 + ms() / 2) / ms()); };
-    return _kind.text() + ": " + aSecond(seen.frames) + " frames a second and " + aSecond(sbus::damagedFrames(seen)) +
+    return _kind.text() + ": " + aSecond(seen.frames) + " frames a second and " + aSecond(sbus::impairedFrames(seen)) +
            " damaged, " + std::to_string(usualPeriodUs()) + " us from one to the next; " +
            std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) + " % with the lost-frame flag\n";
   }
@@ -129,7 +129,7 @@ class Heard {
 
   const line::LineSettings _settings;
   line::Observer _observer;
-  KindOfLine _kind;
+  VariantOfLine _kind;
   std::vector<uint64_t> _ends;  // of the frames, in us
   line::CsvRows _rows;
   bool _isCsv = false;
@@ -240,12 +240,12 @@ bool examine(const SourceOption &source) {
 }  // namespace
 
 void addDoctor(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
-  verb->footer(
+  CLI::App *const subcommand = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  subcommand->footer(
       "It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
       "1 if not.");
-  verb->callback([source] {
+  subcommand->callback([source] {
     if (!examine(*source)) {
       throw CLI::RuntimeError(EXIT_FAILURE);
     }

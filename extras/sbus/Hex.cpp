@@ -9,7 +9,7 @@
 #include "Output.h"
 #include "SilenceNote.h"
 #include "SourceOption.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/Observer.h"
 
 namespace tool {
@@ -19,7 +19,7 @@ namespace {
 // Of a terminal that shows colours; the text says the same without them.
 struct Colours {
   const char *time = "";
-  const char *refused = "";
+  const char *rejected = "";
   const char *bad = "";
   const char *flags = "";
   const char *off = "";
@@ -59,11 +59,11 @@ class HexView {
     std::snprintf(time, sizeof time, "%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6);
     _lastUs = _options.delta ? stretch.endUs() : 0;
     std::string text = _colours.time + std::string(time) + _colours.off;
-    text += frame ? "" : _colours.refused;
+    text += frame ? "" : _colours.rejected;
     for (const line::Character &character : stretch.characters) {
       char byte[8];
       std::snprintf(byte, sizeof byte, "%02X", character.value);
-      text += character.bad ? std::string(_colours.bad) + byte + "!" + _colours.off + (frame ? "" : _colours.refused)
+      text += character.bad ? std::string(_colours.bad) + byte + "!" + _colours.off + (frame ? "" : _colours.rejected)
                             : std::string(byte) + " ";
     }
     for (size_t i = stretch.characters.size(); i < sbus::FrameSize; i++) {
@@ -130,18 +130,18 @@ void run(const SourceOption &source, const HexOptions &options) {
 }  // namespace
 
 void addHex(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("hex", "the bytes, 25 a line, and what was refused and why");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  CLI::App *const subcommand = app.add_subcommand("hex", "the bytes, 25 a line, and what was rejected and why");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<HexOptions>();
-  verb->add_flag("--values", options->values, "the raw values of a frame's channels behind it");
-  verb->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
-  verb->add_option("--color", options->colour, "auto: on a terminal (auto)")
+  subcommand->add_flag("--values", options->values, "the raw values of a frame's channels behind it");
+  subcommand->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  subcommand->add_option("--color", options->colour, "auto: on a terminal (auto)")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
       ->type_name("auto|always|never");
-  verb->footer(
+  subcommand->footer(
       "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
-  verb->callback([source, options] { run(*source, *options); });
+  subcommand->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -14,14 +14,14 @@ line::LineSettings settingsOf(unsigned long told, const std::string &recording);
 
 class LineOptions {
  public:
-  // Adds them to a verb; it must not move afterwards.
-  explicit LineOptions(CLI::App &verb);
+  // Adds them to a subcommand; it must not move afterwards.
+  explicit LineOptions(CLI::App &subcommand);
   LineOptions(const LineOptions &) = delete;
   LineOptions &operator=(const LineOptions &) = delete;
 
   // Throws CLI::ValidationError if one was given that has no meaning there: `what` is "a port" or the like.
-  void refuseSimulated(const std::string &what) const;   // those of the built-in receiver
-  void refuseDisturbing(const std::string &what) const;  // --noise and --uninverted
+  void rejectSimulated(const std::string &what) const;   // those of the built-in receiver
+  void rejectDisturbing(const std::string &what) const;  // --noise and --uninverted
 
   // As the options have it; the built-in receiver, unless `recording` is a file's name.
   line::Source source(const std::string &recording = {}) const;
@@ -51,8 +51,8 @@ CLI::Validator notEmpty();
 
 // Throw std::runtime_error: if it is read more than once and cannot be; if it is a capture of the wire, or no text, and
 // not a recording; if what would be written is what is read.
-void refusePipe(const std::string &name);
-void refuseOtherKinds(const std::string &name);
-void refuseSameFile(const std::string &read, const std::string &written);
+void rejectPipe(const std::string &name);
+void rejectOtherKinds(const std::string &name);
+void rejectSameFile(const std::string &read, const std::string &written);
 
 }  // namespace tool

@@ -13,7 +13,7 @@
 #include "Screen.h"
 #include "SourceOption.h"
 #include "Stop.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "Watch.h"
 
 namespace tool {
@@ -159,15 +159,15 @@ void run(const SourceOption &source, const std::string &range) {
 }  // namespace
 
 void addMonitor(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::InTrueTime);
+  CLI::App *const subcommand = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::InTrueTime);
   const auto range = std::make_shared<std::string>("frsky");
-  verb->add_option("--range", *range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+  subcommand->add_option("--range", *range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
-  verb->footer(
+  subcommand->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
       "ended. Where standard output is no terminal: a line a second, and one when the state changes.");
-  verb->callback([source, range] { run(*source, *range); });
+  subcommand->callback([source, range] { run(*source, *range); });
 }
 
 }  // namespace tool

@@ -19,7 +19,7 @@ struct MonitorView {
     bool marked = false;  // low and high have a meaning
     std::string text;     // the value as it came
   };
-  struct Lamp {
+  struct Indicator {
     std::string name;
     bool on;
     Mood mood;  // when it is on
@@ -39,7 +39,7 @@ struct MonitorView {
   bool isRaw = true;    // the values are raw ones, 0..2047, so that us and % mean something
   sbus::Range range{};  // what these are scaled by
   std::vector<Channel> channels;
-  std::vector<Lamp> lamps;
+  std::vector<Indicator> indicators;
   std::vector<Group> groups;
   std::string plain;  // the counters and times in one line, for a pipe
 };

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "Output.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/ports/LowLatency.h"
 
 namespace tool {
@@ -106,8 +106,8 @@ void run() {
 }  // namespace
 
 void addPorts(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("ports", "the serial ports, and what is known of each");
-  verb->callback(run);
+  CLI::App *const subcommand = app.add_subcommand("ports", "the serial ports, and what is known of each");
+  subcommand->callback(run);
 }
 
 }  // namespace tool

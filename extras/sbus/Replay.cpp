@@ -5,7 +5,7 @@
 
 #include "LineOptions.h"
 #include "Sending.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/CsvRows.h"
 #include "line/RecordedLine.h"
 #include "line/RecordingFile.h"
@@ -16,7 +16,7 @@ namespace tool {
 namespace {
 
 struct ReplayOptions {
-  explicit ReplayOptions(CLI::App &verb) : sending(verb) {}
+  explicit ReplayOptions(CLI::App &subcommand) : sending(subcommand) {}
 
   Sending sending;
   std::string file;
@@ -26,8 +26,8 @@ struct ReplayOptions {
 };
 
 std::unique_ptr<Input> open(const ReplayOptions &options) {
-  refusePipe(options.file);
-  refuseOtherKinds(options.file);
+  rejectPipe(options.file);
+  rejectOtherKinds(options.file);
   const bool csv = line::isCsv(options.file);
   const line::LineSettings settings = csv ? line::csvSettings() : settingsOf(options.baud, options.file);
   line::Recording recording =
@@ -45,17 +45,17 @@ std::unique_ptr<Input> open(const ReplayOptions &options) {
 }  // namespace
 
 void addReplay(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
-  const auto options = std::make_shared<ReplayOptions>(*verb);
-  verb->add_option("FILE", options->file, "a recording, or rows of CSV")->required()->check(notEmpty())->type_name("");
-  verb->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
+  CLI::App *const subcommand = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
+  const auto options = std::make_shared<ReplayOptions>(*subcommand);
+  subcommand->add_option("FILE", options->file, "a recording, or rows of CSV")->required()->check(notEmpty())->type_name("");
+  subcommand->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
-  verb->add_option("--speed", options->speed, "so many times as fast (1)")
+  subcommand->add_option("--speed", options->speed, "so many times as fast (1)")
       ->check(numberBetween(0.001, 1000))
       ->type_name("N");
-  options->loop = verb->add_flag("--loop", "again and again");
-  verb->callback(
+  options->loop = subcommand->add_flag("--loop", "again and again");
+  subcommand->callback(
       [options] { options->sending.run([&options] { return open(*options); }, options->loop->count() > 0); });
 }
 

@@ -12,8 +12,8 @@ namespace tool {
 
 class Sending {
  public:
-  // Adds its options to a verb.
-  explicit Sending(CLI::App &verb);
+  // Adds its options to a subcommand.
+  explicit Sending(CLI::App &subcommand);
 
   // Sends what `open` gives, for ever if `loop`. A pseudo-terminal waits for its reader first. Throws
   // std::runtime_error.

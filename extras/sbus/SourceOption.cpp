@@ -34,15 +34,15 @@ Kind kindOf(const std::string &name) {
 
 }  // namespace
 
-SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(verb), _recordings(recordings) {
-  verb.add_option("SOURCE", _name, "a serial port, a recording, - for bytes on standard input, or sim")
+SourceOption::SourceOption(CLI::App &subcommand, Recordings recordings) : _options(subcommand), _recordings(recordings) {
+  subcommand.add_option("SOURCE", _name, "a serial port, a recording, - for bytes on standard input, or sim")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
-  verb.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  _csv = subcommand.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
+  subcommand.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
   _simulatedTime =
-      verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+      subcommand.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
 line::LineSettings SourceOption::settings() const {
@@ -73,21 +73,21 @@ std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
   if (kind != Kind::Simulated) {
-    _options.refuseSimulated(_name);
+    _options.rejectSimulated(_name);
   }
   if (kind == Kind::Port) {
-    _options.refuseDisturbing("a port");
+    _options.rejectDisturbing("a port");
     return std::make_unique<line::ReopenedPort>(_name, port);
   }
   if (kind == Kind::Stream) {
-    _options.refuseDisturbing("a stream of bytes");
+    _options.rejectDisturbing("a stream of bytes");
     return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime->count() > 0);
   }
   if (kind == Kind::File) {
-    refuseOtherKinds(_name);
+    rejectOtherKinds(_name);
   }
   if (kind == Kind::File && line::isCsv(_name)) {
-    _options.refuseDisturbing("rows of CSV");
+    _options.rejectDisturbing("rows of CSV");
     return std::make_unique<line::RecordedLine>(line::readCsv(_name));
   }
   const line::Source source = _options.source(kind == Kind::File ? _name : "");

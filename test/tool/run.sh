@@ -2,7 +2,7 @@
 # Runs `sbus`, built by g++ with the address sanitizer, and says "ok ..." or "FAILED ..." of:
 #   golden/*.csv               `sbus csv` prints what the sketches print
 #   tool/golden/NAME.txt       what it prints when called as tool/LINES says, the last 20 lines
-#   tool/REFUSALS              what it says of what it cannot do
+#   tool/REJECTIONS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh
@@ -138,25 +138,25 @@ timeout 60 "$sbus" csv "" --seconds 1 2>"$work/err"
 [ $? -eq 2 ] && grep -q 'SOURCE: is empty' "$work/err"
 verdict $? "a SOURCE without a name"
 
-# ---- What it refuses
+# ---- What it rejects
 
-# refused MESSAGE ARGUMENTS...: fails, and says that line first
-refused() {
+# rejected MESSAGE ARGUMENTS...: fails, and says that line first
+rejected() {
   message=$1
   shift
   timeout 60 "$sbus" "$@" >"$work/out" 2>"$work/err" </dev/null
   status=$?
   grep -v 'Ctrl-C ends it$' "$work/err" | sed -n 1p | grep -qxFe "$message" || { cat "$work/err"; status=0; }
   [ "$status" -eq 1 ] || [ "$status" -eq 2 ]
-  verdict $? "refuses: $*"
+  verdict $? "rejects: $*"
 }
-grep -v '^#' tool/REFUSALS >"$work/refusals"
+grep -v '^#' tool/REJECTIONS >"$work/rejections"
 while IFS= read -r line; do
   # shellcheck disable=SC2086  # the arguments are words
-  refused "${line#* = }" ${line%% = *}
-done <"$work/refusals"
+  rejected "${line#* = }" ${line%% = *}
+done <"$work/rejections"
 while IFS= read -r message; do
-  (cd recordings/bad && refused "sbus hex: $message" hex "${message%%:*}")
+  (cd recordings/bad && rejected "sbus hex: $message" hex "${message%%:*}")
 done <recordings/bad/MESSAGES
 
 grep -v '^#' tool/STATUS >"$work/statuses"
@@ -168,9 +168,9 @@ while IFS= read -r line; do
 done <"$work/statuses"
 [ "$("$sbus" --version)" = "$(sed -n 's/^version=//p' ../library.properties)" ]
 verdict $? "--version prints the version alone on its line"
-for verb in hex explain doctor; do
-  "$sbus" help $verb >"$work/help" && "$sbus" $verb --help | cmp - "$work/help" && grep -q "^Usage: sbus $verb " "$work/help"
-  verdict $? "help $verb"
+for subcommand in hex explain doctor; do
+  "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -q "^Usage: sbus $subcommand " "$work/help"
+  verdict $? "help $subcommand"
 done
 "$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
 verdict $? "help of all"
@@ -178,16 +178,16 @@ verdict $? "help of all"
 printf 'Time [s],Channel 0\n0.000000000,0\n0.008,1\n' >"$work/saleae.csv"
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
 printf "$frame" >"$work/bytes"
-for verb in csv wave replay; do
-  refused "sbus $verb: $work/saleae.csv: is a capture of the wire (logic analyser's CSV), no recording: sbus decode reads it" $verb "$work/saleae.csv"
-  refused "sbus $verb: $work/paper.vcd: is a capture of the wire (VCD), no recording: sbus decode reads it" $verb "$work/paper.vcd"
-  refused "sbus $verb: $work/bytes: is no text, as a recording is; bytes as they came are read from standard input, - <$work/bytes" $verb "$work/bytes"
+for subcommand in csv wave replay; do
+  rejected "sbus $subcommand: $work/saleae.csv: is a capture of the wire (logic analyser's CSV), no recording: sbus decode reads it" $subcommand "$work/saleae.csv"
+  rejected "sbus $subcommand: $work/paper.vcd: is a capture of the wire (VCD), no recording: sbus decode reads it" $subcommand "$work/paper.vcd"
+  rejected "sbus $subcommand: $work/bytes: is no text, as a recording is; bytes as they came are read from standard input, - <$work/bytes" $subcommand "$work/bytes"
 done
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is none of the wire"
 printf 'time,CH17\n0.2,0\n0.4,1\n' >"$work/times.csv"
-refused "sbus plot: $work/times.csv: has a column of times, as sbus csv and the scope write it; only rows without are read again. Keep the line with sbus record" plot "$work/times.csv"
+rejected "sbus plot: $work/times.csv: has a column of times, as sbus csv and the scope write it; only rows without are read again. Keep the line with sbus record" plot "$work/times.csv"
 
 # ---- Recorders and players
 
@@ -281,21 +281,21 @@ SBUS=$sbus WORK=$work tool/explain.sh
 # ---- What comes with it
 
 "$sbus" --help-all | awk '
-  /^[a-z]+$/ { verb = $1; print verb }
-  /^ *(-[a-z],)?--[a-z]/ { option = $1; sub(/.*,/, "", option); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : verb " ") option }' |
+  /^[a-z]+$/ { subcommand = $1; print subcommand }
+  /^ *(-[a-z],)?--[a-z]/ { option = $1; sub(/.*,/, "", option); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : subcommand " ") option }' |
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
-verdict $? "--help-all lists verbs and options"
+verdict $? "--help-all lists subcommands and options"
 # An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
 sed 's/\\-/-/g' ../extras/sbus/sbus.1 | awk '
   /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || section == "simulate"); print "has", section }
   /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
-while read -r verb option; do
-  case $verb in -*) line=".SH OPTIONS $verb" ;; *) line="${option:+$verb }${option:-has $verb}" ;; esac
+while read -r subcommand option; do
+  case $subcommand in -*) line=".SH OPTIONS $subcommand" ;; *) line="${option:+$subcommand }${option:-has $subcommand}" ;; esac
   grep -qxFe "$line" "$work/manual" ||
-    { grep -qxF "$verb SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
-  verdict $? "sbus.1 has $verb $option"
+    { grep -qxF "$subcommand SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
+  verdict $? "sbus.1 has $subcommand $option"
 done <"$work/words"
 for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
   grep -qx "has .SH $section" "$work/manual"

@@ -11,7 +11,7 @@ sbus::Diagnosis trials;
 // A character that a port has dropped is a byte of no frame, too.
 sbus::Counters seen() {
   sbus::Counters counters = theScope.observer.counters();
-  counters.skippedBytes += static_cast<uint32_t>(theScope.observer.badCharacters());
+  counters.discardedBytes += static_cast<uint32_t>(theScope.observer.badCharacters());
   return counters;
 }
 
@@ -20,14 +20,14 @@ sbus::Counters since(const sbus::Counters &before, const sbus::Counters &now) {
   counters.frames -= before.frames;
   counters.lostFrames -= before.lostFrames;
   counters.failsafeFrames -= before.failsafeFrames;
-  counters.refusedByEnd -= before.refusedByEnd;
-  counters.refusedByFlags -= before.refusedByFlags;
-  counters.refusedByExtra -= before.refusedByExtra;
-  counters.skippedBytes -= before.skippedBytes;
+  counters.rejectedByEnd -= before.rejectedByEnd;
+  counters.rejectedByFlags -= before.rejectedByFlags;
+  counters.rejectedByLength -= before.rejectedByLength;
+  counters.discardedBytes -= before.discardedBytes;
   counters.resyncs -= before.resyncs;
   counters.overflows -= before.overflows;
   counters.extraFrames -= before.extraFrames;
-  counters.otherFrames -= before.otherFrames;
+  counters.otherSizeFrames -= before.otherSizeFrames;
   return counters;
 }
 

@@ -200,7 +200,7 @@ export async function pickPort(kind: PortKind): Promise<SerialPort | Problem> {
     const what = kind === 'adapter' ? 'adapter' : 'board';
     const { name, message } = error as DOMException;
     if (name !== 'NotFoundError') {
-      return { text: `THE BROWSER GIVES NO PORT: ${message}`, cure: 'Allow this page to use one. From disk it may refuse: make scope serves the page.' };
+      return { text: `THE BROWSER GIVES NO PORT: ${message}`, cure: 'Allow this page to use one. From disk it may reject: make scope serves the page.' };
     }
     return { text: 'NO PORT WAS CHOSEN.', cure: `Plug the ${what} in, press the button again, and choose it in the list.` };
   }
