@@ -3,7 +3,7 @@
 
 .DEFAULT_GOAL := help
 
-work := help demo sbus install uninstall scope test check torture fuzz size bench figures docs clean
+work := help demo sbus install uninstall scope test check impairment fuzz size bench figures docs clean
 .PHONY: $(work) zip release
 zip:
 	@sh extras/setup/zip.sh
@@ -38,13 +38,13 @@ help:
 	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
 	@echo "            V=1                   prints everything"
 	@echo "make check  unit tests and examples only: less than a minute, once built"
-	@echo "make torture  the table of what comes through damaged lines, ours beside the paper's way"
+	@echo "make impairment  the table of what comes through impaired lines, ours beside the paper's way"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
 	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
 	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
 	@echo "            TRIES=200000          how long the longest call is searched for"
-	@echo "make figures  writes the tables of extras/docs/measured.md anew (torture, size, bench); some minutes"
+	@echo "make figures  writes the tables of extras/docs/measured.md anew (impairment, size, bench); some minutes"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
 	@echo "make release VERSION=x.y.z URL=https://...  sets both, dates CHANGELOG.md, says what is left to do"
@@ -104,9 +104,9 @@ check:
 	@sh extras/setup/need.sh g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test check
 
-torture:
+impairment:
 	@sh extras/setup/need.sh g++
-	@$(MAKE) --no-print-directory -s -C test torture
+	@$(MAKE) --no-print-directory -s -C test impairment
 
 fuzz:
 	@sh extras/setup/need.sh clang clang-sanitizers

@@ -135,5 +135,5 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
 };
 
 /// The 24 channels of FrSky's ACCESS and TD receivers, if they are set to "SBUS 24". A line of 16 channels brings it no
-/// frame: counters().otherFrames counts then, as that of DecodeSBus does on a line of 24.
+/// frame: counters().otherSizeFrames counts then, as that of DecodeSBus does on a line of 24.
 using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;

@@ -3,7 +3,7 @@
 #   compile   what only has to compile: OUT/alone/*.ok, each header of the core, and the lines, without Arduino or board;
 #             OUT/macros/*.o, the core after Arduino's macros; OUT/cross/*.o, the library for the board's processor (by
 #             CROSS, not CXX)
-#   OUT/line/*, OUT/line-sanitized/*   the torture bench
+#   OUT/impairment/*, OUT/impairment-sanitized/*   the impairment bench
 # `make list-unit` and `make list-compile` name what these two are made of.
 
 SRC := ../src
@@ -47,8 +47,8 @@ $(OUT)/%Test: $(OUT)/%Test.o $(OUT)/support/Main.o $(OUT)/board.a
 	$(CXX) $(SANITIZE) $^ -lrapidcheck -o $@
 $(OUT)/unit/PlainCoreTest: $(OUT)/unit/PlainCoreTest.o $(OUT)/support/Main.o $(OUT)/plain.a
 	$(CXX) $(SANITIZE) $^ -o $@
-# A line as the torture bench has it.
-$(OUT)/host/AdapterTest: $(OUT)/support/DamagedLine.o $(OUT)/support/Payload.o
+# A line as the impairment bench has it.
+$(OUT)/host/AdapterTest: $(OUT)/support/ImpairedLine.o $(OUT)/support/Payload.o
 # PreemptTest stops after each instruction of the library: as the board has them, without the sanitizers' own.
 $(OUT)/unit/PreemptTest: SANITIZE :=
 $(OUT)/unit/PreemptTest: unit/PreemptTest.cpp support/Main.cpp support/FakeClock.cpp $(SOURCES:%=$(SRC)/%) build.mk
@@ -64,9 +64,9 @@ $(OUT)/$1/%.o: $1/%.cpp build.mk
 	$$(CXX) -std=c++17 $$(WARNINGS) $$(SANITIZE) $$(DEBUG) $$(DEPENDENCIES) $$(PLAIN) $$(ROOMS) $$(ARDUINO) -c $$< -o $$@
 endef
 $(foreach folder,unit host support,$(eval $(call program,$(folder))))
-$(OUT)/support/%.o: line/%.cpp build.mk
+$(OUT)/support/%.o: impairment/%.cpp build.mk
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 $(WARNINGS) $(SANITIZE) $(DEBUG) $(DEPENDENCIES) -Iline $(ROOMS) $(ARDUINO) -c $< -o $@
+	$(CXX) -std=c++17 $(WARNINGS) $(SANITIZE) $(DEBUG) $(DEPENDENCIES) -Iimpairment $(ROOMS) $(ARDUINO) -c $< -o $@
 $(OUT)/unit/PlainCoreTest.o: PLAIN := -DHOST_PLAIN_CORE
 
 # The library, Arduino's Print and the fake clock; an archive, so that a program takes what it uses and nothing else.
@@ -97,10 +97,10 @@ endef
 $(eval $(call archive,board))
 $(eval $(call archive,plain,-DHOST_PLAIN_CORE))
 
-# The torture bench, fast, and a second time under the sanitizers. OUT/VARIANT/TortureTest holds the bounds,
-# OUT/VARIANT/Torture prints the table.
-LINE_PARTS := Company Conditions DamagedLine Joins Judge Payload Setup Simulation
-LINE_INCLUDES := -Iline $(ROOMS) $(ARDUINO) $(WITHOUT:%=-DSBUS_WITHOUT=%)
+# The impairment bench, fast, and a second time under the sanitizers. OUT/VARIANT/ImpairmentTest holds the bounds,
+# OUT/VARIANT/Impairment prints the table.
+LINE_PARTS := Company Conditions ImpairedLine Joins Judge Payload Setup Simulation
+LINE_INCLUDES := -Iimpairment $(ROOMS) $(ARDUINO) $(WITHOUT:%=-DSBUS_WITHOUT=%)
 define line_rule
 $(OUT)/$1/%.o: $3/%.cpp build.mk
 	@mkdir -p $$(@D)
@@ -111,14 +111,14 @@ define line
 $(OUT)/$1/src/%.o: $(SRC)/%.cpp build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(BOARD) $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
-$(foreach folder,line support $(EXTRAS)/line $(HOST)/board $(HOST)/arduino,$(call line_rule,$1,$2,$(folder)))
-$(OUT)/$1/TortureTest: $(OUT)/$1/Main.o
-$(OUT)/$1/Torture $(OUT)/$1/TortureTest: $(OUT)/$1/%: $(OUT)/$1/%.o $(LINE_PARTS:%=$(OUT)/$1/%.o) \
+$(foreach folder,impairment support $(EXTRAS)/line $(HOST)/board $(HOST)/arduino,$(call line_rule,$1,$2,$(folder)))
+$(OUT)/$1/ImpairmentTest: $(OUT)/$1/Main.o
+$(OUT)/$1/Impairment $(OUT)/$1/ImpairmentTest: $(OUT)/$1/%: $(OUT)/$1/%.o $(LINE_PARTS:%=$(OUT)/$1/%.o) \
   $(SOURCES:%.cpp=$(OUT)/$1/src/%.o) $(OUT)/$1/BoardUart.o $(OUT)/$1/LineSettings.o $(OUT)/$1/FakeClock.o $(OUT)/$1/Print.o
 	$(CXX) $2 $$^ -o $$@
 endef
-$(eval $(call line,line,-O2))
-$(eval $(call line,line-sanitized,$(SANITIZE) $(DEBUG)))
+$(eval $(call line,impairment,-O2))
+$(eval $(call line,impairment-sanitized,$(SANITIZE) $(DEBUG)))
 
 # The lines know the core, and no Arduino, no board.
 $(OUT)/alone/line/%.ok: $(EXTRAS)/line/% build.mk

@@ -45,29 +45,29 @@ for source in "$library"/src/*.cpp "$library"/src/sbus/*.cpp "$library"/examples
 done
 verdict $failed "the library and the first example compile from it"
 
-# refused WHAT VERSION URL: a release that is refused, with one line, and nothing is changed
-refused() {
+# rejected WHAT VERSION URL: a release that is rejected, with one line, and nothing is changed
+rejected() {
   what=$1
   git status --porcelain >"$out/before"
-  make -s -C "$scratch" release VERSION="$2" URL="$3" >"$out/refused" 2>&1
+  make -s -C "$scratch" release VERSION="$2" URL="$3" >"$out/rejected" 2>&1
   status=$?
   git status --porcelain >"$out/after"
-  [ $status -ne 0 ] && [ "$(grep -vc '^make' "$out/refused")" -eq 1 ] && cmp "$out/before" "$out/after"
-  verdict $? "a release is refused: $what"
+  [ $status -ne 0 ] && [ "$(grep -vc '^make' "$out/rejected")" -eq 1 ] && cmp "$out/before" "$out/after"
+  verdict $? "a release is rejected: $what"
 }
 
 url=https://github.com/somebody/DecodeSBus
 for wrong in '' 1 1.2 1.2.3.4 v1.2.3 1.2.x 01.2.3 1.2.3-rc1 0.0.9; do
-  refused "VERSION=$wrong" "$wrong" $url
+  rejected "VERSION=$wrong" "$wrong" $url
 done
 for wrong in '' github.com/somebody/DecodeSBus http://github.com/somebody 'https://a.b/&' https://decodesbus.example/'|'; do
-  refused "URL=$wrong" 9.9.9 "$wrong"
+  rejected "URL=$wrong" 9.9.9 "$wrong"
 done
 touch "$scratch/src/new.h"
-refused "a file that git does not know" 9.9.9 $url
+rejected "a file that git does not know" 9.9.9 $url
 rm "$scratch/src/new.h"
 echo >>"$scratch/README.md"
-refused "a file that has changed" 9.9.9 $url
+rejected "a file that has changed" 9.9.9 $url
 git checkout -q README.md
 
 release() {  # VERSION
@@ -88,10 +88,10 @@ git checkout -q .
 release 9.9.9
 verdict $? "make release sets version, address and the changelog's heading, and says what is left"
 git commit -q -a -m Release
-refused "nothing is unreleased" 9.10.0 $url
+rejected "nothing is unreleased" 9.10.0 $url
 printf '\n## Unreleased\n\n- New.\n' >>"$scratch/CHANGELOG.md"
 git commit -q -a -m Next
-refused "it has been released" 9.9.9 $url
+rejected "it has been released" 9.9.9 $url
 release 9.10.0
 verdict $? "9.10.0 is more than 9.9.9"
 rm -rf "$out"  # or a linter takes its sketches for ones of this library

@@ -25,7 +25,7 @@ bench            what the library costs
 boards-cores     other cores: library and examples on stand-ins
 examples-g++     examples and recordings, g++
 examples-clang++ examples and recordings, clang++
-tool             sbus: what it prints, records and refuses
+tool             sbus: what it prints, records and rejects
 table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
@@ -71,16 +71,16 @@ step_unit() {
 }
 
 step_lines() {
-  if build g++ "$BUILD/g++/line/TortureTest"; then doctest "$BUILD/g++/line/TortureTest" 1800; else
-    echo "FAILED TortureTest does not build"
+  if build g++ "$BUILD/g++/impairment/ImpairmentTest"; then doctest "$BUILD/g++/impairment/ImpairmentTest" 1800; else
+    echo "FAILED ImpairmentTest does not build"
   fi
 }
 
 step_table() {
-  if build g++ "$BUILD/g++/line-sanitized/Torture" && FRAMES=200 timeout 900 "$BUILD/g++/line-sanitized/Torture"; then
-    echo "ok line/Torture under the sanitizers"
+  if build g++ "$BUILD/g++/impairment-sanitized/Impairment" && FRAMES=200 timeout 900 "$BUILD/g++/impairment-sanitized/Impairment"; then
+    echo "ok impairment/Impairment under the sanitizers"
   else
-    echo "FAILED line/Torture under the sanitizers"
+    echo "FAILED impairment/Impairment under the sanitizers"
   fi
 }
 
@@ -101,7 +101,7 @@ step_captures() {
   cat "$BUILD/captures.log"
 }
 
-step_rules() { line/without.sh check; }
+step_rules() { impairment/without.sh check; }
 step_scope() { scope/run.sh; }
 step_package() { ./package.sh; }
 step_platforms() { platforms/run.sh; }

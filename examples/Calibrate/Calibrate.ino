@@ -33,18 +33,18 @@ void loop() {
     return;
   }
   calibrator.begin();
-  guide.step("1. Move all sticks, sliders and switches to all their ends.", 15, sbus::Refusal::NotRested);
-  guide.step("2. Centre the sticks, but throttle low, and let go.", 5, sbus::Refusal::NotRested);
+  guide.step("1. Move all sticks, sliders and switches to all their ends.", 15, sbus::CalibrationError::NotRested);
+  guide.step("2. Centre the sticks, but throttle low, and let go.", 5, sbus::CalibrationError::NotRested);
   calibrator.centre();
-  guide.step("Hands off.", 2, sbus::Refusal::NotPushed);
+  guide.step("Hands off.", 2, sbus::CalibrationError::NotPushed);
   calibrator.high();
-  guide.step("3. Push both sticks up and right, and hold them there.", 5, sbus::Refusal::None);
+  guide.step("3. Push both sticks up and right, and hold them there.", 5, sbus::CalibrationError::None);
   uint8_t bad = 0;
-  const sbus::Refusal refusal = calibrator.finish(0x000F, calibration, bad);  // CH1..CH4 must be good
-  if (refusal != sbus::Refusal::None) {
+  const sbus::CalibrationError error = calibrator.finish(0x000F, calibration, bad);  // CH1..CH4 must be good
+  if (error != sbus::CalibrationError::None) {
     Serial.print("Not stored: CH");
     Serial.print(bad + 1);
-    Serial.println(text(refusal));
+    Serial.println(text(error));
   } else {
     Serial.println(store(EEPROM, calibration) ? "Stored, and read back." : "Not stored: the EEPROM does not hold it.");
   }

@@ -22,17 +22,17 @@ struct Guide {
   }
 
   // A line a second: how far each channel has come, and what is still to do with it, unless that is `next`.
-  void step(const char *what, uint8_t seconds, sbus::Refusal next) {
+  void step(const char *what, uint8_t seconds, sbus::CalibrationError next) {
     Serial.println(what);
     for (uint8_t i = 0; i < 4 * seconds; i++) {
       listen(250);  // no more than one channel is printed at once: it takes time in which frames come
       uint16_t low = 0, high = 0;
       calibrator.reached(i % 4, low, high);
       sbus::CalibratedChannel found;
-      const sbus::Refusal refusal = calibrator.result(i % 4, found);
+      const sbus::CalibrationError error = calibrator.result(i % 4, found);
       Serial.print("  CH");
       Serial.print(i % 4 + 1);
-      Serial.print(refusal == next ? " ok" : text(refusal));
+      Serial.print(error == next ? " ok" : text(error));
       Serial.print(' ');
       Serial.print(low);
       Serial.print("..");

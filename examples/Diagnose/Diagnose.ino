@@ -49,7 +49,7 @@ void tryOut(const Setting &setting) {
   diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters});
   Serial.print(setting.text);
   print(counters.frames, " frames, ");
-  print(counters.skippedBytes, " bytes of no frame\r\n");
+  print(counters.discardedBytes, " bytes of no frame\r\n");
 }
 
 // The numbers are those of the setting with the most frames.
@@ -62,7 +62,7 @@ void tell() {
     Serial.print("dSBus.");
     Serial.print(SETTINGS[diagnosis.best()].text);
     print(seen.frames * 1000 / TRIAL, " frames a second and ");
-    print(damagedFrames(seen) * 1000 / TRIAL, " damaged, ");
+    print(impairedFrames(seen) * 1000 / TRIAL, " damaged, ");
     print(seen.period, " us from one to the next; ");
     print(seen.lostFrames * 100 / seen.frames, " % with the lost-frame flag\r\n");
   }

@@ -48,7 +48,7 @@ void loop() {
     ++(same && failsafe == expected[16] && lostFrame == expected[17] ? right : wrong);
   }
   if (sent == FRAMES && static_cast<uint32_t>(millis()) - sentTime > PATIENCE) {
-    const bool any = dSBus.counters().frames != 0 || dSBus.counters().skippedBytes != 0;
+    const bool any = dSBus.counters().frames != 0 || dSBus.counters().discardedBytes != 0;
     Serial.println(!any             ? "FAIL: not a byte comes back. Is TX1 connected to RX1? Are these the pins?"
                    : wrong != 0     ? "FAIL: frames come that were not sent. Is a receiver still connected to RX1?"
                    : right < FRAMES ? "FAIL: frames are damaged. Is the wire loose, or something else connected?"

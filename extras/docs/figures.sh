@@ -1,6 +1,6 @@
 #!/bin/sh
 # Keeps the tables of measured.md, which stand between <!-- NAME: begin --> and <!-- NAME: end -->.
-#   figures.sh         writes them, some minutes; FRAMES=n and TRIES=n of `make torture` and `make bench` shorten that
+#   figures.sh         writes them, some minutes; FRAMES=n and TRIES=n of `make impairment` and `make bench` shorten that
 #   figures.sh check   says "ok ...", "FAILED ..." or "skipped ..." of each that takes seconds: is it up to date?
 # A table is checked only with the compilers that its first line names: others make other code. BUILD is an absolute
 # folder for what is built.
@@ -13,7 +13,7 @@ mkdir -p "$out"
 
 print() {  # NAME [ONLY=...]
   case $1 in
-    torture | size) "${MAKE:-make}" --no-print-directory -s -C ../.. BUILD="$BUILD" "$@" ;;
+    impairment | size) "${MAKE:-make}" --no-print-directory -s -C ../.. BUILD="$BUILD" "$@" ;;
     bench) ../../test/bench/bench.sh known ;;
     worst) ../../test/bench/bench.sh worst ;;
   esac
@@ -43,12 +43,12 @@ check() {  # NAME
   verdict $? "make $1"
 }
 
-# Of the torture table, which takes minutes: seed, frames and one line.
-check_torture() {
-  on_page torture >"$out/torture.page"
-  print torture ONLY="$1" >"$out/torture" 2>"$out/torture.err" || cat "$out/torture.err"
-  [ "$(grep -c "^| $1" "$out/torture")" -gt 0 ] && ! grep -vxF -f "$out/torture.page" "$out/torture"
-  verdict $? "make torture ONLY='$1'"
+# Of the impairment table, which takes minutes: seed, frames and one line.
+check_impairment() {
+  on_page impairment >"$out/impairment.page"
+  print impairment ONLY="$1" >"$out/impairment" 2>"$out/impairment.err" || cat "$out/impairment.err"
+  [ "$(grep -c "^| $1" "$out/impairment")" -gt 0 ] && ! grep -vxF -f "$out/impairment.page" "$out/impairment"
+  verdict $? "make impairment ONLY='$1'"
 }
 
 if [ "${1:-}" = check ]; then
@@ -56,11 +56,11 @@ if [ "${1:-}" = check ]; then
   printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
   check size
   check bench
-  check_torture 'Fast S.Bus, bursts'
+  check_impairment 'Fast S.Bus, bursts'
   exit
 fi
 
-for name in size bench worst torture; do
+for name in size bench worst impairment; do
   echo "$name" >&2
   print "$name" >"$out/$name" || exit 1
   awk -v begin="<!-- $name: begin -->" -v end="<!-- $name: end -->" -v table="$out/$name" '

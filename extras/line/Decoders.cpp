@@ -26,20 +26,20 @@ void Places::rejected(int at, sbus::Rejection why) {
 }
 
 // A decoder does not hear of bad characters: to it a frame that has one, and a byte too many at its end, looks whole.
-void Places::found(Stretch::Kind kind, int size) {
+void Places::found(Stretch::Kind variant, int size) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;
   discarded(size);
-  votes += kind != Stretch::Kind::Extra && !isDoubtful(kind, begin);
+  votes += variant != Stretch::Kind::Extra && !isDoubtful(variant, begin);
   _foundEnd = end;
-  pieces.push_back({end - begin == static_cast<uint64_t>(size) ? kind : Stretch::Kind::NoFrame, begin, end});
+  pieces.push_back({end - begin == static_cast<uint64_t>(size) ? variant : Stretch::Kind::NoFrame, begin, end});
 }
 
 // Where gaps do not tell, what one decoder takes for a frame may be a part of the other's, again and again: 25 of 36
 // bytes, or 36 that begin in each second frame.
-bool Places::isDoubtful(Stretch::Kind kind, uint64_t begin) const {
+bool Places::isDoubtful(Stretch::Kind variant, uint64_t begin) const {
   const uint64_t between = (begin - _foundEnd) % sbus::FrameSize24;
-  const bool is24 = kind == Stretch::Kind::Frame24;
+  const bool is24 = variant == Stretch::Kind::Frame24;
   return isLumpy && (_foundEnd == 0 || (is24 ? between != 0 : between == sbus::FrameSize24 - sbus::FrameSize));
 }
 
@@ -62,7 +62,7 @@ bool Decoders::has24() const {
 
 sbus::Counters Decoders::counters16() const {
   sbus::Counters counters = _finder16.counters();
-  counters.otherFrames = std::max(counters.otherFrames, has24() ? _finder24.counters().frames : 0);
+  counters.otherSizeFrames = std::max(counters.otherSizeFrames, has24() ? _finder24.counters().frames : 0);
   return counters;
 }
 

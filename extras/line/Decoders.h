@@ -30,10 +30,10 @@ class Places {
   std::vector<Rejected> rejections;  // the newest ones
 
  protected:
-  void found(Stretch::Kind kind, int size);
+  void found(Stretch::Kind variant, int size);
 
  private:
-  bool isDoubtful(Stretch::Kind kind, uint64_t begin) const;
+  bool isDoubtful(Stretch::Kind variant, uint64_t begin) const;
 
   std::deque<uint64_t> _open;  // places of the bytes that the decoder still holds
   uint64_t _foundEnd = 0;      // place after the last frame; 0 before the first

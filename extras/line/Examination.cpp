@@ -12,14 +12,14 @@ sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
   subtract(now.frames, before.frames);
   subtract(now.lostFrames, before.lostFrames);
   subtract(now.failsafeFrames, before.failsafeFrames);
-  subtract(now.refusedByEnd, before.refusedByEnd);
-  subtract(now.refusedByFlags, before.refusedByFlags);
-  subtract(now.refusedByExtra, before.refusedByExtra);
-  subtract(now.skippedBytes, before.skippedBytes);
+  subtract(now.rejectedByEnd, before.rejectedByEnd);
+  subtract(now.rejectedByFlags, before.rejectedByFlags);
+  subtract(now.rejectedByLength, before.rejectedByLength);
+  subtract(now.discardedBytes, before.discardedBytes);
   subtract(now.resyncs, before.resyncs);
   subtract(now.overflows, before.overflows);
   subtract(now.extraFrames, before.extraFrames);
-  subtract(now.otherFrames, before.otherFrames);
+  subtract(now.otherSizeFrames, before.otherSizeFrames);
   return now;
 }
 
@@ -36,9 +36,9 @@ sbus::Trial Examination::trial(const Observer &observer, const LineSettings &por
   sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
                        static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
                        difference(observer.counters16(), _before)};
-  // Bad characters never reach a decoder, and damagedFrames() counts on that. A line of bad ones only is no silence.
-  if (trial.counters.frames == 0 && trial.counters.skippedBytes == 0) {
-    trial.counters.skippedBytes = static_cast<uint32_t>(observer.badCharacters() - _badBefore);
+  // Bad characters never reach a decoder, and impairedFrames() counts on that. A line of bad ones only is no silence.
+  if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {
+    trial.counters.discardedBytes = static_cast<uint32_t>(observer.badCharacters() - _badBefore);
   }
   return trial;
 }

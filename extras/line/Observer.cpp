@@ -32,8 +32,8 @@ sbus::Counters Observer::counters() const {
   sbus::Counters counters = _decoders.counters();
   if (_joinedAtExtra) {
     counters.extraFrames++;
-    counters.refusedByExtra -= counters.refusedByExtra > 0;
-    counters.skippedBytes -= sbus::FrameSize;
+    counters.rejectedByLength -= counters.rejectedByLength > 0;
+    counters.discardedBytes -= sbus::FrameSize;
   }
   return counters;
 }
@@ -60,7 +60,7 @@ void Observer::idleUntil(uint64_t nowUs) {
   _segments.cutBefore(_decoders.openAt(_segments.end()), _last.endUs + _silenceUs);
 }
 
-// Where whole frames wait for what follows, silence does. A part of one would be taken for a damaged frame.
+// Where whole frames wait for what follows, silence does. A part of one would be taken for a impaired frame.
 void Observer::finish() {
   constexpr uint64_t SilenceUs = 10000;
   handOver();

@@ -76,12 +76,12 @@ const CLI::App *find(const CLI::App &app, const std::string &name) {
 }
 
 void printHelp(const CLI::App &app, const std::string &name) {
-  const CLI::App *const verb = name.empty() ? &app : find(app, name);
-  if (verb == nullptr) {
+  const CLI::App *const subcommand = name.empty() ? &app : find(app, name);
+  if (subcommand == nullptr) {
     throw CLI::ValidationError(unknownSubcommand(app, name));
   }
   const std::string prefix = name.empty() ? "" : app.get_name() + " ";
-  write(app.get_formatter()->make_help(verb, prefix + verb->get_name(), CLI::AppFormatMode::Normal));
+  write(app.get_formatter()->make_help(subcommand, prefix + subcommand->get_name(), CLI::AppFormatMode::Normal));
   flush();
 }
 
@@ -113,22 +113,22 @@ Words wordsFor(const CLI::App &app, const std::string &type) {
 
 // What may stand after `before`, which begins with the subcommand.
 Words wordsAfter(const CLI::App &app, const Words &before) {
-  const CLI::App *const verb = find(app, before[0]);
-  if (verb == nullptr) {
+  const CLI::App *const subcommand = find(app, before[0]);
+  if (subcommand == nullptr) {
     return {};
   }
   size_t placed = 0;
   for (size_t i = 1; i < before.size(); i++) {
     const CLI::Option *const option =
-        before[i].rfind('-', 0) == 0 && before[i] != "-" ? verb->get_option_no_throw(before[i]) : nullptr;
+        before[i].rfind('-', 0) == 0 && before[i] != "-" ? subcommand->get_option_no_throw(before[i]) : nullptr;
     if (option != nullptr && takesValue(*option) && ++i == before.size()) {
       return wordsFor(app, option->get_type_name());
     }
     placed += option == nullptr;
   }
-  Words words = optionNames(*verb);
+  Words words = optionNames(*subcommand);
   const auto isArgument = [](const CLI::Option *option) { return option->get_positional(); };
-  for (const CLI::Option *const option : verb->get_options(isArgument)) {
+  for (const CLI::Option *const option : subcommand->get_options(isArgument)) {
     if (placed-- == 0) {
       const Words own = wordsFor(app, option->get_name());
       words.insert(words.end(), own.begin(), own.end());
@@ -140,17 +140,17 @@ Words wordsAfter(const CLI::App &app, const Words &before) {
 }  // namespace
 
 void addHelp(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("help", "what a subcommand takes");
+  CLI::App *const subcommand = app.add_subcommand("help", "what a subcommand takes");
   const auto name = std::make_shared<std::string>();
-  verb->add_option("SUBCOMMAND", *name, "all of them without it")->type_name("");
-  verb->callback([&app, name] { printHelp(app, *name); });
+  subcommand->add_option("SUBCOMMAND", *name, "all of them without it")->type_name("");
+  subcommand->callback([&app, name] { printHelp(app, *name); });
 }
 
 std::string misplacedWord(const CLI::App &app) {
   const Words own = app.remaining();
-  const auto verbs = app.get_subcommands();
-  const std::string name = verbs.empty() || !own.empty() ? "sbus" : "sbus " + verbs.front()->get_name();
-  const Words left = own.empty() && !verbs.empty() ? verbs.front()->remaining() : own;
+  const auto subcommands = app.get_subcommands();
+  const std::string name = subcommands.empty() || !own.empty() ? "sbus" : "sbus " + subcommands.front()->get_name();
+  const Words left = own.empty() && !subcommands.empty() ? subcommands.front()->remaining() : own;
   if (left.empty()) {
     return {};
   }
@@ -159,11 +159,11 @@ std::string misplacedWord(const CLI::App &app) {
   if (option == left.end()) {
     return name + ": " + left.front() + " is one argument too many; " + help + " lists what it takes";
   }
-  if (!verbs.empty() && !own.empty() && verbs.front()->get_option_no_throw(*option) != nullptr) {
-    return "sbus: " + *option + " is an option of " + verbs.front()->get_name() + "; write it after that";
+  if (!subcommands.empty() && !own.empty() && subcommands.front()->get_option_no_throw(*option) != nullptr) {
+    return "sbus: " + *option + " is an option of " + subcommands.front()->get_name() + "; write it after that";
   }
   return name + ": " + *option + " is no option; " +
-         meant(*option, optionNames(verbs.empty() || !own.empty() ? app : *verbs.front())) + help + " lists them";
+         meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help + " lists them";
 }
 
 std::string unknownSubcommand(const CLI::App &app, const std::string &name) {

@@ -8,7 +8,7 @@
 #include "Output.h"
 #include "SilenceNote.h"
 #include "SourceOption.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/CsvRows.h"
 
 namespace tool {
@@ -113,17 +113,17 @@ void run(const SourceOption &source, const CsvOptions &options) {
 }  // namespace
 
 void addCsv(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("csv", "what the sketch prints: for a serial plotter or a spreadsheet");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  CLI::App *const subcommand = app.add_subcommand("csv", "what the sketch prints: for a serial plotter or a spreadsheet");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<CsvOptions>();
-  verb->add_option("--columns", options->columns,
+  subcommand->add_option("--columns", options->columns,
                    "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
       ->type_name("LIST");
-  verb->add_option("--rate", options->rate, "rows a second (5)")->check(numberBetween(0.01, 1000))->type_name("N");
-  options->everyFrame = verb->add_flag("--every-frame", "a row for each frame, whatever the rate");
-  options->header = verb->add_flag("--header", "the columns' names in the first row");
-  verb->footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
-  verb->callback([source, options] { run(*source, *options); });
+  subcommand->add_option("--rate", options->rate, "rows a second (5)")->check(numberBetween(0.01, 1000))->type_name("N");
+  options->everyFrame = subcommand->add_flag("--every-frame", "a row for each frame, whatever the rate");
+  options->header = subcommand->add_flag("--header", "the columns' names in the first row");
+  subcommand->footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
+  subcommand->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

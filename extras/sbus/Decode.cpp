@@ -10,7 +10,7 @@
 #include "DecodeOutput.h"
 #include "LineOptions.h"
 #include "Output.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/RecordingWriter.h"
 
 namespace tool {
@@ -140,48 +140,48 @@ void run(const Options &options) {
     decode(options, Put());
     return;
   }
-  refuseSameFile(options.capture, options.output);
+  rejectSameFile(options.capture, options.output);
   writeTo(options.output, File::New, [&options](const Put &put) { decode(options, put); });
 }
 
 }  // namespace
 
 void addDecode(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
+  CLI::App *const subcommand = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
   const auto options = std::make_shared<Options>();
-  verb->add_option("CAPTURE", options->capture,
+  subcommand->add_option("CAPTURE", options->capture,
                    "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
                    "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
                    "each also as .gz; - is standard input")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  verb->add_option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
+  subcommand->add_option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
       ->check(notStandardOutput())
       ->type_name("FILE.txt");
   line::Overrules &overrules = options->overrules;
-  verb->add_option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
+  subcommand->add_option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
       ->type_name("NAME");
-  verb->add_option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
+  subcommand->add_option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
       ->check(numberBetween(50000, 400000))
       ->type_name("N");
-  verb->add_option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
+  subcommand->add_option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
       ->check(CLI::IsMember({"yes", "no"}).description(""))
       ->type_name("yes|no");
-  verb->add_option_function<double>("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
+  subcommand->add_option_function<double>("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
                                     "samples a second, each row or bit one (as the capture says)")
       ->check(numberBetween(1, 1e10))
       ->type_name("HZ");
-  verb->add_option_function<double>("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
+  subcommand->add_option_function<double>("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
                                     "voltage above which the wire is high, in the capture's unit (found)")
       ->type_name("V");
-  const auto csv = verb->add_flag("--csv", options->csv, "rows for a spreadsheet");
-  verb->add_flag("--json", options->json, "JSON lines")->excludes(csv);
-  verb->add_flag("--characters", options->characters, "the characters, not the frames");
-  verb->footer(
+  const auto csv = subcommand->add_flag("--csv", options->csv, "rows for a spreadsheet");
+  subcommand->add_flag("--json", options->json, "JSON lines")->excludes(csv);
+  subcommand->add_flag("--characters", options->characters, "the characters, not the frames");
+  subcommand->footer(
       "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
       "options name them. Times are the capture's: of the first start bit's edge. Exits with 1 if there is no frame.");
-  verb->callback([options] {
+  subcommand->callback([options] {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;

@@ -9,11 +9,11 @@
 
 #include "Format.h"
 #include "Json.h"
-#include "KindOfLine.h"
+#include "VariantOfLine.h"
 #include "Output.h"
 #include "SourceOption.h"
 #include "Stop.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/CsvRows.h"
 #include "line/Examination.h"
 #include "line/Observer.h"
@@ -87,8 +87,8 @@ class Heard {
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
                    : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
-                         std::to_string(counters().skippedBytes) +
-                         (counters().skippedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
+                         std::to_string(counters().discardedBytes) +
+                         (counters().discardedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
            (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
            "\n";
   }
@@ -100,7 +100,7 @@ class Heard {
         .number("heard_ms", ms())
         .number("frames", counters().frames)
         .flag("has_24_channels", _observer.has24())
-        .number("discarded_bytes", counters().skippedBytes)
+        .number("discarded_bytes", counters().discardedBytes)
         .number("bad_characters", _observer.badCharacters())
         .number("lost_frames", counters().lostFrames)
         .number("failsafe_frames", counters().failsafeFrames)
@@ -122,7 +122,7 @@ class Heard {
     const auto aSecond = [us](uint64_t count) { return std::to_string((count * 1000000 + us / 2) / us); };
     const std::string rate = us == 0 ? frames() + ", too few for a rate"
                                      : aSecond(periods.size()) + " frames a second and " +
-                                           aSecond(sbus::damagedFrames(seen)) + " damaged, " +
+                                           aSecond(sbus::impairedFrames(seen)) + " damaged, " +
                                            std::to_string(usualPeriodUs(periods, us)) + " us from one to the next";
     return _kind.text() + ": " + rate + "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) +
            " % with the lost-frame flag" +
@@ -158,7 +158,7 @@ class Heard {
     return periods;
   }
 
-  // The median, which a damaged frame does not move; the mean where a port's lumps leave no period as it was.
+  // The median, which a impaired frame does not move; the mean where a port's lumps leave no period as it was.
   uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
     const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
     std::nth_element(periods.begin(), middle, periods.end());
@@ -180,7 +180,7 @@ class Heard {
   const line::LineSettings _settings;
   line::Observer _observer;
   line::Examination _examination;
-  KindOfLine _kind;
+  VariantOfLine _kind;
   std::vector<uint64_t> _ends;      // of the frames, in us
   std::vector<uint64_t> _silences;  // where they begin, in us
   uint64_t _silentUs = 0;
@@ -304,14 +304,14 @@ bool examine(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addDoctor(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
-  verb->footer(
+  CLI::App *const subcommand = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  subcommand->footer(
       "It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
       "1 if not.");
   const auto json = std::make_shared<bool>(false);
-  verb->add_flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");
-  verb->callback([source, json] {
+  subcommand->add_flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");
+  subcommand->callback([source, json] {
     if (!examine(*source, *json)) {
       throw CLI::RuntimeError(EXIT_FAILURE);
     }

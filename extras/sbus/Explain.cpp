@@ -13,7 +13,7 @@
 #include "Format.h"
 #include "HexText.h"
 #include "Output.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "sbus/Frame.h"
 #include "sbus/Scaling.h"
 
@@ -146,22 +146,22 @@ class Frame {
 
   std::string end(size_t at) {
     constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "R7003SB or FASSTest 12CH"};
-    static_assert(std::size(Texts) == sbus::UnknownKind, "a text for each row of LineKinds");
-    const uint8_t kind = sbus::kindOfEnd(_bytes[at]);
-    if (kind == sbus::UnknownKind || (_size == sbus::FrameSize24 && kind >= sbus::Frame24::Kinds)) {
+    static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
+    const uint8_t kind = sbus::variantOfEnd(_bytes[at]);
+    if (kind == sbus::UnknownVariant || (_size == sbus::FrameSize24 && kind >= sbus::Frame24::Kinds)) {
       blame(at, format("%02X is no end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
                        _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";
     }
     const unsigned slot = (_bytes[at] >> 4) * 8U;
     const std::string slots =
-        kind == sbus::SlotsKind ? format(", telemetry slots %u to %u", slot, slot + 7) : std::string();
+        kind == sbus::SlotsVariant ? format(", telemetry slots %u to %u", slot, slot + 7) : std::string();
     return std::string("end byte: ") + Texts[kind] + slots;
   }
 
   std::string tail(size_t at) {
-    const uint8_t kind = _size == sbus::FrameSize ? sbus::kindOfEnd(_bytes[sbus::EndIndex]) : sbus::UnknownKind;
-    if (kind < sbus::UnknownKind && at < _size + sbus::LineKinds[kind].tailSize) {
+    const uint8_t kind = _size == sbus::FrameSize ? sbus::variantOfEnd(_bytes[sbus::EndIndex]) : sbus::UnknownVariant;
+    if (kind < sbus::UnknownVariant && at < _size + sbus::LineVariants[kind].tailSize) {
       return "belongs to a frame with this end byte, meaning unknown";
     }
     if (at == _size || at == _size + sbus::LongestTail) {
@@ -233,14 +233,14 @@ void run(const std::vector<std::string> &words) {
 }  // namespace
 
 void addExplain(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("explain", "a frame byte by byte, and the bits of each channel");
+  CLI::App *const subcommand = app.add_subcommand("explain", "a frame byte by byte, and the bits of each channel");
   const auto words = std::make_shared<std::vector<std::string>>();
-  verb->add_option("BYTES", *words, "a frame in hexadecimal, words or one text; without it, or with -, standard input")
+  subcommand->add_option("BYTES", *words, "a frame in hexadecimal, words or one text; without it, or with -, standard input")
       ->type_name("");
-  verb->footer(
+  subcommand->footer(
       "A frame has 25 bytes, or 36 with 24 channels. Microseconds are a FrSky's: 172, 992 and 1811 are 988, 1500 and "
       "2012.");
-  verb->callback([words] { run(*words); });
+  subcommand->callback([words] { run(*words); });
 }
 
 }  // namespace tool

@@ -16,7 +16,7 @@
 #include "Output.h"
 #include "SilenceNote.h"
 #include "SourceOption.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/Observer.h"
 
 namespace tool {
@@ -26,7 +26,7 @@ namespace {
 // Of a terminal that shows colours; the text says the same without them.
 struct Colours {
   const char *time = "";
-  const char *refused = "";
+  const char *rejected = "";
   const char *bad = "";
   const char *flags = "";
   const char *off = "";
@@ -90,7 +90,7 @@ class HexView {
       showFolded(stretch, time, std::max(width, LeastWidth));
       return;
     }
-    const char *const colour = stretch.isFrame() ? "" : _colours.refused;
+    const char *const colour = stretch.isFrame() ? "" : _colours.rejected;
     std::string text = _colours.time + time + _colours.off + colour + bytes(stretch, 0, stretch.characters.size());
     for (size_t i = stretch.characters.size(); i < sbus::FrameSize; i++) {
       text += "   ";
@@ -120,7 +120,7 @@ class HexView {
     std::vector<std::string> texts;
     fold(verdict(stretch) + flags(stretch), textWidth, texts);
     const bool alarmed = !flags(stretch).empty();
-    const char *const colour = !stretch.isFrame() ? _colours.refused : alarmed ? _colours.flags : "";
+    const char *const colour = !stretch.isFrame() ? _colours.rejected : alarmed ? _colours.flags : "";
     for (std::string &text : texts) {
       text = colour + text + (*colour != '\0' ? _colours.off : "");
     }
@@ -145,7 +145,7 @@ class HexView {
   }
 
   std::string bytes(const line::Stretch &stretch, size_t from, size_t to) const {
-    const char *const colour = stretch.isFrame() ? "" : _colours.refused;
+    const char *const colour = stretch.isFrame() ? "" : _colours.rejected;
     std::string text;
     for (size_t i = from; i < to; i++) {
       const line::Character &character = stretch.characters[i];
@@ -237,26 +237,26 @@ void run(const SourceOption &source, const HexOptions &options) {
 }  // namespace
 
 void addHex(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("hex", "the bytes, 25 a line, and what was refused and why");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  CLI::App *const subcommand = app.add_subcommand("hex", "the bytes, 25 a line, and what was rejected and why");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<HexOptions>();
-  auto *const values = verb->add_flag("--values", options->values, "the raw values of a frame's channels beside it");
+  auto *const values = subcommand->add_flag("--values", options->values, "the raw values of a frame's channels beside it");
   auto *const delta =
-      verb->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
-  verb->add_flag("--json", options->json, "JSON lines: every frame, and what is none")
+      subcommand->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  subcommand->add_flag("--json", options->json, "JSON lines: every frame, and what is none")
       ->excludes(values)
       ->excludes(delta);
-  verb->add_option("--width", options->width,
+  subcommand->add_option("--width", options->width,
                    "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
       ->check(numberBetween(LeastWidth, 1000))
       ->type_name("N");
-  verb->add_option("--color", options->colour, "auto: on a terminal (auto)")
+  subcommand->add_option("--color", options->colour, "auto: on a terminal (auto)")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
       ->type_name("auto|always|never");
-  verb->footer(
+  subcommand->footer(
       "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
-  verb->callback([source, options] { run(*source, *options); });
+  subcommand->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

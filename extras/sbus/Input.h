@@ -1,4 +1,4 @@
-// A line that a verb reads, in true time or as fast as it goes.
+// A line that a subcommand reads, in true time or as fast as it goes.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@ namespace tool {
 
 namespace {
 
-void refuse(const std::vector<const CLI::Option *> &options, const std::string &reason) {
+void reject(const std::vector<const CLI::Option *> &options, const std::string &reason) {
   for (const CLI::Option *option : options) {
     if (option->count() > 0) {
       throw CLI::ValidationError(option->get_name(), reason);
@@ -21,33 +21,33 @@ void refuse(const std::vector<const CLI::Option *> &options, const std::string &
 
 }  // namespace
 
-LineOptions::LineOptions(CLI::App &verb) {
-  verb.add_option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
+LineOptions::LineOptions(CLI::App &subcommand) {
+  subcommand.add_option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
   const CLI::Option *const channels =
-      verb.add_option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
+      subcommand.add_option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
           ->check(CLI::IsMember({16, 24, 32}).description(""))
           ->type_name("16|24|32");
   const CLI::Option *const sticks =
-      verb.add_option("--sticks", _sticks, "what the person at the radio of sim does (flight)")
+      subcommand.add_option("--sticks", _sticks, "what the person at the radio of sim does (flight)")
           ->check(CLI::IsMember({"flight", "calibration"}).description(""))
           ->type_name("flight|calibration");
-  _silent = verb.add_flag("--silent", "nothing comes from sim");
-  const CLI::Option *const noise = verb.add_option("--noise", _noise, "disturbances a second, on sim or a recording")
+  _silent = subcommand.add_flag("--silent", "nothing comes from sim");
+  const CLI::Option *const noise = subcommand.add_option("--noise", _noise, "disturbances a second, on sim or a recording")
                                        ->check(numberBetween(1, 100000))
                                        ->type_name("N");
-  _uninverted = verb.add_flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
+  _uninverted = subcommand.add_flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
   _simulated = {channels, sticks, _silent};
   _disturbing = {noise, _uninverted};
 }
 
-void LineOptions::refuseSimulated(const std::string &what) const {
-  refuse(_simulated, "is of sim, the built-in receiver; leave it out for " + what);
+void LineOptions::rejectSimulated(const std::string &what) const {
+  reject(_simulated, "is of sim, the built-in receiver; leave it out for " + what);
 }
 
-void LineOptions::refuseDisturbing(const std::string &what) const {
-  refuse(_disturbing, "is of sim or a recording; leave it out for " + what);
+void LineOptions::rejectDisturbing(const std::string &what) const {
+  reject(_disturbing, "is of sim or a recording; leave it out for " + what);
 }
 
 line::LineSettings LineOptions::settings() const {
@@ -71,7 +71,7 @@ line::Source LineOptions::source(const line::LineSettings &settings) const {
   return source;
 }
 
-// "nan" is refused, too.
+// "nan" is rejected, too.
 CLI::Validator numberBetween(double low, double high) {
   const auto check = [low, high](const std::string &text) {
     char *end = nullptr;
@@ -102,14 +102,14 @@ CLI::Validator notStandardOutput() {
   return CLI::Validator(check, "");
 }
 
-void refusePipe(const std::string &name) {
+void rejectPipe(const std::string &name) {
   struct stat status;
   if (name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))) {
     throw std::runtime_error(name + ": is a pipe, and is read more than once: save it in a file first");
   }
 }
 
-void refuseSameFile(const std::string &read, const std::string &written) {
+void rejectSameFile(const std::string &read, const std::string &written) {
   struct stat one, other;
   if (stat(read.c_str(), &one) == 0 && stat(written.c_str(), &other) == 0 && one.st_dev == other.st_dev &&
       one.st_ino == other.st_ino && S_ISREG(one.st_mode)) {

@@ -11,14 +11,14 @@ namespace tool {
 
 class LineOptions {
  public:
-  // Adds them to a verb; it must not move afterwards.
-  explicit LineOptions(CLI::App &verb);
+  // Adds them to a subcommand; it must not move afterwards.
+  explicit LineOptions(CLI::App &subcommand);
   LineOptions(const LineOptions &) = delete;
   LineOptions &operator=(const LineOptions &) = delete;
 
   // Throws CLI::ValidationError if one was given that has no meaning there: `what` is "a port" or the like.
-  void refuseSimulated(const std::string &what) const;   // those of the built-in receiver
-  void refuseDisturbing(const std::string &what) const;  // --noise and --uninverted
+  void rejectSimulated(const std::string &what) const;   // those of the built-in receiver
+  void rejectDisturbing(const std::string &what) const;  // --noise and --uninverted
 
   // The built-in receiver, or what disturbs a line, as the options have it; on a line that is set so.
   line::Source source(const line::LineSettings &settings) const;
@@ -53,7 +53,7 @@ CLI::Validator notEmpty();
 CLI::Validator notStandardOutput();
 
 // Throw std::runtime_error: if it is read more than once and cannot be; if what would be written is what is read.
-void refusePipe(const std::string &name);
-void refuseSameFile(const std::string &read, const std::string &written);
+void rejectPipe(const std::string &name);
+void rejectSameFile(const std::string &read, const std::string &written);
 
 }  // namespace tool

@@ -14,7 +14,7 @@
 #include "Screen.h"
 #include "SourceOption.h"
 #include "Stop.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "Watch.h"
 
 namespace tool {
@@ -199,19 +199,19 @@ void run(const SourceOption &source, const MonitorOptions &options) {
 }  // namespace
 
 void addMonitor(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::InTrueTime);
+  CLI::App *const subcommand = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<MonitorOptions>();
-  verb->add_option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+  subcommand->add_option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
       ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
-  verb->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
+  subcommand->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
       ->check(notStandardOutput())
       ->type_name("FILE");
-  verb->add_flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
-  verb->footer(
+  subcommand->add_flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
+  subcommand->footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
       "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
-  verb->callback([source, options] { run(*source, *options); });
+  subcommand->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

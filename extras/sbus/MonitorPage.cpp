@@ -67,7 +67,7 @@ class Layout {
  public:
   Layout(const MonitorView &view, PageSize size, bool unicode) : _view(view), _size(size), _unicode(unicode) {
     const int count = static_cast<int>(view.channels.size());
-    constexpr int Fixed = 4;  // title, banner, lamps, a row of facts
+    constexpr int Fixed = 4;  // title, banner, indicators, a row of facts
     do {
       _columns++;
       _rows = (count + _columns - 1) / _columns;
@@ -82,7 +82,7 @@ class Layout {
     const bool head = take(1);
     const std::vector<PageRow> facts = makeFacts();
     const bool afterBanner = take(1);
-    const bool beforeLamps = take(1);
+    const bool beforeIndicators = take(1);
     const bool beforeKeys = keys && take(1);
     const int groups = (_rows - 1) / GroupSize;
     _grouped = groups > 0 && take(groups);
@@ -93,8 +93,8 @@ class Layout {
       this->head();
     }
     channels();
-    space(beforeLamps);
-    lamps();
+    space(beforeIndicators);
+    indicators();
     _page.insert(_page.end(), facts.begin(), facts.end());
     space(beforeKeys);
     if (keys) {
@@ -120,10 +120,10 @@ class Layout {
     }
   }
 
-  std::string lamp(bool on) const { return _unicode ? (on ? "●" : "○") : on ? "(*)" : "( )"; }
+  std::string indicator(bool on) const { return _unicode ? (on ? "●" : "○") : on ? "(*)" : "( )"; }
 
   void title(const std::string &note) {
-    const std::string state = lamp(true) + " " + _view.state + " ";
+    const std::string state = indicator(true) + " " + _view.state + " ";
     const int room = _size.width - widthOf(state);
     const std::string name = cut(" " + _view.source, room - 1);
     const int left = room - widthOf(name);
@@ -196,11 +196,11 @@ class Layout {
     row.push_back({std::string(Cells::Gap, ' '), Style::Plain});
   }
 
-  void lamps() {
+  void indicators() {
     PageRow row = {{" ", Style::Plain}};
     int left = _size.width - 1;
-    for (const MonitorView::Lamp &each : _view.lamps) {
-      std::string text = lamp(each.on) + " " + each.name;
+    for (const MonitorView::Indicator &each : _view.indicators) {
+      std::string text = indicator(each.on) + " " + each.name;
       left -= widthOf(text);
       if (left < 0) {
         break;
@@ -281,7 +281,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "gap    from a frame's end to the next's",
       "lost by radio: lost-frame flag, old values",
       "failsafe: the receiver has given up",
-      "refused: looked like a frame, was none",
+      "rejected: looked like a frame, was none",
       "Any key goes back.",
   };
   std::vector<PageRow> page;
@@ -301,8 +301,8 @@ std::string plainLine(const MonitorView &view, uint64_t nowUs) {
     text += " " + (channel.text.empty() ? "-" : channel.text);
   }
   text += " ";
-  for (const MonitorView::Lamp &lamp : view.lamps) {
-    text += lamp.on ? " " + lamp.name : "";
+  for (const MonitorView::Indicator &indicator : view.indicators) {
+    text += indicator.on ? " " + indicator.name : "";
   }
   return text + "  " + view.plain + (view.banner.empty() ? "" : "  " + view.banner) + "\n";
 }

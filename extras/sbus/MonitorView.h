@@ -19,7 +19,7 @@ struct MonitorView {
     bool marked = false;  // low and high have a meaning
     std::string text;     // the value as it came
   };
-  struct Lamp {
+  struct Indicator {
     std::string name;
     bool on;
     Mood mood;  // when it is on
@@ -40,7 +40,7 @@ struct MonitorView {
   sbus::Range range{};   // of -100, 0 and +100 %
   sbus::Range pulses{};  // of 988, 1500 and 2012 us
   std::vector<Channel> channels;
-  std::vector<Lamp> lamps;
+  std::vector<Indicator> indicators;
   std::vector<Group> groups;
   std::string plain;  // the counters and times in one line, for a pipe
 };

@@ -11,7 +11,7 @@
 #include "SilenceNote.h"
 #include "SourceOption.h"
 #include "SvgPlot.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/CsvRows.h"
 
 namespace tool {
@@ -188,7 +188,7 @@ class Plotter {
 };
 
 void run(const SourceOption &source, const PlotOptions &options) {
-  refuseSameFile(source.name(), options.output);
+  rejectSameFile(source.name(), options.output);
   const std::unique_ptr<Input> input = source.open();
   Plotter plotter(options, input->settings().characterUs(), source.name() != "-");
   SilenceNote silence(source.name(), "frames");
@@ -204,16 +204,16 @@ void run(const SourceOption &source, const PlotOptions &options) {
 }  // namespace
 
 void addPlot(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("plot", "the curves of the channels as a picture, SVG");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  CLI::App *const subcommand = app.add_subcommand("plot", "the curves of the channels as a picture, SVG");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<PlotOptions>();
-  verb->add_option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
+  subcommand->add_option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
       ->type_name("LIST");
-  verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.svg");
-  verb->footer(
+  subcommand->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.svg");
+  subcommand->footer(
       "It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
       "frames are shaded.");
-  verb->callback([source, options] { run(*source, *options); });
+  subcommand->callback([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -11,7 +11,7 @@
 #include "Format.h"
 #include "Json.h"
 #include "Output.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/ports/LowLatency.h"
 
 namespace tool {
@@ -127,10 +127,10 @@ void run(bool asJson) {
 }  // namespace
 
 void addPorts(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("ports", "the serial ports, and what is known of each");
+  CLI::App *const subcommand = app.add_subcommand("ports", "the serial ports, and what is known of each");
   const auto asJson = std::make_shared<bool>(false);
-  verb->add_flag("--json", *asJson, "JSON lines, one a port");
-  verb->callback([asJson] { run(*asJson); });
+  subcommand->add_flag("--json", *asJson, "JSON lines, one a port");
+  subcommand->callback([asJson] { run(*asJson); });
 }
 
 }  // namespace tool

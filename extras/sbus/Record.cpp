@@ -8,7 +8,7 @@
 #include "Recorder.h"
 #include "SilenceNote.h"
 #include "SourceOption.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 
 namespace tool {
 
@@ -40,16 +40,16 @@ void run(const SourceOption &source, const std::string &name) {
 }  // namespace
 
 void addRecord(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("record", "keeps a line in a text file, or a sketch's rows as CSV");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  CLI::App *const subcommand = app.add_subcommand("record", "keeps a line in a text file, or a sketch's rows as CSV");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   const auto name = std::make_shared<std::string>();
-  verb->add_option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
+  subcommand->add_option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  verb->footer(
+  subcommand->footer(
       "The file grows with every frame, and is whole after Ctrl-C, if the disk is full, or if the program is killed.");
-  verb->callback([source, name] { run(*source, *name); });
+  subcommand->callback([source, name] { run(*source, *name); });
 }
 
 }  // namespace tool

@@ -6,7 +6,7 @@
 #include "FileSource.h"
 #include "LineOptions.h"
 #include "Sending.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/RecordedLine.h"
 #include "line/RestoredLine.h"
 
@@ -15,7 +15,7 @@ namespace tool {
 namespace {
 
 struct ReplayOptions {
-  explicit ReplayOptions(CLI::App &verb) : sending(verb) {}
+  explicit ReplayOptions(CLI::App &subcommand) : sending(subcommand) {}
 
   Sending sending;
   std::string file;
@@ -36,7 +36,7 @@ std::unique_ptr<Input> open(const std::shared_ptr<const FileSource> &file, doubl
 }
 
 void run(const ReplayOptions &options) {
-  refusePipe(options.file);
+  rejectPipe(options.file);
   const auto file = std::make_shared<const FileSource>(readFile(options.file, options.baud));
   options.sending.run([&] { return open(file, options.speed); }, options.loop->count() > 0);
 }
@@ -44,20 +44,20 @@ void run(const ReplayOptions &options) {
 }  // namespace
 
 void addReplay(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
-  const auto options = std::make_shared<ReplayOptions>(*verb);
-  verb->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
+  CLI::App *const subcommand = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
+  const auto options = std::make_shared<ReplayOptions>(*subcommand);
+  subcommand->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  verb->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
+  subcommand->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
-  verb->add_option("--speed", options->speed, "so many times as fast (1)")
+  subcommand->add_option("--speed", options->speed, "so many times as fast (1)")
       ->check(numberBetween(0.001, 1000))
       ->type_name("N");
-  options->loop = verb->add_flag("--loop", "again and again");
-  verb->callback([options] { run(*options); });
+  options->loop = subcommand->add_flag("--loop", "again and again");
+  subcommand->callback([options] { run(*options); });
 }
 
 }  // namespace tool

@@ -6,7 +6,7 @@
 #include "LineOptions.h"
 #include "Sending.h"
 #include "SentFrames.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 
 namespace tool {
 
@@ -65,26 +65,26 @@ void run(Options options) {
 }  // namespace
 
 void addSend(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("send", "frames with the values that are named, until Ctrl-C");
+  CLI::App *const subcommand = app.add_subcommand("send", "frames with the values that are named, until Ctrl-C");
   const auto options = std::make_shared<Options>();
-  verb->add_option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
+  subcommand->add_option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
       ->type_name("");
-  verb->add_option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
+  subcommand->add_option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
       ->type_name("");
-  verb->add_option("--from", options->from, "rows as sbus csv writes them, in place of values")
+  subcommand->add_option("--from", options->from, "rows as sbus csv writes them, in place of values")
       ->check(notEmpty())
       ->type_name("FILE.csv");
-  verb->add_option("--period", options->periodMs, "from one frame to the next, ms (9)")
+  subcommand->add_option("--period", options->periodMs, "from one frame to the next, ms (9)")
       ->check(numberBetween(1, 1000))
       ->type_name("MS");
-  verb->add_option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
+  subcommand->add_option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
-  verb->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
-  verb->footer(
+  subcommand->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand->footer(
       "What is not named is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
       "serial port's TXD must be inverted to drive a flight controller.");
-  verb->callback([options] { run(*options); });
+  subcommand->callback([options] { run(*options); });
 }
 
 }  // namespace tool

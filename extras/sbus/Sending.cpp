@@ -95,8 +95,8 @@ class Bursts {
 
 }  // namespace
 
-Sending::Sending(CLI::App &verb) {
-  verb.add_option("--to", _to, "a serial port; else a pseudo-terminal, whose name is printed")->type_name("DEVICE");
+Sending::Sending(CLI::App &subcommand) {
+  subcommand.add_option("--to", _to, "a serial port; else a pseudo-terminal, whose name is printed")->type_name("DEVICE");
 }
 
 void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const {

@@ -12,8 +12,8 @@ namespace tool {
 
 class Sending {
  public:
-  // Adds its options to a verb.
-  explicit Sending(CLI::App &verb);
+  // Adds its options to a subcommand.
+  explicit Sending(CLI::App &subcommand);
 
   // Sends to this port; to a pseudo-terminal if it is empty.
   explicit Sending(std::string port) : _to(std::move(port)) {}

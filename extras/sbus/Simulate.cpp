@@ -5,22 +5,22 @@
 
 #include "LineOptions.h"
 #include "Sending.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/SampledLine.h"
 
 namespace tool {
 
 void addSimulate(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("simulate", "sends what the built-in receiver would, until Ctrl-C");
+  CLI::App *const subcommand = app.add_subcommand("simulate", "sends what the built-in receiver would, until Ctrl-C");
   struct Options {
     explicit Options(CLI::App &each) : line(each), sending(each) {}
     LineOptions line;
     Sending sending;
     double seconds = 0;
   };
-  const auto options = std::make_shared<Options>(*verb);
-  verb->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
-  verb->callback([options] {
+  const auto options = std::make_shared<Options>(*subcommand);
+  subcommand->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand->callback([options] {
     options->sending.run(
         [&options] {
           const line::Source source = options->line.source(options->line.settings());

@@ -55,18 +55,18 @@ Kind kindOf(const std::string &name) {
 
 }  // namespace
 
-SourceOption::SourceOption(CLI::App &verb, Recordings recordings) : _options(verb), _recordings(recordings) {
-  verb.add_option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
+SourceOption::SourceOption(CLI::App &subcommand, Recordings recordings) : _options(subcommand), _recordings(recordings) {
+  subcommand.add_option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  _csv = verb.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
-  verb.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  _csv = subcommand.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
+  subcommand.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
   _part = {
-      verb.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
-      verb.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
+      subcommand.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
+      subcommand.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
   _simulatedTime =
-      verb.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+      subcommand.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
 line::LineSettings SourceOption::settings() const {
@@ -126,17 +126,17 @@ std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
   if (kind != Kind::Simulated) {
-    _options.refuseSimulated(_name);
+    _options.rejectSimulated(_name);
   }
   if (kind != Kind::File) {
     refusePart("is of a file; leave it out for " + _name);
   }
   if (kind == Kind::Port) {
-    _options.refuseDisturbing("a port");
+    _options.rejectDisturbing("a port");
     return std::make_unique<line::ReopenedPort>(_name, port);
   }
   if (kind == Kind::Stream) {
-    _options.refuseDisturbing("a stream of bytes");
+    _options.rejectDisturbing("a stream of bytes");
     return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime->count() > 0);
   }
   if (kind == Kind::File) {
@@ -149,7 +149,7 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
   if (read.kind != FileKind::Recording) {
-    _options.refuseDisturbing(read.kind == FileKind::Rows      ? "rows of CSV"
+    _options.rejectDisturbing(read.kind == FileKind::Rows      ? "rows of CSV"
                               : read.kind == FileKind::Capture ? "a capture of the wire"
                                                                : "bytes without times");
   }

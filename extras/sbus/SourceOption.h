@@ -16,8 +16,8 @@ enum class Recordings { InTrueTime, AtOnce };
 
 class SourceOption {
  public:
-  // Adds SOURCE and its options to a verb.
-  SourceOption(CLI::App &verb, Recordings recordings);
+  // Adds SOURCE and its options to a subcommand.
+  SourceOption(CLI::App &subcommand, Recordings recordings);
 
   // As a port hears it that is set as the options say: settings(). Throws std::runtime_error.
   std::unique_ptr<Input> open() const { return open(settings()); }

@@ -1,4 +1,4 @@
-// Ctrl-C and the like: a verb ends by itself, and what it has written is whole.
+// Ctrl-C and the like: a subcommand ends by itself, and what it has written is whole.
 #pragma once
 
 namespace tool {

@@ -9,11 +9,11 @@
 
 #include "Format.h"
 #include "Json.h"
-#include "KindOfLine.h"
+#include "VariantOfLine.h"
 #include "Output.h"
 #include "SilenceNote.h"
 #include "SourceOption.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/Observer.h"
 #include "sbus/Link.h"
 
@@ -107,7 +107,7 @@ class Summary {
         name + ": " + _kind.text() + ", " +
         format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu bytes of no frame, %lu bad characters\n",
                static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
-               static_cast<unsigned long>(counters.failsafeFrames), static_cast<unsigned long>(counters.skippedBytes),
+               static_cast<unsigned long>(counters.failsafeFrames), static_cast<unsigned long>(counters.discardedBytes),
                _observer.badCharacters());
     return counts + (hasTimes ? times() : "");
   }
@@ -122,7 +122,7 @@ class Summary {
     summary.number("frames", counters.frames)
         .number("lost_frames", counters.lostFrames)
         .number("failsafe_frames", counters.failsafeFrames)
-        .number("discarded_bytes", counters.skippedBytes)
+        .number("discarded_bytes", counters.discardedBytes)
         .number("bad_characters", _observer.badCharacters());
     std::string lines = summary.line();
     if (hasTimes) {
@@ -171,7 +171,7 @@ class Summary {
   }
 
   line::Observer _observer;
-  KindOfLine _kind;
+  VariantOfLine _kind;
   uint64_t _firstUs = 0;  // of the frames
   uint64_t _lastUs = 0;   // 0: none yet
   Spans _failsafe{"failsafe", "failsafe"};
@@ -203,15 +203,15 @@ void run(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addSummary(CLI::App &app) {
-  CLI::App *const verb =
+  CLI::App *const subcommand =
       app.add_subcommand("summary", "a flight: when failsafe and losses were, how often frames came");
-  const auto source = std::make_shared<SourceOption>(*verb, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   const auto json = std::make_shared<bool>(false);
-  verb->add_flag("--json", *json, "JSON lines");
-  verb->footer(
+  subcommand->add_flag("--json", *json, "JSON lines");
+  subcommand->footer(
       "It is printed when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
       "frame with the flag to the next one without; no frames: 0.1 s and more.");
-  verb->callback([source, json] { run(*source, *json); });
+  subcommand->callback([source, json] { run(*source, *json); });
 }
 
 }  // namespace tool

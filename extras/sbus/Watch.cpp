@@ -13,7 +13,7 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t LampUs = 300000;  // a frame's flag is seen so long
+constexpr uint64_t IndicatorUs = 300000;  // a frame's flag is seen so long
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // a sketch prints a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
@@ -148,7 +148,7 @@ std::string Watch::json(uint64_t nowUs) {
       .number("frames", now.frames)
       .number("lost_frames", now.lostFrames)
       .number("failsafe_frames", now.failsafeFrames)
-      .number("discarded_bytes", now.skippedBytes)
+      .number("discarded_bytes", now.discardedBytes)
       .number("bad_characters", _observer.badCharacters())
       .line();
 }
@@ -170,12 +170,12 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
   }
   if (!_observer.has24()) {
     const bool more = values.count > sbus::ProportionalCount;  // CH17 is a channel then; Futaba calls the switches so
-    view.lamps.push_back({more ? "DG1" : "CH17", values.switches[0], Mood::Good});
-    view.lamps.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
+    view.indicators.push_back({more ? "DG1" : "CH17", values.switches[0], Mood::Good});
+    view.indicators.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
   }
-  const bool lost = values.lostFrame || (_lostUs > 0 && nowUs < _lostUs + LampUs);
-  view.lamps.push_back({"FRAME LOST", lost, Mood::Warn});
-  view.lamps.push_back({"FAILSAFE", values.failsafe, Mood::Bad});
+  const bool lost = values.lostFrame || (_lostUs > 0 && nowUs < _lostUs + IndicatorUs);
+  view.indicators.push_back({"FRAME LOST", lost, Mood::Warn});
+  view.indicators.push_back({"FAILSAFE", values.failsafe, Mood::Bad});
   view.groups = groups(nowUs, seen);
 }
 
@@ -189,18 +189,18 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
        {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
-        count("bytes skipped", now.skippedBytes - _before.skippedBytes)}},
-      {"Refused",
-       {count("no end byte", now.refusedByEnd - _before.refusedByEnd),
-        count("unused flags", now.refusedByFlags - _before.refusedByFlags),
-        count("length or pause", now.refusedByExtra - _before.refusedByExtra),
+        count("bytes skipped", now.discardedBytes - _before.discardedBytes)}},
+      {"Rejected",
+       {count("no end byte", now.rejectedByEnd - _before.rejectedByEnd),
+        count("unused flags", now.rejectedByFlags - _before.rejectedByFlags),
+        count("length or pause", now.rejectedByLength - _before.rejectedByLength),
         count("found again", now.resyncs - _before.resyncs)}},
   };
 }
 
 void Watch::showState(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
-  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + LampUs;
+  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + IndicatorUs;
   switch (_observer.state(nowUs)) {
     case sbus::LinkState::NeverSeen:
       view.state = "no frame yet";
@@ -215,7 +215,7 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       break;
     case sbus::LinkState::Ok:
     case sbus::LinkState::Lossy: {
-      const bool lossy = _lostUs > 0 && nowUs < _lostUs + LampUs;
+      const bool lossy = _lostUs > 0 && nowUs < _lostUs + IndicatorUs;
       view.state = lossy ? "lossy" : "receiving";
       view.mood = lossy ? Mood::Warn : Mood::Good;
       break;
@@ -252,7 +252,7 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   }
   for (size_t i = channels; i < _row.size(); i++) {
     const bool failsafe = sketch && i == channels;
-    view.lamps.push_back({sketch ? (failsafe ? "FAILSAFE" : "FRAME LOST") : "CH" + std::to_string(i + 1),
+    view.indicators.push_back({sketch ? (failsafe ? "FAILSAFE" : "FRAME LOST") : "CH" + std::to_string(i + 1),
                           _row[i].value > 0,
                           failsafe ? Mood::Bad
                           : sketch ? Mood::Warn

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "KindOfLine.h"
+#include "VariantOfLine.h"
 #include "MonitorView.h"
 #include "line/CsvRows.h"
 #include "line/LineSettings.h"
@@ -53,7 +53,7 @@ class Watch {
   const sbus::Range _pulses;
 
   line::Observer _observer;
-  KindOfLine _kind;
+  VariantOfLine _kind;
   sbus::Counters _before{};  // when the counters were reset
   unsigned long _badBefore = 0;
   uint64_t _characterUs = 0;  // when the newest came

@@ -7,7 +7,7 @@
 #include "FileSource.h"
 #include "LineOptions.h"
 #include "Output.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 #include "line/wire/VcdWriter.h"
 
 namespace tool {
@@ -31,8 +31,8 @@ void wave(const FileSource &file, const Put &put) {
 }
 
 void run(const Options &options) {
-  refusePipe(options.recording);
-  refuseSameFile(options.recording, options.output);
+  rejectPipe(options.recording);
+  rejectSameFile(options.recording, options.output);
   FileSource file = readFile(options.recording, options.baud);
   if (file.kind == FileKind::Capture) {
     throw std::runtime_error(options.recording + ": is a capture of the wire already; sbus decode reads it");
@@ -44,18 +44,18 @@ void run(const Options &options) {
 }  // namespace
 
 void addWave(CLI::App &app) {
-  CLI::App *const verb = app.add_subcommand("wave", "the wire of a recording as VCD, for PulseView and the like");
+  CLI::App *const subcommand = app.add_subcommand("wave", "the wire of a recording as VCD, for PulseView and the like");
   const auto options = std::make_shared<Options>();
-  verb->add_option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
+  subcommand->add_option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  verb->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
-  verb->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
+  subcommand->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
+  subcommand->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("N");
-  verb->add_flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");
-  verb->callback([options] { run(*options); });
+  subcommand->add_flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");
+  subcommand->callback([options] { run(*options); });
 }
 
 }  // namespace tool

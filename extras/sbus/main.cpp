@@ -11,11 +11,11 @@
 
 #include "CommandLine.h"
 #include "Stop.h"
-#include "Verbs.h"
+#include "Subcommands.h"
 
 namespace {
 
-void addVerbs(CLI::App &app) {
+void addSubcommands(CLI::App &app) {
   tool::addPorts(app);
   tool::addMonitor(app);
   tool::addDoctor(app);
@@ -44,8 +44,8 @@ void keepStreamsApart() {
 
 // Of the subcommand that was asked for, if any.
 std::string nameOf(const CLI::App &app) {
-  const auto verbs = app.get_subcommands();
-  return verbs.empty() ? app.get_name() : app.get_name() + " " + verbs.front()->get_name();
+  const auto subcommands = app.get_subcommands();
+  return subcommands.empty() ? app.get_name() : app.get_name() + " " + subcommands.front()->get_name();
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ int main(int argc, char **argv) {
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a capture of a logic analyser, bytes), - for "
       "bytes on standard input, or sim, a receiver that is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
-  addVerbs(app);
+  addSubcommands(app);
   tool::catchSignals();
   try {
     if (argc > 1 && std::strcmp(argv[1], "__complete") == 0) {  // of completion.bash, completion.zsh, completion.fish

@@ -30,15 +30,15 @@ class Acquisition {
   }
 
   /// A gap stands before the next character; `waiting` of those before it belong to no frame yet. Returns true if a
-  /// frame of the other size has just ended. If the line's kind is not known either (`isKindOpen`), it forbids frames
+  /// frame of the other size has just ended. If the line's variant is not known either (`isVariantOpen`), it forbids frames
   /// until one of the right size has come, or eight gaps.
-  bool gap(int waiting, bool isKindOpen) {
+  bool gap(int waiting, bool isVariantOpen) {
     if (_run == 0) {
       return false;  // it is known already
     }
     const bool isOther = _run == Format::OtherSize;
     if (isOther) {
-      _doubts = isKindOpen ? Memory : _doubts;
+      _doubts = isVariantOpen ? Memory : _doubts;
     } else if (_run == Format::Size) {
       _doubts = 0;
     } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {

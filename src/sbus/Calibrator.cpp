@@ -27,27 +27,27 @@ constexpr bool isInMiddle(uint16_t value) {
 
 }  // namespace
 
-const char *text(Refusal refusal) {
+const char *text(CalibrationError refusal) {
   switch (refusal) {
-    case Refusal::None:
+    case CalibrationError::None:
       return "";
-    case Refusal::NeverSeen:
+    case CalibrationError::NeverSeen:
       return " was not seen: switch the radio on";
-    case Refusal::HardlyMoved:
+    case CalibrationError::HardlyMoved:
       return " hardly moved: move it to both ends";
-    case Refusal::CentreOutside:
+    case CalibrationError::CentreOutside:
       return " went further than while it moved: move it to both ends";
-    case Refusal::NotStill:
+    case CalibrationError::NotStill:
       return " did not stand still: let go of it";
-    case Refusal::NotCentred:
+    case CalibrationError::NotCentred:
       return " rests neither near the middle nor at an end: centre it";
-    case Refusal::NotPushed:
+    case CalibrationError::NotPushed:
       return " is where it rested: push it up or right";
-    case Refusal::MovedOneWay:
+    case CalibrationError::MovedOneWay:
       return " moved one way only: move it to both ends";
-    case Refusal::NotRested:
+    case CalibrationError::NotRested:
       return " has not rested: let go of it";
-    case Refusal::NotHeld:
+    case CalibrationError::NotHeld:
       return " was not held: hold it up or right until told";
   }
   return "";
@@ -117,34 +117,34 @@ bool Calibrator::reached(uint8_t channel, uint16_t &low, uint16_t &high) const {
   return true;
 }
 
-Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const {
+CalibrationError Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const {
   if (channel >= ProportionalCount) {
-    return Refusal::NeverSeen;
+    return CalibrationError::NeverSeen;
   }
   Extent travel = _seen[Travel][channel];
   const Extent &rest = _seen[Centre][channel];
   const Hold &hold = _lately[channel].hold;
   const bool pushed = _step == High;
   if (!travel.seen()) {
-    return Refusal::NeverSeen;
+    return CalibrationError::NeverSeen;
   }
   if (travel.high < travel.low + TravelMin) {
-    return Refusal::HardlyMoved;
+    return CalibrationError::HardlyMoved;
   }
   if (!rest.seen()) {
-    return isInMiddle(travel.low) || isInMiddle(travel.high) ? Refusal::MovedOneWay : Refusal::NotRested;
+    return isInMiddle(travel.low) || isInMiddle(travel.high) ? CalibrationError::MovedOneWay : CalibrationError::NotRested;
   }
   if (rest.high - rest.low > StillMax) {
-    return Refusal::NotStill;
+    return CalibrationError::NotStill;
   }
   if (pushed && hold.frames < HeldFrames) {
-    return Refusal::NotHeld;
+    return CalibrationError::NotHeld;
   }
   const uint16_t further = static_cast<uint16_t>((travel.high - travel.low) / EndPart);
   const uint16_t lowest = pushed ? smaller(rest.low, hold.place) : rest.low;
   const uint16_t highest = pushed ? larger(rest.high, hold.place) : rest.high;
   if (lowest + further < travel.low || highest > travel.high + further) {
-    return Refusal::CentreOutside;
+    return CalibrationError::CentreOutside;
   }
   travel.include(lowest, highest);
   const int16_t length = static_cast<int16_t>(travel.high - travel.low);
@@ -155,15 +155,15 @@ Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &cal
   const bool centred = nearest >= length / CentrePart;
   const bool atEnd = nearest <= length / EndPart;
   if (atEnd && isInMiddle(static_cast<uint16_t>(resting))) {
-    return Refusal::MovedOneWay;
+    return CalibrationError::MovedOneWay;
   }
   if (!centred && !atEnd && wanted) {
-    return Refusal::NotCentred;
+    return CalibrationError::NotCentred;
   }
   const int16_t risen = static_cast<int16_t>(pushed ? hold.place - resting : 0);
   const bool backwards = risen < -(length / PushPart);
   if ((wanted || !pushed) && !backwards && risen <= length / PushPart) {
-    return Refusal::NotPushed;
+    return CalibrationError::NotPushed;
   }
   const uint16_t jitter = static_cast<uint16_t>(resting - rest.low);
   const uint16_t middle = static_cast<uint16_t>((travel.low + travel.high + 1) / 2);
@@ -171,21 +171,21 @@ Refusal Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &cal
   calibrated.range.centre = centred ? static_cast<uint16_t>(resting) : middle;
   calibrated.range.high = backwards ? travel.low : travel.high;
   calibrated.deadZone = !centred ? uint16_t{0} : jitter > _deadZone ? jitter : _deadZone;
-  return Refusal::None;
+  return CalibrationError::None;
 }
 
-Refusal Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const {
+CalibrationError Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const {
   Calibration found;
   bool any = false;
   for (uint8_t i = 0; i < ProportionalCount; i++) {
     const bool isWanted = (wanted >> i & 1) != 0;
     found.channels[i] = {{0, 0, 0}, 0};
-    const Refusal refusal = measure(i, isWanted, found.channels[i]);
-    if (isWanted && refusal != Refusal::None) {
+    const CalibrationError refusal = measure(i, isWanted, found.channels[i]);
+    if (isWanted && refusal != CalibrationError::None) {
       channel = i;
       return refusal;
     }
-    any = any || refusal == Refusal::None;
+    any = any || refusal == CalibrationError::None;
   }
   if (!any) {
     channel = 0;
@@ -193,7 +193,7 @@ Refusal Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &c
   }
   seal(found);
   calibration = found;
-  return Refusal::None;
+  return CalibrationError::None;
 }
 
 }  // namespace sbus

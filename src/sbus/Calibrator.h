@@ -17,7 +17,7 @@
 namespace sbus {
 
 /// Why a channel cannot be calibrated, or what is still to be done with it.
-enum class Refusal : uint8_t {
+enum class CalibrationError : uint8_t {
   None,           ///< it can
   NeverSeen,      ///< no frames came in the first step
   HardlyMoved,    ///< its travel is shorter than Calibrator::TravelMin
@@ -32,7 +32,7 @@ enum class Refusal : uint8_t {
 
 /// In words, to stand after a channel's name: what is wrong, and what to do. "CH3" " hardly moved: move it to both
 /// ends". "" for None.
-const char *text(Refusal refusal);
+const char *text(CalibrationError refusal);
 
 /// All calls come from one context. It keeps no time: the caller decides how long a step lasts. Half a second of frames
 /// will do for the second step; the third needs a second, or two with receivers that send less often than 14 ms.
@@ -69,23 +69,23 @@ class Calibrator {
   /// How far a channel, 0..15, has come in the first step. False: no end has been seen yet, and both are left alone.
   bool reached(uint8_t channel, uint16_t &low, uint16_t &high) const;
 
-  /// One channel, 0..15 for CH1..CH16, at any time. Refusal::None: `calibrated` is what it sends; else it is left
+  /// One channel, 0..15 for CH1..CH16, at any time. CalibrationError::None: `calibrated` is what it sends; else it is left
   /// alone, and the answer is the first thing that is still to be done: NotRested once it has moved, NotPushed once it
   /// has rested.
   ///
   /// A channel that rests within 1/16 of an end of its travel (throttle, switch) has its centre in the middle of it,
   /// unless it rests at 700..1350: then it was moved one way only. The others must rest at least 1/4 away from both
   /// ends. Where it rests and is held may be 1/16 further than it came in the first step.
-  Refusal result(uint8_t channel, CalibratedChannel &calibrated) const { return measure(channel, true, calibrated); }
+  CalibrationError result(uint8_t channel, CalibratedChannel &calibrated) const { return measure(channel, true, calibrated); }
 
-  /// All channels. Refusal::None: `calibration` is sealed, `channel` is left alone. Else why the first wanted channel
+  /// All channels. CalibrationError::None: `calibration` is sealed, `channel` is left alone. Else why the first wanted channel
   /// that is not good was refused, `channel` (0..15) is which, and `calibration` is left alone. If none is wanted and
   /// none is good, that is CH1.
   ///
   /// `wanted` has a bit set for each channel that must be good (bit 0: CH1). Of the others, NotCentred ones (a knob, a
   /// switch of six positions) have their centre in the middle of their travel, NotPushed ones do not run backwards, and
   /// the rest are not calibrated. Without the third step no channel is good.
-  Refusal finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const;
+  CalibrationError finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const;
 
  private:
   enum Step : uint8_t { Travel, Centre, High };
@@ -113,7 +113,7 @@ class Calibrator {
   };
 
   void begin(Step step);
-  Refusal measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const;
+  CalibrationError measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const;
 
   Extent _seen[High][ProportionalCount];
   Lately _lately[ProportionalCount];

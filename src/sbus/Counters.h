@@ -14,15 +14,15 @@ struct Counters {
   uint32_t lostFrames;      ///< of the delivered: with the lost-frame flag
   uint32_t failsafeFrames;  ///< of the delivered: with the failsafe flag
 
-  uint32_t refusedByEnd;    ///< 25 bytes from a 0F or 2F on, no end byte: one is missing, or that was no header
-  uint32_t refusedByFlags;  ///< 25 bytes from a 0F or 2F on, unused bits of the flags set
-  uint32_t refusedByExtra;  ///< 25 bytes from a 0F or 2F on, more belong to them, or a gap lies within
+  uint32_t rejectedByEnd;    ///< 25 bytes from a 0F or 2F on, no end byte: one is missing, or that was no header
+  uint32_t rejectedByFlags;  ///< 25 bytes from a 0F or 2F on, unused bits of the flags set
+  uint32_t rejectedByLength;  ///< 25 bytes from a 0F or 2F on, more belong to them, or a gap lies within
 
-  uint32_t skippedBytes;  ///< bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
+  uint32_t discardedBytes;  ///< bytes that belonged to no frame: damaged ones, noise, telemetry, the R7003SB's tail
   uint32_t resyncs;       ///< frames found again after others had been missed
   uint32_t overflows;     ///< polls that found the port's buffer full: it has most probably dropped bytes
   uint32_t extraFrames;   ///< frames with header 2F: DecodeSBus::decodeExtraChannels() has their channels
-  uint32_t otherFrames;   ///< as many bytes between two gaps as a frame of 24 channels has; for DecodeSBus24, one of 16
+  uint32_t otherSizeFrames;   ///< as many bytes between two gaps as a frame of 24 channels has; for DecodeSBus24, one of 16
   uint32_t period;        ///< us between frames delivered, smoothed over some eight; 0 before the second
 
   /// A frame with these flags is delivered, `interval` us after the one before; below 0 if a blocked loop() hides how

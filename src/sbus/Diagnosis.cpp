@@ -4,13 +4,13 @@ namespace sbus {
 
 namespace {
 
-constexpr uint32_t DamagedSize = FrameSize - 1;  // bytes: mostly one character is missing
-constexpr uint32_t DamagedPart = 100;            // more than 1/100 of the frames, and one, damaged: noise
+constexpr uint32_t ImpairedSize = FrameSize - 1;  // bytes: mostly one character is missing
+constexpr uint32_t ImpairedPart = 100;            // more than 1/100 of the frames, and one, damaged: noise
 constexpr uint32_t LossyPart = 10;               // more than 1/10 lost: the radio comes in badly
 constexpr uint32_t NoRadioPart = 2;              // more than 1/2 lost: not at all
 
 uint32_t refused(const Counters &counters) {
-  return counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra;
+  return counters.rejectedByEnd + counters.rejectedByFlags + counters.rejectedByLength;
 }
 
 // In FASSTest 26 a frame with header 2F comes before each frame; the first one is never taken. So many are missing.
@@ -21,7 +21,7 @@ uint32_t missingExtraFrames(const Counters &counters) {
 }
 
 uint32_t framesOfEitherSize(const Counters &counters) {
-  return counters.frames + counters.otherFrames;
+  return counters.frames + counters.otherSizeFrames;
 }
 
 }  // namespace
@@ -34,15 +34,15 @@ const char *text(Finding finding) {
       return "NO FRAMES: bytes come, but few frames or none.";
     case Finding::Channels24:
       return "24 CHANNELS: frames come, but of 24 channels, not of 16.";
-    case Finding::WrongInversion:
+    case Finding::WrongPolarity:
       return "WRONG INVERSION: frames come with the other one only.";
     case Finding::WrongBaud:
       return "WRONG BAUD RATE: frames come with the other one only.";
-    case Finding::WrongInversionAndBaud:
+    case Finding::WrongPolarityAndBaud:
       return "WRONG INVERSION AND BAUD RATE: frames come with the others only.";
     case Finding::PolledTooSeldom:
       return "POLLED TOO SELDOM: the port's buffer runs over.";
-    case Finding::Damaged:
+    case Finding::Noise:
       return "NOISE: frames are damaged.";
     case Finding::Failsafe:
       return "FAILSAFE: the receiver is well, but has given the radio up.";
@@ -66,14 +66,14 @@ const char *cure(Finding finding) {
       return "Connect GND. Is it S.Bus? Inverter missing, or one too many? Can the port do 100000 8E2 (no nRF52)?";
     case Finding::Channels24:
       return "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.";
-    case Finding::WrongInversion:
+    case Finding::WrongPolarity:
       return "Open the port with that one, or put in an inverter, or take one out.";
     case Finding::WrongBaud:
-    case Finding::WrongInversionAndBaud:
+    case Finding::WrongPolarityAndBaud:
       return "Open the port with the setting that has frames: Fast S.Bus has 200000 baud.";
     case Finding::PolledTooSeldom:
       return "Poll the port every 5 ms at least, at 200000 baud every 2.5 ms.";
-    case Finding::Damaged:
+    case Finding::Noise:
       return "Connect the grounds, check the supply, shorten the wire.";
     case Finding::Failsafe:
     case Finding::NoRadio:
@@ -88,11 +88,11 @@ const char *cure(Finding finding) {
   return "";
 }
 
-uint32_t damagedFrames(const Counters &counters) {
+uint32_t impairedFrames(const Counters &counters) {
   if (counters.resyncs == 0) {
     return 0;
   }
-  const uint32_t skipped = (counters.skippedBytes + DamagedSize / 2) / DamagedSize;
+  const uint32_t skipped = (counters.discardedBytes + ImpairedSize / 2) / ImpairedSize;
   const uint32_t headers = refused(counters);
   return (skipped < headers ? skipped : headers) + missingExtraFrames(counters);
 }
@@ -106,7 +106,7 @@ void Diagnosis::add(const Trial &trial) {
     _trial = trial;
     _best = _count;
   }
-  _anyByte = _anyByte || trial.counters.frames != 0 || trial.counters.skippedBytes != 0;
+  _anyByte = _anyByte || trial.counters.frames != 0 || trial.counters.discardedBytes != 0;
   _count++;
 }
 
@@ -121,7 +121,7 @@ Finding Diagnosis::finding() const {
     return Finding::NoSignal;
   }
   if (framesCome && otherInversion) {
-    return otherBaud ? Finding::WrongInversionAndBaud : Finding::WrongInversion;
+    return otherBaud ? Finding::WrongPolarityAndBaud : Finding::WrongPolarity;
   }
   if (framesCome && otherBaud) {
     return Finding::WrongBaud;
@@ -132,14 +132,14 @@ Finding Diagnosis::finding() const {
   if (!framesCome) {
     // Of 55 frames 54 are told by their size, 45 with 30 disturbances a second; at most one in a wrong setting, and 3
     // on a line of 16 channels with 3000.
-    return counters.otherFrames * PeriodMax > _trial.ms ? Finding::Channels24 : Finding::NoFrames;
+    return counters.otherSizeFrames * PeriodMax > _trial.ms ? Finding::Channels24 : Finding::NoFrames;
   }
-  const uint32_t damaged = damagedFrames(counters);
-  if (damaged > 1 + counters.frames / DamagedPart) {
-    return Finding::Damaged;
+  const uint32_t damaged = impairedFrames(counters);
+  if (damaged > 1 + counters.frames / ImpairedPart) {
+    return Finding::Noise;
   }
   // Of S.BUS2 at most 24 bytes come after a frame.
-  if (counters.skippedBytes > (counters.frames + 1) * FrameSize) {
+  if (counters.discardedBytes > (counters.frames + 1) * FrameSize) {
     return Finding::NoFrames;
   }
   if (counters.failsafeFrames != 0) {
@@ -152,7 +152,7 @@ Finding Diagnosis::finding() const {
     return Finding::Lossy;
   }
   // The first bytes may be the rest of a frame.
-  const bool more = damaged == 0 && counters.skippedBytes >= counters.frames + FrameSize;
+  const bool more = damaged == 0 && counters.discardedBytes >= counters.frames + FrameSize;
   return more ? Finding::AllWellAndMore : Finding::AllWell;
 }
 

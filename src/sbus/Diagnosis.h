@@ -27,11 +27,11 @@ enum class Finding : uint8_t {
   NoSignal,               ///< not a byte, with any setting
   NoFrames,               ///< bytes, but with no setting a frame every PeriodMax
   Channels24,             ///< the same, but frames of 24 channels come: they want a DecodeSBus24
-  WrongInversion,         ///< frames come, but with the other inversion than the one that is meant
+  WrongPolarity,         ///< frames come, but with the other inversion than the one that is meant
   WrongBaud,              ///< the same of the baud rate
-  WrongInversionAndBaud,  ///< of both
+  WrongPolarityAndBaud,  ///< of both
   PolledTooSeldom,        ///< the port's buffer ran over
-  Damaged,                ///< frames are damaged, more than one in a hundred
+  Noise,                  ///< frames are damaged, more than one in a hundred
   Failsafe,               ///< the receiver has given the link up
   NoRadio,                ///< more than half of the frames are lost ones, without failsafe
   Lossy,                  ///< more than a tenth
@@ -43,12 +43,12 @@ enum class Finding : uint8_t {
 /// that calls this or cure(), and nothing in others.
 const char *text(Finding finding);
 
-/// What to do about it, in words of the same kind.
+/// What to do about it, in words of the same variant.
 const char *cure(Finding finding);
 
-/// About how many frames came damaged. Refused headers do not tell, as each 0F of a damaged frame may be one; but its
+/// About how many frames came damaged. Refused headers do not tell, as each 0F of a impaired frame may be one; but its
 /// bytes are skipped. FASSTest 26: those with header 2F, too. 0 if no gap was survived.
-uint32_t damagedFrames(const Counters &counters);
+uint32_t impairedFrames(const Counters &counters);
 
 /// One round of trials. All calls from one context.
 class Diagnosis {

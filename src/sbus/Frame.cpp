@@ -61,10 +61,10 @@ inline void packEnd(uint8_t *out, int switches, bool failsafe, bool lostFrame) {
 
 }  // namespace
 
-int innerHeader(const uint8_t *frame, int size, uint8_t kind) {
+int innerHeader(const uint8_t *frame, int size, uint8_t variant) {
   int i = 2;
   while (i < size && (frame[i] != HeaderByte ||
-                      !(kind == UnknownKind ? isEndByte(frame[i - 1]) : endsKind(frame[i - 1], kind)))) {
+                      !(variant == UnknownVariant ? isEndByte(frame[i - 1]) : endsVariant(frame[i - 1], variant)))) {
     i++;
   }
   return i;

@@ -43,45 +43,45 @@ constexpr uint8_t FlagLostFrame = 0x04;  ///< see lostFrame()
 constexpr uint8_t FlagFailsafe = 0x08;   ///< see failsafe()
 constexpr uint8_t FlagsUnused = 0xF0;    ///< 0 on every receiver known
 
-/// What is known of a kind of line. The end byte of its frames tells the kind.
-struct LineKind {
+/// What is known of a variant of line. The end byte of its frames tells the variant.
+struct LineVariant {
   uint8_t end;         ///< the end byte, as far as endMask goes
   uint8_t endMask;     ///< the bits of the end byte that count; the others name telemetry slots
   uint8_t tailSize;    ///< characters that belong to a frame, straight after it
   uint8_t headerMask;  ///< 0xDF: frames with header 2F may come between, with further channels; else 0xFF
 };
 
-/// One row a kind, known from captures of real receivers. A new receiver is a new row, and its capture.
-constexpr LineKind LineKinds[] = {
+/// One row a variant, known from captures of real receivers. A new receiver is a new row, and its capture.
+constexpr LineVariant LineVariants[] = {
     {0x00, 0xFF, 0, 0xDF},  // Futaba S.BUS, FrSky; 2F in FASSTest 26
     {0x04, 0xCF, 0, 0xDF},  // S.BUS2: 04, 14, 24, 34 in turn; sensors may answer 04, some 2 ms after it
     {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
 };
-constexpr uint8_t SlotsKind = 1;  ///< the row with telemetry slots
-constexpr uint8_t UnknownKind = sizeof LineKinds / sizeof LineKinds[0];  ///< no row
+constexpr uint8_t SlotsVariant = 1;  ///< the row with telemetry slots
+constexpr uint8_t UnknownVariant = sizeof LineVariants / sizeof LineVariants[0];  ///< no row
 constexpr uint8_t LongestTail = 5;                                       ///< characters
 
-/// True if frames of this kind, a row of LineKinds, end with this byte.
-constexpr bool endsKind(uint8_t end, uint8_t kind) {
-  return (end & LineKinds[kind].endMask) == LineKinds[kind].end;
+/// True if frames of this variant, a row of LineVariants, end with this byte.
+constexpr bool endsVariant(uint8_t end, uint8_t variant) {
+  return (end & LineVariants[variant].endMask) == LineVariants[variant].end;
 }
 
-/// The kind whose frames end with this byte; UnknownKind if no frame does. (A template, so that no loop goes through
+/// The variant whose frames end with this byte; UnknownVariant if no frame does. (A template, so that no loop goes through
 /// the rows: a line of headers costs half as much.)
 template <uint8_t Row = 0>
-constexpr uint8_t kindOfEnd(uint8_t end) {
-  return endsKind(end, Row) ? Row : kindOfEnd<Row + 1>(end);
+constexpr uint8_t variantOfEnd(uint8_t end) {
+  return endsVariant(end, Row) ? Row : variantOfEnd<Row + 1>(end);
 }
 
 /// After the last row: no frame ends with that byte.
 template <>
-constexpr uint8_t kindOfEnd<UnknownKind>(uint8_t) {
-  return UnknownKind;
+constexpr uint8_t variantOfEnd<UnknownVariant>(uint8_t) {
+  return UnknownVariant;
 }
 
 /// True if a frame may end with this byte: 00, 04, 14, 24, 34 or 08.
 constexpr bool isEndByte(uint8_t byte) {
-  return kindOfEnd(byte) != UnknownKind;
+  return variantOfEnd(byte) != UnknownVariant;
 }
 
 /// True if `byte` may be the ID of a telemetry slot, which three characters of a sensor begin with. Its next two bits are
@@ -111,9 +111,9 @@ constexpr bool failsafe(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagFailsafe) != 0;
 }
 
-/// Returns the index of the first header within `frame` (`size` bytes) that follows an end byte of this kind, of any for
-/// UnknownKind, as it would between two frames; `size` if there is none.
-int innerHeader(const uint8_t *frame, int size, uint8_t kind);
+/// Returns the index of the first header within `frame` (`size` bytes) that follows an end byte of this variant, of any for
+/// UnknownVariant, as it would between two frames; `size` if there is none.
+int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 
 /// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.
@@ -140,7 +140,7 @@ void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFr
 struct Frame16 {
   static constexpr uint8_t Size = FrameSize;         ///< bytes, the flags and the end byte last
   static constexpr uint8_t Channels = ChannelCount;  ///< that unpack() writes
-  static constexpr uint8_t Kinds = UnknownKind;      ///< rows of LineKinds that such lines have
+  static constexpr uint8_t Kinds = UnknownVariant;      ///< rows of LineVariants that such lines have
   static constexpr uint8_t OtherSize = FrameSize24;  ///< bytes of the other
   static constexpr bool HasExtra = true;             ///< frames with header 2F may come between
   static constexpr unsigned LongestSpread = 22;      ///< characters: 16 of a frame that is spread over 4 ms, and a gap

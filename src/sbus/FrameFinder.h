@@ -126,17 +126,17 @@ class FrameFinderOf : private Events {
   void noteEnd(int waiting);
   void takeExtra(int waiting);
   int firstHeader(int from) const;
-  uint8_t kindAt(int start);
-  Verdict judge(int start, uint8_t kind);
+  uint8_t variantAt(int start);
+  Verdict judge(int start, uint8_t variant);
   const uint8_t *deliver();
   void discard(int count);
   static uint8_t kindOf(uint8_t end) {
-    const uint8_t kind = kindOfEnd(end);
-    return Format::Kinds == UnknownKind || kind < Format::Kinds ? kind : UnknownKind;
+    const uint8_t variant = variantOfEnd(end);
+    return Format::Kinds == UnknownVariant || variant < Format::Kinds ? variant : UnknownVariant;
   }
 
   // The small ones first: a Cortex-M0+ reaches bytes in one instruction up to offset 31 only.
-  uint8_t _kind;       // of the line: a row of LineKinds, or UnknownKind
+  uint8_t _variant;       // of the line: a row of LineVariants, or UnknownVariant
   bool _certain;       // the last frame's place was certain
   int8_t _expectedAt;  // index where the next frame is expected; below 0: so many characters ago
   uint8_t _rejected;   // headers rejected in this poll

@@ -22,7 +22,7 @@ template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters) {
   _timing.reset(now, characterTime, idleCharacters);
   _acquisition.reset();
-  _kind = UnknownKind;
+  _variant = UnknownVariant;
   _certain = false;
   _buffer.clear();
   startOver(rules::FirstOffBy);
@@ -33,7 +33,7 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::startOver(int offBy) {
   const int count = _buffer.filled();
-  _counters.skippedBytes += static_cast<unsigned>(count);
+  _counters.discardedBytes += static_cast<unsigned>(count);
   Events::discarded(count);
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
@@ -47,7 +47,7 @@ void FrameFinderOf<Format, Events>::broken() {
   startOver(FarOff);
 }
 
-// A gap stands before the next character, for certain. Of a line of the other size two damaged frames may look like one
+// A gap stands before the next character, for certain. Of a line of the other size two impaired frames may look like one
 // of this size, and the same ones again and again.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore() {
@@ -55,9 +55,9 @@ void FrameFinderOf<Format, Events>::gapBefore() {
   if (!Events::seesEachGap()) {
     _acquisition.forget();
   }
-  if (_acquisition.gap(_buffer.filled(), _kind == UnknownKind)) {
-    countUp(_counters.otherFrames);
-    _kind = UnknownKind;
+  if (_acquisition.gap(_buffer.filled(), _variant == UnknownVariant)) {
+    countUp(_counters.otherSizeFrames);
+    _variant = UnknownVariant;
   }
 }
 
@@ -77,7 +77,7 @@ template <typename Format, typename Events>
 const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
   const bool isSure = _certain && _expectedAt == 0;
   const bool isFrame =
-      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _kind, isSure) || scan(waiting);
+      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isSure) || scan(waiting);
   noteEnd(waiting);
   return isFrame ? deliver() : nullptr;
 }
@@ -107,7 +107,7 @@ bool FrameFinderOf<Format, Events>::scan(int waiting) {
 // True if a frame is complete. The buffer begins with it then, or with what may become one.
 template <typename Format, typename Events>
 inline bool FrameFinderOf<Format, Events>::find() {
-  while (Format::HasExtra && _kind == SlotsKind && _expectedAt == 0 && isSlotId(_buffer[0]) && holds(Rule::slots)) {
+  while (Format::HasExtra && _variant == SlotsVariant && _expectedAt == 0 && isSlotId(_buffer[0]) && holds(Rule::slots)) {
     // The answer of a sensor: the next frame is expected behind it.
     if (_buffer.filled() < SlotSize) {
       return false;
@@ -120,11 +120,11 @@ inline bool FrameFinderOf<Format, Events>::find() {
   bool found = false;
   for (const int last = _buffer.filled() - Size; start <= last;) {
     int step = 1, worth = 1;
-    const uint8_t kind = kindAt(start);
-    if (kind != UnknownKind) {
-      const Verdict verdict = judge(start, kind);
+    const uint8_t variant = variantAt(start);
+    if (variant != UnknownVariant) {
+      const Verdict verdict = judge(start, variant);
       if (verdict.isAccepted()) {
-        _kind = kind;
+        _variant = variant;
         _certain = verdict.isCertain();
         found = true;
         break;
@@ -132,7 +132,7 @@ inline bool FrameFinderOf<Format, Events>::find() {
       if (verdict.isOpen()) {
         break;
       }
-      countUp(_counters.refusedByExtra);
+      countUp(_counters.rejectedByLength);
       Events::rejected(start, verdict.why());
       step = verdict.next();
       worth = JudgedWorth;
@@ -166,27 +166,27 @@ inline int FrameFinderOf<Format, Events>::firstHeader(int from) const {
   return from;
 }
 
-// The kind of frame whose form 25 bytes have; UnknownKind if of none.
+// The variant of frame whose form 25 bytes have; UnknownVariant if of none.
 template <typename Format, typename Events>
-inline uint8_t FrameFinderOf<Format, Events>::kindAt(int start) {
-  const uint8_t kind = kindOf(_buffer[start + EndAt]);
-  if (kind == UnknownKind) {
-    countUp(_counters.refusedByEnd);
+inline uint8_t FrameFinderOf<Format, Events>::variantAt(int start) {
+  const uint8_t variant = kindOf(_buffer[start + EndAt]);
+  if (variant == UnknownVariant) {
+    countUp(_counters.rejectedByEnd);
     Events::rejected(start, Rejection::NoEnd);
   } else if (!rules::areFlags(_buffer[start + FlagsAt])) {
-    countUp(_counters.refusedByFlags);
+    countUp(_counters.rejectedByFlags);
     Events::rejected(start, Rejection::Flags);
-    return UnknownKind;
+    return UnknownVariant;
   }
-  return kind;
+  return variant;
 }
 
 // In line: a call would make a line of headers cost a fifth more.
 template <typename Format, typename Events>
-SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t kind) {
+SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t variant) {
   const int offBy = start - _expectedAt;
   return rules::judge(Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start,
-                                        _buffer.isGapCertain(), kind, _kind, offBy, offBy == 0 && _certain},
+                                        _buffer.isGapCertain(), variant, _variant, offBy, offBy == 0 && _certain},
                       _acquisition);
 }
 
@@ -197,7 +197,7 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   if (_expectedAt < rules::MostNoise - Size && _counters.frames != 0) {
     countUp(_counters.resyncs);
   }
-  _expectedAt = static_cast<int8_t>(LineKinds[_kind].tailSize);
+  _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
   _onlyNoise = true;
   _counters.count(frame[FlagsAt], _completeAfter - _frameTime);
   _frameTime = _completeAfter;
@@ -214,9 +214,9 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   if (_buffer.gapAt() <= count || _buffer.isHeader(0)) {
     _onlyNoise = false;
   } else if (_onlyNoise && _expectedAt < -rules::MostNoise) {
-    _kind = UnknownKind;
+    _variant = UnknownVariant;
   }
-  _counters.skippedBytes += static_cast<unsigned>(count);
+  _counters.discardedBytes += static_cast<unsigned>(count);
   Events::discarded(count);
   _buffer.drop(count);
 }

@@ -56,13 +56,13 @@ struct Candidate {
   int count;             ///< of them, 25 or more
   int gapAt;             ///< index of the first one after the newest gap; may lie outside
   bool isGapCertain;     ///< there was one; else loop() may have been blocked
-  uint8_t kind;          ///< by its end byte: a row of LineKinds
-  uint8_t lineKind;      ///< of the line's frames; UnknownKind before the first
+  uint8_t variant;          ///< by its end byte: a row of LineVariants
+  uint8_t lineVariant;      ///< of the line's frames; UnknownVariant before the first
   int offBy;             ///< so many characters stand between the frame before and this one; below 0: its tail lacks some
   bool isSure;           ///< none, and that frame's place was certain
 
-  SBUS_IN_LINE bool isLines() const { return kind == lineKind; }          ///< of the line's kind
-  SBUS_IN_LINE const LineKind &line() const { return LineKinds[kind]; }   ///< what is known of its kind
+  SBUS_IN_LINE bool isLines() const { return variant == lineVariant; }          ///< of the line's variant
+  SBUS_IN_LINE const LineVariant &line() const { return LineVariants[variant]; }   ///< what is known of its variant
   SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }    ///< its end byte
   /// With its tail.
   SBUS_IN_LINE int size() const { return Format::Size + (holds(Rule::tail) ? line().tailSize : 0); }
@@ -98,14 +98,14 @@ SBUS_IN_LINE bool isHeaderNext(const Candidate<Format> &c) {
 /// The ID of a telemetry slot follows it, as it does on S.BUS2 lines.
 template <typename Format>
 SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
-  return holds(Rule::slots) && Format::HasExtra && c.kind == SlotsKind && isSlotId(c.bytes[c.size()]);
+  return holds(Rule::slots) && Format::HasExtra && c.variant == SlotsVariant && isSlotId(c.bytes[c.size()]);
 }
 
 /// Before the first frame: one stray character may stand straight behind it. The gaps before and after tell, and a
 /// second byte that is no header: then the first could be the stray one.
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
-  return holds(Rule::stray) && c.lineKind == UnknownKind && c.bytes[1] != HeaderByte;
+  return holds(Rule::stray) && c.lineVariant == UnknownVariant && c.bytes[1] != HeaderByte;
 }
 /// One does.
 template <typename Format>
@@ -135,11 +135,11 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 }
 
 /// Index of a header behind an end byte within it: it may be the halves of two frames from there on. Size if nowhere.
-/// Where the line's kind is not known, any end byte counts.
+/// Where the line's variant is not known, any end byte counts.
 template <typename Format>
 SBUS_IN_LINE int secondReading(const Candidate<Format> &c) {
-  const uint8_t kind = c.isLines() || Format::Kinds == 1 ? c.kind : UnknownKind;
-  return holds(Rule::halves) ? innerHeader(c.bytes, Format::Size, kind) : Format::Size;
+  const uint8_t variant = c.isLines() || Format::Kinds == 1 ? c.variant : UnknownVariant;
+  return holds(Rule::halves) ? innerHeader(c.bytes, Format::Size, variant) : Format::Size;
 }
 
 /// A gap after it may still make its place certain. Not where the part up to the second reading may be the rest of a
@@ -150,7 +150,7 @@ SBUS_IN_LINE bool mayBecomeCertain(const Candidate<Format> &c, int inner) {
 }
 
 /// A frame with further channels stands where a frame is expected, or at a gap: a noise character 2F straight before a
-/// frame would else take that frame for its own. It is believed on a line whose kind is known only, and ends before a
+/// frame would else take that frame for its own. It is believed on a line whose variant is known only, and ends before a
 /// header or a gap.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
@@ -170,9 +170,9 @@ SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> 
 /// What `filled` characters are on nearly all lines nearly always: the line's next frame, and no character more. Says
 /// nothing but what the whole judgement would say, in 160 cycles less.
 template <typename Format>
-SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t kind, bool isSure) {
+SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t variant, bool isSure) {
   return filled == Format::Size && isSure && (gapAt == 0 || gapAt > Format::Size) && bytes[0] == HeaderByte &&
-         areFlags(bytes[Format::Size - 2]) && endsKind(bytes[Format::Size - 1], kind);
+         areFlags(bytes[Format::Size - 2]) && endsVariant(bytes[Format::Size - 1], variant);
 }
 
 /// The whole judgement, the cheapest rules first.

@@ -6,7 +6,7 @@
 
 namespace sbus {
 
-/// extras/docs/receiver.md says what each is. `make torture WITHOUT=rule` compiles the library with SBUS_WITHOUT=name.
+/// extras/docs/receiver.md says what each is. `make impairment WITHOUT=rule` compiles the library with SBUS_WITHOUT=name.
 enum class Rule : uint8_t {
   none,
   flags,

@@ -20,7 +20,7 @@ constexpr uint32_t MostTenthsLinear = 50;  // 64 bytes cost no more than 5 times
 
 constexpr size_t Sizes[] = {16, 32, 48, 64};
 
-// A pattern that repeats without end and without a pause.
+// A pattern that repeats without end and without a gap.
 struct BadLine {
   const char *name;
   Bytes pattern;
@@ -57,7 +57,7 @@ const std::vector<BadLine> &badLines() {
       {"24 of 0F, 24 of 0C: none of 24 headers has an end byte", Bytes(24, 0x0F) + Bytes(24, 0x0C)},
       {"24 of 0F, 24 of 00: each of them has, and flags", Bytes(24, 0x0F) + Bytes(24, 0x00)},
       {"24 of 0F, 24 of 04: and a byte too many", Bytes(24, 0x0F) + Bytes(24, 0x04)},
-      {"neutral frames without a pause", bytesOf(frame)},
+      {"neutral frames without a gap", bytesOf(frame)},
       {"neutral frames with end byte 0C", bytesOf(withByte(frame, 24, 0x0C))},
       {"neutral frames with flags 10", bytesOf(withByte(frame, 23, 0x10))},
       {"neutral frames that lack a byte", without(frame, 12)},
@@ -123,7 +123,7 @@ void print(uint32_t cost) {
 }  // namespace
 
 void printBadLines() {
-  std::printf("\n| per byte of a line without a pause, 16 in a call | ours | the paper's way |\n| --- | --- | --- |\n");
+  std::printf("\n| per byte of a line without a gap, 16 in a call | ours | the paper's way |\n| --- | --- | --- |\n");
   for (const BadLine &line : badLines()) {
     std::printf("| %s | %.1f | %.1f |\n", line.name, streamCost<Ours>(line), streamCost<Papers>(line));
   }

@@ -154,7 +154,7 @@ class Search {
 // In sync with each kind of line, and about to find so many bytes.
 std::vector<Attack> startsInSync(size_t size) {
   std::vector<Attack> starts;
-  for (const sbus::LineKind &kind : sbus::LineKinds) {
+  for (const sbus::LineVariant &kind : sbus::LineVariants) {
     starts.push_back(inSync(withByte(Neutral.bytes, 24, kind.end)));
     starts.back().add(Bytes(size), IdleUs);
   }

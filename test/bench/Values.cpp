@@ -70,7 +70,7 @@ uint32_t costOfFeeding() {
   sbus::Calibrator calibrator;
   const uint32_t cost = calibrate(calibrator);
   sbus::CalibratedChannel found;
-  return calibrator.result(15, found) == sbus::Refusal::None ? cost : 0;
+  return calibrator.result(15, found) == sbus::CalibrationError::None ? cost : 0;
 }
 
 uint32_t costOfFinishing() {

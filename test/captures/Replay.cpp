@@ -105,14 +105,14 @@ std::string replay(const line::Characters &characters, uint32_t loopUs, const Ex
     }
   }
   const sbus::Counters counters = dSBus.counters();
-  if (Format::HasExtra && counters.frames == 0 && counters.otherFrames != 0) {
+  if (Format::HasExtra && counters.frames == 0 && counters.otherSizeFrames != 0) {
     return replay<sbus::Frame24>(characters, loopUs, expected);
   }
   std::printf(
       "%u frames of %u channels, %u with header 2F, rejected by end %u, by flags %u, by extra %u, bytes discarded %u, "
       "resynchronised %u, T = %u us\n",
-      counters.frames, Format::Channels, counters.extraFrames, counters.refusedByEnd, counters.refusedByFlags,
-      counters.refusedByExtra, counters.skippedBytes, counters.resyncs, counters.period);
+      counters.frames, Format::Channels, counters.extraFrames, counters.rejectedByEnd, counters.rejectedByFlags,
+      counters.rejectedByLength, counters.discardedBytes, counters.resyncs, counters.period);
   if (wrong.empty() && expected != nullptr && ends != expected->ends) {
     wrong = "end bytes are not what is known:";
     for (const auto &end : ends) {

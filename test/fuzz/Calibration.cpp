@@ -18,7 +18,7 @@ namespace {
 
 using sbus::CalibratedChannel;
 using sbus::Calibration;
-using sbus::Refusal;
+using sbus::CalibrationError;
 using sbus::StoredState;
 
 class Input {
@@ -86,37 +86,37 @@ void store(Input input) {
 
 void checkResults(const sbus::Calibrator &calibrator, uint16_t wanted) {
   const Finished finished(calibrator, wanted);
-  const bool good = finished.refusal == Refusal::None;
+  const bool good = finished.error == CalibrationError::None;
   unsigned firstBad = Radio::NoChannel;
   bool any = false;
   for (uint8_t i = 0; i < sbus::ProportionalCount; i++) {
     CalibratedChannel found = {{0, 0, 0}, 0};
     const CalibratedChannel &stored = finished.calibration.channels[i];
-    const Refusal reason = calibrator.result(i, found);
-    require(sbus::isCalibrated(found) == (reason == Refusal::None), "refused, and nothing touched; or found");
+    const CalibrationError reason = calibrator.result(i, found);
+    require(sbus::isCalibrated(found) == (reason == CalibrationError::None), "rejected, and nothing touched; or found");
     require(possibleByRule(found), "what is found can be");
     const bool named = wanted == 0 ? !good : (wanted >> i & 1) != 0;  // nothing wanted, nothing found: CH1 is named
-    if (reason != Refusal::None && named && firstBad == Radio::NoChannel) {
+    if (reason != CalibrationError::None && named && firstBad == Radio::NoChannel) {
       firstBad = i;
-      require(reason == finished.refusal, "the reason is that of the first bad channel");
+      require(reason == finished.error, "the reason is that of the first bad channel");
     }
-    any = any || (good ? sbus::isCalibrated(stored) : reason == Refusal::None);
-    if (good && reason == Refusal::NotCentred) {
+    any = any || (good ? sbus::isCalibrated(stored) : reason == CalibrationError::None);
+    if (good && reason == CalibrationError::NotCentred) {
       require(sbus::isCalibrated(stored) && stored.deadZone == 0, "what is not wanted may rest anywhere");
-    } else if (good && reason == Refusal::NotPushed) {
+    } else if (good && reason == CalibrationError::NotPushed) {
       require(stored.range.low < stored.range.high, "what is not pushed runs forwards");
     } else if (good) {
       require(std::memcmp(&found, &stored, sizeof found) == 0, "finish() gives what result() does");
     }
   }
   require(finished.channel == firstBad, "the first bad channel that is wanted is named");
-  require(good == (firstBad == Radio::NoChannel), "all that are wanted are good, or it is refused");
-  require(wanted != 0 || any == good, "none is wanted: refused if none is good");
+  require(good == (firstBad == Radio::NoChannel), "all that are wanted are good, or it is rejected");
+  require(wanted != 0 || any == good, "none is wanted: rejected if none is good");
   require(finished.isGood() == good && finished.isTouched() == good, "good, or left as it is");
   if (good) {
     judge(finished.calibration);
   }
-  require(text(finished.refusal)[0] == (good ? '\0' : ' '), "there are words for it");
+  require(text(finished.error)[0] == (good ? '\0' : ' '), "there are words for it");
 }
 
 void drive(Input input) {

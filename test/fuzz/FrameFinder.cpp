@@ -73,7 +73,7 @@ class Sketch {
   void startAnew() {
     _fed.clear();
     _afterFrame = 0;
-    _skippedAtStart = _finder.counters().skippedBytes;
+    _discardedAtStart = _finder.counters().discardedBytes;
     _framesAtStart = _finder.counters().frames;
     _extrasAtStart = _finder.counters().extraFrames;
     _roomAtStart = static_cast<uint32_t>(_finder.room());
@@ -87,7 +87,7 @@ class Sketch {
     require(counters.frames == _frames + complete, "frames are counted one by one");
     _frames = counters.frames;
     const uint32_t frames = counters.frames - _framesAtStart;
-    const uint32_t skipped = counters.skippedBytes - _skippedAtStart;
+    const uint32_t skipped = counters.discardedBytes - _discardedAtStart;
     const uint32_t extras = counters.extraFrames - _extrasAtStart;
     require(_fed.size() == Size * frames + 25 * extras + skipped + heldBytes(),
             "bytes fed == those of all frames + skipped + held");
@@ -121,7 +121,7 @@ class Sketch {
   uint32_t _frames = 0;
   uint32_t _framesAtStart = 0;
   uint32_t _extrasAtStart = 0;
-  uint32_t _skippedAtStart = 0;
+  uint32_t _discardedAtStart = 0;
   uint32_t _roomAtStart = 0;
 };
 

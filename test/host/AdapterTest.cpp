@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "line/DamagedLine.h"
+#include "impairment/ImpairedLine.h"
 #include "line/Observer.h"
 #include "line/PortReads.h"
 #include "line/RecordedLine.h"
@@ -172,7 +172,7 @@ Transmission transmission(const Row &row, Payload sticks, uint64_t frames) {
 void run(const Row &row, Payload sticks, uint32_t latencyUs, uint32_t stallUs, uint64_t seed, uint64_t frames,
          Count &count, std::string *recording = nullptr) {
   line::Random random(seed);
-  DamagedLine line(transmission(row, sticks, frames), random.below(9000), random);
+  ImpairedLine line(transmission(row, sticks, frames), random.below(9000), random);
   Program program(latencyUs, stallUs, random);
   Judge judge;
   program.observer.listen([&judge](const Stretch &stretch) { judge.found(stretch); });
@@ -368,11 +368,11 @@ TEST_CASE("pulled in mid frame and plugged in again: the halves are no frame if 
     program.idleUntil(us + 500000);
     program.observer.finish();
     CHECK(frames == 40);
-    CHECK(program.observer.counters().skippedBytes == sbus::FrameSize);
+    CHECK(program.observer.counters().discardedBytes == sbus::FrameSize);
   }
 }
 
-TEST_CASE("a damaged frame in the first read of a port that was never found empty: one stretch, with its reason") {
+TEST_CASE("a impaired frame in the first read of a port that was never found empty: one stretch, with its reason") {
   line::Random random(Seed);
   PayloadFrames sticks(Payload::Neutral, random);
   const Frame good = sticks.next();

@@ -1,4 +1,4 @@
-// What a finder says of each byte, and where: on random damaged lines, polled in several ways.
+// What a finder says of each byte, and where: on random impaired lines, polled in several ways.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -43,8 +43,8 @@ struct Heard {
   }
 };
 
-// A damaged line: its bytes with the times of their ends, and where its whole frames stand.
-struct DamagedLine {
+// A impaired line: its bytes with the times of their ends, and where its whole frames stand.
+struct ImpairedLine {
   std::vector<uint8_t> bytes;
   std::vector<uint32_t> endUs;
   std::set<uint64_t> frames;
@@ -52,8 +52,8 @@ struct DamagedLine {
 };
 
 template <typename Format>
-DamagedLine damagedLine(line::Random &random) {
-  DamagedLine line;
+ImpairedLine impairedLine(line::Random &random) {
+  ImpairedLine line;
   uint32_t us = 1000;
   const auto send = [&](uint8_t byte) {
     us += sbus::CharacterTime;
@@ -128,7 +128,7 @@ void hear(uint64_t seed) {
   std::array<uint32_t, 6> reasons{};
   for (int number = 0; number < 300; number++) {
     CAPTURE(number);
-    const DamagedLine line = damagedLine<Format>(random);
+    const ImpairedLine line = impairedLine<Format>(random);
     constexpr uint32_t LoopsUs[] = {120, 500, 1000, 3000};
     const uint32_t loopUs = LoopsUs[number % 4];
     const bool overflows = number % 5 == 0;
@@ -181,10 +181,10 @@ void hear(uint64_t seed) {
     const sbus::Counters &counters = finder.counters();
     CHECK(heard.frames.size() == counters.frames);
     CHECK(heard.extras.size() == counters.extraFrames);
-    CHECK(heard.bytesDiscarded == counters.skippedBytes);
-    CHECK(heard.reasons[0] == counters.refusedByEnd);
-    CHECK(heard.reasons[1] == counters.refusedByFlags);
-    CHECK(heard.reasons[2] + heard.reasons[3] + heard.reasons[4] + heard.reasons[5] == counters.refusedByExtra);
+    CHECK(heard.bytesDiscarded == counters.discardedBytes);
+    CHECK(heard.reasons[0] == counters.rejectedByEnd);
+    CHECK(heard.reasons[1] == counters.rejectedByFlags);
+    CHECK(heard.reasons[2] + heard.reasons[3] + heard.reasons[4] + heard.reasons[5] == counters.rejectedByLength);
     sent += line.frames.size();
     found += heard.frames.size();
     extras += heard.extras.size();

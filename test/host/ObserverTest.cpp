@@ -44,15 +44,15 @@ struct Watched {
     return *this;
   }
 
-  Watched &pause(uint64_t pauseUs) {
-    us += pauseUs;
+  Watched &gap(uint64_t gapUs) {
+    us += gapUs;
     observer.idleUntil(us);
     return *this;
   }
 
-  // A frame of 16 channels, each `value`, and the pause to the next.
+  // A frame of 16 channels, each `value`, and the gap to the next.
   Watched &frame(uint16_t value, bool failsafe = false, bool lostFrame = false, uint64_t periodUs = PeriodUs) {
-    return send(frameOf(value, failsafe, lostFrame)).pause(periodUs - 25 * _characterUs);
+    return send(frameOf(value, failsafe, lostFrame)).gap(periodUs - 25 * _characterUs);
   }
 
   static Bytes frameOf(uint16_t value, bool failsafe = false, bool lostFrame = false) {
@@ -166,7 +166,7 @@ TEST_CASE("what is no frame stands between the frames, with the reason") {
     CAPTURE(each.what);
     Watched line;
     line.frame(992).frame(1000).frame(992);
-    line.send(each.bytes, each.bad).pause(4000);
+    line.send(each.bytes, each.bad).gap(4000);
     line.frame(1000).frame(992);
     line.observer.finish();
     REQUIRE(line.stretches.size() == 6);
@@ -203,9 +203,9 @@ TEST_CASE("the reason names its cause, and the header that it was found at") {
     INFO(std::string(row.what));
     Watched line;
     for (const Bytes &bytes : row.groups) {
-      line.send(bytes).pause(8 * line::CharacterUs);
+      line.send(bytes).gap(8 * line::CharacterUs);
     }
-    line.pause(PeriodUs).observer.finish();
+    line.gap(PeriodUs).observer.finish();
     std::string reasons;
     for (const Stretch &stretch : line.stretches) {
       reasons += (reasons.empty() ? "" : " | ") + (stretch.isFrame() ? "frame" : why(stretch));
@@ -247,10 +247,10 @@ TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not
     CAPTURE(characterUs);
     for (const uint32_t characters : {7u, 8u}) {
       Watched line(characterUs);
-      line.frame(992).send(part(Watched::frameOf(1000), 0, 9)).pause(characters * characterUs);
-      line.send(part(Watched::frameOf(1000), 9)).pause(PeriodUs).frame(992);
+      line.frame(992).send(part(Watched::frameOf(1000), 0, 9)).gap(characters * characterUs);
+      line.send(part(Watched::frameOf(1000), 9)).gap(PeriodUs).frame(992);
       CHECK(line.frames() == (characters == 7 ? 3 : 2));
-      CHECK(line.observer.counters().refusedByExtra == (characters == 7 ? 0 : 1));
+      CHECK(line.observer.counters().rejectedByLength == (characters == 7 ? 0 : 1));
     }
   }
 }
@@ -286,7 +286,7 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined is on
     line.observer.finish();
     CHECK(line.observer.counters().frames == row.frames);
     CHECK(line.observer.counters().extraFrames == row.extra);
-    CHECK(line.observer.counters().skippedBytes == row.skipped);
+    CHECK(line.observer.counters().discardedBytes == row.skipped);
     CHECK(line.frames() == row.frames + row.extra);
     size_t at = 0;
     for (const Stretch &stretch : line.stretches) {
@@ -297,9 +297,9 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined is on
   }
 }
 
-TEST_CASE("telemetry is told at the next pause, not with the next frame") {
+TEST_CASE("telemetry is told at the next gap, not with the next frame") {
   Watched line;
-  line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).pause(2000);
+  line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).gap(2000);
   REQUIRE(line.stretches.size() == 4);
   CHECK(line.stretches[3].characters.size() == 3);
 }
@@ -313,7 +313,7 @@ TEST_CASE("a frame that has lost a character to an error and got another at its 
     }
     Bytes bytes = Watched::frameOf(1000);
     bytes.push_back(0x00);
-    line.send(bytes, bad).pause(PeriodUs);
+    line.send(bytes, bad).gap(PeriodUs);
     CHECK(line.observer.counters().frames == 6);
     CHECK(line.frames() == 5);
     CHECK(line.observer.newest().raw[0] == 992);

@@ -142,7 +142,7 @@ TEST_CASE("a plainer core keeps one place free, and has each one back when its c
   }
 }
 
-TEST_CASE("a full buffer takes what fits, and what comes after it follows without a gap, and after a pause when it is written") {
+TEST_CASE("a full buffer takes what fits, and what comes after it follows without a gap, and after a gap when it is written") {
   BoardTransmitter transmitter;
   transmitter.open(SBusNs);
   CHECK(write(transmitter, 0, 70) == 64);
@@ -153,7 +153,7 @@ TEST_CASE("a full buffer takes what fits, and what comes after it follows withou
   REQUIRE(rest.size() == 38);
   CHECK(rest.back().endUs == 70 * 120);
   CHECK(rest.back().value == 5);
-  write(transmitter, 9000, 1);  // after a pause
+  write(transmitter, 9000, 1);  // after a gap
   const std::vector<Character> late = sentBy(transmitter, 20000);
   REQUIRE(late.size() == 1);
   CHECK(late[0].endUs == 9120);

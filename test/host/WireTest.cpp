@@ -110,7 +110,7 @@ TestWire wireOf(double bitNs = 10000, bool inverted = true) {
   wire.inverted = inverted;
   for (const KnownFrame &frame : KnownFrames) {
     wire.bytes(frame.bytes);
-    wire.pause(4000000);
+    wire.gap(4000000);
   }
   return wire;
 }
@@ -636,7 +636,7 @@ TEST_CASE("a signal without frames is never taken for S.Bus, whatever stands bes
 TEST_CASE("of two signals with frames the one with more is decoded, though its first characters have more errors") {
   TestWire few;
   few.bytes(Neutral.bytes);
-  few.pause(30000000);
+  few.gap(30000000);
   TestWire more = wireOf();
   more.edges[3] += 10000;
   CHECK(Decoded(vcdOf(few, more)).signal == "B");
@@ -687,7 +687,7 @@ TEST_CASE("what the user knows better overrules what is found") {
   CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrules(0, Either, 0, 1.5)).error == "has no voltages: leave out --threshold");
   TestWire zeros;  // whose pulses are all of ten bits: nothing tells how long one is
   zeros.bytes(Bytes(5, 0));
-  zeros.pause(1e6);
+  zeros.gap(1e6);
   CHECK(Decoded(textOf(zeros, TestFormat::Saleae)).characters.empty());
   CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrules(100000, Either, 0, {})).bytes() == Bytes(5, 0));
 }
@@ -715,10 +715,10 @@ TEST_CASE("S.Bus that begins after a million edges of noise: no byte of it is mi
     wire.ns += 1000 + (random >> 16);
     wire.edges.push_back(wire.ns);
   }
-  wire.pause(1e6);
+  wire.gap(1e6);
   for (int i = 0; i < 20; i++) {
     wire.bytes(PaperLow.bytes);
-    wire.pause(6e6);
+    wire.gap(6e6);
   }
   const std::vector<WireCharacter> characters = Decoded(textOf(wire, TestFormat::Saleae)).characters;
   REQUIRE(characters.size() >= 500);
@@ -746,10 +746,10 @@ TEST_CASE("a UART's rules: glitches, breaks, and the character after them") {
   TestWire wire = wireOf();
   wire.edges.push_back(wire.ns);  // shorter than half a bit: no start bit
   wire.edges.push_back(wire.ns + 4000);
-  wire.pause(50000);
+  wire.gap(50000);
   wire.edges.push_back(wire.ns);  // a break: one framing error, however long
   wire.edges.push_back(wire.ns + 900000);
-  wire.pause(950000);
+  wire.gap(950000);
   wire.byte(0x55);
   const Decoded decoded(textOf(wire, TestFormat::Saleae));
   REQUIRE(decoded.characters.size() == All.size() + 2);
@@ -782,7 +782,7 @@ TEST_CASE("what is no S.Bus, and why") {
   uart.bitNs = 8680;
   uart.bytes(All);
   TestWire silent;
-  silent.pause(1e6);
+  silent.gap(1e6);
   TestWire other;  // 100000 baud and 2 % less, but odd parity
   other.bitNs = 10200;
   for (const uint8_t byte : All) {
@@ -794,7 +794,7 @@ TEST_CASE("what is no S.Bus, and why") {
   }
   TestWire brief;  // three characters
   brief.bytes(part(All, 0, 3));
-  brief.pause(1e6);
+  brief.gap(1e6);
   TestWire glitch = uart;
   glitch.edges.push_back(glitch.ns + 1000);
   glitch.edges.push_back(glitch.ns + 1500);

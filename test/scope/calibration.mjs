@@ -87,7 +87,7 @@ export default async function () {
     assert.equal(await page.inputValue('#scale'), '0');
   });
 
-  await check('a stick that was not moved: refused, with the channel and what to do', async (page) => {
+  await check('a stick that was not moved: rejected, with the channel and what to do', async (page) => {
     await calibrate(page, [...times(10, [200, 200, 250, 1000]), ...times(10, [1800, 1790, 1750, 1030])]);
     await reads(page, '#calibration-text', /^Not taken: CH4 .*move it to both ends/);
     assert.equal(await page.inputValue('#scale'), '0');

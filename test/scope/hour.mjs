@@ -41,7 +41,7 @@ export default async function () {
     const before = await heap(page, session);
     await feed(page, bytes, 40000, all);
     await counts(page, 'frames', '360\u202f001');
-    await counts(page, 'skippedBytes', 0);
+    await counts(page, 'discardedBytes', 0);
     const after = await heap(page, session);
     console.log(`   heap ${before.script} before, ${after.script} after; WebAssembly ${before.wasm}, ${after.wasm} bytes`);
     // Compiled code comes and goes; three bytes kept of each frame would be more than this.

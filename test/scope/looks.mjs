@@ -191,11 +191,11 @@ export default async function () {
   });
 
   for (const colorScheme of ['light', 'dark']) {
-    await check(`forced colours, ${colorScheme}: bars, bits, lamps and buttons are still told`, async (page) => {
+    await check(`forced colours, ${colorScheme}: bars, bits, indicators and buttons are still told`, async (page) => {
       await page.selectOption('#receiver', '32');
       await reads(page, '#state', 'Fine');
       await page.waitForSelector('.eight i.one');
-      await page.waitForSelector('.lamp[data-on="true"]');
+      await page.waitForSelector('.indicator[data-on="true"]');
       const colors = await page.evaluate(() => {
         const of = (selector, what = 'backgroundColor') => getComputedStyle(document.querySelector(selector))[what];
         return {
@@ -203,7 +203,7 @@ export default async function () {
           mark: [of('.mark'), of('.track')],
           bit: [of('.eight i.one'), of('.eight i:not(.one)')],
           button: [of('#source-simulated'), of('#source-adapter')],
-          lamp: [of('.lamp[data-on="true"] i'), of('.lamp[data-on="false"] i')],
+          indicator: [of('.indicator[data-on="true"] i'), of('.indicator[data-on="false"] i')],
           swatch: [of('.chip[aria-pressed="true"] path', 'stroke'), of('.chip[aria-pressed="false"] path', 'stroke')],
           curve: [getComputedStyle(document.documentElement).getPropertyValue('--c0').trim(), of('body')],
         };

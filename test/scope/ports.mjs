@@ -31,7 +31,7 @@ export default async function () {
     await connect(page);
     await raw(page, 1, '172');
     await reads(page, '#verdict-text', 'ALL WELL.');
-    await counts(page, 'skippedBytes', 0);
+    await counts(page, 'discardedBytes', 0);
   });
 
   await check("the paper's frames, byte by byte as they may come", async (page) => {
@@ -42,7 +42,7 @@ export default async function () {
     await raw(page, 1, '995');
   });
 
-  await check('a receiver in failsafe: banner, lamp, and the values as received', async (page) => {
+  await check('a receiver in failsafe: banner, indicator, and the values as received', async (page) => {
     await brings(page, frame([992, 992, 172], { flags: 0x0c }));
     await connect(page);
     await reads(page, '#state', 'Failsafe');
@@ -233,7 +233,7 @@ export default async function () {
     await reads(page, '#verdict-text', /^NO FRAMES: bytes come/);
     await reads(page, '#verdict-cure', /Inverter missing, or one too many/);
     await reads(page, '#state', 'Never seen');
-    await counts(page, 'skippedBytes', /^[1-9]/);
+    await counts(page, 'discardedBytes', /^[1-9]/);
   });
 
   await check('only breaks, as an idle line of the wrong level makes them: NO FRAMES, not silence', async (page) => {
@@ -254,12 +254,12 @@ export default async function () {
     await opensWith(page, [good, good, good, bad, good, good]);
     await connect(page);
     await counts(page, 'frames', 5);
-    await counts(page, 'skippedBytes', 24);
+    await counts(page, 'discardedBytes', 24);
     await counts(page, 'resyncs', 1);
     await reads(page, '#lines .none .why', /no end byte|incomplete/);
   });
 
-  for (const [columns, row, channels, lamps] of [
+  for (const [columns, row, channels, indicators] of [
     [4, '832,626,1811,866', { 1: '832', 4: '866' }, []],
     [6, '1000,626,172,866,1,0', { 1: '1000', 3: '172' }, ['failsafe']],
     [6, '1000,626,172,866,0,1', { 1: '1000', 3: '172' }, ['lost-frame']],
@@ -274,20 +274,20 @@ export default async function () {
       for (const [channel, value] of Object.entries(channels)) {
         await reads(page, `#bars li:nth-child(${channel}) .raw`, value);
       }
-      for (const lamp of lamps) {
-        await lit(page, lamp);
+      for (const indicator of indicators) {
+        await lit(page, indicator);
       }
-      await reads(page, '#verdict-text', lamps.includes('failsafe') ? /^FAILSAFE/ : 'ROWS COME from a board.');
-      assert.equal(await page.locator('.lamp:visible').count(), columns === 18 ? 4 : 2);
+      await reads(page, '#verdict-text', indicators.includes('failsafe') ? /^FAILSAFE/ : 'ROWS COME from a board.');
+      assert.equal(await page.locator('.indicator:visible').count(), columns === 18 ? 4 : 2);
       const shown = { 18: 16, 6: 4 }[columns] ?? columns;
       assert.equal(await page.locator('#bars li:visible').count(), shown);
       assert.equal(await page.locator('#lines li:visible').count(), 0);
-      await until('text is counted as bytes of no frame', async () => !(await page.isVisible('[data-counter="skippedBytes"]')));
+      await until('text is counted as bytes of no frame', async () => !(await page.isVisible('[data-counter="discardedBytes"]')));
       assert.deepEqual((await page.evaluate(() => fake.port.opened))[0], { baudRate: 115200, bufferSize: 4096 });
     });
   }
 
-  for (const [row, shown, lamps] of [
+  for (const [row, shown, indicators] of [
     ['1500 1000 0', ['1500', '1000', '0'], 2],
     ['1500\t1000\t', ['1500', '1000'], 2],
     ['throttle:172,roll:992', ['172', '992'], 2],
@@ -300,7 +300,7 @@ export default async function () {
         await reads(page, `#bars li:nth-child(${i + 1}) .raw`, value);
       }
       assert.equal(await page.locator('#bars li:visible').count(), shown.length);
-      assert.equal(await page.locator('.lamp[data-on="true"]').count(), 0);
+      assert.equal(await page.locator('.indicator[data-on="true"]').count(), 0);
     });
   }
 

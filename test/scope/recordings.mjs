@@ -134,7 +134,7 @@ export default async function () {
     });
   }
 
-  await check('a file that no memory has room for is refused, with what reads it', async (page) => {
+  await check('a file that no memory has room for is rejected, with what reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
     await reads(page, '#notice-text', /year\.txt: is larger than 500 MB: sbus plot/);
   });

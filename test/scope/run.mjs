@@ -1,4 +1,4 @@
-// The tests of extras/scope's page, in Debian's Chromium. What is read is the page: numbers, lamps, words, downloads.
+// The tests of extras/scope's page, in Debian's Chromium. What is read is the page: numbers, indicators, words, downloads.
 //   node run.mjs [PART...]   some of the parts below; else all
 import { finish } from './support.mjs';
 

@@ -19,7 +19,7 @@ export default async function () {
   await check('it may run no script but its own, and fetch nothing', async (page) => {
     const policy = await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content');
     assert.match(policy, /default-src 'none'; script-src 'sha256-[^']+' 'wasm-unsafe-eval'/);
-    assert.equal(await page.evaluate(() => fetch('https://example.org/').then(() => 'fetched', () => 'refused')), 'refused');
+    assert.equal(await page.evaluate(() => fetch('https://example.org/').then(() => 'fetched', () => 'rejected')), 'rejected');
     page.complaints.length = 0;  // that was one
   });
 
@@ -59,7 +59,7 @@ export default async function () {
     await page.selectOption('#fault', 'noise');
     await reads(page, '#verdict-text', /^NOISE: frames are damaged/);
     await counts(page, 'badCharacters', /^\d\d/);
-    await counts(page, 'skippedBytes', /^\d\d/);
+    await counts(page, 'discardedBytes', /^\d\d/);
     await page.waitForSelector('#lines .none');
   });
 
@@ -76,7 +76,7 @@ export default async function () {
     assert.equal(await page.locator('#bars li:visible').count(), 24);
     await raw(page, 24, /^1[234]\d\d$/);
     await until('its bytes are not shown', async () => (await page.locator('#bits .byte').count()) === 36);
-    assert.equal(await page.locator('.lamp:visible').count(), 2);
+    assert.equal(await page.locator('.indicator:visible').count(), 2);
   });
 
   await check('32 channels: those of the frames with header 2F, too', async (page) => {
@@ -84,10 +84,10 @@ export default async function () {
     await raw(page, 32, /^1[67]\d\d$/);
     await counts(page, 'extraFrames', /^[1-9]/);
     await reads(page, '#rate', /^5[5-7]$/);
-    await reads(page, '#lamp-ch17', /^DG1/);
+    await reads(page, '#indicator-ch17', /^DG1/);
   });
 
-  await check('failsafe: banner, lamp, its own values, and the curves marked', async (page) => {
+  await check('failsafe: banner, indicator, its own values, and the curves marked', async (page) => {
     await lit(page, 'failsafe');  // after 10 s of the flight
     await reads(page, '#state', 'Failsafe');
     await reads(page, '#verdict-text', 'FAILSAFE: the receiver is well, but has given the radio up.');

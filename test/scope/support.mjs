@@ -67,7 +67,7 @@ async function open({ size = { width: 1440, height: 900 }, serial = true, ...con
   return page;
 }
 
-// Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy refuses.)
+// Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy rejects.)
 export async function until(what, isSo) {
   const end = Date.now() + 20000;
   while (!(await isSo())) {
@@ -86,7 +86,7 @@ export async function reads(page, selector, expected) {
 export const counter = (page, name) => page.textContent(`[data-counter="${name}"]`).then((text) => Number(text.replace(/\D/g, '')));
 export const counts = (page, name, value) => reads(page, `[data-counter="${name}"]`, typeof value === 'number' ? String(value) : value);
 export const raw = (page, channel, value) => reads(page, `#bars li:nth-child(${channel}) .raw`, value);
-export const lit = (page, lamp) => page.waitForSelector(`#lamp-${lamp}[data-on="true"]`);
+export const lit = (page, indicator) => page.waitForSelector(`#indicator-${indicator}[data-on="true"]`);
 
 // The port brings these frames as soon as it is open. Without any for a second, the page tries another baud rate, and what a test on
 // a busy PC feeds is lost.

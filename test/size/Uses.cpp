@@ -80,6 +80,6 @@ void loop() {
   calibrator.feed(channels, flags[0], flags[1]);
   calibrator.centre();
   calibrator.high();
-  flags[0] = calibrator.finish(channels[0], calibration, frame[0]) == sbus::Refusal::None;
+  flags[0] = calibrator.finish(channels[0], calibration, frame[0]) == sbus::CalibrationError::None;
 #endif
 }

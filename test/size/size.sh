@@ -34,7 +34,7 @@ arm() {
 # program CHIP PROGRAM LIBRARIES WHAT...: WHAT, a source and its flags, with ours and what is needed of these
 #
 # What the core and the C library would bring is an empty function here (but what avr-ld's script defines). GNU ld 2.44 for
-# ARM refuses to pass over it.
+# ARM rejects to pass over it.
 # shellcheck disable=SC2086
 program() {
   chip=$1

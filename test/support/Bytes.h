@@ -70,7 +70,7 @@ inline bool isPartOf(const Frames &some, const Frames &all) {
 // What was counted since `before`, up to which nothing went wrong.
 inline sbus::Counters operator-(sbus::Counters now, const sbus::Counters &before) {
   now.frames -= before.frames;
-  now.skippedBytes -= before.skippedBytes;
+  now.discardedBytes -= before.discardedBytes;
   now.extraFrames -= before.extraFrames;
   return now;
 }

@@ -21,7 +21,7 @@ std::array<uint8_t, Format::Size> lastFrame(const sbus::FrameFinderOf<Format> &f
 template <typename Format>
 struct FeederOf {
   static constexpr uint32_t CharacterUs = 120;
-  static constexpr uint32_t PauseUs = 4000;  // T = 7 ms
+  static constexpr uint32_t GapUs = 4000;  // T = 7 ms
 
   using Frames = std::vector<std::array<uint8_t, Format::Size>>;
 
@@ -72,22 +72,22 @@ struct FeederOf {
     return frames;
   }
 
-  // Some polls that find noise, `periodUs` apart, then a pause: the loop period is known. What was counted until now is
+  // Some polls that find noise, `periodUs` apart, then a gap: the loop period is known. What was counted until now is
   // left out of counted().
-  FeederOf &settle(uint32_t periodUs = CharacterUs, uint32_t pauseUs = PauseUs) {
+  FeederOf &settle(uint32_t periodUs = CharacterUs, uint32_t gapUs = GapUs) {
     for (unsigned noise = 0; noise < 6; noise++) {
       wait(periodUs).poll({0x55});
     }
     _before = finder.counters();
-    return wait(pauseUs);
+    return wait(gapUs);
   }
 
-  // settle(), and three frames without 0F in their payload, with pauses: the line's kind is known.
+  // settle(), and three frames without 0F in their payload, with gaps: the line's kind is known.
   FeederOf &lock(uint8_t end = 0x00) {
     settle();
     for (unsigned number = 0; number < 3; number++) {
       feed(bytesOf(plainFrame(number, end)) + tailOf(end));
-      wait(PauseUs);
+      wait(GapUs);
     }
     REQUIRE(finder.counters().frames == 3);
     _before = finder.counters();
@@ -120,7 +120,7 @@ inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = fals
   return feeder.feed(bytes + Bytes{0x0F}, burst);
 }
 
-// Characters and pauses, and what the board's driver and a loop() of some period make of them.
+// Characters and gaps, and what the board's driver and a loop() of some period make of them.
 class TimedLine {
  public:
   TimedLine &send(const Bytes &bytes) {
@@ -138,7 +138,7 @@ class TimedLine {
     return send(bytesOf(frame));
   }
 
-  TimedLine &pause(uint64_t us) {
+  TimedLine &gap(uint64_t us) {
     _us += us;
     return *this;
   }

@@ -62,7 +62,7 @@ struct Radio {
   }
   void hold(int value) { stay(value, 100); }  // long enough to forget any place before
 
-  sbus::Refusal refusal(uint8_t channel = 0) const {
+  sbus::CalibrationError error(uint8_t channel = 0) const {
     sbus::CalibratedChannel found;
     return calibrator.result(channel, found);
   }
@@ -81,11 +81,11 @@ struct Radio {
 struct Finished {
   sbus::Calibration calibration;
   uint8_t channel = Radio::NoChannel;
-  sbus::Refusal refusal;
+  sbus::CalibrationError error;
 
   Finished(const sbus::Calibrator &calibrator, unsigned wanted) {
     std::memset(&calibration, 0xA5, sizeof calibration);
-    refusal = calibrator.finish(static_cast<uint16_t>(wanted), calibration, channel);
+    error = calibrator.finish(static_cast<uint16_t>(wanted), calibration, channel);
   }
   Radio::Numbers operator[](size_t index) const { return Radio::numbersOf(calibration.channels[index]); }
   bool isGood() const { return sbus::stateOf(calibration) == sbus::StoredState::Good; }

@@ -44,7 +44,7 @@ struct TestWire {
     }
   }
 
-  void pause(double pauseNs) { ns += pauseNs; }
+  void gap(double gapNs) { ns += gapNs; }
 };
 
 // PicoScope: the wire goes further up and down than it can measure. Owon: its program, with times that go back.

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "line/DamagedLine.h"
+#include "impairment/ImpairedLine.h"
 #include "line/ports/PseudoTerminal.h"
 #include "support/Adapter.h"
 
@@ -46,7 +46,7 @@ int main(int count, char **arguments) {
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it throws away what comes before the port is set
   const auto start = Clock::now();
   Random random(20181);
-  DamagedLine line(transmission(arguments[1], arguments[2], arguments[4]), 5000, random);
+  ImpairedLine line(transmission(arguments[1], arguments[2], arguments[4]), 5000, random);
   Adapter adapter(static_cast<uint32_t>(std::strtoul(arguments[3], nullptr, 10) * 1000), random);
   const auto hand = [&](const Read &read) {
     std::vector<uint8_t> bytes;

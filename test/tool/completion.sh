@@ -26,9 +26,9 @@ complete_fish() {
 }
 
 failed=0
-while read -r verb option; do
-  complete_bash sbus $verb ${option:+"$option"} | grep -qxFe "${option:-$verb}" ||
-    { echo "$verb $option is not completed"; failed=1; }
+while read -r subcommand option; do
+  complete_bash sbus $subcommand ${option:+"$option"} | grep -qxFe "${option:-$subcommand}" ||
+    { echo "$subcommand $option is not completed"; failed=1; }
 done <"$WORK/words"
 verdict $failed "every subcommand and option is completed"
 

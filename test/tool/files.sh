@@ -52,10 +52,10 @@ for form in vcd csv; do
     for recording in paper sbus2 frsky-neutral; do
       file=$work/$recording-$idle.$form
       capture $form $idle 10 <recordings/$recording.txt >"$file"
-      for verb in 'hex' 'csv --every-frame --columns time,ch1-ch18,failsafe'; do
+      for subcommand in 'hex' 'csv --every-frame --columns time,ch1-ch18,failsafe'; do
         # shellcheck disable=SC2086  # the arguments are words
-        "$SBUS" $verb recordings/$recording.txt >"$work/wanted" && "$SBUS" $verb "$file" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
-        verdict $? "$verb of $recording as $form, idle $idle"
+        "$SBUS" $subcommand recordings/$recording.txt >"$work/wanted" && "$SBUS" $subcommand "$file" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
+        verdict $? "$subcommand of $recording as $form, idle $idle"
       done
     done
   done

@@ -2,7 +2,7 @@
 # Runs `sbus`, built by g++ with the address sanitizer, and says "ok ..." or "FAILED ..." of:
 #   golden/*.csv               `sbus csv` prints what the sketches print
 #   tool/golden/NAME.txt       what it prints when called as tool/LINES says, the last 20 lines
-#   tool/REFUSALS              what it says of what it cannot do
+#   tool/REJECTIONS              what it says of what it cannot do
 #   recordings/bad/MESSAGES    the same of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
@@ -138,25 +138,25 @@ timeout 60 "$sbus" csv "" --seconds 1 2>"$work/err"
 [ $? -eq 2 ] && grep -q 'SOURCE: is empty' "$work/err"
 verdict $? "a SOURCE without a name"
 
-# ---- What it refuses
+# ---- What it rejects
 
-# refused MESSAGE ARGUMENTS...: fails, and says that line first
-refused() {
+# rejected MESSAGE ARGUMENTS...: fails, and says that line first
+rejected() {
   message=$1
   shift
   timeout 60 "$sbus" "$@" >"$work/out" 2>"$work/err" </dev/null
   status=$?
   grep -v 'Ctrl-C ends it$' "$work/err" | sed -n 1p | grep -qxFe "$message" || { cat "$work/err"; status=0; }
   [ "$status" -eq 1 ] || [ "$status" -eq 2 ]
-  verdict $? "refuses: $*"
+  verdict $? "rejects: $*"
 }
-grep -v '^#' tool/REFUSALS >"$work/refusals"
+grep -v '^#' tool/REJECTIONS >"$work/rejections"
 while IFS= read -r line; do
   # shellcheck disable=SC2086  # the arguments are words
-  refused "${line#* = }" ${line%% = *}
-done <"$work/refusals"
+  rejected "${line#* = }" ${line%% = *}
+done <"$work/rejections"
 while IFS= read -r message; do
-  (cd recordings/bad && refused "sbus hex: $message" hex "${message%%:*}")
+  (cd recordings/bad && rejected "sbus hex: $message" hex "${message%%:*}")
 done <recordings/bad/MESSAGES
 
 grep -v '^#' tool/STATUS >"$work/statuses"
@@ -168,21 +168,21 @@ while IFS= read -r line; do
 done <"$work/statuses"
 [ "$("$sbus" --version)" = "$(sed -n 's/^version=//p' ../library.properties)" ]
 verdict $? "--version prints the version alone on its line"
-for verb in hex explain doctor; do
-  "$sbus" help $verb >"$work/help" && "$sbus" $verb --help | cmp - "$work/help" && grep -q "^Usage: sbus $verb " "$work/help"
-  verdict $? "help $verb"
+for subcommand in hex explain doctor; do
+  "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -q "^Usage: sbus $subcommand " "$work/help"
+  verdict $? "help $subcommand"
 done
 "$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
 verdict $? "help of all"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
-refused "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
-refused "--noise: is of sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
+rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
+rejected "--noise: is of sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is none of the wire"
 printf 'time,CH17\n0.2,0\n0.4,1\n' >"$work/times.csv"
-refused "sbus plot: $work/times.csv: has a column of times, as sbus csv and the scope write it; only rows without are read again. Keep the line with sbus record" plot "$work/times.csv"
+rejected "sbus plot: $work/times.csv: has a column of times, as sbus csv and the scope write it; only rows without are read again. Keep the line with sbus record" plot "$work/times.csv"
 
 # ---- Recorders and players
 
@@ -217,8 +217,8 @@ verdict $? "times are the recording's own"
   "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
   sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 bad\), [1-9][0-9]* frames$' "$work/err"
 verdict $? "monitor --record records what record does, and shows what it shows"
-refused "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
-refused "sbus monitor: /dev/full: could not be written to its end (No space left on device); is there place for it?" monitor sim --simulated-time --seconds 1 --record /dev/full
+rejected "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
+rejected "sbus monitor: /dev/full: could not be written to its end (No space left on device); is there place for it?" monitor sim --simulated-time --seconds 1 --record /dev/full
 "$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
 verdict $? "monitor --record of a sketch's rows"
 
@@ -308,21 +308,21 @@ SBUS=$sbus WORK=$work tool/explain.sh
 # ---- What comes with it
 
 "$sbus" --help-all | awk '
-  /^[a-z]+$/ { verb = $1; print verb }
-  /^ *(-[a-z],)?--[a-z]/ { option = $1; sub(/.*,/, "", option); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : verb " ") option }' |
+  /^[a-z]+$/ { subcommand = $1; print subcommand }
+  /^ *(-[a-z],)?--[a-z]/ { option = $1; sub(/.*,/, "", option); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : subcommand " ") option }' |
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
-verdict $? "--help-all lists verbs and options"
+verdict $? "--help-all lists subcommands and options"
 # An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
 sed 's/\\-/-/g' ../extras/sbus/sbus.1 | awk '
   /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || section == "simulate"); print "has", section }
   /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
-while read -r verb option; do
-  case $verb in -*) line=".SH OPTIONS $verb" ;; *) line="${option:+$verb }${option:-has $verb}" ;; esac
+while read -r subcommand option; do
+  case $subcommand in -*) line=".SH OPTIONS $subcommand" ;; *) line="${option:+$subcommand }${option:-has $subcommand}" ;; esac
   grep -qxFe "$line" "$work/manual" ||
-    { grep -qxF "$verb SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
-  verdict $? "sbus.1 has $verb $option"
+    { grep -qxF "$subcommand SOURCE" "$work/manual" && grep -qxFe ".SH SOURCE $option" "$work/manual"; }
+  verdict $? "sbus.1 has $subcommand $option"
 done <"$work/words"
 for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
   grep -qx "has .SH $section" "$work/manual"

@@ -9,7 +9,7 @@
 
 #include "support/Radio.h"
 
-using sbus::Refusal;
+using sbus::CalibrationError;
 
 namespace {
 
@@ -122,12 +122,12 @@ class Play {
 
   struct Outcome {
     bool accepted, turned, off;
-    Refusal refusal;
+    CalibrationError error;
   };
   Outcome outcome(unsigned wanted) {
     const Finished finished(_radio.calibrator, wanted);
     const Radio::Numbers found = finished[0];
-    Outcome out = {finished.refusal == Refusal::None && found[0] != found[2], false, false, finished.refusal};
+    Outcome out = {finished.error == CalibrationError::None && found[0] != found[2], false, false, finished.error};
     if (out.accepted) {
       const int half = (_make.high - _make.low) / 2;
       const int low = _direction > 0 ? _make.low : _make.high;

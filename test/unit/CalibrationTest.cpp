@@ -1,4 +1,4 @@
-// The stored calibration: whole or refused, and scaling by it: exact at the three points, over all 2048 values.
+// The stored calibration: whole or rejected, and scaling by it: exact at the three points, over all 2048 values.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Finding out what a radio sends: what is found, what is refused, at each limit, and what the steps remember.
+// Finding out what a radio sends: what is found, what is rejected, at each limit, and what the steps remember.
 #include <doctest/doctest.h>
 
 #include <set>
@@ -8,62 +8,62 @@
 #include "support/Radio.h"
 #include "support/ShowArrays.h"
 
-using sbus::Refusal;
+using sbus::CalibrationError;
 using Numbers = Radio::Numbers;
 
 TEST_CASE(
-    "what is refused, on either side of each limit; where no centre is wanted it is in the middle of the travel") {
+    "what is rejected, on either side of each limit; where no centre is wanted it is in the middle of the travel") {
   const struct {
     const char *what;
     Extent travel, rest;
-    Refusal refusal;
+    CalibrationError error;
   } rows[] = {
-      {"did not move", {992, 992}, {992, 992}, Refusal::HardlyMoved},
-      {"moved by 399", {800, 1199}, {1000, 1000}, Refusal::HardlyMoved},
-      {"moved by 400", {800, 1200}, {1000, 1000}, Refusal::None},
-      {"moved by 399, and rests one further", {800, 1199}, {1200, 1200}, Refusal::HardlyMoved},
-      {"jitters by 32", {172, 1811}, {976, 1008}, Refusal::None},
-      {"jitters by 33", {172, 1811}, {976, 1009}, Refusal::NotStill},
-      {"jitters by 33 at its low end", {172, 1811}, {172, 205}, Refusal::NotStill},
-      {"rests 1/16 below", {172, 1811}, {70, 70}, Refusal::None},
-      {"... and one", {172, 1811}, {69, 69}, Refusal::CentreOutside},
-      {"rests 1/16 above", {172, 1811}, {1913, 1913}, Refusal::None},
-      {"... and one", {172, 1811}, {1914, 1914}, Refusal::CentreOutside},
-      {"rests 1/16 and one below, at 0", {107, 1811}, {0, 0}, Refusal::CentreOutside},
-      {"rests above, at 2047", {172, 1945}, {2047, 2047}, Refusal::None},
-      {"rests at its low end in the middle of the scale", {992, 1811}, {992, 992}, Refusal::MovedOneWay},
-      {"... at its high end", {172, 1000}, {1000, 1000}, Refusal::MovedOneWay},
-      {"... 1/16 above it", {992, 1811}, {1043, 1043}, Refusal::MovedOneWay},
-      {"699 is not in the middle", {699, 1811}, {699, 699}, Refusal::None},
-      {"700 is", {700, 1811}, {700, 700}, Refusal::MovedOneWay},
-      {"1350 is", {172, 1350}, {1350, 1350}, Refusal::MovedOneWay},
-      {"1351 is not", {172, 1351}, {1351, 1351}, Refusal::None},
-      {"rests at low", {200, 1800}, {200, 200}, Refusal::None},
-      {"1/16 above low", {200, 1800}, {300, 300}, Refusal::None},
-      {"1/16 above low, half a count more", {200, 1800}, {300, 301}, Refusal::NotCentred},
-      {"1/4 above low, less one", {200, 1800}, {599, 599}, Refusal::NotCentred},
-      {"1/4 above low", {200, 1800}, {600, 600}, Refusal::None},
-      {"1/4 below high", {200, 1800}, {1400, 1400}, Refusal::None},
-      {"1/4 below high, less one", {200, 1800}, {1401, 1401}, Refusal::NotCentred},
-      {"1/16 below high, and one", {200, 1800}, {1699, 1699}, Refusal::NotCentred},
-      {"1/16 below high", {200, 1800}, {1700, 1700}, Refusal::None},
-      {"415 / 16 is 25", {200, 615}, {225, 225}, Refusal::None},
-      {"... not 26", {200, 615}, {226, 226}, Refusal::NotCentred},
-      {"415 / 4 is 103", {200, 615}, {303, 303}, Refusal::None},
-      {"... not 102", {200, 615}, {302, 302}, Refusal::NotCentred},
-      {"of two reasons the first: hardly moved, jitters", {800, 1199}, {900, 1100}, Refusal::HardlyMoved},
-      {"jitters, rests elsewhere", {1000, 1811}, {200, 300}, Refusal::NotStill},
-      {"rests elsewhere, and nowhere near", {1000, 1811}, {800, 800}, Refusal::CentreOutside},
+      {"did not move", {992, 992}, {992, 992}, CalibrationError::HardlyMoved},
+      {"moved by 399", {800, 1199}, {1000, 1000}, CalibrationError::HardlyMoved},
+      {"moved by 400", {800, 1200}, {1000, 1000}, CalibrationError::None},
+      {"moved by 399, and rests one further", {800, 1199}, {1200, 1200}, CalibrationError::HardlyMoved},
+      {"jitters by 32", {172, 1811}, {976, 1008}, CalibrationError::None},
+      {"jitters by 33", {172, 1811}, {976, 1009}, CalibrationError::NotStill},
+      {"jitters by 33 at its low end", {172, 1811}, {172, 205}, CalibrationError::NotStill},
+      {"rests 1/16 below", {172, 1811}, {70, 70}, CalibrationError::None},
+      {"... and one", {172, 1811}, {69, 69}, CalibrationError::CentreOutside},
+      {"rests 1/16 above", {172, 1811}, {1913, 1913}, CalibrationError::None},
+      {"... and one", {172, 1811}, {1914, 1914}, CalibrationError::CentreOutside},
+      {"rests 1/16 and one below, at 0", {107, 1811}, {0, 0}, CalibrationError::CentreOutside},
+      {"rests above, at 2047", {172, 1945}, {2047, 2047}, CalibrationError::None},
+      {"rests at its low end in the middle of the scale", {992, 1811}, {992, 992}, CalibrationError::MovedOneWay},
+      {"... at its high end", {172, 1000}, {1000, 1000}, CalibrationError::MovedOneWay},
+      {"... 1/16 above it", {992, 1811}, {1043, 1043}, CalibrationError::MovedOneWay},
+      {"699 is not in the middle", {699, 1811}, {699, 699}, CalibrationError::None},
+      {"700 is", {700, 1811}, {700, 700}, CalibrationError::MovedOneWay},
+      {"1350 is", {172, 1350}, {1350, 1350}, CalibrationError::MovedOneWay},
+      {"1351 is not", {172, 1351}, {1351, 1351}, CalibrationError::None},
+      {"rests at low", {200, 1800}, {200, 200}, CalibrationError::None},
+      {"1/16 above low", {200, 1800}, {300, 300}, CalibrationError::None},
+      {"1/16 above low, half a count more", {200, 1800}, {300, 301}, CalibrationError::NotCentred},
+      {"1/4 above low, less one", {200, 1800}, {599, 599}, CalibrationError::NotCentred},
+      {"1/4 above low", {200, 1800}, {600, 600}, CalibrationError::None},
+      {"1/4 below high", {200, 1800}, {1400, 1400}, CalibrationError::None},
+      {"1/4 below high, less one", {200, 1800}, {1401, 1401}, CalibrationError::NotCentred},
+      {"1/16 below high, and one", {200, 1800}, {1699, 1699}, CalibrationError::NotCentred},
+      {"1/16 below high", {200, 1800}, {1700, 1700}, CalibrationError::None},
+      {"415 / 16 is 25", {200, 615}, {225, 225}, CalibrationError::None},
+      {"... not 26", {200, 615}, {226, 226}, CalibrationError::NotCentred},
+      {"415 / 4 is 103", {200, 615}, {303, 303}, CalibrationError::None},
+      {"... not 102", {200, 615}, {302, 302}, CalibrationError::NotCentred},
+      {"of two reasons the first: hardly moved, jitters", {800, 1199}, {900, 1100}, CalibrationError::HardlyMoved},
+      {"jitters, rests elsewhere", {1000, 1811}, {200, 300}, CalibrationError::NotStill},
+      {"rests elsewhere, and nowhere near", {1000, 1811}, {800, 800}, CalibrationError::CentreOutside},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
     const Radio radio(row.travel, row.rest);
-    CHECK(radio.refusal() == row.refusal);
-    CHECK((radio.found() == Radio::NotTouched) == (row.refusal != Refusal::None));
+    CHECK(radio.error() == row.error);
+    CHECK((radio.found() == Radio::NotTouched) == (row.error != CalibrationError::None));
     const Finished finished(radio.calibrator, 0x0001);
-    CHECK(finished.refusal == row.refusal);
-    CHECK(finished.isTouched() == (row.refusal == Refusal::None));
-    if (row.refusal == Refusal::NotCentred) {  // a knob, or a switch of six positions
+    CHECK(finished.error == row.error);
+    CHECK(finished.isTouched() == (row.error == CalibrationError::None));
+    if (row.error == CalibrationError::NotCentred) {  // a knob, or a switch of six positions
       const auto low = static_cast<uint16_t>(row.travel.low);
       const auto high = static_cast<uint16_t>(row.travel.high);
       const auto middle = static_cast<uint16_t>((low + high + 1) / 2);
@@ -102,7 +102,7 @@ TEST_CASE("what is found: ends, centre and dead zone") {
   for (const auto &row : rows) {
     CAPTURE(row.what);
     const Radio radio(row.travel, row.rest, row.deadZone);
-    CHECK(radio.refusal() == Refusal::None);
+    CHECK(radio.error() == CalibrationError::None);
     CHECK(radio.found() == row.found);
     const Finished finished(radio.calibrator, 0x0001);
     CHECK(finished[0] == row.found);
@@ -119,37 +119,37 @@ TEST_CASE(
   constexpr int Centre = -1, High = -2, Begin = -3;  // calls; what is not below 0 is a value of CH1
   const struct {
     std::vector<int> steps;
-    Refusal refusal;
+    CalibrationError error;
     Numbers found;
   } rows[] = {
-      {{}, Refusal::NeverSeen, None},
-      {{172}, Refusal::HardlyMoved, None},
-      {{172, 700}, Refusal::MovedOneWay, None},
-      {{172, 1350}, Refusal::MovedOneWay, None},
-      {{172, 1351}, Refusal::NotRested, None},
-      {{1811, 699}, Refusal::NotRested, None},
-      {{1811, 700}, Refusal::MovedOneWay, None},
-      {{172, 1811}, Refusal::NotRested, None},
-      {{172, 1811, Centre}, Refusal::NotRested, None},
-      {{172, 1811, Centre, 1000}, Refusal::NotPushed, None},
-      {{172, 1811, Centre, 1000, High}, Refusal::NotHeld, None},
-      {{172, 1811, Centre, 1000, High, 1811}, Refusal::None, Forwards},
-      {{172, 1811, Centre, 1000, High, 172}, Refusal::None, Backwards},
-      {{172, 1811, Centre, 1000, High, 172, 1811}, Refusal::None, Forwards},
-      {{172, 1811, Centre, 1000, High, 1811, 172}, Refusal::None, Backwards},
-      {{172, 1811, Centre, 1000, High, 172, 1000}, Refusal::NotPushed, None},
-      {{172, 1811, Centre, 1000, High, 172, High}, Refusal::NotHeld, None},
-      {{172, 1811, Centre, 1000, High, 1811, High, 172}, Refusal::None, Backwards},
-      {{Centre, 1000}, Refusal::NeverSeen, None},
-      {{172, 1811, High, 172}, Refusal::NotRested, None},
-      {{172, 1811, Centre, 400, 1600}, Refusal::NotStill, None},
-      {{172, 1811, Centre, 400, 1600, Centre}, Refusal::NotRested, None},
-      {{172, 1811, Centre, 400, 1600, Centre, 1000, High, 1811}, Refusal::None, Forwards},
-      {{172, 1811, Centre, 400, High, 172, Centre, 1000}, Refusal::NotPushed, None},
-      {{0, 2047, Begin}, Refusal::NeverSeen, None},
-      {{0, 2047, Begin, 172, 1811, Centre, 1000, High, 1811}, Refusal::None, Forwards},
-      {{0, 2047, Centre, 0, 2047, Begin, 172, 1811}, Refusal::NotRested, None},
-      {{0, 2047, Centre, 0, 2047, High, 0, Begin, 172, 1811, Centre, 1000, High, 172}, Refusal::None, Backwards},
+      {{}, CalibrationError::NeverSeen, None},
+      {{172}, CalibrationError::HardlyMoved, None},
+      {{172, 700}, CalibrationError::MovedOneWay, None},
+      {{172, 1350}, CalibrationError::MovedOneWay, None},
+      {{172, 1351}, CalibrationError::NotRested, None},
+      {{1811, 699}, CalibrationError::NotRested, None},
+      {{1811, 700}, CalibrationError::MovedOneWay, None},
+      {{172, 1811}, CalibrationError::NotRested, None},
+      {{172, 1811, Centre}, CalibrationError::NotRested, None},
+      {{172, 1811, Centre, 1000}, CalibrationError::NotPushed, None},
+      {{172, 1811, Centre, 1000, High}, CalibrationError::NotHeld, None},
+      {{172, 1811, Centre, 1000, High, 1811}, CalibrationError::None, Forwards},
+      {{172, 1811, Centre, 1000, High, 172}, CalibrationError::None, Backwards},
+      {{172, 1811, Centre, 1000, High, 172, 1811}, CalibrationError::None, Forwards},
+      {{172, 1811, Centre, 1000, High, 1811, 172}, CalibrationError::None, Backwards},
+      {{172, 1811, Centre, 1000, High, 172, 1000}, CalibrationError::NotPushed, None},
+      {{172, 1811, Centre, 1000, High, 172, High}, CalibrationError::NotHeld, None},
+      {{172, 1811, Centre, 1000, High, 1811, High, 172}, CalibrationError::None, Backwards},
+      {{Centre, 1000}, CalibrationError::NeverSeen, None},
+      {{172, 1811, High, 172}, CalibrationError::NotRested, None},
+      {{172, 1811, Centre, 400, 1600}, CalibrationError::NotStill, None},
+      {{172, 1811, Centre, 400, 1600, Centre}, CalibrationError::NotRested, None},
+      {{172, 1811, Centre, 400, 1600, Centre, 1000, High, 1811}, CalibrationError::None, Forwards},
+      {{172, 1811, Centre, 400, High, 172, Centre, 1000}, CalibrationError::NotPushed, None},
+      {{0, 2047, Begin}, CalibrationError::NeverSeen, None},
+      {{0, 2047, Begin, 172, 1811, Centre, 1000, High, 1811}, CalibrationError::None, Forwards},
+      {{0, 2047, Centre, 0, 2047, Begin, 172, 1811}, CalibrationError::NotRested, None},
+      {{0, 2047, Centre, 0, 2047, High, 0, Begin, 172, 1811, Centre, 1000, High, 172}, CalibrationError::None, Backwards},
   };
   for (const auto &row : rows) {
     INFO("row ", &row - rows);
@@ -182,8 +182,8 @@ TEST_CASE(
     }
     lostFrames();
     CHECK(radio.found() == row.found);
-    CHECK(radio.refusal() == row.refusal);
-    CHECK(Finished(radio.calibrator, 0x0001).refusal == row.refusal);
+    CHECK(radio.error() == row.error);
+    CHECK(Finished(radio.calibrator, 0x0001).error == row.error);
   }
 }
 
@@ -192,37 +192,37 @@ TEST_CASE("one that is held more than 1/4 of its travel below where it rested ru
     const char *what;
     int rest;
     int held;
-    Refusal refusal;
+    CalibrationError error;
     Numbers found;  // not wanted, too
   } rows[] = {
-      {"at its high end", 1000, 1800, Refusal::None, {200, 1000, 1800, 8}},
-      {"stays, as a switch does", 1000, 1000, Refusal::NotPushed, {200, 1000, 1800, 8}},
-      {"falls by 1/4", 1000, 600, Refusal::NotPushed, {200, 1000, 1800, 8}},
-      {"... and one", 1000, 599, Refusal::None, {1800, 1000, 200, 8}},
-      {"rises by 1/4", 1000, 1400, Refusal::NotPushed, {200, 1000, 1800, 8}},
-      {"... and one", 1000, 1401, Refusal::None, {200, 1000, 1800, 8}},
-      {"1/16 beyond its low end", 1000, 100, Refusal::None, {1800, 1000, 100, 8}},
-      {"... and one", 1000, 99, Refusal::CentreOutside, {0, 0, 0, 0}},
-      {"1/16 beyond its high end", 1000, 1900, Refusal::None, {200, 1000, 1900, 8}},
-      {"... and one", 1000, 1901, Refusal::CentreOutside, {0, 0, 0, 0}},
-      {"beyond 2047", 1000, 65535, Refusal::CentreOutside, {0, 0, 0, 0}},
-      {"a throttle that rises", 200, 1800, Refusal::None, {200, 1000, 1800, 0}},
-      {"a throttle that stays low", 200, 200, Refusal::NotPushed, {200, 1000, 1800, 0}},
-      {"a throttle that is low at its high values, and falls", 1800, 200, Refusal::None, {1800, 1000, 200, 0}},
-      {"off its middle, falls by 1/4: all there is", 600, 200, Refusal::NotPushed, {200, 600, 1800, 8}},
+      {"at its high end", 1000, 1800, CalibrationError::None, {200, 1000, 1800, 8}},
+      {"stays, as a switch does", 1000, 1000, CalibrationError::NotPushed, {200, 1000, 1800, 8}},
+      {"falls by 1/4", 1000, 600, CalibrationError::NotPushed, {200, 1000, 1800, 8}},
+      {"... and one", 1000, 599, CalibrationError::None, {1800, 1000, 200, 8}},
+      {"rises by 1/4", 1000, 1400, CalibrationError::NotPushed, {200, 1000, 1800, 8}},
+      {"... and one", 1000, 1401, CalibrationError::None, {200, 1000, 1800, 8}},
+      {"1/16 beyond its low end", 1000, 100, CalibrationError::None, {1800, 1000, 100, 8}},
+      {"... and one", 1000, 99, CalibrationError::CentreOutside, {0, 0, 0, 0}},
+      {"1/16 beyond its high end", 1000, 1900, CalibrationError::None, {200, 1000, 1900, 8}},
+      {"... and one", 1000, 1901, CalibrationError::CentreOutside, {0, 0, 0, 0}},
+      {"beyond 2047", 1000, 65535, CalibrationError::CentreOutside, {0, 0, 0, 0}},
+      {"a throttle that rises", 200, 1800, CalibrationError::None, {200, 1000, 1800, 0}},
+      {"a throttle that stays low", 200, 200, CalibrationError::NotPushed, {200, 1000, 1800, 0}},
+      {"a throttle that is low at its high values, and falls", 1800, 200, CalibrationError::None, {1800, 1000, 200, 0}},
+      {"off its middle, falls by 1/4: all there is", 600, 200, CalibrationError::NotPushed, {200, 600, 1800, 8}},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
     Radio radio({200, 1800}, {row.rest, row.rest});
     radio.calibrator.high();
     radio.hold(row.held);
-    CHECK(radio.refusal() == row.refusal);
-    CHECK(radio.found() == (row.refusal == Refusal::None ? row.found : Radio::NotTouched));
+    CHECK(radio.error() == row.error);
+    CHECK(radio.found() == (row.error == CalibrationError::None ? row.found : Radio::NotTouched));
     const Finished finished(radio.calibrator, 0x0000);
-    const bool any = row.refusal != Refusal::CentreOutside;
-    CHECK(finished.refusal == (any ? Refusal::None : row.refusal));
+    const bool any = row.error != CalibrationError::CentreOutside;
+    CHECK(finished.error == (any ? CalibrationError::None : row.error));
     CHECK((!any || finished[0] == row.found));
-    CHECK(Finished(radio.calibrator, 0x0001).refusal == row.refusal);
+    CHECK(Finished(radio.calibrator, 0x0001).error == row.error);
   }
 }
 
@@ -251,16 +251,16 @@ TEST_CASE("held is what 64 frames say, within 32 counts; two wrong ones at the e
   const struct {
     const char *what;
     int jitter, frames, wrong, after;
-    Refusal refusal;
+    CalibrationError error;
   } rows[] = {
-      {"63 frames", 0, 63, 0, 0, Refusal::NotHeld},
-      {"64 frames", 0, 64, 0, 0, Refusal::None},
-      {"jitters by 32", 32, 64, 0, 0, Refusal::None},
-      {"jitters by 33", 33, 64, 0, 0, Refusal::NotHeld},
-      {"two wrong ones", 0, 80, 2, 0, Refusal::None},
-      {"two wrong ones, one frame too early", 0, 79, 2, 0, Refusal::NotHeld},
-      {"three wrong ones", 0, 300, 3, 0, Refusal::NotHeld},
-      {"... and 8 right ones", 0, 300, 3, 8, Refusal::None},
+      {"63 frames", 0, 63, 0, 0, CalibrationError::NotHeld},
+      {"64 frames", 0, 64, 0, 0, CalibrationError::None},
+      {"jitters by 32", 32, 64, 0, 0, CalibrationError::None},
+      {"jitters by 33", 33, 64, 0, 0, CalibrationError::NotHeld},
+      {"two wrong ones", 0, 80, 2, 0, CalibrationError::None},
+      {"two wrong ones, one frame too early", 0, 79, 2, 0, CalibrationError::NotHeld},
+      {"three wrong ones", 0, 300, 3, 0, CalibrationError::NotHeld},
+      {"... and 8 right ones", 0, 300, 3, 8, CalibrationError::None},
   };
   for (const auto &row : rows) {
     for (const int wrong : {0, 2047}) {
@@ -272,7 +272,7 @@ TEST_CASE("held is what 64 frames say, within 32 counts; two wrong ones at the e
       }
       radio.stay(wrong, row.wrong);
       radio.stay(1800, row.after);
-      CHECK(radio.refusal() == row.refusal);
+      CHECK(radio.error() == row.error);
     }
   }
 }
@@ -303,7 +303,7 @@ TEST_CASE("CH1..CH16 are found one by one, whatever their neighbours do; CH17 an
     const auto high = static_cast<uint16_t>(1700 + 10 * i);
     const auto centre = static_cast<uint16_t>(900 + 12 * i);
     const auto index = static_cast<uint8_t>(i);
-    CHECK(radio.refusal(index) == (i < 16 ? Refusal::None : Refusal::NeverSeen));
+    CHECK(radio.error(index) == (i < 16 ? CalibrationError::None : CalibrationError::NeverSeen));
     CHECK(radio.found(index) == (i >= 16      ? Radio::NotTouched
                                  : i % 3 == 0 ? Numbers{high, centre, low, 8}
                                               : Numbers{low, centre, high, 8}));
@@ -334,7 +334,7 @@ TEST_CASE("finish names the first bad one of those wanted, or seals all that are
       radio.feed(sbus::Calibrator::HeldFrames);
     }
     const Finished finished(radio.calibrator, row.wanted);
-    CHECK(finished.refusal == (row.channel < 0 ? Refusal::None : Refusal::HardlyMoved));
+    CHECK(finished.error == (row.channel < 0 ? CalibrationError::None : CalibrationError::HardlyMoved));
     CHECK(finished.channel == (row.channel < 0 ? Radio::NoChannel : row.channel));
     CHECK(finished.isTouched() == (row.channel < 0));
     CHECK(finished.isGood() == (row.channel < 0));
@@ -342,10 +342,10 @@ TEST_CASE("finish names the first bad one of those wanted, or seals all that are
       CHECK(finished[i] == ((row.good >> i & 1) != 0 ? Numbers{172, 992, 1811, 8} : Numbers{0, 0, 0, 0}));
     }
   }
-  CHECK(Finished(Radio().calibrator, 0x0400).refusal == Refusal::NeverSeen);
+  CHECK(Finished(Radio().calibrator, 0x0400).error == CalibrationError::NeverSeen);
 }
 
-TEST_CASE("without the third step finish refuses, whatever is wanted") {
+TEST_CASE("without the third step finish rejects, whatever is wanted") {
   Radio radio;
   radio.channels.fill(172);
   radio.feed(sbus::Calibrator::SeenFrames);
@@ -358,7 +358,7 @@ TEST_CASE("without the third step finish refuses, whatever is wanted") {
     for (const unsigned wanted : {0x0000u, 0x0001u, 0xFFFFu}) {
       CAPTURE(wanted);
       const Finished finished(radio.calibrator, wanted);
-      CHECK(finished.refusal == (begun ? Refusal::NotHeld : Refusal::NotPushed));
+      CHECK(finished.error == (begun ? CalibrationError::NotHeld : CalibrationError::NotPushed));
       CHECK(finished.channel == 0);
       CHECK_FALSE(finished.isTouched());
     }
@@ -366,10 +366,10 @@ TEST_CASE("without the third step finish refuses, whatever is wanted") {
   }
 }
 
-TEST_CASE("each refusal has words of its own that stand after a channel's name and say what to do, and None has none") {
+TEST_CASE("each error has words of its own that stand after a channel's name and say what to do, and None has none") {
   std::set<std::string> seen;
-  for (unsigned number = 1; number <= static_cast<unsigned>(Refusal::NotHeld); number++) {
-    const std::string words = text(static_cast<Refusal>(number));
+  for (unsigned number = 1; number <= static_cast<unsigned>(CalibrationError::NotHeld); number++) {
+    const std::string words = text(static_cast<CalibrationError>(number));
     CAPTURE(words);
     CHECK(words.size() > 8);
     CHECK(words.size() < 80);
@@ -378,6 +378,6 @@ TEST_CASE("each refusal has words of its own that stand after a channel's name a
     CHECK(words.find_first_not_of(" abcdefghijklmnopqrstuvwxyz:") == std::string::npos);
     CHECK(seen.insert(words).second);
   }
-  CHECK(std::string(text(Refusal::None)).empty());
-  CHECK(std::string(text(static_cast<Refusal>(200))).empty());
+  CHECK(std::string(text(CalibrationError::None)).empty());
+  CHECK(std::string(text(static_cast<CalibrationError>(200))).empty());
 }

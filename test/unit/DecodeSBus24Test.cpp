@@ -35,20 +35,20 @@ struct Board24 : FakeBoardOf<DecodeSBus24, sbus::Frame24> {
 
 TEST_CASE("of frames of 36 bytes every one is found, at loops of any period, and none is a resync") {
   for (const bool neutral : {false, true}) {
-    for (const uint64_t pauseUs : {700u, 2700u, 4700u, 9700u}) {
+    for (const uint64_t gapUs : {700u, 2700u, 4700u, 9700u}) {
       TimedLine line;
       LongFrames sent;
       for (unsigned number = 0; number < 30; number++) {
         sent.push_back(withByte(longFrame(number, neutral), 34, number % 10 < 5 ? 0x00 : 0x0F));
-        line.send(sent.back()).pause(pauseUs);
+        line.send(sent.back()).gap(gapUs);
       }
       for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
-        INFO("neutral ", neutral, ", pauseUs ", pauseUs, ", loopUs ", loopUs);
+        INFO("neutral ", neutral, ", gapUs ", gapUs, ", loopUs ", loopUs);
         sbus::Counters counters;
         CHECK(line.frames<sbus::Frame24>(loopUs, &counters) == sent);
-        CHECK(counters.skippedBytes == 0);
+        CHECK(counters.discardedBytes == 0);
         CHECK(counters.resyncs == 0);
-        CHECK(counters.otherFrames == 0);
+        CHECK(counters.otherSizeFrames == 0);
       }
     }
   }
@@ -72,38 +72,38 @@ TEST_CASE("36 bytes are rejected for a wrong header, flags or end byte, each by 
     line.settle();
     for (unsigned number = 0; number < 3; number++) {
       line.feed(bytesOf(longFrame(number)));
-      line.wait(Feeder24::PauseUs);
+      line.wait(Feeder24::GapUs);
     }
     CHECK(line.feed(row.bytes) == LongFrames{});
     if (!row.afterGap.empty()) {
       CHECK(line.wait(8000).feed(row.afterGap) == LongFrames{});
     }
-    CHECK(line.wait(Feeder24::PauseUs).feed(bytesOf(longFrame(6))) == LongFrames{longFrame(6)});
+    CHECK(line.wait(Feeder24::GapUs).feed(bytesOf(longFrame(6))) == LongFrames{longFrame(6)});
     const sbus::Counters counters = line.counted();
-    CHECK(counters.refusedByEnd == row.byEnd);
-    CHECK(counters.refusedByFlags == row.byFlags);
-    CHECK(counters.refusedByExtra == row.byExtra);
-    CHECK(counters.skippedBytes == 36);
+    CHECK(counters.rejectedByEnd == row.byEnd);
+    CHECK(counters.rejectedByFlags == row.byFlags);
+    CHECK(counters.rejectedByLength == row.byExtra);
+    CHECK(counters.discardedBytes == 36);
   }
 }
 
 TEST_CASE("a line of the other size brings no frame, and each of its frames is counted, but for the last") {
   for (const bool neutral : {false, true}) {
-    for (const uint64_t pauseUs : {2700u, 4700u, 9700u}) {
+    for (const uint64_t gapUs : {2700u, 4700u, 9700u}) {
       TimedLine longs, shorts;
       for (unsigned number = 0; number < 40; number++) {
-        longs.send(longFrame(number, neutral)).pause(pauseUs);
-        shorts.send(neutral ? neutralFrame(number) : plainFrame(number)).pause(pauseUs);
+        longs.send(longFrame(number, neutral)).gap(gapUs);
+        shorts.send(neutral ? neutralFrame(number) : plainFrame(number)).gap(gapUs);
       }
       for (const uint32_t loopUs : {50u, 500u}) {
-        INFO("neutral ", neutral, ", pauseUs ", pauseUs, ", loopUs ", loopUs);
+        INFO("neutral ", neutral, ", gapUs ", gapUs, ", loopUs ", loopUs);
         sbus::Counters counters;
         CHECK(longs.frames(loopUs, &counters).empty());
-        CHECK(counters.otherFrames == 39);
+        CHECK(counters.otherSizeFrames == 39);
         CHECK(shorts.frames<sbus::Frame24>(loopUs, &counters).empty());
-        CHECK(counters.otherFrames == 39);
+        CHECK(counters.otherSizeFrames == 39);
         CHECK(shorts.frames(loopUs, &counters).size() == 40);
-        CHECK(counters.otherFrames == 0);
+        CHECK(counters.otherSizeFrames == 0);
       }
     }
   }
@@ -119,19 +119,19 @@ TEST_CASE("after frames of the other size the first of the own size between two 
     for (unsigned number = 0; number < others; number++) {
       CHECK(line.feed(bytesOf(longFrame(number))).empty());
       CHECK(line24.feed(bytesOf(plainFrame(number))).empty());
-      line.wait(Feeder::PauseUs);
-      line24.wait(Feeder::PauseUs);
+      line.wait(Feeder::GapUs);
+      line24.wait(Feeder::GapUs);
     }
     for (unsigned number = 1; number <= 5; number++) {
       CHECK(line.feed(bytesOf(plainFrame(number))).size() == (number > 1));
       CHECK(line24.feed(bytesOf(longFrame(number))).size() == (number > 1));
-      line.wait(Feeder::PauseUs);
-      line24.wait(Feeder::PauseUs);
+      line.wait(Feeder::GapUs);
+      line24.wait(Feeder::GapUs);
       CHECK(line.counted().frames == number);
       CHECK(line24.counted().frames == number);
     }
-    CHECK(line.counted().otherFrames == others);
-    CHECK(line24.counted().otherFrames == others);
+    CHECK(line.counted().otherSizeFrames == others);
+    CHECK(line24.counted().otherSizeFrames == others);
   }
 }
 
@@ -200,6 +200,6 @@ TEST_CASE("what EncodeSBus24 sends DecodeSBus24 reads, and DecodeSBus counts as 
   CHECK(board.sbus.counters().frames == 10);
   CHECK(wrong24.sbus.counters().frames == 0);
   CHECK(wrong.sbus.counters().frames == 0);
-  CHECK(wrong24.sbus.counters().otherFrames == 9);  // all behind which a gap was seen
-  CHECK(wrong.sbus.counters().otherFrames == 9);
+  CHECK(wrong24.sbus.counters().otherSizeFrames == 9);  // all behind which a gap was seen
+  CHECK(wrong.sbus.counters().otherSizeFrames == 9);
 }

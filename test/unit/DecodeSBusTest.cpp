@@ -57,7 +57,7 @@ TEST_CASE("before begin, wherever the object stands, there is no frame, none is 
     sbus.parseSBusFrame();
     CHECK_FALSE(sbus.newFrame());
     CHECK(sbus.linkState() == sbus::LinkState::NeverSeen);
-    CHECK(sbus.counters().frames + sbus.counters().skippedBytes == 0);
+    CHECK(sbus.counters().frames + sbus.counters().discardedBytes == 0);
   }
 }
 
@@ -195,7 +195,7 @@ TEST_CASE("what comes in while the buffer is read, fills it and breaks the line 
 
 // The driver hands over 16 bytes at a time, and a buffer that is found full, 64, may have been full for long: then the
 // frame that it ends in is given up. Polls that are 48 characters apart never find it full.
-TEST_CASE("a line without pauses is read whole by polls every 5 ms, at 200000 baud 2.5 ms, and 48 characters apart") {
+TEST_CASE("a line without gaps is read whole by polls every 5 ms, at 200000 baud 2.5 ms, and 48 characters apart") {
   const struct {
     unsigned long baud;
     uint32_t loopUs;
@@ -254,7 +254,7 @@ TEST_CASE("a silence within a frame, read byte by byte, rejects it: more than fi
       board.poll({plainFrame(index / 25)[index % 25]});
     }
     CHECK(board.sbus.counters().frames == (row.rejected ? 4 : 5));
-    CHECK(board.sbus.counters().refusedByExtra == row.rejected);
+    CHECK(board.sbus.counters().rejectedByLength == row.rejected);
   }
 }
 

@@ -25,13 +25,13 @@ struct Came {
   static Came bytes(uint32_t count) { return Came().skipped(count); }
   Came lost(uint32_t count) const { return with(&Counters::lostFrames, count); }
   Came failsafe(uint32_t count) const { return with(&Counters::failsafeFrames, count); }
-  Came byEnd(uint32_t count) const { return with(&Counters::refusedByEnd, count); }
-  Came byFlags(uint32_t count) const { return with(&Counters::refusedByFlags, count); }
-  Came byExtra(uint32_t count) const { return with(&Counters::refusedByExtra, count); }
-  Came skipped(uint32_t count) const { return with(&Counters::skippedBytes, count); }
+  Came byEnd(uint32_t count) const { return with(&Counters::rejectedByEnd, count); }
+  Came byFlags(uint32_t count) const { return with(&Counters::rejectedByFlags, count); }
+  Came byExtra(uint32_t count) const { return with(&Counters::rejectedByLength, count); }
+  Came skipped(uint32_t count) const { return with(&Counters::discardedBytes, count); }
   Came resyncs(uint32_t count) const { return with(&Counters::resyncs, count); }
   Came overflows(uint32_t count) const { return with(&Counters::overflows, count); }
-  Came other(uint32_t count) const { return with(&Counters::otherFrames, count); }
+  Came other(uint32_t count) const { return with(&Counters::otherSizeFrames, count); }
   Came extra(uint32_t count) const { return with(&Counters::extraFrames, count); }
 
  private:
@@ -73,14 +73,14 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"one more", {Came::frames(6), Noise, Noise, Noise}, Finding::AllWell, 0},
       {"one of 25 Hz, the slowest", {Came::frames(12), Noise, Noise, Noise}, Finding::AllWell, 0},
       {"a good line", {Good, Noise, Noise, Noise}, Finding::AllWell, 0},
-      {"the other inversion", {Noise, Noise, Good, Noise}, Finding::WrongInversion, 2},
-      {"the other inversion, nothing with this", {Nothing, Nothing, Good, Nothing}, Finding::WrongInversion, 2},
+      {"the other inversion", {Noise, Noise, Good, Noise}, Finding::WrongPolarity, 2},
+      {"the other inversion, nothing with this", {Nothing, Nothing, Good, Nothing}, Finding::WrongPolarity, 2},
       {"the other baud rate", {Noise, Good, Noise, Noise}, Finding::WrongBaud, 1},
-      {"both", {Noise, Noise, Noise, Good}, Finding::WrongInversionAndBaud, 3},
+      {"both", {Noise, Noise, Noise, Good}, Finding::WrongPolarityAndBaud, 3},
       {"hardly a frame with the other inversion", {Noise, Noise, Came::frames(5), Noise}, Finding::NoFrames, 2},
       {"hardly a frame with the other baud rate", {Noise, Came::frames(5), Noise, Noise}, Finding::NoFrames, 1},
       {"as many with another", {Good, Noise, Good, Noise}, Finding::AllWell, 0},
-      {"more with another", {Good, Noise, Came::frames(56), Noise}, Finding::WrongInversion, 2},
+      {"more with another", {Good, Noise, Came::frames(56), Noise}, Finding::WrongPolarity, 2},
       {"another later has fewer", {Noise, Came::frames(40), Came::frames(30), Noise}, Finding::WrongBaud, 1},
       {"24 channels", {Came::bytes(1980).other(54), Noise, Noise, Noise}, Finding::Channels24, 0},
       {"24 channels, a frame of them every 100 ms", {Came::bytes(1980).other(5)}, Finding::NoFrames, 0},
@@ -94,8 +94,8 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"24 channels, polled too seldom", {Noise.other(6).overflows(1)}, Finding::PolledTooSeldom, 0},
       {"16 channels, so noisy that three have the size of 24", {Came::bytes(1302).other(3)}, Finding::NoFrames, 0},
       {"16 channels, six such before the first", {Good.other(6), Noise, Noise, Noise}, Finding::AllWell, 0},
-      {"a wrong setting comes before the radio", {Noise, Noise, Good.failsafe(55), Noise}, Finding::WrongInversion, 2},
-      {"and before slow polls", {Noise, Noise, Good.overflows(9), Noise}, Finding::WrongInversion, 2},
+      {"a wrong setting comes before the radio", {Noise, Noise, Good.failsafe(55), Noise}, Finding::WrongPolarity, 2},
+      {"and before slow polls", {Noise, Noise, Good.overflows(9), Noise}, Finding::WrongPolarity, 2},
       // The setting is right.
       {"a poll found the buffer full", {Good.overflows(1)}, Finding::PolledTooSeldom, 0},
       {"so many that hardly a frame came", {Came::frames(4).skipped(28).overflows(2)}, Finding::PolledTooSeldom, 0},
@@ -104,10 +104,10 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
        Finding::PolledTooSeldom,
        0},
       {"one damaged", {Came::frames(54).byEnd(3).skipped(24).resyncs(1)}, Finding::AllWell, 0},
-      {"two damaged", {Came::frames(53).byEnd(2).skipped(48).resyncs(2)}, Finding::Damaged, 0},
+      {"two damaged", {Came::frames(53).byEnd(2).skipped(48).resyncs(2)}, Finding::Noise, 0},
       {"10 beside 990 damaged", {Came::frames(990).byEnd(30).skipped(10 * 24).resyncs(10)}, Finding::AllWell, 0},
-      {"11 beside 990 damaged", {Came::frames(990).byEnd(30).skipped(11 * 24).resyncs(11)}, Finding::Damaged, 0},
-      {"damaged, and failsafe", {Came::frames(50).byEnd(15).skipped(124).resyncs(5).failsafe(50)}, Finding::Damaged, 0},
+      {"11 beside 990 damaged", {Came::frames(990).byEnd(30).skipped(11 * 24).resyncs(11)}, Finding::Noise, 0},
+      {"damaged, and failsafe", {Came::frames(50).byEnd(15).skipped(124).resyncs(5).failsafe(50)}, Finding::Noise, 0},
       {"failsafe without lost frames", {Good.failsafe(55)}, Finding::Failsafe, 0},
       {"failsafe for a while", {Good.failsafe(1)}, Finding::Failsafe, 0},
       {"28 of 55 lost", {Good.lost(28)}, Finding::NoRadio, 0},
@@ -119,13 +119,13 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"an R7003SB", {Came::frames(33).skipped(165)}, Finding::AllWellAndMore, 0},
       {"FASSTest 26", {Came::frames(28).extra(27).skipped(25)}, Finding::AllWell, 0},
       {"FASSTest 26, eight sensors", {Came::frames(28).extra(27).skipped(190).resyncs(7)}, Finding::AllWellAndMore, 0},
-      {"FASSTest 26, some noise", {Came::frames(27).extra(18).skipped(226).resyncs(8)}, Finding::Damaged, 0},
+      {"FASSTest 26, some noise", {Came::frames(27).extra(18).skipped(226).resyncs(8)}, Finding::Noise, 0},
       {"just so many bytes", {Came::frames(33).skipped(58)}, Finding::AllWellAndMore, 0},
       {"one less", {Came::frames(33).skipped(57)}, Finding::AllWell, 0},
       {"S.BUS2, all slots after each frame", {Came::frames(33).skipped(33 * 24 + 25)}, Finding::AllWellAndMore, 0},
       {"as many bytes as of frames", {Came::frames(33).skipped(34 * 25)}, Finding::AllWellAndMore, 0},
       {"one more", {Came::frames(33).skipped(34 * 25 + 1).failsafe(33)}, Finding::NoFrames, 0},
-      {"bytes of one damaged frame", {Came::frames(54).byEnd(1).skipped(24 + 60).resyncs(1)}, Finding::AllWell, 0},
+      {"bytes of one impaired frame", {Came::frames(54).byEnd(1).skipped(24 + 60).resyncs(1)}, Finding::AllWell, 0},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -151,7 +151,7 @@ TEST_CASE("a trial may last any time: frames are judged by the second") {
 
 TEST_CASE("each round stands alone: what the last one said is not said again") {
   Diagnosis diagnosis = diagnosisOf({Noise, Noise, Good, Noise});
-  REQUIRE(diagnosis.finding() == Finding::WrongInversion);
+  REQUIRE(diagnosis.finding() == Finding::WrongPolarity);
   diagnosis.begin();
   CHECK(diagnosis.finding() == Finding::NoSignal);
   CHECK(diagnosis.best() == 0);
@@ -164,7 +164,7 @@ TEST_CASE("each round stands alone: what the last one said is not said again") {
 }
 
 // Measured on the simulated line, half a second or five: the frames that were sent and did not come are known there.
-TEST_CASE("damaged frames are counted, not their headers: some noise, much noise, lines without damage") {
+TEST_CASE("impaired frames are counted, not their headers: some noise, much noise, lines without damage") {
   const struct {
     doctest::String what;
     Came came;
@@ -175,7 +175,7 @@ TEST_CASE("damaged frames are counted, not their headers: some noise, much noise
       {"30 disturbances a second, 5 are missing", Came::frames(50).byEnd(15).skipped(124).resyncs(5), 5},
       {"300 a second, 45 are missing", Came::frames(10).byEnd(123).skipped(1089).resyncs(8), 45},
       {"1 byte in 300 missing, 3 frames", Came::frames(52).byEnd(9).skipped(72).resyncs(2), 3},
-      {"refused for all three reasons", Came::frames(50).byEnd(1).byFlags(1).byExtra(1).skipped(500).resyncs(9), 3},
+      {"rejected for all three reasons", Came::frames(50).byEnd(1).byFlags(1).byExtra(1).skipped(500).resyncs(9), 3},
       {"the rest of a frame", Good.byEnd(2).skipped(20), 0},
       {"before the first frame nobody knows", Came::bytes(1977).byEnd(219), 0},
       {"FASSTest 26", Came::frames(28).extra(27).skipped(25), 0},
@@ -190,7 +190,7 @@ TEST_CASE("damaged frames are counted, not their headers: some noise, much noise
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
-    CHECK(damagedFrames(row.came.counters) == row.damaged);
+    CHECK(impairedFrames(row.came.counters) == row.damaged);
   }
 }
 

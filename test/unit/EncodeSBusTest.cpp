@@ -79,7 +79,7 @@ TEST_CASE("called in every loop() it sends every period, late calls do not add u
   }
 }
 
-TEST_CASE("no pause between two frames becomes shorter than half of what it should be, however late one is") {
+TEST_CASE("no gap between two frames becomes shorter than half of what it should be, however late one is") {
   const struct {
     uint16_t period;
     uint32_t late;  // us
@@ -135,7 +135,7 @@ TEST_CASE("on one port both ways work at once") {
   CHECK(board.port.openings.size() == 1);
 }
 
-TEST_CASE("EncodeSBus24 sends 24 channels and both flags, every period, and pauses no shorter than half of theirs") {
+TEST_CASE("EncodeSBus24 sends 24 channels and both flags, every period, and gaps no shorter than half of theirs") {
   for (const unsigned flags : {0x00u, 0x04u, 0x08u, 0x0Cu}) {
     CAPTURE(flags);
     FakeSerial port;

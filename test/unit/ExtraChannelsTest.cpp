@@ -49,17 +49,17 @@ TEST_CASE("a 2F frame before each 0F frame, at any gap: all of both come, no byt
         Frames sent;
         for (unsigned number = 0; number < 20; number++) {
           sent.push_back(neutral ? neutralFrame(number, end) : plainFrame(number, end));
-          line.send(withByte(neutral ? neutralFrame(number, end) : extraFrame(number, end), 0, 0x2F)).pause(gapUs);
-          line.send(sent.back()).pause(9000);
+          line.send(withByte(neutral ? neutralFrame(number, end) : extraFrame(number, end), 0, 0x2F)).gap(gapUs);
+          line.send(sent.back()).gap(9000);
         }
         for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
           INFO("end ", end, ", gapUs ", gapUs, ", neutral ", neutral, ", loopUs ", loopUs);
           sbus::Counters counters;
           CHECK(line.frames(loopUs, &counters) == sent);
           CHECK(counters.extraFrames == 19);  // before the first frame the kind is not known
-          CHECK(counters.skippedBytes == 25);
+          CHECK(counters.discardedBytes == 25);
           CHECK(counters.resyncs == 0);
-          CHECK(counters.refusedByEnd + counters.refusedByFlags + counters.refusedByExtra == (neutral ? 3 : 1));  // of it
+          CHECK(counters.rejectedByEnd + counters.rejectedByFlags + counters.rejectedByLength == (neutral ? 3 : 1));  // of it
         }
       }
     }
@@ -91,20 +91,20 @@ TEST_CASE("a 2F frame is believed once silence follows it, or at the first byte 
   }
 }
 
-TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and after a damaged frame the next 2F frame") {
-  for (const bool extraDamaged : {true, false}) {
+TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and after a impaired frame the next 2F frame") {
+  for (const bool extraImpaired : {true, false}) {
     for (const size_t lost : {1u, 5u, 12u, 24u}) {
-      INFO("extraDamaged ", extraDamaged, ", lost ", lost);
+      INFO("extraImpaired ", extraImpaired, ", lost ", lost);
       Feeder line;
       line.lock();
       // Without a gap between: it may be too short to be seen.
       const Frame extra = withByte(neutralFrame(7), 0, 0x2F), frame = neutralFrame(8);
-      const Frames found = line.feed(extraDamaged ? without(extra, lost) + bytesOf(frame) : bytesOf(extra) + without(frame, lost));
-      CHECK(found == (extraDamaged ? Frames{frame} : Frames{}));
-      CHECK(line.counted().extraFrames == !extraDamaged);
-      line.wait(Feeder::PauseUs);
+      const Frames found = line.feed(extraImpaired ? without(extra, lost) + bytesOf(frame) : bytesOf(extra) + without(frame, lost));
+      CHECK(found == (extraImpaired ? Frames{frame} : Frames{}));
+      CHECK(line.counted().extraFrames == !extraImpaired);
+      line.wait(Feeder::GapUs);
       CHECK(line.feed(bytesOf(withByte(FailsafeFrame, 0, 0x2F)) + bytesOf(FailsafeFrame)) == Frames{FailsafeFrame});
-      CHECK(line.counted().extraFrames == 1 + !extraDamaged);
+      CHECK(line.counted().extraFrames == 1 + !extraImpaired);
     }
   }
 }
@@ -132,7 +132,7 @@ TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or
       {"2F straight before a frame", {0x2F}, {}, 0},
   };
   for (const auto &row : rows) {
-    for (const uint32_t gapUs : {uint32_t{0}, Feeder::PauseUs}) {
+    for (const uint32_t gapUs : {uint32_t{0}, Feeder::GapUs}) {
       for (const size_t burst : {1u, 5u}) {
         INFO(row.what, ", gapUs ", gapUs, ", burst ", burst);
         Feeder line;
@@ -144,7 +144,7 @@ TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or
         CHECK(line.feed(bytesOf(plainFrame(8)), burst) == Frames{plainFrame(8)});
         const sbus::Counters counters = line.counted();
         CHECK(counters.extraFrames == row.extras);
-        CHECK(counters.skippedBytes == row.bytes.size() + row.afterGap.size() - 25 * row.extras);
+        CHECK(counters.discardedBytes == row.bytes.size() + row.afterGap.size() - 25 * row.extras);
       }
     }
   }
@@ -153,15 +153,15 @@ TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or
 TEST_CASE("a 2F frame is believed only once the line's kind is known, and never where that has none") {
   Feeder line;
   line.settle().feed(bytesOf(extraFrame(0)));
-  CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(1)) + bytesOf(plainFrame(0))).empty());
+  CHECK(line.wait(Feeder::GapUs).feed(bytesOf(extraFrame(1)) + bytesOf(plainFrame(0))).empty());
   CHECK(line.counted().extraFrames == 0);
-  CHECK(line.wait(Feeder::PauseUs).waited == Frames{plainFrame(0)});
+  CHECK(line.wait(Feeder::GapUs).waited == Frames{plainFrame(0)});
   CHECK(line.feed(bytesOf(extraFrame(2)) + bytesOf(plainFrame(1))) == Frames{plainFrame(1)});
   CHECK(line.counted().extraFrames == 1);
 
   Feeder tailed;  // an R7003SB
   tailed.lock(R7003End).feed(bytesOf(extraFrame(0, 0x00)));
-  tailed.wait(Feeder::PauseUs).feed(bytesOf(plainFrame(3, R7003End)) + tailOf(R7003End));
+  tailed.wait(Feeder::GapUs).feed(bytesOf(plainFrame(3, R7003End)) + tailOf(R7003End));
   CHECK(tailed.counted().extraFrames == 0);
 }
 
@@ -201,11 +201,11 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is not believed, the fram
     CAPTURE(row.silenceUs);
     Feeder line;
     line.lock();
-    line.wait(row.silenceUs - Feeder::PauseUs);  // lock() ends with that one
+    line.wait(row.silenceUs - Feeder::GapUs);  // lock() ends with that one
     for (unsigned number = 1; number <= 2; number++) {
       CHECK(line.feed(bytesOf(extraFrame(number))).empty());
-      CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(plainFrame(number))) == Frames{plainFrame(number)});
-      line.wait(Feeder::PauseUs);
+      CHECK(line.wait(Feeder::GapUs).feed(bytesOf(plainFrame(number))) == Frames{plainFrame(number)});
+      line.wait(Feeder::GapUs);
     }
     CHECK(line.counted().extraFrames == row.extras);
     CHECK(lastExtra(line.finder) == channelsOf(extraFrame(2)));
@@ -250,14 +250,14 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
   }
 }
 
-TEST_CASE("a 2F frame after a damaged frame is not lost with it") {
+TEST_CASE("a 2F frame after a impaired frame is not lost with it") {
   for (size_t missing = 1; missing < 25; missing++) {
     for (const bool neutral : {false, true}) {
       INFO("missing ", missing, ", neutral ", neutral);
       Feeder line;
       line.lock().feed(without(neutral ? neutralFrame(1) : plainFrame(1), missing));
-      line.wait(Feeder::PauseUs).feed(bytesOf(extraFrame(7)));
-      line.wait(Feeder::PauseUs);
+      line.wait(Feeder::GapUs).feed(bytesOf(extraFrame(7)));
+      line.wait(Feeder::GapUs);
       CHECK(line.feed(bytesOf(plainFrame(8))) == Frames{plainFrame(8)});
       CHECK(line.counted().extraFrames == 1);
     }

@@ -1,4 +1,4 @@
-// Finding frames on lines without damage: which are delivered and when, what is refused and how that is counted, the
+// Finding frames on lines without damage: which are delivered and when, what is rejected and how that is counted, the
 // buffers that are swapped, and what receivers of all makes send.
 #include <doctest/doctest.h>
 
@@ -36,7 +36,7 @@ TEST_CASE("before the first frame there is none; reset forgets frames, halves of
     line.finder.reset(line.now, Feeder::CharacterUs);
     CHECK(line.finder.room() == Feeder().finder.room());
     const sbus::Counters &counters = line.finder.counters();
-    CHECK(counters.frames + counters.skippedBytes + counters.resyncs + counters.overflows + counters.period == 0);
+    CHECK(counters.frames + counters.discardedBytes + counters.resyncs + counters.overflows + counters.period == 0);
   }
   CHECK(line.finder.frame() == nullptr);
   CHECK(line.wait(5000).poll(bytesOf(plainFrame(7)) + Bytes{0x0F}) == Frames{plainFrame(7)});
@@ -54,7 +54,7 @@ TEST_CASE("from reset on every frame is found, however seldom polls come: the fi
       CHECK(found.size() + 1 >= sent.size());
     }
     CHECK(found == sent);
-    CHECK(line.finder.counters().skippedBytes == 0);
+    CHECK(line.finder.counters().discardedBytes == 0);
   }
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("two buffers take turns, a frame stays where it came in, its payload a
   }
 }
 
-TEST_CASE("each cause of refusal has its counter, and what belongs to no frame is counted byte by byte") {
+TEST_CASE("each cause of rejection has its counter, and what belongs to no frame is counted byte by byte") {
   const struct {
     doctest::String what;
     Bytes bytes;
@@ -114,13 +114,13 @@ TEST_CASE("each cause of refusal has its counter, and what belongs to no frame i
       line.lock();
       CHECK(line.feed(row.bytes, burst).empty());
       CHECK(lastFrame(line.finder) == plainFrame(2));  // of lock()
-      CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(plainFrame(6)), burst) == Frames{plainFrame(6)});
+      CHECK(line.wait(Feeder::GapUs).feed(bytesOf(plainFrame(6)), burst) == Frames{plainFrame(6)});
       const sbus::Counters counters = line.counted();
       CHECK(counters.frames == 1);
-      CHECK(counters.refusedByEnd == row.byEnd);
-      CHECK(counters.refusedByFlags == row.byFlags);
-      CHECK(counters.refusedByExtra == row.byExtra);
-      CHECK(counters.skippedBytes == row.bytes.size());
+      CHECK(counters.rejectedByEnd == row.byEnd);
+      CHECK(counters.rejectedByFlags == row.byFlags);
+      CHECK(counters.rejectedByLength == row.byExtra);
+      CHECK(counters.discardedBytes == row.bytes.size());
     }
   }
 }
@@ -136,10 +136,10 @@ TEST_CASE("of many headers in a row each is counted by its cause: 24, or 6 with 
     INFO("after ", row.after, ", burst ", row.burst);
     Feeder line;
     CHECK(line.lock().feed(Bytes(25, 0x0F) + Bytes(25, row.after), row.burst).empty());
-    CHECK(line.counted().refusedByEnd == row.byEnd);
-    CHECK(line.counted().refusedByFlags == row.byFlags);
-    CHECK(line.counted().skippedBytes == 50);
-    CHECK(line.wait(Feeder::PauseUs).feed(bytesOf(Neutral.bytes)) == Frames{Neutral.bytes});
+    CHECK(line.counted().rejectedByEnd == row.byEnd);
+    CHECK(line.counted().rejectedByFlags == row.byFlags);
+    CHECK(line.counted().discardedBytes == 50);
+    CHECK(line.wait(Feeder::GapUs).feed(bytesOf(Neutral.bytes)) == Frames{Neutral.bytes});
   }
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("frames lost and failsafe are counted by flag; one found again after o
   line.lock();
   for (const unsigned flags : {0x00u, 0x03u, 0x04u, 0x08u, 0x08u, 0x0Cu}) {
     line.feed(bytesOf(withByte(plainFrame(5), 23, flags)));
-    line.wait(Feeder::PauseUs);
+    line.wait(Feeder::GapUs);
   }
   CHECK(line.counted().frames == 6);
   CHECK(line.counted().lostFrames == 2);
@@ -158,7 +158,7 @@ TEST_CASE("frames lost and failsafe are counted by flag; one found again after o
     CHECK(line.counted().resyncs == damage);
     for (const Bytes &bytes : {without(plainFrame(5), 7), bytesOf(plainFrame(6)), bytesOf(plainFrame(7))}) {
       line.feed(bytes);
-      line.wait(Feeder::PauseUs);
+      line.wait(Feeder::GapUs);
     }
   }
 }
@@ -171,7 +171,7 @@ TEST_CASE("nothing from before a break completes a frame after it, the complete 
       line.lock().feed(bytesOf(frameOf(neutral, 0)) + part(frameOf(neutral, 1), 0, torn));
       line.finder.broken();
       CHECK(line.counted().overflows == 1);
-      CHECK(line.counted().skippedBytes == torn);
+      CHECK(line.counted().discardedBytes == torn);
       CHECK(line.feed(part(frameOf(neutral, 2), torn == 0 ? 25 : torn)).empty());
       CHECK(lastFrame(line.finder) == frameOf(neutral, 0));
       const Frames next = {frameOf(neutral, 3), frameOf(neutral, 4)};
@@ -238,7 +238,7 @@ TEST_CASE("of every make every frame is delivered, with flags, telemetry and tai
   const struct {
     bool neutral;
     unsigned flags;  // of every second five frames
-    uint64_t pauseUs;
+    uint64_t gapUs;
     bool answers;  // there is time for telemetry
   } rows[] = {{false, 0x00, 4000, false}, {true, 0x00, 4000, false}, {true, 0x0F, 4000, false},
               {false, 0x04, 12000, true}, {true, 0x00, 12000, true}, {true, 0x0F, 12000, true}};
@@ -251,12 +251,12 @@ TEST_CASE("of every make every frame is delivered, with flags, telemetry and tai
           const Make &make = number < 10 ? first : second;
           const uint8_t end = make.ends[number % make.ends.size()];
           sent.push_back(withByte(frameOf(row.neutral, number, end), 23, number % 10 < 5 ? 0 : row.flags));
-          line.send(sent.back()).send(tailOf(end)).pause(2000);
-          line.send(row.answers && end == Sbus2End ? make.telemetry : Bytes{}).pause(row.pauseUs - 2000);
+          line.send(sent.back()).send(tailOf(end)).gap(2000);
+          line.send(row.answers && end == Sbus2End ? make.telemetry : Bytes{}).gap(row.gapUs - 2000);
         }
         for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
-          INFO(first.name, ", then ", second.name, ", neutral ", row.neutral, ", flags ", row.flags, ", pauseUs ",
-               row.pauseUs, ", loopUs ", loopUs);
+          INFO(first.name, ", then ", second.name, ", neutral ", row.neutral, ", flags ", row.flags, ", gapUs ",
+               row.gapUs, ", loopUs ", loopUs);
           CHECK(line.frames(loopUs) == sent);
         }
       }
@@ -316,11 +316,11 @@ TEST_CASE("where gaps are seen the first frame stands at one, and is no end of a
       Feeder line;
       const Frames found = line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{}));
       CHECK(found.empty() == (before > 0 || !header));
-      CHECK(line.wait(Feeder::PauseUs).waited.empty() == (mayBeLonger || header));
+      CHECK(line.wait(Feeder::GapUs).waited.empty() == (mayBeLonger || header));
       CHECK(line.feed({0x0F}).empty());
       const bool isFirst = before > 0 && (mayBeLonger || header);
       CHECK(line.feed(part(Low, 1)).empty() == isFirst);
-      CHECK(line.wait(Feeder::PauseUs).waited.size() == isFirst);
+      CHECK(line.wait(Feeder::GapUs).waited.size() == isFirst);
     }
   }
 }
@@ -330,8 +330,8 @@ TEST_CASE("joined midway the first whole frame is there once the line is silent,
     CAPTURE(rest);
     Feeder line;
     line.settle().feed(part(Low, 25 - rest));
-    CHECK(line.wait(Feeder::PauseUs).feed(Low, 16).empty());
-    CHECK(line.wait(Feeder::PauseUs).waited == Frames{PaperLow.bytes});
+    CHECK(line.wait(Feeder::GapUs).feed(Low, 16).empty());
+    CHECK(line.wait(Feeder::GapUs).waited == Frames{PaperLow.bytes});
   }
 }
 
@@ -339,12 +339,12 @@ TEST_CASE("a failsafe frame whose place is not certain is there once the line is
   const Bytes failsafe = bytesOf(FailsafeFrame);
   Feeder line;
   CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());  // noise hides the gap before it
-  CHECK(line.wait(Feeder::PauseUs).waited == Frames{FailsafeFrame});
+  CHECK(line.wait(Feeder::GapUs).waited == Frames{FailsafeFrame});
   for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {
     CAPTURE(unsigned{next});
     Feeder without;
     CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
-    CHECK(without.wait(Feeder::PauseUs).waited.empty());
+    CHECK(without.wait(Feeder::GapUs).waited.empty());
   }
   // The rest of one, and one that has lost as many characters: silence behind them says nothing.
   for (const size_t lost : {2u, 5u, 11u}) {
@@ -352,7 +352,7 @@ TEST_CASE("a failsafe frame whose place is not certain is there once the line is
     const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
     halves.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) +
                        part(failsafe, 10 + lost));
-    CHECK(halves.wait(Feeder::PauseUs).waited.empty());
+    CHECK(halves.wait(Feeder::GapUs).waited.empty());
     CHECK(halves.feed({0x0F}).empty());
   }
 }
@@ -364,7 +364,7 @@ TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH
         INFO("flagsPlace ", flagsPlace, ", endPlace ", endPlace, ", loopUs ", loopUs);
         TimedLine line;
         for (unsigned number = 0; number < 40; number++) {
-          line.send(frame36(number, flagsPlace, endPlace)).pause(9000 - 36 * 120);
+          line.send(frame36(number, flagsPlace, endPlace)).gap(9000 - 36 * 120);
         }
         CHECK(line.frames(loopUs).empty());
       }
@@ -378,9 +378,9 @@ TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between
     Frames sent;
     for (unsigned number = 0; number < 40; number++) {
       sent.push_back(frameOf(number % 2 != 0, number));
-      line.send(sent.back()).pause(4000);
+      line.send(sent.back()).gap(4000);
       line.send(longOnes ? frame36(number, 0xE0, 0x00) : bytesOf(withByte(neutralFrame(number), 0, 0x2F)))
-          .pause(4000);
+          .gap(4000);
     }
     for (const uint32_t loopUs : {50u, 500u, 1000u, 2000u}) {
       INFO("longOnes ", longOnes, ", loopUs ", loopUs);
@@ -402,7 +402,7 @@ TEST_CASE("where 25 bytes were known 36-byte frames are believed once at the mos
     Frames found;
     for (unsigned number = 0; number < 40; number++) {
       found = found + line.feed(frame36(number, 0x03, 0x00), row.burst);
-      line.wait(Feeder::PauseUs);
+      line.wait(Feeder::GapUs);
     }
     CHECK(found.size() <= row.most);
   }

@@ -24,8 +24,8 @@ struct Case {
   bool isGapCertain = true;
 
   Candidate<Frame16> candidate() const {
-    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, kindOfEnd(bytes[24]),
-            isLines ? kindOfEnd(bytes[24]) : UnknownKind, offBy, isSure && offBy == 0};
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, variantOfEnd(bytes[24]),
+            isLines ? variantOfEnd(bytes[24]) : UnknownVariant, offBy, isSure && offBy == 0};
   }
 };
 
@@ -296,7 +296,7 @@ TEST_CASE("isUsual says nothing but what the whole judgement says") {
   const auto check = [](const Bytes &bytes, int gapAt, uint8_t kind, bool isSure) {
     INFO(bytes, ", gapAt ", gapAt, ", kind ", unsigned{kind}, ", isSure ", isSure);
     bool accepted = false;
-    if (bytes.size() == 25 && kindOfEnd(bytes[24]) == kind && isSure && bytes[0] == 0x0F && isFlagsByte(bytes[23])) {
+    if (bytes.size() == 25 && variantOfEnd(bytes[24]) == kind && isSure && bytes[0] == 0x0F && isFlagsByte(bytes[23])) {
       Acquisition<Frame16> acquisition = noneSeen();
       accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isCertain();
     }

@@ -185,8 +185,8 @@ TEST_CASE("innerHeader finds a header behind an end byte of the kind, or of any 
     unsigned kind, before;  // the byte before the 0F
     bool found;
   } rows[] = {{0, 0x00, true},  {0, 0x04, false}, {1, 0x34, true}, {1, 0x00, false}, {2, 0x08, true}, {2, 0x18, false},
-              {sbus::UnknownKind, 0x00, true}, {sbus::UnknownKind, 0x24, true}, {sbus::UnknownKind, 0x08, true},
-              {sbus::UnknownKind, 0x18, false}, {sbus::UnknownKind, 0x44, false}};
+              {sbus::UnknownVariant, 0x00, true}, {sbus::UnknownVariant, 0x24, true}, {sbus::UnknownVariant, 0x08, true},
+              {sbus::UnknownVariant, 0x18, false}, {sbus::UnknownVariant, 0x44, false}};
   for (const auto &row : rows) {
     for (const unsigned size : {25u, 36u}) {
       for (unsigned index = 2; index < size; index++) {

@@ -62,7 +62,7 @@ TEST_CASE("whatever comes, only pieces of it that are frames are delivered, in o
 TEST_CASE("all frames that one receiver sends are delivered, each by the poll that finds its last byte") {
   CHECK(rc::check("clean stream in == frames out", [] {
     const auto kind = *rc::gen::element<uint8_t>(0x00, 0x04, 0x08);
-    const bool pauses = *rc::gen::arbitrary<bool>();
+    const bool gaps = *rc::gen::arbitrary<bool>();
     const auto burst = *rc::gen::inRange<size_t>(1, 26);
     Feeder line;
     line.lock(kind);
@@ -71,7 +71,7 @@ TEST_CASE("all frames that one receiver sends are delivered, each by the poll th
       RC_ASSERT(line.feed(part(frame, 0, 25 - burst), burst).empty());
       RC_ASSERT(line.feed(part(frame, 25 - burst), burst) == Frames{frame});
       line.feed(tailOf(kind), burst);
-      line.wait(pauses ? Feeder::PauseUs : 0);
+      line.wait(gaps ? Feeder::GapUs : 0);
     }
   }));
 }

@@ -9,7 +9,7 @@ namespace host {
 
 namespace {
 
-// Beyond a year nobody waits, and microseconds would no longer fit where they are kept. "nan" is refused too.
+// Beyond a year nobody waits, and microseconds would no longer fit where they are kept. "nan" is rejected too.
 std::string checkSeconds(const std::string &text) {
   constexpr double Largest = 366.0 * 24 * 60 * 60;
   char *end = nullptr;

@@ -18,14 +18,14 @@ constexpr size_t BlockSize = size_t{1} << 20;
 constexpr size_t MetadataMax = size_t{1} << 20;
 
 CaptureEnd readSession(const std::string &name, const Overrules &overrules, PackedFile &file, WireDecoder &decoder) {
-  const auto refuse = [&](const std::string &why) {
+  const auto reject = [&](const std::string &why) {
     throw std::runtime_error(name + ": " + (file.failure().empty() ? why : file.failure()));
   };
   if (!file.canGoBack()) {
-    refuse("is a pipe, and a session is read more than once: save it in a file first");
+    reject("is a pipe, and a session is read more than once: save it in a file first");
   }
   if (!file.find("metadata")) {
-    refuse("is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV");
+    reject("is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV");
   }
   std::string metadata;
   for (std::string_view bytes = file.read(); !bytes.empty() && metadata.size() < MetadataMax; bytes = file.read()) {
@@ -34,7 +34,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
   SessionReader reader(decoder, overrules.periodNs);
   std::string error = reader.metadata(metadata);
   if (!error.empty() || overrules.threshold) {
-    refuse(error.empty() ? "has no voltages: leave out --threshold" : error);
+    reject(error.empty() ? "has no voltages: leave out --threshold" : error);
   }
   // In one entry, or in several that are numbered.
   const std::string &entry = reader.samplesName();
@@ -49,7 +49,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
   }
   error = error.empty() ? file.failure() : error;
   if (entries == 0) {
-    refuse("has no samples: " + entry + " or " + entry + "-1 is expected in it");
+    reject("has no samples: " + entry + " or " + entry + "-1 is expected in it");
   }
   decoder.finish(reader.endNs(), !error.empty());
   return {reader.format(), reader.periodNs(), error.empty() ? "" : name + ": " + error};

@@ -15,9 +15,9 @@ export enum Finding {
   NoSignal,
   NoFrames,
   Channels24,
-  WrongInversion,
+  WrongPolarity,
   WrongBaud,
-  WrongInversionAndBaud,
+  WrongPolarityAndBaud,
   PolledTooSeldom,
   Damaged,
   Failsafe,
@@ -55,7 +55,7 @@ export interface Stretch {
 // As in wasm/Status.cpp.
 const statusNames = [
   'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
-  'lostFrames', 'failsafeFrames', 'refusedByEnd', 'refusedByFlags', 'refusedByExtra', 'skippedBytes', 'resyncs', 'overflows',
+  'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
   'extraFrames', 'rows', 'otherLines', 'garbled',
 ] as const;
 export type Status = Record<(typeof statusNames)[number], number>;
@@ -249,14 +249,14 @@ export class Core {
     this.native.calibrate(step);
   }
 
-  refusal(channel: number): string {
-    return this.words(this.native.refusalOf(channel));
+  rejection(channel: number): string {
+    return this.words(this.native.rejectionOf(channel));
   }
 
   // Why not: "CH3 hardly moved: ..."; or ''.
   finishCalibration(wanted: number): string {
     const channel = this.native.finishCalibration(wanted);
-    return channel < 0 ? '' : `CH${channel + 1}${this.words(this.native.lastRefusal())}`;
+    return channel < 0 ? '' : `CH${channel + 1}${this.words(this.native.lastError())}`;
   }
 
   // As it is stored.

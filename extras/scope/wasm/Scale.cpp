@@ -12,7 +12,7 @@ int scale = FrSky;
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 bool calibrating = false;
-const char *refusal = "";
+const char *rejection = "";
 double range[3];
 
 sbus::CalibratedChannel uncalibrated() {
@@ -67,20 +67,20 @@ EXPORT(calibrate)(int step)->void {
 }
 
 // What is still to be done with a channel, to stand after its name; "" if nothing.
-EXPORT(refusalOf)(unsigned channel)->const char * {
+EXPORT(rejectionOf)(unsigned channel)->const char * {
   sbus::CalibratedChannel found;
   return sbus::text(calibrator.result(static_cast<uint8_t>(channel), found));
 }
 
-// Bit 0 of `wanted` is CH1. The channel that was refused, from 0 on; -1 if none was, and scale 2 is this calibration.
+// Bit 0 of `wanted` is CH1. The channel that was rejected, from 0 on; -1 if none was, and scale 2 is this calibration.
 EXPORT(finishCalibration)(unsigned wanted)->int {
   uint8_t channel = 0;
-  const sbus::Refusal why = calibrator.finish(static_cast<uint16_t>(wanted), calibration, channel);
-  refusal = sbus::text(why);
-  return why == sbus::Refusal::None ? -1 : channel;
+  const sbus::CalibrationError why = calibrator.finish(static_cast<uint16_t>(wanted), calibration, channel);
+  rejection = sbus::text(why);
+  return why == sbus::CalibrationError::None ? -1 : channel;
 }
-EXPORT(lastRefusal)()->const char * {
-  return refusal;
+EXPORT(lastError)()->const char * {
+  return rejection;
 }
 
 // The calibration, as it is stored: for the page to keep, and to put back.

@@ -94,7 +94,7 @@ EXPORT(recordingText)(unsigned count)->void {
     partOfLine.clear();
     text.remove_prefix(end + 1);
   }
-  // A reader refuses longer lines: what is after that need not be kept.
+  // A reader rejects longer lines: what is after that need not be kept.
   partOfLine += text.substr(0, line::RecordingLineMax + 1 - std::min(partOfLine.size(), line::RecordingLineMax));
 }
 

@@ -8,7 +8,7 @@ namespace {
 // src/core.ts has the names in this order.
 struct Status {
   double state, ageUs, framesPerSecond, gapMinUs, gapMeanUs, gapMaxUs, characters, badCharacters, frames, lostFrames,
-      failsafeFrames, refusedByEnd, refusedByFlags, refusedByExtra, skippedBytes, resyncs, overflows, extraFrames, rows,
+      failsafeFrames, rejectedByEnd, rejectedByFlags, rejectedByLength, discardedBytes, resyncs, overflows, extraFrames, rows,
       otherLines, garbled;
 };
 Status answer;
@@ -36,10 +36,10 @@ EXPORT(status)(double now)->const Status * {
             d(counters.frames),
             d(counters.lostFrames),
             d(counters.failsafeFrames),
-            d(counters.refusedByEnd),
-            d(counters.refusedByFlags),
-            d(counters.refusedByExtra),
-            d(counters.skippedBytes),
+            d(counters.rejectedByEnd),
+            d(counters.rejectedByFlags),
+            d(counters.rejectedByLength),
+            d(counters.discardedBytes),
             d(counters.resyncs),
             d(counters.overflows),
             d(counters.extraFrames),

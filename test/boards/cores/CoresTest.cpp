@@ -293,15 +293,15 @@ struct Sending {
   }
 };
 
-// The bytes are whole frames; no pause within them, and none between them is shorter.
-void checkSent(unsigned frames, uint64_t pauseUs) {
+// The bytes are whole frames; no gap within them, and none between them is shorter.
+void checkSent(unsigned frames, uint64_t gapUs) {
   REQUIRE(world.sent.size() == frames * 25);
   unsigned wrong = 0, torn = 0, close = 0;
   for (size_t i = 0; i < world.sent.size(); i++) {
     wrong += world.sent[i].value != frameOf(static_cast<unsigned>(i / 25))[i % 25];
     const uint64_t gap =
-        i == 0 ? pauseUs : world.sent[i].beginUs - std::min(world.sent[i - 1].endUs, world.sent[i].beginUs);
-    (i % 25 == 0 ? close : torn) += i % 25 == 0 ? gap < pauseUs : gap > 2;
+        i == 0 ? gapUs : world.sent[i].beginUs - std::min(world.sent[i - 1].endUs, world.sent[i].beginUs);
+    (i % 25 == 0 ? close : torn) += i % 25 == 0 ? gap < gapUs : gap > 2;
   }
   CHECK(wrong == 0);
   CHECK(torn == 0);
@@ -310,11 +310,11 @@ void checkSent(unsigned frames, uint64_t pauseUs) {
 
 }  // namespace
 
-TEST_CASE("EncodeSBus sends whole frames, with pauses, and waits 3.1 ms at most") {
+TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") {
   struct Row {
     uint16_t periodUs;
     unsigned loopUs, least, most;  // frames in a second
-    uint64_t pauseUs;
+    uint64_t gapUs;
   };
   for (const Row &row : {Row{9000, 50, 111, 112, 5900}, Row{9000, 1000, 111, 112, 3900}, Row{4000, 50, 249, 250, 850},
                          Row{1000, 50, 250, 450, 0}}) {
@@ -330,7 +330,7 @@ TEST_CASE("EncodeSBus sends whole frames, with pauses, and waits 3.1 ms at most"
       CHECK(world.sent.empty());
       continue;
     }
-    checkSent(sending.frames, Hears ? row.pauseUs : 0);
+    checkSent(sending.frames, Hears ? row.gapUs : 0);
     CHECK(sending.frames >= row.least);
     CHECK(sending.frames <= row.most);
     CHECK(sending.waitedUs <= (row.periodUs >= 4000 ? Core.waitsUs : Core.counts ? 0 : 3100));

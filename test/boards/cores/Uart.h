@@ -20,7 +20,7 @@ struct Facts {
   unsigned idle;         // ... for so many characters
   unsigned transmitter;  // bytes that write() takes at once; 0: it waits until each has been sent
   unsigned faults;
-  bool ring;  // the bursts' ends stand at places of a ring, so pauses do not move them
+  bool ring;  // the bursts' ends stand at places of a ring, so gaps do not move them
   unsigned discarded;
 };
 

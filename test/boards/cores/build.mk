@@ -2,7 +2,7 @@
 # (absolute)
 #   OUT/CORE/CoresTest     the program that runs frames through them, both ways, and Diagnose on them
 #   OUT/CORE/NAME.ok       examples that compile
-#   OUT/CORE/NAME.refused  what the compiler says to those that are not for this core
+#   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core
 # `make list` names all of these.
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
@@ -35,11 +35,11 @@ uno-r4 := UnoR4 gnu++17
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
-refused = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
+rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
-compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call refused,$1),$(EXAMPLES)))
+compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
-  $(patsubst %,$(OUT)/$(core)/%.refused,$(call refused,$(core))))
+  $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core))))
 
 all: $(ALL)
 list:
@@ -82,7 +82,7 @@ $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino
 	@touch $$@
-$(OUT)/$1/%.refused: $(ROOT)/examples/%/ $(HERE)/build.mk
+$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	! $(CXX) $$($1_board) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
 	grep -m 1 'error:' $$@ | grep -q '#error "[^"]*only the STM32L0 core'

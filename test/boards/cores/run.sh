@@ -20,7 +20,7 @@ for target in $targets; do
   name=${name#*/}
   case $name in
     *.ok) what="${name%.ok} compiles without a warning" ;;
-    *.refused) what="${name%.refused} does not compile, and says that only the STM32L0 core has what it needs" ;;
+    *.rejected) what="${name%.rejected} does not compile, and says that only the STM32L0 core has what it needs" ;;
     *) what="CoresTest is built" ;;
   esac
   # The others are removed before they are made.

@@ -48,7 +48,7 @@ $(OUT)/%Read: $(OUT)/%Read.o $(OUT)/Start.o $(HERE)/microbit.ld
 	$(link)
 
 # The compiler for the M0 does not look into the host's /usr/include, and must not, but for this one header. No link to
-# it: arduino-lint, run on the whole tree, refuses a library that has one.
+# it: arduino-lint, run on the whole tree, rejects a library that has one.
 $(OUT)/include/doctest:
 	@mkdir -p $(@D)
 	cp -R $(DOCTEST) $@

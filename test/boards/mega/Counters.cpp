@@ -40,6 +40,6 @@ void loop() {
     const sbus::Counters counters = dSBus.counters();
     Serial.print(counters.frames);
     Serial.print(',');
-    Serial.println(counters.skippedBytes);
+    Serial.println(counters.discardedBytes);
   }
 }

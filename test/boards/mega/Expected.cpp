@@ -133,14 +133,14 @@ Numbers numbersIn(const std::string &row) {
   }
 }
 
-// The first 25 characters after a pause, if all are good, are a frame. Before the first one the library says failsafe.
+// The first 25 characters after a gap, if all are good, are a frame. Before the first one the library says failsafe.
 Expected::Expected(const std::vector<line::Character> &characters) {
   SeenFrame none{};
   none.held.fill(sbus::FrSky.centre);
   none.failsafe = true;
   _frames.assign(2, none);
   Frame bytes{};
-  size_t run = 0;  // characters since the last pause
+  size_t run = 0;  // characters since the last gap
   uint64_t lastUs = 0;
   unsigned good = 0;  // characters that no frame has taken
   bool isGood = true;

@@ -22,7 +22,7 @@ struct SeenFrame {
   bool failsafe;
   bool lostFrame;
   unsigned number;  // 0: no frame has come yet
-  unsigned others;  // undamaged characters before it that belong to no frame
+  unsigned others;  // intact characters before it that belong to no frame
   bool stale;       // no frame has come since, for 100 ms
 };
 

@@ -1,6 +1,6 @@
 # Builds for an Arduino Mega, and what runs it, into the folder OUT (absolute)
 #   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketch Counters
-#   OUT/*.refused   what the compiler says to the examples that are not for this board
+#   OUT/*.rejected   what the compiler says to the examples that are not for this board
 #   OUT/MegaTest    the program that runs the sketches
 # `make list` names all of these.
 
@@ -11,11 +11,11 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
-REFUSED := Background
-EXAMPLES := $(filter-out $(REFUSED),$(notdir $(wildcard $(ROOT)/examples/*)))
+REJECTED := Background
+EXAMPLES := $(filter-out $(REJECTED),$(notdir $(wildcard $(ROOT)/examples/*)))
 SKETCHES := $(EXAMPLES) Counters
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
-ALL := $(ELVES) $(REFUSED:%=$(OUT)/%.refused) $(OUT)/MegaTest
+ALL := $(ELVES) $(REJECTED:%=$(OUT)/%.rejected) $(OUT)/MegaTest
 
 all: $(ALL)
 elves: $(ELVES)
@@ -56,8 +56,8 @@ $(OUT)/sketch/$1.o: $(ROOT)/examples/$1/$1.ino $(HERE)/build.mk
 endef
 $(foreach name,$(EXAMPLES),$(eval $(call example,$(name))))
 
-# Is there if the compiler refuses the example, and says why.
-$(OUT)/%.refused: $(wildcard $(ROOT)/examples/*/*.ino $(ROOT)/src/*.h $(ROOT)/src/sbus/*.h) $(HERE)/build.mk
+# Is there if the compiler rejects the example, and says why.
+$(OUT)/%.rejected: $(wildcard $(ROOT)/examples/*/*.ino $(ROOT)/src/*.h $(ROOT)/src/sbus/*.h) $(HERE)/build.mk
 	@mkdir -p $(@D)
 	! $(call sketch,$(ROOT)/examples/$*/$*.ino) -o /dev/null 2>$@
 	grep -m 1 'error:' $@ | grep -q '#error "[^"]*only the STM32L0 core'

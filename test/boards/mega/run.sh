@@ -17,7 +17,7 @@ for target in $targets; do
   name=${target##*/}
   case $name in
     *.elf) what="${name%.elf} compiles without a warning" ;;
-    *.refused) what="${name%.refused} does not compile, and says that only the STM32L0 core has what it needs" ;;
+    *.rejected) what="${name%.rejected} does not compile, and says that only the STM32L0 core has what it needs" ;;
     *) what="$name is built" ;;
   esac
   if build -q "$target" >/dev/null 2>&1; then echo "ok mega: $what"; else echo "FAILED mega: $what"; fi

@@ -39,10 +39,10 @@ export class CalibrationView {
       return;
     }
     this.textAt = now;
-    const todo = Array.from({ length: sticks }, (_, i) => [i, this.core.refusal(i)] as const)
-      .filter(([, refusal]) => refusal !== '' && !(this.step === 1 && refusal.startsWith(' has not rested')))
-      .filter(([, refusal]) => !(this.step === 2 && refusal.startsWith(' is where it rested')))
-      .map(([i, refusal]) => `CH${i + 1}${refusal}.`);
+    const todo = Array.from({ length: sticks }, (_, i) => [i, this.core.error(i)] as const)
+      .filter(([, error]) => error !== '' && !(this.step === 1 && error.startsWith(' has not rested')))
+      .filter(([, error]) => !(this.step === 2 && error.startsWith(' is where it rested')))
+      .map(([i, error]) => `CH${i + 1}${error}.`);
     setText(this.text, `${steps[this.step]} ${todo.join(' ') || 'CH1 to CH4 are done.'}`);
   }
 
@@ -57,14 +57,14 @@ export class CalibrationView {
   }
 
   private finish(): void {
-    const refused = this.core.finishCalibration(wanted);
-    if (refused === '') {
+    const rejected = this.core.finishCalibration(wanted);
+    if (rejected === '') {
       this.go(0);
       this.done();
     } else {
       this.go(1);
       this.textAt = performance.now() + 4000; // let it be read
-      setText(this.text, `Not taken: ${refused}. Begin anew. ${steps[1]}`);
+      setText(this.text, `Not taken: ${rejected}. Begin anew. ${steps[1]}`);
     }
   }
 }

@@ -25,7 +25,7 @@ export class LinkView {
   private readonly gapEnds = make('small', { id: 'gap-ends' });
   private readonly rateUnit = make('small');
   private readonly stateTile: HTMLElement;
-  private readonly lamps = new Map<number, HTMLElement>();
+  private readonly indicators = new Map<number, HTMLElement>();
   private textAt = 0;
 
   constructor(root: HTMLElement) {
@@ -33,21 +33,21 @@ export class LinkView {
       make('div', { class: 'tile' }, make('span', { class: 'label' }, label), make('div', {}, ...content));
     this.stateTile = tile('Link', this.state);
     this.stateTile.classList.add('state');
-    const lamps = make('div', { class: 'lamps' });
+    const indicators = make('div', { class: 'indicators' });
     for (const [flag, name, color] of [
       [Flag.LostFrame, 'Lost frame', 'warning'],
       [Flag.Failsafe, 'Failsafe', 'alarm'],
       [Flag.Channel17, 'CH17', 'good'],
       [Flag.Channel18, 'CH18', 'good'],
     ] as const) {
-      const lamp = make('div', { class: 'lamp', 'data-on': 'false', 'data-color': color }, make('i', { 'aria-hidden': true }), make('span', {}, name), make('span', { class: 'value' }, 'off'));
-      lamp.id = `lamp-${name.toLowerCase().replace(' ', '-')}`;
-      this.lamps.set(flag, lamp);
-      lamps.append(lamp);
+      const indicator = make('div', { class: 'indicator', 'data-on': 'false', 'data-color': color }, make('i', { 'aria-hidden': true }), make('span', {}, name), make('span', { class: 'value' }, 'off'));
+      indicator.id = `indicator-${name.toLowerCase().replace(' ', '-')}`;
+      this.indicators.set(flag, indicator);
+      indicators.append(indicator);
     }
     root.append(
       this.stateTile,
-      lamps,
+      indicators,
       tile('Age of the newest', this.age),
       tile('Rate', this.rate, this.rateUnit),
       tile('From one to the next', this.gap, this.gapEnds),
@@ -59,9 +59,9 @@ export class LinkView {
     const count = newest?.channels.length ?? 16;
     const more = count === 32 && newest?.kind !== Kind.Row;
     for (const [flag, name, other] of [[Flag.Channel17, 'CH17', 'DG1'], [Flag.Channel18, 'CH18', 'DG2']] as const) {
-      const lamp = this.lamps.get(flag) as HTMLElement;
-      lamp.hidden = count !== 16 && !more;
-      setText(lamp.children[1] as HTMLElement, more ? other : name);
+      const indicator = this.indicators.get(flag) as HTMLElement;
+      indicator.hidden = count !== 16 && !more;
+      setText(indicator.children[1] as HTMLElement, more ? other : name);
     }
   }
 
@@ -69,10 +69,10 @@ export class LinkView {
     const [name, color] = names[status.state as LinkState];
     setText(this.state, name);
     setAttribute(this.stateTile, 'data-severity', color);
-    this.lamps.forEach((lamp, flag) => {
+    this.indicators.forEach((indicator, flag) => {
       const on = ((newest?.flags ?? 0) & flag) !== 0;
-      setAttribute(lamp, 'data-on', String(on));
-      setText(lamp.lastElementChild as HTMLElement, on ? 'on' : 'off');
+      setAttribute(indicator, 'data-on', String(on));
+      setText(indicator.lastElementChild as HTMLElement, on ? 'on' : 'off');
     });
     this.switches(newest);
     const now = performance.now();

@@ -1,5 +1,5 @@
-// Finding frames on a damaged line: one damage costs one frame, and what is delivered was on the line.
-// The torture bench (test/line) shows the same of random damage.
+// Finding frames on a impaired line: one damage costs one frame, and what is delivered was on the line.
+// The impairment bench (test/impairment) shows the same of random damage.
 #include <doctest/doctest.h>
 
 #include "sbus/FrameFinder.h"
@@ -10,7 +10,7 @@ namespace {
 
 const Frames Two = {Neutral.bytes, PaperHigh.bytes};
 
-constexpr uint32_t PauseUs = Feeder::PauseUs;
+constexpr uint32_t GapUs = Feeder::GapUs;
 
 Frames neutralFrames(unsigned count) {
   Frames frames;
@@ -54,7 +54,7 @@ TEST_CASE("failsafe frames with a second reading, after a break at any character
         bytes = bytes + bytesOf(FailsafeFrame);
       }
       CHECK(line.feed(bytes, burst).empty());
-      CHECK(line.wait(PauseUs).waited == Frames{FailsafeFrame});
+      CHECK(line.wait(GapUs).waited == Frames{FailsafeFrame});
       CHECK(line.feed(bytesOf(FailsafeFrame), burst) == Frames{FailsafeFrame});
     }
   }
@@ -69,7 +69,7 @@ TEST_CASE("up to 12 bytes lost at any place of a neutral frame cost that frame a
       const Bytes bytes = part(damaged, 0, index) + part(damaged, index + lost);
       TimedLine line;
       for (unsigned number = 0; number < 8; number++) {
-        line.send(number == 3 ? bytes : bytesOf(neutralFrame(number))).pause(PauseUs);
+        line.send(number == 3 ? bytes : bytesOf(neutralFrame(number))).gap(GapUs);
       }
       for (const uint32_t loopUs : {50u, 3000u}) {
         INFO("lost ", lost, ", index ", index, ", loopUs ", loopUs);
@@ -99,8 +99,8 @@ TEST_CASE("any number of 0F that are no headers cost at most two frames without 
       }
     }
     TimedLine line;
-    line.send(all[0]).pause(PauseUs).send(all[1]).pause(PauseUs).send(Bytes(headers, 0x0F)).pause(PauseUs);
-    line.send(all[2]).pause(PauseUs).send(all[3]);
+    line.send(all[0]).gap(GapUs).send(all[1]).gap(GapUs).send(Bytes(headers, 0x0F)).gap(GapUs);
+    line.send(all[2]).gap(GapUs).send(all[3]);
     for (const uint32_t loopUs : {50u, 1000u}) {
       CAPTURE(loopUs);
       CHECK(line.frames(loopUs) == Frames(all.begin(), all.begin() + 4));
@@ -117,7 +117,7 @@ TEST_CASE("silence within a frame rejects it; a loop() that is blocked there cos
         Feeder line;
         line.lock().feed(part(frame, 0, cut));
         CHECK(line.wait(8000).feed(part(frame, cut), burst).empty());
-        CHECK(line.wait(PauseUs).feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
+        CHECK(line.wait(GapUs).feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
       }
       for (const uint32_t blockedUs : {8000u, 10000000u}) {
         CAPTURE(blockedUs);
@@ -129,11 +129,11 @@ TEST_CASE("silence within a frame rejects it; a loop() that is blocked there cos
       // over at once.
       Feeder events;
       for (unsigned number = 0; number < 3; number++) {
-        events.block(PauseUs).feed(bytesOf(plainFrame(number)));
+        events.block(GapUs).feed(bytesOf(plainFrame(number)));
       }
-      events.block(PauseUs).feed(part(frame, 0, cut));
+      events.block(GapUs).feed(part(frame, 0, cut));
       CHECK(events.block(8000).poll(part(frame, cut)) == (25 - cut > 17 ? Frames{frame} : Frames{}));
-      CHECK(events.block(PauseUs).feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
+      CHECK(events.block(GapUs).feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
     }
   }
 }

@@ -1,4 +1,4 @@
-// The lines on which receivers are put to the torture, and what ours is held to on each.
+// The lines on which receivers are put to the impairment, and what ours is held to on each.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "Simulation.h"
 
-// Frames per damaged frame, noise character and blocked loop; where there are none of these, per intact frame. They
+// Frames per impaired frame, noise character and blocked loop; where there are none of these, per intact frame. They
 // hold for all setups and all sticks of a group together. Late, or too young, are none.
 constexpr double NotBound = 1e9;  // only printed
 struct Limits {
@@ -31,5 +31,5 @@ struct Condition {
 const std::vector<Condition> &conditions();
 
 // One condition, one setup, one kind of sticks: `frames` or a few more. Each has a seed of its own, made of `seed`.
-Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames,
+Tally impairment(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames,
               uint64_t seed);

@@ -1,4 +1,4 @@
-// The verbs of `sbus`. Each adds its subcommand, whose callback does the work: it throws std::runtime_error with a
+// The subcommands of `sbus`. Each adds its subcommand, whose callback does the work: it throws std::runtime_error with a
 // message that says what, where and what to do.
 #pragma once
 

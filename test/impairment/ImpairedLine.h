@@ -80,10 +80,10 @@ struct SentFrame {
   uint64_t endUs = 0;     // when its last character was through
 };
 
-class DamagedLine : public line::Line {
+class ImpairedLine : public line::Line {
  public:
   // The first frame begins at `startUs`.
-  DamagedLine(const Transmission &transmission, uint64_t startUs, Random &random);
+  ImpairedLine(const Transmission &transmission, uint64_t startUs, Random &random);
 
   bool next(uint64_t nowUs, line::Character &character) override;
   bool finished(uint64_t nowUs) const override;

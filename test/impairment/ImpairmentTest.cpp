@@ -1,4 +1,4 @@
-// The torture bench: what is missed, wrong, late and too young on every line, against the bounds in Conditions.cpp,
+// The impairment bench: what is missed, wrong, late and too young on every line, against the bounds in Conditions.cpp,
 // Company.cpp and Joins.cpp.
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ Tally sumOf(const Condition &condition, const std::vector<Payload> &group) {
       continue;
     }
     for (const Setup &setup : condition.setups) {
-      sum += torture(condition, setup, sticks, Decoder::Ours, framesPerCase(Frames), seedOfAll());
+      sum += impairment(condition, setup, sticks, Decoder::Ours, framesPerCase(Frames), seedOfAll());
     }
   }
   return sum;
@@ -53,7 +53,7 @@ void hold(const JoinLine &line, Payload sticks) {
   INFO(line.name, ", ", std::string(name(sticks)), ", seed ", seedOfAll(), "; ", std::string(line.reason));
   JoinTally sum;
   for (const Setup &setup : line.setups) {
-    sum += torture(line, setup, sticks, Decoder::Ours, joinStride(framesPerCase(Frames)), seedOfAll());
+    sum += impairment(line, setup, sticks, Decoder::Ours, joinStride(framesPerCase(Frames)), seedOfAll());
   }
   INFO(sum.joins, " joins, ", sum.frames.wrong, " frames that were never sent");
   const auto joins = static_cast<double>(sum.joins);
@@ -68,7 +68,7 @@ Tally papers(const char *condition, Payload sticks) {
   const auto found = std::find_if(conditions().begin(), conditions().end(),
                                   [condition](const Condition &one) { return one.name == condition; });
   REQUIRE(found != conditions().end());
-  return torture(*found, {9000, 50}, sticks, Decoder::Papers, 20000, seedOfAll());
+  return impairment(*found, {9000, 50}, sticks, Decoder::Papers, 20000, seedOfAll());
 }
 
 }  // namespace
@@ -100,8 +100,8 @@ TEST_CASE("the calls of a silence that the simulation leaves out change nothing"
     for (const Payload sticks : {condition.sticks().front(), condition.sticks().back()}) {
       for (const Setup &setup : condition.setups) {
         INFO(condition.name, ", ", name(setup), ", ", std::string(name(sticks)), ", seed ", seedOfAll());
-        CHECK(torture(condition, setup, sticks, Decoder::Ours, 50, seedOfAll()) ==
-              torture(complete, setup, sticks, Decoder::Ours, 50, seedOfAll()));
+        CHECK(impairment(condition, setup, sticks, Decoder::Ours, 50, seedOfAll()) ==
+              impairment(complete, setup, sticks, Decoder::Ours, 50, seedOfAll()));
       }
     }
   }

@@ -8,7 +8,7 @@
 
 namespace tool {
 
-class KindOfLine {
+class VariantOfLine {
  public:
   void take(const line::Stretch &stretch);
 
@@ -16,7 +16,7 @@ class KindOfLine {
   std::string text() const;
 
  private:
-  std::array<unsigned long, sbus::UnknownKind> _ofKind{};
+  std::array<unsigned long, sbus::UnknownVariant> _ofKind{};
   unsigned long _of24 = 0;
   unsigned long _extra = 0;
 };

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "DamagedLine.h"
+#include "ImpairedLine.h"
 
 struct Tally {
   uint64_t damaged = 0;    // frames that did not reach the sketch whole: damaged on the line, or the buffer was full

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "DamagedLine.h"
+#include "ImpairedLine.h"
 #include "Judge.h"
 #include "Setup.h"
 

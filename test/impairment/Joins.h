@@ -42,7 +42,7 @@ struct JoinTally {
 };
 
 // With second readings at each place, joined at each character, or at one of `stride`.
-JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
+JoinTally impairment(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
                   uint64_t seed);
 
 // Of lines with so many frames a case.

@@ -162,7 +162,7 @@ class Simulation {
   const uint32_t _characterUs = _run.line.characterUs();
   Random _random;
   const uint64_t _beginUs;  // such that micros() wraps during the run
-  DamagedLine _line;
+  ImpairedLine _line;
   UartPort _port;
   Receiver _receiver = _run.setup.driver.isBoards() ? Receiver(static_cast<BoardsPort &>(_port)) : Receiver(_port);
   Judge _judge;

@@ -1,4 +1,4 @@
-#include "DamagedLine.h"
+#include "ImpairedLine.h"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ bool isFrame(const SentFrame &sent) {
 
 }  // namespace
 
-DamagedLine::DamagedLine(const Transmission &transmission, uint64_t startUs, Random &random)
+ImpairedLine::ImpairedLine(const Transmission &transmission, uint64_t startUs, Random &random)
     : _transmission(transmission),
       _characterUs(transmission.characterUs()),
       _joinedUs(startUs + transmission.cut.toFrame * transmission.periodUs +
@@ -48,7 +48,7 @@ DamagedLine::DamagedLine(const Transmission &transmission, uint64_t startUs, Ran
       _frameUs(startUs),
       _timeUs(startUs) {}
 
-bool DamagedLine::next(uint64_t nowUs, line::Character &character) {
+bool ImpairedLine::next(uint64_t nowUs, line::Character &character) {
   if (nextUs() > nowUs) {
     return false;
   }
@@ -57,18 +57,18 @@ bool DamagedLine::next(uint64_t nowUs, line::Character &character) {
   return true;
 }
 
-bool DamagedLine::finished(uint64_t /*nowUs*/) const {
+bool ImpairedLine::finished(uint64_t /*nowUs*/) const {
   return _characters.empty() && _framesLeft == 0;
 }
 
-uint64_t DamagedLine::nextUs() {
+uint64_t ImpairedLine::nextUs() {
   while (_characters.empty() && _framesLeft != 0) {
     sendFrame();
   }
   return _characters.empty() ? UINT64_MAX : _characters.front().endUs;
 }
 
-bool DamagedLine::nextSent(SentFrame &frame) {
+bool ImpairedLine::nextSent(SentFrame &frame) {
   if (_sent.empty()) {
     return false;
   }
@@ -77,7 +77,7 @@ bool DamagedLine::nextSent(SentFrame &frame) {
   return true;
 }
 
-void DamagedLine::sendFrame() {
+void ImpairedLine::sendFrame() {
   _framesLeft--;
   _timeUs = _frameUs;
   if (_transmission.kind == Kind::With2F) {
@@ -119,7 +119,7 @@ void DamagedLine::sendFrame() {
   _number++;
 }
 
-void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent) {
+void ImpairedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &sent) {
   const Impairments &impairments = _transmission.impairments;
   bool whole = true;
   for (unsigned i = 0; i < size; i++) {
@@ -168,7 +168,7 @@ void DamagedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &s
   _straight = whole && sent.intact && !sent.altered && (!sent.extra || sent.straight);
 }
 
-void DamagedLine::sendExtra() {
+void ImpairedLine::sendExtra() {
   Frame extra = _moreSticks.next();
   extra[0] = sbus::ExtraHeader;
   SentFrame sent;
@@ -179,7 +179,7 @@ void DamagedLine::sendExtra() {
 }
 
 // What stands between this frame and the next.
-void DamagedLine::sendBetween(uint8_t end) {
+void ImpairedLine::sendBetween(uint8_t end) {
   const uint64_t characters = _characters.size();
   if (_transmission.kind == Kind::Fasst12) {
     const uint64_t slotUs = _timeUs + Fasst12SlotUs;
@@ -211,7 +211,7 @@ void DamagedLine::sendBetween(uint8_t end) {
   _frameUs = std::max(nextFrameUs, _timeUs) + (stops ? SilenceUs + _random.below(SilenceUs) : 0);
 }
 
-void DamagedLine::sendSlots(unsigned group) {
+void ImpairedLine::sendSlots(unsigned group) {
   const Company &company = _transmission.company;
   const uint64_t firstUs = _timeUs + FirstSlotUs + static_cast<uint64_t>(static_cast<int64_t>(company.lateUs));
   for (unsigned slot = 0; slot < company.slots; slot++) {
@@ -223,7 +223,7 @@ void DamagedLine::sendSlots(unsigned group) {
   }
 }
 
-void DamagedLine::sendStray(int stray) {
+void ImpairedLine::sendStray(int stray) {
   uint8_t value = static_cast<uint8_t>(stray);
   while (stray == Company::AnyStray) {
     value = _random.byte();
@@ -236,7 +236,7 @@ void DamagedLine::sendStray(int stray) {
 }
 
 // True for a character of the frame that is being sent.
-bool DamagedLine::isCut(unsigned character) const {
+bool ImpairedLine::isCut(unsigned character) const {
   const Cut &cut = _transmission.cut;
   const uint64_t frame = cut.every != 0 ? _number % cut.every : _number;
   const auto later = static_cast<unsigned>(cut.every != 0 ? _number / cut.every % (sbus::FrameSize - 1) : 0);
@@ -245,7 +245,7 @@ bool DamagedLine::isCut(unsigned character) const {
   return begun && !over;
 }
 
-void DamagedLine::send(uint8_t value, bool bad) {
+void ImpairedLine::send(uint8_t value, bool bad) {
   _timeUs += _characterUs;
   line::Character character;
   character.endUs = _timeUs;

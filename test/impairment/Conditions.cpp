@@ -214,7 +214,7 @@ std::vector<Payload> Condition::sticks() const {
   return all;
 }
 
-Tally torture(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames,
+Tally impairment(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames,
               uint64_t seed) {
   frames = std::min(frames, condition.most);
   Run run = condition.run;

@@ -100,7 +100,7 @@ JoinTally &JoinTally::operator+=(const JoinTally &other) {
   return *this;
 }
 
-JoinTally torture(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
+JoinTally impairment(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
                   uint64_t seed) {
   Random random(ownSeed(line.name, setup, sticks, seed));
   JoinTally sum;

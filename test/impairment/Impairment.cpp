@@ -21,13 +21,13 @@ struct Row {
   std::string name;
   std::vector<Setup> setups;
   std::vector<Payload> sticks;
-  std::function<Tally(const Setup &setup, Payload sticks, Decoder decoder)> torture;
+  std::function<Tally(const Setup &setup, Payload sticks, Decoder decoder)> impairment;
 };
 
 Row rowOf(const Condition &condition) {
   return {condition.name, condition.setups, condition.sticks(),
           [&condition](const Setup &setup, Payload sticks, Decoder decoder) {
-            return torture(condition, setup, sticks, decoder, frames, seedOfAll());
+            return impairment(condition, setup, sticks, decoder, frames, seedOfAll());
           }};
 }
 
@@ -35,7 +35,7 @@ Row rowOf(const Condition &condition) {
 Row rowOf(const JoinLine &line) {
   return {line.name, line.setups, JoinLine::sticks(),
           [&line](const Setup &setup, Payload sticks, Decoder decoder) {
-            const JoinTally joins = torture(line, setup, sticks, decoder, joinStride(frames), seedOfAll());
+            const JoinTally joins = impairment(line, setup, sticks, decoder, joinStride(frames), seedOfAll());
             Tally tally = joins.frames;
             tally.damaged = joins.joins;
             tally.missed = joins.unseen;
@@ -77,7 +77,7 @@ struct Column {
     for (const Payload sticks : row.sticks) {
       Tally tally;
       for (const Setup &setup : row.setups) {
-        tally += row.torture(setup, sticks, decoder);
+        tally += row.impairment(setup, sticks, decoder);
       }
       sum += tally;
       // missed / damages, without a division by 0
@@ -112,7 +112,7 @@ void printAll(const Row &row) {
     for (const Payload sticks : row.sticks) {
       std::vector<std::string> cells = {row.name, name(setup), name(sticks)};
       for (const Decoder decoder : {Decoder::Ours, Decoder::Papers}) {
-        const Tally tally = row.torture(setup, sticks, decoder);
+        const Tally tally = row.impairment(setup, sticks, decoder);
         for (const uint64_t count :
              {tally.damages(), tally.intact, tally.missed, tally.wrong, tally.late, tally.tooYoung, tally.altered}) {
           cells.push_back(std::to_string(count));

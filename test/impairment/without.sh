@@ -1,8 +1,8 @@
 #!/bin/sh
-# Compiles the receiver without a rule and prints what that costs: the lines of the torture bench as they are, and without it.
+# Compiles the receiver without a rule and prints what that costs: the lines of the impairment bench as they are, and without it.
 #   without.sh NAME    a rule of src/sbus/Rule.h; another name prints them all
 #   without.sh check   says "ok ..." or "FAILED ..." of each rule: has it a row in RULES and one in extras/docs/receiver.md?
-# BUILD: an absolute folder for what is built. FRAMES, SEED and ONLY as for `make torture`.
+# BUILD: an absolute folder for what is built. FRAMES, SEED and ONLY as for `make impairment`.
 set -u
 cd "$(dirname "$0")" || exit 1
 tab=$(printf '\t')
@@ -10,26 +10,26 @@ tab=$(printf '\t')
 rules=$(sed -n '/^enum class Rule/,/^};/s/^  \([A-Za-z]*\),.*/\1/p' ../../src/sbus/Rule.h | grep -vx none)
 lines_of() { sed -n "s/^$1$tab//p" RULES; }
 
-torture() {  # OUT [RULE]
-  make --no-print-directory -s -C .. -f build.mk CXX=g++ OUT="$1" WITHOUT="${2:-}" "$1/line/Torture" 1>&2 || exit 1
-  SUMMARY=1 ONLY=$lines "$1/line/Torture" | grep '^|' | tail -n +3
+impairment() {  # OUT [RULE]
+  make --no-print-directory -s -C .. -f build.mk CXX=g++ OUT="$1" WITHOUT="${2:-}" "$1/impairment/Impairment" 1>&2 || exit 1
+  SUMMARY=1 ONLY=$lines "$1/impairment/Impairment" | grep '^|' | tail -n +3
 }
 
 if [ "$1" = check ]; then
   for rule in $rules; do
-    if [ -z "$(lines_of "$rule")" ]; then echo "FAILED line/RULES: no line shows what the rule $rule is worth"
+    if [ -z "$(lines_of "$rule")" ]; then echo "FAILED impairment/RULES: no line shows what the rule $rule is worth"
     elif ! grep -q "| \`$rule\` |" ../../extras/docs/receiver.md; then echo "FAILED receiver.md: no row for the rule $rule"
-    else echo "ok line/RULES: $rule"; fi
+    else echo "ok impairment/RULES: $rule"; fi
   done
   grep -v '^#' RULES | cut -f1 | while read -r name; do
-    echo "$rules" | grep -qx "$name" || echo "FAILED line/RULES: there is no rule $name"
+    echo "$rules" | grep -qx "$name" || echo "FAILED impairment/RULES: there is no rule $name"
   done
 elif echo "$rules" | grep -qx "$1"; then
   lines=${ONLY:-$(lines_of "$1")}
   echo "as it is | damaged | missed | wrong | late |"
-  torture "$BUILD/g++" || exit 1
+  impairment "$BUILD/g++" || exit 1
   echo "without the rule \"$1\""
-  torture "$BUILD/without/$1" "$1" || exit 1
+  impairment "$BUILD/without/$1" "$1" || exit 1
 else
   echo "There is no rule \"$1\". The rules are: $(echo "$rules" | tr '\n' ' ')" >&2
   exit 2

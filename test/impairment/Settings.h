@@ -1,4 +1,4 @@
-// Settings from the environment: FRAMES=1000000 SEED=7 make torture
+// Settings from the environment: FRAMES=1000000 SEED=7 make impairment
 #pragma once
 
 #include <cstdint>
