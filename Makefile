@@ -44,7 +44,7 @@ help:
 	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"
 	@echo "make bench  what receiving, decoding and encoding cost, in instructions of a Cortex-M0"
 	@echo "            TRIES=200000          how long the longest call is searched for"
-	@echo "make figures  writes the tables of extras/docs/measured.md anew (impairment, size, bench); some minutes"
+	@echo "make figures  writes the tables of extras/docs/measured.md (impairment, size, bench); some minutes"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
 	@echo "make release VERSION=x.y.z URL=https://...  sets both, dates CHANGELOG.md, says what is left to do"

@@ -2,7 +2,7 @@
 
 SBUS_COMPILE_DECODER(sbus::Frame16)
 
-// What is found too old is told by its number: the clock may wrap afterwards, and a newer frame may come meanwhile.
+// A stale frame is remembered by its number, since the clock may wrap afterwards; a newer frame may come meanwhile.
 bool DecodeSBus::decodeExtraChannels(uint16_t channels[]) {
   uint32_t number;
   for (;;) {

@@ -1,15 +1,15 @@
-// DecodeSBusOf, for the two files that compile it: in one file the compiler would take less of it in line.
+// The methods of DecodeSBusOf, for the two files that compile them: in one file the compiler would inline less.
 #include "DecodeSBus.h"
 
 namespace {
 
-// A frame has come, and within the timeout.
+// Returns true if a frame has come within the timeout.
 inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
 
-// A compiler barrier: what parseSBusFrame() writes may change at any instruction. (clang moves reads past
-// __atomic_signal_fence(). A macro, because -Os makes a call of an inline function.)
+// A compiler barrier: an interrupt's parseSBusFrame() may change what is read before and after it. (clang moves reads
+// past __atomic_signal_fence(). It is a macro because -Os calls an inline function.)
 #define READ_ANEW() __asm__ volatile("" ::: "memory")
 
 }  // namespace
@@ -34,8 +34,8 @@ void DecodeSBusOf<Format>::end() {
   _port.close();
 }
 
-// Takes in what waits now and no more: what comes meanwhile may stand after a break, and is there at the next call.
-// Never asks the port for more than it has: the STM32L0's would then write past the end of what it is given.
+// Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. It never asks the
+// port for more, because the STM32L0's core would then write past the end of the buffer that it is given.
 template <typename Format>
 void DecodeSBusOf<Format>::parseSBusFrame() {
   const uint32_t now = micros();
@@ -47,22 +47,22 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
     return;
   }
   if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
-    _finder.broken();  // what waits stands after the break
+    _finder.broken();  // the bytes that wait stand after the loss
   }
   _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
     const int room = _finder.room();
     const int count = _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
     if (count <= 0) {
-      return;  // a port that fails
+      return;  // the port fails
     }
     waiting -= count;
     if (const uint8_t *const frame = _finder.received(count, waiting)) {
       _link.frame(frame[Format::Size - 2]);
     }
   }
-  // With what has come since, the port's buffer may have been full before it was read. Then bytes were lost, and what
-  // has come stands before the break or after it: nobody knows.
+  // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,
+  // and those that have come may stand before the loss or after it.
   if (_port.losesNewest() && static_cast<unsigned>(found) > _port.half()) {
     int more = _port.available();
     if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
@@ -74,7 +74,7 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
   }
 }
 
-// A frame that comes in between is younger than the clock that was read: then everything is read again.
+// A frame that comes in between is younger than the time that was read: then both are read again.
 template <typename Format>
 sbus::LinkState DecodeSBusOf<Format>::linkState() {
   for (;;) {
@@ -105,7 +105,7 @@ void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t channels[], bool &failsafe, 
     lostFrame = true;
     return;
   }
-  // A frame that completes meanwhile moves the one being read to where the next comes in: then read the newer one.
+  // If a frame is completed meanwhile, the next one may overwrite the frame that is being read: then read the new one.
   uint32_t number;
   do {
     number = _finder.counters().frames;
@@ -113,13 +113,13 @@ void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t channels[], bool &failsafe, 
     const uint8_t *const frame = _finder.newest();
     Format::unpack(frame, channels);
     lostFrame = (frame[Format::Size - 2] & sbus::FlagLostFrame) != 0;
-    failsafe = _link.givenUp();
+    failsafe = _link.isLost();
     READ_ANEW();
   } while (number != _finder.counters().frames);
   _decoded = number;
 }
 
-// Member by member: of a whole class nothing would be compiled in line.
+// Member by member: if the whole class were instantiated, nothing would be inlined.
 #define SBUS_COMPILE_DECODER(Format)                                               \
   template void DecodeSBusOf<Format>::begin(unsigned long, uint32_t);              \
   template void DecodeSBusOf<Format>::listen(unsigned long);                       \

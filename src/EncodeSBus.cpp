@@ -14,11 +14,11 @@ void EncodeSBusOf<Format>::end() {
 template <typename Format>
 bool EncodeSBusOf<Format>::write(const uint16_t channels[], bool failsafe, bool lostFrame) {
   const uint32_t now = micros();
-  const uint32_t late = now - _last - _period;  // us; wraps if it is too early
+  const uint32_t late = now - _last - _period;  // us; wraps if it is early
   if (_sent && now - _last < _period) {
     return false;
   }
-  // Some ports never take 25 bytes, and some cannot say: then as many as they have ever taken are enough.
+  // Some ports never have room for 25 bytes, and some report none: then the largest room seen is enough.
   const int room = _port.room();
   if (room > _room) {
     _room = static_cast<uint8_t>(room < Format::Size ? room : Format::Size);
@@ -28,8 +28,8 @@ bool EncodeSBusOf<Format>::write(const uint16_t channels[], bool failsafe, bool 
   uint8_t frame[Format::Size];
   Format::pack(frame, channels, failsafe, lostFrame);
   _port.write(frame, Format::Size);
-  // A little late, and the next frame is expected as if this one had been on time; else from now on. So no pause
-  // between two frames is shorter than half of what it should be: receivers need them.
+  // If this frame is a little late, the next one is due as if it had been on time; otherwise a period from now. So no
+  // gap is shorter than half of what the period gives: receivers need it.
   constexpr uint32_t FrameTime = uint32_t{Format::Size} * sbus::CharacterTime;
   const uint32_t tolerable = _period > FrameTime ? (_period - FrameTime) / 2 : 0;
   _last = _sent && late < tolerable ? now - late : now;

@@ -1,5 +1,5 @@
 /// @file
-/// EncodeSBus: sends Futaba S.Bus through a hardware serial port; the mirror of DecodeSBus.
+/// Sends Futaba S.Bus through a serial port.
 #pragma once
 
 #include <Arduino.h>
@@ -7,60 +7,58 @@
 #include "SBusPort.h"
 #include "sbus/Frame.h"
 
-/// One sender on one serial port. Two calls do it:
+/// Sends to one serial port. A sketch needs two calls:
 ///
 ///     EncodeSBus sBus(Serial2);
 ///     void setup() { sBus.begin(); }
 ///     void loop() { sBus.write(channels, failsafe, lostFrame); }
 ///
-/// EncodeSBus24 is the same for FrSky's 24 channels. A DecodeSBus may listen on the same port: begin() and end() that
-/// one, not this. A port that the sketch has opened needs no begin(). Call all methods from setup(), loop() or
+/// EncodeSBus24 sends FrSky's 24 channels. If a DecodeSBus listens on the same port, call begin() and end() of the
+/// DecodeSBus only. A port that the sketch has opened needs no begin(). Call all methods from setup(), loop() or
 /// serialEventN(), none from an interrupt.
 template <typename Format>
 class EncodeSBusOf {
  public:
-  /// `port`: a hardware serial port, or any other Stream, which the sketch opens. It must outlive the object. Nothing
-  /// is opened yet.
+  /// Remembers `port`, and opens nothing yet: a hardware serial port, or any other Stream, which the sketch opens. It
+  /// must outlive the object.
   template <typename Port>
   explicit EncodeSBusOf(Port &port) : _port(port) {}
 
-  /// On pins of your choice, as DecodeSBusOf().
+  /// Remembers `port` and its pins, on an ESP32 or ESP8266 (see DecodeSBusOf()).
   template <typename Port>
   EncodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
 
-  /// Opens the port as DecodeSBus::begin() does. Nothing is sent before write().
+  /// Opens the port like DecodeSBus::begin(), and sends nothing.
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
-  /// Closes a hardware serial port; after begin() only, as DecodeSBus::end(). The known cores first send what they
-  /// still hold, and wait for it: up to 8 ms. Do not call write() after it: some ports do not know that they are closed
-  /// (AVR).
+  /// Closes a hardware serial port. Call it only after begin(). The known cores first send the bytes that they hold,
+  /// and wait for up to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
   void end();
 
-  /// Time from one frame to the next: 0..65535 us, 9000 unless told. A frame takes 3000 us (1500 at 200000 baud), one
-  /// of 24 channels 4320, and receivers need a pause after it, so set no less than 4000 (2000), or 6000.
+  /// Sets the frame period, 0..65535 us. Default: 9000 us. A frame takes 3000 us (1500 us at 200000 baud), one of 24
+  /// channels 4320 us. Receivers need a gap after it, so set at least 4000 us (2000 us), or 6000 us for 24 channels.
   void setPeriod(uint16_t us) { _period = us; }
 
-  /// Sends a frame if it is time for one and the port takes all of it, never a part. Call it in every loop(), after
-  /// begin(). True if it has sent; the first frame is sent at once.
+  /// Sends a frame if the period is over and the port takes the whole frame. Returns true if it has sent one; the first
+  /// call sends at once. Call it in every loop(), after begin().
   ///
-  /// It waits for nothing if the port has room for 25 bytes. A port that never has, or cannot say, is given the frame
-  /// as soon as it has as much room as ever, and the core waits until it has taken all: up to 3 ms (Uno R4,
-  /// mbed).
+  /// `channels` has 18 values: CH1..CH16, clamped to 2047, then CH17 and CH18, where any value but 0 is sent as 1.
+  /// EncodeSBus24 takes 24 values, CH1..CH24, clamped to 2047.
   ///
-  /// `channels` are 18: CH1..CH16, clamped to 2047, then CH17 and CH18, where any but 0 is sent as 1. EncodeSBus24 has
-  /// 24, CH1..CH24, clamped to 2047. The period stays exact while a loop period is less than half of the pause; after a
-  /// longer one it begins anew.
+  /// It does not wait if the port has room for 25 bytes. A port that never has so much room, or cannot say how much it
+  /// has, gets the frame once its room is the largest seen, and the core waits for up to 3 ms (Uno R4, mbed). The
+  /// period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that frame.
   bool write(const uint16_t channels[], bool failsafe, bool lostFrame);
 
  private:
   sbus::Port _port;
-  uint32_t _last = 0;  // us, when it was time for the last frame
+  uint32_t _last = 0;  // us, when the last frame was due
   uint16_t _period = 9000;
-  uint8_t _room = 0;  // bytes: the most that the port has said it takes, up to a frame
+  uint8_t _room = 0;  // bytes: the most room that the port has reported, a frame at most
   bool _sent = false;
 };
 
-/// Sixteen channels and two switches.
+/// Sends sixteen channels and two switches.
 using EncodeSBus = EncodeSBusOf<sbus::Frame16>;
-/// FrSky's 24 channels.
+/// Sends FrSky's 24 channels.
 using EncodeSBus24 = EncodeSBusOf<sbus::Frame24>;

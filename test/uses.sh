@@ -30,7 +30,7 @@ while IFS='	' read -r name kind; do
   case $kind in KEYWORD2) place="\b$name\(" ;; *) place="\b$name\b" ;; esac
   if ! echo "$name" | grep -q "$special"; then
     echo "FAILED keywords: $name is an ordinary word: other people's sketches have it"
-  elif ! grep -qE "$place" ./*.h sbus/*.h; then
+  elif ! grep -qE "$place" ./*.h port/*.h sbus/*.h; then
     echo "FAILED keywords: $name is not in the library"
   else
     echo "ok keywords: $name"

@@ -29,7 +29,7 @@ bool failsafe;
 bool lostFrame;
 uint32_t framesBefore = 0;
 
-// From now on nobody else may call parseSBusFrame().
+// From now on only the interrupt may call parseSBusFrame().
 void received() {
   dSBus.parseSBusFrame();
 }

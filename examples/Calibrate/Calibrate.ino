@@ -3,7 +3,7 @@
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
-  Do what it says in the Serial Monitor. Then it sends CH1..CH4, -1000..+1000. Send it a letter to begin anew.
+  Do what it says in the Serial Monitor. Then it sends CH1..CH4, -1000..+1000. Send it a letter to start again.
 */
 
 #include <DecodeSBus.h>

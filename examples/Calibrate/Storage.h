@@ -41,7 +41,7 @@ void load(Eeprom &eeprom, Value &value) {
   eeprom.get(0, value);
 }
 
-// False: it does not come back. Writing blocks for 50 ms or more: frames are lost then, but nobody waits for one.
+// Returns false if it cannot be read back. Writing blocks for 50 ms or more, and loses frames meanwhile.
 template <typename Eeprom, typename Value>
 bool store(Eeprom &eeprom, const Value &value) {
   eeprom.put(0, value);

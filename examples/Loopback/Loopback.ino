@@ -18,7 +18,7 @@ const uint32_t PATIENCE = 50;  // ms, for the last of them to come back
 uint16_t sent, right, wrong;
 uint32_t sentTime;
 
-// Frame number n: CH1 is the number, and all other channels follow from it. CH17 is failsafe, too, and CH18 lost frame.
+// Frame number n: CH1 is the number, and all other channels follow from it. CH17 equals failsafe, and CH18 lost frame.
 void fill(uint16_t channels[], uint16_t n) {
   for (uint8_t i = 0; i < 16; i++) {
     channels[i] = static_cast<uint16_t>((n + 131 * i) % 2048);

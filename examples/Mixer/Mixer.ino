@@ -15,7 +15,7 @@
 #include <sbus/Scaling.h>
 
 DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
-EncodeSBus eSBus(Serial1);  // TX: D1; or another port, which then wants eSBus.begin()
+EncodeSBus eSBus(Serial1);  // TX: D1. Another port needs eSBus.begin()
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
@@ -43,7 +43,7 @@ void loop() {
   out[0] = sbus::fromNormalised(elevons[0], sbus::FrSky);
   out[1] = sbus::fromNormalised(elevons[1], sbus::FrSky);
   if (dSBus.linkState() == sbus::LinkState::Stale) {
-    out[2] = sbus::FrSky.low;  // nobody steers: the throttle closes, for those who do not look at flags
+    out[2] = sbus::FrSky.low;  // link lost: closes the throttle for receivers of this line that ignore the flags
   }
   eSBus.write(out, failsafe, lostFrame);
 

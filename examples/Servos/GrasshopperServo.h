@@ -16,14 +16,14 @@ class Servo {
     }
   }
 
-  // Pulses begin, of 1500 us unless told. False if there are ten servos already, or no such pin.
+  // Starts pulses of 1500 us. Returns false if there are ten servos already, or no such pin.
   bool attach(int pin) {
     if (_slot < 0 && table().entries < STM32L0_SERVO_SLOT_COUNT && pin >= 0 && pin < static_cast<int>(PINS_COUNT)) {
       _slot = static_cast<int>(table().entries++);
       table().slot[_slot].pin = g_APinDescription[pin].pin;
       update();
       if (_slot == 0) {
-        delay(3);  // the driver's first pulse has 47 us, before its prescaler is loaded: nobody is to see it
+        delay(3);  // hides the driver's first pulse, which has 47 us before its prescaler is loaded
       }
       pinMode(static_cast<uint32_t>(pin), OUTPUT);
     }

@@ -14,7 +14,7 @@ constexpr uint64_t Forever = UINT64_MAX;
 // By sbus::Rejection.
 constexpr const char *Reasons[] = {"no end byte",  "unused flags set", "a gap inside", "more bytes than a frame",
                                    "not at a gap", "may be the halves of two frames"};
-static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::SecondReading) + 1, "one for each");
+static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "one for each");
 
 // What may be wrong with a bad character.
 struct Error {

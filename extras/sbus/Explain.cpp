@@ -148,7 +148,7 @@ class Frame {
     constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "R7003SB or FASSTest 12CH"};
     static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
     const uint8_t kind = sbus::variantOfEnd(_bytes[at]);
-    if (kind == sbus::UnknownVariant || (_size == sbus::FrameSize24 && kind >= sbus::Frame24::Kinds)) {
+    if (kind == sbus::UnknownVariant || (_size == sbus::FrameSize24 && kind >= sbus::Frame24::Variants)) {
       blame(at, format("%02X is no end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
                        _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";

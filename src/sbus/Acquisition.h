@@ -1,5 +1,5 @@
 /// @file
-/// Does a line carry frames of this size at all?
+/// Decides whether a line carries frames of this size at all.
 #pragma once
 
 #include <stdint.h>
@@ -8,33 +8,32 @@
 
 namespace sbus {
 
-/// Counts the characters from gap to gap: FrSky's frames of 24 channels have 36. All calls come from the context that
-/// reads the port.
+/// Counts the characters between two gaps: FrSky's frames of 24 channels have 36. Call all methods from the context
+/// that reads the port.
 template <typename Format>
 class Acquisition {
  public:
-  /// Forgets what was seen.
+  /// Forgets everything.
   void reset() {
     _doubts = 0;
     _group = 0;
     forget();
   }
 
-  /// The line was silent for so long that the next character is as good as its first; or nothing is known of the
-  /// characters before that one.
+  /// Forgets the characters since the last gap. `isSilent`: a long silence makes the next character the line's first.
   void forget(bool isSilent = false) { _run = _lastRun = isSilent ? 0 : Unseen; }
 
-  /// `found` characters have come.
+  /// Counts `found` characters.
   void characters(unsigned found) {
     _run = static_cast<uint8_t>(static_cast<int>(found) < Unseen - _run ? _run + found : Unseen);
   }
 
-  /// A gap stands before the next character; `waiting` of those before it belong to no frame yet. Returns true if a
-  /// frame of the other size has just ended. If the line's variant is not known either (`isVariantOpen`), it forbids frames
-  /// until one of the right size has come, or eight gaps.
+  /// Takes a gap before the next character; `waiting` of the characters before it belong to no frame yet. Returns true
+  /// if a frame of the other size has just ended. If the line variant is unknown (`isVariantOpen`), frames are then
+  /// forbidden until one of the right size has come, or eight gaps.
   bool gap(int waiting, bool isVariantOpen) {
     if (_run == 0) {
-      return false;  // it is known already
+      return false;  // taken already
     }
     const bool isOther = _run == Format::OtherSize;
     if (isOther) {
@@ -42,27 +41,28 @@ class Acquisition {
     } else if (_run == Format::Size) {
       _doubts = 0;
     } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {
-      // What waits may be the end of a frame of the other size that lost characters. (One before it may be a stray.)
+      // These may be the end of a frame of the other size that lost characters, behind a stray character.
       _doubts = _doubts == 0 ? 1 : _doubts;
     } else if (_doubts > 0) {
       _doubts--;
     }
-    _lastRun = _lastRun == 0 ? Unseen : _run;  // the silence before the first character proves nothing
+    _lastRun = _lastRun == 0 ? Unseen : _run;  // the line may have been joined within a frame
     _run = 0;
     return isOther;
   }
 
-  /// How many characters stood between the two newest gaps; 255 if that is not known.
+  /// Returns how many characters stood between the two newest gaps; 255 if unknown.
   int lastRun() const { return _lastRun; }
 
-  /// A frame may stand here: there are no doubts, and it stands at a gap if the line shows any, or `isFirst` on it.
+  /// Returns true if a frame may stand here: frames are not forbidden, and it stands at a gap if the line shows any, or
+  /// is the first on the line (`isFirst`).
   bool allows(bool isAtGap, bool isFirst) const {
     const bool showsGaps = _run < (_lastRun == 0 ? 2 * Format::Size : Unseen);
     return (_doubts == 0 || !holds(Rule::other)) && (isAtGap || !showsGaps || isFirst || !holds(Rule::first));
   }
 
-  /// A frame with this end byte has the ID of a telemetry slot behind it. True if the one before announced the group
-  /// before: for one such ID alone 8 of 800000 frames of 24 channels are believed, for two 5.
+  /// Takes the end byte of a frame that a slot's ID follows. Returns true if the frame before announced the group
+  /// before: with one such ID 8 of 800000 frames of 24 channels would be accepted, with two 5.
   bool isInTurn(uint8_t end) {
     const uint8_t before = _group;
     _group = static_cast<uint8_t>(end + 0x10) & 0x3F;
@@ -71,12 +71,12 @@ class Acquisition {
 
  private:
   static constexpr uint8_t Memory = 8;      // gaps
-  static constexpr int Unseen = UINT8_MAX;  // characters: a line without a gap in them shows none
+  static constexpr int Unseen = UINT8_MAX;  // characters; a line without a gap in them shows no gaps
 
-  uint8_t _doubts;   // gaps until frames are believed again
+  uint8_t _doubts;   // gaps until frames are allowed again
   uint8_t _run;      // characters since a gap
   uint8_t _lastRun;  // characters between the two gaps before
-  uint8_t _group;    // end byte of the next frame, if it comes in turn
+  uint8_t _group;    // end byte of the group that is next in turn
 };
 
 }  // namespace sbus

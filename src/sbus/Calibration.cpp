@@ -7,7 +7,7 @@ namespace {
 constexpr uint16_t CheckStart = 0xFFFF;
 constexpr uint16_t CheckPolynomial = 0x1021;
 
-// Bit by bit: it is asked for once, when the sketch starts, and a table would take 512 bytes.
+// Bit by bit: it is called once, when the sketch starts, and a table would take 512 bytes.
 uint16_t checkValueOf(const Calibration &calibration) {
   const uint8_t *const bytes = reinterpret_cast<const uint8_t *>(&calibration);
   unsigned check = CheckStart;
@@ -25,7 +25,7 @@ uint16_t distance(uint16_t a, uint16_t b) {
   return static_cast<uint16_t>(a < b ? b - a : a - b);
 }
 
-// `value`, nearer to the centre by the dead zone; inside it, the centre.
+// Returns `value` moved towards the centre by the dead zone; the centre if it lies within the dead zone.
 uint16_t drawnIn(uint16_t value, const CalibratedChannel &channel) {
   const uint16_t centre = channel.range.centre;
   if (distance(value, centre) <= channel.deadZone) {

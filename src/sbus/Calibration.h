@@ -1,6 +1,5 @@
 /// @file
-/// What one radio really sends: the travel of its channels, for a sketch to keep in EEPROM and to scale by.
-/// Calibrator.h finds it out.
+/// The travel of the channels of one radio, for a sketch to store in EEPROM and to scale by. Calibrator.h measures it.
 #pragma once
 
 #include <stddef.h>
@@ -11,54 +10,54 @@
 
 namespace sbus {
 
-/// One channel. All 0: not calibrated, and scaled it is always at its centre.
+/// The calibration of one channel. All members 0: the channel is not calibrated, and scales to its centre always.
 struct CalibratedChannel {
-  Range range;        ///< its low above its high: the channel runs backwards
-  uint16_t deadZone;  ///< raw counts, 0..2047: so far from the centre, on either side, it is still at the centre
+  Range range;        ///< low above high: the channel is reversed
+  uint16_t deadZone;  ///< raw counts, 0..2047, on either side of the centre, that scale to the centre
 
-  /// Thousandths: exactly -1000, 0 and +1000 at low, centre and high; 0 within the dead zone, no step after it. Beyond
-  /// low and high it goes on: see limited().
+  /// Returns thousandths of the travel: exactly -1000, 0 and +1000 at low, centre and high; 0 within the dead zone,
+  /// without a step at its edge. Values beyond low and high are not clamped: see limited().
   int16_t toNormalised(uint16_t raw) const;
 
-  /// The same in us: 988, 1500 and 2012. A channel that is not calibrated gives 1500, half throttle if it is the
-  /// throttle: ask isCalibrated(), or let the calibration want it.
+  /// Returns a servo's pulse in us: 988, 1500 and 2012 at low, centre and high. A channel that is not calibrated gives
+  /// 1500, half throttle on the throttle: ask isCalibrated(), or require the channel in Calibrator::finish().
   int16_t toMicroseconds(uint16_t raw) const;
 };
 
-/// All channels, 132 bytes without a pointer: store it as it is, by EEPROM.put() or the like. It is read by boards of
-/// the same byte order.
+/// The calibration of all channels, 132 bytes without a pointer: EEPROM.put() can store it. Boards of the same byte
+/// order can read it.
 struct Calibration {
   uint16_t version;                               ///< CalibrationVersion
   CalibratedChannel channels[ProportionalCount];  ///< CH1..CH16
   uint16_t checkValue;                            ///< CRC-16/CCITT-FALSE of all that stands before it
 };
 
-/// Of this layout. Erased EEPROM holds 0 or FFFF, which are no version.
+/// The version of this layout. Erased EEPROM holds 0 or FFFF, which are never versions.
 constexpr uint16_t CalibrationVersion = 1;
 
 static_assert(sizeof(Calibration) == 4 + 8 * ProportionalCount, "it is stored: no byte may stand between its members");
 
-/// What became of a calibration that was stored.
+/// The state of a stored calibration.
 enum class StoredState : uint8_t {
-  Good,          ///< as it was when it was sealed: the only one to be used
-  OtherVersion,  ///< nothing has been stored there yet, or something else
+  Good,          ///< unchanged since it was sealed: the only one to use
+  OtherVersion,  ///< nothing was stored there yet, or something different
   Damaged,       ///< bytes have changed since it was sealed
-  Impossible,    ///< it was sealed with a channel that cannot be: see isPossible()
+  Impossible,    ///< it was sealed with a channel for which isPossible() is false
 };
 
-/// True if a channel has been calibrated: its range has a length.
+/// Returns true if the channel is calibrated: its low and high differ.
 constexpr bool isCalibrated(const CalibratedChannel &channel) {
   return channel.range.low != channel.range.high;
 }
 
-/// True if a channel is not calibrated (all 0), or can be scaled by: its centre lies between its ends, none of the
-/// three is above 2047, and the dead zone ends before them.
+/// Returns true if the channel is not calibrated (all 0), or if its centre lies between its ends, none of the three is
+/// above 2047, and the dead zone ends before the ends.
 bool isPossible(const CalibratedChannel &channel);
 
 /// Sets version and check value. Call it after every change, before you store it.
 void seal(Calibration &calibration);
 
-/// May what was read back be used? Only if Good. Any bytes are well defined.
+/// Returns the state of a calibration that was read back: use it only if Good. Any bytes are allowed.
 StoredState stateOf(const Calibration &calibration);
 
 }  // namespace sbus

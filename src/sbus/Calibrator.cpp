@@ -4,16 +4,17 @@ namespace sbus {
 
 namespace {
 
-constexpr int16_t EndPart = 16;    // a channel that rests within 1/16 of its travel from an end rests at that end
-constexpr int16_t CentrePart = 4;  // one that rests at least 1/4 of it from both is centred: trims move it so far
-constexpr int16_t PushPart = 4;    // a push moves it by more than 1/4
+constexpr int16_t EndPart = 16;  // a channel that rests within 1/16 of its travel from an end rests at that end
+constexpr int16_t CentrePart =
+    4;  // one that rests at least 1/4 of its travel from both ends is centred: trims move it that far
+constexpr int16_t PushPart = 4;  // a push moves it by more than 1/4 of its travel
 
-// Sticks have their centre here, trims of 25 % and all makes considered; none has an end here.
+// Sticks of all makes have their centre here, with trims of up to 25 %; none has an end here.
 constexpr uint16_t MiddleMin = 700;
 constexpr uint16_t MiddleMax = 1350;
 
-constexpr uint8_t WrongFrame = 8;                                      // it takes as many right ones to make up for it
-constexpr uint8_t HeldMost = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong ones in the last frames do no harm
+constexpr uint8_t WrongFrame = 8;                                      // this many right frames make up for a wrong one
+constexpr uint8_t HeldMost = Calibrator::HeldFrames + 2 * WrongFrame;  // two wrong frames at the end do no harm
 
 constexpr uint16_t smaller(uint16_t a, uint16_t b) {
   return a < b ? a : b;
@@ -27,8 +28,8 @@ constexpr bool isInMiddle(uint16_t value) {
 
 }  // namespace
 
-const char *text(CalibrationError refusal) {
-  switch (refusal) {
+const char *text(CalibrationError error) {
+  switch (error) {
     case CalibrationError::None:
       return "";
     case CalibrationError::NeverSeen:
@@ -61,8 +62,8 @@ void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {
 void Calibrator::Hold::follow(uint16_t value) {
   if (frames > 0 && (value > place ? value - place : place - value) <= StillMax) {
     frames = smaller(static_cast<uint16_t>(frames + 1), HeldMost);
-    place =
-        static_cast<uint16_t>(place + (value > place) - (value < place));  // or the first one, if far off, would stay
+    place = static_cast<uint16_t>(place + (value > place) -
+                                  (value < place));  // otherwise a first value that is far off would stay
   } else if (frames > WrongFrame) {
     frames = static_cast<uint16_t>(frames - WrongFrame);
   } else {
@@ -70,7 +71,7 @@ void Calibrator::Hold::follow(uint16_t value) {
   }
 }
 
-// What was seen in this step and the ones after it is forgotten.
+// Forgets what was seen in this step and those after it.
 void Calibrator::begin(Step step) {
   _step = step;
   _frames = 0;
@@ -117,7 +118,7 @@ bool Calibrator::reached(uint8_t channel, uint16_t &low, uint16_t &high) const {
   return true;
 }
 
-CalibrationError Calibrator::measure(uint8_t channel, bool wanted, CalibratedChannel &calibrated) const {
+CalibrationError Calibrator::measure(uint8_t channel, bool required, CalibratedChannel &calibrated) const {
   if (channel >= ProportionalCount) {
     return CalibrationError::NeverSeen;
   }
@@ -132,7 +133,8 @@ CalibrationError Calibrator::measure(uint8_t channel, bool wanted, CalibratedCha
     return CalibrationError::HardlyMoved;
   }
   if (!rest.seen()) {
-    return isInMiddle(travel.low) || isInMiddle(travel.high) ? CalibrationError::MovedOneWay : CalibrationError::NotRested;
+    return isInMiddle(travel.low) || isInMiddle(travel.high) ? CalibrationError::MovedOneWay
+                                                             : CalibrationError::NotRested;
   }
   if (rest.high - rest.low > StillMax) {
     return CalibrationError::NotStill;
@@ -157,12 +159,12 @@ CalibrationError Calibrator::measure(uint8_t channel, bool wanted, CalibratedCha
   if (atEnd && isInMiddle(static_cast<uint16_t>(resting))) {
     return CalibrationError::MovedOneWay;
   }
-  if (!centred && !atEnd && wanted) {
+  if (!centred && !atEnd && required) {
     return CalibrationError::NotCentred;
   }
   const int16_t risen = static_cast<int16_t>(pushed ? hold.place - resting : 0);
   const bool backwards = risen < -(length / PushPart);
-  if ((wanted || !pushed) && !backwards && risen <= length / PushPart) {
+  if ((required || !pushed) && !backwards && risen <= length / PushPart) {
     return CalibrationError::NotPushed;
   }
   const uint16_t jitter = static_cast<uint16_t>(resting - rest.low);
@@ -174,18 +176,18 @@ CalibrationError Calibrator::measure(uint8_t channel, bool wanted, CalibratedCha
   return CalibrationError::None;
 }
 
-CalibrationError Calibrator::finish(uint16_t wanted, Calibration &calibration, uint8_t &channel) const {
+CalibrationError Calibrator::finish(uint16_t required, Calibration &calibration, uint8_t &channel) const {
   Calibration found;
   bool any = false;
   for (uint8_t i = 0; i < ProportionalCount; i++) {
-    const bool isWanted = (wanted >> i & 1) != 0;
+    const bool isRequired = (required >> i & 1) != 0;
     found.channels[i] = {{0, 0, 0}, 0};
-    const CalibrationError refusal = measure(i, isWanted, found.channels[i]);
-    if (isWanted && refusal != CalibrationError::None) {
+    const CalibrationError error = measure(i, isRequired, found.channels[i]);
+    if (isRequired && error != CalibrationError::None) {
       channel = i;
-      return refusal;
+      return error;
     }
-    any = any || refusal == CalibrationError::None;
+    any = any || error == CalibrationError::None;
   }
   if (!any) {
     channel = 0;

@@ -24,18 +24,18 @@ struct Trial {
 
 /// What is wrong. Of several faults the one to be cured first.
 enum class Finding : uint8_t {
-  NoSignal,               ///< not a byte, with any setting
-  NoFrames,               ///< bytes, but with no setting a frame every PeriodMax
-  Channels24,             ///< the same, but frames of 24 channels come: they want a DecodeSBus24
+  NoSignal,              ///< not a byte, with any setting
+  NoFrames,              ///< bytes, but with no setting a frame every PeriodMax
+  Channels24,            ///< the same, but frames of 24 channels come: they want a DecodeSBus24
   WrongPolarity,         ///< frames come, but with the other inversion than the one that is meant
-  WrongBaud,              ///< the same of the baud rate
+  WrongBaud,             ///< the same of the baud rate
   WrongPolarityAndBaud,  ///< of both
-  PolledTooSeldom,        ///< the port's buffer ran over
-  Noise,                  ///< frames are damaged, more than one in a hundred
-  Failsafe,               ///< the receiver has given the link up
-  NoRadio,                ///< more than half of the frames are lost ones, without failsafe
-  Lossy,                  ///< more than a tenth
-  AllWellAndMore,         ///< more than a byte a frame belongs to none, and nothing is damaged
+  PolledTooSeldom,       ///< the port's buffer ran over
+  Noise,                 ///< frames are damaged, more than one in a hundred
+  Failsafe,              ///< the receiver has given the link up
+  NoRadio,               ///< more than half of the frames are lost ones, without failsafe
+  Lossy,                 ///< more than a tenth
+  AllWellAndMore,        ///< more than a byte a frame belongs to none, and nothing is damaged
   AllWell,
 };
 

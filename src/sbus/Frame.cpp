@@ -7,12 +7,13 @@ namespace {
 constexpr uint8_t GroupChannels = 8;
 constexpr uint8_t GroupBytes = 11;
 
-// Eight channels fill eleven bytes exactly, so the same bit positions come twice in a frame. Written out, because a
-// shift by a constant is one instruction on a Cortex-M0+. All 18 channels there, -Os, `make bench`:
+// Eight channels fill eleven bytes exactly, so each bit position comes twice in a frame. The shifts are written out
+// because a shift by a constant is one instruction on a Cortex-M0+. The cost of all 18 channels there, -Os, `make
+// bench`:
 //   bit by bit                     84 bytes of flash   3068 instructions
 //   bytes shifted into a word      68                   405
 //   unpack(), this one            178                   160
-//   unpackAligned(), word by word 160                    85, but the frame must stand where it may
+//   unpackAligned(), word by word 160                    85, for an aligned payload
 void unpackGroup(const uint8_t *in, uint16_t *out) {
   const unsigned mask = ChannelMax;
   const auto byte = [in](uint8_t index) -> unsigned { return in[index]; };
@@ -38,10 +39,10 @@ inline void unpackSwitches(uint8_t flags, uint16_t *channels) {
   channels[17] = (flags & FlagChannel18) / FlagChannel18;
 }
 
-// Writes the header and the payload; returns where the flags go.
+// Writes the header and the payload. Returns the place of the flags.
 uint8_t *packChannels(uint8_t *out, const uint16_t *channels, uint8_t count) {
   *out++ = HeaderByte;
-  uint32_t bits = 0;  // not yet written, the oldest lowest; never more than 7 + 11
+  uint32_t bits = 0;  // not yet written, the oldest lowest; at most 7 + 11 of them
   uint8_t waiting = 0;
   for (uint8_t i = 0; i < count; i++) {
     const uint32_t value = channels[i] > ChannelMax ? ChannelMax : channels[i];
@@ -77,7 +78,7 @@ void unpack(const uint8_t *frame, uint16_t *channels) {
 
 void unpackAligned(const uint8_t *frame, uint16_t *channels) {
   if (sizeof(int) < sizeof(uint32_t)) {
-    return unpack(frame, channels);  // words are no quicker here
+    return unpack(frame, channels);  // words are not faster on an AVR
   }
   const uint32_t *const words = reinterpret_cast<const uint32_t *>(__builtin_assume_aligned(frame + PayloadIndex, 4));
   const uint32_t w0 = words[0], w1 = words[1], w2 = words[2];

@@ -1,4 +1,4 @@
-// FrameFinderOf, for the two files that compile it: in one file the compiler would take less of it in line.
+// The methods of FrameFinderOf, for the two files that compile them: in one file the compiler would inline less.
 #include <string.h>
 
 #include "FrameFinder.h"
@@ -8,10 +8,10 @@ namespace sbus {
 namespace {
 
 constexpr int SlotSize = 3;              // characters
-constexpr int JudgedWorth = 4;            // a header that is rejected by the whole judgement costs as much as so many others
-constexpr int FarOff = FrameSize24 + 1;  // characters; more need not be known
+constexpr int JudgedWorth = 4;           // headers: one that only judge() rejects costs as much as so many others
+constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
 
-// What is counted seldom. Out of line: 40 bytes less on an AVR, 8 on a Cortex-M0+.
+// Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
 __attribute__((noinline)) void countUp(uint32_t &counter) {
   counter++;
 }
@@ -23,13 +23,13 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _timing.reset(now, characterTime, idleCharacters);
   _acquisition.reset();
   _variant = UnknownVariant;
-  _certain = false;
+  _aligned = false;
   _buffer.clear();
   startOver(rules::FirstOffBy);
   _counters = Counters();
 }
 
-// After a break, or a silence longer than any frame period: the next character may stand anywhere in a frame.
+// After lost bytes, or a silence longer than any frame period, the next character may stand anywhere in a frame.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::startOver(int offBy) {
   const int count = _buffer.filled();
@@ -47,8 +47,8 @@ void FrameFinderOf<Format, Events>::broken() {
   startOver(FarOff);
 }
 
-// A gap stands before the next character, for certain. Of a line of the other size two impaired frames may look like one
-// of this size, and the same ones again and again.
+// Takes a certain gap before the next character. A run of the other size forgets the variant: on a line of that size
+// two impaired frames may look like one of this size again and again.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore() {
   _buffer.markGap(true);
@@ -61,7 +61,7 @@ void FrameFinderOf<Format, Events>::gapBefore() {
   }
 }
 
-// A frame waits for what follows it. Is it silence?
+// Returns the frame that waited for silence to follow, or nullptr.
 template <typename Format, typename Events>
 const uint8_t *FrameFinderOf<Format, Events>::settle() {
   if (!_timing.template isSilent<Format>() || _buffer.gapAt() == _buffer.filled()) {
@@ -75,14 +75,14 @@ const uint8_t *FrameFinderOf<Format, Events>::settle() {
 
 template <typename Format, typename Events>
 const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
-  const bool isSure = _certain && _expectedAt == 0;
+  const bool isInSync = _aligned && _expectedAt == 0;
   const bool isFrame =
-      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isSure) || scan(waiting);
+      rules::isUsual<Format>(_buffer.bytes(), _buffer.filled(), _buffer.gapAt(), _variant, isInSync) || scan(waiting);
   noteEnd(waiting);
   return isFrame ? deliver() : nullptr;
 }
 
-// When the frame at the buffer's beginning was complete: it is noted once, in the poll that brought its end.
+// Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
 template <typename Format, typename Events>
 inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
   const int behind = _buffer.filled() - Size;
@@ -91,7 +91,7 @@ inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
   }
 }
 
-// True if a frame is complete.
+// Returns true if a frame is complete.
 template <typename Format, typename Events>
 bool FrameFinderOf<Format, Events>::scan(int waiting) {
   uint8_t *const beginning = _buffer.bytes();
@@ -104,11 +104,12 @@ bool FrameFinderOf<Format, Events>::scan(int waiting) {
   return found;
 }
 
-// True if a frame is complete. The buffer begins with it then, or with what may become one.
+// Returns true if a frame is complete. The buffer then begins with it, and otherwise with what may become a frame.
 template <typename Format, typename Events>
 inline bool FrameFinderOf<Format, Events>::find() {
-  while (Format::HasExtra && _variant == SlotsVariant && _expectedAt == 0 && isSlotId(_buffer[0]) && holds(Rule::slots)) {
-    // The answer of a sensor: the next frame is expected behind it.
+  while (Format::HasExtra && _variant == SlotsVariant && _expectedAt == 0 && isSlotId(_buffer[0]) &&
+         holds(Rule::slots)) {
+    // A sensor's answer: the next frame is expected behind it.
     if (_buffer.filled() < SlotSize) {
       return false;
     }
@@ -125,7 +126,7 @@ inline bool FrameFinderOf<Format, Events>::find() {
       const Verdict verdict = judge(start, variant);
       if (verdict.isAccepted()) {
         _variant = variant;
-        _certain = verdict.isCertain();
+        _aligned = verdict.isAligned();
         found = true;
         break;
       }
@@ -137,7 +138,7 @@ inline bool FrameFinderOf<Format, Events>::find() {
       step = verdict.next();
       worth = JudgedWorth;
     }
-    // A frame has 24 characters after its header: after as many rejected ones the rest of a poll is not searched.
+    // At most 24 headers of a poll are judged, as many as characters follow a frame's header.
     _rejected = static_cast<uint8_t>(_rejected + worth);
     start = _rejected < Size - 1 ? firstHeader(start + step) : _buffer.filled();
   }
@@ -156,7 +157,7 @@ inline void FrameFinderOf<Format, Events>::takeExtra(int waiting) {
   _buffer.drop(FrameSize);
 }
 
-// The first header from there on; filled() if there is none.
+// Returns the index of the first header from `from` on, or filled().
 template <typename Format, typename Events>
 inline int FrameFinderOf<Format, Events>::firstHeader(int from) const {
   const int filled = _buffer.filled();
@@ -166,10 +167,10 @@ inline int FrameFinderOf<Format, Events>::firstHeader(int from) const {
   return from;
 }
 
-// The variant of frame whose form 25 bytes have; UnknownVariant if of none.
+// Returns the variant whose form the 25 bytes at `start` have, or UnknownVariant.
 template <typename Format, typename Events>
 inline uint8_t FrameFinderOf<Format, Events>::variantAt(int start) {
-  const uint8_t variant = kindOf(_buffer[start + EndAt]);
+  const uint8_t variant = variantOf(_buffer[start + EndAt]);
   if (variant == UnknownVariant) {
     countUp(_counters.rejectedByEnd);
     Events::rejected(start, Rejection::NoEnd);
@@ -181,16 +182,16 @@ inline uint8_t FrameFinderOf<Format, Events>::variantAt(int start) {
   return variant;
 }
 
-// In line: a call would make a line of headers cost a fifth more.
+// Inlined: a call would make a line of headers cost a fifth more.
 template <typename Format, typename Events>
 SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t variant) {
   const int offBy = start - _expectedAt;
   return rules::judge(Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start,
-                                        _buffer.isGapCertain(), variant, _variant, offBy, offBy == 0 && _certain},
+                                        _buffer.isGapCertain(), variant, _variant, offBy, offBy == 0 && _aligned},
                       _acquisition);
 }
 
-// In line: 13 cycles a frame less.
+// Inlined: 13 cycles a frame less.
 template <typename Format, typename Events>
 SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   const uint8_t *const frame = _buffer.complete();
@@ -205,7 +206,7 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   return frame;
 }
 
-// The first characters of the incoming frame belong to none.
+// Discards the first characters of the incoming frame.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::discard(int count) {
   if (_expectedAt > -FarOff) {
@@ -223,11 +224,11 @@ void FrameFinderOf<Format, Events>::discard(int count) {
 
 }  // namespace sbus
 
-// Only what others call: of a whole class nothing would be compiled in line.
-#define SBUS_COMPILE_FINDER(...)                                                       \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t);   \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);                      \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                            \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                         \
-  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();                  \
+// Only the methods that others call: if the whole class were instantiated, nothing would be inlined.
+#define SBUS_COMPILE_FINDER(...)                                                     \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t); \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);                    \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                          \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                       \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();                \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

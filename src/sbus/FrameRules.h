@@ -1,5 +1,6 @@
 /// @file
-/// When are 25 characters a frame? One function a rule; extras/docs/receiver.md has what each is worth.
+/// Decides whether 25 characters are a frame, with one function for each rule. extras/docs/receiver.md says what each
+/// rule is worth.
 #pragma once
 
 #include <stdint.h>
@@ -8,40 +9,38 @@
 #include "Frame.h"
 #include "Rule.h"
 
-/// A call of a rule would cost more than the rule.
+/// For functions whose call would cost more than their body.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline
 
 namespace sbus {
 
-/// Why 25 characters that begin with a header are no frame.
+/// Why 25 characters that begin with a header are rejected.
 enum class Rejection : uint8_t {
-  NoEnd,         ///< no end byte
-  Flags,         ///< unused bits of the flags are set
-  GapInside,     ///< a gap lies within
-  GoesOn,        ///< more belong to them than to a frame
-  NotAtGap,      ///< before the first frame: the line's frames stand at gaps, or are of the other size
-  SecondReading  ///< they may be the halves of two frames
+  NoEnd,      ///< no end byte
+  Flags,      ///< unused bits of the flags are set
+  GapInside,  ///< a gap lies inside
+  GoesOn,     ///< more characters follow than a frame has
+  NotAtGap,   ///< out of sync: the line's frames stand at gaps, or have the other size
+  FalseSync   ///< they may be the end of one frame and the start of the next
 };
 
-/// What is to be done with 25 characters (36).
+/// The judgement of 25 characters (36 for 24 channels).
 class Verdict {
  public:
-  /// It is a frame. `isCertain`: and so is its place, even if the place of the frame before it was not.
-  static constexpr Verdict accept(bool isCertain) {
-    return Verdict(isCertain ? Certain : Accepted, Rejection::NoEnd);
-  }
-  static constexpr Verdict wait() { return Verdict(Open, Rejection::NoEnd); }  ///< what follows tells more
-  /// Another frame may begin `next` characters further on, 1 or more.
+  /// They are a frame. `isAligned`: certainly, whatever stood before them.
+  static constexpr Verdict accept(bool isAligned) { return Verdict(isAligned ? Aligned : Accepted, Rejection::NoEnd); }
+  static constexpr Verdict wait() { return Verdict(Open, Rejection::NoEnd); }  ///< the next characters decide
+  /// They are no frame. The next one may begin `next` characters further on, 1 or more.
   static constexpr Verdict reject(Rejection why, int next = 1) { return Verdict(next, why); }
 
   constexpr bool isAccepted() const { return _next < Open; }     ///< accept()
-  constexpr bool isCertain() const { return _next == Certain; }  ///< accept(true)
+  constexpr bool isAligned() const { return _next == Aligned; }  ///< accept(true)
   constexpr bool isOpen() const { return _next == Open; }        ///< wait()
   constexpr int next() const { return _next; }                   ///< of a rejection
   constexpr Rejection why() const { return _why; }               ///< of a rejection
 
  private:
-  enum : int_fast8_t { Certain = -2, Accepted = -1, Open = 0 };
+  enum : int_fast8_t { Aligned = -2, Accepted = -1, Open = 0 };
 
   constexpr Verdict(int next, Rejection why) : _next(static_cast<int_fast8_t>(next)), _why(why) {}
 
@@ -49,109 +48,110 @@ class Verdict {
   Rejection _why;
 };
 
-/// Characters that begin with a header, and what is known of their place.
+/// Characters that begin with a header, and what is known about their place.
 template <typename Format>
 struct Candidate {
   const uint8_t *bytes;  ///< from the header on
-  int count;             ///< of them, 25 or more
-  int gapAt;             ///< index of the first one after the newest gap; may lie outside
-  bool isGapCertain;     ///< there was one; else loop() may have been blocked
-  uint8_t variant;          ///< by its end byte: a row of LineVariants
-  uint8_t lineVariant;      ///< of the line's frames; UnknownVariant before the first
-  int offBy;             ///< so many characters stand between the frame before and this one; below 0: its tail lacks some
-  bool isSure;           ///< none, and that frame's place was certain
+  int count;             ///< 25 or more
+  int gapAt;             ///< index of the first character after the newest gap; may lie outside
+  bool isGapCertain;     ///< false: loop() may have been blocked
+  uint8_t variant;       ///< of its end byte, a row of LineVariants
+  uint8_t lineVariant;   ///< of the line, or UnknownVariant
+  int offBy;             ///< characters between the frame before and this one; below 0: that frame's tail lacks some
+  bool isInSync;         ///< it follows an aligned frame directly
 
-  SBUS_IN_LINE bool isLines() const { return variant == lineVariant; }          ///< of the line's variant
-  SBUS_IN_LINE const LineVariant &line() const { return LineVariants[variant]; }   ///< what is known of its variant
-  SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }    ///< its end byte
-  /// With its tail.
+  SBUS_IN_LINE bool isLines() const { return variant == lineVariant; }            ///< has the line's variant
+  SBUS_IN_LINE const LineVariant &line() const { return LineVariants[variant]; }  ///< its variant
+  SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }            ///< its end byte
+  /// Returns the size with the tail.
   SBUS_IN_LINE int size() const { return Format::Size + (holds(Rule::tail) ? line().tailSize : 0); }
-  /// A gap follows it, or cuts its tail short.
+  /// Returns true if a gap follows it, or cuts its tail short.
   SBUS_IN_LINE bool isGapAfter() const { return isGapCertain && gapAt >= Format::Size && gapAt <= size(); }
-  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< it stands at a gap
+  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< a gap stands before it
 };
 
-/// Each says what its name says of a candidate. All but isUsual() are for lines on which something is unusual.
+/// The rules. All but isUsual() matter only on unusual lines.
 namespace rules {
 
-constexpr int MostNoise = 4;  ///< characters; more in a row are no noise
-/// Where the first character on a line, or behind a long silence, stands by Candidate::offBy: nothing is expected there.
+constexpr int MostNoise = 4;  ///< characters in a row that may be noise
+/// Candidate::offBy of the first character on a line, or behind a long silence.
 constexpr int FirstOffBy = 2;
 
-/// The flags' unused bits are 0.
+/// Returns true if the unused bits of the flags are 0.
 SBUS_IN_LINE bool areFlags(uint8_t byte) {
   return !holds(Rule::flags) || isFlagsByte(byte);
 }
 
-/// A gap lies within: the halves of two frames.
+/// Returns true if a gap lies inside: the end of one frame and the start of the next.
 template <typename Format>
 SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
   return holds(Rule::inside) && c.gapAt > 0 && c.gapAt < Format::Size;
 }
 
-/// The next frame's header follows it, 2F too where such frames come between.
+/// Returns true if a header follows it; 2F counts on lines with such frames.
 template <typename Format>
 SBUS_IN_LINE bool isHeaderNext(const Candidate<Format> &c) {
   return (c.bytes[c.size()] & (holds(Rule::extraHeader) ? c.line().headerMask : 0xFF)) == HeaderByte;
 }
 
-/// The ID of a telemetry slot follows it, as it does on S.BUS2 lines.
+/// Returns true if the ID of a telemetry slot follows it, on S.BUS2 lines.
 template <typename Format>
 SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
   return holds(Rule::slots) && Format::HasExtra && c.variant == SlotsVariant && isSlotId(c.bytes[c.size()]);
 }
 
-/// Before the first frame: one stray character may stand straight behind it. The gaps before and after tell, and a
-/// second byte that is no header: then the first could be the stray one.
+/// Returns true if, before the first frame, one stray character may follow it directly. Its second byte must be no
+/// header: otherwise the first byte could be the stray one.
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   return holds(Rule::stray) && c.lineVariant == UnknownVariant && c.bytes[1] != HeaderByte;
 }
-/// One does.
+/// Returns true if one does: the gaps before and after prove it.
 template <typename Format>
 SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
   const int after = c.size() + 1;
   return c.gapAt == after && acquisition.lastRun() == after && mayHaveStray(c);
 }
 
-/// Before the first frame: what looks like a tail before a gap may be the end of the next frame, unless a gap stands
-/// before it as well.
+/// Returns true if, before the first frame, its tail before a gap may be the end of the next frame: no gap stands
+/// before it.
 template <typename Format>
 SBUS_IN_LINE bool mayBeNoTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
   return !c.isLines() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
 }
 
-/// Its end byte comes twice: noise may stand before the true header, or a stray character behind the true end. That is
-/// told where one stood behind the frame before it, too, and a gap stands before this one.
+/// Returns true if its end byte comes twice: noise may stand before the true header, or a stray character behind the
+/// true end; the latter is known where a stray stood behind the frame before as well, and then a gap.
 template <typename Format>
 SBUS_IN_LINE bool endsTwice(const Candidate<Format> &c) {
   return holds(Rule::endsTwice) && c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
 }
 
-/// More characters follow than noise, and no header.
+/// Returns true if more characters follow than noise has, and no header is the second of them.
 template <typename Format>
 SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
   return holds(Rule::goesOn) && c.count > c.size() + MostNoise && c.bytes[c.size() + 1] != HeaderByte;
 }
 
-/// Index of a header behind an end byte within it: it may be the halves of two frames from there on. Size if nowhere.
-/// Where the line's variant is not known, any end byte counts.
+/// Returns the index of a header behind an end byte inside it, where the next frame may begin; otherwise Size. Any end
+/// byte counts while the line's variant is unknown.
 template <typename Format>
-SBUS_IN_LINE int secondReading(const Candidate<Format> &c) {
-  const uint8_t variant = c.isLines() || Format::Kinds == 1 ? c.variant : UnknownVariant;
-  return holds(Rule::halves) ? innerHeader(c.bytes, Format::Size, variant) : Format::Size;
+SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
+  const uint8_t variant = c.isLines() || Format::Variants == 1 ? c.variant : UnknownVariant;
+  return holds(Rule::falseSync) ? innerHeader(c.bytes, Format::Size, variant) : Format::Size;
 }
 
-/// A gap after it may still make its place certain. Not where the part up to the second reading may be the rest of a
-/// frame, and what follows one that lost as many characters: that part is short, and more than noise stands before it.
+/// Returns true if a gap after it would still prove that it is aligned. Not where the part before `inner` may be the
+/// rest of a frame, and the part behind it a frame that lost as many characters: the first part is short, behind more
+/// than noise.
 template <typename Format>
-SBUS_IN_LINE bool mayBecomeCertain(const Candidate<Format> &c, int inner) {
+SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
   return holds(Rule::waits) && c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
 }
 
-/// A frame with further channels stands where a frame is expected, or at a gap: a noise character 2F straight before a
-/// frame would else take that frame for its own. It is believed on a line whose variant is known only, and ends before a
-/// header or a gap.
+/// Judges a frame with extra channels. It must stand where a frame is expected, or at a gap: otherwise a noise
+/// character 2F directly before a frame would make that frame its own. The line's variant must be known, and a header
+/// or a gap follow.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
@@ -167,15 +167,15 @@ SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> 
   return c.count > Format::Size ? Verdict::reject(Rejection::GoesOn) : Verdict::wait();
 }
 
-/// What `filled` characters are on nearly all lines nearly always: the line's next frame, and no character more. Says
-/// nothing but what the whole judgement would say, in 160 cycles less.
+/// Returns true if the characters are exactly the next frame of a line in sync, as they nearly always are. judge()
+/// would accept them as well, in 160 cycles more.
 template <typename Format>
-SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t variant, bool isSure) {
-  return filled == Format::Size && isSure && (gapAt == 0 || gapAt > Format::Size) && bytes[0] == HeaderByte &&
+SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t variant, bool isInSync) {
+  return filled == Format::Size && isInSync && (gapAt == 0 || gapAt > Format::Size) && bytes[0] == HeaderByte &&
          areFlags(bytes[Format::Size - 2]) && endsVariant(bytes[Format::Size - 1], variant);
 }
 
-/// The whole judgement, the cheapest rules first.
+/// Judges by all rules, the cheapest first.
 template <typename Format>
 SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   if (hasGapInside(c)) {
@@ -184,7 +184,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
   if (Format::HasExtra && c.bytes[0] == ExtraHeader) {
     return judgeExtra(c, acquisition);
   }
-  // Where it ends: at a gap, before a header, or as the line's frames are known to end.
+  // It must end at a gap, before a header, or as the line's frames end.
   const bool isGapAfter = c.isGapAfter();
   bool isAtGap = isGapAfter || c.isGapBefore();
   bool isPlaced = isAtGap && !mayBeNoTail(c, acquisition);
@@ -195,7 +195,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
         return Verdict::wait();
       }
     } else if (!isHeaderNext(c)) {
-      // Of two headers in a row the second may be the true one, or not: if the first is rejected, so are both.
+      // Where two headers in a row are rejected, both are: the second cannot be told from the first.
       if (c.isLines()) {
         if (!isSlotNext(c) && (endsTwice(c) || goesOn(c))) {
           return Verdict::reject(Rejection::GoesOn, 2);
@@ -216,10 +216,10 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
   if (!c.isLines() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= FirstOffBy)) {
     return Verdict::reject(Rejection::NotAtGap);
   }
-  // Where its place is not certain it may be the halves of two frames.
-  const int inner = isPlaced || c.isSure ? Format::Size : secondReading(c);
+  // Out of sync it may be the end of one frame and the start of the next.
+  const int inner = isPlaced || c.isInSync ? Format::Size : falseSyncAt(c);
   if (inner < Format::Size) {
-    return mayBecomeCertain(c, inner) ? Verdict::wait() : Verdict::reject(Rejection::SecondReading, inner);
+    return mayBeAligned(c, inner) ? Verdict::wait() : Verdict::reject(Rejection::FalseSync, inner);
   }
   return Verdict::accept(isPlaced || c.offBy == 0);
 }

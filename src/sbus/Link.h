@@ -1,5 +1,5 @@
 /// @file
-/// Judges the link from the frames that came: may the numbers still be trusted?
+/// Judges the link by the frames that came.
 #pragma once
 
 #include <stdint.h>
@@ -8,47 +8,46 @@
 
 namespace sbus {
 
-/// What the frames tell of the link; NeverSeen before the first.
+/// The state of the link; NeverSeen before the first frame.
 enum class LinkState : uint8_t {
   NeverSeen,  ///< no frame yet
-  Ok,         ///< the newest frame is young, and its radio frame has arrived
-  Lossy,      ///< the newest frame is young, but repeats old values (lost-frame flag); comes and goes in flight
-  Failsafe,   ///< the receiver has given the link up, or has reported lost frames for too long
-  Stale,      ///< no frame for as long as the timeout, or longer: wire, receiver or power
+  Ok,         ///< the newest frame is younger than the timeout, and its radio frame arrived
+  Lossy,      ///< the newest frame repeats old values (lost-frame flag); comes and goes in flight
+  Failsafe,   ///< link lost: the receiver is in failsafe, or has reported lost frames for too long
+  Stale,      ///< no frame within the timeout: wire, receiver or power
 };
 
-/// The link as its newest frame left it. Times are in us and wrap after 71 minutes. frame() is called once for each
-/// frame, by whoever reads the port; it may interrupt state(), seen() and givenUp().
+/// Keeps the state of the link. Times are in us and wrap after 71 minutes. The context that reads the port calls
+/// frame() once for each frame; frame() may interrupt state(), seen() and isLost().
 class Link {
  public:
-  /// No frame yet.
+  /// Starts without a frame.
   Link() { reset(); }
 
   static constexpr uint16_t DefaultTimeout = 100;    ///< ms: six frames of the slowest receiver known (15 ms)
   static constexpr uint16_t DefaultLossLimit = 100;  ///< frames: 0.6 to 1.5 s
 
-  /// Forgets all frames, the state is NeverSeen; the settings stay.
+  /// Forgets all frames: the state is NeverSeen. Keeps the settings.
   void reset();
 
-  /// A link without a frame for so many ms is stale: 1..65535, DefaultTimeout unless told; 0: never.
+  /// Sets after how many ms without a frame the link is stale, 1..65535. Default: DefaultTimeout. 0 disables it.
   void setTimeout(uint16_t ms) { _timeout = ms; }
 
-  /// So many frames with the lost-frame flag in a row are a failsafe, as some receivers never raise that
-  /// flag: 1..65535, DefaultLossLimit unless told; 0: never.
+  /// Sets how many frames in a row with the lost-frame flag count as failsafe, 1..65535: some receivers never set the
+  /// failsafe flag. Default: DefaultLossLimit. 0 disables it.
   void setLossLimit(uint16_t frames) { _lossLimit = frames; }
 
-  /// A frame with these flags (Frame.h) has come.
+  /// Takes the flags (Frame.h) of a frame that has come.
   void frame(uint8_t flags);
 
-  /// A frame has come since reset().
+  /// Returns true if a frame has come since reset().
   bool seen() const { return _state != LinkState::NeverSeen; }
 
-  /// By the newest frame the receiver has given the link up, or has reported lost frames for too long. False before the
-  /// first.
-  bool givenUp() const { return _state == LinkState::Failsafe; }
+  /// Returns true if the newest frame says failsafe, or ends too long a run of lost frames; false before the first.
+  bool isLost() const { return _state == LinkState::Failsafe; }
 
-  /// The link's state at `now`, if its newest frame came at `time`; NeverSeen before the first. Not const: what was
-  /// found old never grows young again, so a sketch that asks once an hour is never told wrong.
+  /// Returns the state at `now` if the newest frame came at `time`; NeverSeen before the first. It remembers the age,
+  /// so that a stale frame stays stale when the clock wraps: call it at least once an hour.
   LinkState state(uint32_t time, uint32_t now) {
     const uint32_t before = _agedTime == time ? _age : 0;
     _agedTime = time;
@@ -56,16 +55,16 @@ class Link {
     return isStale(_age) && seen() ? LinkState::Stale : _state;
   }
 
-  /// True if a frame of this age, in us, is as old as the timeout.
+  /// Returns true if a frame of this age, in us, is as old as the timeout.
   bool isStale(uint32_t age) const { return age >= _timeout * 1000UL && _timeout != 0; }
 
-  /// Age of the newest frame in us when state() was called last; UINT32_MAX once the clock has wrapped. Of no meaning
-  /// before the first.
+  /// Returns the age of the newest frame in us at the last call of state(), and UINT32_MAX once the clock has wrapped.
+  /// Undefined before the first frame.
   uint32_t age() const { return _age; }
 
  private:
-  uint32_t _agedTime;  // of the frame whose age was asked last
-  uint32_t _age;       // us, of that frame, when it was asked last
+  uint32_t _agedTime;  // time of the frame that state() was called for last
+  uint32_t _age;       // us, its age then
   uint16_t _timeout = DefaultTimeout;
   uint16_t _lossLimit = DefaultLossLimit;
   uint16_t _losses;  // lost frames in a row

@@ -1,12 +1,12 @@
 /// @file
-/// The receiver's rules by name, so that each can be taken out to see what it is worth.
+/// The names of the rules by which frames are found, so that each can be left out to see what it is worth.
 #pragma once
 
 #include <stdint.h>
 
 namespace sbus {
 
-/// extras/docs/receiver.md says what each is. `make impairment WITHOUT=rule` compiles the library with SBUS_WITHOUT=name.
+/// extras/docs/receiver.md explains each. `make impairment WITHOUT=rule` compiles the library with SBUS_WITHOUT=rule.
 enum class Rule : uint8_t {
   none,
   flags,
@@ -21,17 +21,17 @@ enum class Rule : uint8_t {
   goesOn,
   other,
   first,
-  halves,
+  falseSync,
   waits,
   silence,
 };
 
-/// The rule that is left out: none.
+/// The rule that is left out. Default: none.
 #if !defined(SBUS_WITHOUT)
 #define SBUS_WITHOUT none
 #endif
 
-/// True for every rule but the one that was taken out.
+/// Returns true for every rule but the one that is left out.
 constexpr bool holds(Rule rule) {
   return rule != Rule::SBUS_WITHOUT;
 }

@@ -19,13 +19,13 @@ Points pointsOf(const Range &range) {
   return {range.low, range.centre, range.high};
 }
 
-// To the nearest; halves away from 0.
+// Rounds to the nearest, and halves away from 0.
 int32_t divided(int32_t dividend, int32_t divisor) {
   const int32_t half = (divisor < 0 ? -divisor : divisor) / 2;
   return (dividend < 0 ? dividend - half : dividend + half) / divisor;
 }
 
-// Two straight lines that meet in the centre; `value` is on the one that leads to high if it is on that side.
+// Converts along two straight lines that meet in the centre.
 int32_t converted(int32_t value, const Points &from, const Points &to) {
   const int32_t distance = value - from.centre;
   const bool high = (distance < 0) == (from.high < from.centre);

@@ -1,50 +1,51 @@
 /// @file
-/// What a channel's raw value means: microseconds, or a part of the stick's travel. Integers only, but for toUnit().
+/// Converts raw values to microseconds and to parts of the travel, with integers only; toUnit() returns a float.
 #pragma once
 
 #include <stdint.h>
 
 namespace sbus {
 
-/// Raw values, 0..2047, of a channel at -100 %, 0 % and +100 %. A channel that runs backwards has its low above its
-/// high; the centre lies between them.
+/// The raw values, 0..2047, of a channel at -100 %, 0 % and +100 %. A reversed channel has its low above its high.
 struct Range {
   uint16_t low;     ///< at -100 %
   uint16_t centre;  ///< at 0 %
   uint16_t high;    ///< at +100 %
 };
 
-// What these makes send unless trims and settings of the radio move it.
+// The ranges of two makes without trims; the radio's settings can change them.
 constexpr Range FrSky = {172, 992, 1811};    ///< R-XSR and the like
 constexpr Range Futaba = {352, 1024, 1696};  ///< R7008SB and the like
 
-// A servo's pulses at the three points. On a FrSky they are Betaflight's 5 * raw / 8 + 880, within 1 us.
+// A servo's pulses at these points: Betaflight's 5 * raw / 8 + 880 for a FrSky, within 1 us.
 constexpr int16_t LowPulse = 988;      ///< us, at -100 %
 constexpr int16_t CentrePulse = 1500;  ///< us, at 0 %
 constexpr int16_t HighPulse = 2012;    ///< us, at +100 %
 
-/// A servo's pulse for `raw`, in us, clamped to +-32767: 988, 1500 and 2012 at the three points of `range`, straight
-/// lines between and beyond them (see limited()), rounded to the nearest. A side without length gives the centre.
+/// Returns a servo's pulse in us: 988, 1500 and 2012 at the three points of `range`, and straight lines between and
+/// beyond them, rounded to the nearest. Values beyond the range are not clamped: see limited(). A side without length
+/// gives 1500.
 int16_t toMicroseconds(uint16_t raw, const Range &range);
 
-/// The raw value, 0..2047, for a pulse of `us`. From raw to us and back it is within 1, if no side of the range is
-/// longer than 1024.
+/// Returns the raw value, 0..2047, for a pulse of `us`. From raw to us and back the error is at most 1 if no side of
+/// the range is longer than 1024.
 uint16_t fromMicroseconds(int16_t us, const Range &range);
 
-/// The travel in thousandths: -1000, 0 and +1000 at the three points of `range`; else as toMicroseconds().
+/// Returns thousandths of the travel: -1000, 0 and +1000 at the three points of `range`, and lines like
+/// toMicroseconds().
 int16_t toNormalised(uint16_t raw, const Range &range);
 
-/// The raw value, 0..2047, at so many thousandths: the exact inverse of toNormalised() if no side of the range is
-/// longer than 1000.
+/// Returns the raw value, 0..2047, for thousandths of the travel: the exact inverse of toNormalised() if no side of the
+/// range is longer than 1000.
 uint16_t fromNormalised(int16_t thousandths, const Range &range);
 
-/// `value`, clamped: not below `low`, not above `high`. limited(toNormalised(raw, FrSky), -1000, 1000)
+/// Returns `value` clamped to low..high: limited(toNormalised(raw, FrSky), -1000, 1000).
 constexpr int16_t limited(int16_t value, int16_t low, int16_t high) {
   return value < low ? low : value > high ? high : value;
 }
 
-/// The paper's formula (S. Levy): -1 at the range's low, +1 at its high, one straight line without regard to the
-/// centre; 0 if the range has no length. A float: it costs flash only where it is called.
+/// Returns the paper's scale (S. Levy): -1 at the range's low, +1 at its high, one straight line that ignores the
+/// centre; 0 if the range has no length. A sketch that does not call it does not pay for floating point.
 inline float toUnit(uint16_t raw, const Range &range) {
   return range.high == range.low
              ? 0

@@ -123,12 +123,12 @@ void print(uint32_t cost) {
 }  // namespace
 
 void printBadLines() {
-  std::printf("\n| per byte of a line without a gap, 16 in a call | ours | the paper's way |\n| --- | --- | --- |\n");
+  std::printf("\n| per byte of a line without a gap, 16 in a call | ours | the baseline |\n| --- | --- | --- |\n");
   for (const BadLine &line : badLines()) {
     std::printf("| %s | %.1f | %.1f |\n", line.name, streamCost<Ours>(line), streamCost<Papers>(line));
   }
   std::printf(
-      "\n| the longest call of parseSBusFrame() found | 16 bytes | 32 | 48 | 64 | the paper's way, 64 |\n"
+      "\n| the longest call of parseSBusFrame() found | 16 bytes | 32 | 48 | 64 | the baseline, 64 |\n"
       "| --- | --- | --- | --- | --- | --- |\n");
   for (const BadLine &line : badLines()) {
     std::printf("| %s |", line.name);

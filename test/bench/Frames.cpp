@@ -105,7 +105,7 @@ double perFrame(uint32_t number) {
 }  // namespace
 
 void printFrames() {
-  std::printf("| per frame | ours | the paper's way |\n| --- | --- | --- |\n");
+  std::printf("| per frame | ours | the baseline |\n| --- | --- | --- |\n");
   for (const CleanLine &line : CleanLines) {
     const Cost ours = costOf<Ours>(line);
     const Cost papers = costOf<Papers>(line);
@@ -125,7 +125,7 @@ void checkFrames() {
                std::to_string(line.loopUs) + " us",
            ours.instructions / MeasuredFrames, MostPerFrame);
     verdict(ours.frames == MeasuredFrames && costOf<Papers>(line).frames == MeasuredFrames,
-            "... and each was taken in, by the paper's way, too");
+            "... and each was taken in, by the baseline as well");
   }
   atMost("decodeSBusFrame()", costOfDecoding(), MostPerDecode);
   verdict(costOfUnpacking(unpackBitByBit) > 0 && costOfUnpacking(unpackShifting) > 0 &&

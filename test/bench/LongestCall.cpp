@@ -214,7 +214,7 @@ void printSeed() {
 void printLongestCall() {
   printSeed();
   std::printf(
-      "\n| the longest call found | instructions | calls of the port | the paper's way | calls of the port |\n"
+      "\n| the longest call found | instructions | calls of the port | the baseline | calls of the port |\n"
       "| --- | --- | --- | --- | --- |\n");
   Attack longest;
   uint32_t most = 0;

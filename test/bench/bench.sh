@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the library costs on a Cortex-M0+, ours beside the paper's way, counted by QEMU's machine microbit.
+# What the library costs on a Cortex-M0+, ours beside the baseline, counted by QEMU's machine microbit.
 #   bench.sh          prints the tables
 #   bench.sh known    ... but for the worst call that a search finds
 #   bench.sh worst    ... that one alone; TRIES=n from each start

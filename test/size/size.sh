@@ -87,7 +87,7 @@ echo "avr-g++ $(avr-g++ -dumpfullversion -dumpversion), arm-none-eabi-g++ $(arm-
 echo
 echo "| bytes | ATmega2560: flash | RAM | Cortex-M0+: flash | RAM |"
 echo "| --- | --- | --- | --- | --- |"
-piece PAPERS "receiving the paper's way: begin, parse"
+piece PAPERS "the baseline: begin, parse"
 piece DECODER "\`DecodeSBus\`: begin, parse, decode, SBusFrameOk"
 piece ALL_OF_DECODER "\`DecodeSBus\`, all of it"
 piece ENCODER "\`EncodeSBus\`: begin, write"

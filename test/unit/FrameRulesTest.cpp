@@ -19,13 +19,13 @@ struct Case {
   Bytes bytes;
   int gapAt = Far;
   int offBy = 0;
-  bool isSure = true;
+  bool isInSync = true;
   bool isLines = true;
   bool isGapCertain = true;
 
   Candidate<Frame16> candidate() const {
     return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, variantOfEnd(bytes[24]),
-            isLines ? variantOfEnd(bytes[24]) : UnknownVariant, offBy, isSure && offBy == 0};
+            isLines ? variantOfEnd(bytes[24]) : UnknownVariant, offBy, isInSync && offBy == 0};
   }
 };
 
@@ -47,11 +47,11 @@ Acquisition<Frame16> twoGaps(unsigned run) {
   return acquisition;
 }
 
-// "accept", "certain", "wait", or why it is rejected and how many characters further on the search goes.
+// "accept", "aligned", "wait", or why it is rejected and how many characters further on the search goes.
 std::string judged(const Case &c, Acquisition<Frame16> acquisition = noneSeen()) {
   static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "second reading"};
   const Verdict verdict = rules::judge(c.candidate(), acquisition);
-  return verdict.isCertain() ? "certain"
+  return verdict.isAligned() ? "aligned"
          : verdict.isAccepted() ? "accept"
          : verdict.isOpen()     ? "wait"
                                 : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.next()));
@@ -83,19 +83,19 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its kind an
     int gapAt;
     const char *known, *unknown;
   } rows[] = {
-      {"nothing yet", Plain, Far, "certain", "wait"},
-      {"a header", Plain + Bytes{0x0F}, Far, "certain", "certain"},
-      {"2F", Plain + Bytes{0x2F}, Far, "certain", "certain"},
-      {"a gap", Plain, 25, "certain", "certain"},
-      {"a gap, then anything", Plain + Bytes{0x55}, 25, "certain", "certain"},
-      {"something else", Plain + Bytes{0x55}, Far, "certain", "goes on 2"},
-      {"a tail's beginning", part(tailed, 0, 29), Far, "certain", "wait"},
-      {"the tail", tailed, Far, "certain", "wait"},
-      {"the tail and a header", tailed + Bytes{0x0F}, Far, "certain", "certain"},
-      {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F}, Far, "certain", "goes on 2"},
-      {"a gap within the tail", part(tailed, 0, 27), 27, "certain", "certain"},
-      {"the ID of a slot, the first time", s2 + Bytes{0x13}, Far, "certain", "goes on 2"},
-      {"no ID", s2 + Bytes{0x15}, Far, "certain", "goes on 2"},
+      {"nothing yet", Plain, Far, "aligned", "wait"},
+      {"a header", Plain + Bytes{0x0F}, Far, "aligned", "aligned"},
+      {"2F", Plain + Bytes{0x2F}, Far, "aligned", "aligned"},
+      {"a gap", Plain, 25, "aligned", "aligned"},
+      {"a gap, then anything", Plain + Bytes{0x55}, 25, "aligned", "aligned"},
+      {"something else", Plain + Bytes{0x55}, Far, "aligned", "goes on 2"},
+      {"a tail's beginning", part(tailed, 0, 29), Far, "aligned", "wait"},
+      {"the tail", tailed, Far, "aligned", "wait"},
+      {"the tail and a header", tailed + Bytes{0x0F}, Far, "aligned", "aligned"},
+      {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F}, Far, "aligned", "goes on 2"},
+      {"a gap within the tail", part(tailed, 0, 27), 27, "aligned", "aligned"},
+      {"the ID of a slot, the first time", s2 + Bytes{0x13}, Far, "aligned", "goes on 2"},
+      {"no ID", s2 + Bytes{0x15}, Far, "aligned", "goes on 2"},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -113,14 +113,14 @@ TEST_CASE("2F: further channels are believed on a line of known kind, in place o
     bool isLines;
     const char *verdict;
   } rows[] = {
-      {"in its place, a header follows", extra + Bytes{0x0F}, Far, 0, true, "certain"},
-      {"... 2F follows", extra + Bytes{0x2F}, Far, 0, true, "certain"},
-      {"... a gap follows", extra, 25, 0, true, "certain"},
+      {"in its place, a header follows", extra + Bytes{0x0F}, Far, 0, true, "aligned"},
+      {"... 2F follows", extra + Bytes{0x2F}, Far, 0, true, "aligned"},
+      {"... a gap follows", extra, 25, 0, true, "aligned"},
       {"... nothing follows yet", extra, Far, 0, true, "wait"},
       {"... anything follows", extra + Bytes{0x55}, Far, 0, true, "goes on 1"},
       {"elsewhere, a header follows", extra + Bytes{0x0F}, Far, 1, true, "not at gap 1"},
-      {"... a gap follows", extra, 25, 1, true, "certain"},
-      {"... after a gap", extra + Bytes{0x0F}, 0, 1, true, "certain"},
+      {"... a gap follows", extra, 25, 1, true, "aligned"},
+      {"... after a gap", extra + Bytes{0x0F}, 0, 1, true, "aligned"},
       {"a gap within", extra + Bytes{0x0F}, 24, 0, true, "gap inside 24"},
       {"a line of another kind, or none", extra + Bytes{0x0F}, 0, 0, false, "not at gap 1"},
   };
@@ -160,7 +160,7 @@ TEST_CASE("stray: before the first frame one character may follow it, between tw
   const Bytes stray = Plain + Bytes{0x00};
   CHECK(judged({stray, 0, 9, false, false}, twoGaps(25)) == "wait");
   CHECK(judged({stray, Far, 9, false, false}, twoGaps(25)) == "goes on 2");
-  CHECK(judged({stray, 26, 9, false, false}, twoGaps(26)) == "certain");
+  CHECK(judged({stray, 26, 9, false, false}, twoGaps(26)) == "aligned");
   for (const unsigned run : {25u, 27u, 52u, 255u}) {
     CHECK(judged({stray, 26, 9, false, false}, twoGaps(run)) == "goes on 2");
   }
@@ -187,10 +187,10 @@ TEST_CASE("tail: before the first frame a gap behind a tail makes a place certai
   Bytes tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
   tailed[9] = 0x00;
   tailed[10] = 0x0F;  // the tail may be the end of the frame that begins here
-  CHECK(judged({tailed, 30, 9, false, false}, twoGaps(30)) == "certain");
+  CHECK(judged({tailed, 30, 9, false, false}, twoGaps(30)) == "aligned");
   CHECK(judged({tailed, 30, 9, false, false}, noneSeen()) == "second reading 10");
-  CHECK(judged({part(tailed, 0, 25), 25, 9, false, false}, noneSeen()) == "certain");
-  CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "certain");
+  CHECK(judged({part(tailed, 0, 25), 25, 9, false, false}, noneSeen()) == "aligned");
+  CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "aligned");
 }
 
 TEST_CASE("halves: before the first frame any end byte counts, later those of the line's kind") {
@@ -201,8 +201,8 @@ TEST_CASE("halves: before the first frame any end byte counts, later those of th
       bytes[12] = static_cast<uint8_t>(inside);
       bytes[13] = 0x0F;
       const bool same = (end & 0x0F) == 4 ? (inside & 0x0F) == 4 : inside == end;
-      CHECK((rules::secondReading(Case{bytes}.candidate()) == 13) == same);
-      CHECK((rules::secondReading(Case{bytes, Far, 0, true, false}.candidate()) == 13) == isEndByte(static_cast<uint8_t>(inside)));
+      CHECK((rules::falseSyncAt(Case{bytes}.candidate()) == 13) == same);
+      CHECK((rules::falseSyncAt(Case{bytes, Far, 0, true, false}.candidate()) == 13) == isEndByte(static_cast<uint8_t>(inside)));
     }
   }
 }
@@ -229,17 +229,17 @@ TEST_CASE("halves: where its place is not certain an end and a header inside rej
     bytes[place - 1] = 0x00;
     bytes[place] = 0x0F;
     const int at = static_cast<int>(place);
-    CHECK(rules::secondReading(Case{bytes}.candidate()) == at);
+    CHECK(rules::falseSyncAt(Case{bytes}.candidate()) == at);
     const Bytes before = bytes + Bytes{0x0F};
     CHECK(judged({before, Far, 0, false}) == "second reading " + std::to_string(at));
     CHECK(judged({before, Far, 30}) == "second reading " + std::to_string(at));
-    CHECK(judged({before, Far, 0, true}) == "certain");
-    CHECK(judged({before, 0, 30}) == "certain");
-    CHECK(judged({before, 25, 30}) == "certain");
+    CHECK(judged({before, Far, 0, true}) == "aligned");
+    CHECK(judged({before, 0, 30}) == "aligned");
+    CHECK(judged({before, 25, 30}) == "aligned");
     CHECK(judged({before, 0, 30, false, true, false}) == "second reading " + std::to_string(at));  // a likely gap
   }
-  CHECK(rules::secondReading(Case{Plain}.candidate()) == 25);
-  CHECK(rules::secondReading(Case{Failsafe}.candidate()) == 23);
+  CHECK(rules::falseSyncAt(Case{Plain}.candidate()) == 25);
+  CHECK(rules::falseSyncAt(Case{Failsafe}.candidate()) == 23);
   CHECK(judged({Plain + Bytes{0x0F}, Far, 30}) == "accept");
 }
 
@@ -261,12 +261,12 @@ TEST_CASE("other, first: before the first frame a line must not look like one of
   const Bytes whole = Plain + Bytes{0x0F};
   CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
-  CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "certain");
+  CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");
   CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
   Acquisition<Frame16> acquisition = twoGaps(36);
   acquisition.characters(25);
   acquisition.gap(25, true);  // one of the right size takes the doubt away
-  CHECK(judged({whole, 0, 9, false, false}, acquisition) == "certain");
+  CHECK(judged({whole, 0, 9, false, false}, acquisition) == "aligned");
 }
 
 TEST_CASE("doubts last for eight gaps, or one where what waits may be the end of a frame of the other size") {
@@ -293,14 +293,14 @@ TEST_CASE("doubts last for eight gaps, or one where what waits may be the end of
 }
 
 TEST_CASE("isUsual says nothing but what the whole judgement says") {
-  const auto check = [](const Bytes &bytes, int gapAt, uint8_t kind, bool isSure) {
-    INFO(bytes, ", gapAt ", gapAt, ", kind ", unsigned{kind}, ", isSure ", isSure);
+  const auto check = [](const Bytes &bytes, int gapAt, uint8_t kind, bool isInSync) {
+    INFO(bytes, ", gapAt ", gapAt, ", kind ", unsigned{kind}, ", isInSync ", isInSync);
     bool accepted = false;
-    if (bytes.size() == 25 && variantOfEnd(bytes[24]) == kind && isSure && bytes[0] == 0x0F && isFlagsByte(bytes[23])) {
+    if (bytes.size() == 25 && variantOfEnd(bytes[24]) == kind && isInSync && bytes[0] == 0x0F && isFlagsByte(bytes[23])) {
       Acquisition<Frame16> acquisition = noneSeen();
-      accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isCertain();
+      accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isAligned();
     }
-    const bool usual = rules::isUsual<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, kind, isSure);
+    const bool usual = rules::isUsual<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, kind, isInSync);
     CHECK(usual == (accepted && gapAt != 25));  // a gap behind is found by an empty poll, and that is not usual
     return usual;
   };
@@ -317,9 +317,9 @@ TEST_CASE("isUsual says nothing but what the whole judgement says") {
           bytes[24] = end;
           for (const int gapAt : {0, 1, 24, 25, Far}) {
             for (const uint8_t kind : {uint8_t{0}, uint8_t{1}, uint8_t{2}}) {
-              for (const bool isSure : {false, true}) {
-                usual += check(bytes, gapAt, kind, isSure);
-                usual += check(part(bytes, 0, 24), gapAt, kind, isSure);
+              for (const bool isInSync : {false, true}) {
+                usual += check(bytes, gapAt, kind, isInSync);
+                usual += check(part(bytes, 0, 24), gapAt, kind, isInSync);
               }
             }
           }

@@ -35,7 +35,7 @@ class Uart : public HardwareSerial {
 
   // The transmit buffer has 64 places (on a plain core 63). write() waits for places that it lacks and returns how many
   // bytes it took: all, or 0 if the port is closed; in an onReceive() callback it does not wait, and takes what fits.
-  // What is written goes out at the port's rate, to where --wire and --sent lead it, or to nobody.
+  // What is written goes out at the port's rate, to where --wire and --sent lead it, or nowhere.
   int availableForWrite() override;  // free places; 0 if the port is closed
   void flush() override;             // in an onReceive() callback it does not wait
   size_t write(uint8_t byte) override;

@@ -9,7 +9,7 @@ namespace host {
 
 namespace {
 
-constexpr uint64_t PollUs = 1000;  // asking the system more often costs CPU time, and nobody types as fast
+constexpr uint64_t PollUs = 1000;  // polling more often would cost CPU time; typing is slower
 constexpr int PatienceMs = 1000;   // of the PC's time
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace host {
 
 namespace {
 
-// Beyond a year nobody waits, and microseconds would no longer fit where they are kept. "nan" is rejected too.
+// Microseconds of more than a year would overflow. "nan" is rejected as well.
 std::string checkSeconds(const std::string &text) {
   constexpr double Largest = 366.0 * 24 * 60 * 60;
   char *end = nullptr;
@@ -99,7 +99,7 @@ Options parseOptions(int argc, char **argv) {
   auto *uninverted = app.add_flag("--uninverted", "the line is not inverted, as on a receiver's uninverted pad");
   uninverted->excludes(port);
   auto *noise = app.add_option("--noise", options.source.noise,
-                               "so many disturbances per second are on the line, 1..100000 (none)");
+                               "disturbances per second on the line, 1..100000 (default: none)");
   noise->check(CLI::Range(1, 100000).description(""))->type_name("R")->excludes(port);
   auto *silent = app.add_flag("--silent", options.source.silent, "nothing comes from the simulated receiver");
   silent->excludes(port)->excludes(recording);
@@ -136,7 +136,7 @@ Options parseOptions(int argc, char **argv) {
       ->allow_extra_args(false);
   app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
       ->type_name("FILE");
-  app.add_option("--seconds", options.seconds, "end after so many seconds (simulated receiver: 15, calibration: 40)")
+  app.add_option("--seconds", options.seconds, "end after this many seconds (default: 15; calibration: 40)")
       ->check(CLI::Validator(checkSeconds, ""))
       ->type_name("S");
   app.add_flag("--simulated-time", options.simulatedTime, "as fast as it goes, exactly repeatable")->excludes(port);

@@ -57,7 +57,7 @@ endef
 $(foreach name,$(EXAMPLES),$(eval $(call example,$(name))))
 
 # Is there if the compiler rejects the example, and says why.
-$(OUT)/%.rejected: $(wildcard $(ROOT)/examples/*/*.ino $(ROOT)/src/*.h $(ROOT)/src/sbus/*.h) $(HERE)/build.mk
+$(OUT)/%.rejected: $(wildcard $(ROOT)/examples/*/*.ino $(ROOT)/src/*.h $(ROOT)/src/*/*.h) $(HERE)/build.mk
 	@mkdir -p $(@D)
 	! $(call sketch,$(ROOT)/examples/$*/$*.ino) -o /dev/null 2>$@
 	grep -m 1 'error:' $@ | grep -q '#error "[^"]*only the STM32L0 core'

@@ -1,0 +1,72 @@
+/// @file
+/// What the ports of the cores hold, how much they hand over at once, and how long they wait with it.
+#pragma once
+
+#include <Arduino.h>
+#include <stdint.h>
+
+#include "../sbus/LineTiming.h"
+#include "Choice.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// The size assumed for an unknown port: the smallest of all cores (Pico). Too large a size would let lost bytes go
+// unnoticed.
+constexpr unsigned SmallestBuffer = 32;
+
+#if defined(UART_RX_BUFFER_SIZE)  // STM32L0
+constexpr unsigned CoreBuffer = UART_RX_BUFFER_SIZE;
+#elif defined(SERIAL_RX_BUFFER_SIZE)   // AVR, STM32
+constexpr unsigned CoreBuffer = SERIAL_RX_BUFFER_SIZE;
+#elif defined(SERIAL_BUFFER_SIZE)      // SAMD, SAM, nRF52, Uno R4
+constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
+#elif defined(SERIAL_8E1_RXINV_TXINV)  // Teensy, whose headers do not tell the size
+constexpr unsigned CoreBuffer = 64;
+#else
+constexpr unsigned CoreBuffer = SmallestBuffer;
+#endif
+
+// The size that begin() asks for where a port lets it: 30 ms of a line without gaps.
+constexpr unsigned WantedBuffer = 256;
+
+// Makes an ESP32 hand over bursts of 8 characters instead of 120, which hide the gaps. With the two idle characters
+// that it waits for, that is less than LineTiming.h assumes. Cores before 2.0.3 cannot.
+template <typename Port>
+auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
+  port.setRxFIFOFull(8);
+}
+// Other ports keep their burst.
+template <typename Port>
+void limitBursts(Port &, Choice<0>) {
+}
+
+// Gives arduino-pico's port a queue of WantedBuffer. Returns its size.
+template <typename Port>
+auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
+  port.setFIFOSize(WantedBuffer);
+  return WantedBuffer;
+}
+// Its SerialPIO has the size that the sketch gave it, which is unknown here.
+template <typename Port>
+unsigned enlarge(Port &, Choice<0>) {
+  return SmallestBuffer;
+}
+
+// Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h). The
+// STM32L0's port has an interrupt for an idle line (stm32l0_uart.c); the other cores' are not known.
+#if defined(SERIAL_SBUS)
+template <typename Port>
+auto idleCharacters(Port *port, Choice<1>) -> decltype(port->onReceive(nullptr), uint8_t{1}) {
+  return 1;
+}
+#endif
+template <typename Port>
+uint8_t idleCharacters(Port *, Choice<0>) {
+  return MostIdleCharacters;
+}
+
+/// @endcond
+
+}  // namespace sbus

@@ -1,0 +1,143 @@
+/// @file
+/// Reads and writes a serial port of any class.
+#pragma once
+
+#include <Arduino.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "PortKind.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// A serial port of any class.
+class Port : private CoreKind::Pins {
+ public:
+  // Remembers `port`.
+  template <typename Class>
+  explicit Port(Class &port) : Port(port, Pins()) {}
+
+  // Remembers `port` and its pins.
+  template <typename Class>
+  Port(Class &port, int8_t rx, int8_t tx) : Port(port, Pins(rx, tx)) {
+    static_assert(KindOf<Class>::Pins::AreGiven, "This port's pins cannot be chosen here: extras/docs/boards.md");
+  }
+
+  // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Ignores a baud rate far below S.Bus:
+  // cores would divide by 0, or wait for 20 s (ESP32).
+  void open(unsigned long baud, uint32_t config) {
+    const unsigned half = baud > SlowestBaud ? _open(opened(*this), baud, config) : 0;
+    if (half != 0) {
+      _half = static_cast<uint16_t>(half);
+    }
+  }
+
+  // Closes a hardware serial port.
+  void close() {
+    if (_hardware != nullptr) {
+      _hardware->end();
+    }
+  }
+
+  // Returns how many bytes wait.
+  int available() { return _stream.available(); }
+
+  // Reads up to `size` bytes, at most what available() returned: the STM32L0's core would write past the end of
+  // `buffer`. Returns how many it has read.
+  __attribute__((always_inline)) int read(uint8_t *buffer, size_t size) {
+    return read(_hardware, buffer, size, Choice<1>());
+  }
+
+  // Reads a byte and drops it.
+  void skip() { _stream.read(); }
+
+  // Returns half of the bytes that fill the receive buffer. A core may keep one place free (AVR).
+  unsigned half() const { return _half; }
+
+  // Returns true if a full buffer loses the newest byte, false if the oldest.
+  bool losesNewest() const { return !CoreKind::LosesOldest || _hardware == nullptr; }
+
+  // Returns true if bytes may have been lost before the `waiting` ones.
+  bool mayHaveLostOldest(unsigned waiting) const { return !losesNewest() && waiting > 2u * _half - Late; }
+
+  // Returns for how many characters the port waits for more before it hands over less than a burst.
+  uint8_t idleCharacters() const { return _idleCharacters; }
+
+  // Returns how many bytes the port reports it takes at once. Many cores report 0 always.
+  int room() { return room(_stream, Choice<1>()); }
+
+  // Writes all bytes; may wait.
+  void write(const uint8_t *bytes, size_t size) { _stream.write(bytes, size); }
+
+ private:
+  using Pins = CoreKind::Pins;
+  using Opened = Pins::Opened<Port>;
+  // Returns the new half(), or 0 if that has not changed.
+  using Open = unsigned(Opened &opened, unsigned long baud, uint32_t config);
+
+  // Bytes that may come between available() and read(): 3.8 ms of interrupts at 100000 baud.
+  static constexpr unsigned Late = 32;
+
+  template <typename Class>
+  Port(Class &port, Pins pins)
+      : Pins(pins),
+        _stream(port),
+        _hardware(hardware(&port)),
+        _open(open<Class>),
+        _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
+        _idleCharacters(sbus::idleCharacters(&port, Choice<1>())) {}
+
+  static HardwareSerial *hardware(HardwareSerial *port) { return port; }
+  static HardwareSerial *hardware(Stream *) { return nullptr; }
+
+  Stream &opened(KeptPins &) { return _stream; }
+  Port &opened(GivenPins &) { return *this; }
+  static Stream &stream(Stream &port) { return port; }
+  static Stream &stream(Port &port) { return port._stream; }
+  static KeptPins pins(Stream &) { return KeptPins(); }
+  static Pins &pins(Port &port) { return port; }
+
+  static constexpr unsigned half(size_t buffer) { return buffer != 0 ? static_cast<unsigned>(buffer / 2 - 1) : 0; }
+
+  template <typename Class>
+  static unsigned open(Opened &opened, unsigned long baud, uint32_t config) {
+    return half(KindOf<Class>::open(static_cast<Class &>(stream(opened)), baud, Config{config}, pins(opened)));
+  }
+
+  // Reads in one call, where HardwareSerial can.
+  template <typename Hardware>
+  __attribute__((always_inline)) auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
+      -> decltype(static_cast<int>(port->read(buffer, size))) {
+    return port != nullptr ? static_cast<int>(port->read(buffer, size)) : read(port, buffer, size, Choice<0>());
+  }
+  // Not inlined: that would cost a poll of the STM32L0 24 cycles.
+  template <typename Hardware>
+  __attribute__((noinline)) int read(Hardware *, uint8_t *buffer, size_t size, Choice<0>) {
+    size_t count = 0;
+    for (int byte; count < size && (byte = _stream.read()) >= 0; count++) {
+      buffer[count] = static_cast<uint8_t>(byte);
+    }
+    return static_cast<int>(count);
+  }
+
+  template <typename Class>
+  static auto room(Class &port, Choice<1>) -> decltype(port.availableForWrite()) {
+    return port.availableForWrite();
+  }
+  template <typename Class>
+  static int room(Class &, Choice<0>) {  // SAM
+    return 0;
+  }
+
+  Stream &_stream;
+  HardwareSerial *const _hardware;  // null for any other Stream
+  Open *const _open;
+  uint16_t _half;
+  const uint8_t _idleCharacters;
+};
+
+/// @endcond
+
+}  // namespace sbus

@@ -1,0 +1,180 @@
+/// @file
+/// The kinds of serial ports, recognised by what their classes can do, and how each is opened.
+#pragma once
+
+#include <Arduino.h>
+
+#include "Buffer.h"
+#include "Choice.h"
+#include "Format.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// ---- Pins
+
+// For a port that keeps its pins when it is opened and closed: nothing is passed on, which saves 4 bytes of flash.
+struct KeptPins {
+  static constexpr bool AreGiven = false;
+  template <typename Port>
+  using Opened = Stream;
+  KeptPins() {}
+  KeptPins(int8_t, int8_t) {}
+};
+
+// For a port that forgets its pins when it is opened or closed.
+struct GivenPins {
+  static constexpr bool AreGiven = true;
+  template <typename Port>
+  using Opened = Port;
+  GivenPins() {}
+  GivenPins(int8_t rx, int8_t tx) : rxPin(rx), txPin(tx) {}
+  int8_t rxPin = -1, txPin = -1;  // -1: the core's pins
+  int8_t wasInverted = -1;        // how begin() opened the port last; -1: not yet
+};
+
+// ---- The kinds of ports. To add a core, add a kind here, and an overload of kindOf() that recognises its port.
+//
+// Inverts      open() can invert the line
+// BothWays     open() can open the port uninverted afterwards
+// Buffer       bytes, the size of the receive buffer of a port that the sketch has opened
+// LosesOldest  a full buffer loses its oldest byte instead of the newest
+// Pins         what open() needs to remember
+// open()       opens the port. Returns the size of its receive buffer, or 0 if that has not changed
+
+struct Kind {
+  static constexpr bool LosesOldest = false;
+  using Pins = KeptPins;
+};
+
+// AVR, SAMD, nRF52, mbed, Uno R4, Teensy, STM32L0: begin(baud, config), where the format says whether to invert.
+struct ByFormat : Kind {
+  static constexpr bool Inverts = (PortConfig & InvertedBit) == 0;
+  static constexpr bool BothWays = Inverts;
+  static constexpr unsigned Buffer = CoreBuffer;
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
+    port.begin(baud, config);
+    return Buffer;
+  }
+};
+
+// Returns the format as the type of the first argument.
+template <typename Format>
+Format as(Format, Config config) {
+  return config;
+}
+
+// SAM, where two enums fit.
+struct ByEnum : ByFormat {
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
+    port.begin(baud, as(EvenConfig, config));
+    return Buffer;
+  }
+};
+
+// STM32, whose inversion cannot be undone. F1, F2, F4 and L1 chips cannot invert, and ignore it.
+struct Stm32 : ByFormat {
+#if defined(UART_ADVFEATURE_RXINVERT_INIT)
+  static constexpr bool Inverts = true;
+#endif
+  static constexpr bool BothWays = false;
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins pins) {
+    if (config.inverted()) {
+      port.setRxInvert();
+      port.setTxInvert();
+    }
+    return ByFormat::open(port, baud, config, pins);
+  }
+};
+
+// arduino-pico, whose port takes its settings only while it is closed.
+struct Pico : Kind {
+  static constexpr bool Inverts = true, BothWays = true;
+  static constexpr unsigned Buffer = SmallestBuffer;
+  template <typename Port, typename Pins>
+  static unsigned open(Port &port, unsigned long baud, Config config, Pins) {
+    port.end();
+    port.setInvertRX(config.inverted());
+    port.setInvertTX(config.inverted());
+    const unsigned size = enlarge(port, Choice<1>());
+    port.begin(baud, config);
+    return size;
+  }
+};
+
+// ESP32. If the inversion changes, begin() restarts the driver, which loses the pins (core 2.0.15 to 3.0 and later,
+// uartEnd() in esp32-hal-uart.c). After end() every core takes the pins that it is given, or its own. A port that the
+// sketch has opened is closed only if the pins are given, because otherwise they are unknown.
+struct Esp32 : Kind {
+  static constexpr bool Inverts = true, BothWays = true;
+  static constexpr unsigned Buffer = 128;
+  using Pins = GivenPins;
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config, GivenPins &pins) {
+    if (port && (pins.rxPin >= 0 || pins.wasInverted == !config.inverted())) {
+      port.end();
+    }
+    pins.wasInverted = config.inverted();
+    const unsigned size = port.setRxBufferSize(WantedBuffer);
+    port.begin(baud, config, pins.rxPin, pins.txPin, config.inverted());
+    limitBursts(port, Choice<1>());
+    return size;
+  }
+};
+
+// ESP8266: mode 0 is SERIAL_FULL, and 1 is the TX pin. begin() always returns to pins 3 and 1.
+struct Esp8266 : Kind {
+  static constexpr bool Inverts = true, BothWays = true;
+  static constexpr unsigned Buffer = 128;
+  static constexpr bool LosesOldest = true;  // uart.cpp:149; -DUART_DISCARD_NEWEST reaches the core alone
+  using Pins = GivenPins;
+  template <typename Port>
+  static unsigned open(Port &port, unsigned long baud, Config config, GivenPins &pins) {
+    port.begin(baud, config, Config{0}, 1, config.inverted());
+    if (pins.rxPin >= 0) {
+      port.pins(static_cast<uint8_t>(pins.txPin), static_cast<uint8_t>(pins.rxPin));
+    }
+    return port.getRxBufferSize();
+  }
+};
+
+// Any Stream that is no hardware serial port: the sketch opens it.
+struct OpenAlready : Kind {
+  static constexpr bool Inverts = false, BothWays = false;
+  static constexpr unsigned Buffer = SmallestBuffer;
+  template <typename Port, typename Pins>
+  static unsigned open(Port &, unsigned long, Config, Pins) {
+    return 0;
+  }
+};
+
+// Declared only: its return type is the kind of a port.
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<5>) -> decltype(port->begin(0, Config(), -1, -1, true), Esp32());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<4>)
+    -> decltype(port->begin(0, Config(), Config(), 1, true), Esp8266());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<4>) -> decltype(port->setInvertRX(true), Pico());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<4>) -> decltype(port->setRxInvert(), Stm32());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<3>) -> decltype(port->begin(0, Config()), ByFormat());
+template <typename Port>
+auto kindOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
+template <typename Port>
+OpenAlready kindOf(Port *, Stream *, Choice<1>);
+// The kind of a port of this class.
+template <typename Port>
+using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Choice<5>()));
+
+// The kind of the core's own ports.
+using CoreKind = KindOf<HardwareSerial>;
+
+/// @endcond
+
+}  // namespace sbus
