@@ -1,5 +1,5 @@
 # `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile,
-# extras/sbus/Makefile, extras/scope/Makefile, test/Makefile.
+# extras/cli/Makefile, extras/scope/Makefile, test/Makefile.
 
 .DEFAULT_GOAL := help
 
@@ -30,7 +30,7 @@ help:
 	@echo "            RECORDING=file        a recorded line"
 	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
-	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/sbus"
+	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/cli"
 	@echo "make install PREFIX=/usr/local  installs it, its manual and completion for bash, zsh and fish"
 	@echo "make uninstall PREFIX=/usr/local  removes these again"
 	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
@@ -62,7 +62,7 @@ demo:
 
 sbus:
 	@sh extras/setup/need.sh $(TOOL)
-	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/sbus
+	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/cli
 	@echo build/sbus/sbus
 
 SBUS := build/sbus/sbus
@@ -70,10 +70,10 @@ PREFIX ?= /usr/local
 installed := $(DESTDIR)$(PREFIX)
 install: sbus
 	@install -D '$(SBUS)' '$(installed)/bin/sbus'
-	@install -D -m 644 extras/sbus/sbus.1 '$(installed)/share/man/man1/sbus.1'
-	@install -D -m 644 extras/sbus/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
-	@install -D -m 644 extras/sbus/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'
-	@install -D -m 644 extras/sbus/completion.bash '$(installed)/share/bash-completion/completions/sbus'
+	@install -D -m 644 extras/cli/sbus.1 '$(installed)/share/man/man1/sbus.1'
+	@install -D -m 644 extras/cli/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
+	@install -D -m 644 extras/cli/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'
+	@install -D -m 644 extras/cli/completion.bash '$(installed)/share/bash-completion/completions/sbus'
 	@echo '$(installed)/bin/sbus'
 
 uninstall:

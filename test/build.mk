@@ -25,8 +25,8 @@ ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports them
 # Of the host: how its board receives and sends.
 HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/Port.cpp board/PortSettings.cpp board/PortWatch.cpp \
   board/Sender.cpp
-LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRAS)/line/wire/*.cpp \
-  $(EXTRAS)/line/ports/LowLatency.cpp))
+LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp \
+  $(addprefix $(EXTRAS)/line/,simulation/*.cpp recording/*.cpp uart/*.cpp capture/*.cpp ports/LowLatency.cpp)))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \
@@ -111,7 +111,7 @@ define line
 $(OUT)/$1/src/%.o: $(SRC)/%.cpp build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(BOARD) $(WARNINGS) $2 $$(DEPENDENCIES) $(LINE_INCLUDES) -c $$< -o $$@
-$(foreach folder,impairment support $(EXTRAS)/line $(HOST)/board $(HOST)/arduino,$(call line_rule,$1,$2,$(folder)))
+$(foreach folder,impairment support $(EXTRAS)/line/simulation $(HOST)/board $(HOST)/arduino,$(call line_rule,$1,$2,$(folder)))
 $(OUT)/$1/ImpairmentTest: $(OUT)/$1/Main.o
 $(OUT)/$1/Impairment $(OUT)/$1/ImpairmentTest: $(OUT)/$1/%: $(OUT)/$1/%.o $(LINE_PARTS:%=$(OUT)/$1/%.o) \
   $(SOURCES:%.cpp=$(OUT)/$1/src/%.o) $(OUT)/$1/BoardUart.o $(OUT)/$1/LineSettings.o $(OUT)/$1/FakeClock.o $(OUT)/$1/Print.o
@@ -146,14 +146,14 @@ $(OUT)/cross/%.o: $(SRC)/%.cpp build.mk
 
 # fuzz: libFuzzer's programs, OUT/fuzz/*, with clang's sanitizers; CXX must be clang++. `make list-fuzz` names them.
 FUZZ := $(patsubst fuzz/%.cpp,$(OUT)/fuzz/%,$(wildcard fuzz/*.cpp))
-FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,CsvRows.cpp LineSettings.cpp Recording.cpp)
+FUZZ_SOURCES := $(CORE_SOURCES:%=$(SRC)/%) $(addprefix $(EXTRAS)/line/,recording/CsvRows.cpp simulation/LineSettings.cpp recording/Recording.cpp)
 fuzz: $(FUZZ)
 list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
 # Without what only reads files, for which libarchive would have to be linked.
-$(OUT)/fuzz/Wire: $(filter-out %/CaptureFile.cpp %/PackedFile.cpp,$(wildcard $(EXTRAS)/line/wire/*.cpp)) \
-  $(addprefix $(EXTRAS)/line/,Decoders.cpp Levels.cpp Observer.cpp Segments.cpp Statistics.cpp)
+$(OUT)/fuzz/Wire: $(filter-out %/CaptureFile.cpp %/PackedFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) \
+  $(addprefix $(EXTRAS)/line/,Decoders.cpp uart/Levels.cpp Observer.cpp Segments.cpp Statistics.cpp)
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/BitByBit.h build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(WARNINGS) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(DEBUG) \

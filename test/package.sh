@@ -18,7 +18,7 @@ rm -rf "$out"
 mkdir -p "$scratch"
 tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$scratch"
 printf '# Changelog\n\n## Unreleased\n\n- New.\n' >"$scratch/CHANGELOG.md" # as before any release: ours may have been released
-sed -i 's/^\(\.TH SBUS 1\) "[^"]*"/\1 "2001-01-01"/' "$scratch/extras/sbus/sbus.1"
+sed -i 's/^\(\.TH SBUS 1\) "[^"]*"/\1 "2001-01-01"/' "$scratch/extras/cli/sbus.1"
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE MAKEFLAGS MAKELEVEL
 git() { command git -C "$scratch" -c user.name=Test -c user.email=test@localhost "$@"; }
@@ -78,8 +78,8 @@ release() {  # VERSION
     grep -qxF "  \"repository\": {\"type\": \"git\", \"url\": \"$url\"}," "$scratch/library.json" &&
     [ "$(grep -cxF -e "version: \"$1\"" -e "url: $url" -e "repository: $url" "$scratch/idf_component.yml")" -eq 3 ] &&
     grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
-    grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/sbus/sbus.1" &&
-    [ "$(git status --porcelain | grep -v ' extras/sbus/sbus.1$' | tr -d '\n')" = " M CHANGELOG.md M idf_component.yml M library.json M library.properties" ] &&
+    grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/cli/sbus.1" &&
+    [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1$' | tr -d '\n')" = " M CHANGELOG.md M idf_component.yml M library.json M library.properties" ] &&
     grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release"
 }
 release "$version"

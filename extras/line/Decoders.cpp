@@ -1,4 +1,4 @@
-#include "Decoders.h"
+#include "line/Decoders.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "Segments.h"
+#include "line/Segments.h"
 #include "sbus/FrameFinder.h"
 
 namespace line {

@@ -1,4 +1,4 @@
-#include "Examination.h"
+#include "line/Examination.h"
 
 #include <algorithm>
 

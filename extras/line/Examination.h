@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "LineSettings.h"
-#include "Observer.h"
+#include "line/simulation/LineSettings.h"
+#include "line/Observer.h"
 #include "sbus/Diagnosis.h"
 
 namespace line {

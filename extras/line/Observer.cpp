@@ -1,4 +1,4 @@
-#include "Observer.h"
+#include "line/Observer.h"
 
 #include <algorithm>
 

@@ -13,9 +13,9 @@
 #include <optional>
 #include <utility>
 
-#include "Decoders.h"
-#include "Segments.h"
-#include "Statistics.h"
+#include "line/Decoders.h"
+#include "line/Segments.h"
+#include "line/Statistics.h"
 
 namespace line {
 

@@ -1,4 +1,4 @@
-#include "Segments.h"
+#include "line/Segments.h"
 
 #include <algorithm>
 #include <iterator>

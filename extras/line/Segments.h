@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "Line.h"
+#include "line/Line.h"
 #include "sbus/FrameRules.h"
 
 namespace line {

@@ -1,12 +1,12 @@
-#include "Source.h"
+#include "line/Source.h"
 
 #include <utility>
 
-#include "NoisyLine.h"
-#include "RecordedLine.h"
-#include "RecordingFile.h"
-#include "RestoredLine.h"
-#include "SilentLine.h"
+#include "line/simulation/NoisyLine.h"
+#include "line/recording/RecordedLine.h"
+#include "line/recording/RecordingFile.h"
+#include "line/recording/RestoredLine.h"
+#include "line/simulation/SilentLine.h"
 
 namespace line {
 

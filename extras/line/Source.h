@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "Choreography.h"
-#include "Line.h"
-#include "LineSettings.h"
-#include "SimulatedReceiver.h"
+#include "line/simulation/Choreography.h"
+#include "line/Line.h"
+#include "line/simulation/LineSettings.h"
+#include "line/simulation/SimulatedReceiver.h"
 
 namespace line {
 

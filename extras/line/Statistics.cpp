@@ -1,4 +1,4 @@
-#include "Statistics.h"
+#include "line/Statistics.h"
 
 namespace line {
 

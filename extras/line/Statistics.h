@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "Segments.h"
+#include "line/Segments.h"
 #include "sbus/Link.h"
 
 namespace line {

@@ -34,7 +34,7 @@ change library.json -e "s|^  \"version\": .*|  \"version\": \"$version\",|" -e "
   -e "s|^\(  \"repository\": .*\"url\": \).*|\1\"$url\"},|"
 change idf_component.yml -e "s|^version: .*|version: \"$version\"|" -e "s|^url: .*|url: $url|" -e "s|^repository: .*|repository: $url|"
 change CHANGELOG.md -e "s|^## Unreleased\$|## $version, $(date +%F)|"
-change extras/sbus/sbus.1 -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
+change extras/cli/sbus.1 -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
 git --no-pager diff --stat
 
 echo "

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "line/Random.h"
+#include "line/simulation/Random.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 

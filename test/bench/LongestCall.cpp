@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "KnownAttacks.h"
-#include "line/Random.h"
+#include "line/simulation/Random.h"
 #include "support/KnownFrames.h"
 
 #include "Attack.h"  // last: Arduino.h has a type named byte

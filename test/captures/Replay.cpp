@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "support/UartPort.h"
-#include "line/Recording.h"
+#include "line/recording/Recording.h"
 
 #include <DecodeSBus.h>
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "fuzz/Require.h"
-#include "line/wire/CsvReader.h"
-#include "line/wire/SessionReader.h"
-#include "line/wire/WireDecoder.h"
+#include "line/capture/CsvReader.h"
+#include "line/capture/SessionReader.h"
+#include "line/capture/WireDecoder.h"
 
 namespace {
 

@@ -12,11 +12,11 @@
 
 #include "impairment/ImpairedLine.h"
 #include "line/Observer.h"
-#include "line/PortReads.h"
-#include "line/RecordedLine.h"
-#include "line/Recording.h"
-#include "line/RecordingWriter.h"
-#include "line/RestoredLine.h"
+#include "line/ports/PortReads.h"
+#include "line/recording/RecordedLine.h"
+#include "line/recording/Recording.h"
+#include "line/recording/RecordingWriter.h"
+#include "line/recording/RestoredLine.h"
 #include "support/Adapter.h"
 #include "support/Bytes.h"
 

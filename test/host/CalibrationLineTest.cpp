@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "line/SimulatedReceiver.h"
+#include "line/simulation/SimulatedReceiver.h"
 #include "support/BitByBit.h"
 
 namespace {

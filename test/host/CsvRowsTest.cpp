@@ -1,8 +1,8 @@
 // The rows of numbers that a sketch prints: told from anything else, and read.
 #include <doctest/doctest.h>
 
-#include "line/CsvRows.h"
-#include "line/SimulatedReceiver.h"
+#include "line/recording/CsvRows.h"
+#include "line/simulation/SimulatedReceiver.h"
 
 using line::CsvRows;
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "line/Random.h"
+#include "line/simulation/Random.h"
 #include "sbus/FrameFinder.tpp"
 
 namespace {

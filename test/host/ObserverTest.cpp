@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "line/Observer.h"
-#include "line/NoisyLine.h"
-#include "line/SimulatedReceiver.h"
+#include "line/simulation/NoisyLine.h"
+#include "line/simulation/SimulatedReceiver.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "line/SimulatedReceiver.h"
+#include "line/simulation/SimulatedReceiver.h"
 
 using namespace host;
 

@@ -1,8 +1,8 @@
 // What the text of a recording, or of rows, says.
 #include <doctest/doctest.h>
 
-#include "line/CsvRows.h"
-#include "line/Recording.h"
+#include "line/recording/CsvRows.h"
+#include "line/recording/Recording.h"
 
 using line::Recording;
 using line::RecordingReader;

@@ -7,7 +7,7 @@
 #include "support/ShowArrays.h"
 #include "board/BoardTransmitter.h"
 #include "board/PortSettings.h"
-#include "line/UartSampler.h"
+#include "line/uart/UartSampler.h"
 #include "stm32l0_uart.h"
 
 using host::BoardTransmitter;

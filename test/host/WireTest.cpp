@@ -1,11 +1,11 @@
 // Captures of the wire itself: which format, which signal, which way up and how fast; then the characters.
-#include "line/wire/WireDecoder.h"
+#include "line/capture/WireDecoder.h"
 
 #include <doctest/doctest.h>
 
-#include "line/wire/SessionReader.h"
-#include "line/wire/Text.h"
-#include "line/wire/VcdWriter.h"
+#include "line/capture/SessionReader.h"
+#include "line/capture/Text.h"
+#include "line/capture/VcdWriter.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 #include "support/WireText.h"

@@ -6,7 +6,7 @@
 
 #include "Payload.h"
 #include "line/Line.h"
-#include "line/LineSettings.h"
+#include "line/simulation/LineSettings.h"
 
 // What the receiver sends.
 enum class Kind {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "line/Random.h"
+#include "line/simulation/Random.h"
 #include "support/BitByBit.h"
 
 using line::Random;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "line/RecordingFile.h"
+#include "line/recording/RecordingFile.h"
 #include "sbus/FrameFinder.h"
 
 namespace {

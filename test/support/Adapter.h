@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "line/Line.h"
-#include "line/Random.h"
+#include "line/simulation/Random.h"
 
 // What a read() brings: one packet; several, where the program comes late.
 struct Read {

@@ -6,7 +6,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 export PATH="${SBUS%/*}:$PATH"
-completions=$PWD/../extras/sbus
+completions=$PWD/../extras/cli
 
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi

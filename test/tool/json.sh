@@ -30,7 +30,7 @@ run decode tool/paper-4.1.bits --characters
 run summary sim --simulated-time --seconds 14
 run summary recordings/sbus2.txt
 run ports
-python3 - "$work/all" ../extras/sbus/sbus.1 "$SBUS" <<'END'
+python3 - "$work/all" ../extras/cli/sbus.1 "$SBUS" <<'END'
 import json, os, re, subprocess, sys
 manual = open(sys.argv[2]).read().replace("\\-", "-")
 section = manual[manual.index(".SH JSON LINES"):].split("\n.SH ")[0]

@@ -63,7 +63,7 @@ rm -rf "$work"
 mkdir -p "$work"
 echo leak:libncursesw >"$work/leaks"  # what a page has taken, ncurses 6.6 keeps
 export LSAN_OPTIONS="suppressions=$work/leaks:print_suppressions=0"
-if ! "${MAKE:-make}" --no-print-directory -C ../extras/sbus BUILD="$out" CXX=g++ CXXFLAGS="$flags"; then
+if ! "${MAKE:-make}" --no-print-directory -C ../extras/cli BUILD="$out" CXX=g++ CXXFLAGS="$flags"; then
   verdict 1 "does not build"
   exit
 fi
@@ -314,7 +314,7 @@ SBUS=$sbus WORK=$work tool/explain.sh
 [ "$(wc -l <"$work/words")" -gt 40 ]
 verdict $? "--help-all lists subcommands and options"
 # An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
-sed 's/\\-/-/g' ../extras/sbus/sbus.1 | awk '
+sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
   /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || section == "simulate"); print "has", section }
   /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
@@ -328,6 +328,6 @@ for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
   grep -qx "has .SH $section" "$work/manual"
   verdict $? "sbus.1 has $section"
 done
-grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' ../extras/sbus/sbus.1
+grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' ../extras/cli/sbus.1
 verdict $? "sbus.1 has a date"
 SBUS=$sbus WORK=$work tool/completion.sh

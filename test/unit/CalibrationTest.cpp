@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "line/Random.h"
+#include "line/simulation/Random.h"
 #include "support/CalibrationRules.h"
 #include "support/ShowArrays.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "line/CsvRows.h"
+#include "line/recording/CsvRows.h"
 
 namespace host {
 

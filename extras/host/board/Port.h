@@ -8,8 +8,8 @@
 #include "Sender.h"
 #include "line/Line.h"
 #include "line/Observer.h"
-#include "line/LineSettings.h"
-#include "line/UartSampler.h"
+#include "line/simulation/LineSettings.h"
+#include "line/uart/UartSampler.h"
 
 namespace host {
 

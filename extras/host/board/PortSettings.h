@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "line/LineSettings.h"
+#include "line/simulation/LineSettings.h"
 
 namespace host {
 

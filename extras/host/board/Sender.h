@@ -8,7 +8,7 @@
 #include "BoardTransmitter.h"
 #include "PortSettings.h"
 #include "line/Observer.h"
-#include "line/RecordingFile.h"
+#include "line/recording/RecordingFile.h"
 
 namespace host {
 

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "line/RestoredLine.h"
-#include "line/SilentLine.h"
+#include "line/recording/RestoredLine.h"
+#include "line/simulation/SilentLine.h"
 #include "line/ports/SerialPort.h"
 
 namespace host {

@@ -1,4 +1,4 @@
-#include "ByteStream.h"
+#include "line/ports/ByteStream.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "line/Line.h"
-#include "line/PortReads.h"
+#include "line/ports/PortReads.h"
 
 namespace line {
 

@@ -1,4 +1,4 @@
-#include "LowLatency.h"
+#include "line/ports/LowLatency.h"
 
 #include <linux/serial.h>
 #include <sys/ioctl.h>

@@ -1,4 +1,4 @@
-#include "PortFile.h"
+#include "line/ports/PortFile.h"
 
 #include <fcntl.h>
 #include <grp.h>

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "line/LineSettings.h"
+#include "line/simulation/LineSettings.h"
 
 namespace line {
 

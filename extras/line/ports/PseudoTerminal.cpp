@@ -1,4 +1,4 @@
-#include "PseudoTerminal.h"
+#include "line/ports/PseudoTerminal.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-#include "ReopenedPort.h"
+#include "line/ports/ReopenedPort.h"
 
 #include <chrono>
 #include <thread>

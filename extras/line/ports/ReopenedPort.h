@@ -1,8 +1,8 @@
 // A serial port whose adapter may be unplugged and plugged in again.
 #pragma once
 
-#include "Reopened.h"
-#include "SerialPort.h"
+#include "line/ports/Reopened.h"
+#include "line/ports/SerialPort.h"
 
 namespace line {
 

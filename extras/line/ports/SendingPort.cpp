@@ -1,4 +1,4 @@
-#include "SendingPort.h"
+#include "line/ports/SendingPort.h"
 
 #include <unistd.h>
 

@@ -1,8 +1,8 @@
 // Sends over a serial port of this PC, whose adapter may be unplugged and plugged in again.
 #pragma once
 
-#include "PortFile.h"
-#include "Reopened.h"
+#include "line/ports/PortFile.h"
+#include "line/ports/Reopened.h"
 
 namespace line {
 

@@ -1,4 +1,4 @@
-#include "SerialPort.h"
+#include "line/ports/SerialPort.h"
 
 #include <poll.h>
 #include <sys/ioctl.h>

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "LowLatency.h"
-#include "PortFile.h"
+#include "line/ports/LowLatency.h"
+#include "line/ports/PortFile.h"
 #include "line/Line.h"
-#include "line/PortReads.h"
+#include "line/ports/PortReads.h"
 
 namespace line {
 

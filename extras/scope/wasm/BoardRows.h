@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "line/CsvRows.h"
+#include "line/recording/CsvRows.h"
 #include "line/Statistics.h"
 
 namespace scope {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "line/Line.h"
-#include "line/Recording.h"
+#include "line/recording/Recording.h"
 
 namespace scope {
 

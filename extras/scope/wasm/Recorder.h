@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "line/LineSettings.h"
-#include "line/RecordingWriter.h"
+#include "line/simulation/LineSettings.h"
+#include "line/recording/RecordingWriter.h"
 
 namespace scope {
 

@@ -9,9 +9,9 @@
 #include "Recorder.h"
 #include "SimulatedLine.h"
 #include "line/Examination.h"
-#include "line/LineSettings.h"
+#include "line/simulation/LineSettings.h"
 #include "line/Observer.h"
-#include "line/PortReads.h"
+#include "line/ports/PortReads.h"
 
 namespace scope {
 

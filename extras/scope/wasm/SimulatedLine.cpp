@@ -1,6 +1,6 @@
 #include "SimulatedLine.h"
 
-#include "line/NoisyLine.h"
+#include "line/simulation/NoisyLine.h"
 
 namespace scope {
 

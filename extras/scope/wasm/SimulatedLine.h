@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "line/Line.h"
-#include "line/LineSettings.h"
-#include "line/SimulatedReceiver.h"
-#include "line/UartSampler.h"
+#include "line/simulation/LineSettings.h"
+#include "line/simulation/SimulatedReceiver.h"
+#include "line/uart/UartSampler.h"
 
 namespace scope {
 

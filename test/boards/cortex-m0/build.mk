@@ -26,7 +26,7 @@ INCLUDES := -I$(TEST) -I$(SRC) -I$(HOST) -I$(ROOT)/extras $(ARDUINO) -isystem $(
 LEFT_OUT := PreemptTest PropertiesTest
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-ROOMS := host/board/BoardUart line/LineSettings line/SimulatedReceiver
+ROOMS := host/board/BoardUart line/simulation/LineSettings line/simulation/SimulatedReceiver
 
 unit: $(UNIT:%=$(OUT)/unit/%)
 alignment: $(OUT)/UnalignedRead

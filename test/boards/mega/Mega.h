@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "line/Line.h"
-#include "line/LineSettings.h"
-#include "line/UartSampler.h"
+#include "line/simulation/LineSettings.h"
+#include "line/uart/UartSampler.h"
 
 namespace mega {
 

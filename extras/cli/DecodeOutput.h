@@ -1,0 +1,53 @@
+// What `sbus decode` prints: a table to read, CSV for a spreadsheet, or JSON lines for a program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "line/Observer.h"
+#include "line/capture/CaptureFile.h"
+
+namespace tool {
+
+enum class Form { Table, Csv, Json };
+
+class DecodeOutput {
+ public:
+  // `characters`: it shows each of them, else the frames and what is none.
+  DecodeOutput(Form form, bool characters) : _form(form), _showsCharacters(characters) {}
+
+  // The wire was found.
+  void begin(const line::WireDecoder &wire);
+
+  void character(const line::WireCharacter &character);
+
+  // A stretch of the line with its characters as they were on the wire. `values`: of a frame.
+  void stretch(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters,
+               const line::Values &values);
+
+  // Returns how many frames have other channels than the CSV has columns for, and are left out.
+  unsigned long leftOut() const { return _leftOut; }
+
+  void end(const std::string &name, const line::CaptureEnd &capture, const line::Observer &observer) const;
+
+ private:
+  void frame(const line::Stretch &stretch, int64_t startNs, const line::Values &values);
+  void csvHead();
+  void csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values);
+  void noFrame(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters);
+  // "parity error: the parity bit is 1, 0 is expected"
+  std::string fault(const line::WireCharacter &character) const;
+
+  const Form _form;
+  const bool _showsCharacters;
+  bool _isMeasured = true;  // the wire, not characters that are decoded already
+  bool _inverted = true;
+  size_t _columns = 0;  // of the frame above: a table's head stands where it changes
+  unsigned _channels = 16;     // of the rows of CSV
+  unsigned long _leftOut = 0;  // frames that do not fit in there
+  unsigned long _characters = 0;
+  unsigned long _parityErrors = 0;
+  unsigned long _framingErrors = 0;
+};
+
+}  // namespace tool

@@ -1,0 +1,209 @@
+#include "cli/FileSource.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include "cli/HexText.h"
+#include "line/recording/CsvRows.h"
+#include "line/recording/RecordingFile.h"
+#include "line/recording/Words.h"
+#include "line/capture/CaptureFile.h"
+#include "line/capture/Text.h"
+
+namespace tool {
+
+namespace {
+
+bool hasNameOfBytes(const std::string &name) {
+  const std::string end = line::lower(name.size() < 4 ? "" : std::string_view(name).substr(name.size() - 4));
+  return end == ".bin" || end == ".raw";
+}
+
+// Without a comment.
+std::string_view content(std::string_view line) {
+  return line::trimmed(line.substr(0, line.find('#')));
+}
+
+// `xxd` and `hexdump -C` begin a line so; it is no byte of the line.
+bool isOffset(std::string_view text) {
+  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+  const size_t digits = std::min(word.size(), word.find(':'));
+  return digits >= 6 && digits < text.size() &&
+         (word.size() > digits || word.find_first_not_of('0') == std::string_view::npos);
+}
+
+// A line of a recording begins with a time, which has one digit or three and more; with two it is a time if no other
+// line follows, since no two characters of a line are so close to each other.
+bool isHexText(std::string_view head) {
+  std::string first[2];
+  size_t lines = 0;
+  while (!head.empty() && lines < 2) {
+    const std::string_view text = content(line::takeLine(head));
+    if (lines == 0 && isOffset(text)) {
+      return true;
+    }
+    if (!text.empty()) {
+      first[lines++] = text.substr(0, text.find_first_of(" \t"));
+    }
+  }
+  const std::string time = first[0].substr(0, first[0].find('~'));
+  const bool maybeTime = time.find_first_not_of("0123456789") == std::string::npos;
+  if (lines == 0 || first[0][0] == '-' || !parseHex(first[0]).wrong.empty() || parseHex(first[0]).bytes.empty()) {
+    return false;
+  }
+  return !maybeTime || (time.size() == 2 && first[1].size() == 2);
+}
+
+// Bytes one behind the other.
+class BackToBack {
+ public:
+  BackToBack(line::Recording &recording, const line::LineSettings &settings)
+      : _recording(recording), _characterUs(settings.characterUs()) {}
+
+  void put(uint8_t value, bool bad) {
+    _character.endUs += _characterUs;
+    _character.value = value;
+    _character.bad = bad;
+    _recording.characters.push_back(_character);
+  }
+
+ private:
+  line::Recording &_recording;
+  const uint32_t _characterUs;
+  line::Character _character;
+};
+
+void readHexText(std::istream &in, const std::string &name, BackToBack &bytes) {
+  size_t number = 1;
+  for (std::string line; std::getline(in, line); number++) {
+    const std::string_view text = content(line);
+    const std::string place = name + ":" + std::to_string(number) + ": ";
+    if (isOffset(text)) {
+      throw std::runtime_error(place +
+                               "begins with the offset of a dump; leave offsets and text out, or make bytes of "
+                               "it: xxd -r DUMP FILE.bin");
+    }
+    const HexText hex = parseHex(text);
+    if (!hex.wrong.empty()) {
+      throw std::runtime_error(place + line::quoted(hex.wrong) +
+                               " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a "
+                               "comment");
+    }
+    for (const HexText::Byte &byte : hex.bytes) {
+      bytes.put(byte.value, byte.bad);
+    }
+  }
+}
+
+FileSource readBytes(const std::string &name, unsigned long baud) {
+  FileSource file;
+  file.kind = FileKind::Bytes;
+  file.settings.baud = baud > 0 ? baud : sbus::Baud;
+  BackToBack bytes(file.recording, file.settings);
+  std::ifstream in(name, std::ios::binary);
+  if (hasNameOfBytes(name)) {
+    for (int byte = in.get(); byte != EOF; byte = in.get()) {
+      bytes.put(static_cast<uint8_t>(byte), false);
+    }
+  } else {
+    readHexText(in, name, bytes);
+  }
+  if (in.bad()) {
+    throw std::runtime_error(name + ": cannot be read");
+  }
+  if (file.recording.characters.empty()) {
+    throw std::runtime_error(name + ": is empty: bytes of a line are expected");
+  }
+  std::fprintf(stderr, "%s: has bytes without times: times are not known, frames are taken back to back\n",
+               name.c_str());
+  return file;
+}
+
+FileSource readCapture(const std::string &name, unsigned long baud) {
+  FileSource file;
+  file.kind = FileKind::Capture;
+  int64_t zeroNs = 0;
+  double characterNs = 0;
+  line::Overrules overrules;
+  overrules.baud = baud;
+  line::WireDecoder wire(
+      overrules,
+      [&] {
+        file.settings = wire.wire().settings;
+        characterNs = file.settings.format.bits() * wire.wire().bitNs;
+      },
+      [&](const line::WireCharacter &character) {
+        zeroNs = file.recording.characters.empty() ? std::min<int64_t>(0, character.startNs) : zeroNs;
+        file.recording.characters.push_back(character.since(zeroNs, characterNs));
+      });
+  const line::CaptureEnd end = line::readCapture(name, overrules, wire);
+  if (!end.error.empty()) {
+    throw std::runtime_error(end.error + "; sbus decode -o FILE keeps what came before it");
+  }
+  if (file.recording.characters.empty()) {
+    throw std::runtime_error(
+        name + ": " +
+        (wire.found() ? "has no characters: " + std::string(line::FrameForm) : wire.failure(end.periodNs)));
+  }
+  const std::string slow = line::tooSlow(end.periodNs, wire.wire().bitNs);
+  if (!slow.empty()) {
+    throw std::runtime_error(name + ": " + slow + "; sbus decode shows what can be decoded");
+  }
+  return file;
+}
+
+}  // namespace
+
+// An oscilloscope's columns may be a sketch's rows.
+FileKind kindOfFile(const std::string &name) {
+  const std::string head = line::beginningOf(name, line::CaptureHeadMax);
+  const bool isLogic2 = head.rfind("<SALEAE>", 0) == 0;
+  if (hasNameOfBytes(name) && !head.empty() && !isLogic2) {
+    return FileKind::Bytes;
+  }
+  if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
+    throw std::runtime_error(name +
+                             ": has a column of times, as sbus csv and the scope write it; only rows without are "
+                             "read again. Keep the line with sbus record");
+  }
+  const std::string format = line::captureFormat(head);
+  const bool rows = line::isCsv(name);
+  if (!format.empty() && !(format == line::OscilloscopeFormat && rows)) {
+    return FileKind::Capture;
+  }
+  if (isLogic2) {
+    throw std::runtime_error(name + ": is Logic 2's binary export: export it as CSV");
+  }
+  const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
+  if (std::any_of(head.begin(), head.end(), isControl)) {
+    throw std::runtime_error(name +
+                             ": is no text; bytes as a receiver has sent them are read if the file is called "
+                             "NAME.bin or NAME.raw, or from standard input: - <" +
+                             name);
+  }
+  return rows ? FileKind::Rows : isHexText(head) ? FileKind::Bytes : FileKind::Recording;
+}
+
+FileSource readFile(const std::string &name, unsigned long baud) {
+  const FileKind kind = kindOfFile(name);
+  if (kind == FileKind::Capture) {
+    return readCapture(name, baud);
+  }
+  if (kind == FileKind::Bytes) {
+    return readBytes(name, baud);
+  }
+  FileSource file;
+  file.kind = kind;
+  file.settings = kind == FileKind::Rows ? line::csvSettings() : line::recordedSettings(name);
+  if (kind == FileKind::Recording && baud > 0) {
+    file.settings = line::LineSettings();
+    file.settings.baud = baud;
+  }
+  file.recording =
+      kind == FileKind::Rows ? line::readCsv(name) : line::readRecording(name, file.settings.characterUs());
+  return file;
+}
+
+}  // namespace tool

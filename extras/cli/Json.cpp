@@ -1,0 +1,71 @@
+#include "cli/Json.h"
+
+#include "cli/Format.h"
+
+namespace tool {
+
+namespace {
+
+// In quotation marks. Names of ports and signals are UTF-8.
+std::string quoted(const std::string &text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    json += c >= 0 && c < ' ' ? format("\\u%04x", static_cast<unsigned>(c))
+                              : (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  }
+  return json + '"';
+}
+
+}  // namespace
+
+Json &Json::add(const char *name, const std::string &value) {
+  _text += (_text.empty() ? "\"" : ",\"") + std::string(name) + "\":" + value;
+  return *this;
+}
+
+Json &Json::text(const char *name, const std::string &value) {
+  return add(name, quoted(value));
+}
+
+Json &Json::decimal(const char *name, double value) {
+  return add(name, format("%.1f", value));
+}
+
+Json &Json::numbers(const char *name, const std::vector<double> &values) {
+  std::string list;
+  for (const double value : values) {
+    list += (list.empty() ? "" : ",") + format("%.10g", value);
+  }
+  return add(name, "[" + list + "]");
+}
+
+Json &Json::channels(const line::Values &values, size_t first, size_t count) {
+  const auto begin = values.raw.begin() + static_cast<std::ptrdiff_t>(first - 1);
+  return number("first", first)
+      .numbers("channels", std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count)));
+}
+
+Json frameJson(const line::Stretch &stretch, double startUs, const line::Values &values) {
+  const bool extra = stretch.kind == line::Stretch::Kind::Extra;
+  const bool is24 = stretch.kind == line::Stretch::Kind::Frame24;
+  Json json("frame");
+  json.decimal("time_us", startUs).channels(values, extra ? 17 : 1, is24 ? 24 : 16);
+  if (!is24 && !extra) {
+    json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
+  }
+  if (!extra) {
+    json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
+  }
+  return json.text("end", format("%02X", static_cast<unsigned>(stretch.characters.back().value)));
+}
+
+Json noFrameJson(const line::Stretch &stretch, double startUs) {
+  std::string bytes;
+  for (const line::Character &character : stretch.characters) {
+    bytes += (bytes.empty() ? "" : " ") + format("%02X", static_cast<unsigned>(character.value)) +
+             (character.bad ? "!" : "");
+  }
+  return Json("no_frame").decimal("time_us", startUs).text("bytes", bytes).text("why", why(stretch));
+}
+
+}  // namespace tool

@@ -1,0 +1,67 @@
+#include "cli/Output.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "line/recording/RecordingFile.h"
+
+namespace tool {
+
+namespace {
+
+[[noreturn]] void fail() {
+  if (errno == EPIPE) {
+    std::_Exit(EXIT_FAILURE);
+  }
+  throw std::runtime_error(std::string("standard output cannot be written (") + std::strerror(errno) +
+                           "); write it elsewhere");
+}
+
+}  // namespace
+
+bool isTerminal() {
+  return isatty(STDOUT_FILENO) != 0;
+}
+
+void setLineByLine() {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+}
+
+void write(const std::string &text) {
+  // Of what went wrong while a buffer was emptied, fwrite() says nothing.
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::ferror(stdout) != 0) {
+    fail();
+  }
+}
+
+void flush() {
+  if (std::fflush(stdout) != 0) {
+    fail();
+  }
+}
+
+void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print) {
+  if (name.empty() || name == "-") {
+    print(write);
+    flush();
+    return;
+  }
+  line::LineFile file(name, kind == File::New);
+  const auto require = [](const std::string &failure) {
+    if (!failure.empty()) {
+      throw std::runtime_error(failure);
+    }
+  };
+  print([&](const std::string &text) {
+    file.write(text);
+    require(file.failure());
+  });
+  require(file.finish());
+}
+
+}  // namespace tool

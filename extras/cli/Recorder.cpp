@@ -1,0 +1,100 @@
+#include "cli/Recorder.h"
+
+namespace tool {
+
+namespace {
+
+constexpr size_t TextMax = 4096;  // bytes of a text whose rows are none
+
+}  // namespace
+
+Recorder::Recorder(const std::string &subcommand, const std::string &source, const line::LineSettings &settings,
+                   bool isCopy, const Put &write)
+    : _title("sbus " + subcommand + " " + source), _settings(settings), _write(write) {
+  _observer.reset(0, settings.characterUs());
+  if (isCopy) {
+    begin(Kind::Characters);
+  }
+}
+
+void Recorder::put(const line::Character &character) {
+  _observer.put(character);
+  const bool line = _rows.put(character);
+  if (_kind == Kind::Rows) {
+    writeRow(line);
+  } else if (_kind == Kind::Characters) {
+    _writer.put(character);
+  } else {
+    _first.push_back(character);
+    decide(character);
+  }
+  flush();
+}
+
+void Recorder::finish() {
+  if (_kind == Kind::Unknown && !_first.empty()) {
+    begin(Kind::Characters);
+  }
+  _writer.finish();
+  flush();
+}
+
+std::string Recorder::summary() {
+  if (_kind == Kind::Rows) {
+    return std::to_string(_rowCount) + " rows of CSV";
+  }
+  _observer.finish();
+  const sbus::Counters &counters = _observer.counters();
+  return std::to_string(_observer.characters()) + " characters (" + std::to_string(_observer.badCharacters()) +
+         " bad), " + std::to_string(counters.frames) + " frames" + (_observer.has24() ? " of 24 channels" : "");
+}
+
+void Recorder::decide(const line::Character &character) {
+  const bool text = !character.bad && (character.value == '\r' || character.value == '\n' ||
+                                       (character.value >= ' ' && character.value <= '~'));
+  if (_rows.recognised()) {
+    begin(Kind::Rows);
+  } else if (!text || _first.size() == TextMax) {
+    begin(Kind::Characters);
+  }
+}
+
+void Recorder::begin(Kind kind) {
+  _kind = kind;
+  if (kind == Kind::Characters) {
+    _writer.comment(_title);
+    _writer.opened(_settings);
+    for (const line::Character &character : _first) {
+      _writer.put(character);
+    }
+  } else {
+    _write("# " + _title + ": rows of CSV as the sketch printed them, no S.Bus\n");
+    _columns = _rows.row().size();
+    _rows = line::CsvRows();
+    for (const line::Character &character : _first) {
+      writeRow(_rows.put(character));
+    }
+  }
+  _first.clear();
+}
+
+// From the middle of a row on is none.
+void Recorder::writeRow(bool complete) {
+  if (complete && _rows.isRow() && _rows.row().size() == _columns) {
+    std::string text;
+    for (const line::CsvField &field : _rows.row()) {
+      text += (text.empty() ? "" : ",") + field.text;
+    }
+    _write(text + "\r\n");
+    _rowCount++;
+  }
+}
+
+void Recorder::flush() {
+  const std::string lines = _writer.take();
+  if (!lines.empty()) {
+    _write(lines);
+  }
+}
+
+}  // namespace tool

@@ -1,0 +1,53 @@
+// Keeps a line as a recording, or a sketch's rows as CSV: for `record` and `monitor`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/Output.h"
+#include "line/recording/CsvRows.h"
+#include "line/Observer.h"
+#include "line/recording/RecordingWriter.h"
+
+namespace tool {
+
+// What comes is kept until it is clear whether it is S.Bus or a sketch's rows. A recording's copy is a recording, with
+// its times, of rows also.
+class Recorder {
+ public:
+  // `write` takes the text. `subcommand`: who records, for the file's first comment. `isCopy`: of a recording.
+  Recorder(const std::string &subcommand, const std::string &source, const line::LineSettings &settings, bool isCopy,
+           const Put &write);
+
+  void put(const line::Character &character);
+
+  // After the last character.
+  void finish();
+
+  // Frames or rows have come.
+  bool knows() const { return _rows.recognised() || _observer.counters().frames > 0; }
+
+  // "1000 characters (0 bad), 40 frames"
+  std::string summary();
+
+ private:
+  enum class Kind { Unknown, Characters, Rows };
+
+  void decide(const line::Character &character);
+  void begin(Kind kind);
+  void writeRow(bool complete);
+  void flush();
+
+  const std::string _title;
+  const line::LineSettings _settings;
+  const Put &_write;
+  line::RecordingWriter _writer;
+  line::Observer _observer;
+  line::CsvRows _rows;
+  Kind _kind = Kind::Unknown;
+  std::vector<line::Character> _first;
+  size_t _columns = 0;
+  unsigned long _rowCount = 0;
+};
+
+}  // namespace tool

@@ -1,0 +1,137 @@
+#include "cli/Sending.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cli/Output.h"
+#include "cli/Stop.h"
+#include "line/ports/PseudoTerminal.h"
+#include "line/ports/SendingPort.h"
+
+namespace tool {
+
+namespace {
+
+void say(const std::string &text) {
+  std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+// Where the bytes go.
+class Way {
+ public:
+  Way(const std::string &to, const line::LineSettings &settings) {
+    if (to.empty()) {
+      _terminal = std::make_unique<line::PseudoTerminal>();
+      write(_terminal->name() + "\n");
+      flush();
+    } else {
+      _port = std::make_unique<line::SendingPort>(to, settings);
+    }
+  }
+
+  // A line begins when somebody reads it. False if the end was asked for.
+  bool waitForReader() const {
+    if (!_terminal) {
+      return true;
+    }
+    if (!_terminal->hasReader()) {
+      say("waiting until a program opens " + _terminal->name() + "; Ctrl-C ends it");
+    }
+    while (!_terminal->hasReader() && !stopped()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    // A program sets the port that it has opened, and throws away what has come until then.
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return !stopped();
+  }
+
+  // Returns how many of them went.
+  size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
+    if (_terminal) {
+      return _terminal->write(bytes.data(), bytes.size());
+    }
+    const size_t sent = _port->write(nowUs, bytes.data(), bytes.size());
+    const std::string news = _port->news();
+    if (!news.empty()) {
+      say(news);
+    }
+    return sent;
+  }
+
+ private:
+  std::unique_ptr<line::PseudoTerminal> _terminal;
+  std::unique_ptr<line::SendingPort> _port;
+};
+
+// What is back to back goes out in one piece, or the system would put pauses into it.
+class Bursts {
+ public:
+  explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}
+
+  void put(const line::Character &character) {
+    _lastEndUs = character.endUs;
+    if (!character.bad) {
+      _bytes.push_back(character.value);
+    }
+  }
+
+  // Once nothing more belongs to it; empty before.
+  std::vector<uint8_t> take(uint64_t nowUs) {
+    const bool ready = nowUs >= _lastEndUs + 2 * _characterUs || _bytes.size() >= BurstMax;
+    return ready ? std::exchange(_bytes, {}) : std::vector<uint8_t>();
+  }
+
+ private:
+  static constexpr size_t BurstMax = 64;
+
+  uint32_t _characterUs;
+  std::vector<uint8_t> _bytes;
+  uint64_t _lastEndUs = 0;
+};
+
+}  // namespace
+
+Sending::Sending(CLI::App &subcommand) {
+  subcommand.add_option("--to", _to, "a serial port; else a pseudo-terminal, whose name is printed")->type_name("DEVICE");
+}
+
+void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const {
+  std::unique_ptr<Input> input = open();
+  Way way(_to, input->settings());
+  if (!way.waitForReader()) {
+    return;
+  }
+  say("sending; Ctrl-C ends it");
+  unsigned long sent = 0;
+  unsigned long lost = 0;
+  unsigned long bad = 0;
+  while (true) {
+    Bursts bursts(input->settings().characterUs());
+    input->run(
+        [&](const line::Character &character) {
+          bad += character.bad;
+          bursts.put(character);
+        },
+        [&](uint64_t nowUs) {
+          const std::vector<uint8_t> bytes = bursts.take(nowUs);
+          if (!bytes.empty()) {
+            const size_t went = way.send(nowUs, bytes);
+            sent += went;
+            lost += bytes.size() - went;
+          }
+        });
+    if (!loop || stopped()) {
+      break;
+    }
+    input = open();
+  }
+  say(std::to_string(sent) + " characters sent" +
+      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +
+      (bad > 0 ? "; " + std::to_string(bad) + " bad ones left out, which no port can send" : ""));
+}
+
+}  // namespace tool

@@ -1,0 +1,29 @@
+// Sends a line's characters through a port, or a pseudo-terminal: for `replay`, `simulate` and `send`.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "cli/Input.h"
+
+namespace tool {
+
+class Sending {
+ public:
+  // Adds its options to a subcommand.
+  explicit Sending(CLI::App &subcommand);
+
+  // Sends to this port; to a pseudo-terminal if it is empty.
+  explicit Sending(std::string port) : _to(std::move(port)) {}
+
+  // Sends what `open` gives, for ever if `loop`. A pseudo-terminal waits for its reader first. Throws
+  // std::runtime_error.
+  void run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const;
+
+ private:
+  std::string _to;
+};
+
+}  // namespace tool

@@ -1,0 +1,48 @@
+#include "cli/TerminalText.h"
+
+#include <algorithm>
+
+namespace tool {
+
+namespace {
+
+// A byte of UTF-8 that begins a character.
+bool begins(char c) {
+  return (c & 0xC0) != 0x80;
+}
+
+}  // namespace
+
+int widthOf(const std::string &text) {
+  return static_cast<int>(std::count_if(text.begin(), text.end(), begins));
+}
+
+std::string cut(const std::string &text, int width) {
+  int columns = 0;
+  size_t at = 0;
+  while (at < text.size() && (columns < width || !begins(text[at]))) {
+    columns += begins(text[at++]);
+  }
+  return text.substr(0, at);
+}
+
+std::string padded(const std::string &text, int width) {
+  const int missing = width - widthOf(text);
+  return missing > 0 ? text + std::string(static_cast<size_t>(missing), ' ') : cut(text, width);
+}
+
+std::string right(const std::string &text, int width) {
+  const int missing = width - widthOf(text);
+  return missing > 0 ? std::string(static_cast<size_t>(missing), ' ') + text : cut(text, width);
+}
+
+std::string cutAtPhrase(const std::string &text, int width) {
+  if (widthOf(text) <= width) {
+    return text;
+  }
+  const std::string start = cut(text, width);
+  const size_t end = std::max(start.rfind(": ") + 1, start.rfind(". ") + 1);  // npos + 1 is 0
+  return end > 0 ? start.substr(0, end - 1) : start;
+}
+
+}  // namespace tool

@@ -1,0 +1,88 @@
+// sbus: looks at S.Bus lines, records, replays and diagnoses them.
+
+#include <fcntl.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <iostream>
+
+#include "cli/options/CommandLine.h"
+#include "cli/Stop.h"
+#include "cli/subcommands/Subcommands.h"
+
+namespace {
+
+void addSubcommands(CLI::App &app) {
+  tool::addPorts(app);
+  tool::addMonitor(app);
+  tool::addDoctor(app);
+  tool::addSummary(app);
+  tool::addHex(app);
+  tool::addCsv(app);
+  tool::addPlot(app);
+  tool::addRecord(app);
+  tool::addReplay(app);
+  tool::addSimulate(app);
+  tool::addSend(app);
+  tool::addDecode(app);
+  tool::addWave(app);
+  tool::addExplain(app);
+  tool::addHelp(app);
+}
+
+// What is opened next would else be taken for a standard stream that is closed, and get its text.
+void keepStreamsApart() {
+  for (int stream = 0; stream <= 2; stream++) {
+    if (fcntl(stream, F_GETFD) < 0) {
+      open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);  // whoever uses it is told that it fails, as before
+    }
+  }
+}
+
+// Of the subcommand that was asked for, if any.
+std::string nameOf(const CLI::App &app) {
+  const auto subcommands = app.get_subcommands();
+  return subcommands.empty() ? app.get_name() : app.get_name() + " " + subcommands.front()->get_name();
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  keepStreamsApart();
+  CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", VERSION, "the version");
+  app.set_help_flag("-h,--help", "what there is to give");
+  app.set_help_all_flag("--help-all", "what every subcommand takes");
+  app.footer(
+      "SOURCE is a serial port (see `sbus ports`), a file (a recording, a capture of a logic analyser, bytes), - for "
+      "bytes on standard input, or sim, a receiver that is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
+  addSubcommands(app);
+  tool::catchSignals();
+  try {
+    if (argc > 1 && std::strcmp(argv[1], "__complete") == 0) {  // of completion.bash, completion.zsh, completion.fish
+      tool::printCompletions(app, {argv + 2, argv + argc});
+      return EXIT_SUCCESS;
+    }
+    app.parse(argc, argv);
+  } catch (const CLI::RuntimeError &error) {
+    return error.get_exit_code();  // the subcommand has said why
+  } catch (const CLI::ParseError &error) {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+      std::fprintf(stderr, "%s\n", tool::unknownSubcommand(app, argv[1]).c_str());
+      return tool::WrongCommandLine;
+    }
+    if (error.get_exit_code() != 0 && !tool::misplacedWord(app).empty()) {
+      std::fprintf(stderr, "%s\n", tool::misplacedWord(app).c_str());
+      return tool::WrongCommandLine;
+    }
+    const int status = app.exit(error, std::cout, std::cerr);
+    return status != 0 ? tool::WrongCommandLine : std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "%s: %s\n", nameOf(app).c_str(), error.what());
+    return EXIT_FAILURE;
+  }
+}

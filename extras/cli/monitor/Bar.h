@@ -1,0 +1,28 @@
+// A channel as a bar: its travel, its value, the least and the most.
+#pragma once
+
+#include "cli/monitor/MonitorPage.h"
+
+namespace tool {
+
+class Bar {
+ public:
+  // So many columns wide; all bars of a view have one scale.
+  Bar(const MonitorView &view, int width, bool unicode);
+
+  // What stands above the bars: "-100% 0 +100%" or the ends.
+  std::string scale() const;
+
+  void append(PageRow &row, const MonitorView::Channel &channel) const;
+
+ private:
+  int at(double value) const;
+
+  const MonitorView &_view;
+  int _width;
+  bool _unicode;
+  double _low = 0;
+  double _high = 2047;
+};
+
+}  // namespace tool

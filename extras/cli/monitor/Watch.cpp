@@ -1,0 +1,275 @@
+#include "cli/monitor/Watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/options/CsvColumn.h"
+#include "cli/Format.h"
+#include "cli/Json.h"
+#include "sbus/Diagnosis.h"
+
+namespace tool {
+
+namespace {
+
+constexpr uint64_t SecondUs = 1000000;
+constexpr uint64_t IndicatorUs = 300000;  // a frame's flag is seen so long
+constexpr uint64_t NewsUs = 5 * SecondUs;
+constexpr uint64_t StaleRowUs = SecondUs;  // a sketch prints a row every 200 ms
+constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
+constexpr size_t AllColumns = 18;          // examples/AllChannels
+
+std::string age(uint64_t us) {
+  return us < SecondUs        ? format("%4lu ms", static_cast<unsigned long>(us / 1000))
+         : us < 10 * SecondUs ? format("%5.1f s", static_cast<double>(us) / 1e6)
+                              : format("%5.0f s", static_cast<double>(us) / 1e6);
+}
+
+std::string count(const char *name, uint64_t value) {
+  return format("%s %lu", name, static_cast<unsigned long>(value));
+}
+
+std::string gaps(const line::Extent &gaps) {
+  const auto ms = [](uint64_t us) { return static_cast<double>(us) / 1000; };
+  return gaps.count == 0 ? "gap -"
+                         : format("gap min %.2f mean %.2f max %.2f ms", ms(gaps.low), ms(gaps.mean()), ms(gaps.high));
+}
+
+}  // namespace
+
+Watch::Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
+             const sbus::Range &pulses)
+    : _source(source), _settings(settings), _range(range), _pulses(pulses) {
+  _observer.reset(0, settings.characterUs());
+  _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+}
+
+void Watch::put(const line::Character &character) {
+  _characterUs = character.endUs;
+  _observer.put(character);
+  if (_rows.put(character) && _rows.recognised()) {
+    takeRow(character.endUs);
+  }
+}
+
+void Watch::news(const std::string &text, uint64_t nowUs) {
+  _news = text;
+  _newsUs = nowUs;
+}
+
+void Watch::reset() {
+  _observer.resetMarks();
+  _before = _observer.counters();
+  _badBefore = _observer.badCharacters();
+  _columns.clear();
+  _rowGaps = line::Extent();
+}
+
+void Watch::take(const line::Stretch &stretch) {
+  _kind.take(stretch);
+  if (stretch.isFrame()) {
+    _isCsv = false;
+    if (_observer.newest().lostFrame) {
+      _lostUs = stretch.endUs();
+    }
+  }
+}
+
+bool Watch::rowIsRaw() const {
+  const size_t columns = _row.size();
+  return (columns == SketchColumns || columns == AllColumns || columns == sbus::ChannelCount24 || columns == 32) &&
+         std::all_of(_row.begin(), _row.end(), [](const line::CsvField &field) {
+           return field.value >= 0 && field.value <= sbus::ChannelMax && field.value == std::floor(field.value);
+         });
+}
+
+void Watch::takeRow(uint64_t endUs) {
+  if (_isCsv) {
+    _rowGaps.add(endUs - _rowUs);
+  }
+  _isCsv = true;
+  _rowUs = endUs;
+  _row = _rows.row();
+  _wasRaw = (_wasRaw || _columns.size() != _row.size()) && rowIsRaw();
+  const bool first = _columns.size() != _row.size();
+  _columns.resize(_row.size());
+  for (size_t i = 0; i < _row.size(); i++) {
+    const double value = _row[i].value;
+    _columns[i].low = first ? value : std::min(_columns[i].low, value);
+    _columns[i].high = first ? value : std::max(_columns[i].high, value);
+  }
+}
+
+MonitorView Watch::view(uint64_t nowUs) {
+  MonitorView view;
+  view.source = _source;
+  view.range = _range;
+  view.pulses = _pulses;
+  if (_isCsv) {
+    showRows(view, nowUs);
+  } else {
+    showFrames(view, nowUs);
+    showState(view, nowUs);
+  }
+  if (!_news.empty() && (nowUs < _newsUs + NewsUs || _newsUs >= _characterUs)) {
+    view.banner = _news;
+    view.bannerMood = view.old ? Mood::Bad : Mood::Warn;
+  }
+  for (const MonitorView::Group &group : view.groups) {
+    for (const std::string &fact : group.facts) {
+      view.plain += (view.plain.empty() ? "" : ", ") + fact;
+    }
+  }
+  return view;
+}
+
+std::string Watch::json(uint64_t nowUs) {
+  if (_isCsv) {
+    std::vector<double> values(_row.size());
+    std::transform(_row.begin(), _row.end(), values.begin(), [](const line::CsvField &field) { return field.value; });
+    return Json("row")
+        .number("time_us", nowUs)
+        .number("age_us", nowUs - std::min(nowUs, _rowUs))
+        .numbers("values", values)
+        .line();
+  }
+  const line::Values &values = _observer.newest();
+  const sbus::Counters &now = _observer.counters();
+  Json json("state");
+  json.number("time_us", nowUs).text("state", stateName(_observer.state(nowUs)));
+  if (values.count > 0) {
+    json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count);
+    if (!_observer.has24()) {
+      json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
+    }
+    json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
+  }
+  return json.number("frames_per_second", _observer.perSecond(nowUs))
+      .number("frames", now.frames)
+      .number("lost_frames", now.lostFrames)
+      .number("failsafe_frames", now.failsafeFrames)
+      .number("discarded_bytes", now.discardedBytes)
+      .number("bad_characters", _observer.badCharacters())
+      .line();
+}
+
+void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
+  const line::Values &values = _observer.newest();
+  const std::string kind = _kind.text();
+  view.kind = (kind.empty() ? "" : kind + ", ") + std::to_string(_settings.baud) + " baud";
+  const bool seen = values.count > 0;
+  view.channels.resize(seen ? values.count : sbus::ProportionalCount);
+  for (size_t i = 0; i < values.count; i++) {
+    const line::Extent &travel = _observer.travel(i);
+    MonitorView::Channel &channel = view.channels[i];
+    channel.value = values.raw[i];
+    channel.low = static_cast<double>(travel.low);
+    channel.high = static_cast<double>(travel.high);
+    channel.marked = travel.count > 0;
+    channel.text = std::to_string(values.raw[i]);
+  }
+  if (!_observer.has24()) {
+    const bool more = values.count > sbus::ProportionalCount;  // CH17 is a channel then; Futaba calls the switches so
+    view.indicators.push_back({more ? "DG1" : "CH17", values.switches[0], Mood::Good});
+    view.indicators.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
+  }
+  const bool lost = values.lostFrame || (_lostUs > 0 && nowUs < _lostUs + IndicatorUs);
+  view.indicators.push_back({"FRAME LOST", lost, Mood::Warn});
+  view.indicators.push_back({"FAILSAFE", values.failsafe, Mood::Bad});
+  view.groups = groups(nowUs, seen);
+}
+
+std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
+  const sbus::Counters &now = _observer.counters();
+  return {
+      {"Frames",
+       {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
+        format("%3u frames/s", _observer.perSecond(nowUs)),
+        count("lost by radio", now.lostFrames - _before.lostFrames),
+        count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
+      {"Line",
+       {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
+        count("bytes skipped", now.discardedBytes - _before.discardedBytes)}},
+      {"Rejected",
+       {count("no end byte", now.rejectedByEnd - _before.rejectedByEnd),
+        count("unused flags", now.rejectedByFlags - _before.rejectedByFlags),
+        count("length or pause", now.rejectedByLength - _before.rejectedByLength),
+        count("found again", now.resyncs - _before.resyncs)}},
+  };
+}
+
+void Watch::showState(MonitorView &view, uint64_t nowUs) {
+  const line::Values &values = _observer.newest();
+  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + IndicatorUs;
+  switch (_observer.state(nowUs)) {
+    case sbus::LinkState::NeverSeen:
+      view.state = "no frame yet";
+      view.mood = Mood::Warn;
+      view.old = true;
+      if (nowUs >= SecondUs) {
+        view.bannerMood = Mood::Warn;
+        view.banner = (bytesCome ? "NO FRAMES: bytes come, but no frame. Ask: sbus doctor "
+                                 : "NO SIGNAL: nothing comes. Ask: sbus doctor ") +
+                      _source;
+      }
+      break;
+    case sbus::LinkState::Ok:
+    case sbus::LinkState::Lossy: {
+      const bool lossy = _lostUs > 0 && nowUs < _lostUs + IndicatorUs;
+      view.state = lossy ? "lossy" : "receiving";
+      view.mood = lossy ? Mood::Warn : Mood::Good;
+      break;
+    }
+    case sbus::LinkState::Failsafe:
+      view.state = "failsafe";
+      view.mood = Mood::Bad;
+      view.banner = values.failsafe ? text(sbus::Finding::Failsafe) : text(sbus::Finding::NoRadio);
+      view.banner += values.failsafe ? " The values are its failsafe setting." : " The values are old.";
+      break;
+    case sbus::LinkState::Stale:
+      view.state = "stale";
+      view.mood = Mood::Bad;
+      view.old = true;
+      view.banner =
+          "STALE: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
+          (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
+      break;
+  }
+}
+
+void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
+  const uint64_t ageUs = nowUs > _rowUs ? nowUs - _rowUs : 0;
+  const bool sketch = _wasRaw && _row.size() == SketchColumns;
+  const size_t channels = sketch                                 ? SketchColumns - 2
+                          : _wasRaw && _row.size() == AllColumns ? AllColumns - 2
+                                                                 : _row.size();
+  view.kind = "rows of CSV";
+  view.isRaw = _wasRaw;
+  for (size_t i = 0; i < channels; i++) {
+    const bool marked = _columns.size() == _row.size();
+    view.channels.push_back(
+        {_row[i].value, marked ? _columns[i].low : 0, marked ? _columns[i].high : 0, marked, _row[i].text});
+  }
+  for (size_t i = channels; i < _row.size(); i++) {
+    const bool failsafe = sketch && i == channels;
+    view.indicators.push_back({sketch ? (failsafe ? "FAILSAFE" : "FRAME LOST") : "CH" + std::to_string(i + 1),
+                          _row[i].value > 0,
+                          failsafe ? Mood::Bad
+                          : sketch ? Mood::Warn
+                                   : Mood::Good});
+  }
+  view.groups = {{"Rows", {"newest" + age(ageUs) + " old", count("total", _rowGaps.count + 1), gaps(_rowGaps)}}};
+  view.old = ageUs >= StaleRowUs;
+  view.state = view.old ? "stale" : "receiving";
+  view.mood = view.old ? Mood::Bad : Mood::Good;
+  if (view.old) {
+    view.banner = "STALE: no row for " + format("%.1f s", static_cast<double>(ageUs) / 1e6) +
+                  ": a sketch prints none while the line is silent. The values are old.";
+  } else if (sketch && _row[channels].value > 0) {
+    view.state = "failsafe";
+    view.mood = Mood::Bad;
+    view.banner = std::string(text(sbus::Finding::Failsafe)) + " The values are its failsafe setting.";
+  }
+}
+
+}  // namespace tool

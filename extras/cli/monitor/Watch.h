@@ -1,0 +1,74 @@
+// Watches a line for `sbus monitor`: takes its characters, and says what there is to see.
+#pragma once
+
+#include <vector>
+
+#include "cli/VariantOfLine.h"
+#include "cli/monitor/MonitorView.h"
+#include "line/recording/CsvRows.h"
+#include "line/simulation/LineSettings.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+class Watch {
+ public:
+  // `range`, `pulses`: as MonitorView's.
+  Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
+        const sbus::Range &pulses);
+  Watch(const Watch &) = delete;  // its observer's listener leads into it
+  Watch &operator=(const Watch &) = delete;
+
+  void put(const line::Character &character);
+  void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
+
+  // The port has gone, or is back.
+  void news(const std::string &text, uint64_t nowUs);
+
+  // Marks and counters begin anew; the link's state does not.
+  void reset();
+
+  MonitorView view(uint64_t nowUs);
+
+  // Returns the state and the newest values as a line of JSON.
+  std::string json(uint64_t nowUs);
+
+ private:
+  struct Column {
+    double low = 0;
+    double high = 0;
+  };
+
+  void take(const line::Stretch &stretch);
+  void takeRow(uint64_t endUs);
+  bool rowIsRaw() const;
+  void showFrames(MonitorView &view, uint64_t nowUs);
+  void showState(MonitorView &view, uint64_t nowUs);
+  void showRows(MonitorView &view, uint64_t nowUs) const;
+  std::vector<MonitorView::Group> groups(uint64_t nowUs, bool seen) const;
+
+  const std::string _source;
+  const line::LineSettings _settings;
+  const sbus::Range _range;
+  const sbus::Range _pulses;
+
+  line::Observer _observer;
+  VariantOfLine _kind;
+  sbus::Counters _before{};  // when the counters were reset
+  unsigned long _badBefore = 0;
+  uint64_t _characterUs = 0;  // when the newest came
+  uint64_t _lostUs = 0;       // when the newest lost frame came; 0: none yet
+
+  line::CsvRows _rows;
+  bool _isCsv = false;
+  line::CsvRow _row;  // the newest
+  std::vector<Column> _columns;
+  bool _wasRaw = true;  // all rows so far
+  uint64_t _rowUs = 0;
+  line::Extent _rowGaps;
+
+  std::string _news;
+  uint64_t _newsUs = 0;
+};
+
+}  // namespace tool

@@ -1,0 +1,195 @@
+#include "cli/options/CommandLine.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+#include "cli/Output.h"
+#include "cli/options/PortNames.h"
+
+namespace tool {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char *Files = ":files";
+
+Words subcommandNames(const CLI::App &app) {
+  Words names;
+  for (const CLI::App *const each : app.get_subcommands([](const CLI::App *) { return true; })) {
+    names.push_back(each->get_name());
+  }
+  return names;
+}
+
+Words optionNames(const CLI::App &app) {
+  Words names;
+  for (const CLI::Option *const option : app.get_options()) {
+    for (const std::string &name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+// Returns how many letters must be added, left out, changed or swapped with the next one to make `a` of `b`.
+size_t distance(const std::string &a, const std::string &b) {
+  std::vector<std::vector<size_t>> least(a.size() + 1, std::vector<size_t>(b.size() + 1));
+  for (size_t i = 0; i <= a.size(); i++) {
+    for (size_t j = 0; j <= b.size(); j++) {
+      size_t &here = least[i][j];
+      here = i + j;
+      if (i > 0 && j > 0) {
+        here = std::min({least[i - 1][j] + 1, least[i][j - 1] + 1, least[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      }
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        here = std::min(here, least[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return least[a.size()][b.size()];
+}
+
+// Returns "did you mean NAME? " for the nearest name: one that `word` begins, or one with a third of its letters wrong
+// at most. Returns "" where no name is near.
+std::string meant(const std::string &word, const Words &names) {
+  std::string nearest;
+  size_t least = SIZE_MAX;
+  for (const std::string &name : names) {
+    const bool begun = word.size() >= 3 && name.rfind(word, 0) == 0;
+    const size_t wrong = begun ? 0 : distance(word, name);
+    if (wrong < least && wrong * 3 <= word.size()) {
+      nearest = name;
+      least = wrong;
+    }
+  }
+  return nearest.empty() ? "" : "did you mean " + nearest + "? ";
+}
+
+const CLI::App *find(const CLI::App &app, const std::string &name) {
+  const auto all = app.get_subcommands([&name](const CLI::App *each) { return each->get_name() == name; });
+  return all.empty() ? nullptr : all.front();
+}
+
+void printHelp(const CLI::App &app, const std::string &name) {
+  const CLI::App *const subcommand = name.empty() ? &app : find(app, name);
+  if (subcommand == nullptr) {
+    throw CLI::ValidationError(unknownSubcommand(app, name));
+  }
+  const std::string prefix = name.empty() ? "" : app.get_name() + " ";
+  write(app.get_formatter()->make_help(subcommand, prefix + subcommand->get_name(), CLI::AppFormatMode::Normal));
+  flush();
+}
+
+bool takesValue(const CLI::Option &option) {
+  return option.get_items_expected_min() > 0;
+}
+
+// What an argument called `type` may be: "auto|always|never" are these words, a name in capitals stands for something.
+Words wordsFor(const CLI::App &app, const std::string &type) {
+  Words words;
+  std::istringstream parts(type);
+  for (std::string part; std::getline(parts, part, '|');) {
+    const bool port = part == "SOURCE" || part == "DEVICE";
+    const Words ports = port ? portNames() : part == "SUBCOMMAND" ? subcommandNames(app) : Words();
+    words.insert(words.end(), ports.begin(), ports.end());
+    if (part == "SOURCE") {
+      words.push_back("sim");
+    } else if (part == "LIST") {
+      words.insert(words.end(), {"ch1-ch4,failsafe,lostframe", "ch1-ch18", "ch1-ch24", "ch1-ch32", "time,state,age"});
+    }
+    if (port || part.rfind("FILE", 0) == 0 || part == "CAPTURE" || part == "RECORDING") {
+      words.push_back(Files);
+    } else if (std::none_of(part.begin(), part.end(), [](unsigned char letter) { return std::isupper(letter); })) {
+      words.push_back(part);
+    }
+  }
+  return words;
+}
+
+// What may stand after `before`, which begins with the subcommand.
+Words wordsAfter(const CLI::App &app, const Words &before) {
+  const CLI::App *const subcommand = find(app, before[0]);
+  if (subcommand == nullptr) {
+    return {};
+  }
+  size_t placed = 0;
+  for (size_t i = 1; i < before.size(); i++) {
+    const CLI::Option *const option =
+        before[i].rfind('-', 0) == 0 && before[i] != "-" ? subcommand->get_option_no_throw(before[i]) : nullptr;
+    if (option != nullptr && takesValue(*option) && ++i == before.size()) {
+      return wordsFor(app, option->get_type_name());
+    }
+    placed += option == nullptr;
+  }
+  Words words = optionNames(*subcommand);
+  const auto isArgument = [](const CLI::Option *option) { return option->get_positional(); };
+  for (const CLI::Option *const option : subcommand->get_options(isArgument)) {
+    if (placed-- == 0) {
+      const Words own = wordsFor(app, option->get_name());
+      words.insert(words.end(), own.begin(), own.end());
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+void addHelp(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("help", "what a subcommand takes");
+  const auto name = std::make_shared<std::string>();
+  subcommand->add_option("SUBCOMMAND", *name, "all of them without it")->type_name("");
+  subcommand->callback([&app, name] { printHelp(app, *name); });
+}
+
+std::string misplacedWord(const CLI::App &app) {
+  const Words own = app.remaining();
+  const auto subcommands = app.get_subcommands();
+  const std::string name = subcommands.empty() || !own.empty() ? "sbus" : "sbus " + subcommands.front()->get_name();
+  const Words left = own.empty() && !subcommands.empty() ? subcommands.front()->remaining() : own;
+  if (left.empty()) {
+    return {};
+  }
+  const auto option = std::find_if(left.begin(), left.end(), [](const std::string &word) { return word[0] == '-'; });
+  const std::string help = name == "sbus" ? "sbus --help" : "sbus help " + name.substr(5);
+  if (option == left.end()) {
+    return name + ": " + left.front() + " is one argument too many; " + help + " lists what it takes";
+  }
+  if (!subcommands.empty() && !own.empty() && subcommands.front()->get_option_no_throw(*option) != nullptr) {
+    return "sbus: " + *option + " is an option of " + subcommands.front()->get_name() + "; write it after that";
+  }
+  return name + ": " + *option + " is no option; " +
+         meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help + " lists them";
+}
+
+std::string unknownSubcommand(const CLI::App &app, const std::string &name) {
+  return name + " is no subcommand; " + meant(name, subcommandNames(app)) + "sbus --help lists them";
+}
+
+void printCompletions(const CLI::App &app, const Words &words) {
+  Words before;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(before),
+               [](const std::string &word) { return word != "="; });  // bash takes --output=FILE apart
+  const std::string begun = before.empty() ? "" : before.back();
+  if (!before.empty()) {
+    before.pop_back();
+  }
+  Words found = before.empty() ? subcommandNames(app) : wordsAfter(app, before);
+  if (before.empty()) {
+    const Words options = optionNames(app);
+    found.insert(found.end(), options.begin(), options.end());
+  }
+  for (const std::string &each : found) {
+    const bool option = !begun.empty() && begun[0] == '-';
+    if (each == Files ? !option : each.rfind(begun, 0) == 0 && (each[0] != '-' || option)) {
+      write(each + '\n');
+    }
+  }
+  flush();
+}
+
+}  // namespace tool

@@ -1,0 +1,143 @@
+#include "cli/options/CsvColumn.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "line/capture/Text.h"
+
+namespace tool {
+
+namespace {
+
+constexpr unsigned ChannelMax = 32;
+
+struct Name {
+  const char *name;
+  CsvColumn::Kind kind;
+};
+constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe},
+                          {"lostframe", CsvColumn::Kind::LostFrame},
+                          {"time", CsvColumn::Kind::Time},
+                          {"state", CsvColumn::Kind::State},
+                          {"age", CsvColumn::Kind::Age}};
+
+// "ch7" is 7; 0 if the text is no channel.
+unsigned channelOf(const std::string &text) {
+  const bool digits = text.size() >= 3 && text.size() <= 4 && text.compare(0, 2, "ch") == 0 && text[2] != '0' &&
+                      text.find_first_not_of("0123456789", 2) == std::string::npos;
+  const unsigned channel = digits ? static_cast<unsigned>(std::stoul(text.substr(2))) : 0;
+  return channel <= ChannelMax ? channel : 0;
+}
+
+// Appends what a word of the list names. False if it names nothing.
+bool append(const std::string &word, std::vector<CsvColumn> &columns) {
+  for (const Name &each : Names) {
+    if (word == each.name) {
+      columns.push_back({each.kind, 0});
+      return true;
+    }
+  }
+  const size_t dash = word.find('-');
+  const unsigned first = channelOf(word.substr(0, dash));
+  const unsigned last = dash == std::string::npos ? first : channelOf(word.substr(dash + 1));
+  for (unsigned channel = first; channel <= last && first > 0; channel++) {
+    columns.push_back({CsvColumn::Kind::Channel, channel});
+  }
+  return first > 0 && first <= last;
+}
+
+// CH17 and CH18 of a line of 16 channels are the switches, as in examples/AllChannels.
+unsigned valueOf(const line::Values &values, unsigned channel) {
+  const bool isSwitch = channel > sbus::ProportionalCount && values.count == sbus::ProportionalCount;
+  return isSwitch ? values.switches[channel - sbus::ProportionalCount - 1] : values.raw[channel - 1];
+}
+
+std::string seconds(uint64_t us) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%llu.%06llu", static_cast<unsigned long long>(us / 1000000),
+                static_cast<unsigned long long>(us % 1000000));
+  return text;
+}
+
+}  // namespace
+
+std::vector<CsvColumn> parseColumns(const std::string &text) {
+  std::vector<CsvColumn> columns;
+  for (size_t begin = 0; begin != std::string::npos;) {
+    const size_t comma = text.find(',', begin);
+    const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
+    if (!append(word, columns)) {
+      throw CLI::ValidationError("--columns", "\"" + word +
+                                                  "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, "
+                                                  "lostframe, time, state and age are");
+    }
+    begin = comma == std::string::npos ? comma : comma + 1;
+  }
+  return columns;
+}
+
+bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values, uint64_t sinceFirstUs) {
+  constexpr uint64_t SettledUs = 1000000;
+  const unsigned most = values.count == sbus::ProportionalCount ? sbus::ChannelCount : values.count;
+  for (const CsvColumn &column : columns) {
+    if (column.kind != CsvColumn::Kind::Channel || column.channel <= most) {
+      continue;
+    }
+    if (sinceFirstUs >= SettledUs) {
+      throw std::runtime_error("--columns: ch" + std::to_string(column.channel) +
+                               " does not come, this line ends at ch" + std::to_string(most) + "; leave it out");
+    }
+    return false;
+  }
+  return true;
+}
+
+std::string header(const std::vector<CsvColumn> &columns) {
+  std::string line;
+  for (const CsvColumn &column : columns) {
+    const bool isChannel = column.kind == CsvColumn::Kind::Channel;
+    const auto *const name = std::find_if(std::begin(Names), std::end(Names),
+                                          [&column](const Name &each) { return each.kind == column.kind; });
+    line += (line.empty() ? "" : ",") + (isChannel ? "CH" + std::to_string(column.channel) : std::string(name->name));
+  }
+  return line + '\n';
+}
+
+const char *stateName(sbus::LinkState state) {
+  const char *const texts[] = {"never seen", "ok", "lossy", "failsafe", "stale"};
+  return texts[static_cast<int>(state)];
+}
+
+std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs) {
+  const line::Values &values = observer.newest();
+  const sbus::LinkState state = observer.state(nowUs);
+  std::string line;
+  for (const CsvColumn &column : columns) {
+    line += line.empty() ? "" : ",";
+    switch (column.kind) {
+      case CsvColumn::Kind::Channel:
+        line += std::to_string(valueOf(values, column.channel));
+        break;
+      case CsvColumn::Kind::Failsafe:
+        line += state == sbus::LinkState::Failsafe ? '1' : '0';
+        break;
+      case CsvColumn::Kind::LostFrame:
+        line += values.lostFrame ? '1' : '0';
+        break;
+      case CsvColumn::Kind::Time:
+        line += seconds(nowUs);
+        break;
+      case CsvColumn::Kind::State:
+        line += stateName(state);
+        break;
+      case CsvColumn::Kind::Age:
+        line += seconds(observer.ageUs(nowUs));
+        break;
+    }
+  }
+  return line + '\n';
+}
+
+}  // namespace tool

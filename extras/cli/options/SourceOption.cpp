@@ -1,0 +1,168 @@
+#include "cli/options/SourceOption.h"
+
+#include <sys/stat.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "line/recording/CsvRows.h"
+#include "line/simulation/NoisyLine.h"
+#include "line/recording/RecordedLine.h"
+#include "line/uart/SampledLine.h"
+#include "line/ports/ByteStream.h"
+#include "line/ports/ReopenedPort.h"
+
+namespace tool {
+
+namespace {
+
+constexpr double YearS = 366.0 * 24 * 60 * 60;
+
+// Leaves what ends within the time, and all if `toUs` is 0 and `fromUs` too.
+void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t toUs) {
+  const line::Characters all = std::exchange(file.recording.characters, {});
+  for (const line::Character character : all) {
+    if (character.endUs >= fromUs && (toUs == 0 || character.endUs <= toUs)) {
+      file.recording.characters.push_back(character);
+    }
+  }
+  if (file.recording.characters.empty()) {
+    char text[100];
+    std::snprintf(text, sizeof text, ": has nothing there; it has characters from %.3f s to %.3f s",
+                  static_cast<double>(all[0].endUs) / 1e6, static_cast<double>(all.back().endUs) / 1e6);
+    throw std::runtime_error(name + text);
+  }
+}
+
+enum class Kind { Port, File, Stream, Simulated };
+
+// A name that is neither there nor looks like a device's is a file that is missed.
+Kind kindOf(const std::string &name) {
+  if (name == "sim") {
+    return Kind::Simulated;
+  }
+  struct stat status;
+  if (name == "-") {
+    return Kind::Stream;
+  }
+  if (stat(name.c_str(), &status) != 0) {
+    return name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File;
+  }
+  return S_ISCHR(status.st_mode) ? Kind::Port : S_ISFIFO(status.st_mode) ? Kind::Stream : Kind::File;
+}
+
+}  // namespace
+
+SourceOption::SourceOption(CLI::App &subcommand, Recordings recordings) : _options(subcommand), _recordings(recordings) {
+  subcommand.add_option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  _csv = subcommand.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
+  subcommand.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  _part = {
+      subcommand.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
+      subcommand.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
+  _simulatedTime =
+      subcommand.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+}
+
+line::LineSettings SourceOption::settings() const {
+  return _csv->count() > 0 ? line::csvSettings() : isFile() ? file().settings : _options.settings();
+}
+
+bool SourceOption::isFile() const {
+  return kindOf(_name) == Kind::File;
+}
+
+bool SourceOption::isStream() const {
+  return kindOf(_name) == Kind::Stream;
+}
+
+bool SourceOption::isWire() const {
+  const auto hasLevels = [](FileKind kind) { return kind == FileKind::Recording || kind == FileKind::Capture; };
+  return isFile() ? hasLevels(file().kind) : kindOf(_name) == Kind::Simulated;
+}
+
+bool SourceOption::hasTimes() const {
+  return !isFile() || file().kind != FileKind::Bytes;
+}
+
+void SourceOption::refusePart(const std::string &reason) const {
+  for (const CLI::Option *const option : _part) {
+    if (option->count() > 0) {
+      throw CLI::ValidationError(option->get_name(), reason);
+    }
+  }
+}
+
+const FileSource &SourceOption::file() const {
+  if (!_file) {
+    FileSource read = readFile(_name, _options.baud());
+    if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
+      refusePart("is of a file with times; leave it out for " + _name);
+    } else if (_from > 0 || _to > 0) {
+      cut(_name, read, static_cast<uint64_t>(_from * 1e6), static_cast<uint64_t>(_to * 1e6));
+    }
+    _file = std::make_shared<const FileSource>(std::move(read));
+  }
+  return *_file;
+}
+
+std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
+  const Kind kind = kindOf(_name);
+  if (kind == Kind::Port && _simulatedTime->count() > 0) {
+    throw CLI::ValidationError("--simulated-time", "is of sim and -; a port has a time of its own");
+  }
+  const bool atOnce = _simulatedTime->count() > 0 || (kind == Kind::File && _recordings == Recordings::AtOnce);
+  auto input =
+      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, _seconds);
+  input->setStart(static_cast<uint64_t>(_from * 1e6));
+  return input;
+}
+
+std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
+  const Kind kind = kindOf(_name);
+  if (kind != Kind::Simulated) {
+    _options.rejectSimulated(_name);
+  }
+  if (kind != Kind::File) {
+    refusePart("is of a file; leave it out for " + _name);
+  }
+  if (kind == Kind::Port) {
+    _options.rejectDisturbing("a port");
+    return std::make_unique<line::ReopenedPort>(_name, port);
+  }
+  if (kind == Kind::Stream) {
+    _options.rejectDisturbing("a stream of bytes");
+    return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime->count() > 0);
+  }
+  if (kind == Kind::File) {
+    return openFile(port);
+  }
+  const line::Source source = _options.source(_options.settings());
+  return std::make_unique<line::SampledLine>(source.open(), source.settings, port);
+}
+
+std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
+  const FileSource &read = file();
+  if (read.kind != FileKind::Recording) {
+    _options.rejectDisturbing(read.kind == FileKind::Rows      ? "rows of CSV"
+                              : read.kind == FileKind::Capture ? "a capture of the wire"
+                                                               : "bytes without times");
+  }
+  const std::shared_ptr<const line::Recording> recording(_file, &read.recording);
+  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(recording);
+  if (!isWire()) {
+    return line;
+  }
+  const line::Source source = _options.source(read.settings);
+  if (source.noise > 0) {
+    line = std::make_unique<line::NoisyLine>(std::move(line), source.noise, source.settings.characterUs());
+  }
+  return std::make_unique<line::SampledLine>(std::move(line), source.settings, port);
+}
+
+}  // namespace tool

@@ -1,0 +1,59 @@
+// SOURCE on the command line: a port, a file, - or sim; and the options that go with it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/FileSource.h"
+#include "cli/Input.h"
+#include "cli/options/LineOptions.h"
+
+namespace tool {
+
+// Whether a recording goes in true time, as on a page, or as fast as it can. All else goes in true time.
+enum class Recordings { InTrueTime, AtOnce };
+
+class SourceOption {
+ public:
+  // Adds SOURCE and its options to a subcommand.
+  SourceOption(CLI::App &subcommand, Recordings recordings);
+
+  // As a port hears it that is set as the options say: settings(). Throws std::runtime_error.
+  std::unique_ptr<Input> open() const { return open(settings()); }
+
+  // The same with another setting. The polarity of a serial port is its adapter's affair.
+  std::unique_ptr<Input> open(const line::LineSettings &port) const;
+
+  // 8E2 and inverted, at --baud; what a file says; with --csv what a sketch's Serial has, 115200 baud, 8N1. Throws
+  // std::runtime_error if it is a file that cannot be read.
+  line::LineSettings settings() const;
+
+  const std::string &name() const { return _name; }
+
+  bool isFile() const;
+  bool isStream() const;
+  // Its levels are known, so that a port of either polarity can hear it: sim, recordings and captures.
+  bool isWire() const;
+  // Its times are those of the line, if it is not a file of bytes.
+  bool hasTimes() const;
+
+ private:
+  std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
+  std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
+  const FileSource &file() const;
+  void refusePart(const std::string &reason) const;
+
+  LineOptions _options;
+  Recordings _recordings;
+  std::string _name;
+  double _seconds = 0;
+  double _from = 0;  // seconds
+  double _to = 0;    // 0: to the end
+  const CLI::Option *_csv;
+  std::vector<const CLI::Option *> _part;  // --from and --to
+  const CLI::Option *_simulatedTime;
+  mutable std::shared_ptr<const FileSource> _file;  // once it has been read
+};
+
+}  // namespace tool

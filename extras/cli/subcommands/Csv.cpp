@@ -1,0 +1,129 @@
+// sbus csv: what the sketch examples/DecodeSBus prints, for the same viewers.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/options/CsvColumn.h"
+#include "cli/Output.h"
+#include "cli/SilenceNote.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/recording/CsvRows.h"
+
+namespace tool {
+
+namespace {
+
+struct CsvOptions {
+  std::string columns = "ch1-ch4,failsafe,lostframe";
+  double rate = 5;  // rows a second, as the sketch's PERIOD_DISPLAY
+  const CLI::Option *everyFrame = nullptr;
+  const CLI::Option *header = nullptr;
+};
+
+class CsvView {
+ public:
+  CsvView(const CsvOptions &options, const std::string &source, uint32_t characterUs)
+      : _source(source),
+        _columns(parseColumns(options.columns)),
+        _everyFrame(options.everyFrame->count() > 0),
+        _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
+        _nextUs(_periodUs) {
+    _observer.reset(0, characterUs);
+    _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+    if (options.header->count() > 0) {
+      write(header(_columns));
+    }
+  }
+
+  void put(const line::Character &character) {
+    _rows.put(character);
+    if (_rows.recognised()) {
+      throw std::runtime_error(_source +
+                               ": these are rows of CSV already; sbus plot shows them, sbus record keeps them");
+    }
+    _observer.put(character);
+  }
+
+  void tick(uint64_t nowUs, uint64_t knownUs) {
+    _observer.idleUntil(knownUs);
+    _silence.tick(nowUs, framesCame());
+    if (nowUs < _nextUs) {
+      return;
+    }
+    _nextUs += _periodUs * (1 + (nowUs - _nextUs) / _periodUs);
+    if (!_everyFrame && isYoung(_observer.state(nowUs))) {
+      print(nowUs);
+    }
+  }
+
+  // A line that was over before the first row was due has one row.
+  void finish() {
+    _observer.finish();
+    if (_firstUs == 0 && framesCame()) {
+      print(_observer.newest().endUs);
+    }
+    flush();
+    if (!framesCame()) {
+      throw std::runtime_error(_source + ": no frames came; sbus doctor says why");
+    }
+  }
+
+ private:
+  bool framesCame() const { return _observer.counters().frames > 0; }
+
+  static bool isYoung(sbus::LinkState state) {
+    return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
+  }
+
+  void take(const line::Stretch &stretch) {
+    if (_everyFrame && stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
+      print(stretch.endUs());
+    }
+  }
+
+  // A row whose channels have not all come yet is left out.
+  void print(uint64_t nowUs) {
+    _firstUs = _firstUs == 0 ? nowUs : _firstUs;
+    if (haveCome(_columns, _observer.newest(), nowUs - _firstUs)) {
+      write(row(_columns, _observer, nowUs));
+    }
+  }
+
+  const std::string _source;
+  const std::vector<CsvColumn> _columns;
+  const bool _everyFrame;
+  const uint64_t _periodUs;
+  uint64_t _nextUs;
+  uint64_t _firstUs = 0;  // of the first row
+  line::Observer _observer;
+  line::CsvRows _rows;
+  SilenceNote _silence{_source, "frames"};
+};
+
+void run(const SourceOption &source, const CsvOptions &options) {
+  const std::unique_ptr<Input> input = source.open();
+  CsvView view(options, source.name(), input->settings().characterUs());
+  input->run([&view](const line::Character &character) { view.put(character); },
+             [&](uint64_t nowUs) { view.tick(nowUs, input->knownUs()); });
+  view.finish();
+}
+
+}  // namespace
+
+void addCsv(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("csv", "what the sketch prints: for a serial plotter or a spreadsheet");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  const auto options = std::make_shared<CsvOptions>();
+  subcommand->add_option("--columns", options->columns,
+                   "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
+      ->type_name("LIST");
+  subcommand->add_option("--rate", options->rate, "rows a second (5)")->check(numberBetween(0.01, 1000))->type_name("N");
+  options->everyFrame = subcommand->add_flag("--every-frame", "a row for each frame, whatever the rate");
+  options->header = subcommand->add_flag("--header", "the columns' names in the first row");
+  subcommand->footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
+  subcommand->callback([source, options] { run(*source, *options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,192 @@
+// sbus decode: a logic analyser's or an oscilloscope's recording of the wire itself; characters, then frames.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <deque>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/DecodeOutput.h"
+#include "cli/options/LineOptions.h"
+#include "cli/Output.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/recording/RecordingWriter.h"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  std::string capture;
+  std::string output;  // a recording
+  line::Overrules overrules;
+  std::string invert;
+  bool csv = false;
+  bool json = false;
+  bool characters = false;
+};
+
+// Hands the characters of the wire over to the Observer, whose times begin at 0, and gets them back in stretches.
+class Frames {
+ public:
+  // `record`: takes the text of a recording; it may be empty. `isShown`: the frames go to `output`.
+  Frames(DecodeOutput &output, bool isShown, Put record)
+      : _output(output), _isShown(isShown), _record(std::move(record)) {
+    _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+  }
+
+  void begin(const std::string &capture, const line::FoundWire &wire) {
+    _characterNs = wire.settings.format.bits() * wire.bitNs;
+    _observer.reset(0, wire.settings.characterUs());
+    _writer.comment("sbus decode " + capture);
+    _writer.opened(wire.settings);
+  }
+
+  void put(const line::WireCharacter &wire) {
+    if (_waiting.empty() && _observer.characters() == 0) {
+      _zeroNs = std::min<int64_t>(0, wire.startNs);
+    }
+    _waiting.push_back(wire);
+    const line::Character character = wire.since(_zeroNs, _characterNs);
+    _observer.put(character);
+    if (_record) {
+      _writer.put(character);
+      _record(_writer.take());
+    }
+  }
+
+  const line::Observer &finish(int64_t endNs) {
+    _observer.idleUntil(static_cast<uint64_t>(std::max<int64_t>(0, endNs - _zeroNs) / 1000));
+    _observer.finish();
+    if (_record) {
+      _writer.finish();
+      _record(_writer.take());
+    }
+    return _observer;
+  }
+
+ private:
+  void take(const line::Stretch &stretch) {
+    const auto end = _waiting.begin() + static_cast<std::ptrdiff_t>(stretch.characters.size());
+    const std::vector<line::WireCharacter> characters(_waiting.begin(), end);
+    _waiting.erase(_waiting.begin(), end);
+    if (_isShown) {
+      _output.stretch(stretch, characters, _observer.newest());
+    }
+  }
+
+  DecodeOutput &_output;
+  const bool _isShown;
+  const Put _record;
+  line::RecordingWriter _writer;
+  line::Observer _observer;
+  std::deque<line::WireCharacter> _waiting;  // in no stretch yet
+  double _characterNs = 0;
+  int64_t _zeroNs = 0;
+};
+
+std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) {
+  return "signal " + wire.signal() + " has " + std::to_string(characters) + " characters" +
+         (wire.isMeasured() ? " at " + text(wire.wire().settings) : "") + ", but no frame of S.Bus: " + line::FrameForm;
+}
+
+void decode(const Options &options, const Put &record) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    std::signal(signal, SIG_DFL);  // it waits for standard input, and leaves nothing behind
+  }
+  if (options.capture == "-") {
+    setLineByLine();
+  }
+  DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters);
+  Frames frames(output, !record || options.csv || options.json, record);
+  line::WireDecoder wire(
+      options.overrules,
+      [&] {
+        output.begin(wire);
+        frames.begin(options.capture, wire.wire());
+      },
+      [&](const line::WireCharacter &character) {
+        output.character(character);
+        frames.put(character);
+      });
+  const line::CaptureEnd capture = readCapture(options.capture, options.overrules, wire);
+  if (!wire.found()) {
+    throw std::runtime_error(capture.error.empty() ? options.capture + ": " + wire.failure(capture.periodNs)
+                                                   : capture.error);
+  }
+  const line::Observer &observer = frames.finish(wire.endNs());
+  output.end(options.capture, capture, observer);
+  flush();
+  if (!capture.error.empty()) {
+    throw std::runtime_error(capture.error + "; what came before it is " +
+                             (options.output.empty() ? "decoded above" : "in " + options.output));
+  }
+  const std::string slow = line::tooSlow(capture.periodNs, wire.wire().bitNs);
+  if (!slow.empty()) {
+    throw std::runtime_error(options.capture + ": " + slow + ". What could be decoded is above");
+  }
+  if (observer.counters().frames == 0 && !options.characters) {
+    throw std::runtime_error(options.capture + ": " + whyNoFrame(wire, observer.characters()));
+  }
+  if (output.leftOut() > 0) {
+    throw std::runtime_error(options.capture + ": " + std::to_string(output.leftOut()) +
+                             " frames have other channels than the first ones, and are left out; --json has all");
+  }
+}
+
+void run(const Options &options) {
+  if (options.output.empty()) {
+    decode(options, Put());
+    return;
+  }
+  rejectSameFile(options.capture, options.output);
+  writeTo(options.output, File::New, [&options](const Put &put) { decode(options, put); });
+}
+
+}  // namespace
+
+void addDecode(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
+  const auto options = std::make_shared<Options>();
+  subcommand->add_option("CAPTURE", options->capture,
+                   "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
+                   "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
+                   "each also as .gz; - is standard input")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  subcommand->add_option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
+      ->check(notStandardOutput())
+      ->type_name("FILE.txt");
+  line::Overrules &overrules = options->overrules;
+  subcommand->add_option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
+      ->type_name("NAME");
+  subcommand->add_option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
+      ->check(numberBetween(50000, 400000))
+      ->type_name("N");
+  subcommand->add_option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
+      ->check(CLI::IsMember({"yes", "no"}).description(""))
+      ->type_name("yes|no");
+  subcommand->add_option_function<double>("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
+                                    "samples a second, each row or bit one (as the capture says)")
+      ->check(numberBetween(1, 1e10))
+      ->type_name("HZ");
+  subcommand->add_option_function<double>("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
+                                    "voltage above which the wire is high, in the capture's unit (found)")
+      ->type_name("V");
+  const auto csv = subcommand->add_flag("--csv", options->csv, "rows for a spreadsheet");
+  subcommand->add_flag("--json", options->json, "JSON lines")->excludes(csv);
+  subcommand->add_flag("--characters", options->characters, "the characters, not the frames");
+  subcommand->footer(
+      "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
+      "options name them. Times are the capture's: of the first start bit's edge. Exits with 1 if there is no frame.");
+  subcommand->callback([options] {
+    options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
+                                  : options->invert == "yes" ? line::Polarity::Inverted
+                                                             : line::Polarity::Uninverted;
+    run(*options);
+  });
+}
+
+}  // namespace tool

@@ -1,0 +1,246 @@
+// sbus explain: the paper's tables for one frame: its bytes and their meaning, its channels and their bits.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/Format.h"
+#include "cli/HexText.h"
+#include "cli/Output.h"
+#include "cli/subcommands/Subcommands.h"
+#include "sbus/Frame.h"
+#include "sbus/Scaling.h"
+
+namespace tool {
+
+namespace {
+
+constexpr size_t ChannelBits = 11;
+
+struct Input {
+  std::vector<uint8_t> bytes;
+  std::vector<std::string> problems;
+};
+
+Input parse(const std::string &text) {
+  const HexText hex = parseHex(text);
+  Input input;
+  for (const HexText::Byte &byte : hex.bytes) {
+    input.bytes.push_back(byte.value);
+    if (byte.bad) {
+      input.problems.push_back(format("byte %zu: %02X is marked with !, a parity or framing error",
+                                      input.bytes.size() - 1, static_cast<unsigned>(byte.value)));
+    }
+  }
+  if (!hex.wrong.empty()) {
+    input.problems.push_back(format("byte %zu: \"%s\" is not hexadecimal; two digits a byte are expected, such as 0F",
+                                    input.bytes.size(), hex.wrong.c_str()));
+  }
+  return input;
+}
+
+std::string bitsOf(unsigned value, unsigned count) {
+  std::string text;
+  for (unsigned bit = count; bit-- > 0;) {
+    text += (value >> bit & 1) != 0 ? '1' : '0';
+  }
+  return text;
+}
+
+// One frame, or as much of it as there is, and what is wrong with it.
+class Frame {
+ public:
+  Frame(std::vector<uint8_t> bytes, std::vector<std::string> problems)
+      : _bytes(std::move(bytes)), _problems(std::move(problems)), _size(is24() ? sbus::FrameSize24 : sbus::FrameSize) {}
+
+  void print() {
+    write(format("read as a frame of %d channels, %zu bytes\n\nbyte  hex  bit 7..0  meaning\n", channels(), _size));
+    for (size_t i = 0; i < _bytes.size(); i++) {
+      const std::string bits = bitsOf(_bytes[i], 8);
+      write(format("%4zu   %02X  %s  ", i, static_cast<unsigned>(_bytes[i]), bits.c_str()) + meaning(i) + '\n');
+    }
+    if (_bytes.size() > sbus::PayloadIndex + 1) {
+      write("\nchannel  raw    us  bits, the highest first\n");
+      printChannels();
+    }
+    if (_bytes.size() < _size) {
+      _problems.push_back(format("byte %zu is missing: only %zu of the %zu bytes of a frame came", _bytes.size(),
+                                 _bytes.size(), _size));
+    }
+  }
+
+  const std::vector<std::string> &problems() const { return _problems; }
+
+ private:
+  bool isExtra() const { return _bytes[0] == sbus::ExtraHeader; }
+  int channels() const { return _size == sbus::FrameSize24 ? sbus::ChannelCount24 : sbus::ProportionalCount; }
+  size_t payloadEnd() const { return _size - 2; }
+
+  // More than 25 bytes, and byte 24 does not end a frame of 25.
+  bool is24() const {
+    return _bytes.size() == sbus::FrameSize24 ||
+           (_bytes.size() > sbus::FrameSize &&
+            !(sbus::isFlagsByte(_bytes[sbus::FlagsIndex]) && sbus::isEndByte(_bytes[sbus::EndIndex])));
+  }
+
+  void blame(size_t at, const std::string &what) { _problems.push_back(format("byte %zu: ", at) + what); }
+
+  std::string meaning(size_t at) {
+    return at == 0                  ? header()
+           : at < payloadEnd()      ? payload(at)
+           : at == payloadEnd()     ? flags(at)
+           : at == payloadEnd() + 1 ? end(at)
+                                    : tail(at);
+  }
+
+  std::string header() {
+    if (_bytes[0] == sbus::HeaderByte) {
+      return "header";
+    }
+    if (isExtra() && _size == sbus::FrameSize) {
+      return "header of an extra frame: CH17 to CH32 of Futaba FASSTest 26";
+    }
+    blame(0, format("%02X is no header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
+                    _size == sbus::FrameSize ? ", or 2F of an extra frame," : ""));
+    return "not a header";
+  }
+
+  std::string name(size_t channel) const { return format("CH%zu", channel + (isExtra() ? 17 : 1)); }
+
+  // "CH2 bit 4..0, CH1 bit 10..8": the channels whose bits the byte holds, its highest bit first.
+  std::string payload(size_t at) const {
+    const size_t first = (at - sbus::PayloadIndex) * 8;
+    std::string text;
+    for (size_t bit = first; bit < first + 8;) {
+      const size_t channel = bit / ChannelBits;
+      const size_t next = std::min(first + 8, (channel + 1) * ChannelBits);
+      const size_t low = bit % ChannelBits;
+      text = name(channel) + format(next - bit > 1 ? " bit %zu..%zu" : " bit %zu", low + (next - bit - 1), low) +
+             (text.empty() ? "" : ", ") + text;
+      bit = next;
+    }
+    return text;
+  }
+
+  std::string flags(size_t at) {
+    const unsigned flags = _bytes[at];
+    if (!sbus::isFlagsByte(_bytes[at])) {
+      blame(at, format("%02X has unused flags set; bit 4 to 7 are 0 on every receiver known", flags));
+    }
+    const auto text = [flags](unsigned flag, const char *set, const char *clear) {
+      return std::string((flags & flag) != 0 ? set : clear);
+    };
+    const bool hasSwitches = _size == sbus::FrameSize && !isExtra();
+    const std::string switches = hasSwitches ? text(sbus::FlagChannel17, "CH17 on, ", "CH17 off, ") +
+                                                   text(sbus::FlagChannel18, "CH18 on, ", "CH18 off, ")
+                                             : "";
+    return "flags: " + switches + text(sbus::FlagLostFrame, "frame lost, ", "frame not lost, ") +
+           text(sbus::FlagFailsafe, "failsafe", "no failsafe") + text(sbus::FlagsUnused, ", unused bits set", "");
+  }
+
+  std::string end(size_t at) {
+    constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "R7003SB or FASSTest 12CH"};
+    static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
+    const uint8_t kind = sbus::variantOfEnd(_bytes[at]);
+    if (kind == sbus::UnknownVariant || (_size == sbus::FrameSize24 && kind >= sbus::Frame24::Variants)) {
+      blame(at, format("%02X is no end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
+                       _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
+      return "not an end byte";
+    }
+    const unsigned slot = (_bytes[at] >> 4) * 8U;
+    const std::string slots =
+        kind == sbus::SlotsVariant ? format(", telemetry slots %u to %u", slot, slot + 7) : std::string();
+    return std::string("end byte: ") + Texts[kind] + slots;
+  }
+
+  std::string tail(size_t at) {
+    const uint8_t kind = _size == sbus::FrameSize ? sbus::variantOfEnd(_bytes[sbus::EndIndex]) : sbus::UnknownVariant;
+    if (kind < sbus::UnknownVariant && at < _size + sbus::LineVariants[kind].tailSize) {
+      return "belongs to a frame with this end byte, meaning unknown";
+    }
+    if (at == _size || at == _size + sbus::LongestTail) {
+      blame(at, "the frame ends before it; give one frame at a time");
+    }
+    return "not of this frame";
+  }
+
+  void printChannels() {
+    std::vector<uint8_t> whole = _bytes;
+    whole.resize(sbus::FrameSize24);
+    uint16_t raw[sbus::ChannelCount24];
+    _size == sbus::FrameSize24 ? sbus::unpack24(whole.data(), raw)
+    : isExtra()                ? sbus::unpackExtra(whole.data(), raw)
+                               : sbus::unpack(whole.data(), raw);
+    const size_t bits = (std::min(_bytes.size(), payloadEnd()) - sbus::PayloadIndex) * 8;
+    for (size_t channel = 0; (channel + 1) * ChannelBits <= bits; channel++) {
+      write(format("%-7s %4u %5d  ", name(channel).c_str(), static_cast<unsigned>(raw[channel]),
+                   sbus::toMicroseconds(raw[channel], sbus::FrSky)) +
+            sources(channel) + '\n');
+    }
+  }
+
+  // "011 of byte 2, 11100011 of byte 1"
+  std::string sources(size_t channel) const {
+    std::string text;
+    for (size_t bit = (channel + 1) * ChannelBits; bit > channel * ChannelBits;) {
+      const size_t at = (bit - 1) / 8;
+      const size_t from = std::max(channel * ChannelBits, at * 8);
+      const unsigned value = _bytes[sbus::PayloadIndex + at] >> (from - at * 8);
+      const std::string piece = bitsOf(value, static_cast<unsigned>(bit - from));
+      text += (text.empty() ? "" : ", ") + piece + format(" of byte %zu", at + sbus::PayloadIndex);
+      bit = from;
+    }
+    return text;
+  }
+
+  std::vector<uint8_t> _bytes;
+  std::vector<std::string> _problems;
+  size_t _size;
+};
+
+void run(const std::vector<std::string> &words) {
+  std::string text;
+  for (const std::string &word : words) {
+    text += word + ' ';
+  }
+  if (words.empty() || text == "- ") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  }
+  const Input input = parse(text);
+  std::vector<std::string> problems = input.problems;
+  if (!input.bytes.empty()) {
+    Frame frame(input.bytes, input.problems);
+    frame.print();
+    flush();
+    problems = frame.problems();
+  } else if (problems.empty()) {
+    problems.push_back("no bytes came; a frame in hexadecimal is expected, such as 0F E3 03 ...");
+  }
+  for (const std::string &problem : problems) {
+    std::fprintf(stderr, "sbus explain: %s\n", problem.c_str());
+  }
+  if (!problems.empty()) {
+    throw CLI::RuntimeError(EXIT_FAILURE);
+  }
+}
+
+}  // namespace
+
+void addExplain(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("explain", "a frame byte by byte, and the bits of each channel");
+  const auto words = std::make_shared<std::vector<std::string>>();
+  subcommand->add_option("BYTES", *words, "a frame in hexadecimal, words or one text; without it, or with -, standard input")
+      ->type_name("");
+  subcommand->footer(
+      "A frame has 25 bytes, or 36 with 24 channels. Microseconds are a FrSky's: 172, 992 and 1811 are 988, 1500 and "
+      "2012.");
+  subcommand->callback([words] { run(*words); });
+}
+
+}  // namespace tool

@@ -1,0 +1,262 @@
+// sbus hex: the bytes, 25 a line, as RealTerm shows them; and what the decoder made of them.
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <vector>
+
+#include "cli/Format.h"
+#include "cli/Json.h"
+#include "cli/Output.h"
+#include "cli/SilenceNote.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+namespace {
+
+// Of a terminal that shows colours; the text says the same without them.
+struct Colours {
+  const char *time = "";
+  const char *rejected = "";
+  const char *bad = "";
+  const char *flags = "";
+  const char *off = "";
+};
+
+Colours coloursOf(const std::string &when) {
+  const auto is = [](const char *name, const char *value) {
+    const char *const set = std::getenv(name);
+    return set != nullptr && std::strcmp(set, value) == 0;
+  };
+  const bool shown = isTerminal() && !is("TERM", "dumb") && (std::getenv("NO_COLOR") == nullptr || is("NO_COLOR", ""));
+  const bool wanted = when == "always" || (when == "auto" && shown);
+  return wanted ? Colours{"\x1b[2m", "\x1b[33m", "\x1b[31;7m", "\x1b[31m", "\x1b[0m"} : Colours{};
+}
+
+const char *kindText(line::Stretch::Kind kind) {
+  return kind == line::Stretch::Kind::Frame     ? "frame"
+         : kind == line::Stretch::Kind::Frame24 ? "frame24"
+         : kind == line::Stretch::Kind::Extra   ? "extra"
+                                                : "-";
+}
+
+constexpr size_t LeastWidth = 60;  // a narrower terminal breaks the lines
+
+struct HexOptions {
+  std::string colour = "auto";
+  bool values = false;
+  bool delta = false;
+  bool json = false;
+  size_t width = 0;  // 0: the terminal's
+};
+
+// Returns the columns of the terminal that standard output is; 0 if it is none.
+size_t terminalWidth() {
+  winsize size{};
+  return isTerminal() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size_t{size.ws_col} : 0;
+}
+
+// Appends `text` to `rows`, broken at its blanks where a row would be longer than `width`.
+void fold(const std::string &text, size_t width, std::vector<std::string> &rows) {
+  std::istringstream words(text);
+  rows.emplace_back();
+  for (std::string word; words >> word;) {
+    if (!rows.back().empty() && rows.back().size() + 1 + word.size() > width) {
+      rows.emplace_back();
+    }
+    rows.back() += (rows.back().empty() ? "" : " ") + word;
+  }
+}
+
+class HexView {
+ public:
+  HexView(const line::Observer &observer, const HexOptions &options)
+      : _observer(observer), _options(options), _colours(coloursOf(options.colour)) {}
+
+  void show(const line::Stretch &stretch) {
+    const std::string time = format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6);
+    _lastUs = _options.delta ? stretch.endUs() : 0;
+    const size_t width = _options.width > 0 ? _options.width : terminalWidth();
+    if (width > 0) {
+      showFolded(stretch, time, std::max(width, LeastWidth));
+      return;
+    }
+    const char *const colour = stretch.isFrame() ? "" : _colours.rejected;
+    std::string text = _colours.time + time + _colours.off + colour + bytes(stretch, 0, stretch.characters.size());
+    for (size_t i = stretch.characters.size(); i < sbus::FrameSize; i++) {
+      text += "   ";
+    }
+    text += " " + verdict(stretch) + (stretch.isFrame() ? coloured(flags(stretch)) : _colours.off);
+    text += stretch.isFrame() && _options.values ? " " : "";
+    for (const std::string &value : values(stretch)) {
+      text += value;
+    }
+    write(text + '\n');
+  }
+
+ private:
+  static constexpr size_t ByteWidth = 3;  // columns, as are these
+  static constexpr size_t LeastText = 15;
+  static constexpr size_t LeastValues = 4;
+  static constexpr size_t ValueWidth = 5;
+
+  // Bytes on the left, what was made of them beside them, in as many rows as it takes.
+  void showFolded(const line::Stretch &stretch, const std::string &time, size_t width) const {
+    const size_t least = _options.values ? LeastValues * ValueWidth : LeastText;
+    const size_t room = width - time.size() - 1;
+    const size_t most = std::min<size_t>((room - least) / ByteWidth, sbus::FrameSize);
+    const size_t frameRows = (sbus::FrameSize + most - 1) / most;
+    const size_t perRow = (sbus::FrameSize + frameRows - 1) / frameRows;
+    const size_t textWidth = room - perRow * ByteWidth;
+    std::vector<std::string> texts;
+    fold(verdict(stretch) + flags(stretch), textWidth, texts);
+    const bool alarmed = !flags(stretch).empty();
+    const char *const colour = !stretch.isFrame() ? _colours.rejected : alarmed ? _colours.flags : "";
+    for (std::string &text : texts) {
+      text = colour + text + (*colour != '\0' ? _colours.off : "");
+    }
+    const std::vector<std::string> all = values(stretch);
+    for (size_t i = 0; i < all.size(); i++) {
+      if (i % (textWidth / ValueWidth) == 0) {
+        texts.emplace_back();
+      }
+      texts.back() += all[i];
+    }
+    const size_t count = stretch.characters.size();
+    for (size_t row = 0; row * perRow < count || row < texts.size(); row++) {
+      const size_t from = std::min(row * perRow, count);
+      const size_t to = std::min(from + perRow, count);
+      std::string text = row == 0 ? _colours.time + time + _colours.off : std::string(time.size(), ' ');
+      text += bytes(stretch, from, to);
+      if (row < texts.size()) {
+        text += std::string((perRow - (to - from)) * ByteWidth + 1, ' ') + texts[row];
+      }
+      write(text + '\n');
+    }
+  }
+
+  std::string bytes(const line::Stretch &stretch, size_t from, size_t to) const {
+    const char *const colour = stretch.isFrame() ? "" : _colours.rejected;
+    std::string text;
+    for (size_t i = from; i < to; i++) {
+      const line::Character &character = stretch.characters[i];
+      const std::string byte = format("%02X", static_cast<unsigned>(character.value));
+      text += character.bad ? _colours.bad + byte + "!" + _colours.off + colour : byte + " ";
+    }
+    return text;
+  }
+
+  // What kind it is, with the end of a frame or what is wrong.
+  static std::string verdict(const line::Stretch &stretch) {
+    const std::string kind = kindText(stretch.kind);
+    if (!stretch.isFrame()) {
+      return kind + " " + why(stretch);
+    }
+    return kind + format(" end %02X", static_cast<unsigned>(stretch.characters.back().value)) +
+           (stretch.kind == line::Stretch::Kind::Extra ? ", CH17..CH32" : "");
+  }
+
+  // Those of a frame that are set.
+  std::string flags(const line::Stretch &stretch) const {
+    if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {
+      return {};
+    }
+    const line::Values &values = _observer.newest();
+    return std::string(values.lostFrame ? ", lost frame" : "") + (values.failsafe ? ", failsafe" : "");
+  }
+
+  std::string coloured(const std::string &flags) const {
+    return flags.empty() ? "" : _colours.flags + flags + _colours.off;
+  }
+
+  // The frame's channels, raw, if they are asked for.
+  std::vector<std::string> values(const line::Stretch &stretch) const {
+    std::vector<std::string> texts;
+    if (!stretch.isFrame() || !_options.values) {
+      return texts;
+    }
+    const size_t first = stretch.kind == line::Stretch::Kind::Extra ? sbus::ProportionalCount : 0;
+    const size_t count = stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
+    for (size_t channel = first; channel < first + count; channel++) {
+      texts.push_back(format(" %4u", static_cast<unsigned>(_observer.newest().raw[channel])));
+    }
+    return texts;
+  }
+
+  const line::Observer &_observer;
+  const HexOptions &_options;
+  Colours _colours;
+  uint64_t _lastUs = 0;  // what times are counted from
+};
+
+void writeJson(const line::Stretch &stretch, const line::Values &values, uint32_t characterUs) {
+  const auto startUs = static_cast<double>(stretch.characters.front().endUs) - characterUs;
+  write((stretch.isFrame() ? frameJson(stretch, startUs, values) : noFrameJson(stretch, startUs)).line());
+}
+
+void writeJsonEnd(const line::Observer &observer) {
+  write(Json("end")
+            .number("characters", observer.characters())
+            .number("bad_characters", observer.badCharacters())
+            .number("frames", observer.counters().frames)
+            .number("lost_frames", observer.counters().lostFrames)
+            .number("failsafe_frames", observer.counters().failsafeFrames)
+            .line());
+}
+
+void run(const SourceOption &source, const HexOptions &options) {
+  const std::unique_ptr<Input> input = source.open();
+  line::Observer observer;
+  observer.reset(0, input->settings().characterUs());
+  HexView view(observer, options);
+  observer.listen([&](const line::Stretch &stretch) {
+    options.json ? writeJson(stretch, observer.newest(), input->settings().characterUs()) : view.show(stretch);
+  });
+  SilenceNote silence(source.name(), "bytes");
+  input->run([&observer](const line::Character &character) { observer.put(character); },
+             [&](uint64_t nowUs) {
+               observer.idleUntil(input->knownUs());
+               silence.tick(nowUs, observer.characters() > 0);
+             });
+  observer.finish();
+  if (options.json) {
+    writeJsonEnd(observer);
+  }
+  flush();
+}
+
+}  // namespace
+
+void addHex(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("hex", "the bytes, 25 a line, and what was rejected and why");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  const auto options = std::make_shared<HexOptions>();
+  auto *const values = subcommand->add_flag("--values", options->values, "the raw values of a frame's channels beside it");
+  auto *const delta =
+      subcommand->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  subcommand->add_flag("--json", options->json, "JSON lines: every frame, and what is none")
+      ->excludes(values)
+      ->excludes(delta);
+  subcommand->add_option("--width", options->width,
+                   "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
+      ->check(numberBetween(LeastWidth, 1000))
+      ->type_name("N");
+  subcommand->add_option("--color", options->colour, "auto: on a terminal (auto)")
+      ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
+      ->type_name("auto|always|never");
+  subcommand->footer(
+      "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
+      "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
+  subcommand->callback([source, options] { run(*source, *options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,217 @@
+// sbus monitor: a line's channels, flags, times and losses on a page, as they come.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "cli/monitor/MonitorPage.h"
+#include "cli/Output.h"
+#include "cli/Recorder.h"
+#include "cli/monitor/Screen.h"
+#include "cli/options/SourceOption.h"
+#include "cli/Stop.h"
+#include "cli/subcommands/Subcommands.h"
+#include "cli/monitor/Watch.h"
+
+namespace tool {
+
+namespace {
+
+constexpr uint64_t PeriodUs = 50000;  // of the page: more often nobody can read it
+constexpr uint64_t LineUs = 1000000;  // of the lines
+constexpr uint64_t LookUs = 10000;    // the state is asked so often
+
+struct MonitorOptions {
+  std::string range = "frsky";
+  std::string record;  // a file
+  bool json = false;
+};
+
+bool isMake(const std::string &text) {
+  return text == "frsky" || text == "futaba";
+}
+
+sbus::Range rangeOf(const std::string &text) {
+  if (isMake(text)) {
+    return text == "frsky" ? sbus::FrSky : sbus::Futaba;
+  }
+  unsigned low = 0, centre = 0, high = 0;
+  char more = 0;
+  const bool three = std::sscanf(text.c_str(), "%4u,%4u,%4u%c", &low, &centre, &high, &more) == 3;
+  if (!three || std::max({low, centre, high}) > sbus::ChannelMax || low == centre || centre == high ||
+      (low < centre) != (centre < high)) {
+    throw CLI::ValidationError("--range", "frsky, futaba or raw values as 172,992,1811 are expected, not " + text);
+  }
+  return {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)};
+}
+
+class Page {
+ public:
+  explicit Page(Watch &watch) : _watch(watch) {}
+
+  // False once the user has had enough.
+  bool takeKeys() {
+    for (int key = _screen.key(); key != 0; key = _screen.key()) {
+      press(key);
+    }
+    return !_quit;
+  }
+
+  void drawNowAndThen(uint64_t nowUs) {
+    if (nowUs >= _nextUs) {
+      _nextUs = nowUs + PeriodUs;
+      draw(nowUs);
+    }
+  }
+
+  // The line has ended at `endUs`: what was seen stays, until the user has had enough, or the seconds are over.
+  void stay(uint64_t endUs, uint64_t limitUs) {
+    _ended = true;
+    for (uint64_t nowUs = endUs; takeKeys() && !stopped() && nowUs < limitUs; nowUs += PeriodUs) {
+      draw(endUs);
+      std::this_thread::sleep_for(std::chrono::microseconds(PeriodUs));
+    }
+  }
+
+ private:
+  void press(int key) {
+    if (_help) {
+      _help = false;
+    } else if (key == 'q' || key == 'Q') {
+      _quit = true;
+    } else if (key == 'r' || key == 'R') {
+      _watch.reset();
+      _paused = false;
+    } else if (key == ' ') {
+      _paused = !_paused;
+    } else if (key == '?' || key == 'h') {
+      _help = true;
+    }
+  }
+
+  void draw(uint64_t nowUs) {
+    if (!_paused) {
+      _view = _watch.view(nowUs);
+    }
+    const char *const note = _paused ? "PAUSED: space goes on" : _ended ? "ENDED: q quits" : "";
+    _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
+  }
+
+  Watch &_watch;
+  Screen _screen;
+  MonitorView _view;
+  uint64_t _nextUs = 0;
+  bool _paused = false;
+  bool _help = false;
+  bool _quit = false;
+  bool _ended = false;
+};
+
+using Tick = std::function<void(uint64_t nowUs)>;
+
+// `ended` is called once the line has ended, before the user has had enough.
+void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run,
+              const std::function<void()> &ended) {
+  Page page(watch);
+  uint64_t endUs = 0;
+  run([&](uint64_t nowUs) {
+    endUs = nowUs;
+    if (!page.takeKeys()) {
+      input.end();
+    }
+    page.drawNowAndThen(nowUs);
+  });
+  ended();
+  page.stay(endUs, input.limitUs());
+}
+
+// A line a second, and one when the state changes.
+void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> &run) {
+  uint64_t lookUs = 0;
+  uint64_t nextUs = LineUs;
+  std::string state;
+  run([&](uint64_t nowUs) {
+    if (nowUs < lookUs) {
+      return;
+    }
+    lookUs = nowUs + LookUs;
+    const MonitorView view = watch.view(nowUs);
+    if (nowUs >= nextUs || view.state != state) {
+      nextUs += nowUs >= nextUs ? LineUs * (1 + (nowUs - nextUs) / LineUs) : 0;
+      state = view.state;
+      write(json ? watch.json(nowUs) : plainLine(view, nowUs));
+    }
+  });
+  flush();
+}
+
+void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
+  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940 us.
+  const sbus::Range scale = rangeOf(options.range);
+  const sbus::Range pulses = isMake(options.range) ? sbus::FrSky : scale;
+  Watch watch(source.name(), input.settings(), scale, pulses);
+  uint64_t lastUs = 0;
+  const auto put = [&](const line::Character &character) {
+    watch.put(character);
+    if (recorder != nullptr) {
+      recorder->put(character);
+    }
+  };
+  const auto read = [&](const Tick &tick) {
+    input.run(put, [&](uint64_t nowUs) {
+      lastUs = nowUs;
+      watch.idleUntil(input.knownUs());
+      tick(nowUs);
+    });
+  };
+  const auto ended = [recorder] {
+    if (recorder != nullptr) {
+      recorder->finish();
+    }
+  };
+  if (Screen::isPossible() && !options.json) {
+    input.onNews([&](const std::string &text) { watch.news(text, lastUs); });
+    showPage(watch, input, read, ended);
+  } else {
+    showLines(watch, options.json, read);
+    ended();
+  }
+}
+
+void run(const SourceOption &source, const MonitorOptions &options) {
+  rangeOf(options.range);  // what is wrong is said first
+  const std::unique_ptr<Input> input = source.open();
+  if (options.record.empty()) {
+    show(source, *input, options, nullptr);
+    return;
+  }
+  writeTo(options.record, File::New, [&](const Put &put) {
+    Recorder recorder("monitor", source.name(), input->settings(), source.isFile() && source.isWire(), put);
+    show(source, *input, options, &recorder);
+    std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
+  });
+}
+
+}  // namespace
+
+void addMonitor(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::InTrueTime);
+  const auto options = std::make_shared<MonitorOptions>();
+  subcommand->add_option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+      ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
+  subcommand->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
+      ->check(notStandardOutput())
+      ->type_name("FILE");
+  subcommand->add_flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
+  subcommand->footer(
+      "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
+      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
+  subcommand->callback([source, options] { run(*source, *options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,136 @@
+// sbus ports: the serial ports of this PC, and what is known of each.
+
+#include <libserialport.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/Format.h"
+#include "cli/Json.h"
+#include "cli/Output.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/ports/LowLatency.h"
+
+namespace tool {
+
+namespace {
+
+constexpr int AnyProduct = -1;
+
+// Sources: boards.txt of ArduinoCore-stm32l0; extras/docs/ftdi.md for what can invert.
+struct KnownPort {
+  int vendor;
+  int product;
+  const char *what;
+};
+constexpr KnownPort KnownPorts[] = {
+    {0x0403, AnyProduct, "FTDI adapter: S.Bus, once its RXD is inverted (extras/docs/ftdi.md)"},
+    {0x1209, 0x6665, "Grasshopper: what its sketch prints, rows of CSV"},
+    {0x1209, 0x6664, "Cricket: what its sketch prints, rows of CSV"},
+    {0x1209, 0x6663, "Cicada: what its sketch prints, rows of CSV"},
+    {0x1209, 0x6662, "Gnat: what its sketch prints, rows of CSV"},
+    {0x2341, AnyProduct, "Arduino: what its sketch prints; read it with --csv"},
+    {0x1A86, AnyProduct, "CH340 or the like: no setting inverts it, put an inverter in front of RXD"},
+    {0x10C4, 0xEA60, "CP210x: no setting inverts it, put an inverter in front of RXD"},
+};
+
+const char *known(sp_port *port) {
+  int vendor = 0;
+  int product = 0;
+  if (sp_get_port_transport(port) != SP_TRANSPORT_USB || sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) {
+    return "";
+  }
+  for (const KnownPort &each : KnownPorts) {
+    if (each.vendor == vendor && (each.product == product || each.product == AnyProduct)) {
+      return each.what;
+    }
+  }
+  return "";
+}
+
+std::string textOf(const char *text) {
+  return text != nullptr ? text : "";
+}
+
+std::string usbText(sp_port *port) {
+  int vendor = 0;
+  int product = 0;
+  if (sp_get_port_transport(port) != SP_TRANSPORT_USB || sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) {
+    return "";
+  }
+  char ids[24];
+  std::snprintf(ids, sizeof ids, "USB %04x:%04x", static_cast<unsigned>(vendor), static_cast<unsigned>(product));
+  const std::string serial = textOf(sp_get_port_usb_serial(port));
+  return ids + (serial.empty() ? "" : ", serial number " + serial);
+}
+
+Json json(sp_port *port) {
+  const std::string device = sp_get_port_name(port);
+  Json json("port");
+  json.text("name", device).text("description", textOf(sp_get_port_description(port)));
+  int vendor = 0;
+  int product = 0;
+  if (sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK) {
+    json.text("usb_vendor", format("%04x", static_cast<unsigned>(vendor)))
+        .text("usb_product", format("%04x", static_cast<unsigned>(product)))
+        .text("serial_number", textOf(sp_get_port_usb_serial(port)))
+        .text("known_as", known(port));
+  }
+  const std::optional<unsigned> ms = line::latencyMs(line::latencyFile(device));
+  if (ms) {
+    json.number("latency_ms", *ms);
+  }
+  return json.flag("permission", access(device.c_str(), R_OK) == 0);
+}
+
+// While sbus has a port open it asks for 1 ms.
+std::string latencyText(const std::string &device) {
+  const std::string file = line::latencyFile(device);
+  const std::optional<unsigned> ms = line::latencyMs(file);
+  return !ms || *ms <= 1 ? "" : "keeps bytes back for up to " + std::to_string(*ms) + " ms: echo 1 | sudo tee " + file;
+}
+
+void addLine(std::string &text, const std::string &line) {
+  text += line.empty() ? "" : "    " + line + "\n";
+}
+
+std::string describe(sp_port *port) {
+  const std::string device = sp_get_port_name(port);
+  const std::string description = textOf(sp_get_port_description(port));
+  const bool isName = device.find(description) != std::string::npos;
+  std::string text = device + (isName ? "" : "  " + description) + "\n";
+  addLine(text, usbText(port));
+  addLine(text, known(port));
+  addLine(text, latencyText(device));
+  addLine(text, access(device.c_str(), R_OK) == 0 ? "" : "no permission: sbus doctor " + device + " says what to do");
+  return text;
+}
+
+void run(bool asJson) {
+  sp_port **ports = nullptr;
+  if (sp_list_ports(&ports) != SP_OK) {
+    throw std::runtime_error("the system does not list its ports; look into /dev/serial/by-id");
+  }
+  const std::unique_ptr<sp_port *, decltype(&sp_free_port_list)> owner(ports, sp_free_port_list);
+  if (ports[0] == nullptr) {
+    std::fprintf(stderr, "no serial port; plug the adapter in\n");
+  }
+  for (size_t i = 0; ports[i] != nullptr; i++) {
+    write(asJson ? json(ports[i]).line() : describe(ports[i]));
+  }
+  flush();
+}
+
+}  // namespace
+
+void addPorts(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("ports", "the serial ports, and what is known of each");
+  const auto asJson = std::make_shared<bool>(false);
+  subcommand->add_flag("--json", *asJson, "JSON lines, one a port");
+  subcommand->callback([asJson] { run(*asJson); });
+}
+
+}  // namespace tool

@@ -1,0 +1,55 @@
+// sbus record: keeps a line as a recording, or a sketch's rows as CSV.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "cli/Output.h"
+#include "cli/Recorder.h"
+#include "cli/SilenceNote.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+
+namespace tool {
+
+namespace {
+
+void run(const SourceOption &source, const std::string &name) {
+  const std::unique_ptr<Input> input = source.open();
+  writeTo(name, File::New, [&](const Put &put) {
+    Recorder recorder("record", source.name(), input->settings(), source.isFile() && source.isWire(), put);
+    std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
+    SilenceNote silence(source.name(), "frames");
+    uint64_t endUs = 0;
+    const bool isFile = source.isFile();  // a file ends with its last character, however long that is waited for
+    input->run(
+        [&](const line::Character &character) {
+          recorder.put(character);
+          endUs = character.endUs;
+        },
+        [&](uint64_t nowUs) {
+          endUs = isFile ? endUs : nowUs;
+          silence.tick(nowUs, recorder.knows());
+        });
+    recorder.finish();
+    std::fprintf(stderr, "%s: %.1f s, %s\n", name.c_str(), static_cast<double>(endUs) / 1e6,
+                 recorder.summary().c_str());
+  });
+}
+
+}  // namespace
+
+void addRecord(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("record", "keeps a line in a text file, or a sketch's rows as CSV");
+  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  const auto name = std::make_shared<std::string>();
+  subcommand->add_option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  subcommand->footer(
+      "The file grows with every frame, and is whole after Ctrl-C, if the disk is full, or if the program is killed.");
+  subcommand->callback([source, name] { run(*source, *name); });
+}
+
+}  // namespace tool

@@ -1,0 +1,63 @@
+// sbus replay: sends a recording again.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/FileSource.h"
+#include "cli/options/LineOptions.h"
+#include "cli/Sending.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/recording/RecordedLine.h"
+#include "line/recording/RestoredLine.h"
+
+namespace tool {
+
+namespace {
+
+struct ReplayOptions {
+  explicit ReplayOptions(CLI::App &subcommand) : sending(subcommand) {}
+
+  Sending sending;
+  std::string file;
+  unsigned long baud = 0;
+  double speed = 1;
+  const CLI::Option *loop = nullptr;
+};
+
+std::unique_ptr<Input> open(const std::shared_ptr<const FileSource> &file, double speed) {
+  const std::shared_ptr<const line::Recording> recording(file, &file->recording);
+  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(recording);
+  if (recording->characters.isLate()) {
+    line = std::make_unique<line::RestoredLine>(std::move(line), file->settings.characterUs());
+  }
+  auto input = std::make_unique<Input>(std::move(line), file->settings, Input::Pace::True, 0);
+  input->setSpeed(speed);
+  return input;
+}
+
+void run(const ReplayOptions &options) {
+  rejectPipe(options.file);
+  const auto file = std::make_shared<const FileSource>(readFile(options.file, options.baud));
+  options.sending.run([&] { return open(file, options.speed); }, options.loop->count() > 0);
+}
+
+}  // namespace
+
+void addReplay(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
+  const auto options = std::make_shared<ReplayOptions>(*subcommand);
+  subcommand->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  subcommand->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("100000|200000");
+  subcommand->add_option("--speed", options->speed, "so many times as fast (1)")
+      ->check(numberBetween(0.001, 1000))
+      ->type_name("N");
+  options->loop = subcommand->add_flag("--loop", "again and again");
+  subcommand->callback([options] { run(*options); });
+}
+
+}  // namespace tool

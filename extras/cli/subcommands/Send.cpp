@@ -1,0 +1,90 @@
+// sbus send: frames with values of one's own, for what reads S.Bus.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/options/LineOptions.h"
+#include "cli/Sending.h"
+#include "cli/SentFrames.h"
+#include "cli/subcommands/Subcommands.h"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  std::string port;
+  std::vector<std::string> values;
+  std::string from;
+  unsigned long baud = sbus::Baud;
+  double periodMs = 9;  // the paper's receiver
+  double seconds = 0;
+};
+
+TimedRows rowsOf(const Options &options) {
+  if (options.from.empty() == options.values.empty()) {
+    throw CLI::ValidationError(options.from.empty()
+                                   ? "CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv"
+                                   : "--from: is in place of " + options.values.front() + "; leave one of them out",
+                               CLI::ExitCodes::ValidationError);
+  }
+  if (!options.from.empty()) {
+    return readTimedRows(options.from);
+  }
+  FrameValues values;
+  for (const std::string &word : options.values) {
+    try {
+      assign(word, values);
+    } catch (const std::runtime_error &error) {
+      throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
+    }
+  }
+  return {{{0, values}}, 0};
+}
+
+void run(Options options) {
+  if (options.port.find('=') != std::string::npos) {
+    options.values.insert(options.values.begin(), std::exchange(options.port, {}));
+  }
+  const TimedRows rows = rowsOf(options);
+  line::LineSettings settings;
+  settings.baud = options.baud;
+  const auto periodUs = static_cast<uint64_t>(options.periodMs * 1000);
+  if (periodUs <= sbus::FrameSize * settings.characterUs()) {
+    throw CLI::ValidationError("--period", "a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected");
+  }
+  Sending(options.port)
+      .run(
+          [&] {
+            auto line = std::make_unique<FrameLine>(rows, periodUs, settings);
+            return std::make_unique<Input>(std::move(line), settings, Input::Pace::True, options.seconds);
+          },
+          false);
+}
+
+}  // namespace
+
+void addSend(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("send", "frames with the values that are named, until Ctrl-C");
+  const auto options = std::make_shared<Options>();
+  subcommand->add_option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
+      ->type_name("");
+  subcommand->add_option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
+      ->type_name("");
+  subcommand->add_option("--from", options->from, "rows as sbus csv writes them, in place of values")
+      ->check(notEmpty())
+      ->type_name("FILE.csv");
+  subcommand->add_option("--period", options->periodMs, "from one frame to the next, ms (9)")
+      ->check(numberBetween(1, 1000))
+      ->type_name("MS");
+  subcommand->add_option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("100000|200000");
+  subcommand->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand->footer(
+      "What is not named is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
+      "serial port's TXD must be inverted to drive a flight controller.");
+  subcommand->callback([options] { run(*options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,36 @@
+// sbus simulate: sends what the built-in receiver would.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/options/LineOptions.h"
+#include "cli/Sending.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/uart/SampledLine.h"
+
+namespace tool {
+
+void addSimulate(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("simulate", "sends what the built-in receiver would, until Ctrl-C");
+  struct Options {
+    explicit Options(CLI::App &each) : line(each), sending(each) {}
+    LineOptions line;
+    Sending sending;
+    double seconds = 0;
+  };
+  const auto options = std::make_shared<Options>(*subcommand);
+  subcommand->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand->callback([options] {
+    options->sending.run(
+        [&options] {
+          const line::Source source = options->line.source(options->line.settings());
+          line::LineSettings port;
+          port.baud = source.settings.baud;
+          auto line = std::make_unique<line::SampledLine>(source.open(), source.settings, port);
+          return std::make_unique<Input>(std::move(line), port, Input::Pace::True, options->seconds);
+        },
+        false);
+  });
+}
+
+}  // namespace tool

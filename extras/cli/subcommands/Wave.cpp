@@ -1,0 +1,61 @@
+// sbus wave: the wire of a recording, as a value change dump that a logic analyser's software shows.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/FileSource.h"
+#include "cli/options/LineOptions.h"
+#include "cli/Output.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/capture/VcdWriter.h"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  std::string recording;
+  std::string output;
+  unsigned long baud = 0;  // not told
+  bool uninverted = false;
+};
+
+// The whole text of the wire goes to `put`, piece by piece.
+void wave(const FileSource &file, const Put &put) {
+  line::VcdWriter writer(file.settings);
+  for (const line::Character character : file.recording.characters) {
+    put(writer.put(character));
+  }
+  put(writer.finish());
+}
+
+void run(const Options &options) {
+  rejectPipe(options.recording);
+  rejectSameFile(options.recording, options.output);
+  FileSource file = readFile(options.recording, options.baud);
+  if (file.kind == FileKind::Capture) {
+    throw std::runtime_error(options.recording + ": is a capture of the wire already; sbus decode reads it");
+  }
+  file.settings.polarity = options.uninverted ? line::Polarity::Uninverted : line::Polarity::Inverted;
+  writeTo(options.output, File::Any, [&](const Put &put) { wave(file, put); });
+}
+
+}  // namespace
+
+void addWave(CLI::App &app) {
+  CLI::App *const subcommand = app.add_subcommand("wave", "the wire of a recording as VCD, for PulseView and the like");
+  const auto options = std::make_shared<Options>();
+  subcommand->add_option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  subcommand->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
+  subcommand->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
+      ->check(CLI::IsMember({100000, 200000}).description(""))
+      ->type_name("N");
+  subcommand->add_flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");
+  subcommand->callback([options] { run(*options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,55 @@
+// The characters that Saleae's Async Serial analyser has decoded, as Logic 1 exports them ("Time [s],Value,Parity
+// Error,Framing Error": saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103) and Logic 2 does, in a table with a
+// row for each (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). They are put
+// on a wire again.
+#pragma once
+
+#include "line/capture/Capture.h"
+
+namespace line {
+
+class AsyncReader : public CaptureReader {
+ public:
+  // Returns true if a text begins as one of these tables.
+  static bool isHead(std::string_view head);
+
+  // `head`: of the text; the analysers are those that it names. `baud`: of the wire; 0: the distance of the characters
+  // tells it.
+  AsyncReader(std::string_view head, LevelSink &sink, unsigned long baud);
+
+  std::string put(std::string_view lines) override;
+  std::string format() const override { return "Saleae's table of characters"; }
+
+ private:
+  static constexpr size_t None = SIZE_MAX;
+
+  struct Row {
+    bool isData = false;
+    size_t analyser = None;
+    double ns = 0;
+    unsigned value = 0;
+    bool parityWrong = false;
+    bool stopWrong = false;
+  };
+  struct Wire {
+    int64_t startNs = INT64_MIN;  // of the newest character
+    int64_t changedNs = 0;
+  };
+  struct Columns {
+    size_t name = None, type = None, time = None, value = None, error = None, parity = None, framing = None;
+    size_t count = 0;
+  };
+  static Columns columnsOf(std::string_view title);
+
+  std::string read(std::string_view line, Row &row);
+  std::string tell(const Row &row);
+
+  const Columns _columns;
+  std::vector<std::string> _analysers;
+  std::vector<Wire> _wires;  // of the analysers
+  std::vector<std::string_view> _fields;
+  int64_t _zeroNs = INT64_MIN;  // what is taken off timestamps: the first one
+  double _bitNs = 0;
+};
+
+}  // namespace line

@@ -1,0 +1,105 @@
+#include "line/capture/Capture.h"
+
+#include "line/capture/AsyncReader.h"
+#include "line/capture/BitsReader.h"
+#include "line/capture/CsvReader.h"
+#include "line/capture/SigrokTextReader.h"
+#include "line/capture/Text.h"
+#include "line/capture/VcdReader.h"
+
+namespace line {
+
+namespace {
+
+// Only 0, 1 and blanks, but for comments, and more than one bit in some line: else it may be a column of samples.
+bool isBits(std::string_view head) {
+  bool any = false;
+  while (!head.empty()) {
+    std::string_view line = takeLine(head);
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.find_first_not_of("01 \t") != std::string_view::npos) {
+      return false;
+    }
+    any = any || line.size() > 1;
+  }
+  return any;
+}
+
+// The project's own recordings: a time, then bytes in hexadecimal.
+bool isRecording(std::string_view head) {
+  while (!head.empty()) {
+    const std::string_view line = trimmed(takeLine(head));
+    if (line.empty() || line.front() == '#') {
+      continue;
+    }
+    const size_t space = line.find_first_of(" \t");
+    const std::string_view time = line.substr(0, space);
+    return space != std::string_view::npos && time.find_first_not_of("0123456789") == std::string_view::npos &&
+           line.substr(space).find_first_not_of(" \t0123456789ABCDEFabcdef") == std::string_view::npos;
+  }
+  return false;
+}
+
+std::string whyUnknown(std::string_view head) {
+  if (trimmed(head).empty()) {
+    return "is empty: a capture of a wire is expected";
+  }
+  if (head.substr(0, 8) == "<SALEAE>") {
+    return "is Logic 2's binary export: export it as CSV";
+  }
+  if (isRecording(head)) {
+    return "is a recording of characters, not a capture of the wire: sbus hex shows it, sbus wave makes a capture of "
+           "it";
+  }
+  return {};
+}
+
+}  // namespace
+
+OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules) {
+  OpenedCapture opened;
+  bool analogue = false;
+  const bool isVcd = trimmed(head).substr(0, 1) == "$";
+  const bool isAsync = AsyncReader::isHead(head);
+  if ((isVcd || isAsync) && overrules.periodNs > 0) {
+    opened.error = "has times of its own: leave out --rate";
+  } else if (isAsync && overrules.polarity != Polarity::Either) {
+    opened.error = "has characters that are decoded already: leave out --invert";
+  } else if (isAsync) {
+    opened.reader = std::make_unique<AsyncReader>(head, sink, overrules.baud);
+  } else if (isVcd) {
+    opened.reader = std::make_unique<VcdReader>(sink);
+  } else if (SigrokTextReader::isHead(head)) {
+    opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrules.periodNs);
+  } else if (isBits(head)) {
+    opened.reader = std::make_unique<BitsReader>(sink, overrules.periodNs);
+  } else {
+    CsvLayout layout;
+    opened.error = whyUnknown(head);
+    opened.error = opened.error.empty() ? findLayout(head, layout, overrules.periodNs) : opened.error;
+    analogue = layout.analogue;
+    if (opened.error.empty() && analogue) {
+      opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrules.threshold);
+    } else if (opened.error.empty()) {
+      opened.reader = std::make_unique<DigitalReader>(layout, sink);
+    }
+  }
+  if (opened.reader && overrules.threshold && !analogue) {
+    return {nullptr, "has no voltages: leave out --threshold"};
+  }
+  return opened;
+}
+
+std::string captureFormat(std::string_view head) {
+  if (isBits(head)) {
+    return {};
+  }
+  struct Deaf : LevelSink {
+    void signals(const std::vector<std::string> &) override {}
+    void level(size_t, int64_t, bool) override {}
+  } sink;
+  const OpenedCapture opened = openCapture(head, sink);
+  return opened.reader ? opened.reader->format() : std::string();
+}
+
+}  // namespace line

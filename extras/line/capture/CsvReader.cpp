@@ -1,0 +1,195 @@
+#include "line/capture/CsvReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "line/capture/Text.h"
+
+namespace line {
+
+namespace {
+
+bool isPassedOver(std::string_view row) {
+  return row.empty() || row.front() == ';' || row.front() == '#';
+}
+
+}  // namespace
+
+CsvReader::CsvReader(CsvLayout layout, LevelSink &sink) : CaptureReader(sink), _layout(std::move(layout)) {
+  _periodNs = _layout.periodNs;
+  _sink.signals(_layout.names);
+}
+
+std::string CsvReader::put(std::string_view lines) {
+  while (_lines < _layout.headLines && !lines.empty()) {
+    takeLine(lines);
+    _lines++;
+  }
+  return rows(lines);
+}
+
+std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
+  double value = _layout.startNs + static_cast<double>(_row) * _layout.periodNs;
+  if (_layout.timeColumn != CsvLayout::None) {
+    splitRow(row, _layout.separator, _fields);
+    if (_layout.timeColumn >= _fields.size() || !_layout.timeOf(_fields[_layout.timeColumn], value)) {
+      const std::string_view word = _layout.timeColumn < _fields.size() ? _fields[_layout.timeColumn] : "";
+      return quoted(word) + " is not a time: a number is expected in column " + std::to_string(_layout.timeColumn + 1);
+    }
+  }
+  if (!(std::abs(value) <= static_cast<double>(CaptureTimeMaxNs))) {
+    return "a time is beyond a year: is its unit right?";
+  }
+  ns = std::llround(value);
+  if (_row > 0 && ns < _endNs) {
+    return "a time is before that of a row above: times in order are expected";
+  }
+  _endNs = ns;
+  return {};
+}
+
+// Most rows are not looked at; the last one's time is.
+int64_t CsvReader::endNs() {
+  int64_t ns;
+  return !_last.empty() && rowTime(_last, ns).empty() ? ns : _endNs;
+}
+
+// Most rows are as the row before, and then are not looked at any closer.
+std::string DigitalReader::rows(std::string_view text) {
+  const bool timed = _layout.timeColumn == 0;
+  std::string_view last = _last;
+  std::string error;
+  while (!text.empty()) {
+    const std::string_view row = takeLine(text);
+    _lines++;
+    if (isPassedOver(row)) {
+      continue;
+    }
+    const bool same = timed ? row.size() > _values.size() && row.substr(row.size() - _values.size()) == _values &&
+                                  (isDigit(row.front()) || row.front() == '-')
+                            : row == _values;
+    if (!same || _row == 0) {
+      error = changed(row);
+      if (!error.empty()) {
+        break;
+      }
+      _values = timed ? row.substr(std::min(row.size(), row.find(_layout.separator))) : row;
+    }
+    last = row;
+    _row++;
+  }
+  _last = std::string(last);
+  return error;
+}
+
+std::string DigitalReader::changed(std::string_view row) {
+  int64_t ns;
+  std::string error = rowTime(row, ns);
+  if (!error.empty()) {
+    return error;
+  }
+  splitRow(row, _layout.separator, _fields);
+  _levels.resize(_layout.columns.size(), 'x');
+  for (size_t i = 0; i < _layout.columns.size(); i++) {
+    const size_t column = _layout.columns[i];
+    if (column >= _fields.size()) {
+      return "the row ends after column " + std::to_string(_fields.size()) + ": column " + std::to_string(column + 1) +
+             " is expected";
+    }
+    const std::string_view field = _fields[column];
+    const char level = field.size() == 1 ? field.front() : field.empty() ? 'x' : '?';
+    if (level == '0' || level == '1') {
+      if (level != _levels[i]) {
+        _levels[i] = level;
+        _sink.level(i, ns, level == '1');
+      }
+    } else if (std::string_view("xXzZ").find(level) == std::string_view::npos) {
+      return quoted(field) + " is no level: 0 or 1 is expected in column " + std::to_string(column + 1);
+    }
+  }
+  return {};
+}
+
+AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
+    : CsvReader(std::move(layout), sink), _told(threshold.has_value()) {
+  _signals.resize(_layout.columns.size());
+  for (Signal &signal : _signals) {
+    signal.threshold = Threshold(threshold.value_or(0), 0);
+    signal.found = _told;
+  }
+}
+
+// First all voltages of the rows at hand, then the edges in them; only where there is one the time is looked at.
+std::string AnalogueReader::rows(std::string_view text) {
+  _rows.clear();
+  for (Signal &signal : _signals) {
+    signal.volts.clear();
+  }
+  std::string error;
+  while (!text.empty() && error.empty()) {
+    const std::string_view row = takeLine(text);
+    _lines++;
+    error = isPassedOver(row) ? "" : takeVolts(row);
+  }
+  for (Signal &signal : _signals) {
+    if (!_told) {
+      signal.learn();
+    }
+  }
+  for (size_t i = 0; i < _rows.size(); i++, _row++) {
+    for (size_t s = 0; s < _signals.size(); s++) {
+      Signal &signal = _signals[s];
+      const bool high = signal.threshold.isHigh(signal.volts[i], signal.high);
+      if (!signal.found || (high == signal.high && signal.begun)) {
+        continue;
+      }
+      int64_t ns;
+      std::string wrong = rowTime(_rows[i], ns);
+      if (!wrong.empty()) {
+        _lines -= _rows.size() - 1 - i;
+        return wrong;
+      }
+      signal.begun = true;
+      signal.high = high;
+      _sink.level(s, ns, high);
+    }
+  }
+  if (!_rows.empty()) {
+    _last = _rows.back();
+  }
+  return error;
+}
+
+// Anew, if the wire now goes much further than before: then that was noise.
+void AnalogueReader::Signal::learn() {
+  if (!found || Threshold::rangeOf(volts).span > 2.5 * threshold.swing()) {
+    found = threshold.find(volts) || found;
+  }
+}
+
+std::string AnalogueReader::takeVolts(std::string_view row) {
+  const char *at = row.data();
+  const char *end = at + row.size();
+  size_t column = 0;
+  for (size_t i = 0; i < _signals.size(); i++, column++) {
+    for (; column < _layout.columns[i]; column++) {
+      at = std::find(at, end, _layout.separator);
+      at += at < end;
+    }
+    while (at < end && *at == ' ') {
+      at++;
+    }
+    double volts = 0;
+    if (!takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
+      const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
+      return quoted(word) + " is no voltage: a number is expected in column " + std::to_string(column + 1);
+    }
+    _signals[i].volts.push_back(volts);
+    at = std::find(at, end, _layout.separator);
+    at += at < end;
+  }
+  _rows.push_back(row);
+  return {};
+}
+
+}  // namespace line

@@ -1,0 +1,70 @@
+// The rows of a capture's CSV: a logic analyser's, one row a sample or a change, or an oscilloscope's.
+#pragma once
+
+#include "line/capture/Capture.h"
+#include "line/capture/CsvLayout.h"
+#include "line/capture/Threshold.h"
+
+namespace line {
+
+// What both have in common: rows, and their times.
+class CsvReader : public CaptureReader {
+ public:
+  CsvReader(CsvLayout layout, LevelSink &sink);
+
+  std::string put(std::string_view lines) override;
+  std::string format() const override { return _layout.name; }
+  int64_t endNs() override;
+
+ protected:
+  // Rows with their LF. Each that is taken counts in _lines.
+  virtual std::string rows(std::string_view text) = 0;
+
+  // The time of the next row, `row`. Returns what is wrong, or nothing.
+  std::string rowTime(std::string_view row, int64_t &ns);
+
+  const CsvLayout _layout;
+  std::vector<std::string_view> _fields;
+  uint64_t _row = 0;  // the next one's number, from 0
+  std::string _last;  // the last one that was good
+};
+
+class DigitalReader : public CsvReader {
+ public:
+  using CsvReader::CsvReader;
+
+ private:
+  std::string rows(std::string_view text) override;
+  std::string changed(std::string_view row);
+
+  std::string _values;  // of the row before: what stands in it after its time
+  std::vector<char> _levels;
+};
+
+class AnalogueReader : public CsvReader {
+ public:
+  // `threshold`: of all signals; none: each has its own, which is found.
+  AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
+
+  bool wantsFullBlocks() const override { return !_told; }
+
+ private:
+  struct Signal {
+    Threshold threshold;
+    std::vector<double> volts;  // of the rows at hand
+    bool found = false;         // there are two levels
+    bool begun = false;         // the first one has been told
+    bool high = false;
+
+    void learn();
+  };
+
+  std::string rows(std::string_view text) override;
+  std::string takeVolts(std::string_view row);
+
+  const bool _told;  // the threshold
+  std::vector<Signal> _signals;
+  std::vector<std::string_view> _rows;  // at hand
+};
+
+}  // namespace line

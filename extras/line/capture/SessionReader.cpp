@@ -1,0 +1,96 @@
+#include "line/capture/SessionReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "line/capture/Text.h"
+
+namespace line {
+
+namespace {
+
+constexpr double SampleSizeMax = 128;  // bytes
+
+bool isHigh(std::string_view sample, size_t bit) {
+  return (static_cast<unsigned char>(sample[bit / 8]) >> bit % 8 & 1) != 0;
+}
+
+}  // namespace
+
+std::string SessionReader::metadata(std::string_view text) {
+  std::vector<std::string> names;
+  bool isFirst = false;  // of the devices: the one whose samples are read
+  while (!text.empty()) {
+    const std::string_view line = trimmed(takeLine(text));
+    isFirst = line.substr(0, 1) == "[" ? line == "[device 1]" : isFirst;
+    const size_t equals = line.find('=');
+    if (!isFirst || equals == std::string_view::npos) {
+      continue;
+    }
+    const std::string_view key = trimmed(line.substr(0, equals));
+    const std::string_view value = trimmed(line.substr(equals + 1));
+    double number = 0;
+    if (key == "capturefile") {
+      _samplesName = value;
+    } else if (key == "samplerate" && _periodNs <= 0) {
+      _periodNs = periodOf(value);
+    } else if (key == "unitsize" && parseNumber(value, number) && number >= 1 && number <= SampleSizeMax) {
+      _sampleSize = static_cast<size_t>(number);
+    } else if (key.substr(0, 5) == "probe" && parseNumber(key.substr(5), number) && number >= 1 &&
+               number <= 8 * SampleSizeMax) {
+      _bits.push_back(static_cast<size_t>(number) - 1);
+      names.emplace_back(value);
+    }
+  }
+  if (names.empty() || _samplesName.empty() || _sampleSize == 0) {
+    return "has no logic signals: a session with them, or CSV of analogue ones, is expected";
+  }
+  if (*std::max_element(_bits.begin(), _bits.end()) >= 8 * _sampleSize) {
+    return "has more probes than fit into its unitsize of " + std::to_string(_sampleSize);
+  }
+  if (_periodNs <= 0) {
+    return "does not say when its samples were taken: --rate is expected";
+  }
+  _sink.signals(names);
+  return {};
+}
+
+std::string SessionReader::put(std::string_view bytes) {
+  std::string error;
+  if (!_rest.empty()) {
+    const size_t lacking = std::min(_sampleSize - _rest.size(), bytes.size());
+    _rest += bytes.substr(0, lacking);
+    bytes.remove_prefix(lacking);
+    if (_rest.size() < _sampleSize) {
+      return {};
+    }
+    error = take(_rest);
+    _rest.clear();
+  }
+  for (; bytes.size() >= _sampleSize && error.empty(); bytes.remove_prefix(_sampleSize)) {
+    error = take(bytes.substr(0, _sampleSize));
+  }
+  _rest += bytes;
+  return error;
+}
+
+std::string SessionReader::take(std::string_view sample) {
+  const double ns = static_cast<double>(_samples++) * _periodNs;
+  if (ns > static_cast<double>(CaptureTimeMaxNs)) {
+    return "is longer than a year: is its samplerate right?";
+  }
+  _endNs = std::llround(ns);
+  if (sample == _before) {
+    return {};
+  }
+  for (size_t i = 0; i < _bits.size(); i++) {
+    const bool high = isHigh(sample, _bits[i]);
+    if (_before.empty() || high != isHigh(_before, _bits[i])) {
+      _sink.level(i, _endNs, high);
+    }
+  }
+  _before = sample;
+  return {};
+}
+
+}  // namespace line

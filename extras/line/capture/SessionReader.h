@@ -1,0 +1,36 @@
+// A session of sigrok and PulseView (.sr): "metadata" and samples, both unpacked already; libsigrok, src/session_file.c,
+// sr_session_load(), and src/session_driver.c, stream_session_data().
+#pragma once
+
+#include "line/capture/Capture.h"
+
+namespace line {
+
+class SessionReader : public CaptureReader {
+ public:
+  // `periodNs`: between two samples, whatever the metadata say; 0: they say it.
+  SessionReader(LevelSink &sink, double periodNs) : CaptureReader(sink) { _periodNs = periodNs; }
+
+  // Takes all of "metadata". Returns what is wrong and what is expected, or nothing.
+  std::string metadata(std::string_view text);
+
+  // Returns the name of the ZIP's entry with the samples; if there is none, -1, -2 and so on follow its name.
+  const std::string &samplesName() const { return _samplesName; }
+
+  // Takes the next bytes of samples.
+  std::string put(std::string_view bytes) override;
+
+  std::string format() const override { return "sigrok session"; }
+
+ private:
+  std::string take(std::string_view sample);
+
+  std::string _samplesName;
+  std::vector<size_t> _bits;  // of each signal: its place in a sample
+  size_t _sampleSize = 0;     // bytes
+  std::string _rest;          // of a sample, whose other bytes will come
+  std::string _before;        // the sample before
+  uint64_t _samples = 0;
+};
+
+}  // namespace line

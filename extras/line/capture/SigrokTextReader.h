@@ -1,0 +1,35 @@
+// Samples as sigrok-cli -O bits and -O hex print them (libsigrok, src/output/bits.c and hex.c, gen_header() and
+// receive()): a line of each signal, in turn, again and again.
+#pragma once
+
+#include "line/capture/Capture.h"
+
+namespace line {
+
+class SigrokTextReader : public CaptureReader {
+ public:
+  // Returns true if a text begins as they do.
+  static bool isHead(std::string_view head);
+
+  // `head`: of the text. `periodNs`: between two samples, whatever the text says; 0: it says it.
+  SigrokTextReader(std::string_view head, LevelSink &sink, double periodNs);
+
+  std::string put(std::string_view lines) override;
+  std::string finish() override;
+  std::string format() const override { return _hex ? "sigrok hex" : "sigrok bits"; }
+
+ private:
+  std::string take(std::string_view line);
+  std::string header(std::string_view line);
+  std::string samplesOf(std::string_view text, std::string &samples) const;
+  std::string tell();
+
+  const bool _hex;
+  size_t _signals = 0;  // 0 before the header has said it
+  std::vector<std::string> _names;
+  std::vector<std::string> _rows;  // of the signals, as 0 and 1: these lines are at hand
+  std::string _levels;             // of the signals, after the rows before
+  uint64_t _samples = 0;           // of each signal, before these rows
+};
+
+}  // namespace line

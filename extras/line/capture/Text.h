@@ -1,0 +1,40 @@
+// Words and numbers of a text, fast: no streams, no locale.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "line/recording/Words.h"
+
+namespace line {
+
+constexpr bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+constexpr bool isAscii(char c) {
+  return static_cast<unsigned char>(c) < 0x80;
+}
+
+// Without the blanks and quotation marks around it.
+std::string_view trimmed(std::string_view text);
+
+// In lower case.
+std::string lower(std::string_view text);
+
+// Takes a decimal number ("-1.25e-03") off the front; false if there is none. `mark`: stands for the decimal point,
+// too.
+bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');
+
+// True if all of `word` is a number.
+bool parseNumber(std::string_view word, double &value, char mark = '.');
+
+// True if `word` is a time as ISO 8601 has it ("2021-05-11T18:12:30.213141000+00:00"). `ns`: since 1970, where it was
+// taken.
+bool parseTimestamp(std::string_view word, int64_t &ns);
+
+// Returns the period of "1 MHz" or "1000000" in ns; 0 if it is no rate.
+double periodOf(std::string_view rate);
+
+}  // namespace line

@@ -1,0 +1,97 @@
+#include "line/capture/Threshold.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace line {
+
+namespace {
+
+constexpr int Bins = 256;
+
+}  // namespace
+
+Threshold::Range Threshold::rangeOf(const std::vector<double> &volts) {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  bool below = false;
+  bool above = false;
+  for (const double v : volts) {
+    if (std::isinf(v)) {
+      (v > 0 ? above : below) = true;
+      continue;
+    }
+    least = std::min(least, v);
+    most = std::max(most, v);
+  }
+  if (least > most) {  // all are infinite
+    least = most = 0;
+  }
+  const double beyond = 2 * (most > least ? most - least : 1);
+  least -= below ? beyond : 0;
+  most += above ? beyond : 0;
+  return {least, most - least};
+}
+
+bool Threshold::find(const std::vector<double> &volts) {
+  const auto [least, span] = rangeOf(volts);
+  if (!(span > 0)) {
+    return false;
+  }
+  std::array<double, Bins> histogram{};
+  for (const double v : volts) {
+    histogram[static_cast<size_t>(std::clamp((v - least) / span, 0.0, 1.0) * (Bins - 1))]++;
+  }
+  // Otsu's method: the cut that leaves the least variance on both its sides.
+  double all = 0, sum = 0, squares = 0;
+  for (int i = 0; i < Bins; i++) {
+    all += histogram[static_cast<size_t>(i)];
+    sum += i * histogram[static_cast<size_t>(i)];
+    squares += static_cast<double>(i) * i * histogram[static_cast<size_t>(i)];
+  }
+  double best = 0, lowMean = 0, highMean = 0;
+  double count = 0, below = 0;
+  for (int i = 0; i + 1 < Bins; i++) {
+    count += histogram[static_cast<size_t>(i)];
+    below += i * histogram[static_cast<size_t>(i)];
+    if (count == 0 || count == all) {
+      continue;
+    }
+    const double low = below / count;
+    const double high = (sum - below) / (all - count);
+    const double between = count / all * (all - count) / all * (high - low) * (high - low);
+    if (between > best) {
+      best = between;
+      lowMean = low;
+      highMean = high;
+    }
+  }
+  constexpr double TwoLevels = 0.8;  // of the variance; noise alone has 0.64 of it between its halves
+  const double variance = squares / all - sum / all * (sum / all);
+  const double perBin = span / (Bins - 1);
+  const double middle = least + (lowMean + highMean) / 2 * perBin;
+  const Threshold found(middle, (highMean - lowMean) * perBin);
+  if (best < TwoLevels * variance || !found.lasts(volts)) {
+    return false;
+  }
+  *this = found;
+  return true;
+}
+
+bool Threshold::lasts(const std::vector<double> &volts) const {
+  size_t high = 0;
+  size_t changes = 0;
+  bool wasHigh = volts.front() > middle();
+  for (const double v : volts) {
+    const bool is = isHigh(v, wasHigh);
+    changes += is != wasHigh;
+    high += is;
+    wasHigh = is;
+  }
+  constexpr size_t SamplesMin = 2;
+  const size_t pulses = changes / 2 + 1;
+  return changes > 0 && std::min(high, volts.size() - high) >= SamplesMin * pulses;
+}
+
+}  // namespace line

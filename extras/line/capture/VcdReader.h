@@ -1,0 +1,48 @@
+// A value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its signals are
+// scalar variables and the bits of vectors; reals are passed over.
+#pragma once
+
+#include <array>
+#include <unordered_map>
+
+#include "line/capture/Capture.h"
+
+namespace line {
+
+class VcdReader : public CaptureReader {
+ public:
+  explicit VcdReader(LevelSink &sink);
+
+  std::string put(std::string_view lines) override;
+  std::string finish() override;
+  std::string format() const override { return "VCD"; }
+
+ private:
+  static constexpr size_t None = SIZE_MAX;
+
+  std::string headerWord(std::string_view word);
+  std::string endSection();
+  std::string defineVariable();
+  void setVector(size_t lowest);
+  std::string bodyWord(std::string_view word);
+  std::string setTime(std::string_view digits);
+  // Of a vector: that of its lowest bit, whose higher ones follow.
+  size_t signalOf(std::string_view code) const;
+
+  bool _inBody = false;
+  bool _passing = false;      // over what is not for us, up to $end; in the body: a comment
+  bool _codeFollows = false;  // of a vector or real
+  std::string _bits;          // and this was its value, if it is a vector
+  std::string _section;       // "$var": which words are collected, up to $end
+  std::vector<std::string> _words;
+  std::vector<std::string> _scopes;
+  std::vector<std::string> _names;
+  std::vector<size_t> _widths;  // of the variable whose lowest bit this signal is
+  std::array<size_t, 128> _byCharacter;  // the signal of a code of one character
+  std::unordered_map<std::string, size_t> _byCode;
+  uint64_t _unitNumerator = 0;  // a unit of time is so many ns
+  uint64_t _unitDenominator = 1;
+  int64_t _ns = 0;
+};
+
+}  // namespace line

@@ -1,0 +1,136 @@
+#include "line/capture/WireDecoder.h"
+
+#include <algorithm>
+
+#include "line/capture/Text.h"
+
+namespace line {
+
+namespace {
+
+constexpr int64_t Never = INT64_MAX / 2;
+
+// Of a wire whose characters an analyser has decoded.
+std::string whyNoCharacters(const FoundWire &wire) {
+  return "has " + std::to_string(wire.good) + " good characters and " + std::to_string(wire.bad) +
+         " bad ones: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted?";
+}
+
+}  // namespace
+
+void WireDecoder::signals(const std::vector<std::string> &names) {
+  for (const std::string &name : names) {
+    const std::string inQuotes = quoted(name);
+    _names.push_back(inQuotes.substr(1, inQuotes.size() - 2));
+  }
+  _samples.resize(names.size());
+}
+
+void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
+  std::vector<Level> &sample = _samples[signal];
+  if (!isWanted(signal) || (!sample.empty() && sample.back().high == high)) {
+    return;
+  }
+  sample.push_back({ns, high});
+  if (sample.size() < SampleMax) {
+    return;
+  }
+  if (findWire(sample, _overrules).frames > 0) {
+    choose();
+  } else {
+    sample.erase(sample.begin(), sample.begin() + SampleMax / 2);
+  }
+}
+
+void WireDecoder::choose() {
+  for (size_t i = 0; i < _samples.size(); i++) {
+    const FoundWire wire = findWire(_samples[i], _overrules);
+    if (wire.frames == 0) {
+      continue;
+    }
+    const bool better = wire.betterThan(_wire);
+    if (_wire.frames > 0) {
+      _others.push_back(_names[better ? _chosen : i]);
+    }
+    if (better) {
+      _wire = wire;
+      _chosen = i;
+    }
+  }
+  if (_wire.frames > 0) {
+    begin();
+  }
+}
+
+// Bits off an oscilloscope's picture, say, may be less than a frame.
+void WireDecoder::chooseOnly() {
+  if (_overrules.signal.empty() && _samples.size() != 1) {
+    return;
+  }
+  for (size_t i = 0; i < _samples.size(); i++) {
+    const FoundWire wire = findWire(_samples[i], _overrules);
+    if (isWanted(i) && wire.hasCharacters() && (_overrules.baud != 0 || hasBits(_samples[i]))) {
+      _wire = wire;
+      _chosen = i;
+      begin();
+      return;
+    }
+  }
+}
+
+void WireDecoder::begin() {
+  _decoder.emplace(_wire.settings, _wire.bitNs);
+  _onFound();
+  for (const Level &level : _samples[_chosen]) {
+    decode(level.ns, level.high);
+  }
+  _samples.clear();
+}
+
+void WireDecoder::finish(int64_t endNs, bool cutOff) {
+  if (!_decoder) {
+    choose();
+  }
+  if (!_decoder) {
+    chooseOnly();
+  }
+  if (!_decoder) {
+    return;
+  }
+  const bool goesOn = _lastNs >= endNs && !cutOff;
+  _endNs = endNs + (goesOn ? static_cast<int64_t>(SilenceUs) * 1000 : 0);
+  if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {
+    _onCharacter(_character);
+  }
+}
+
+std::string WireDecoder::failure(double periodNs) const {
+  const std::string &wanted = _overrules.signal;
+  if (!wanted.empty() && std::find(_names.begin(), _names.end(), wanted) == _names.end()) {
+    return "there is no signal " + wanted + ": one of " + someNames() + " is expected";
+  }
+  // Of many signals some are told: those with pulses, unless none has.
+  size_t told = 0;
+  std::string reasons;
+  for (size_t i = 0; i < _names.size() && told < Shown; i++) {
+    const std::vector<Level> &sample = _samples[i];
+    if (isWanted(i) && (hasPulses(sample) || _names.size() == 1 || !wanted.empty())) {
+      const FoundWire wire = findWire(sample, _overrules);
+      reasons += (told > 0 ? "; signal " : "signal ") + _names[i] + " " +
+                 (_isMeasured ? whyNotFound(sample, wire, periodNs) : whyNoCharacters(wire));
+      told++;
+    }
+  }
+  reasons = told > 0 ? reasons : "no signal has pulses: is the probe on S-BUS_OUT, and the receiver on?";
+  return reasons + (reasons.back() == '?' ? "" : ".") + " No signal has a frame of S.Bus: " + FrameForm;
+}
+
+std::string WireDecoder::someNames() const {
+  std::string names;
+  for (size_t i = 0; i < _names.size() && i < Shown; i++) {
+    names += (i > 0 ? ", " : "") + _names[i];
+  }
+  return names + (_names.size() > Shown ? ", ..." : "");
+}
+
+}  // namespace line

@@ -1,0 +1,203 @@
+#include "line/capture/WireFinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "line/uart/Levels.h"
+#include "line/Observer.h"
+
+namespace line {
+
+namespace {
+
+constexpr double ShortestBitNs = 5000;
+constexpr int LongestPulse = 10;  // bits between two edges of a character: start bit, 00 and its parity bit
+
+// Of one pulse: how many bits it lasts; 0 if it does not last a number of them.
+int bitsOf(double pulseNs, double bitNs) {
+  constexpr double Tolerance = 0.36;  // 3 % of 10 bits, and what samples and slopes take
+  const double bits = std::round(pulseNs / bitNs);
+  return bits >= 1 && bits <= LongestPulse && std::abs(pulseNs - bits * bitNs) <= Tolerance * bitNs
+             ? static_cast<int>(bits)
+             : 0;
+}
+
+// The bit time near `bitNs` that fits the pulses best; 0 if a quarter of them does not fit, or nearly all last an even
+// number of bits: then they are bits of half the speed. A wire's high pulses may all be longer than its low ones, since
+// the threshold is not half way up its slopes: by least squares over both unknowns.
+double fit(const std::vector<Level> &levels, double bitNs) {
+  double bits2 = 0, bitsSign = 0, bitsNs = 0, signNs = 0;
+  int fitting = 0;
+  int misfits = 0;
+  int odd = 0;
+  for (size_t i = 0; i + 1 < levels.size(); i++) {
+    const double ns = static_cast<double>(levels[i + 1].ns - levels[i].ns);
+    if (ns > (LongestPulse + 0.5) * bitNs) {
+      continue;  // idle
+    }
+    const int bits = bitsOf(ns, bitNs);
+    if (bits == 0) {
+      misfits++;
+      continue;
+    }
+    const double sign = levels[i].high ? 1 : -1;
+    fitting++;
+    odd += bits % 2;
+    bits2 += bits * bits;
+    bitsSign += bits * sign;
+    bitsNs += bits * ns;
+    signNs += sign * ns;
+  }
+  const double determinant = bits2 * fitting - bitsSign * bitsSign;
+  if (fitting < 4 || misfits > fitting / 3 || odd < fitting / 8 || determinant <= 0) {
+    return 0;
+  }
+  return (bitsNs * fitting - bitsSign * signNs) / determinant;
+}
+
+FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, double bitNs) {
+  FoundWire wire;
+  wire.settings = settings;
+  wire.bitNs = bitNs;
+  Observer observer;
+  observer.reset(0, settings.characterUs());
+  bool extra = false;
+  observer.listen([&extra](const Stretch &stretch) { extra = extra || stretch.kind == Stretch::Kind::Extra; });
+  CharacterDecoder decoder(settings, bitNs);
+  WireCharacter character;
+  const auto take = [&] {
+    (character.bad() ? wire.bad : wire.good)++;
+    observer.put(character.since(levels.front().ns, settings.format.bits() * bitNs));
+  };
+  for (const Level &level : levels) {
+    if (decoder.level(level.ns, level.high, character)) {
+      take();
+    }
+  }
+  if (decoder.until(INT64_MAX / 2, character)) {
+    take();
+  }
+  observer.idleUntil(static_cast<uint64_t>((levels.back().ns - levels.front().ns) / 1000) + SilenceUs);
+  observer.finish();
+  wire.frames = observer.counters().frames;
+  wire.channels = observer.has24() ? 24 : extra ? 32 : 16;
+  return wire;
+}
+
+// The pulses but the first, which began before the sample, in order of length.
+std::vector<int64_t> pulses(const std::vector<Level> &levels) {
+  std::vector<int64_t> lengths;
+  for (size_t i = 1; i + 1 < levels.size(); i++) {
+    lengths.push_back(levels[i + 1].ns - levels[i].ns);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+// What all pulses are multiples of, if there is such a time: then it is that between an analyser's samples, most
+// probably.
+double gridNs(const std::vector<int64_t> &lengths) {
+  constexpr double RoundingNs = 50;  // times of a capture are rounded, some more than once
+  double grid = 0;
+  for (const int64_t length : lengths) {
+    double a = static_cast<double>(length);
+    double b = grid;
+    while (b > RoundingNs) {
+      const double rest = std::fmod(a, b);
+      a = b;
+      b = std::min(rest, a - rest);
+    }
+    grid = a;
+    if (grid <= RoundingNs) {
+      return 0;
+    }
+  }
+  return grid;
+}
+
+// All but the glitches last so long; 0 if there are none.
+double shortest(const std::vector<int64_t> &lengths) {
+  return lengths.empty() ? 0 : static_cast<double>(lengths[lengths.size() / 20]);
+}
+
+bool lastsABit(double ns) {
+  constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
+  return std::abs(ns - ShortestBitNs) < SampleNs || std::abs(ns - 2 * ShortestBitNs) < SampleNs;
+}
+
+std::string microseconds(double ns) {
+  const auto tenths = static_cast<unsigned long long>(std::llround(ns / 100));
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " us";
+}
+
+}  // namespace
+
+std::string tooSlow(double sampledNs, double bitNs) {
+  constexpr double SamplesPerBit = 4;
+  if (sampledNs * SamplesPerBit <= bitNs) {
+    return {};
+  }
+  return "was sampled every " + microseconds(sampledNs) + ", but a bit lasts " + microseconds(bitNs) +
+         ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
+}
+
+FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules) {
+  FoundWire best;
+  const bool told = overrules.baud != 0;
+  for (const unsigned long baud : told ? std::vector{overrules.baud} : std::vector{sbus::Baud, 2 * sbus::Baud}) {
+    LineSettings settings;
+    settings.baud = baud;
+    const double nominalNs = settings.bitNs();
+    double bitNs = fit(levels, nominalNs);
+    if (std::abs(bitNs - nominalNs) > BaudTolerance * nominalNs) {
+      if (!told || levels.empty()) {
+        continue;
+      }
+      bitNs = nominalNs;
+    }
+    for (const Polarity polarity : {Polarity::Inverted, Polarity::Uninverted}) {
+      if (overrules.polarity != Polarity::Either && overrules.polarity != polarity) {
+        continue;
+      }
+      settings.polarity = polarity;
+      const FoundWire wire = judge(levels, settings, bitNs);
+      best = wire.betterThan(best) ? wire : best;
+    }
+  }
+  return best;
+}
+
+bool hasPulses(const std::vector<Level> &levels) {
+  return !pulses(levels).empty();
+}
+
+bool hasBits(const std::vector<Level> &levels) {
+  return lastsABit(shortest(pulses(levels)));
+}
+
+std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs) {
+  const std::vector<int64_t> lengths = pulses(levels);
+  if (lengths.empty()) {
+    return "has no pulses: is the probe on S-BUS_OUT, and the receiver on?";
+  }
+  const double pulseNs = shortest(lengths);
+  const double grid = gridNs(lengths);
+  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the grid may be that of bits
+  const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
+  if (!slow.empty()) {
+    return slow;
+  }
+  const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(pulseNs);
+  if (best.good + best.bad == 0 || !lastsABit(pulseNs)) {
+    const double baud = 1e9 / std::max(pulseNs, 1.0);
+    return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
+           " baud do: 10 us or 5 us are expected, within 3 %";
+  }
+  if (best.good >= 2 * best.bad) {
+    return "has " + std::to_string(best.good) + " good characters at " + text(best.settings) + ", but no frame";
+  }
+  return seen + ", but of " + std::to_string(best.good + best.bad) + " characters " + std::to_string(best.bad) +
+         " have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected";
+}
+
+}  // namespace line

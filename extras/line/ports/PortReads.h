@@ -1,0 +1,58 @@
+// What the reads of a port bring, as characters with times. A port hands bytes over late and in lumps: an FTDI adapter
+// every 16 ms, in packets of 62. Bytes that came in one read may have any gaps between them; and from one read to the
+// next the line was silent only for as long as the port was found empty, less the port's latency.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "line/Line.h"
+
+namespace line {
+
+class PortReads {
+ public:
+  // Linux' default of FTDI's latency timer, and longer than what other adapters wait.
+  static constexpr uint32_t UsualLatencyUs = 16000;
+
+  explicit PortReads(uint32_t characterUs = CharacterUs, uint32_t latencyUs = UsualLatencyUs)
+      : _characterUs(characterUs), _lateUs(latencyUs + SystemUs) {}
+
+  // A read at `nowUs` finds nothing.
+  void empty(uint64_t nowUs) { _emptyUs = nowUs; }
+
+  // A read at `nowUs` brings so many characters: get each by next().
+  void begin(size_t count, uint64_t nowUs) {
+    const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
+    _nextUs = std::max(_nextUs, earliestUs);
+    _readLateUs = static_cast<uint32_t>(std::min<uint64_t>(_lateUs + nowUs - _emptyUs, UINT32_MAX));
+  }
+
+  Character next(uint8_t value, bool bad = false) {
+    Character character;
+    character.endUs = _nextUs;
+    character.value = value;
+    character.bad = bad;
+    character.lateUs = _readLateUs;
+    _nextUs += _characterUs;
+    return character;
+  }
+
+  // So long after bytes an empty read tells of a gap.
+  int knownAfterMs() const { return static_cast<int>(_lateUs / 1000) + 1; }
+
+  // All characters that were through by then have come.
+  uint64_t knownUs() const { return _emptyUs - std::min<uint64_t>(_emptyUs, _lateUs); }
+
+ private:
+  static constexpr uint32_t SystemUs = 2000;  // from the adapter through USB and the system, on a busy PC
+
+  uint32_t _characterUs;
+  uint32_t _lateUs;
+  uint32_t _readLateUs = 0;
+  uint64_t _emptyUs = 0;
+  uint64_t _nextUs = 0;  // the earliest end of the next character
+};
+
+}  // namespace line

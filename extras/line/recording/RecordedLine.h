@@ -1,0 +1,40 @@
+// Plays a recording once.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "line/Line.h"
+#include "line/recording/Recording.h"
+
+namespace line {
+
+class RecordedLine : public Line {
+ public:
+  // `leadUs`: so long after the port was opened the recording begins; a sketch would miss its first character otherwise.
+  explicit RecordedLine(Recording recording, uint64_t leadUs = 0)
+      : RecordedLine(std::make_shared<const Recording>(std::move(recording)), leadUs) {}
+
+  // Several lines may play one recording.
+  explicit RecordedLine(std::shared_ptr<const Recording> recording, uint64_t leadUs = 0)
+      : _characters(recording, &recording->characters), _leadUs(leadUs) {}
+
+  void opened(uint64_t nowUs) override { _zeroUs = nowUs + _leadUs; }
+
+  bool next(uint64_t nowUs, Character &character) override;
+
+  uint64_t knownUs(uint64_t nowUs) const override;
+
+  // A little later than its last character, so that the sketch can show what it has made of it.
+  bool finished(uint64_t nowUs) const override;
+
+ private:
+  static constexpr uint64_t TailUs = 300000;
+
+  const std::shared_ptr<const Characters> _characters;
+  uint64_t _leadUs;
+  uint64_t _zeroUs = 0;
+  size_t _index = 0;
+};
+
+}  // namespace line

@@ -1,0 +1,213 @@
+#include "line/recording/Recording.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include "line/recording/CsvRows.h"
+#include "line/recording/Words.h"
+
+namespace line {
+
+namespace {
+
+constexpr uint64_t LateMaxUs = UINT32_MAX;
+
+// Takes the next word off `text`; empty at the end.
+std::string_view takeWord(std::string_view &text) {
+  while (!text.empty() && isBlank(text.front())) {
+    text.remove_prefix(1);
+  }
+  size_t size = 0;
+  while (size < text.size() && !isBlank(text[size])) {
+    size++;
+  }
+  const std::string_view word = text.substr(0, size);
+  text.remove_prefix(size);
+  return word;
+}
+
+bool parseTime(std::string_view word, uint64_t &us) {
+  us = 0;
+  for (const char c : word) {
+    if (c < '0' || c > '9') {
+      return false;
+    }
+    us = us * 10 + static_cast<uint64_t>(c - '0');
+    if (us > RecordingTimeMaxUs) {
+      return false;
+    }
+  }
+  return !word.empty();
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') {
+    return c - '0';
+  }
+  if (c >= 'A' && c <= 'F') {
+    return c - 'A' + 10;
+  }
+  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+// "0F", or "0F!" if it was bad.
+bool parseCharacter(std::string_view word, Character &character) {
+  character.bad = word.size() > 1 && word.back() == '!';
+  if (character.bad) {
+    word.remove_suffix(1);
+  }
+  unsigned value = 0;
+  for (const char c : word) {
+    const int digit = hexDigit(c);
+    if (digit < 0) {
+      return false;
+    }
+    value = value << 4 | static_cast<unsigned>(digit);
+  }
+  character.value = static_cast<uint8_t>(value);
+  return word.size() == 1 || word.size() == 2;
+}
+
+// Appends the characters of a line. Returns what is wrong with it, or nothing.
+std::string parseLine(std::string_view line, uint32_t characterUs, Characters &characters) {
+  const std::string_view timeWord = takeWord(line);
+  if (timeWord.empty() || timeWord.front() == '#') {
+    return {};
+  }
+  Character character;
+  const size_t mark = timeWord.find('~');
+  uint64_t lateUs = 0;
+  if (!parseTime(timeWord.substr(0, mark), character.endUs) ||
+      (mark != std::string_view::npos && (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs > LateMaxUs))) {
+    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
+  }
+  if (!characters.empty() && character.endUs < characters.back().endUs + characterUs) {
+    return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
+           std::to_string(characters.back().endUs) + " us, and each takes " + std::to_string(characterUs) + " us";
+  }
+  character.lateUs = static_cast<uint32_t>(lateUs);
+  std::string_view word = takeWord(line);
+  if (word.empty()) {
+    return "there is a time, but no characters: bytes in hexadecimal are expected after it";
+  }
+  for (; !word.empty(); word = takeWord(line)) {
+    if (!parseCharacter(word, character)) {
+      return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
+    }
+    characters.push_back(character);
+    character.endUs += characterUs;
+  }
+  return {};
+}
+
+// The line of names over rows with times, as sbus csv and the scope write it.
+bool namesTimes(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find(','));
+  return first == "time" || first == "seconds";
+}
+
+}  // namespace
+
+LineSettings settingsIn(std::string_view beginning) {
+  LineSettings settings;
+  beginning = withoutMark(beginning);
+  while (!beginning.empty() && beginning.front() == '#') {
+    const std::string comment(takeLine(beginning));
+    const size_t end = comment.find(" baud");
+    if (end == std::string::npos || comment.find_first_not_of("0123456789", 2) != end) {
+      continue;
+    }
+    const unsigned long baud = std::strtoul(comment.c_str() + 2, nullptr, 10);
+    if (comment.find("8N1", end) != std::string::npos) {
+      settings = csvSettings();
+      settings.baud = std::clamp(baud, 1ul, 10000000ul);
+      return settings;
+    }
+    settings.baud = baud == 2 * sbus::Baud ? baud : sbus::Baud;
+    return settings;
+  }
+  return settings;
+}
+
+bool isCsvText(std::string_view beginning) {
+  beginning = withoutMark(beginning);
+  if (namesTimes(beginning)) {
+    return true;
+  }
+  CsvRows rows;
+  for (const char c : beginning) {
+    rows.put(static_cast<uint8_t>(c));
+    if (rows.recognised() && rows.isTable()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void RecordingReader::row(std::string_view text) {
+  constexpr uint64_t RowUs = 200000;
+  constexpr uint32_t AtOnceUs = 1;  // so that 111 rows a second with 32 numbers each have room
+  const Characters &characters = _recording.characters;
+  const size_t comma = text.find(',');
+  _hasTimes = _hasTimes || (characters.empty() && namesTimes(text));
+  if (!_hasTimes || comma == std::string_view::npos) {
+    put(text, (characters.empty() ? 1 : characters.back().endUs / RowUs + 1) * RowUs, _characterUs);
+    return;
+  }
+  const double seconds = std::strtod(std::string(text.substr(0, comma)).c_str(), nullptr);
+  const uint64_t us =
+      seconds > 0 && seconds * 1e6 < RecordingTimeMaxUs ? static_cast<uint64_t>(seconds * 1e6 + 0.5) : 0;
+  put(text.substr(comma + 1), us, AtOnceUs);
+}
+
+// The first character is complete at `endUs`; with times the last one is.
+void RecordingReader::put(std::string_view text, uint64_t endUs, uint32_t characterUs) {
+  Characters &characters = _recording.characters;
+  const std::string row = std::string(text.substr(0, RecordingLineMax / 2)) + '\n';
+  if (_hasTimes) {
+    const uint64_t earliestUs = characters.empty() ? characterUs : characters.back().endUs + characterUs;
+    endUs = std::max(earliestUs, endUs - std::min<uint64_t>(endUs, (row.size() - 1) * characterUs));
+  }
+  Character character;
+  character.endUs = endUs;
+  for (const char c : row) {
+    character.value = static_cast<uint8_t>(c);
+    characters.push_back(character);
+    character.endUs += characterUs;
+  }
+}
+
+void RecordingReader::line(std::string_view text) {
+  if (!_recording.error.empty()) {
+    return;
+  }
+  if (_number == 0 && _recording.characters.empty()) {
+    text = withoutMark(text);
+  }
+  if (_csv) {
+    row(text);
+    return;
+  }
+  _number++;
+  _recording.error = text.size() > RecordingLineMax
+                         ? "line is too long: at most " + std::to_string(RecordingLineMax) + " characters are expected"
+                         : parseLine(text, _characterUs, _recording.characters);
+  _recording.errorLine = _recording.error.empty() ? 0 : _number;
+}
+
+Recording RecordingReader::finish() {
+  if (_recording.error.empty() && _recording.characters.empty()) {
+    _recording.error = "is empty: at least one line \"microseconds byte byte ...\" is expected";
+  }
+  return std::move(_recording);
+}
+
+Recording parseRecording(std::string_view text, uint32_t characterUs) {
+  RecordingReader reader(characterUs);
+  while (!text.empty()) {
+    reader.line(takeLine(text));
+  }
+  return reader.finish();
+}
+
+}  // namespace line

@@ -1,0 +1,129 @@
+// A recording of a line, as a text file:
+//
+//   # a comment
+//   120 0F E5 03! 1F       microseconds at which the first character was complete, then characters back to back; !
+//                          after one with a wrong parity or stop bit
+//   16120~18000 0F E5      of a port that hands bytes over late: each was complete up to 18000 us earlier, and gaps may
+//                          stand between them
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "line/Line.h"
+#include "line/simulation/LineSettings.h"
+
+namespace line {
+
+// Characters in their order, 8 bytes each, and 16 for each read of a late port: an hour of S.Bus has nine million.
+class Characters {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Characters &characters, size_t index) : _characters(characters), _index(index) {}
+    Character operator*() const { return _characters[_index]; }
+    Iterator &operator++() {
+      _index++;
+      return *this;
+    }
+    bool operator!=(const Iterator &other) const { return _index != other._index; }
+
+   private:
+    const Characters &_characters;
+    size_t _index;
+  };
+
+  void push_back(const Character &character) {
+    if (character.lateUs != (_late.empty() ? 0 : _late.back().us)) {
+      _late.push_back({size(), character.lateUs});
+    }
+    _packed.push_back(character.endUs << 9 | (character.bad ? 0x100u : 0u) | character.value);
+  }
+
+  Character operator[](size_t index) const {
+    const uint64_t packed = _packed[index];
+    return {packed >> 9, static_cast<uint8_t>(packed), (packed & 0x100) != 0, lateUs(index)};
+  }
+  Character back() const { return (*this)[size() - 1]; }
+  size_t size() const { return _packed.size(); }
+  bool empty() const { return _packed.empty(); }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+  // True if a port has brought some of them late.
+  bool isLate() const { return !_late.empty(); }
+
+  // Of a line that has brought the first `count` of them: see Line::knownUs().
+  uint64_t knownUs(size_t count, uint64_t nowUs) const {
+    const Character next = count < size() ? (*this)[count] : Character{nowUs + CharacterUs};
+    return std::min(nowUs, next.endUs - std::min<uint64_t>(next.endUs, CharacterUs + next.lateUs));
+  }
+
+ private:
+  struct Late {
+    size_t from;  // index
+    uint32_t us;
+  };
+
+  uint32_t lateUs(size_t index) const {
+    const auto after =
+        std::upper_bound(_late.begin(), _late.end(), index, [](size_t i, const Late &late) { return i < late.from; });
+    return after == _late.begin() ? 0 : std::prev(after)->us;
+  }
+
+  std::deque<uint64_t> _packed;  // a vector would take three times as much while it grows
+  std::deque<Late> _late;        // where it changes
+};
+
+struct Recording {
+  Characters characters;
+  std::string error;       // what is wrong and what is expected; empty if nothing is
+  unsigned errorLine = 0;  // where, counted from 1; 0 if it is wrong as a whole
+};
+
+constexpr size_t RecordingLineMax = 4096;                                     // characters of text
+constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  // a year: what is later is a mistake
+
+constexpr size_t RecordingBeginning = 4096;  // bytes of a file: they tell what it is
+
+// How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: as Fast S.Bus,
+// or as a sketch's Serial, 8N1; as S.Bus if none says so.
+LineSettings settingsIn(std::string_view beginning);
+
+// True if it is no recording, but the rows that a sketch prints.
+bool isCsvText(std::string_view beginning);
+
+// Takes a recording line by line.
+class RecordingReader {
+ public:
+  // `characterUs`: what a character takes on the line. `csv`: the lines are a sketch's rows. They come every 200 ms, as
+  // the examples print them, or when their first column says, if that is called "time" or "seconds": so sbus csv and
+  // the scope write them.
+  explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
+      : _characterUs(characterUs), _csv(csv) {}
+
+  // The next line, without its LF. Does nothing once something was wrong.
+  void line(std::string_view text);
+
+  // After the last line. If there is an error, `characters` holds what came before it.
+  Recording finish();
+
+ private:
+  void row(std::string_view text);
+  void put(std::string_view text, uint64_t endUs, uint32_t characterUs);
+
+  const uint32_t _characterUs;
+  const bool _csv;
+  Recording _recording;
+  unsigned _number = 0;    // of the last line
+  bool _hasTimes = false;  // of its rows
+};
+
+// A whole recording's text.
+Recording parseRecording(std::string_view text, uint32_t characterUs = CharacterUs);
+
+}  // namespace line

@@ -1,0 +1,110 @@
+#include "line/recording/RecordingFile.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "line/recording/CsvRows.h"
+
+namespace line {
+
+std::string beginningOf(const std::string &name, size_t size) {
+  std::ifstream in(name, std::ios::binary);
+  std::string beginning(size, '\0');
+  in.read(&beginning[0], static_cast<std::streamsize>(size));
+  beginning.resize(static_cast<size_t>(in.gcount()));
+  return beginning;
+}
+
+namespace {
+
+Recording read(const std::string &name, RecordingReader reader) {
+  std::ifstream in(name, std::ios::binary);
+  if (!in) {
+    throw std::runtime_error(name + ": cannot be opened; the name of a recording is expected");
+  }
+  for (std::string line; std::getline(in, line);) {
+    reader.line(line);
+  }
+  if (in.bad()) {
+    throw std::runtime_error(name + ": cannot be read");
+  }
+  Recording recording = reader.finish();
+  if (!recording.error.empty()) {
+    const std::string place = recording.errorLine > 0 ? ":" + std::to_string(recording.errorLine) : "";
+    throw std::runtime_error(name + place + ": " + recording.error);
+  }
+  return recording;
+}
+
+}  // namespace
+
+Recording readRecording(const std::string &name, uint32_t characterUs) {
+  return read(name, RecordingReader(characterUs));
+}
+
+LineSettings recordedSettings(const std::string &name) {
+  return settingsIn(beginningOf(name, RecordingBeginning));
+}
+
+bool isCsv(const std::string &name) {
+  return isCsvText(beginningOf(name, RecordingBeginning));
+}
+
+Recording readCsv(const std::string &name) {
+  return read(name, RecordingReader(csvSettings().characterUs(), true));
+}
+
+LineFile::LineFile(const std::string &name, bool isNew) : _name(name) {
+  struct stat status;
+  if (isNew && stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+    throw std::runtime_error(name + ": is there already; name another file, or remove it");
+  }
+  _file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (_file < 0) {
+    throw std::runtime_error(name + ": cannot be written (" + std::strerror(errno) + "); name another file");
+  }
+}
+
+LineFile::~LineFile() {
+  if (_file >= 0) {
+    close(_file);
+  }
+}
+
+void LineFile::write(const std::string &lines) {
+  for (size_t at = 0; at < lines.size() && _failure.empty();) {
+    const ssize_t count = ::write(_file, lines.data() + at, lines.size() - at);
+    if (count > 0) {
+      at += static_cast<size_t>(count);
+    } else if (count == 0 || errno != EINTR) {
+      fail();
+    }
+  }
+  _size += _failure.empty() ? static_cast<long>(lines.size()) : 0;
+}
+
+// A full disk takes a part of a line: that part goes.
+void LineFile::fail() {
+  _failure = _name + ": could not be written to its end (" + std::strerror(errno) + ")";
+  if (ftruncate(_file, _size) == 0) {
+    _failure += "; what came before is whole";
+  }
+  _failure += "; is there place for it?";
+}
+
+std::string LineFile::finish() {
+  const int file = std::exchange(_file, -1);
+  if (file >= 0 && close(file) != 0 && _failure.empty()) {
+    _failure = _name + ": could not be written to its end (" + std::strerror(errno) + "); is there place for it?";
+  }
+  return _failure;
+}
+
+}  // namespace line

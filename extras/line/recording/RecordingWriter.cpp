@@ -1,0 +1,55 @@
+#include "line/recording/RecordingWriter.h"
+
+#include <algorithm>
+
+namespace line {
+
+namespace {
+
+// So a frame has a line of its own even if the next one follows at once, and no line is too long for a reader.
+constexpr unsigned LineMax = sbus::FrameSize;
+
+}  // namespace
+
+void RecordingWriter::comment(const std::string &text) {
+  endLine();
+  _done += "# " + text + '\n';
+}
+
+void RecordingWriter::opened(const LineSettings &settings) {
+  if (_opened && settings == _settings) {
+    return;
+  }
+  _opened = true;
+  _settings = settings;
+  comment(text(settings));
+}
+
+void RecordingWriter::put(const Character &character) {
+  const uint64_t earliestUs = _begun ? _lastEndUs + _settings.characterUs() : 0;
+  const uint64_t endUs = std::max(character.endUs, earliestUs);
+  if (_onLine == LineMax || endUs != earliestUs || character.lateUs != _lateUs) {
+    endLine();
+  }
+  if (_onLine == 0) {
+    _line = std::to_string(endUs) + (character.lateUs == 0 ? "" : "~" + std::to_string(character.lateUs));
+    _lateUs = character.lateUs;
+  }
+  constexpr char Digits[] = "0123456789ABCDEF";
+  _line += ' ';
+  _line += Digits[character.value >> 4];
+  _line += Digits[character.value & 0xF];
+  _line += character.bad ? "!" : "";
+  _lastEndUs = endUs;
+  _begun = true;
+  _onLine++;
+}
+
+void RecordingWriter::endLine() {
+  if (_onLine != 0) {
+    _done += _line + '\n';
+    _onLine = 0;
+  }
+}
+
+}  // namespace line

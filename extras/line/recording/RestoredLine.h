@@ -1,0 +1,42 @@
+// A late port's line, or a recording of it, for a sketch, which polls a UART: each frame back to back, and gaps between
+// them, however the port has brought them.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "line/Line.h"
+#include "line/Observer.h"
+
+namespace line {
+
+class RestoredLine : public Line {
+ public:
+  RestoredLine(std::unique_ptr<Line> line, uint32_t characterUs) : _line(std::move(line)), _characterUs(characterUs) {
+    _observer.reset(0, characterUs);
+    _observer.listen([this](const Stretch &stretch) { take(stretch); });
+  }
+
+  void opened(uint64_t nowUs) override { _line->opened(nowUs); }
+  bool next(uint64_t nowUs, Character &character) override;
+  bool finished(uint64_t nowUs) const override { return _line->finished(nowUs) && _waiting.empty(); }
+  std::string failure() const override { return _line->failure(); }
+
+ private:
+  static constexpr uint64_t PollUs = 200;      // asking the port more often finds nothing
+  static constexpr uint64_t GapCharacters = 5;  // so that even a frame each 4 ms has time
+
+  void take(const Stretch &stretch);
+
+  std::unique_ptr<Line> _line;
+  const uint32_t _characterUs;
+  Observer _observer;
+  std::deque<Character> _waiting;
+  uint64_t _nowUs = 0;
+  uint64_t _lastEndUs = 0;
+  uint64_t _nextPollUs = 0;
+};
+
+}  // namespace line

@@ -1,0 +1,85 @@
+// What a UART makes of characters on a wire, and of a wire's levels.
+#pragma once
+
+#include <cstdint>
+
+#include "line/Line.h"
+#include "line/simulation/LineSettings.h"
+
+namespace line {
+
+// Calls level(ns, high) at the beginning of each of the character's bits: from there on the wire is so. A bad character
+// gets a wrong parity bit, if it has one.
+template <typename OnLevel>
+void encode(const Character &character, const LineSettings &line, OnLevel level) {
+  const Format &format = line.format;
+  const unsigned data = character.value & ((1u << format.dataBits) - 1);
+  const bool even = isOdd(data) != character.bad;  // what makes the number of ones even
+  const bool parity = even != (format.parity == Parity::Odd);
+  const unsigned stop = ~0u << (format.dataBits + format.parityBits());
+  const unsigned bits = (stop | static_cast<unsigned>(parity) << format.dataBits | data) << 1;  // an idle one is 1
+  int64_t ns = (static_cast<int64_t>(character.endUs) - line.characterUs()) * 1000;
+  for (unsigned i = 0; i < format.bits(); i++, ns += line.bitNs()) {
+    level(ns, ((bits >> i & 1) != 0) == line.idleHigh());
+  }
+}
+
+// A character as it was on a wire.
+struct WireCharacter {
+  int64_t startNs = 0;  // where its start bit begins
+  uint8_t value = 0;
+  bool parityWrong = false;
+  bool stopWrong = false;  // a framing error: the first stop bit is not idle
+
+  bool bad() const { return parityWrong || stopWrong; }
+
+  // Returns the character with its time since `zeroNs`, as an Observer takes it. `characterNs`: how long it lasts.
+  Character since(int64_t zeroNs, double characterNs) const {
+    const double endNs = static_cast<double>(startNs - zeroNs) + characterNs;
+    return {static_cast<uint64_t>(endNs / 1000), value, bad(), 0, parityWrong, stopWrong};
+  }
+};
+
+// It works as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the
+// middle of the start bit. Each bit is sampled at its middle; the first stop bit ends the character.
+class CharacterDecoder {
+ public:
+  // `bitNs`: as measured.
+  CharacterDecoder(const LineSettings &settings, double bitNs);
+
+  // From `ns` on the wire is so; what it begins with is no edge. True if a character was through before: no more than
+  // one can be.
+  bool level(int64_t ns, bool high, WireCharacter &character) {
+    bool through = until(ns, character);
+    const bool wasIdle = _idle;
+    _idle = high == _idleHigh;
+    if (_sampleNs == ns) {  // sampled at the very edge: as it is from there on
+      through = until(ns + 1, character);
+    }
+    if (wasIdle && !_idle && _sampleNs == Never) {
+      _startNs = ns;
+      _sampleNs = ns + _bitNs / 2;
+      _bit = 0;
+      _bits = 0;
+    }
+    return through;
+  }
+
+  // The wire stays as it is until `ns`.
+  bool until(int64_t ns, WireCharacter &character);
+
+ private:
+  static constexpr int64_t Never = INT64_MAX;
+
+  bool _idleHigh;
+  Format _format;
+  unsigned _stopBit;  // the number of the first one; the start bit's is 0
+  int64_t _bitNs;
+  bool _idle = false;
+  int64_t _startNs = 0;
+  int64_t _sampleNs = Never;  // the middle of the next bit, unless an edge is waited for
+  unsigned _bit = 0;          // its number
+  unsigned _bits = 0;         // sampled so far, an idle one is 1
+};
+
+}  // namespace line

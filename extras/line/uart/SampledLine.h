@@ -1,0 +1,30 @@
+// A line as a port hears it that may be set otherwise.
+#pragma once
+
+#include <memory>
+
+#include "line/Line.h"
+#include "line/uart/UartSampler.h"
+
+namespace line {
+
+class SampledLine : public Line {
+ public:
+  SampledLine(std::unique_ptr<Line> line, const LineSettings &settings, const LineSettings &port)
+      : _line(std::move(line)), _settings(settings), _port(port), _agrees(mismatch(port, settings).empty()) {}
+
+  void opened(uint64_t nowUs) override;
+  bool next(uint64_t nowUs, Character &character) override;
+  bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
+  std::string failure() const override { return _line->failure(); }
+  uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
+
+ private:
+  std::unique_ptr<Line> _line;
+  LineSettings _settings;
+  LineSettings _port;
+  bool _agrees;  // nothing has to be sampled then
+  UartSampler _sampler;
+};
+
+}  // namespace line
