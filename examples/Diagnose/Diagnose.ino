@@ -1,5 +1,5 @@
 /*
-  Diagnose: no frames, or bad ones? Says what is wrong with the line, and the cure.
+  Diagnose: no frames, or bad ones? Says what is wrong with the line, and the remedy.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
@@ -57,7 +57,7 @@ void tell() {
   const sbus::Finding finding = diagnosis.finding();
   const sbus::Counters &seen = diagnosis.seen();
   Serial.println(text(finding));
-  Serial.println(cure(finding));
+  Serial.println(remedy(finding));
   if (seen.frames != 0) {
     Serial.print("dSBus.");
     Serial.print(SETTINGS[diagnosis.best()].text);

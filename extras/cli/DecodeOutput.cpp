@@ -126,7 +126,7 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
               : values.lostFrame ? "  lost frame"
                                  : "") +
              (extra             ? ""
-              : values.failsafe ? "  FAILSAFE"
+              : values.failsafe ? "  Failsafe"
                                 : "");
       write((newHead ? head + "  end\n" : "") + row + '\n');
       break;

@@ -22,13 +22,13 @@ class Input {
   // How the port is set.
   const line::LineSettings &settings() const { return _settings; }
 
-  // What is said of a port that has gone, or is back: on standard error unless told.
+  // Where a port that has gone, or is back, is reported. Default: standard error.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
   // The time that run() begins with: a line before that is not heard. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
-  // So many times as fast as true time.
+  // The speed, as a multiple of true time.
   void setSpeed(double speed) { _speed = speed; }
 
   // Hands over each character as it comes, and says the time: every millisecond, of a port whenever it brings bytes and

@@ -16,7 +16,7 @@ constexpr double PlotWidth = Width - Left - Right, PlotHeight = Height - Top - B
 constexpr double LineHeight = 15;
 
 // Okabe and Ito's hues, which colour-blind people can tell apart; darker on white, lighter on black. Further curves are
-// dashed. The shades differ by a pattern, too. No CSS variables: many viewers do not know them.
+// dashed. The shades also differ by a pattern. No CSS variables: many viewers do not know them.
 struct Palette {
   const char *page, *text, *grid, *failsafe, *lost, *silent;
   const char *curves[8];

@@ -10,7 +10,7 @@ int widthOf(const std::string &text);
 // What of it fits.
 std::string cut(const std::string &text, int width);
 
-// The same, not in the middle of what it says: "FAILSAFE" of "FAILSAFE: the receiver is well, but has given the radio
+// The same, not in the middle of what it says: "Failsafe" of "Failsafe: the receiver is well, but has given the radio
 // up."
 std::string cutAtPhrase(const std::string &text, int width);
 

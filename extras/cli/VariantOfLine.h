@@ -12,7 +12,7 @@ class VariantOfLine {
  public:
   void take(const line::Stretch &stretch);
 
-  // Of the 16-channel frames the kind that most of them are of; empty before the first frame.
+  // Returns the variant that most of the 16-channel frames have; empty before the first frame.
   std::string text() const;
 
  private:

@@ -37,7 +37,7 @@ void addSubcommands(CLI::App &app) {
 void keepStreamsApart() {
   for (int stream = 0; stream <= 2; stream++) {
     if (fcntl(stream, F_GETFD) < 0) {
-      open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);  // whoever uses it is told that it fails, as before
+      open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);  // using it fails, as before
     }
   }
 }

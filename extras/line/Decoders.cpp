@@ -11,7 +11,7 @@ namespace line {
 
 namespace {
 
-constexpr uint8_t ShortGap = 3;     // as if a port waited for so many characters
+constexpr uint8_t ShortGap = 3;     // characters, as if a port waited for them
 constexpr uint32_t SureLead = 2;    // votes more than the other decoder has
 constexpr uint64_t EndUs = 50000;   // a longer silence ends what came before it
 constexpr size_t MostOpen = 8;      // frames of a decoder, so that none waits for ever

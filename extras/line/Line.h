@@ -41,7 +41,7 @@ class Line {
   // Why the line broke down; empty if it did not.
   virtual std::string failure() const { return {}; }
 
-  // What has happened to it since the last call, for whoever watches: a port has gone, or is back. Mostly nothing.
+  // Returns what has happened to the port since the last call: it has gone, or is back. Mostly nothing.
   virtual std::string news() { return {}; }
 
   // Returns what keeps its times from being exact, a line with what to do; mostly nothing.

@@ -25,7 +25,7 @@ struct Stretch {
 
   Kind kind = Kind::NoFrame;
   uint64_t at = 0;                    // place of its first character
-  std::vector<Character> characters;  // 1 or more; bad ones, too, which no frame is made of
+  std::vector<Character> characters;  // 1 or more, with those that have errors, which no frame consists of
   std::vector<Rejected> rejected;     // of NoFrame; places in the stretch
 
   bool isFrame() const { return kind != Kind::NoFrame; }

@@ -24,68 +24,49 @@ uint32_t framesOfEitherSize(const Counters &counters) {
   return counters.frames + counters.otherSizeFrames;
 }
 
+// By Finding.
+struct Words {
+  const char *text;
+  const char *remedy;
+};
+constexpr Words WordsOf[] = {
+    {"No signal: not a byte with any setting.",
+     "Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?"},
+    {"No frames: bytes come, but few frames or none.",
+     "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2."},
+    {"24 channels: frames come, but of 24 channels, not of 16.",
+     "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels."},
+    {"Wrong polarity: frames come only with the other one.",
+     "Open the port with the other polarity, or add or remove an inverter."},
+    {"Wrong baud rate: frames come only with the other one.",
+     "Open the port with the setting that has frames: Fast S.Bus has 200000 baud."},
+    {"Wrong polarity and baud rate: frames come only with the others.",
+     "Open the port with the setting that has frames: Fast S.Bus has 200000 baud."},
+    {"Polled too seldom: the port's buffer overflows.",
+     "Poll the port at least every 5 ms, at 200000 baud every 2.5 ms."},
+    {"Noise: frames are damaged.",
+     "Connect the grounds, check the supply, shorten the wire."},
+    {"Failsafe: the receiver works, but has lost the link.",
+     "Switch the radio on, or bind them."},
+    {"No radio: the receiver works, but hears nothing.",
+     "Switch the radio on, or bind them."},
+    {"Lossy: the receiver works, but misses radio frames.",
+     "Check distance and aerials."},
+    {"All well, and other bytes come between the frames.",
+     "No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame."},
+    {"All well.",
+     "Nothing to do."},
+};
+static_assert(sizeof WordsOf / sizeof WordsOf[0] == static_cast<uint8_t>(Finding::AllWell) + 1, "a row for each finding");
+
 }  // namespace
 
 const char *text(Finding finding) {
-  switch (finding) {
-    case Finding::NoSignal:
-      return "NO SIGNAL: not a byte in any setting.";
-    case Finding::NoFrames:
-      return "NO FRAMES: bytes come, but few frames or none.";
-    case Finding::Channels24:
-      return "24 CHANNELS: frames come, but of 24 channels, not of 16.";
-    case Finding::WrongPolarity:
-      return "WRONG INVERSION: frames come with the other one only.";
-    case Finding::WrongBaud:
-      return "WRONG BAUD RATE: frames come with the other one only.";
-    case Finding::WrongPolarityAndBaud:
-      return "WRONG INVERSION AND BAUD RATE: frames come with the others only.";
-    case Finding::PolledTooSeldom:
-      return "POLLED TOO SELDOM: the port's buffer runs over.";
-    case Finding::Noise:
-      return "NOISE: frames are damaged.";
-    case Finding::Failsafe:
-      return "FAILSAFE: the receiver is well, but has given the radio up.";
-    case Finding::NoRadio:
-      return "NO RADIO: the receiver is well, but hears nothing.";
-    case Finding::Lossy:
-      return "LOSSY: the receiver is well, but misses radio frames.";
-    case Finding::AllWellAndMore:
-      return "ALL WELL, and other bytes come between the frames.";
-    case Finding::AllWell:
-      return "ALL WELL.";
-  }
-  return "";
+  return WordsOf[static_cast<uint8_t>(finding)].text;
 }
 
-const char *cure(Finding finding) {
-  switch (finding) {
-    case Finding::NoSignal:
-      return "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?";
-    case Finding::NoFrames:
-      return "Connect GND. Is it S.Bus? Inverter missing, or one too many? Can the port do 100000 8E2 (no nRF52)?";
-    case Finding::Channels24:
-      return "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.";
-    case Finding::WrongPolarity:
-      return "Open the port with that one, or put in an inverter, or take one out.";
-    case Finding::WrongBaud:
-    case Finding::WrongPolarityAndBaud:
-      return "Open the port with the setting that has frames: Fast S.Bus has 200000 baud.";
-    case Finding::PolledTooSeldom:
-      return "Poll the port every 5 ms at least, at 200000 baud every 2.5 ms.";
-    case Finding::Noise:
-      return "Connect the grounds, check the supply, shorten the wire.";
-    case Finding::Failsafe:
-    case Finding::NoRadio:
-      return "Switch the radio on, or bind them.";
-    case Finding::Lossy:
-      return "Check the distance and the aerials.";
-    case Finding::AllWellAndMore:
-      return "No fault: telemetry (S.BUS2), or what some Futaba receivers send after a frame.";
-    case Finding::AllWell:
-      return "There is nothing to cure.";
-  }
-  return "";
+const char *remedy(Finding finding) {
+  return WordsOf[static_cast<uint8_t>(finding)].remedy;
 }
 
 uint32_t impairedFrames(const Counters &counters) {

@@ -4,7 +4,7 @@
 ///   sbus::Diagnosis diagnosis;                      // a round: each setting is tried once
 ///   diagnosis.add({100000, true, 500, counters});   // the setting that is meant comes first
 ///   diagnosis.add({100000, false, 500, counters});
-///   text(diagnosis.finding()), cure(diagnosis.finding())
+///   text(diagnosis.finding()), remedy(diagnosis.finding())
 ///   diagnosis.begin();                              // the next round
 #pragma once
 
@@ -40,11 +40,11 @@ enum class Finding : uint8_t {
 };
 
 /// The finding in words: ASCII, a line of 100 characters at most. On an AVR all words take 1.3 KB of RAM in a sketch
-/// that calls this or cure(), and nothing in others.
+/// that calls this or remedy(), and nothing in others.
 const char *text(Finding finding);
 
 /// What to do about it, in words of the same variant.
-const char *cure(Finding finding);
+const char *remedy(Finding finding);
 
 /// About how many frames came damaged. Refused headers do not tell, as each 0F of a impaired frame may be one; but its
 /// bytes are skipped. FASSTest 26: those with header 2F, too. 0 if no gap was survived.

@@ -44,7 +44,7 @@ export default async function () {
     await check(`stale, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await reads(page, '#state', 'Fine');
       await page.click('#cut');
-      await reads(page, '#verdict-text', /^NO SIGNAL/);
+      await reads(page, '#verdict-text', /^No signal/);
       await page.click('#calibrate');
       await clean(page);
     }, { colorScheme });
@@ -89,7 +89,7 @@ export default async function () {
   });
 
   await check('a screen reader hears the verdict, and the channels as meters', async (page) => {
-    await reads(page, '#announcement[role="status"]', /^ALL WELL/);
+    await reads(page, '#announcement[role="status"]', /^All well/);
     await until('CH7 has no value', async () => (await page.getAttribute('#bars li:nth-child(7) .track', 'aria-valuenow')) === '992');
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'role'), 'meter');
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'aria-label'), 'CH7');

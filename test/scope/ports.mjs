@@ -21,7 +21,7 @@ export default async function () {
     await reads(page, '#bars li:nth-child(1) .percent', '-100.0');
     await reads(page, '#bars li:nth-child(3) .percent', '100.0');
     await lit(page, 'ch17');
-    await reads(page, '#verdict-text', 'ALL WELL.');
+    await reads(page, '#verdict-text', 'All well.');
     const [options] = await page.evaluate(() => fake.port.opened);
     assert.deepEqual(options, { baudRate: 100000, dataBits: 8, parity: 'even', stopBits: 2, bufferSize: 4096 });
   });
@@ -30,7 +30,7 @@ export default async function () {
     await brings(page, frame([172, 992]), 100000, 9, 1);
     await connect(page);
     await raw(page, 1, '172');
-    await reads(page, '#verdict-text', 'ALL WELL.');
+    await reads(page, '#verdict-text', 'All well.');
     await counts(page, 'discardedBytes', 0);
   });
 
@@ -56,7 +56,7 @@ export default async function () {
     await brings(page, frame([992], { flags: 0x04 }));
     await connect(page);
     await reads(page, '#state', 'Failsafe');
-    await reads(page, '#verdict-text', /^NO RADIO/);
+    await reads(page, '#verdict-text', /^No radio/);
   });
 
   await check('parity, framing, overrun and system errors and breaks: counted by cause, the numbers go on', async (page) => {
@@ -94,7 +94,7 @@ export default async function () {
       await reads(page, '#state', 'Fine');
       await counts(page, 'port unplugged', 1);
       await counts(page, 'port reopened', 1);
-      await reads(page, '#verdict-text', 'ALL WELL.');
+      await reads(page, '#verdict-text', 'All well.');
     });
   }
 
@@ -114,7 +114,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.busy = true));
     await page.click('#source-adapter');
     await reads(page, '#verdict-text', 'The port cannot be opened.');
-    await reads(page, '#verdict-cure', /^Close the other program/);
+    await reads(page, '#verdict-remedy', /^Close the other program/);
     await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
@@ -126,7 +126,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.openMs = 1300));
     await connect(page);
     await reads(page, '#verdict-text', 'LISTENING.');
-    await reads(page, '#verdict-note', /^WRONG BAUD RATE: .* Done: 200000 baud/);
+    await reads(page, '#verdict-note', /^Wrong baud rate: .* Done: 200000 baud/);
     await reads(page, '#state', 'Fine');
     const opened = await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate));
     assert.deepEqual(opened, [100000, 200000]);
@@ -162,7 +162,7 @@ export default async function () {
     assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
     assert.equal(await page.getAttribute('#source-simulated', 'aria-pressed'), 'true');
     await reads(page, '#title', /^Simulated/);
-    await reads(page, '#verdict-text', 'ALL WELL.');
+    await reads(page, '#verdict-text', 'All well.');
   }
 
   await check('no port chosen: a notice says so, and the simulation, its recording and its verdict go on', async (page) => {
@@ -172,7 +172,7 @@ export default async function () {
       await reads(page, '#title', /^Simulated .* \(until another one is there\)$/);
       await page.evaluate(() => fake.choice());
       await reads(page, '#notice-text', 'No port was chosen.');
-      await reads(page, '#notice-cure', /^Plug the adapter in/);
+      await reads(page, '#notice-remedy', /^Plug the adapter in/);
       await reads(page, '#title', /^Simulated [^(]*$/);
     });
     await page.click('#notice-close');
@@ -208,13 +208,13 @@ export default async function () {
   await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
     await page.click('#source-adapter');
     await reads(page, '#notice-text', 'This browser has no Web Serial.');
-    await reads(page, '#notice-cure', /Chrome, Edge or Firefox/);
+    await reads(page, '#notice-remedy', /Chrome, Edge or Firefox/);
     await reads(page, '#state', 'Fine');
   }, { serial: false });
 
-  await check('no bytes: both baud rates are tried, then NO SIGNAL', async (page) => {
+  await check('no bytes: both baud rates are tried, then No signal', async (page) => {
     await connect(page);
-    await reads(page, '#verdict-text', 'NO SIGNAL: not a byte in any setting.');
+    await reads(page, '#verdict-text', 'No signal: not a byte with any setting.');
     const opened = () => page.evaluate(() => String(fake.port.opened.map(({ baudRate }) => baudRate)));
     await until('it is not opened anew', async () => (await opened()).startsWith('100000,200000,100000'));
   });
@@ -222,21 +222,21 @@ export default async function () {
   await check('Fast S.Bus: 200000 baud are found', async (page) => {
     await brings(page, frame([1300]), 200000);
     await connect(page);
-    await reads(page, '#verdict-note', /^WRONG BAUD RATE: frames come with the other one only\. .* Done: 200000 baud/);
+    await reads(page, '#verdict-note', /^Wrong baud rate: frames come with the other one only\. .* Done: 200000 baud/);
     await raw(page, 1, '1300');
     await reads(page, '#state', 'Fine');
   });
 
-  await check('bytes of no frame, as an inverter too many makes them: NO FRAMES, with the cure', async (page) => {
+  await check('bytes of no frame, as an inverter too many makes them: No frames, with the remedy', async (page) => {
     await brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]);
     await connect(page);
-    await reads(page, '#verdict-text', /^NO FRAMES: bytes come/);
-    await reads(page, '#verdict-cure', /Inverter missing, or one too many/);
+    await reads(page, '#verdict-text', /^No frames: bytes come/);
+    await reads(page, '#verdict-remedy', /Inverter missing, or one too many/);
     await reads(page, '#state', 'Never seen');
     await counts(page, 'discardedBytes', /^[1-9]/);
   });
 
-  await check('only breaks, as an idle line of the wrong level makes them: NO FRAMES, not silence', async (page) => {
+  await check('only breaks, as an idle line of the wrong level makes them: No frames, not silence', async (page) => {
     await page.evaluate(() => {
       fake.port.onOpen = () => {
         clearInterval(fake.timer);
@@ -244,7 +244,7 @@ export default async function () {
       };
     });
     await connect(page);
-    await reads(page, '#verdict-text', /^NO FRAMES/);
+    await reads(page, '#verdict-text', /^No frames/);
   });
 
   await check('a frame that is damaged, among good ones, is shown with its reason', async (page) => {
@@ -331,7 +331,7 @@ export default async function () {
     }, codes('832,626,1811,866\r\n'));
     await connect(page, 'board');
     await reads(page, '#verdict-text', 'Bytes come, but no rows.');
-    await reads(page, '#verdict-cure', /^Choose the baud rate/);
+    await reads(page, '#verdict-remedy', /^Choose the baud rate/);
     await page.selectOption('#baud', '9600');
     await reads(page, '#bars li:nth-child(1) .raw', '832');
     await reads(page, '#title', 'A board that prints numbers, 9600 baud');
@@ -389,7 +389,7 @@ export default async function () {
     const sent = Math.floor((await page.evaluate(() => fake.sent)) / 31);
     await until(async () => `${await counter(page, 'frames')} frames, of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 12);
     await counts(page, 'resyncs', /^0?$/);
-    await reads(page, '#verdict-text', /^ALL WELL/);
+    await reads(page, '#verdict-text', /^All well/);
   });
 
   await check('24 channels, and frames with header 2F, of a port', async (page) => {

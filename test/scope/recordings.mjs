@@ -129,7 +129,7 @@ export default async function () {
     await check(`${name} is no recording: why, and what reads captures`, async (page) => {
       await drop(page, name, content);
       await reads(page, '#notice-text', said);
-      await reads(page, '#notice-cure', /sbus decode/);
+      await reads(page, '#notice-remedy', /sbus decode/);
       await reads(page, '#state', 'Fine');
     });
   }

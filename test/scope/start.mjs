@@ -5,8 +5,8 @@ import { check, counts, lit, raw, reads, until } from './support.mjs';
 export default async function () {
   await check('it opens with the simulated receiver at work, and asks the network for nothing', async (page) => {
     await reads(page, '#state', 'Fine');
-    await reads(page, '#verdict-text', 'ALL WELL.');
-    await reads(page, '#verdict-cure', 'There is nothing to cure.');
+    await reads(page, '#verdict-text', 'All well.');
+    await reads(page, '#verdict-remedy', 'Nothing to do.');
     await reads(page, '#rate', /^11[0-2]$/);
     await reads(page, '#gap', '9.0 ms');
     await counts(page, 'frames', /^\d{3}/);
@@ -35,17 +35,17 @@ export default async function () {
     await page.click('#cut');
     await reads(page, '#state', 'Stale');
     await page.waitForSelector('#bars.doubtful');
-    await reads(page, '#verdict-text', 'NO SIGNAL any more: frames have come, now not a byte does.');
-    await reads(page, '#verdict-cure', /^Check wire, pin and receiver/);
+    await reads(page, '#verdict-text', 'No signal any more: frames have come, now not a byte does.');
+    await reads(page, '#verdict-remedy', /^Check wire, pin and receiver/);
     await reads(page, '#rate', '0');
     await page.click('#cut');
     await reads(page, '#state', 'Fine');
-    await reads(page, '#verdict-text', 'ALL WELL.');
+    await reads(page, '#verdict-text', 'All well.');
   });
 
   for (const [fault, found] of [
-    ['inversion', /^WRONG INVERSION: .* Done: 100000 baud, inverted\.$/],
-    ['baud', /^WRONG BAUD RATE: .* Done: 100000 baud, inverted\.$/],
+    ['inversion', /^Wrong polarity: .* Done: 100000 baud, inverted\.$/],
+    ['baud', /^Wrong baud rate: .* Done: 100000 baud, inverted\.$/],
   ]) {
     await check(`simulated fault ${fault}: it tries the other settings, says which is right, and stays there`, async (page) => {
       await page.selectOption('#fault', fault);
@@ -57,7 +57,7 @@ export default async function () {
 
   await check('simulated noise: bad characters, skipped bytes and the verdict NOISE', async (page) => {
     await page.selectOption('#fault', 'noise');
-    await reads(page, '#verdict-text', /^NOISE: frames are damaged/);
+    await reads(page, '#verdict-text', /^Noise: frames are damaged/);
     await counts(page, 'badCharacters', /^\d\d/);
     await counts(page, 'discardedBytes', /^\d\d/);
     await page.waitForSelector('#lines .none');
@@ -65,13 +65,13 @@ export default async function () {
 
   await check('no signal at all: it says so from the start, in all settings', async (page) => {
     await page.selectOption('#fault', 'silent');
-    await reads(page, '#verdict-text', 'NO SIGNAL: not a byte in any setting.');
+    await reads(page, '#verdict-text', 'No signal: not a byte with any setting.');
     await counts(page, 'frames', 0);
   });
 
   await check('24 channels: all of them, no switches', async (page) => {
     await page.selectOption('#receiver', '24');
-    await reads(page, '#verdict-text', '24 CHANNELS: frames come, but of 24 channels, not of 16.');
+    await reads(page, '#verdict-text', '24 channels: frames come, but of 24 channels, not of 16.');
     await reads(page, '#bars li:nth-child(24) .chip', 'CH24');
     assert.equal(await page.locator('#bars li:visible').count(), 24);
     await raw(page, 24, /^1[234]\d\d$/);
@@ -90,7 +90,7 @@ export default async function () {
   await check('failsafe: banner, indicator, its own values, and the curves marked', async (page) => {
     await lit(page, 'failsafe');  // after 10 s of the flight
     await reads(page, '#state', 'Failsafe');
-    await reads(page, '#verdict-text', 'FAILSAFE: the receiver is well, but has given the radio up.');
+    await reads(page, '#verdict-text', 'Failsafe: the receiver works, but has lost the link.');
     await raw(page, 3, '172');
     await counts(page, 'failsafeFrames', /^[1-9]/);
   });

@@ -16,7 +16,7 @@ agree() {
   }' "$1"
 }
 
-# asked STATUS FINDING FIGURES ARGUMENTS...: three lines say the finding, the cure and the figures
+# asked STATUS FINDING FIGURES ARGUMENTS...: three lines say the finding, the remedy and the figures
 asked() {
   wanted=$1 finding=$2 figures=$3
   shift 3
@@ -52,10 +52,10 @@ player() {
 }
 
 player simulate
-asked 0 'ALL WELL.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
+asked 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
 kill $player
 player simulate --silent
-asked 1 'NO SIGNAL:' - "$terminal"
+asked 1 'No signal:' - "$terminal"
 kill $player
 player replay golden/AllChannels.csv --loop
 asked 1 'ROWS OF CSV:' - "$terminal"
@@ -83,14 +83,14 @@ while read -r line period latency status finding; do
   verdict $? "doctor names the gaps that are not seen: $line, $latency ms"
   kill $player
 done <<END
-16 9 1 0 ALL WELL.
-16 9 16 0 ALL WELL.
-sbus2 15 16 0 ALL WELL.
+16 9 1 0 All well.
+16 9 16 0 All well.
+sbus2 15 16 0 All well.
 END
 adapter 16 9 16 200
 "$SBUS" record "$terminal" "$WORK/adapter.txt" 2>"$WORK/err"
 grep -q '^[0-9]*~[0-9]* ' "$WORK/adapter.txt" && "$SBUS" hex "$WORK/adapter.txt" >"$WORK/adapter.hex" &&
-  [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'ALL WELL.'
+  [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'All well.'
 verdict $? "a recording of an adapter at 16 ms keeps its reads: its frames are found again"
 
 # One who is not root, to whom a port may be denied: mode 000, or another program's alone (TIOCEXCL).

@@ -60,7 +60,7 @@ for form in vcd csv; do
     done
   done
 done
-"$SBUS" doctor "$work/frsky-neutral-1.vcd" >"$work/doctor" 2>"$work/err" && [ ! -s "$work/err" ] && grep -qx 'ALL WELL.' "$work/doctor" &&
+"$SBUS" doctor "$work/frsky-neutral-1.vcd" >"$work/doctor" 2>"$work/err" && [ ! -s "$work/err" ] && grep -qx 'All well.' "$work/doctor" &&
   tail -n 1 "$work/doctor" >"$work/last" &&
   grep -q '^100000 baud, 8E2, not inverted: [1-9][0-9]* frames' "$work/doctor" && "$SBUS" doctor recordings/frsky-neutral.txt | tail -n 1 | cmp - "$work/last"
 verdict $? "doctor of a capture says how the wire was"

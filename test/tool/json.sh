@@ -47,7 +47,7 @@ def check(line):
     kind = object.get("type")
     states.add(object.get("state"))
     for name, value in object.items():
-        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "cure", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind") else
+        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind") else
                     list if name in ("channels", "values", "intervals") else
                     bool if name in ("ch17", "ch18", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "has_24_channels", "rows_of_csv", "well", "permission") else
                     (int, float))
@@ -82,8 +82,8 @@ done
 cmp "$work/hex" "$work/decode" && grep -q no_frame "$work/hex" && [ "$(wc -l <"$work/hex")" -gt 10 ]
 verdict $? "hex --json and decode --json of a capture are the same"
 "$SBUS" doctor sim --simulated-time --json >"$work/doctor"
-[ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"ALL WELL' && ! "$SBUS" doctor sim --simulated-time --uninverted --json >"$work/doctor" &&
-  [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"WRONG INVERSION'
+[ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim --simulated-time --uninverted --json >"$work/doctor" &&
+  [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"Wrong polarity'
 verdict $? "doctor --json: the verdict and the exit status"
 printf '$timescale 1us $end\n$var wire 1 ! a"b\\c $end\n$enddefinitions $end\n' >"$work/odd.vcd"
 sed '1,/enddefinitions/d' "$work/sbus2.vcd" >>"$work/odd.vcd"

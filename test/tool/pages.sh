@@ -82,8 +82,8 @@ verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChann
 
 # colours WANTED ENVIRONMENT: 0 if colours are as wanted
 colours() {
-  open 80x24 "env LC_ALL=C.UTF-8 $2 '$SBUS' monitor sim --simulated-time --seconds 10.5" && shows FAILSAFE: &&
-    [ "$(tmux capture-pane -pe | grep -c "$(printf '\033')\\[[0-9;]*4[1-7]m.*FAILSAFE:")" = "$1" ]
+  open 80x24 "env LC_ALL=C.UTF-8 $2 '$SBUS' monitor sim --simulated-time --seconds 10.5" && shows Failsafe: &&
+    [ "$(tmux capture-pane -pe | grep -c "$(printf '\033')\\[[0-9;]*4[1-7]m.*Failsafe:")" = "$1" ]
   verdict $? "the banner is red: $1, with $2"
   close
 }
@@ -100,7 +100,7 @@ open 80x24 "env $utf8 '$SBUS' monitor sim --simulated-time --seconds 10.5" && sa
   tmux resize-window -x 80 -y 24 && same failsafe
 verdict $? "the page follows the terminal's size"
 tmux send-keys '?' && shows 'reset marks and counters' && tmux send-keys x && same failsafe &&
-  tmux send-keys r && shows 'lost by radio 0' && shows 'gap -' && shows 'FAILSAFE:'
+  tmux send-keys r && shows 'lost by radio 0' && shows 'gap -' && shows 'Failsafe:'
 verdict $? "? helps, r resets marks and counters, and not the link's state"
 close
 
@@ -151,7 +151,7 @@ player=$!
 tries=0
 until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows receiving && kill -STOP $player &&
-  shows 'STALE: no frame for' && shows ' 992 1500' && kill -CONT $player && shows receiving
+  shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows receiving
 verdict $? "a silent line is stale, with its last values, until it goes on"
 kill $player && shows 'the program at its other end has gone' && shows ' 992 1500'
 verdict $? "a port that goes is shown"

@@ -194,12 +194,12 @@ TEST_CASE("impaired frames are counted, not their headers: some noise, much nois
   }
 }
 
-TEST_CASE("each finding has words of its own, and a cure; both are plain and fit a line") {
+TEST_CASE("each finding has words of its own, and a remedy; both are plain and fit a line") {
   std::set<std::string> texts;
   for (unsigned number = 0; number <= static_cast<unsigned>(Finding::AllWell); number++) {
     const auto finding = static_cast<Finding>(number);
     CHECK(texts.insert(text(finding)).second);
-    for (const std::string words : {text(finding), cure(finding)}) {
+    for (const std::string words : {text(finding), remedy(finding)}) {
       CAPTURE(words);
       CHECK(words.size() >= 9);
       CHECK(words.size() <= 100);

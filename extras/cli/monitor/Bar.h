@@ -7,7 +7,7 @@ namespace tool {
 
 class Bar {
  public:
-  // So many columns wide; all bars of a view have one scale.
+  // The width in columns; all bars of a view have one scale.
   Bar(const MonitorView &view, int width, bool unicode);
 
   // What stands above the bars: "-100% 0 +100%" or the ends.

@@ -20,7 +20,7 @@ Style styleOf(Mood mood) {
                               : Style::Dim;
 }
 
-// What of a channel has room in so many columns.
+// Returns what of a channel has room in this many columns.
 struct Cells {
   explicit Cells(int width, bool isRaw) : name(width < WithMargin ? 2 : 3), value(isRaw ? 5 : 9) {
     int left = width - Gap - name - value;
@@ -254,7 +254,7 @@ class Layout {
   int _columns = 0;
   int _rows = 0;  // of channels
   int _cellWidth = 0;
-  int _spare = 0;  // rows that nobody has taken yet
+  int _spare = 0;  // rows not taken yet
   bool _grouped = false;
   std::vector<PageRow> _page;
 };

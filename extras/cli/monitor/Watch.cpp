@@ -174,8 +174,8 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
     view.indicators.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
   }
   const bool lost = values.lostFrame || (_lostUs > 0 && nowUs < _lostUs + IndicatorUs);
-  view.indicators.push_back({"FRAME LOST", lost, Mood::Warn});
-  view.indicators.push_back({"FAILSAFE", values.failsafe, Mood::Bad});
+  view.indicators.push_back({"Frame lost", lost, Mood::Warn});
+  view.indicators.push_back({"Failsafe", values.failsafe, Mood::Bad});
   view.groups = groups(nowUs, seen);
 }
 
@@ -208,8 +208,8 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       view.old = true;
       if (nowUs >= SecondUs) {
         view.bannerMood = Mood::Warn;
-        view.banner = (bytesCome ? "NO FRAMES: bytes come, but no frame. Ask: sbus doctor "
-                                 : "NO SIGNAL: nothing comes. Ask: sbus doctor ") +
+        view.banner = (bytesCome ? "No frames: bytes come, but no frame. Ask: sbus doctor "
+                                 : "No signal: nothing comes. Ask: sbus doctor ") +
                       _source;
       }
       break;
@@ -231,7 +231,7 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       view.mood = Mood::Bad;
       view.old = true;
       view.banner =
-          "STALE: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
+          "Stale: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
           (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
       break;
   }
@@ -252,7 +252,7 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   }
   for (size_t i = channels; i < _row.size(); i++) {
     const bool failsafe = sketch && i == channels;
-    view.indicators.push_back({sketch ? (failsafe ? "FAILSAFE" : "FRAME LOST") : "CH" + std::to_string(i + 1),
+    view.indicators.push_back({sketch ? (failsafe ? "Failsafe" : "Frame lost") : "CH" + std::to_string(i + 1),
                           _row[i].value > 0,
                           failsafe ? Mood::Bad
                           : sketch ? Mood::Warn
@@ -263,7 +263,7 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   view.state = view.old ? "stale" : "receiving";
   view.mood = view.old ? Mood::Bad : Mood::Good;
   if (view.old) {
-    view.banner = "STALE: no row for " + format("%.1f s", static_cast<double>(ageUs) / 1e6) +
+    view.banner = "Stale: no row for " + format("%.1f s", static_cast<double>(ageUs) / 1e6) +
                   ": a sketch prints none while the line is silent. The values are old.";
   } else if (sketch && _row[channels].value > 0) {
     view.state = "failsafe";

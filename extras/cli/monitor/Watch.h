@@ -25,7 +25,7 @@ class Watch {
   // The port has gone, or is back.
   void news(const std::string &text, uint64_t nowUs);
 
-  // Marks and counters begin anew; the link's state does not.
+  // Resets marks and counters; keeps the link's state.
   void reset();
 
   MonitorView view(uint64_t nowUs);

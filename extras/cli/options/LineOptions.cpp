@@ -43,11 +43,11 @@ LineOptions::LineOptions(CLI::App &subcommand) {
 }
 
 void LineOptions::rejectSimulated(const std::string &what) const {
-  reject(_simulated, "is of sim, the built-in receiver; leave it out for " + what);
+  reject(_simulated, "is for sim, the built-in receiver; leave it out for " + what);
 }
 
 void LineOptions::rejectDisturbing(const std::string &what) const {
-  reject(_disturbing, "is of sim or a recording; leave it out for " + what);
+  reject(_disturbing, "is for sim or a recording; leave it out for " + what);
 }
 
 line::LineSettings LineOptions::settings() const {
@@ -71,7 +71,7 @@ line::Source LineOptions::source(const line::LineSettings &settings) const {
   return source;
 }
 
-// "nan" is rejected, too.
+// "nan" is rejected as well.
 CLI::Validator numberBetween(double low, double high) {
   const auto check = [low, high](const std::string &text) {
     char *end = nullptr;

@@ -61,7 +61,7 @@ SourceOption::SourceOption(CLI::App &subcommand, Recordings recordings) : _optio
       ->check(notEmpty())
       ->type_name("");
   _csv = subcommand.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
-  subcommand.add_option("--seconds", _seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand.add_option("--seconds", _seconds, "end after this many seconds")->check(seconds())->type_name("S");
   _part = {
       subcommand.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
       subcommand.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
@@ -114,7 +114,7 @@ const FileSource &SourceOption::file() const {
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
   if (kind == Kind::Port && _simulatedTime->count() > 0) {
-    throw CLI::ValidationError("--simulated-time", "is of sim and -; a port has a time of its own");
+    throw CLI::ValidationError("--simulated-time", "is for sim and -; a port has a time of its own");
   }
   const bool atOnce = _simulatedTime->count() > 0 || (kind == Kind::File && _recordings == Recordings::AtOnce);
   auto input =

@@ -1,4 +1,4 @@
-// sbus doctor: what is wrong with a line, and the cure, as examples/Diagnose finds it: every setting is tried.
+// sbus doctor: what is wrong with a line, and the remedy, as examples/Diagnose finds it: every setting is tried.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -236,8 +236,8 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
   }
 }
 
-Json verdict(bool well, const std::string &finding, const std::string &cure) {
-  return Json("verdict").flag("well", well).text("finding", finding).text("cure", cure);
+Json verdict(bool well, const std::string &finding, const std::string &remedy) {
+  return Json("verdict").flag("well", well).text("finding", finding).text("remedy", remedy);
 }
 
 // True if all is well.
@@ -245,8 +245,8 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
           const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
     const std::string finding = "ROWS OF CSV: they come from a sketch; this is no S.Bus.";
-    const std::string cure = "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
-    write(asJson ? verdict(false, finding, cure).line() : finding + "\n" + cure + "\n");
+    const std::string remedy = "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
+    write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
     return false;
   }
   sbus::Diagnosis diagnosis;
@@ -257,10 +257,10 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
   const Heard &best = *heard[diagnosis.best()];
   const bool well = line::isWell(finding);
   if (asJson) {
-    write(verdict(well, text(finding), cure(finding)).text("line", best.kind()).line());
+    write(verdict(well, text(finding), remedy(finding)).text("line", best.kind()).line());
     return well;
   }
-  write(std::string(text(finding)) + "\n" + cure(finding) + "\n" +
+  write(std::string(text(finding)) + "\n" + remedy(finding) + "\n" +
          advice(finding, source, settings.front(), settings[diagnosis.best()]) +
          (source.hasTimes() ? best.figures() : "") + best.note());
   return well;
@@ -304,10 +304,10 @@ bool examine(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addDoctor(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("doctor", "what is wrong with a line, and the cure, in two seconds");
+  CLI::App *const subcommand = app.add_subcommand("doctor", "what is wrong with a line, and the remedy, in two seconds");
   const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
   subcommand->footer(
-      "It tries both baud rates; of sim and of a recording both polarities, too. Exit status: 0 if all is well, "
+      "It tries both baud rates; of sim and of a recording also both polarities. Exit status: 0 if all is well, "
       "1 if not.");
   const auto json = std::make_shared<bool>(false);
   subcommand->add_flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");

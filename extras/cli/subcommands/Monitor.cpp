@@ -21,7 +21,7 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t PeriodUs = 50000;  // of the page: more often nobody can read it
+constexpr uint64_t PeriodUs = 50000;  // of the page: the eye cannot follow faster
 constexpr uint64_t LineUs = 1000000;  // of the lines
 constexpr uint64_t LookUs = 10000;    // the state is asked so often
 

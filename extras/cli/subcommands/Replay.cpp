@@ -53,7 +53,7 @@ void addReplay(CLI::App &app) {
   subcommand->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
-  subcommand->add_option("--speed", options->speed, "so many times as fast (1)")
+  subcommand->add_option("--speed", options->speed, "this many times as fast (default: 1)")
       ->check(numberBetween(0.001, 1000))
       ->type_name("N");
   options->loop = subcommand->add_flag("--loop", "again and again");

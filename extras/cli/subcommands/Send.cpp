@@ -80,7 +80,7 @@ void addSend(CLI::App &app) {
   subcommand->add_option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
       ->check(CLI::IsMember({100000, 200000}).description(""))
       ->type_name("100000|200000");
-  subcommand->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand->add_option("--seconds", options->seconds, "end after this many seconds")->check(seconds())->type_name("S");
   subcommand->footer(
       "What is not named is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
       "serial port's TXD must be inverted to drive a flight controller.");

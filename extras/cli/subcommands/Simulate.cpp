@@ -19,7 +19,7 @@ void addSimulate(CLI::App &app) {
     double seconds = 0;
   };
   const auto options = std::make_shared<Options>(*subcommand);
-  subcommand->add_option("--seconds", options->seconds, "end after so many seconds")->check(seconds())->type_name("S");
+  subcommand->add_option("--seconds", options->seconds, "end after this many seconds")->check(seconds())->type_name("S");
   subcommand->callback([options] {
     options->sending.run(
         [&options] {

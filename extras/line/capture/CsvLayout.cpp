@@ -23,7 +23,7 @@ bool isComment(std::string_view line) {
   return !line.empty() && (line.front() == ';' || (line.front() == '#' && !alone));
 }
 
-// 0, 1, or that nobody knows.
+// 0, 1 or unknown.
 bool isLogic(std::string_view field) {
   return field.size() == 1 && std::string_view("01xXzZ").find(field.front()) != std::string_view::npos;
 }

@@ -160,7 +160,7 @@ std::string AnalogueReader::rows(std::string_view text) {
   return error;
 }
 
-// Anew, if the wire now goes much further than before: then that was noise.
+// Starts again if the wire now swings much further than before: then that was noise.
 void AnalogueReader::Signal::learn() {
   if (!found || Threshold::rangeOf(volts).span > 2.5 * threshold.swing()) {
     found = threshold.find(volts) || found;

@@ -22,7 +22,7 @@ class PackedFile {
   // False of a pipe.
   bool canGoBack() const;
 
-  // Goes to the beginning of a ZIP's entry, wherever in the file it stands. Returns false if there is none of this name.
+  // Goes to the beginning of a ZIP's entry, wherever it stands in the file. Returns false if no entry has this name.
   bool find(const std::string &entry);
 
   // Waits for a byte or more. Returns what has come; nothing at the end, and after a failure.

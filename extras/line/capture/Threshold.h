@@ -33,7 +33,7 @@ class Threshold {
  private:
   static constexpr double Hysteresis = 0.15;  // of the swing, on either side of the middle
 
-  // A converter's last digit goes to and fro, too, but no bit is that short.
+  // A converter's last digit also toggles, but no bit is that short.
   bool lasts(const std::vector<double> &volts) const;
 
   double _low = 0;   // up to here it is low

@@ -206,7 +206,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case 'X':
     case 'z':
     case 'Z':
-      return {};  // nobody knows
+      return {};  // unknown
     case 'b':
     case 'B':
     case 'r':

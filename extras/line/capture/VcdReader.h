@@ -40,7 +40,7 @@ class VcdReader : public CaptureReader {
   std::vector<size_t> _widths;  // of the variable whose lowest bit this signal is
   std::array<size_t, 128> _byCharacter;  // the signal of a code of one character
   std::unordered_map<std::string, size_t> _byCode;
-  uint64_t _unitNumerator = 0;  // a unit of time is so many ns
+  uint64_t _unitNumerator = 0;  // ns of a unit of time
   uint64_t _unitDenominator = 1;
   int64_t _ns = 0;
 };

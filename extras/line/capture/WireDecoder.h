@@ -46,7 +46,7 @@ class WireDecoder : public LevelSink {
   // Returns false if an analyser has decoded the characters: of wire() only the frames are then true.
   bool isMeasured() const { return _isMeasured; }
 
-  // Signals beside the chosen one that carry S.Bus, too.
+  // Signals beside the chosen one that also carry S.Bus.
   const std::vector<std::string> &others() const { return _others; }
 
   // Returns why none was found, after finish(). `periodNs`: between two samples, 0 if it is not known.

@@ -27,9 +27,9 @@ struct FoundWire {
   unsigned good = 0;      // characters of the sample with parity and stop bit right
   unsigned bad = 0;
   unsigned long frames = 0;  // of the sample: a wire without any carries no S.Bus
-  unsigned channels = 16;    // 24 or 32 if the frames have so many
+  unsigned channels = 16;    // 16, 24 or 32, as the frames have
 
-  // Returns true if most characters of the sample have their parity and stop bit right, as other lines' may have, too.
+  // Returns true if most characters of the sample have a right parity and stop bit. Other lines' characters may have, as well.
   bool hasCharacters() const { return good >= 4 && good >= 2 * bad; }
   double share() const { return good == 0 ? 0 : static_cast<double>(good) / (good + bad); }
   // By how much the wire is faster than it should be: 0.01 is 1 %.

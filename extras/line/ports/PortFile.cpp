@@ -71,7 +71,7 @@ bool runsAt(sp_port *port, int wanted) {
   return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: what 12 bits can bear
 }
 
-// libserialport knows none of these.
+// libserialport does not know these.
 bool isPseudoTerminal(const std::string &device) {
   constexpr unsigned First = 136;  // major numbers of Linux
   constexpr unsigned Last = 143;

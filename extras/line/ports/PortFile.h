@@ -25,7 +25,7 @@ class PortFile {
   int file() const { return _file; }
 
  private:
-  std::unique_ptr<sp_port, decltype(&sp_free_port)> _port{nullptr, sp_free_port};  // none of a pseudo-terminal
+  std::unique_ptr<sp_port, decltype(&sp_free_port)> _port{nullptr, sp_free_port};  // null for a pseudo-terminal
   int _file = -1;
 };
 

@@ -22,7 +22,7 @@ class PortReads {
   // A read at `nowUs` finds nothing.
   void empty(uint64_t nowUs) { _emptyUs = nowUs; }
 
-  // A read at `nowUs` brings so many characters: get each by next().
+  // Takes a read at `nowUs` that brings this many characters: get each by next().
   void begin(size_t count, uint64_t nowUs) {
     const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
     _nextUs = std::max(_nextUs, earliestUs);

@@ -14,7 +14,7 @@ namespace line {
 
 namespace {
 
-// Raw: no echo, and no byte is changed. Opening and closing it once also lets the system know when nobody listens.
+// Raw: no echo, and no byte is changed. Opening and closing it once also lets the system notice when no program listens.
 bool makeRaw(const char *name) {
   const int handle = open(name, O_RDWR | O_NOCTTY);
   if (handle < 0) {
@@ -60,7 +60,7 @@ size_t PseudoTerminal::write(const uint8_t *bytes, size_t size) {
 
 size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {
   const ssize_t count = ::read(_handle, bytes, size);
-  return count > 0 ? static_cast<size_t>(count) : 0;  // less: nothing waits, or nobody has it open
+  return count > 0 ? static_cast<size_t>(count) : 0;  // less: nothing waits, or no program has it open
 }
 
 }  // namespace line

@@ -1,4 +1,4 @@
-// A pseudo-terminal, for programs that want to talk with the sketch through a serial port.
+// A pseudo-terminal, for programs that talk with the sketch through a serial port.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class PseudoTerminal {
 
   bool hasReader() const;
 
-  // Never waits: what nobody reads is lost, as it is on the board's USB. Returns how many bytes were not.
+  // Never waits: bytes that no program reads are lost, as on the board's USB. Returns how many were written.
   size_t write(const uint8_t *bytes, size_t size);
 
   // Never waits: reads what was written to the other end, up to `size` bytes. Returns how many.

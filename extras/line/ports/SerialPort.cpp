@@ -95,7 +95,7 @@ void SerialPort::poll() {
   // A port that has gone reads as one that is silent; only poll() tells them apart.
   pollfd state = {_port.file(), POLLIN, 0};
   if (failed || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
-    _failure = _device + ": the port has gone; plug the adapter in again and start anew";
+    _failure = _device + ": the port has gone. Plug the adapter in and start again";
   }
 }
 

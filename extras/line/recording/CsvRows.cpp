@@ -15,7 +15,7 @@ constexpr size_t ColumnsMax = 64;
 constexpr size_t LeastColumns = 2;
 constexpr size_t LeastText = 4;  // characters: fewer between two 0A come by chance
 
-// strtod() would take "0x1F" and "inf", too.
+// strtod() would also take "0x1F" and "inf".
 bool isNumber(const std::string &text) {
   return !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos;
 }

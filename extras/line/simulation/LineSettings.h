@@ -11,7 +11,7 @@ namespace line {
 enum class Polarity {
   Inverted,    // S.Bus: idle is LOW
   Uninverted,  // a receiver's uninverted pad, or an inverter in between: idle is HIGH
-  Either,      // of a line only: nobody knows what stands in between, and it does what the port wants
+  Either,      // of a line only: unknown, and taken for what the port expects
 };
 
 enum class Parity { None, Even, Odd };
@@ -32,7 +32,7 @@ struct Format {
   }
 };
 
-// S.Bus unless told.
+// Default: S.Bus.
 struct LineSettings {
   unsigned long baud = sbus::Baud;  // or 200000, Fast S.Bus; anything that a sketch hands over, 0 too
   Polarity polarity = Polarity::Inverted;

@@ -48,7 +48,7 @@ export interface Stretch {
   kind: Kind;
   flags: number;
   channels: Float64Array; // raw; of a Row as it was printed
-  bytes: Uint8Array; // none of a Row
+  bytes: Uint8Array; // empty for a Row
   why: string; // it is no frame
 }
 
@@ -173,7 +173,7 @@ export class Core {
       const view = new DataView(this.native.memory.buffer);
       const stretches = Array.from({ length: count }, (_, i) => this.stretch(view, at + i * recordSize));
       this.native.takenRecords();
-      stretches.forEach(take); // it may call what makes the memory grow, and the view is of no use then
+      stretches.forEach(take); // it may call what makes the memory grow, and the view is then detached
     }
   }
 
@@ -274,7 +274,7 @@ export class Core {
     return this.native.calibrationIsGood() !== 0;
   }
 
-  // Which channel a bit of a frame of `size` bytes is of, and which bit of it.
+  // Returns the channel to which a bit of a frame of `size` bytes belongs, and which of its bits it is.
   ownerOfBit(size: number, byte: number, bit: number): { channel: number; bit: number } | undefined {
     const owner = this.native.ownerOfBit(size, byte, bit);
     return owner < 0 ? undefined : { channel: owner & 0xff, bit: owner >> 8 };

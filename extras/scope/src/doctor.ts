@@ -98,16 +98,16 @@ export class Doctor {
       case LinkState.Stale:
         return status.characters > this.characters
           ? this.of(Finding.NoFrames)
-          : { ...this.of(Finding.NoSignal), text: 'NO SIGNAL any more: frames have come, now not a byte does.' };
+          : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames have come, now not a byte does.' };
       case LinkState.NeverSeen: {
         const finding = this.lineSettings.length > 1 ? this.round : this.finding;
         return finding === undefined
-          ? { text: 'LISTENING.', cure: 'The first frame is awaited.', severity: 'note' }
+          ? { text: 'LISTENING.', remedy: 'The first frame is awaited.', severity: 'note' }
           : this.of(finding);
       }
       default:
         return this.finding === undefined || this.finding <= Finding.NoFrames
-          ? { text: 'FRAMES COME.', cure: 'A second of them is wanted for a verdict.', severity: 'good' }
+          ? { text: 'FRAMES COME.', remedy: 'A second of them is wanted for a verdict.', severity: 'good' }
           : this.of(this.finding);
     }
   }
@@ -150,7 +150,7 @@ export class Doctor {
   private of(finding: Finding): Verdict {
     return {
       text: this.core.findingText(finding),
-      cure: this.core.findingCure(finding),
+      remedy: this.core.findingCure(finding),
       severity: this.core.isWell(finding) ? 'good' : (severities[finding] ?? 'alarm'),
     };
   }
@@ -158,13 +158,13 @@ export class Doctor {
 
 const awaited: Verdict = {
   text: 'Waiting for rows.',
-  cure: 'A board may start anew when its port is opened, and a slow sketch is waited for.',
+  remedy: 'A board may start anew when its port is opened, and a slow sketch is waited for.',
   severity: 'note',
 };
 
 const noText: Verdict = {
   text: 'Bytes come, but no rows.',
-  cure: 'Choose the baud rate that the sketch gives to Serial.begin().',
+  remedy: 'Choose the baud rate that the sketch gives to Serial.begin().',
   severity: 'warning',
 };
 
@@ -172,18 +172,18 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'TEXT COMES, but no rows of numbers.',
-      cure: 'Upload a sketch that prints 2 to 32 of them, with commas, tabs or blanks: DecodeSBus, AllChannels, Channels24.',
+      remedy: 'Upload a sketch that prints 2 to 32 of them, with commas, tabs or blanks: DecodeSBus, AllChannels, Channels24.',
       severity: 'warning',
     };
   }
   if (status.state === LinkState.Stale) {
     return {
       text: 'NO ROWS: the board prints nothing.',
-      cure: 'Its sketch prints while frames come: check the wire to the receiver, or upload Diagnose.',
+      remedy: 'Its sketch prints while frames come: check the wire to the receiver, or upload Diagnose.',
       severity: 'alarm',
     };
   }
   return status.state === LinkState.Failsafe
     ? failsafe
-    : { text: 'ROWS COME from a board.', cure: 'Its sketch decodes the line.', severity: 'good' };
+    : { text: 'ROWS COME from a board.', remedy: 'Its sketch decodes the line.', severity: 'good' };
 }

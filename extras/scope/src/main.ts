@@ -13,11 +13,11 @@ import { CalibrationView } from './view/calibration';
 import { NoticeView } from './view/notice';
 import { ScaleView } from './view/scale';
 
-// Never a blank page: a fault of its own is told, too.
+// Never a blank page: its own faults are shown.
 function fault(error: unknown): void {
   byId('verdict').dataset.severity = 'alarm';
   setText(byId('verdict-text'), `The page has a fault: ${error instanceof Error ? error.message : error}.`);
-  setText(byId('verdict-cure'), 'Load it again, in a browser of this year or the last.');
+  setText(byId('verdict-remedy'), 'Load it again, in a browser of this year or the last.');
 }
 addEventListener('error', (event) => event.error && fault(event.error)); // without one: an observer's complaint, no fault
 addEventListener('unhandledrejection', (event) => fault(event.reason));
@@ -82,7 +82,7 @@ async function play(file: File | undefined): Promise<void> {
   } catch (error) {
     notice.show({
       text: `This is no recording: ${(error as Error).message}.`,
-      cure: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
+      remedy: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
     });
   }
 }

@@ -16,7 +16,7 @@ uint8_t weight(unsigned value) {
 
 }  // namespace
 
-// Channel (from 0 on) and 256 times the bit of it; -1 if it is none of a channel.
+// Channel (from 0 on) and 256 times the bit of it; -1 if it belongs to no channel.
 EXPORT(ownerOfBit)(unsigned size, unsigned byte, unsigned bit)->int {
   const bool is24 = size == sbus::FrameSize24;
   if (byte >= size) {

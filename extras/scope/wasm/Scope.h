@@ -52,7 +52,7 @@ class Scope {
   line::Examination examination;             // of what came since the port was opened, or since mark()
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
-  std::unique_ptr<SimulatedLine> simulated;  // one of the two, or none of them: a port, which the browser reads
+  std::unique_ptr<SimulatedLine> simulated;  // one of the two, or neither for a port, which the browser reads
   std::unique_ptr<PlayedLine> played;
   std::vector<Record> records;
   Recorder recorder;

@@ -15,7 +15,7 @@ class SimulatedLine : public line::Line {
   // `noise`: disturbances a second. The port is set as the line is.
   SimulatedLine(line::Sticks sticks, line::Channels channels, unsigned noise, const line::LineSettings &settings);
 
-  // The port is opened anew.
+  // Opens the port again.
   void setPort(uint64_t nowUs, const line::LineSettings &port) { _sampler.open(nowUs, port, _settings); }
 
   // Nothing arrives while the wire is cut.

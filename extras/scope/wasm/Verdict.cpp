@@ -42,7 +42,7 @@ EXPORT(findingText)(int finding)->const char * {
   return sbus::text(static_cast<sbus::Finding>(finding));
 }
 EXPORT(findingCure)(int finding)->const char * {
-  return sbus::cure(static_cast<sbus::Finding>(finding));
+  return sbus::remedy(static_cast<sbus::Finding>(finding));
 }
 EXPORT(findingIsWell)(int finding)->int {
   return line::isWell(static_cast<sbus::Finding>(finding));

@@ -204,29 +204,29 @@ TEST_CASE("Diagnose says what came in each setting, and what to do") {
       {"frsky-neutral",
        "begin(100000): 3 frames, 15 bytes of no frame\n"
        "begin(200000): 0 frames, 0 bytes of no frame\n"
-       "NO FRAMES: bytes come, but few frames or none.\n"
-       "Connect GND. Is it S.Bus? Inverter missing, or one too many? Can the port do 100000 8E2 (no nRF52)?\n"
+       "No frames: bytes come, but few frames or none.\n"
+       "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.\n"
        "dSBus.begin(100000): 6 frames a second and 0 damaged, some us from one to the next; "
        "0 % with the lost-frame flag\n"},
       {"paper",
        "begin(100000): 6 frames, 0 bytes of no frame\n"
        "begin(200000): 0 frames, 0 bytes of no frame\n"
-       "ALL WELL.\n"
-       "There is nothing to cure.\n"
+       "All well.\n"
+       "Nothing to do.\n"
        "dSBus.begin(100000): 12 frames a second and 0 damaged, some us from one to the next; "
        "0 % with the lost-frame flag\n"},
       {"sbus2",
        "begin(100000): 7 frames, 3 bytes of no frame\n"
        "begin(200000): 0 frames, 99 bytes of no frame\n"
-       "ALL WELL.\n"
-       "There is nothing to cure.\n"
+       "All well.\n"
+       "Nothing to do.\n"
        "dSBus.begin(100000): 14 frames a second and 0 damaged, some us from one to the next; "
        "0 % with the lost-frame flag\n"},
       {"silent",
        "begin(100000): 0 frames, 0 bytes of no frame\n"
        "begin(200000): 0 frames, 0 bytes of no frame\n"
-       "NO SIGNAL: not a byte in any setting.\n"
-       "Check wire, pin and receiver: is it powered, bound, its port set to S.Bus, not to CPPM?\n"},
+       "No signal: not a byte with any setting.\n"
+       "Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?\n"},
   };
   for (const auto &run : runs) {
     CAPTURE(run.first);
@@ -254,8 +254,8 @@ TEST_CASE("Diagnose counts the frames of each trial, and finds the failsafe when
   CHECK(trials == 15);
   std::string said;
   for (int i = 0; i < 7; i++) {
-    said += i < 5 ? "ALL WELL.\nThere is nothing to cure.\n"
-                  : "FAILSAFE: the receiver is well, but has given the radio up.\nSwitch the radio on, or bind them.\n";
+    said += i < 5 ? "All well.\nNothing to do.\n"
+                  : "Failsafe: the receiver works, but has lost the link.\nSwitch the radio on, or bind them.\n";
   }
   CHECK(words == said);
   CHECK(mega.mistakes() == "Serial1: baud rate\n");  // a port that is set wrongly does not go unnoticed

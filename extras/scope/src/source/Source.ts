@@ -6,7 +6,7 @@ import type { State } from './connection';
 // What is wrong, and what to do.
 export interface Problem {
   text: string;
-  cure: string;
+  remedy: string;
 }
 
 export interface Source {

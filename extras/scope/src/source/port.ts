@@ -123,18 +123,18 @@ export class PortSource implements Source {
 
 const unplugged: Problem = {
   text: 'The port has gone.',
-  cure: 'Plug the adapter or the board in again: the page goes on by itself.',
+  remedy: 'Plug the adapter or the board in again: the page goes on by itself.',
 };
 
 // Chromium has one text for every cause, which says no more than this.
 const notOpened: Problem = {
   text: 'The port cannot be opened.',
-  cure: 'Close the other program that has it open, such as a Serial Monitor or another page. On Linux, add yourself to the group dialout. The page tries again every second.',
+  remedy: 'Close the other program that has it open, such as a Serial Monitor or another page. On Linux, add yourself to the group dialout. The page tries again every second.',
 };
 
 const noWebSerial: Problem = {
   text: 'This browser has no Web Serial.',
-  cure: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
+  remedy: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
 };
 
 // The port that the user picks. Throws a Problem if there is none.
@@ -151,10 +151,10 @@ export async function pickPort(kind: PortKind): Promise<SerialPort> {
 
 function whyNoPort({ name, message }: DOMException, kind: PortKind): Problem {
   if (name === 'NotFoundError') {
-    return { text: 'No port was chosen.', cure: `Plug the ${kind} in, press the button again, and choose it in the list.` };
+    return { text: 'No port was chosen.', remedy: `Plug the ${kind} in, press the button again, and choose it in the list.` };
   }
   return {
     text: `The browser gives no port: ${message}`,
-    cure: 'Allow this page to use one. If the page was opened from disk and the browser rejects it, make scope serves it.',
+    remedy: 'Allow this page to use one. If the page was opened from disk and the browser rejects it, make scope serves it.',
   };
 }

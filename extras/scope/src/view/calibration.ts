@@ -64,7 +64,7 @@ export class CalibrationView {
     } else {
       this.go(1);
       this.textAt = performance.now() + 4000; // let it be read
-      setText(this.text, `Not taken: ${rejected}. Begin anew. ${steps[1]}`);
+      setText(this.text, `Not taken: ${rejected}. Start again. ${steps[1]}`);
     }
   }
 }

@@ -56,7 +56,7 @@ export class Curves {
     this.told();
   }
 
-  // Draws anew what depends on the theme.
+  // Redraws what depends on the theme.
   repaint(): void {
     this.shown = '';
   }

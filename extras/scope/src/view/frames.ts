@@ -1,4 +1,4 @@
-// The line, byte by byte. Pointing at a bit shows which channel it is of; meanwhile the view holds still.
+// The line, byte by byte. Pointing at a bit shows its channel; meanwhile the view holds still.
 
 import { Flag, Kind, type Core, type Stretch } from '../core';
 import { make, setText } from '../dom';

@@ -19,9 +19,9 @@ export class NoticeView {
     }
   }
 
-  show({ text, cure }: Problem): void {
+  show({ text, remedy }: Problem): void {
     setText(byId('notice-text'), text);
-    setText(byId('notice-cure'), cure);
+    setText(byId('notice-remedy'), remedy);
     this.box.hidden = false;
     this.fade();
   }
