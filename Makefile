@@ -35,7 +35,7 @@ help:
 	@echo "make uninstall PREFIX=/usr/local  removes these again"
 	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
 	@echo "make test   builds and runs all tests; installs what it lacks"
-	@echo "            CAPTURES=dir          replays recordings of real receivers in dir, too"
+	@echo "            CAPTURES=dir          also replays recordings of real receivers in dir"
 	@echo "            V=1                   prints everything"
 	@echo "make check  unit tests and examples only: less than a minute, once built"
 	@echo "make impairment  the table of what comes through impaired lines, ours beside the paper's way"

@@ -34,7 +34,7 @@ struct TimedRows {
   uint64_t endUs = 0;  // the last one holds until then
 };
 
-// Reads rows as `sbus csv` writes them: with a header any columns, without one what it prints unless told. Their times
+// Reads rows as `sbus csv` writes them: with a header any columns, without one the columns that it prints by default. Their times
 // are those of the column time, counted from the first row; without it rows come every 0.2 s. Throws
 // std::runtime_error, which names the line.
 TimedRows readTimedRows(const std::string &name);

@@ -95,12 +95,12 @@ install() {
 
 [ -z "$(missing "$@")" ] && exit 0
 list=$(missing "$@")
-# Not for what apt is known to have not: nobody wants that in every run.
+# Not for what apt is known to lack: that would take time in every run.
 # shellcheck disable=SC2086  # lists of packages, to be split
 if [ -z "$(apt-cache madison make 2>/dev/null)" ] || [ -n "$(to_install $list 2>/dev/null)" ]; then
   update
 fi
-# Twice at the most: only an installed clang can say which run-time library it wants.
+# Twice at the most: only an installed clang can say which run-time library it needs.
 for round in first second; do
   list=$(missing "$@")
   # shellcheck disable=SC2086

@@ -5,16 +5,16 @@ namespace sbus {
 namespace {
 
 constexpr uint32_t ImpairedSize = FrameSize - 1;  // bytes: mostly one character is missing
-constexpr uint32_t ImpairedPart = 100;            // more than 1/100 of the frames, and one, damaged: noise
-constexpr uint32_t LossyPart = 10;               // more than 1/10 lost: the radio comes in badly
-constexpr uint32_t NoRadioPart = 2;              // more than 1/2 lost: not at all
+constexpr uint32_t ImpairedPart = 100;            // more than 1/100 of the frames, and one more, impaired: noise
+constexpr uint32_t LossyPart = 10;                // more than 1/10 lost: lossy
+constexpr uint32_t NoRadioPart = 2;               // more than 1/2 lost: no radio
 
-uint32_t refused(const Counters &counters) {
+uint32_t rejected(const Counters &counters) {
   return counters.rejectedByEnd + counters.rejectedByFlags + counters.rejectedByLength;
 }
 
-// In FASSTest 26 a frame with header 2F comes before each frame; the first one is never taken. So many are missing.
-// (One in a line without is noise.)
+// Returns how many frames with header 2F are missing: FASSTest 26 sends one before each frame, and the first is never
+// accepted. (A single one on another line is noise.)
 uint32_t missingExtraFrames(const Counters &counters) {
   const bool expected = counters.extraFrames > counters.frames / 2;
   return expected && counters.extraFrames + 1 < counters.frames ? counters.frames - 1 - counters.extraFrames : 0;
@@ -44,20 +44,16 @@ constexpr Words WordsOf[] = {
      "Open the port with the setting that has frames: Fast S.Bus has 200000 baud."},
     {"Polled too seldom: the port's buffer overflows.",
      "Poll the port at least every 5 ms, at 200000 baud every 2.5 ms."},
-    {"Noise: frames are damaged.",
-     "Connect the grounds, check the supply, shorten the wire."},
-    {"Failsafe: the receiver works, but has lost the link.",
-     "Switch the radio on, or bind them."},
-    {"No radio: the receiver works, but hears nothing.",
-     "Switch the radio on, or bind them."},
-    {"Lossy: the receiver works, but misses radio frames.",
-     "Check distance and aerials."},
+    {"Noise: frames are damaged.", "Connect the grounds, check the supply, shorten the wire."},
+    {"Failsafe: the receiver works, but has lost the link.", "Switch the radio on, or bind them."},
+    {"No radio: the receiver works, but hears nothing.", "Switch the radio on, or bind them."},
+    {"Lossy: the receiver works, but misses radio frames.", "Check distance and aerials."},
     {"All well, and other bytes come between the frames.",
      "No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame."},
-    {"All well.",
-     "Nothing to do."},
+    {"All well.", "Nothing to do."},
 };
-static_assert(sizeof WordsOf / sizeof WordsOf[0] == static_cast<uint8_t>(Finding::AllWell) + 1, "a row for each finding");
+static_assert(sizeof WordsOf / sizeof WordsOf[0] == static_cast<uint8_t>(Finding::AllWell) + 1,
+              "a row for each finding");
 
 }  // namespace
 
@@ -74,7 +70,7 @@ uint32_t impairedFrames(const Counters &counters) {
     return 0;
   }
   const uint32_t skipped = (counters.discardedBytes + ImpairedSize / 2) / ImpairedSize;
-  const uint32_t headers = refused(counters);
+  const uint32_t headers = rejected(counters);
   return (skipped < headers ? skipped : headers) + missingExtraFrames(counters);
 }
 
@@ -91,17 +87,16 @@ void Diagnosis::add(const Trial &trial) {
   _count++;
 }
 
-// A setting is only believed if frames come with it, a line only if its setting is right, and its flags only if the
-// frames are whole.
+// The setting is judged first, by whether frames come, then the line, and last the flags, if the frames are intact.
 Finding Diagnosis::finding() const {
   const Counters &counters = seen();
   const bool framesCome = counters.frames * PeriodMax > _trial.ms;
-  const bool otherInversion = _trial.inverted != _meantInverted;
+  const bool otherPolarity = _trial.inverted != _meantInverted;
   const bool otherBaud = _trial.baud != _meantBaud;
   if (!_anyByte) {
     return Finding::NoSignal;
   }
-  if (framesCome && otherInversion) {
+  if (framesCome && otherPolarity) {
     return otherBaud ? Finding::WrongPolarityAndBaud : Finding::WrongPolarity;
   }
   if (framesCome && otherBaud) {
@@ -111,15 +106,15 @@ Finding Diagnosis::finding() const {
     return Finding::PolledTooSeldom;
   }
   if (!framesCome) {
-    // Of 55 frames 54 are told by their size, 45 with 30 disturbances a second; at most one in a wrong setting, and 3
-    // on a line of 16 channels with 3000.
+    // Of 55 frames 54 are recognised by their size, and 45 with 30 disturbances a second; in a wrong setting at most
+    // one, and 3 on a line of 16 channels with 3000.
     return counters.otherSizeFrames * PeriodMax > _trial.ms ? Finding::Channels24 : Finding::NoFrames;
   }
   const uint32_t damaged = impairedFrames(counters);
   if (damaged > 1 + counters.frames / ImpairedPart) {
     return Finding::Noise;
   }
-  // Of S.BUS2 at most 24 bytes come after a frame.
+  // S.BUS2 sends at most 24 bytes after a frame.
   if (counters.discardedBytes > (counters.frames + 1) * FrameSize) {
     return Finding::NoFrames;
   }
@@ -132,7 +127,7 @@ Finding Diagnosis::finding() const {
   if (counters.lostFrames > counters.frames / LossyPart) {
     return Finding::Lossy;
   }
-  // The first bytes may be the rest of a frame.
+  // The first bytes may be the end of a frame.
   const bool more = damaged == 0 && counters.discardedBytes >= counters.frames + FrameSize;
   return more ? Finding::AllWellAndMore : Finding::AllWell;
 }

@@ -1,4 +1,4 @@
-// The terminal as a page, with ncurses: it is in every Debian, and knows terminals without colours, too.
+// The terminal as a page, with ncurses: every Debian has it, and it can do without colours.
 #pragma once
 
 #include "cli/monitor/MonitorPage.h"

@@ -42,7 +42,7 @@ class SourceOption {
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
   const FileSource &file() const;
-  void refusePart(const std::string &reason) const;
+  void rejectPart(const std::string &reason) const;
 
   LineOptions _options;
   Recordings _recordings;

@@ -68,7 +68,7 @@ class Port {
   Sender _sender;
   line::Observer _observer;
   line::UartSampler _sampler;
-  bool _agrees = false;  // the port is set as the wire wants it: then nothing has to be sampled
+  bool _agrees = false;  // the port is set as the wire is: then nothing has to be sampled
   bool _everOpened = false;
   std::vector<Reception> _receptions;
   size_t _reception = 0;  // the one with the present settings

@@ -158,7 +158,7 @@ export class Doctor {
 
 const awaited: Verdict = {
   text: 'Waiting for rows.',
-  remedy: 'A board may start anew when its port is opened, and a slow sketch is waited for.',
+  remedy: 'A board may restart when its port is opened, and a slow sketch is waited for.',
   severity: 'note',
 };
 
