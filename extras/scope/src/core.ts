@@ -19,12 +19,26 @@ export enum Finding {
   WrongBaud,
   WrongPolarityAndBaud,
   PolledTooSeldom,
-  Damaged,
+  Noise,
   Failsafe,
   NoRadio,
   Lossy,
   AllWellAndMore,
   AllWell,
+}
+
+// sbus::CalibrationError
+export enum CalibrationError {
+  None,
+  NeverSeen,
+  HardlyMoved,
+  CentreOutside,
+  NotStill,
+  NotCentred,
+  NotPushed,
+  MovedOneWay,
+  NotRested,
+  NotHeld,
 }
 
 export enum Kind {
@@ -218,8 +232,8 @@ export class Core {
     return this.words(this.native.findingText(finding));
   }
 
-  findingCure(finding: Finding): string {
-    return this.words(this.native.findingCure(finding));
+  findingRemedy(finding: Finding): string {
+    return this.words(this.native.findingRemedy(finding));
   }
 
   isWell(finding: Finding): boolean {
@@ -249,14 +263,19 @@ export class Core {
     this.native.calibrate(step);
   }
 
-  rejection(channel: number): string {
-    return this.words(this.native.rejectionOf(channel));
+  calibrationError(channel: number): CalibrationError {
+    return this.native.calibrationErrorOf(channel);
+  }
+
+  // Follows the channel's name: " hardly moved: ...".
+  calibrationErrorText(error: CalibrationError): string {
+    return this.words(this.native.calibrationErrorText(error));
   }
 
   // Why not: "CH3 hardly moved: ..."; or ''.
   finishCalibration(wanted: number): string {
     const channel = this.native.finishCalibration(wanted);
-    return channel < 0 ? '' : `CH${channel + 1}${this.words(this.native.lastError())}`;
+    return channel < 0 ? '' : `CH${channel + 1}${this.calibrationErrorText(this.native.finishCalibrationError())}`;
   }
 
   // As it is stored.

@@ -22,7 +22,7 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.WrongBaud]: 'alarm',
   [Finding.WrongPolarityAndBaud]: 'alarm',
   [Finding.PolledTooSeldom]: 'warning',
-  [Finding.Damaged]: 'warning',
+  [Finding.Noise]: 'warning',
   [Finding.Failsafe]: 'alarm',
   [Finding.NoRadio]: 'alarm',
   [Finding.Lossy]: 'warning',
@@ -137,7 +137,7 @@ export class Doctor {
     const chosen = this.lineSettings[best];
     this.round = finding;
     if (finding > Finding.NoFrames && best > 0) {
-      this.found = `${this.core.findingText(finding)} ${this.core.findingCure(finding)} Done: ${words(chosen)}.`;
+      this.found = `${this.core.findingText(finding)} ${this.core.findingRemedy(finding)} Done: ${words(chosen)}.`;
     }
     await this.source.use(chosen);
     this.trying = undefined;
@@ -150,7 +150,7 @@ export class Doctor {
   private of(finding: Finding): Verdict {
     return {
       text: this.core.findingText(finding),
-      remedy: this.core.findingCure(finding),
+      remedy: this.core.findingRemedy(finding),
       severity: this.core.isWell(finding) ? 'good' : (severities[finding] ?? 'alarm'),
     };
   }

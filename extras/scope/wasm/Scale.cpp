@@ -12,7 +12,7 @@ int scale = FrSky;
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 bool calibrating = false;
-const char *rejection = "";
+sbus::CalibrationError finishError = sbus::CalibrationError::None;
 double range[3];
 
 sbus::CalibratedChannel uncalibrated() {
@@ -66,21 +66,24 @@ EXPORT(calibrate)(int step)->void {
   }
 }
 
-// What is still to be done with a channel, to stand after its name; "" if nothing.
-EXPORT(rejectionOf)(unsigned channel)->const char * {
+// Returns what is still to be done with a channel, from 0 on: an sbus::CalibrationError.
+EXPORT(calibrationErrorOf)(unsigned channel)->int {
   sbus::CalibratedChannel found;
-  return sbus::text(calibrator.result(static_cast<uint8_t>(channel), found));
+  return static_cast<int>(calibrator.result(static_cast<uint8_t>(channel), found));
+}
+// Returns its words, to follow the channel's name.
+EXPORT(calibrationErrorText)(int error)->const char * {
+  return sbus::text(static_cast<sbus::CalibrationError>(error));
 }
 
-// Bit 0 of `wanted` is CH1. The channel that was rejected, from 0 on; -1 if none was, and scale 2 is this calibration.
-EXPORT(finishCalibration)(unsigned wanted)->int {
+// Bit 0 of `required` is CH1. Returns the channel that failed, from 0 on, or -1: then scale 2 is this calibration.
+EXPORT(finishCalibration)(unsigned required)->int {
   uint8_t channel = 0;
-  const sbus::CalibrationError why = calibrator.finish(static_cast<uint16_t>(wanted), calibration, channel);
-  rejection = sbus::text(why);
-  return why == sbus::CalibrationError::None ? -1 : channel;
+  finishError = calibrator.finish(static_cast<uint16_t>(required), calibration, channel);
+  return finishError == sbus::CalibrationError::None ? -1 : channel;
 }
-EXPORT(lastError)()->const char * {
-  return rejection;
+EXPORT(finishCalibrationError)()->int {
+  return static_cast<int>(finishError);
 }
 
 // The calibration, as it is stored: for the page to keep, and to put back.

@@ -41,7 +41,7 @@ EXPORT(verdict)()->int {
 EXPORT(findingText)(int finding)->const char * {
   return sbus::text(static_cast<sbus::Finding>(finding));
 }
-EXPORT(findingCure)(int finding)->const char * {
+EXPORT(findingRemedy)(int finding)->const char * {
   return sbus::remedy(static_cast<sbus::Finding>(finding));
 }
 EXPORT(findingIsWell)(int finding)->int {

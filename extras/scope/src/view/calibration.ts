@@ -1,6 +1,6 @@
 // Leads through a calibration: sbus/Calibrator decides, this only asks and shows.
 
-import type { Core } from '../core';
+import { CalibrationError, type Core } from '../core';
 import { byId, setText } from '../dom';
 import { Announcer } from './announcer';
 
@@ -10,6 +10,8 @@ const steps = [
   '2 of 3: Centre the sticks, throttle low, and let go.',
   '3 of 3: Push both sticks up and right, and hold them there.',
 ];
+// What the next step brings: nothing is left to do in this one.
+const doneBy = [undefined, CalibrationError.NotRested, CalibrationError.NotPushed];
 const sticks = 4; // CH1..CH4 must be good
 const wanted = (1 << sticks) - 1;
 
@@ -39,10 +41,9 @@ export class CalibrationView {
       return;
     }
     this.textAt = now;
-    const todo = Array.from({ length: sticks }, (_, i) => [i, this.core.error(i)] as const)
-      .filter(([, error]) => error !== '' && !(this.step === 1 && error.startsWith(' has not rested')))
-      .filter(([, error]) => !(this.step === 2 && error.startsWith(' is where it rested')))
-      .map(([i, error]) => `CH${i + 1}${error}.`);
+    const todo = Array.from({ length: sticks }, (_, i) => [i, this.core.calibrationError(i)] as const)
+      .filter(([, error]) => error !== CalibrationError.None && error !== doneBy[this.step])
+      .map(([i, error]) => `CH${i + 1}${this.core.calibrationErrorText(error)}.`);
     setText(this.text, `${steps[this.step]} ${todo.join(' ') || 'CH1 to CH4 are done.'}`);
   }
 
