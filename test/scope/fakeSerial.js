@@ -175,18 +175,18 @@
   };
 
   const serial = new EventTarget();
-  let reject; // the chooser that is open
-  const rejection = () => new DOMException("Failed to execute 'requestPort' on 'Serial': No port selected by the user.", 'NotFoundError');
+  let cancel; // the chooser that is open
+  const notSelected = () => new DOMException("Failed to execute 'requestPort' on 'Serial': No port selected by the user.", 'NotFoundError');
   // Serial::requestPort(). A second chooser takes the place of the first, whose caller gets no port: SerialService::RequestPort() in
   // content/browser/serial/serial_service.cc, ~SerialChooserController().
   serial.requestPort = async () => {
     if (globalThis.navigator?.userActivation?.isActive === false) {
       throw new DOMException("Failed to execute 'requestPort' on 'Serial': Must be handling a user gesture to show a permission request.", 'SecurityError');
     }
-    reject?.();
+    cancel?.();
     return new Promise((resolve, reject) => {
-      reject = () => reject(rejection());
-      Promise.resolve(fake.choose()).then((port) => (port ? resolve(port) : reject(rejection())));
+      cancel = () => reject(notSelected());
+      Promise.resolve(fake.choose()).then((port) => (port ? resolve(port) : reject(notSelected())));
     });
   };
   globalThis.fake = {

@@ -48,7 +48,7 @@ export default async function () {
     await reads(page, '#state', 'Failsafe');
     await lit(page, 'failsafe');
     await lit(page, 'lost-frame');
-    await reads(page, '#verdict-text', /^FAILSAFE/);
+    await reads(page, '#verdict-text', /^Failsafe/);
     await raw(page, 3, '172');
   });
 
@@ -222,7 +222,7 @@ export default async function () {
   await check('Fast S.Bus: 200000 baud are found', async (page) => {
     await brings(page, frame([1300]), 200000);
     await connect(page);
-    await reads(page, '#verdict-note', /^Wrong baud rate: frames come with the other one only\. .* Done: 200000 baud/);
+    await reads(page, '#verdict-note', /^Wrong baud rate: frames come only with the other one\. .* Done: 200000 baud/);
     await raw(page, 1, '1300');
     await reads(page, '#state', 'Fine');
   });
@@ -231,7 +231,7 @@ export default async function () {
     await brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]);
     await connect(page);
     await reads(page, '#verdict-text', /^No frames: bytes come/);
-    await reads(page, '#verdict-remedy', /Inverter missing, or one too many/);
+    await reads(page, '#verdict-remedy', /Is an inverter missing, or one too many/);
     await reads(page, '#state', 'Never seen');
     await counts(page, 'discardedBytes', /^[1-9]/);
   });
@@ -277,7 +277,7 @@ export default async function () {
       for (const indicator of indicators) {
         await lit(page, indicator);
       }
-      await reads(page, '#verdict-text', indicators.includes('failsafe') ? /^FAILSAFE/ : 'ROWS COME from a board.');
+      await reads(page, '#verdict-text', indicators.includes('failsafe') ? /^Failsafe/ : 'Rows come from a board.');
       assert.equal(await page.locator('.indicator:visible').count(), columns === 18 ? 4 : 2);
       const shown = { 18: 16, 6: 4 }[columns] ?? columns;
       assert.equal(await page.locator('#bars li:visible').count(), shown);
@@ -335,7 +335,7 @@ export default async function () {
     await page.selectOption('#baud', '9600');
     await reads(page, '#bars li:nth-child(1) .raw', '832');
     await reads(page, '#title', 'A board that prints numbers, 9600 baud');
-    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    await reads(page, '#verdict-text', 'Rows come from a board.');
     assert.deepEqual(await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate)), [115200, 9600]);
   });
 
@@ -352,7 +352,7 @@ export default async function () {
     }
     await page.waitForTimeout(300);
     await reads(page, '#state', 'Fine');
-    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    await reads(page, '#verdict-text', 'Rows come from a board.');
     await page.evaluate(() => fake.skip(9000));
     await reads(page, '#state', 'Stale');
   });
@@ -361,7 +361,7 @@ export default async function () {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);
     await connect(page);
     await raw(page, 1, '995');
-    await reads(page, '#verdict-text', 'ROWS COME from a board.');
+    await reads(page, '#verdict-text', 'Rows come from a board.');
   });
 
   await check('a board that falls silent is stale; one that prints words is told from one that prints rows', async (page) => {

@@ -54,7 +54,7 @@ export default async function () {
     await toEnd(page);
     const { text } = await downloaded(page, '#csv');
     // sbus csv test/recordings/paper.txt --every-frame --columns time
-    assert.deepEqual(rows(text).map((row) => row.split(',')[0]), ['0.164000', '0.173000', '0.182000', '0.364000', '0.373000', '0.382000']);
+    assert.deepEqual(rows(text).map((row) => row.split(',')[0]), ['0.163000', '0.172000', '0.181000', '0.363000', '0.372000', '0.381000']);
   });
 
   await check('a byte order mark before a recording is no error', async (page) => {

@@ -62,6 +62,7 @@ class Page {
       this.give(bytes.subarray(at, at + 65536), (count) => this.wasm.recordingText(count));
     }
     assert.equal(this.words(this.wasm.endRecording()), '');
+    this.wasm.playRecording();
     this.wasm.mark();
     this.advance(this.wasm.recordingLengthUs() + 1000);
     return this.wasm.verdict();

@@ -58,7 +58,7 @@ player simulate --silent
 asked 1 'No signal:' - "$terminal"
 kill $player
 player replay golden/AllChannels.csv --loop
-asked 1 'ROWS OF CSV:' - "$terminal"
+asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 
 # At an adapter that hands bytes over every so many ms, in true time: a busy PC may well be late, so only lines that bear

@@ -244,7 +244,7 @@ Json verdict(bool well, const std::string &finding, const std::string &remedy) {
 bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> &heard,
           const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
-    const std::string finding = "ROWS OF CSV: they come from a sketch; this is no S.Bus.";
+    const std::string finding = "Rows of CSV: they come from a sketch; this is no S.Bus.";
     const std::string remedy = "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
     write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
     return false;

@@ -107,7 +107,7 @@ export class Doctor {
       }
       default:
         return this.finding === undefined || this.finding <= Finding.NoFrames
-          ? { text: 'FRAMES COME.', remedy: 'A second of them is wanted for a verdict.', severity: 'good' }
+          ? { text: 'Frames come.', remedy: 'A verdict needs a second of them.', severity: 'good' }
           : this.of(this.finding);
     }
   }
@@ -185,5 +185,5 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   }
   return status.state === LinkState.Failsafe
     ? failsafe
-    : { text: 'ROWS COME from a board.', remedy: 'Its sketch decodes the line.', severity: 'good' };
+    : { text: 'Rows come from a board.', remedy: 'Its sketch decodes the line.', severity: 'good' };
 }
