@@ -114,7 +114,7 @@ written() {
   cat >"$work/$1"
   "$SBUS" record "$work/$1" "$work/$1.recording" 2>"$work/err" && grep -qxF "$work/$1: $note" "$work/err" &&
     bytes "$work/$1.recording" | paste -sd ' ' | grep -qxF "$frame $frame" &&
-    [ "$("$SBUS" csv "$work/$1" --every-frame 2>"$work/err")" = "$(printf '997,992,992,992,0,0\r\n997,992,992,992,0,0\r')" ]
+    [ "$("$SBUS" csv "$work/$1" --every-frame 2>"$work/err")" = "$(printf '997,992,992,992,0,0\n997,992,992,992,0,0')" ]
   verdict $? "bytes without times: $1"
 }
 # RealTerm wraps where its window ends; its capture does not wrap.
@@ -136,7 +136,7 @@ printf '30 0F E5\n' >"$work/time.txt"
 "$SBUS" hex "$work/time.txt" 2>"$work/err" | grep -q '  0F E5  ' && [ ! -s "$work/err" ]
 verdict $? "a time of two digits, alone, is a time"
 printf '%s %s\n' "$frame" "$frame" | sed 's/1F/1F!/' >"$work/bad.txt"
-"$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.* 1 bad character'
+"$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.*parity or framing error (byte 3)$'
 verdict $? "bytes without times, one bad"
 "$SBUS" doctor "$work/bytes.bin" >"$work/out" 2>"$work/err"
 [ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 bytes of no frame' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"

@@ -177,7 +177,7 @@ verdict $? "help of all"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
 rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
-rejected "--noise: is of sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
+rejected "--noise: is for sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is none of the wire"

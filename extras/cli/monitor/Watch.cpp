@@ -189,11 +189,11 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
        {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
-        count("bytes skipped", now.discardedBytes - _before.discardedBytes)}},
+        count("bytes discarded", now.discardedBytes - _before.discardedBytes)}},
       {"Rejected",
        {count("no end byte", now.rejectedByEnd - _before.rejectedByEnd),
         count("unused flags", now.rejectedByFlags - _before.rejectedByFlags),
-        count("length or pause", now.rejectedByLength - _before.rejectedByLength),
+        count("length or gap", now.rejectedByLength - _before.rejectedByLength),
         count("found again", now.resyncs - _before.resyncs)}},
   };
 }

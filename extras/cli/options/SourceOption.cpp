@@ -102,7 +102,7 @@ const FileSource &SourceOption::file() const {
   if (!_file) {
     FileSource read = readFile(_name, _options.baud());
     if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
-      rejectPart("is of a file with times; leave it out for " + _name);
+      rejectPart("is for a file with times; leave it out for " + _name);
     } else if (_from > 0 || _to > 0) {
       cut(_name, read, static_cast<uint64_t>(_from * 1e6), static_cast<uint64_t>(_to * 1e6));
     }
@@ -129,7 +129,7 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     _options.rejectSimulated(_name);
   }
   if (kind != Kind::File) {
-    rejectPart("is of a file; leave it out for " + _name);
+    rejectPart("is for a file; leave it out for " + _name);
   }
   if (kind == Kind::Port) {
     _options.rejectDisturbing("a port");
