@@ -371,7 +371,7 @@ export default async function () {
     await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 995, most 995"]');
     await page.evaluate(() => clearInterval(fake.timer));
     await reads(page, '#state', 'Stale');
-    await reads(page, '#verdict-text', /^NO ROWS/);
+    await reads(page, '#verdict-text', /^No rows/);
     await brings(page, codes('begin(100000): 0 frames, 0 bytes\r\n'), 115200, 50);
     await page.click('#source-simulated');
     await connect(page, 'board');

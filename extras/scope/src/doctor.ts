@@ -178,7 +178,7 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   }
   if (status.state === LinkState.Stale) {
     return {
-      text: 'NO ROWS: the board prints nothing.',
+      text: 'No rows: the board prints nothing.',
       remedy: 'Its sketch prints while frames come: check the wire to the receiver, or upload Diagnose.',
       severity: 'alarm',
     };
