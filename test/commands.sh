@@ -30,7 +30,7 @@ named() {
     }
     FILENAME == "help" && /^ / { more(command, $0) }
     FILENAME == "help" { if (/^[^ ]/) line($0, "   *"); next }
-    /^```/ { fenced = !fenced; shell = !/^```cpp/; next }
+    /^```/ { fenced = !fenced; shell = !/^```(cpp|text)/; next }
     fenced { if (shell && /[^ ]/) line($0, "  *#"); next }
     {
       pieces = split($0, piece, "`")
