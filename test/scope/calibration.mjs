@@ -1,15 +1,16 @@
 // A calibration, at a port.
 import assert from 'node:assert/strict';
-import { check, connect, frame, opensWith, reads } from './support.mjs';
+import { check, connect, counter, counts, frame, opensWith, reads } from './support.mjs';
 
-// So many frames of these channels, one after the other, as quickly as it goes.
+// So many frames of these channels, one after the other, as quickly as it goes, until the page has all of them: those that it
+// has not would count for the next step.
 async function frames(page, list) {
+  const before = await counter(page, 'frames');
   for (const channels of list) {
     assert.ok(await page.evaluate((bytes) => fake.port.feed(bytes), frame(channels)), 'the port is closed');
     await page.evaluate(() => fake.skip(9));
   }
-  // Until the page has them: on a busy PC the last ones would count for the next step.
-  await reads(page, '#bars li:nth-child(1) .raw', String(list.at(-1)[0]));
+  await counts(page, 'frames', before + list.length);
 }
 const times = (count, channels) => Array.from({ length: count }, () => channels);
 const whole = [...times(10, [200, 200, 250, 300]), ...times(10, [1800, 1790, 1750, 1700])]; // travel
@@ -17,6 +18,7 @@ const whole = [...times(10, [200, 200, 250, 300]), ...times(10, [1800, 1790, 175
 async function calibrate(page, travel) {
   await opensWith(page, times(3, frame(travel[0])));
   await connect(page);
+  await counts(page, 'frames', 3);
   await page.click('#calibrate');
   await reads(page, '#calibration-text', /^1 of 3/);
   await frames(page, travel);
@@ -109,6 +111,7 @@ export default async function () {
   await check('marks show the least and the most, and are cleared by their button', async (page) => {
     await opensWith(page, [...times(3, frame([300])), ...times(3, frame([1500]))]);
     await connect(page);
+    await counts(page, 'frames', 6);
     await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 300, most 1500"]');
     await page.click('#reset-marks');
     await frames(page, times(3, [700]));
