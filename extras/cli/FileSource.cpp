@@ -50,7 +50,8 @@ bool isHexText(std::string_view head) {
   }
   const std::string time = first[0].substr(0, first[0].find('~'));
   const bool maybeTime = time.find_first_not_of("0123456789") == std::string::npos;
-  if (lines == 0 || first[0][0] == '-' || !parseHex(first[0]).wrong.empty() || parseHex(first[0]).bytes.empty()) {
+  const HexText hex = parseHex(first[0]);
+  if (first[0][0] == '-' || !hex.wrong.empty() || hex.bytes.empty()) {
     return false;
   }
   return !maybeTime || (time.size() == 2 && first[1].size() == 2);
@@ -169,7 +170,7 @@ FileKind kindOfFile(const std::string &name) {
                              "read again. Keep the line with sbus record");
   }
   const std::string format = line::captureFormat(head);
-  const bool rows = line::isCsv(name);
+  const bool rows = line::isCsvText(std::string_view(head).substr(0, line::RecordingBeginning));
   if (!format.empty() && !(format == line::OscilloscopeFormat && rows)) {
     return FileKind::Capture;
   }

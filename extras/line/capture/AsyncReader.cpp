@@ -1,6 +1,7 @@
 #include "line/capture/AsyncReader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "line/uart/Levels.h"
@@ -13,20 +14,14 @@ namespace {
 
 constexpr const char *OneAnalyser = "Async Serial";  // Logic 1 does not name it
 
-// "0x0F", "0b00001111" or "15"; false if it is none or more than a byte. Logic shows bytes as characters, too: those
+// Takes "0x0F", "0b00001111" or "15". Returns false for anything else: Logic can also show bytes as characters, which
 // could be anything.
 bool parseByte(std::string_view word, unsigned &value) {
-  const unsigned base = word.substr(0, 2) == "0x" ? 16 : word.substr(0, 2) == "0b" ? 2 : 10;
+  const int base = word.substr(0, 2) == "0x" ? 16 : word.substr(0, 2) == "0b" ? 2 : 10;
   word.remove_prefix(base == 10 ? 0 : 2);
-  value = 0;
-  for (const char c : lower(word)) {
-    const size_t digit = std::string_view("0123456789abcdef").find(c);
-    if (digit >= base || value > UINT8_MAX) {
-      return false;
-    }
-    value = value * base + static_cast<unsigned>(digit);
-  }
-  return !word.empty() && value <= UINT8_MAX;
+  const char *const end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, value, base);
+  return read.ec == std::errc() && read.ptr == end && value <= UINT8_MAX;
 }
 
 }  // namespace
@@ -88,7 +83,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
     settings.baud = row.ns - before[row.analyser] < FastNs ? 2 * sbus::Baud : settings.baud;
     before[row.analyser] = row.ns;
   }
-  _zeroNs = INT64_MIN;
+  _zeroNs = INT64_MIN;  // read() has set it
   _bitNs = baud > 0 ? 1e9 / static_cast<double>(baud) : static_cast<double>(settings.bitNs());
   _wires.resize(_analysers.size());
   _sink.ofCharacters();

@@ -53,10 +53,6 @@ LineSettings recordedSettings(const std::string &name) {
   return settingsIn(beginningOf(name, RecordingBeginning));
 }
 
-bool isCsv(const std::string &name) {
-  return isCsvText(beginningOf(name, RecordingBeginning));
-}
-
 Recording readCsv(const std::string &name) {
   return read(name, RecordingReader(csvSettings().characterUs(), true));
 }

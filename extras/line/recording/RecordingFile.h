@@ -17,10 +17,7 @@ std::string beginningOf(const std::string &name, size_t size);
 // How its line was set: see settingsIn().
 LineSettings recordedSettings(const std::string &name);
 
-// True if the file begins with the rows that a sketch prints.
-bool isCsv(const std::string &name);
-
-// Such a file as the line of a sketch's Serial: see RecordingReader. Throws as readRecording().
+// Reads the rows that a sketch prints, as the line of its Serial: see RecordingReader. Throws as readRecording().
 Recording readCsv(const std::string &name);
 
 // A text file that grows line by line. Whatever happens it holds whole lines: if the program is killed, or the disk
