@@ -8,9 +8,7 @@ cd "$(dirname "$0")/.." || exit 1
 export PATH="${SBUS%/*}:$PATH"
 completions=$PWD/../extras/cli
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # Each prints what the last of its arguments, a command line, may become.
 complete_bash() {

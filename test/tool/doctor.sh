@@ -4,9 +4,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # agree FILE: so many frames a second and so many us from one to the next are the same, within a frame a second
 agree() {

@@ -6,9 +6,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # packed HEADER FIRST STEP CHANNELS FLAGS END: a frame in hexadecimal, its channels FIRST, FIRST + STEP ...
 packed() {

@@ -8,12 +8,7 @@ work=$WORK/files
 rm -rf "$work"
 mkdir -p "$work"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
-
-# The bytes of a recording, one a line.
-bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n' | grep .; }
+. tool/common.sh
 
 # capture FORM IDLE BIT_US <RECORDING: its wire as VCD or as Logic 2's CSV, idle at 0 or 1
 capture() {

@@ -7,9 +7,7 @@ work=$WORK/hex
 rm -rf "$work"
 mkdir -p "$work"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 for channels in 16 24 32; do
   line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"

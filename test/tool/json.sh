@@ -8,9 +8,7 @@ work=$WORK/json
 rm -rf "$work"
 mkdir -p "$work"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 run() { timeout 60 "$SBUS" "$@" --json >>"$work/all" 2>"$work/err" </dev/null; }
 

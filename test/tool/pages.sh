@@ -8,9 +8,7 @@ cd "$(dirname "$0")/.." || exit 1
 update="${1:-}"
 server=0
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # Each terminal has a server of its own: one that is ending takes no more.
 tmux() { command tmux -S "$WORK/tmux-$server" -f /dev/null "$@"; }

@@ -24,9 +24,7 @@ work=$out/work
 flags="-O0 -g -fsanitize=address"  # what CLI11 is made of takes minutes with more
 update="${1:-}"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # until_true COMMAND...: waits until it succeeds, a minute at most
 until_true() {
@@ -49,8 +47,8 @@ player() {
   terminal=$(cat "$work/terminal")
 }
 
-# The bytes of a recording, one a line: times differ from run to run.
-bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
+# The bytes of a recording with the marks of errors, one a line: times differ from run to run.
+marked() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
 
 # Whole lines, which can be read.
 is_whole() {
@@ -226,7 +224,7 @@ verdict $? "monitor --record of a sketch's rows"
 player replay recordings/paper.txt
 "$sbus" record "$terminal" "$work/paper.txt" 2>"$work/err"
 status=$?
-wait "$player" && [ $status -eq 0 ] && bytes recordings/paper.txt >"$work/paper.bytes" &&
+wait "$player" && [ $status -eq 0 ] && marked recordings/paper.txt >"$work/paper.bytes" &&
   bytes "$work/paper.txt" | cmp - "$work/paper.bytes"
 verdict $? "what is replayed through a pseudo-terminal is what is recorded"
 

@@ -7,9 +7,7 @@ work=$WORK/send
 rm -rf "$work"
 mkdir -p "$work"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # sent ARGUMENTS...: what a port gets of `send` with them, as rows of all channels and flags in $work/rows. STOP=bytes: it
 # is interrupted after so many.

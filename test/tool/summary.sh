@@ -7,9 +7,7 @@ work=$WORK/summary
 rm -rf "$work"
 mkdir -p "$work"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
+. tool/common.sh
 
 # Frame i ends at 1 s + 9 ms * i. Frames 10 to 12, 50 and 88 are lost, 60 to 79 have failsafe, too, 89 only that; frame 90
 # comes 0.5 s later, frame 95 3 ms later, the last two have failsafe again.

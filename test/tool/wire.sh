@@ -8,12 +8,7 @@ work=$BUILD/wire
 rm -rf "$work"
 mkdir -p "$work"
 
-verdict() {  # STATUS WHAT
-  if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
-}
-
-# The bytes of a recording, one a line; a bad one, too.
-bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n'; }
+. tool/common.sh
 
 # What sigrok's uart decodes of a VCD, one byte a line.
 sigrok() {  # VCD BAUD INVERTED [ANNOTATION]
