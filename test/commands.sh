@@ -92,7 +92,12 @@ newlib() { [ -z "$(extras/setup/arm-specs.sh)" ] || { echo "skipped: there is no
 
 printf '\ncommands: those of the pages are run\n'
 copy=$(mktemp -d)
-trap 'rm -rf "$copy"' EXIT
+# What was compiled in the copy names its sources there, and would not be found again.
+forget() {
+  grep -rlF --include='*.d' "$copy/" "$BUILD" | while read -r dependencies; do rm -f "$dependencies" "${dependencies%.d}"; done
+  rm -rf "$copy"
+}
+trap forget EXIT
 mkdir -p "$out" "$copy/build" "$copy/bin" "$BUILD/golden/g++" "$BUILD/tool" "$BUILD/scope"
 tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$copy"
 make -s help >"$copy/help"
