@@ -30,7 +30,7 @@ class Json {
   std::string _text;
 };
 
-// A frame, or what is none. `startUs`: where its first character begins.
+// Return the line of a frame, and of bytes that belong to no frame. `startUs`: where their first character begins.
 Json frameJson(const line::Stretch &stretch, double startUs, const line::Values &values);
 Json noFrameJson(const line::Stretch &stretch, double startUs);
 

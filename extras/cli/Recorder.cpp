@@ -4,7 +4,7 @@ namespace tool {
 
 namespace {
 
-constexpr size_t TextMax = 4096;  // bytes of a text whose rows are none
+constexpr size_t TextMax = 4096;  // bytes of a text without rows
 
 }  // namespace
 
@@ -78,7 +78,7 @@ void Recorder::begin(Kind kind) {
   _first.clear();
 }
 
-// From the middle of a row on is none.
+// Leaves out a row whose beginning was not heard.
 void Recorder::writeRow(bool complete) {
   if (complete && _rows.isRow() && _rows.row().size() == _columns) {
     std::string text;

@@ -43,7 +43,7 @@ struct Heard {
   }
 };
 
-// A impaired line: its bytes with the times of their ends, and where its whole frames stand.
+// An impaired line: its bytes with the times of their ends, and where its whole frames stand.
 struct ImpairedLine {
   std::vector<uint8_t> bytes;
   std::vector<uint32_t> endUs;

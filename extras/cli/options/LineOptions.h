@@ -52,7 +52,7 @@ CLI::Validator notEmpty();
 // Of a file beside standard output, which is taken.
 CLI::Validator notStandardOutput();
 
-// Throw std::runtime_error: if it is read more than once and cannot be; if what would be written is what is read.
+// Both throw std::runtime_error: for a pipe that would be read twice, and for output onto its input.
 void rejectPipe(const std::string &name);
 void rejectSameFile(const std::string &read, const std::string &written);
 

@@ -158,7 +158,7 @@ class Heard {
     return periods;
   }
 
-  // The median, which a impaired frame does not move; the mean where a port's lumps leave no period as it was.
+  // The median, which an impaired frame does not move; the mean where a port's lumps leave no period as it was.
   uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
     const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
     std::nth_element(periods.begin(), middle, periods.end());
