@@ -1,6 +1,6 @@
 // Curves and bytes: what pointer and keyboard show.
 import assert from 'node:assert/strict';
-import { check, codes, connect, counter, counts, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
+import { check, codes, connect, counts, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
 import path from 'node:path';
 
 const pixels = (page) => page.evaluate(() => {
@@ -75,20 +75,23 @@ export default async function () {
     });
     await page.reload();
     await reads(page, '#state', 'Fine');
-    const all = () => page.evaluate(() => drawn);
-    // While so many frames come.
+    // Pictures drawn, and frames that came, at one moment.
+    const both = () => page.evaluate(() => [drawn, Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''))]);
+    const all = async () => (await both())[0];
+    // Pictures in each 100 frames, while so many come or, on a busy PC, more.
     const drawn = async (frames) => {
-      const [frame, picture] = [await counter(page, 'frames'), await all()];
-      await until('no frames come', async () => (await counter(page, 'frames')) >= frame + frames);
-      return (await all()) - picture;
+      const [picture, frame] = await both();
+      let now;
+      await until('no frames come', async () => ((now = await both()), now[1] >= frame + frames));
+      return (100 * (now[0] - picture)) / (now[1] - frame);
     };
-    assert.ok((await drawn(50)) > 3);
+    assert.ok((await drawn(50)) > 6);
     for (const seconds of [20, 30, 60, 120, 240]) {
       await page.click('#zoom-out');
       await reads(page, '#window', `${seconds} s`);
     }
     const few = await drawn(200);
-    assert.ok(few >= 1 && few <= 8, `${few}`);
+    assert.ok(few > 0 && few <= 4, `${few}`);
     await page.click('#pause');
     await reads(page, '#pause', 'Go on');
     await drawn(100);

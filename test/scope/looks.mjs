@@ -194,11 +194,14 @@ export default async function () {
     await check(`forced colours, ${colorScheme}: bars, bits, indicators and buttons are still told`, async (page) => {
       await page.selectOption('#receiver', '32');
       await reads(page, '#state', 'Fine');
-      await page.waitForSelector('.eight i.one');
-      await page.waitForSelector('.indicator[data-on="true"]');
-      const colors = await page.evaluate(() => {
-        const of = (selector, what = 'backgroundColor') => getComputedStyle(document.querySelector(selector))[what];
-        return {
+      // An indicator is on for a moment only: all colours are of one picture that has both.
+      const look = () => page.evaluate(() => {
+        const missing = [];
+        const of = (selector, what = 'backgroundColor') => {
+          const element = document.querySelector(selector) ?? missing.push(selector);
+          return element instanceof Element ? getComputedStyle(element)[what] : '';
+        };
+        const colors = {
           bar: [of('.fill'), of('.track')],
           mark: [of('.mark'), of('.track')],
           bit: [of('.eight i.one'), of('.eight i:not(.one)')],
@@ -207,7 +210,10 @@ export default async function () {
           swatch: [of('.chip[aria-pressed="true"] path', 'stroke'), of('.chip[aria-pressed="false"] path', 'stroke')],
           curve: [getComputedStyle(document.documentElement).getPropertyValue('--c0').trim(), of('body')],
         };
+        return { colors, missing };
       });
+      let colors, missing;
+      await until(() => `there is no ${missing}`, async () => (({ colors, missing } = await look()), missing.length === 0));
       for (const [what, [one, other]] of Object.entries(colors)) {
         assert.notEqual(one, other, `${what}: ${JSON.stringify(colors)}`);
       }

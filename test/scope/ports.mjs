@@ -64,8 +64,8 @@ export default async function () {
     await connect(page);
     await reads(page, '#state', 'Fine');
     for (const name of ['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'UnknownError', 'ParityError']) {
+      await until('the port is not read', () => page.evaluate(() => fake.port.isLocked)); // after the one before
       await page.evaluate((error) => fake.port.fail(error), name);
-      await page.waitForTimeout(50);
     }
     await counts(page, 'port parity errors', 2);
     await counts(page, 'port framing errors', 1);
