@@ -21,7 +21,7 @@
 ///
 /// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN();
 /// extras/docs/interrupts.md says which of them an interrupt handler may call.
-template <typename Format>
+template <typename Format, typename Events = sbus::NoEvents>
 class DecodeSBusOf {
  public:
   // ---- Open and close
@@ -107,9 +107,10 @@ class DecodeSBusOf {
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
  private:
-  friend class DecodeSBus;  // for the extra channels
+  friend class DecodeSBus;   // for the extra channels
+  friend class DecodeSBus2;  // for the telemetry
 
-  sbus::FrameFinderOf<Format> _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
+  sbus::FrameFinderOf<Format, Events> _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
   sbus::Port _port;
   sbus::Link _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last

@@ -14,14 +14,14 @@ inline bool isYoung(sbus::LinkState state) {
 
 }  // namespace
 
-template <typename Format>
-void DecodeSBusOf<Format>::begin(unsigned long baud, uint32_t config) {
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::begin(unsigned long baud, uint32_t config) {
   _port.open(baud, config);
   listen(baud);
 }
 
-template <typename Format>
-void DecodeSBusOf<Format>::listen(unsigned long baud) {
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::listen(unsigned long baud) {
   const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
   _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
   _link.reset();
@@ -29,15 +29,15 @@ void DecodeSBusOf<Format>::listen(unsigned long baud) {
   _staleExtra = 0;
 }
 
-template <typename Format>
-void DecodeSBusOf<Format>::end() {
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::end() {
   _port.close();
 }
 
 // Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. It never asks the
 // port for more, because the STM32L0's core would then write past the end of the buffer that it is given.
-template <typename Format>
-void DecodeSBusOf<Format>::parseSBusFrame() {
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::parseSBusFrame() {
   const uint32_t now = micros();
   const int found = _port.available();
   if (found <= 0) {
@@ -75,8 +75,8 @@ void DecodeSBusOf<Format>::parseSBusFrame() {
 }
 
 // A frame that comes in between is younger than the time that was read: then both are read again.
-template <typename Format>
-sbus::LinkState DecodeSBusOf<Format>::linkState() {
+template <typename Format, typename Events>
+sbus::LinkState DecodeSBusOf<Format, Events>::linkState() {
   for (;;) {
     const uint32_t time = _finder.frameTime();
     READ_ANEW();
@@ -88,18 +88,18 @@ sbus::LinkState DecodeSBusOf<Format>::linkState() {
   }
 }
 
-template <typename Format>
-bool DecodeSBusOf<Format>::SBusFrameOk() {
+template <typename Format, typename Events>
+bool DecodeSBusOf<Format, Events>::SBusFrameOk() {
   return isYoung(linkState());
 }
 
-template <typename Format>
-unsigned long DecodeSBusOf<Format>::frameAge() {
+template <typename Format, typename Events>
+unsigned long DecodeSBusOf<Format, Events>::frameAge() {
   return linkState() == sbus::LinkState::NeverSeen ? ULONG_MAX : _link.age() / 1000;
 }
 
-template <typename Format>
-void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
   if (!isYoung(linkState())) {
     failsafe = true;
     lostFrame = true;
@@ -120,12 +120,12 @@ void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t channels[], bool &failsafe, 
 }
 
 // Member by member: if the whole class were instantiated, nothing would be inlined.
-#define SBUS_COMPILE_DECODER(Format)                                               \
-  template void DecodeSBusOf<Format>::begin(unsigned long, uint32_t);              \
-  template void DecodeSBusOf<Format>::listen(unsigned long);                       \
-  template void DecodeSBusOf<Format>::end();                                       \
-  template void DecodeSBusOf<Format>::parseSBusFrame();                            \
-  template bool DecodeSBusOf<Format>::SBusFrameOk();                               \
-  template void DecodeSBusOf<Format>::decodeSBusFrame(uint16_t[], bool &, bool &); \
-  template sbus::LinkState DecodeSBusOf<Format>::linkState();                      \
-  template unsigned long DecodeSBusOf<Format>::frameAge();
+#define SBUS_COMPILE_DECODER(...)                                                       \
+  template void DecodeSBusOf<__VA_ARGS__>::begin(unsigned long, uint32_t);              \
+  template void DecodeSBusOf<__VA_ARGS__>::listen(unsigned long);                       \
+  template void DecodeSBusOf<__VA_ARGS__>::end();                                       \
+  template void DecodeSBusOf<__VA_ARGS__>::parseSBusFrame();                            \
+  template bool DecodeSBusOf<__VA_ARGS__>::SBusFrameOk();                               \
+  template void DecodeSBusOf<__VA_ARGS__>::decodeSBusFrame(uint16_t[], bool &, bool &); \
+  template sbus::LinkState DecodeSBusOf<__VA_ARGS__>::linkState();                      \
+  template unsigned long DecodeSBusOf<__VA_ARGS__>::frameAge();

@@ -29,7 +29,7 @@ void Places::rejected(int at, sbus::Rejection why) {
 void Places::found(Stretch::Kind variant, int size) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;
-  discarded(size);
+  _open.erase(_open.begin(), _open.begin() + size);
   votes += variant != Stretch::Kind::Extra && !isDoubtful(variant, begin);
   _foundEnd = end;
   pieces.push_back({end - begin == static_cast<uint64_t>(size) ? variant : Stretch::Kind::NoFrame, begin, end});

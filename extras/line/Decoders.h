@@ -20,7 +20,9 @@ class Places {
   uint64_t openAt(uint64_t end) const { return _open.empty() ? end : _open.front(); }
 
   void extra() { found(Stretch::Kind::Extra, sbus::FrameSize); }
-  void discarded(int count) { _open.erase(_open.begin(), _open.begin() + count); }
+  void discarded(const uint8_t *, int count) { _open.erase(_open.begin(), _open.begin() + count); }
+  void begin() {}
+  void lost() {}
   void rejected(int at, sbus::Rejection why);
   bool seesEachGap() const { return !isLumpy; }
 
@@ -41,7 +43,7 @@ class Places {
 
 template <typename Format>
 struct PlacesOf : Places {
-  void taken() { found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size); }
+  void taken(const uint8_t *) { found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size); }
 };
 
 class Decoders {

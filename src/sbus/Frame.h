@@ -59,6 +59,7 @@ constexpr LineVariant LineVariants[] = {
     {0x08, 0xFF, 5, 0xFF},  // Futaba R7003SB, FASSTest 12CH
 };
 constexpr uint8_t SlotsVariant = 1;                                               ///< the row with telemetry slots
+constexpr uint8_t TailVariant = 2;                                                ///< the row with slot 0 only
 constexpr uint8_t UnknownVariant = sizeof LineVariants / sizeof LineVariants[0];  ///< no row
 constexpr uint8_t LongestTail = 5;                                                ///< characters
 

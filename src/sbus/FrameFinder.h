@@ -17,10 +17,12 @@ namespace sbus {
 /// these functions can take its place. Places count from the first byte that taken(), discarded() and extra() have not
 /// had.
 struct NoEvents {
-  void taken() {}                   ///< the next bytes are a frame
-  void extra() {}                   ///< the next 25 bytes are a frame with header 2F
-  void discarded(int) {}            ///< this many bytes belong to no frame
-  void rejected(int, Rejection) {}  ///< the header at this place begins no frame
+  void begin() {}                          ///< all is forgotten: reset()
+  void taken(const uint8_t *) {}           ///< the next bytes are this frame
+  void extra() {}                          ///< the next 25 bytes are a frame with header 2F
+  void discarded(const uint8_t *, int) {}  ///< these bytes, so many, belong to no frame
+  void lost() {}                           ///< bytes may be missing before the next one, or a long silence
+  void rejected(int, Rejection) {}         ///< the header at this place begins no frame
   /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two prove nothing.
   static constexpr bool seesEachGap() { return true; }
 };

@@ -2,12 +2,12 @@
 #include <string.h>
 
 #include "FrameFinder.h"
+#include "Slots.h"
 
 namespace sbus {
 
 namespace {
 
-constexpr int SlotSize = 3;              // characters
 constexpr int JudgedWorth = 4;           // headers: one that only judge() rejects costs as much as so many others
 constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
 
@@ -27,6 +27,7 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _buffer.clear();
   startOver(rules::FirstOffBy);
   _counters = Counters();
+  Events::begin();
 }
 
 // After lost bytes, or a silence longer than any frame period, the next character may stand anywhere in a frame.
@@ -34,7 +35,8 @@ template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::startOver(int offBy) {
   const int count = _buffer.filled();
   _counters.discardedBytes += static_cast<unsigned>(count);
-  Events::discarded(count);
+  Events::discarded(_buffer.bytes(), count);
+  Events::lost();
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
   _onlyNoise = false;
@@ -202,7 +204,7 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   _onlyNoise = true;
   _counters.count(frame[FlagsAt], _completeAfter - _frameTime);
   _frameTime = _completeAfter;
-  Events::taken();
+  Events::taken(frame);
   return frame;
 }
 
@@ -218,7 +220,7 @@ void FrameFinderOf<Format, Events>::discard(int count) {
     _variant = UnknownVariant;
   }
   _counters.discardedBytes += static_cast<unsigned>(count);
-  Events::discarded(count);
+  Events::discarded(_buffer.bytes(), count);
   _buffer.drop(count);
 }
 

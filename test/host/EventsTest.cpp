@@ -23,7 +23,8 @@ struct Heard {
   uint32_t bytesDiscarded = 0;
 
   static constexpr bool seesEachGap() { return true; }
-  void taken() {
+  void taken(const uint8_t *frame) {
+    REQUIRE(sbus::isHeaderByte<Format>(*frame));
     frames.push_back(at);
     at += Format::Size;
   }
@@ -31,7 +32,9 @@ struct Heard {
     extras.push_back(at);
     at += sbus::FrameSize;
   }
-  void discarded(int count) {
+  void begin() {}
+  void lost() {}
+  void discarded(const uint8_t *, int count) {
     REQUIRE(count >= 0);
     bytesDiscarded += static_cast<uint32_t>(count);
     at += static_cast<uint64_t>(count);

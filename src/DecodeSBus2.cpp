@@ -1,0 +1,7 @@
+#include "DecodeSBus2.h"
+
+#include "DecodeSBus.tpp"
+#include "sbus/FrameFinder.tpp"
+
+SBUS_COMPILE_FINDER(sbus::Frame16, sbus::Telemetry)
+SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Telemetry)

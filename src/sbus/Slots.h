@@ -1,0 +1,61 @@
+/// @file
+/// The telemetry slots of an S.BUS2 line: what receiver and sensors send between two frames. Sensors.h says what their
+/// data mean.
+///
+/// Sources: nobody at Futaba has published it. github.com/BrushlessPower/SBUS2-Telemetry, github.com/dgatf/msrc and
+/// github.com/delamonpansie/jitel agree in all that is here; PX4-Autopilot's test_data/sbus2_r7008SB.txt shows slot 0.
+///
+/// All functions may be called from any context.
+#pragma once
+
+#include <stdint.h>
+
+#include "Frame.h"
+
+namespace sbus {
+
+constexpr uint8_t SlotCount = 32;     ///< of a line: four groups of eight
+constexpr uint8_t SlotsOfGroup = 8;   ///< after one frame
+constexpr uint8_t SlotSize = 3;       ///< characters: ID, data0, data1
+constexpr uint8_t GroupSizeMax = 26;  ///< characters between two frames: eight slots, and two that an R7003SB adds
+
+/// The data of a slot. A slot does not say which sensor fills it: the user knows.
+struct SlotData {
+  uint8_t data0;  ///< sent first
+  uint8_t data1;
+};
+
+/// A slot and its data.
+struct Slot {
+  uint8_t number;  ///< 0..31; 0 is the receiver's own
+  SlotData data;
+};
+
+/// Returns the ID of slot `number`, 0..31: its number's five bits in reverse order, then 011.
+constexpr uint8_t slotId(uint8_t number) {
+  return static_cast<uint8_t>((number & 1) << 7 | (number & 2) << 5 | (number & 4) << 3 | (number & 8) << 1 |
+                              (number & 16) >> 1 | 3);
+}
+
+/// Returns the number, 0..31, of the slot with this ID; undefined unless isSlotId(id).
+constexpr uint8_t slotOfId(uint8_t id) {
+  return static_cast<uint8_t>(id >> 7 | (id & 0x40) >> 5 | (id & 0x20) >> 3 | (id & 0x10) >> 1 | (id & 0x08) << 1);
+}
+
+/// Returns the first slot, 0, 8, 16 or 24, of the group that a frame with this end byte announces. After 04, 14, 24 and
+/// 34 sensors answer; after 08 only the receiver's slot 0 follows.
+constexpr uint8_t firstSlotOf(uint8_t end) {
+  return endsVariant(end, SlotsVariant) ? static_cast<uint8_t>((end >> 4) * SlotsOfGroup) : uint8_t{0};
+}
+
+/// Returns true if slots may follow a frame with this end byte.
+constexpr bool announcesSlots(uint8_t end) {
+  return endsVariant(end, SlotsVariant) || endsVariant(end, TailVariant);
+}
+
+/// Splits the `count` characters between a frame with this end byte and the next frame into `slots` (room for 8).
+/// Returns how many there are; -1 if the characters are not just slots of the announced group in rising order. There is
+/// no checksum, and no other proof: where a character is missing or too much, all of them are rejected.
+int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *slots);
+
+}  // namespace sbus

@@ -1,0 +1,64 @@
+#include "Telemetry.h"
+
+#include <string.h>
+
+namespace sbus {
+
+void Telemetry::begin() {
+  memset(_misses, MissesMax + 1, sizeof _misses);
+  _count = 0;
+  _end = 0;
+  _rejected = 0;
+}
+
+// The data may change while they are copied: then they are copied again. The barriers keep the compiler from reading
+// `_changes` at another place.
+bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) const {
+  if (count > SlotCount || first > SlotCount - count) {
+    return false;
+  }
+  for (uint8_t i = 0; i < count; i++) {
+    if (_misses[first + i] > MissesMax) {
+      return false;
+    }
+  }
+  uint16_t changes;
+  do {
+    changes = _changes;
+    __asm__ volatile("" ::: "memory");
+    memcpy(data, _data + first, count * sizeof *data);
+    __asm__ volatile("" ::: "memory");
+  } while (changes != _changes);
+  return true;
+}
+
+void Telemetry::discarded(const uint8_t *bytes, int count) {
+  if (count > GroupSizeMax - _count) {
+    lost();
+    return;
+  }
+  memcpy(_characters + _count, bytes, static_cast<size_t>(count));
+  _count = static_cast<uint8_t>(_count + count);
+}
+
+void Telemetry::taken(const uint8_t *frame) {
+  if (announcesSlots(_end)) {
+    Slot slots[SlotsOfGroup];
+    const int8_t found = _count > GroupSizeMax ? int8_t{-1} : readSlots(_end, _characters, _count, slots);
+    _rejected += found < 0;
+    const uint8_t first = firstSlotOf(_end);
+    for (uint8_t i = 0; i < SlotsOfGroup; i++) {
+      uint8_t &misses = _misses[first + i];
+      misses = static_cast<uint8_t>(misses + (misses <= MissesMax));
+    }
+    for (int8_t i = 0; i < found; i++) {
+      _data[slots[i].number] = slots[i].data;
+      _misses[slots[i].number] = 0;
+    }
+    _changes++;
+  }
+  _end = frame[EndIndex];
+  _count = 0;
+}
+
+}  // namespace sbus

@@ -1,0 +1,47 @@
+/// @file
+/// Keeps the newest telemetry of an S.BUS2 line, from the events of a FrameFinder.
+#pragma once
+
+#include <stdint.h>
+
+#include "FrameFinder.h"
+#include "Slots.h"
+
+namespace sbus {
+
+/// The newest data of all 32 slots. What stands between two frames is believed once the second frame is there, and only
+/// as a whole (readSlots()). It needs 138 bytes.
+///
+/// The context that reads the port calls the events; they may interrupt read().
+class Telemetry {
+ public:
+  /// How often in a row a slot may be missing before its data are too old: a slot comes every 60 ms.
+  static constexpr uint8_t MissesMax = 16;
+
+  /// Copies the data of `count` slots from slot `first` on to `data`. Returns false, and leaves `data` unchanged,
+  /// unless each of them came in one of its last 16 rounds (1 s). All of them are of one moment.
+  bool read(uint8_t first, uint8_t count, SlotData *data) const;
+
+  /// Returns how many groups were announced, and then held no slots, or something else than slots.
+  uint32_t rejectedGroups() const { return _rejected; }
+
+  // The events of a FrameFinder: see NoEvents.
+  void begin();
+  void taken(const uint8_t *frame);
+  void extra() { lost(); }
+  void lost() { _count = GroupSizeMax + 1; }
+  void discarded(const uint8_t *bytes, int count);
+  void rejected(int, Rejection) {}
+  static constexpr bool seesEachGap() { return true; }
+
+ private:
+  SlotData _data[SlotCount];
+  uint8_t _misses[SlotCount];  // rounds since the slot came; above MissesMax: no data
+  uint8_t _characters[GroupSizeMax];
+  uint8_t _count;  // of _characters; above GroupSizeMax: something else than a group
+  uint8_t _end;    // end byte of the frame before them
+  uint16_t _changes = 0;
+  uint32_t _rejected;
+};
+
+}  // namespace sbus

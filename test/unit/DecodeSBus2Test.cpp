@@ -1,0 +1,208 @@
+// DecodeSBus2 on a line of S.BUS2: sensors are read in any loop, and grow old when they fall silent.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <functional>
+
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
+#include "support/UartPort.h"
+
+#include <DecodeSBus2.h>
+
+namespace {
+
+constexpr uint32_t PeriodUs = 15000;
+constexpr uint32_t ToSlotsUs = 2030;  // from the frame's end: PX4's capture
+constexpr uint32_t PitchUs = 660;
+
+struct Answer {
+  uint8_t slot;
+  Bytes characters;
+};
+
+// A receiver with an SBS-01V in slots 1 and 2 and a CURR-F1678 in 24 to 26; a test may change what they send.
+struct Bus {
+  std::function<void(unsigned round, std::vector<Answer> &)> change = [](unsigned, std::vector<Answer> &) {};
+
+  std::vector<Answer> answers(unsigned group, unsigned round) const {
+    std::vector<Answer> all;
+    if (group == 0) {
+      all = {{0, {0x03, static_cast<uint8_t>(round % 2 == 0 ? 0xC0 : 0xC4), 0x2E}},  // 4.6 V, PX4's capture
+             {1, {0x83, 0x80, 0x38}},                                                // 5.6 V, msrc#173
+             {2, {0x43, 0x00, 0x7D}}};                                               // 12.5 V
+    } else if (group == 3) {
+      all = {{24, {0x1B, 0x49, 0x29}}, {25, {0x9B, 0x04, 0xD2}}, {26, {0x5B, 0x05, 0xDC}}};  // BrushlessPower
+    }
+    change(round, all);
+    return all;
+  }
+};
+
+// A sketch with a loop of some period, and the line before it.
+struct Sketch {
+  UartPort port;
+  DecodeSBus2 sbus{port};
+  uint32_t loopUs;
+  uint64_t loopedUs;
+
+  explicit Sketch(uint32_t loop, const Driver &driver = Board)
+      : port(sbus::Baud, driver), loopUs(loop), loopedUs(fakeMicros) {
+    sbus.begin();
+  }
+
+  void runTo(uint64_t us) {
+    for (; loopedUs + loopUs <= us; loopedUs += loopUs) {
+      fakeMicros = loopedUs + loopUs;
+      port.advance(fakeMicros);
+      sbus.parseSBusFrame();
+    }
+  }
+
+  void hear(uint64_t startUs, const Bytes &bytes) {
+    for (size_t i = 0; i < bytes.size(); i++) {
+      line::Character character;
+      character.endUs = startUs + 120 * (i + 1);
+      character.value = bytes[i];
+      runTo(character.endUs);
+      port.receive(character);
+    }
+  }
+
+  // So many rounds of four frames each, 60 ms.
+  void rounds(unsigned count, const Bus &bus = {}) {
+    for (unsigned round = 0; round < count; round++) {
+      for (unsigned group = 0; group < 4; group++) {
+        const uint64_t startUs = nextUs;
+        nextUs += PeriodUs;
+        hear(startUs, bytesOf(plainFrame(frames++, static_cast<uint8_t>(group << 4 | 4))));
+        for (const Answer &answer : bus.answers(group, round)) {
+          hear(startUs + 25 * 120 + ToSlotsUs + PitchUs * (answer.slot % 8), answer.characters);
+        }
+        runTo(nextUs - 1);
+      }
+    }
+  }
+
+  uint64_t nextUs = fakeMicros + 20000;
+  unsigned frames = 0;
+};
+
+bool hasVoltage(Sketch &sketch) {
+  sbus::VoltageSbs01V voltage{4711, 4711};
+  const bool has = sketch.sbus.readSensor(1, voltage);
+  CHECK(voltage.batteryDecivolts == (has ? 56 : 4711));
+  CHECK(voltage.externalDecivolts == (has ? 125 : 4711));
+  return has;
+}
+
+bool hasCurrent(Sketch &sketch) {
+  sbus::CurrentF1678 current{4711, 4711, 4711};
+  const bool has = sketch.sbus.readSensor(24, current);
+  CHECK(current.centiamperes == (has ? 2345 : 4711));
+  CHECK(current.centivolts == (has ? 1234 : 4711));
+  CHECK(current.milliampereHours == (has ? 1500 : 4711));
+  return has;
+}
+
+}  // namespace
+
+TEST_CASE("in loops of 50 us to 4.9 ms, on every driver, all sensors are read, no group is rejected, no frame missed") {
+  for (const Driver &driver : {Board, ByteByByte, Esp32Told, Esp32}) {
+    for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u, 4900u}) {
+      INFO(driver.name, ", loopUs ", loopUs);
+      Sketch sketch(loopUs, driver);
+      CHECK(!hasVoltage(sketch));
+      sketch.rounds(10);
+      CHECK(hasVoltage(sketch));
+      CHECK(hasCurrent(sketch));
+      sbus::ReceiverVoltage receiver;
+      REQUIRE(sketch.sbus.readSensor(0, receiver));
+      CHECK(receiver.decivolts == 46);
+      CHECK(receiver.isExternal);  // the tenth round's
+      CHECK(sketch.sbus.rejectedGroups() == 0);
+      CHECK(sketch.sbus.counters().frames >= 39);
+      CHECK(sketch.sbus.counters().resyncs == 0);
+      sbus::SlotData slot;
+      for (const uint8_t empty : std::initializer_list<uint8_t>{3, 8, 16, 23, 27, 31}) {
+        CHECK(!sketch.sbus.readSlots(empty, 1, &slot));
+      }
+      CHECK(!sketch.sbus.readSlots(2, 2, &slot));  // slot 3 is empty
+      CHECK(!sketch.sbus.readSlots(31, 2, &slot));
+      CHECK(!sketch.sbus.readSlots(200, 1, &slot));
+    }
+  }
+}
+
+TEST_CASE("a sensor that falls silent is read for 16 rounds more, a second, and again when it comes back") {
+  Sketch sketch(1000);
+  Bus bus;
+  sketch.rounds(5, bus);
+  bus.change = [](unsigned, std::vector<Answer> &answers) {
+    if (answers.size() == 3 && answers[0].slot == 0) {
+      answers.pop_back();  // slot 2 of the SBS-01V
+    }
+  };
+  for (unsigned round = 1; round <= 20; round++) {
+    CAPTURE(round);
+    sketch.rounds(1, bus);
+    CHECK(hasVoltage(sketch) == (round <= sbus::Telemetry::MissesMax));
+    CHECK(hasCurrent(sketch));
+  }
+  bus.change = [](unsigned, std::vector<Answer> &) {};
+  sketch.rounds(1, bus);
+  CHECK(hasVoltage(sketch));
+  CHECK(sketch.sbus.rejectedGroups() == 0);
+}
+
+TEST_CASE(
+    "what is not just slots changes no value, and counts: a character missing, one too much, two sensors in a slot") {
+  const struct {
+    const char *what;
+    std::function<void(std::vector<Answer> &)> change;
+  } rows[] = {
+      {"data1 of slot 1 is missing", [](std::vector<Answer> &answers) { answers[1].characters.pop_back(); }},
+      {"the ID of slot 1 is missing",
+       [](std::vector<Answer> &answers) { answers[1].characters.erase(answers[1].characters.begin()); }},
+      {"a stray 00 after slot 2", [](std::vector<Answer> &answers) { answers[2].characters.push_back(0); }},
+      {"slot 1 sends slot 2's ID", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x43; }},
+      {"slot 1 sends an ID of group 1", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x93; }},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    Sketch sketch(1000);
+    Bus bus;
+    sketch.rounds(5, bus);
+    bus.change = [&row](unsigned, std::vector<Answer> &answers) {
+      if (answers.size() == 3 && answers[0].slot == 0) {
+        answers[1].characters[1] = 0x99;  // a value that must not be read
+        answers[2].characters[1] = 0x99;
+        row.change(answers);
+      }
+    };
+    sketch.rounds(3, bus);
+    CHECK(hasVoltage(sketch));
+    CHECK(hasCurrent(sketch));
+    CHECK(sketch.sbus.rejectedGroups() == 3);
+  }
+}
+
+TEST_CASE("without frames no sensor is read, and begin() forgets all of them") {
+  Sketch sketch(1000);
+  sketch.rounds(5);
+  CHECK(hasVoltage(sketch));
+  sketch.runTo(sketch.nextUs + 100000);
+  CHECK(!hasVoltage(sketch));
+  sketch.nextUs += 100000;
+  sketch.rounds(1);
+  CHECK(hasVoltage(sketch));
+  sketch.sbus.begin();
+  CHECK(sketch.sbus.rejectedGroups() == 0);
+  sbus::SlotData slot;
+  sketch.nextUs += 20000;
+  Bus silent;
+  silent.change = [](unsigned, std::vector<Answer> &answers) { answers.clear(); };
+  sketch.rounds(2, silent);
+  CHECK(sketch.sbus.SBusFrameOk());
+  CHECK(!sketch.sbus.readSlots(1, 1, &slot));
+}

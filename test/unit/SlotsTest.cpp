@@ -1,0 +1,131 @@
+// Telemetry slots: their numbers and IDs, and the characters between two frames split into slots.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "sbus/Slots.h"
+
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+// "slot:data0 data1" of each, "rejected" if the characters are no slots.
+std::string read(uint8_t end, const Bytes &characters) {
+  sbus::Slot slots[sbus::SlotsOfGroup];
+  const int count = sbus::readSlots(end, characters.data(), static_cast<uint8_t>(characters.size()), slots);
+  if (count < 0) {
+    return "rejected";
+  }
+  std::string text;
+  for (int i = 0; i < count; i++) {
+    char slot[16];
+    std::snprintf(slot, sizeof slot, "%s%d:%02X%02X", i > 0 ? " " : "", slots[i].number, slots[i].data.data0,
+                  slots[i].data.data1);
+    text += slot;
+  }
+  return text;
+}
+
+Bytes wholeGroup(uint8_t group) {
+  Bytes characters;
+  for (uint8_t i = 0; i < sbus::SlotsOfGroup; i++) {
+    const auto data = static_cast<uint8_t>(i + 1);
+    characters.insert(characters.end(), {sbus::slotId(static_cast<uint8_t>(8 * group + i)), data, data});
+  }
+  return characters;
+}
+
+}  // namespace
+
+TEST_CASE("the 32 slots have the IDs that four projects agree on, and come back from them") {
+  // BrushlessPower, msrc, jitel and Kasai's table; 03, 83, 43, B3, 73 and F3 were seen on real lines.
+  const uint8_t ids[] = {0x03, 0x83, 0x43, 0xC3, 0x23, 0xA3, 0x63, 0xE3, 0x13, 0x93, 0x53,
+                         0xD3, 0x33, 0xB3, 0x73, 0xF3, 0x0B, 0x8B, 0x4B, 0xCB, 0x2B, 0xAB,
+                         0x6B, 0xEB, 0x1B, 0x9B, 0x5B, 0xDB, 0x3B, 0xBB, 0x7B, 0xFB};
+  unsigned known = 0;
+  for (uint8_t slot = 0; slot < sbus::SlotCount; slot++) {
+    CAPTURE(int{slot});
+    CHECK(sbus::slotId(slot) == ids[slot]);
+    CHECK(sbus::slotOfId(ids[slot]) == slot);
+  }
+  for (unsigned byte = 0; byte < 256; byte++) {
+    known += sbus::isSlotId(static_cast<uint8_t>(byte));
+  }
+  CHECK(known == sbus::SlotCount);
+  CHECK(!sbus::isSlotId(sbus::HeaderByte));
+  CHECK(!sbus::isSlotId(sbus::ExtraHeader));
+}
+
+TEST_CASE("the end byte announces a group, slot 0 alone, or nothing") {
+  const struct {
+    uint8_t end;
+    bool announces;
+    int first;
+  } rows[] = {{0x00, false, 0}, {0x04, true, 0}, {0x14, true, 8}, {0x24, true, 16}, {0x34, true, 24}, {0x08, true, 0}};
+  for (const auto &row : rows) {
+    CAPTURE(int{row.end});
+    CHECK(sbus::announcesSlots(row.end) == row.announces);
+    CHECK(sbus::firstSlotOf(row.end) == row.first);
+  }
+}
+
+TEST_CASE("the characters between two frames are slots of the announced group, or are rejected") {
+  const struct {
+    const char *what;
+    uint8_t end;
+    Bytes characters;
+    const char *slots;
+  } rows[] = {
+      {"nobody answers", 0x14, {}, ""},
+      {"the receiver, PX4's capture", 0x04, {0x03, 0xC0, 0x2E}, "0:C02E"},
+      {"an SBS-01V in slots 1 and 2, msrc#173",
+       0x04,
+       {0x03, 0xC0, 0x2E, 0x83, 0x80, 0x38, 0x43, 0x00, 0x7D},
+       "0:C02E 1:8038 2:007D"},
+      {"a GPS's last slots", 0x14, {0xB3, 0x60, 0xED, 0x73, 0xF4, 0x15, 0xF3, 0xE1, 0xAE}, "13:60ED 14:F415 15:E1AE"},
+      {"a whole group", 0x34, wholeGroup(3), "24:0101 25:0202 26:0303 27:0404 28:0505 29:0606 30:0707 31:0808"},
+      {"data that are IDs", 0x04, {0x03, 0x83, 0x43, 0x83, 0xC3, 0x23}, "0:8343 1:C323"},
+      {"a character is missing: it does not take the next ID", 0x04, {0x03, 0xC0, 0x83, 0x80, 0x38}, "rejected"},
+      {"an ID is missing", 0x04, {0xC0, 0x2E, 0x83, 0x80, 0x38}, "rejected"},
+      {"two are missing, of different slots", 0x04, {0x03, 0xC0, 0x83, 0x80, 0x43, 0x00, 0x7D}, "rejected"},
+      {"a character too much", 0x04, {0x03, 0xC0, 0x2E, 0x00}, "rejected"},
+      {"another group", 0x14, {0x83, 0x80, 0x38}, "rejected"},
+      {"the same slot twice: two sensors", 0x04, {0x83, 0x80, 0x38, 0x83, 0x00, 0x7D}, "rejected"},
+      {"slots in falling order", 0x04, {0x43, 0x80, 0x38, 0x83, 0x00, 0x7D}, "rejected"},
+      {"after a frame that announces nothing", 0x00, {0x03, 0xC0, 0x2E}, "rejected"},
+      {"an R7003SB, bolderflight#79", 0x08, {0x00, 0x03, 0xC0, 0x33, 0x00}, "0:C033"},
+      {"an R7003SB with the radio off", 0x08, {0x00, 0x03, 0x04, 0x00, 0x00}, "0:0400"},
+      {"FASSTest 12CH without the two 00", 0x08, {0x03, 0xE0, 0x31}, "0:E031"},
+      {"a sensor in FASSTest 12CH", 0x08, {0x83, 0x80, 0x38}, "rejected"},
+      {"two 00 in an S.BUS2 group", 0x04, {0x00, 0x03, 0xC0, 0x33, 0x00}, "rejected"},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    CHECK(read(row.end, row.characters) == row.slots);
+  }
+}
+
+TEST_CASE("of a whole group any one character lost or doubled, and any two lost, reject it") {
+  for (uint8_t group = 0; group < 4; group++) {
+    const auto end = static_cast<uint8_t>(group << 4 | 4);
+    const Bytes whole = wholeGroup(group);
+    for (std::size_t i = 0; i < whole.size(); i++) {
+      CAPTURE(i);
+      Bytes impaired = whole;
+      impaired.insert(impaired.begin() + static_cast<std::ptrdiff_t>(i), whole[i]);
+      CHECK(read(end, impaired) == "rejected");
+      impaired = whole;
+      impaired.erase(impaired.begin() + static_cast<std::ptrdiff_t>(i));
+      CHECK(read(end, impaired) == "rejected");
+      for (std::size_t j = 0; j < impaired.size(); j++) {
+        Bytes less = impaired;
+        less.erase(less.begin() + static_cast<std::ptrdiff_t>(j));
+        CHECK(read(end, less) == "rejected");
+      }
+    }
+  }
+}
