@@ -14,7 +14,7 @@ void Telemetry::begin() {
 // The data may change while they are copied: then they are copied again. The barriers keep the compiler from reading
 // `_changes` at another place.
 bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) const {
-  if (count > SlotCount || first > SlotCount - count) {
+  if (first + count > SlotCount) {
     return false;
   }
   for (uint8_t i = 0; i < count; i++) {

@@ -8,6 +8,7 @@
 #include "support/KnownFrames.h"
 #include "support/UartPort.h"
 
+// After Arduino.h.
 #include <DecodeSBus2.h>
 
 namespace {
@@ -205,4 +206,64 @@ TEST_CASE("without frames no sensor is read, and begin() forgets all of them") {
   sketch.rounds(2, silent);
   CHECK(sketch.sbus.SBusFrameOk());
   CHECK(!sketch.sbus.readSlots(1, 1, &slot));
+}
+
+TEST_CASE(
+    "where bytes are lost, a long silence was or a frame with header 2F came, a group is rejected even if it looks "
+    "whole") {
+  const Frame frame = plainFrame(0, 0x04);
+  const Bytes whole = {0x83, 0x80, 0x38};
+  const struct {
+    const char *what;
+    std::function<void(sbus::Telemetry &)> event;
+    bool isRejected;
+  } rows[] = {{"nothing", [](sbus::Telemetry &) {}, false},
+              {"lost", [](sbus::Telemetry &telemetry) { telemetry.lost(); }, true},
+              {"2F", [](sbus::Telemetry &telemetry) { telemetry.extra(); }, true}};
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    sbus::Telemetry telemetry;
+    telemetry.begin();
+    telemetry.taken(frame.data());
+    telemetry.discarded(whole.data(), 2);
+    row.event(telemetry);
+    telemetry.discarded(whole.data() + 2, 1);
+    telemetry.taken(frame.data());
+    sbus::SlotData slot;
+    CHECK(telemetry.read(1, 1, &slot) == !row.isRejected);
+    CHECK(telemetry.rejectedGroups() == row.isRejected);
+    telemetry.discarded(whole.data(), 3);
+    telemetry.taken(frame.data());
+    CHECK(telemetry.read(1, 1, &slot));
+  }
+}
+
+TEST_CASE("a port that has lost bytes between two frames: their group is rejected") {
+  sbus::FrameFinderOf<sbus::Frame16, sbus::Telemetry> finder;
+  uint32_t now = 0;
+  const auto feed = [&](const Bytes &bytes, uint32_t silenceUs) {
+    for (const uint8_t byte : bytes) {
+      now += 120;
+      finder.poll(1, now);
+      *finder.space() = byte;
+      finder.received(1, 0);
+    }
+    for (uint32_t us = 0; us < silenceUs; us += 100) {
+      now += 100;
+      finder.idle(now);
+    }
+  };
+  for (const bool isBroken : {false, true}) {
+    finder.reset(now, 120);
+    for (unsigned number = 0; number < 4; number++) {
+      feed(bytesOf(plainFrame(number, 0x04)), ToSlotsUs);
+      feed({0x83, 0x80}, 0);
+      if (isBroken && number == 2) {
+        finder.broken();
+      }
+      feed({0x38}, 9000);
+    }
+    CHECK(finder.counters().frames == 4);
+    CHECK(finder.events().rejectedGroups() == isBroken);
+  }
 }
