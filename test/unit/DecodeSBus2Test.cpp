@@ -242,10 +242,10 @@ TEST_CASE("a port that has lost bytes between two frames: their group is rejecte
   sbus::FrameFinderOf<sbus::Frame16, sbus::Telemetry> finder;
   uint32_t now = 0;
   const auto feed = [&](const Bytes &bytes, uint32_t silenceUs) {
-    for (const uint8_t byte : bytes) {
+    for (const uint8_t value : bytes) {
       now += 120;
       finder.poll(1, now);
-      *finder.space() = byte;
+      *finder.space() = value;
       finder.received(1, 0);
     }
     for (uint32_t us = 0; us < silenceUs; us += 100) {
