@@ -26,7 +26,7 @@ ARDUINO_SOURCES := Print.cpp  # what a HardwareSerial is made of; the ports them
 HOST_SOURCES := board/BoardUart.cpp board/BoardTransmitter.cpp board/Port.cpp board/PortSettings.cpp board/PortWatch.cpp \
   board/Sender.cpp
 LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp \
-  $(addprefix $(EXTRAS)/line/,simulation/*.cpp recording/*.cpp uart/*.cpp capture/*.cpp ports/LowLatency.cpp)))
+  $(addprefix $(EXTRAS)/line/,simulation/*.cpp recording/*.cpp uart/*.cpp capture/*.cpp telemetry/*.cpp ports/LowLatency.cpp)))
 
 UNIT := $(patsubst %.cpp,$(OUT)/%,$(wildcard unit/*Test.cpp host/*Test.cpp))
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \

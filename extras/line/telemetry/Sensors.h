@@ -1,0 +1,32 @@
+// Futaba's sensors by their names, and what they measure as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sbus/Sensors.h"
+
+namespace line {
+
+struct Quantity {
+  uint8_t slot;      // of the sensor's, from 0 on: where it is shown
+  const char *name;  // "current"
+  std::string value;
+  const char *unit;  // "A"; "" for none
+};
+
+struct Sensor {
+  const char *name;  // as the radio and the shop call it
+  uint8_t slots;
+  std::vector<Quantity> (*quantities)(const sbus::SlotData *data);
+};
+
+// Returns all that are known.
+const std::vector<Sensor> &sensors();
+
+// Returns the sensor of that name, in upper or lower case; nullptr if none has it.
+const Sensor *sensorOf(std::string_view name);
+
+}  // namespace line
