@@ -1,6 +1,5 @@
 #include "cli/Sending.h"
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -95,8 +94,8 @@ class Bursts {
 
 }  // namespace
 
-Sending::Sending(CLI::App &subcommand) {
-  subcommand.add_option("--to", _to, "a serial port; else a pseudo-terminal, whose name is printed")->type_name("DEVICE");
+Sending::Sending(Subcommand &subcommand) {
+  subcommand.option("--to", _to, "a serial port; else a pseudo-terminal, whose name is printed").type("DEVICE");
 }
 
 void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const {

@@ -1,19 +1,19 @@
 // Sends a line's characters through a port, or a pseudo-terminal: for `replay`, `simulate` and `send`.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "cli/Input.h"
+#include "cli/options/Subcommand.h"
 
 namespace tool {
 
 class Sending {
  public:
   // Adds its options to a subcommand.
-  explicit Sending(CLI::App &subcommand);
+  explicit Sending(Subcommand &subcommand);
 
   // Sends to this port; to a pseudo-terminal if it is empty.
   explicit Sending(std::string port) : _to(std::move(port)) {}

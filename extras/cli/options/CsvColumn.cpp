@@ -1,10 +1,10 @@
 #include "cli/options/CsvColumn.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
+#include "cli/options/Subcommand.h"
 #include "line/capture/Text.h"
 
 namespace tool {
@@ -69,9 +69,8 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
     const size_t comma = text.find(',', begin);
     const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
     if (!append(word, columns)) {
-      throw CLI::ValidationError("--columns", "\"" + word +
-                                                  "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, "
-                                                  "lostframe, time, state and age are");
+      rejectCommandLine("--columns: \"" + word +
+                        "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, lostframe, time, state and age are");
     }
     begin = comma == std::string::npos ? comma : comma + 1;
   }

@@ -15,8 +15,8 @@ struct CsvColumn {
   unsigned channel;  // counted from 1
 };
 
-// "ch1-ch4,failsafe,lostframe": names and spans, in the order in which they are to be printed. Throws
-// CLI::ValidationError.
+// "ch1-ch4,failsafe,lostframe": names and spans, in the order in which they are to be printed. Rejects the command line
+// if a word is none of these.
 std::vector<CsvColumn> parseColumns(const std::string &text);
 
 // True if the line has these channels. Throws std::runtime_error if it has not, a second after the first frame: by then

@@ -1,10 +1,10 @@
 // The options that say what is on a line: how it is set, and what the built-in receiver sends.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
+#include "cli/options/Subcommand.h"
 #include "line/Source.h"
 
 namespace tool {
@@ -12,11 +12,11 @@ namespace tool {
 class LineOptions {
  public:
   // Adds them to a subcommand; it must not move afterwards.
-  explicit LineOptions(CLI::App &subcommand);
+  explicit LineOptions(Subcommand &subcommand);
   LineOptions(const LineOptions &) = delete;
   LineOptions &operator=(const LineOptions &) = delete;
 
-  // Throws CLI::ValidationError if one was given that has no meaning there: `what` is "a port" or the like.
+  // Each rejects the command line if one was given that has no meaning there: `what` is "a port" or the like.
   void rejectSimulated(const std::string &what) const;   // those of the built-in receiver
   void rejectDisturbing(const std::string &what) const;  // --noise and --uninverted
 
@@ -34,23 +34,11 @@ class LineOptions {
   std::string _sticks = "flight";
   int _channels = 16;
   unsigned _noise = 0;
-  std::vector<const CLI::Option *> _simulated;
-  std::vector<const CLI::Option *> _disturbing;
-  const CLI::Option *_silent;
-  const CLI::Option *_uninverted;
+  std::vector<Option> _simulated;
+  std::vector<Option> _disturbing;
+  Option _silent;
+  Option _uninverted;
 };
-
-// Of an option that takes a number.
-CLI::Validator numberBetween(double low, double high);
-
-// Of --seconds: up to a year.
-CLI::Validator seconds();
-
-// Of a name: an empty one is a variable that a script has forgotten to set.
-CLI::Validator notEmpty();
-
-// Of a file beside standard output, which is taken.
-CLI::Validator notStandardOutput();
 
 // Both throw std::runtime_error: for a pipe that would be read twice, and for output onto its input.
 void rejectPipe(const std::string &name);

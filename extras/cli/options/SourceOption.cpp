@@ -2,7 +2,6 @@
 
 #include <sys/stat.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -55,22 +54,22 @@ Kind kindOf(const std::string &name) {
 
 }  // namespace
 
-SourceOption::SourceOption(CLI::App &subcommand, Recordings recordings) : _options(subcommand), _recordings(recordings) {
-  subcommand.add_option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
-  _csv = subcommand.add_flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
-  subcommand.add_option("--seconds", _seconds, "end after this many seconds")->check(seconds())->type_name("S");
+SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings) : _options(subcommand), _recordings(recordings) {
+  subcommand.option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
+      .required()
+      .notEmpty()
+      .type("");
+  _csv = subcommand.flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
+  subcommand.option("--seconds", _seconds, "end after this many seconds").seconds().type("S");
   _part = {
-      subcommand.add_option("--from", _from, "of a file: begin at this time")->check(numberBetween(0, YearS))->type_name("S"),
-      subcommand.add_option("--to", _to, "of a file: end at this time")->check(seconds())->type_name("S")};
+      subcommand.option("--from", _from, "of a file: begin at this time").between(0, YearS).type("S"),
+      subcommand.option("--to", _to, "of a file: end at this time").seconds().type("S")};
   _simulatedTime =
-      subcommand.add_flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+      subcommand.flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
 line::LineSettings SourceOption::settings() const {
-  return _csv->count() > 0 ? line::csvSettings() : isFile() ? file().settings : _options.settings();
+  return _csv.given() ? line::csvSettings() : isFile() ? file().settings : _options.settings();
 }
 
 bool SourceOption::isFile() const {
@@ -91,9 +90,9 @@ bool SourceOption::hasTimes() const {
 }
 
 void SourceOption::rejectPart(const std::string &reason) const {
-  for (const CLI::Option *const option : _part) {
-    if (option->count() > 0) {
-      throw CLI::ValidationError(option->get_name(), reason);
+  for (const Option &option : _part) {
+    if (option.given()) {
+      rejectCommandLine(option.name() + ": " + reason);
     }
   }
 }
@@ -113,10 +112,10 @@ const FileSource &SourceOption::file() const {
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
-  if (kind == Kind::Port && _simulatedTime->count() > 0) {
-    throw CLI::ValidationError("--simulated-time", "is for sim and -; a port has a time of its own");
+  if (kind == Kind::Port && _simulatedTime.given()) {
+    rejectCommandLine("--simulated-time: is for sim and -; a port has a time of its own");
   }
-  const bool atOnce = _simulatedTime->count() > 0 || (kind == Kind::File && _recordings == Recordings::AtOnce);
+  const bool atOnce = _simulatedTime.given() || (kind == Kind::File && _recordings == Recordings::AtOnce);
   auto input =
       std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, _seconds);
   input->setStart(static_cast<uint64_t>(_from * 1e6));
@@ -137,7 +136,7 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
   }
   if (kind == Kind::Stream) {
     _options.rejectDisturbing("a stream of bytes");
-    return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime->count() > 0);
+    return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime.given());
   }
   if (kind == Kind::File) {
     return openFile(port);

@@ -17,7 +17,7 @@ enum class Recordings { InTrueTime, AtOnce };
 class SourceOption {
  public:
   // Adds SOURCE and its options to a subcommand.
-  SourceOption(CLI::App &subcommand, Recordings recordings);
+  SourceOption(Subcommand &subcommand, Recordings recordings);
 
   // As a port hears it that is set as the options say: settings(). Throws std::runtime_error.
   std::unique_ptr<Input> open() const { return open(settings()); }
@@ -50,9 +50,9 @@ class SourceOption {
   double _seconds = 0;
   double _from = 0;  // seconds
   double _to = 0;    // 0: to the end
-  const CLI::Option *_csv;
-  std::vector<const CLI::Option *> _part;  // --from and --to
-  const CLI::Option *_simulatedTime;
+  Option _csv;
+  std::vector<Option> _part;  // --from and --to
+  Option _simulatedTime;
   mutable std::shared_ptr<const FileSource> _file;  // once it has been read
 };
 

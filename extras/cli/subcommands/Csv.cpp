@@ -1,6 +1,5 @@
 // sbus csv: what the sketch examples/DecodeSBus prints, for the same viewers.
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <stdexcept>
 
@@ -18,8 +17,8 @@ namespace {
 struct CsvOptions {
   std::string columns = "ch1-ch4,failsafe,lostframe";
   double rate = 5;  // rows a second, as the sketch's PERIOD_DISPLAY
-  const CLI::Option *everyFrame = nullptr;
-  const CLI::Option *header = nullptr;
+  Option everyFrame;
+  Option header;
 };
 
 class CsvView {
@@ -27,12 +26,12 @@ class CsvView {
   CsvView(const CsvOptions &options, const std::string &source, uint32_t characterUs)
       : _source(source),
         _columns(parseColumns(options.columns)),
-        _everyFrame(options.everyFrame->count() > 0),
+        _everyFrame(options.everyFrame.given()),
         _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
         _nextUs(_periodUs) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
-    if (options.header->count() > 0) {
+    if (options.header.given()) {
       write(header(_columns));
     }
   }
@@ -113,17 +112,18 @@ void run(const SourceOption &source, const CsvOptions &options) {
 }  // namespace
 
 void addCsv(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("csv", "what the sketch prints: for a serial plotter or a spreadsheet");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  Subcommand subcommand(app, "csv", "what the sketch prints: for a serial plotter or a spreadsheet");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<CsvOptions>();
-  subcommand->add_option("--columns", options->columns,
-                   "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
-      ->type_name("LIST");
-  subcommand->add_option("--rate", options->rate, "rows a second (5)")->check(numberBetween(0.01, 1000))->type_name("N");
-  options->everyFrame = subcommand->add_flag("--every-frame", "a row for each frame, whatever the rate");
-  options->header = subcommand->add_flag("--header", "the columns' names in the first row");
-  subcommand->footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
-  subcommand->callback([source, options] { run(*source, *options); });
+  subcommand
+      .option("--columns", options->columns,
+              "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
+      .type("LIST");
+  subcommand.option("--rate", options->rate, "rows a second (5)").between(0.01, 1000).type("N");
+  options->everyFrame = subcommand.flag("--every-frame", "a row for each frame, whatever the rate");
+  options->header = subcommand.flag("--header", "the columns' names in the first row");
+  subcommand.footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
+  subcommand.run([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -1,11 +1,11 @@
 // sbus decode: a logic analyser's or an oscilloscope's recording of the wire itself; characters, then frames.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <deque>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/DecodeOutput.h"
 #include "cli/options/LineOptions.h"
@@ -147,41 +147,44 @@ void run(const Options &options) {
 }  // namespace
 
 void addDecode(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("decode", "a logic analyser's or oscilloscope's recording of the wire");
+  Subcommand subcommand(app, "decode", "a logic analyser's or oscilloscope's recording of the wire");
   const auto options = std::make_shared<Options>();
-  subcommand->add_option("CAPTURE", options->capture,
-                   "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
-                   "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
-                   "each also as .gz; - is standard input")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
-  subcommand->add_option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
-      ->check(notStandardOutput())
-      ->type_name("FILE.txt");
+  subcommand
+      .option("CAPTURE", options->capture,
+              "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
+              "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
+              "each also as .gz; - is standard input")
+      .required()
+      .notEmpty()
+      .type("");
+  subcommand.option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
+      .notStandardOutput()
+      .type("FILE.txt");
   line::Overrules &overrules = options->overrules;
-  subcommand->add_option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
-      ->type_name("NAME");
-  subcommand->add_option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
-      ->check(numberBetween(50000, 400000))
-      ->type_name("N");
-  subcommand->add_option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
-      ->check(CLI::IsMember({"yes", "no"}).description(""))
-      ->type_name("yes|no");
-  subcommand->add_option_function<double>("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
-                                    "samples a second, each row or bit one (as the capture says)")
-      ->check(numberBetween(1, 1e10))
-      ->type_name("HZ");
-  subcommand->add_option_function<double>("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
-                                    "voltage above which the wire is high, in the capture's unit (found)")
-      ->type_name("V");
-  const auto csv = subcommand->add_flag("--csv", options->csv, "rows for a spreadsheet");
-  subcommand->add_flag("--json", options->json, "JSON lines")->excludes(csv);
-  subcommand->add_flag("--characters", options->characters, "the characters, not the frames");
-  subcommand->footer(
+  subcommand.option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
+      .type("NAME");
+  subcommand.option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
+      .between(50000, 400000)
+      .type("N");
+  subcommand.option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
+      .oneOf({"yes", "no"})
+      .type("yes|no");
+  subcommand
+      .option("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
+              "samples a second, each row or bit one (as the capture says)")
+      .between(1, 1e10)
+      .type("HZ");
+  subcommand
+      .option("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
+              "voltage above which the wire is high, in the capture's unit (found)")
+      .type("V");
+  const Option csv = subcommand.flag("--csv", options->csv, "rows for a spreadsheet");
+  subcommand.flag("--json", options->json, "JSON lines").excludes(csv);
+  subcommand.flag("--characters", options->characters, "the characters, not the frames");
+  subcommand.footer(
       "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
       "options name them. Times are the capture's: of the first start bit's edge. Exits with 1 if there is no frame.");
-  subcommand->callback([options] {
+  subcommand.run([options] {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;

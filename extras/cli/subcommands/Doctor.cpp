@@ -1,6 +1,5 @@
 // sbus doctor: what is wrong with a line, and the remedy, as examples/Diagnose finds it: every setting is tried.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <numeric>
@@ -304,16 +303,16 @@ bool examine(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addDoctor(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("doctor", "what is wrong with a line, and the remedy, in two seconds");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
-  subcommand->footer(
+  Subcommand subcommand(app, "doctor", "what is wrong with a line, and the remedy, in two seconds");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  subcommand.footer(
       "It tries both baud rates; of sim and of a recording also both polarities. Exit status: 0 if all is well, "
       "1 if not.");
   const auto json = std::make_shared<bool>(false);
-  subcommand->add_flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");
-  subcommand->callback([source, json] {
+  subcommand.flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");
+  subcommand.run([source, json] {
     if (!examine(*source, *json)) {
-      throw CLI::RuntimeError(EXIT_FAILURE);
+      fail();
     }
   });
 }

@@ -1,6 +1,5 @@
 // sbus explain: the paper's tables for one frame: its bytes and their meaning, its channels and their bits.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -8,11 +7,13 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/Format.h"
 #include "cli/HexText.h"
 #include "cli/Output.h"
+#include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 #include "sbus/Frame.h"
 #include "sbus/Scaling.h"
@@ -226,21 +227,21 @@ void run(const std::vector<std::string> &words) {
     std::fprintf(stderr, "sbus explain: %s\n", problem.c_str());
   }
   if (!problems.empty()) {
-    throw CLI::RuntimeError(EXIT_FAILURE);
+    fail();
   }
 }
 
 }  // namespace
 
 void addExplain(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("explain", "a frame byte by byte, and the bits of each channel");
+  Subcommand subcommand(app, "explain", "a frame byte by byte, and the bits of each channel");
   const auto words = std::make_shared<std::vector<std::string>>();
-  subcommand->add_option("BYTES", *words, "a frame in hexadecimal, words or one text; without it, or with -, standard input")
-      ->type_name("");
-  subcommand->footer(
+  subcommand.option("BYTES", *words, "a frame in hexadecimal, words or one text; without it, or with -, standard input")
+      .type("");
+  subcommand.footer(
       "A frame has 25 bytes, or 36 with 24 channels. Microseconds are a FrSky's: 172, 992 and 1811 are 988, 1500 and "
       "2012.");
-  subcommand->callback([words] { run(*words); });
+  subcommand.run([words] { run(*words); });
 }
 
 }  // namespace tool

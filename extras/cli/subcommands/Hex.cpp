@@ -3,7 +3,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -237,26 +236,27 @@ void run(const SourceOption &source, const HexOptions &options) {
 }  // namespace
 
 void addHex(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("hex", "the bytes, 25 a line, and what was rejected and why");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  Subcommand subcommand(app, "hex", "the bytes, 25 a line, and what was rejected and why");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<HexOptions>();
-  auto *const values = subcommand->add_flag("--values", options->values, "the raw values of a frame's channels beside it");
-  auto *const delta =
-      subcommand->add_flag("--delta", options->delta, "the time since the line before, not since the beginning");
-  subcommand->add_flag("--json", options->json, "JSON lines: every frame, and what is none")
-      ->excludes(values)
-      ->excludes(delta);
-  subcommand->add_option("--width", options->width,
-                   "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
-      ->check(numberBetween(LeastWidth, 1000))
-      ->type_name("N");
-  subcommand->add_option("--color", options->colour, "auto: on a terminal (auto)")
-      ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
-      ->type_name("auto|always|never");
-  subcommand->footer(
+  const Option values = subcommand.flag("--values", options->values, "the raw values of a frame's channels beside it");
+  const Option delta =
+      subcommand.flag("--delta", options->delta, "the time since the line before, not since the beginning");
+  subcommand.flag("--json", options->json, "JSON lines: every frame, and what is none")
+      .excludes(values)
+      .excludes(delta);
+  subcommand
+      .option("--width", options->width,
+              "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
+      .between(LeastWidth, 1000)
+      .type("N");
+  subcommand.option("--color", options->colour, "auto: on a terminal (auto)")
+      .oneOf({"auto", "always", "never"})
+      .type("auto|always|never");
+  subcommand.footer(
       "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
-  subcommand->callback([source, options] { run(*source, *options); });
+  subcommand.run([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -1,6 +1,5 @@
 // sbus monitor: a line's channels, flags, times and losses on a page, as they come.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -44,7 +43,7 @@ sbus::Range rangeOf(const std::string &text) {
   const bool three = std::sscanf(text.c_str(), "%4u,%4u,%4u%c", &low, &centre, &high, &more) == 3;
   if (!three || std::max({low, centre, high}) > sbus::ChannelMax || low == centre || centre == high ||
       (low < centre) != (centre < high)) {
-    throw CLI::ValidationError("--range", "frsky, futaba or raw values as 172,992,1811 are expected, not " + text);
+    rejectCommandLine("--range: frsky, futaba or raw values as 172,992,1811 are expected, not " + text);
   }
   return {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)};
 }
@@ -199,19 +198,19 @@ void run(const SourceOption &source, const MonitorOptions &options) {
 }  // namespace
 
 void addMonitor(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("monitor", "channels, flags, times and losses on a page");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::InTrueTime);
+  Subcommand subcommand(app, "monitor", "channels, flags, times and losses on a page");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<MonitorOptions>();
-  subcommand->add_option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
-      ->type_name("frsky|futaba|LOW,CENTRE,HIGH");
-  subcommand->add_option("--record", options->record, "records while it shows; a file that is there already is left alone")
-      ->check(notStandardOutput())
-      ->type_name("FILE");
-  subcommand->add_flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
-  subcommand->footer(
+  subcommand.option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+      .type("frsky|futaba|LOW,CENTRE,HIGH");
+  subcommand.option("--record", options->record, "records while it shows; a file that is there already is left alone")
+      .notStandardOutput()
+      .type("FILE");
+  subcommand.flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
+  subcommand.footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
       "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
-  subcommand->callback([source, options] { run(*source, *options); });
+  subcommand.run([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -1,6 +1,5 @@
 // sbus plot: the curves of the channels, as a picture.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -53,8 +52,7 @@ class Plotter {
       : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
     for (const CsvColumn &column : _columns) {
       if (column.kind != CsvColumn::Kind::Channel) {
-        throw CLI::ValidationError("--columns",
-                                   "channels are expected, such as ch1-ch4: flags are shaded by themselves");
+        rejectCommandLine("--columns: channels are expected, such as ch1-ch4: flags are shaded by themselves");
       }
     }
     _observer.reset(0, characterUs);
@@ -204,16 +202,16 @@ void run(const SourceOption &source, const PlotOptions &options) {
 }  // namespace
 
 void addPlot(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("plot", "the curves of the channels as a picture, SVG");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  Subcommand subcommand(app, "plot", "the curves of the channels as a picture, SVG");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<PlotOptions>();
-  subcommand->add_option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
-      ->type_name("LIST");
-  subcommand->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.svg");
-  subcommand->footer(
+  subcommand.option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
+      .type("LIST");
+  subcommand.option("-o,--output", options->output, "a file (standard output)").type("FILE.svg");
+  subcommand.footer(
       "It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
       "frames are shaded.");
-  subcommand->callback([source, options] { run(*source, *options); });
+  subcommand.run([source, options] { run(*source, *options); });
 }
 
 }  // namespace tool

@@ -3,7 +3,6 @@
 #include <libserialport.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
+#include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/ports/LowLatency.h"
 
@@ -127,10 +127,10 @@ void run(bool asJson) {
 }  // namespace
 
 void addPorts(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("ports", "the serial ports, and what is known of each");
+  Subcommand subcommand(app, "ports", "the serial ports, and what is known of each");
   const auto asJson = std::make_shared<bool>(false);
-  subcommand->add_flag("--json", *asJson, "JSON lines, one a port");
-  subcommand->callback([asJson] { run(*asJson); });
+  subcommand.flag("--json", *asJson, "JSON lines, one a port");
+  subcommand.run([asJson] { run(*asJson); });
 }
 
 }  // namespace tool

@@ -1,6 +1,5 @@
 // sbus record: keeps a line as a recording, or a sketch's rows as CSV.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -40,16 +39,16 @@ void run(const SourceOption &source, const std::string &name) {
 }  // namespace
 
 void addRecord(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("record", "keeps a line in a text file, or a sketch's rows as CSV");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  Subcommand subcommand(app, "record", "keeps a line in a text file, or a sketch's rows as CSV");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto name = std::make_shared<std::string>();
-  subcommand->add_option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
-  subcommand->footer(
+  subcommand.option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
+      .required()
+      .notEmpty()
+      .type("");
+  subcommand.footer(
       "The file grows with every frame, and is whole after Ctrl-C, if the disk is full, or if the program is killed.");
-  subcommand->callback([source, name] { run(*source, *name); });
+  subcommand.run([source, name] { run(*source, *name); });
 }
 
 }  // namespace tool

@@ -1,7 +1,7 @@
 // sbus replay: sends a recording again.
 
-#include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "cli/FileSource.h"
 #include "cli/options/LineOptions.h"
@@ -15,13 +15,13 @@ namespace tool {
 namespace {
 
 struct ReplayOptions {
-  explicit ReplayOptions(CLI::App &subcommand) : sending(subcommand) {}
+  explicit ReplayOptions(Subcommand &subcommand) : sending(subcommand) {}
 
   Sending sending;
   std::string file;
   unsigned long baud = 0;
   double speed = 1;
-  const CLI::Option *loop = nullptr;
+  Option loop;
 };
 
 std::unique_ptr<Input> open(const std::shared_ptr<const FileSource> &file, double speed) {
@@ -38,26 +38,26 @@ std::unique_ptr<Input> open(const std::shared_ptr<const FileSource> &file, doubl
 void run(const ReplayOptions &options) {
   rejectPipe(options.file);
   const auto file = std::make_shared<const FileSource>(readFile(options.file, options.baud));
-  options.sending.run([&] { return open(file, options.speed); }, options.loop->count() > 0);
+  options.sending.run([&] { return open(file, options.speed); }, options.loop.given());
 }
 
 }  // namespace
 
 void addReplay(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("replay", "sends a recording again, as if the receiver were there");
-  const auto options = std::make_shared<ReplayOptions>(*subcommand);
-  subcommand->add_option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
-  subcommand->add_option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
-      ->check(CLI::IsMember({100000, 200000}).description(""))
-      ->type_name("100000|200000");
-  subcommand->add_option("--speed", options->speed, "this many times as fast (default: 1)")
-      ->check(numberBetween(0.001, 1000))
-      ->type_name("N");
-  options->loop = subcommand->add_flag("--loop", "again and again");
-  subcommand->callback([options] { run(*options); });
+  Subcommand subcommand(app, "replay", "sends a recording again, as if the receiver were there");
+  const auto options = std::make_shared<ReplayOptions>(subcommand);
+  subcommand.option("FILE", options->file, "a recording, rows of CSV, a capture, or bytes")
+      .required()
+      .notEmpty()
+      .type("");
+  subcommand.option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
+      .oneOf({100000, 200000})
+      .type("100000|200000");
+  subcommand.option("--speed", options->speed, "this many times as fast (default: 1)")
+      .between(0.001, 1000)
+      .type("N");
+  options->loop = subcommand.flag("--loop", "again and again");
+  subcommand.run([options] { run(*options); });
 }
 
 }  // namespace tool

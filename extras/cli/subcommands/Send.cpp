@@ -1,7 +1,9 @@
 // sbus send: frames with values of one's own, for what reads S.Bus.
 
-#include <CLI/CLI.hpp>
 #include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "cli/options/LineOptions.h"
 #include "cli/Sending.h"
@@ -23,10 +25,9 @@ struct Options {
 
 TimedRows rowsOf(const Options &options) {
   if (options.from.empty() == options.values.empty()) {
-    throw CLI::ValidationError(options.from.empty()
-                                   ? "CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv"
-                                   : "--from: is in place of " + options.values.front() + "; leave one of them out",
-                               CLI::ExitCodes::ValidationError);
+    rejectCommandLine(options.from.empty()
+                          ? "CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv"
+                          : "--from: is in place of " + options.values.front() + "; leave one of them out");
   }
   if (!options.from.empty()) {
     return readTimedRows(options.from);
@@ -36,7 +37,7 @@ TimedRows rowsOf(const Options &options) {
     try {
       assign(word, values);
     } catch (const std::runtime_error &error) {
-      throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
+      rejectCommandLine(error.what());
     }
   }
   return {{{0, values}}, 0};
@@ -51,7 +52,7 @@ void run(Options options) {
   settings.baud = options.baud;
   const auto periodUs = static_cast<uint64_t>(options.periodMs * 1000);
   if (periodUs <= sbus::FrameSize * settings.characterUs()) {
-    throw CLI::ValidationError("--period", "a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected");
+    rejectCommandLine("--period: a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected");
   }
   Sending(options.port)
       .run(
@@ -65,26 +66,26 @@ void run(Options options) {
 }  // namespace
 
 void addSend(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("send", "frames with the values that are named, until Ctrl-C");
+  Subcommand subcommand(app, "send", "frames with the values that are named, until Ctrl-C");
   const auto options = std::make_shared<Options>();
-  subcommand->add_option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
-      ->type_name("");
-  subcommand->add_option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
-      ->type_name("");
-  subcommand->add_option("--from", options->from, "rows as sbus csv writes them, in place of values")
-      ->check(notEmpty())
-      ->type_name("FILE.csv");
-  subcommand->add_option("--period", options->periodMs, "from one frame to the next, ms (9)")
-      ->check(numberBetween(1, 1000))
-      ->type_name("MS");
-  subcommand->add_option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
-      ->check(CLI::IsMember({100000, 200000}).description(""))
-      ->type_name("100000|200000");
-  subcommand->add_option("--seconds", options->seconds, "end after this many seconds")->check(seconds())->type_name("S");
-  subcommand->footer(
+  subcommand.option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
+      .type("");
+  subcommand.option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
+      .type("");
+  subcommand.option("--from", options->from, "rows as sbus csv writes them, in place of values")
+      .notEmpty()
+      .type("FILE.csv");
+  subcommand.option("--period", options->periodMs, "from one frame to the next, ms (9)")
+      .between(1, 1000)
+      .type("MS");
+  subcommand.option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
+      .oneOf({100000, 200000})
+      .type("100000|200000");
+  subcommand.option("--seconds", options->seconds, "end after this many seconds").seconds().type("S");
+  subcommand.footer(
       "What is not named is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
       "serial port's TXD must be inverted to drive a flight controller.");
-  subcommand->callback([options] { run(*options); });
+  subcommand.run([options] { run(*options); });
 }
 
 }  // namespace tool

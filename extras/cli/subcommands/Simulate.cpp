@@ -1,7 +1,7 @@
 // sbus simulate: sends what the built-in receiver would.
 
-#include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "cli/options/LineOptions.h"
 #include "cli/Sending.h"
@@ -11,16 +11,16 @@
 namespace tool {
 
 void addSimulate(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("simulate", "sends what the built-in receiver would, until Ctrl-C");
+  Subcommand subcommand(app, "simulate", "sends what the built-in receiver would, until Ctrl-C");
   struct Options {
-    explicit Options(CLI::App &each) : line(each), sending(each) {}
+    explicit Options(Subcommand &each) : line(each), sending(each) {}
     LineOptions line;
     Sending sending;
     double seconds = 0;
   };
-  const auto options = std::make_shared<Options>(*subcommand);
-  subcommand->add_option("--seconds", options->seconds, "end after this many seconds")->check(seconds())->type_name("S");
-  subcommand->callback([options] {
+  const auto options = std::make_shared<Options>(subcommand);
+  subcommand.option("--seconds", options->seconds, "end after this many seconds").seconds().type("S");
+  subcommand.run([options] {
     options->sending.run(
         [&options] {
           const line::Source source = options->line.source(options->line.settings());

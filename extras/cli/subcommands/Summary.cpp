@@ -1,6 +1,5 @@
 // sbus summary: a flight in a few lines: when failsafe and losses were and for how long, and how often frames came.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -203,15 +202,14 @@ void run(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addSummary(CLI::App &app) {
-  CLI::App *const subcommand =
-      app.add_subcommand("summary", "a flight: when failsafe and losses were, how often frames came");
-  const auto source = std::make_shared<SourceOption>(*subcommand, Recordings::AtOnce);
+  Subcommand subcommand(app, "summary", "a flight: when failsafe and losses were, how often frames came");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto json = std::make_shared<bool>(false);
-  subcommand->add_flag("--json", *json, "JSON lines");
-  subcommand->footer(
+  subcommand.flag("--json", *json, "JSON lines");
+  subcommand.footer(
       "It is printed when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
       "frame with the flag to the next one without; no frames: 0.1 s and more.");
-  subcommand->callback([source, json] { run(*source, *json); });
+  subcommand.run([source, json] { run(*source, *json); });
 }
 
 }  // namespace tool

@@ -1,6 +1,5 @@
 // sbus wave: the wire of a recording, as a value change dump that a logic analyser's software shows.
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <stdexcept>
 
@@ -44,18 +43,18 @@ void run(const Options &options) {
 }  // namespace
 
 void addWave(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("wave", "the wire of a recording as VCD, for PulseView and the like");
+  Subcommand subcommand(app, "wave", "the wire of a recording as VCD, for PulseView and the like");
   const auto options = std::make_shared<Options>();
-  subcommand->add_option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
-  subcommand->add_option("-o,--output", options->output, "a file (standard output)")->type_name("FILE.vcd");
-  subcommand->add_option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
-      ->check(CLI::IsMember({100000, 200000}).description(""))
-      ->type_name("N");
-  subcommand->add_flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");
-  subcommand->callback([options] { run(*options); });
+  subcommand.option("RECORDING", options->recording, "lines of \"microseconds byte byte ...\", see sbus record")
+      .required()
+      .notEmpty()
+      .type("");
+  subcommand.option("-o,--output", options->output, "a file (standard output)").type("FILE.vcd");
+  subcommand.option("--baud", options->baud, "of the line: 200000 for Fast S.Bus (as the recording says, or 100000)")
+      .oneOf({100000, 200000})
+      .type("N");
+  subcommand.flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");
+  subcommand.run([options] { run(*options); });
 }
 
 }  // namespace tool
