@@ -24,23 +24,18 @@ class DecodeSBus2 : public DecodeSBusOf<sbus::Frame16, sbus::Telemetry> {
   template <typename Port>
   DecodeSBus2(Port &port, int8_t rx, int8_t tx) : DecodeSBusOf(port, rx, tx) {}
 
-  /// Reads the sensor whose first slot is `slot`, 0..31; slot 0 is the receiver's own (sbus::ReceiverVoltage). Returns
-  /// true if all of its slots have come within the last second; otherwise `sensor` is unchanged. It may be called at
-  /// any rate, as decodeSBusFrame(). Values are known one frame, 15 ms, after they were sent.
+  /// Reads the sensor whose first slot is `slot`, 0..31, to `sensor`, a type of sbus/Sensors.h, or one of your own with
+  /// `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the sensor's
+  /// slots have come within the last second; otherwise `sensor` is unchanged. All of them are of one moment, and known
+  /// one frame, 15 ms, after they were sent. It may be called at any rate, from where decodeSBusFrame() may be called.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
-    if (!readSlots(slot, Sensor::Slots, data)) {
+    if (!SBusFrameOk() || !_finder.events().read(slot, Sensor::Slots, data)) {
       return false;
     }
     sensor.decode(data);
     return true;
-  }
-
-  /// Copies the data of `count` slots from slot `first` on to `data`, for sensors that sbus/Sensors.h does not know.
-  /// Returns like readSensor().
-  bool readSlots(uint8_t first, uint8_t count, sbus::SlotData data[]) {
-    return SBusFrameOk() && _finder.events().read(first, count, data);
   }
 
   /// Returns how many times the bytes between two frames were not just slots of the announced group, since begin(): a

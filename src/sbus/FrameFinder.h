@@ -21,7 +21,7 @@ struct NoEvents {
   void taken(const uint8_t *) {}           ///< the next bytes are this frame
   void extra() {}                          ///< the next 25 bytes are a frame with header 2F
   void discarded(const uint8_t *, int) {}  ///< these bytes, so many, belong to no frame
-  void lost() {}                           ///< bytes may be missing before the next one, or a long silence
+  void lost() {}                           ///< bytes are missing before the next one
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
   /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two prove nothing.
   static constexpr bool seesEachGap() { return true; }

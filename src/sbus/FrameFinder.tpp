@@ -36,7 +36,6 @@ void FrameFinderOf<Format, Events>::startOver(int offBy) {
   const int count = _buffer.filled();
   _counters.discardedBytes += static_cast<unsigned>(count);
   Events::discarded(_buffer.bytes(), count);
-  Events::lost();
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
   _onlyNoise = false;
@@ -47,6 +46,7 @@ template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::broken() {
   countUp(_counters.overflows);
   startOver(FarOff);
+  Events::lost();
 }
 
 // Takes a certain gap before the next character. A run of the other size forgets the variant: on a line of that size

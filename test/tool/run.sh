@@ -10,6 +10,7 @@
 #   tool/hex.sh                the values, times and widths of `sbus hex`
 #   tool/send.sh               what `sbus send` sends
 #   tool/summary.sh            `sbus summary`; a part of a file
+#   tool/telemetry.sh          `sbus telemetry`
 #   tool/json.sh               JSON lines, held against the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
@@ -299,6 +300,7 @@ SBUS=$sbus WORK=$work tool/files.sh
 SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
+SBUS=$sbus WORK=$work tool/telemetry.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh

@@ -69,10 +69,10 @@ class TelemetryView {
       throw std::runtime_error(source + ": no frames came; sbus doctor says why");
     }
     if (_printed == 0) {
-      throw std::runtime_error(source +
-                               (_slots.rejectedGroups() == 0
-                                    ? ": frames came, and none announced a telemetry slot: this is no S.BUS2 line"
-                                    : ": no telemetry slot came between the frames"));
+      throw std::runtime_error(
+          source + (_slots.rejectedGroups() > 0 ? ": what came between the frames is no slot of theirs"
+                    : _slots.announced() ? ": frames came, and no slot after them: is the receiver in a mode with telemetry?"
+                                         : ": frames came, and none announced a telemetry slot: this is no S.BUS2 line"));
     }
   }
 

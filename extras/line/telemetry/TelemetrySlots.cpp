@@ -29,6 +29,7 @@ std::vector<TelemetrySlots::Slot> TelemetrySlots::proved() {
   if (!sbus::announcesSlots(_end)) {
     return {};
   }
+  _announced = true;
   uint8_t bytes[sbus::GroupSizeMax];
   std::transform(_between.begin(), _between.end(), bytes, [](const Character &character) { return character.value; });
   sbus::Slot slots[sbus::SlotsOfGroup];

@@ -19,6 +19,9 @@ class TelemetrySlots {
   // moment, in rising order. Mostly none.
   std::vector<Slot> put(const Stretch &stretch);
 
+  // Returns true if a frame has announced a group.
+  bool announced() const { return _announced; }
+
   // Returns how many times the characters between two frames were not just slots of the announced group.
   unsigned long rejectedGroups() const { return _rejected; }
 
@@ -28,6 +31,7 @@ class TelemetrySlots {
   std::vector<Character> _between;  // since the last frame
   uint8_t _end = 0;                 // its end byte
   bool _isWhole = false;            // nothing but characters came since, none of them bad
+  bool _announced = false;
   unsigned long _rejected = 0;
 };
 

@@ -1,0 +1,63 @@
+#!/bin/sh
+# Runs `sbus telemetry` on lines of S.BUS2. Says "ok ..." or "FAILED ...". SBUS: the program; WORK: an absolute folder for what
+# is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/telemetry
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+# Frames of 15 ms; after each that ends in 04 the receiver's voltage, an SBS-01V in slots 1 and 2, and in the third round 4
+# characters too few; after 34 a current sensor in slots 24 to 26.
+awk 'BEGIN {
+  for (i = 0; i < 20; i++) {
+    start = 120 + 15000 * i
+    print start, "0F 11 04 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00", (i % 4) "4"
+    if (i % 4 == 0) print start + 5030, "03 C0 2E"
+    if (i % 4 == 0 && i != 8) { print start + 5690, "83 80 38"; print start + 6350, "43 00 7D" }
+    if (i == 8) print start + 5690, "83 80"
+    if (i % 4 == 3) { print start + 5030, "1B 49 29"; print start + 5690, "9B 04 D2"; print start + 6350, "5B 05 DC" }
+  }
+}' >"$work/line.txt"
+
+"$SBUS" telemetry "$work/line.txt" --sensor 1=sbs-01v --sensor 24=F1678 >"$work/rows"
+cat >"$work/wanted" <<'END'
+time_s,slot,data0,data1,quantity,value,unit
+0.005390,0,192,46,receiver voltage,4.6,V
+0.006050,1,128,56,battery voltage,5.6,V
+0.006710,2,0,125,external voltage,12.5,V
+0.050390,24,73,41,current,23.45,A
+0.051050,25,4,210,voltage,12.34,V
+0.051710,26,5,220,charge,1500,mAh
+END
+head -n 7 "$work/rows" | diff "$work/wanted" -
+verdict $? "telemetry: slots, and what named sensors measure"
+[ "$(cut -d, -f2 "$work/rows" | tr '\n' ' ')" = "slot 0 1 2 24 25 26 0 1 2 24 25 26 24 25 26 0 1 2 24 25 26 0 1 2 " ]
+verdict $? "telemetry: a group that lacks a character is not printed, nor one that no frame follows"
+
+[ "$("$SBUS" telemetry "$work/line.txt" --to 0.04 | tail -n 1)" = "0.006710,2,0,125,,," ]
+verdict $? "telemetry: a slot without a name has no quantity"
+
+grep -v '^#' recordings/paper.txt >"$work/paper.txt"
+"$SBUS" telemetry "$work/paper.txt" >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: frames came, and none announced a telemetry slot: this is no S.BUS2 line" "$work/err"
+verdict $? "telemetry of a line that has none is a failure"
+sed '/^[0-9]* \(03\|83\|43\|1B\|9B\|5B\)/d' "$work/line.txt" >"$work/silent.txt"
+"$SBUS" telemetry "$work/silent.txt" >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/silent.txt: frames came, and no slot after them: is the receiver in a mode with telemetry?" "$work/err"
+verdict $? "telemetry of an S.BUS2 line without an answer is a failure"
+
+while IFS='|' read -r sensor words; do
+  "$SBUS" telemetry "$work/line.txt" --sensor "$sensor" >"$work/out" 2>"$work/err"
+  [ $? -eq 2 ] && [ ! -s "$work/out" ] && grep -qF -- "$words" "$work/err"
+  verdict $? "telemetry --sensor $sensor is rejected: $words"
+done <<'END'
+1=SBS-01X|names no sensor that is known: receiver, SBS-01T
+SBS-01V|is no slot and name, such as 1=SBS-01V
+32=SBS-01V|slots are 0 to 31
+x=SBS-01V|is no slot and name
+6=F1678|F1678 has 3 slots, which do not fit into the group of slots 0 to 7 from slot 6 on
+9=F1675|F1675 has 8 slots
+END
