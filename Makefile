@@ -93,7 +93,8 @@ TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev
 AVR := gcc-avr avr-libc arduino-core-avr
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
-ARM_CXX := 'libstdc++-arm-none-eabi-newlib|libstdc++-arm-none-eabi?'
+# The headers of the C++ library alone, 17 MB; the library has 1.5 GB.
+ARM_CXX := 'libstdc++-arm-none-eabi-dev?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \

@@ -229,9 +229,7 @@ void DecodeOutput::end(const std::string &name, const line::CaptureEnd &capture,
                 .number("characters", _characters)
                 .number("parity_errors", _parityErrors)
                 .number("framing_errors", _framingErrors)
-                .number("frames", counters.frames)
-                .number("lost_frames", counters.lostFrames)
-                .number("failsafe_frames", counters.failsafeFrames)
+                .counts(counters)
                 .line());
   }
 }

@@ -10,6 +10,7 @@
 #include "line/recording/RecordingFile.h"
 #include "line/recording/Words.h"
 #include "line/capture/CaptureFile.h"
+#include "line/capture/CaptureTimes.h"
 #include "line/capture/Text.h"
 
 namespace tool {
@@ -125,20 +126,16 @@ FileSource readBytes(const std::string &name, unsigned long baud) {
 FileSource readCapture(const std::string &name, unsigned long baud) {
   FileSource file;
   file.kind = FileKind::Capture;
-  int64_t zeroNs = 0;
-  double characterNs = 0;
+  line::CaptureTimes times;
   line::Overrules overrules;
   overrules.baud = baud;
   line::WireDecoder wire(
       overrules,
       [&] {
         file.settings = wire.wire().settings;
-        characterNs = file.settings.format.bits() * wire.wire().bitNs;
+        times.begin(wire.wire());
       },
-      [&](const line::WireCharacter &character) {
-        zeroNs = file.recording.characters.empty() ? std::min<int64_t>(0, character.startNs) : zeroNs;
-        file.recording.characters.push_back(character.since(zeroNs, characterNs));
-      });
+      [&](const line::WireCharacter &character) { file.recording.characters.push_back(times.of(character)); });
   const line::CaptureEnd end = line::readCapture(name, overrules, wire);
   if (!end.error.empty()) {
     throw std::runtime_error(end.error + "; sbus decode -o FILE keeps what came before it");

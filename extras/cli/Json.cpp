@@ -31,6 +31,12 @@ Json &Json::decimal(const char *name, double value) {
   return add(name, format("%.1f", value));
 }
 
+Json &Json::counts(const sbus::Counters &counters) {
+  return number("frames", counters.frames)
+      .number("lost_frames", counters.lostFrames)
+      .number("failsafe_frames", counters.failsafeFrames);
+}
+
 Json &Json::numbers(const char *name, const std::vector<double> &values) {
   std::string list;
   for (const double value : values) {

@@ -7,6 +7,7 @@
 
 #include "line/Segments.h"
 #include "line/Statistics.h"
+#include "sbus/Counters.h"
 
 namespace tool {
 
@@ -16,6 +17,7 @@ class Json {
 
   Json &text(const char *name, const std::string &value);
   Json &flag(const char *name, bool value) { return add(name, value ? "true" : "false"); }
+  Json &counts(const sbus::Counters &counters);  // frames, lost_frames, failsafe_frames
   Json &number(const char *name, uint64_t value) { return add(name, std::to_string(value)); }
   Json &decimal(const char *name, double value);  // to a tenth
   Json &numbers(const char *name, const std::vector<double> &values);

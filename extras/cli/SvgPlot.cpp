@@ -128,11 +128,11 @@ class Drawing {
   // What is shaded, and a legend of it below the axis.
   void spans() {
     const struct {
-      ShadedTime::Kind kind;
+      FlagSpan::Kind kind;
       const char *name, *text;
-    } kinds[] = {{ShadedTime::Kind::Failsafe, "failsafe", "failsafe"},
-                 {ShadedTime::Kind::LostFrame, "lost", "lost frames"},
-                 {ShadedTime::Kind::NoFrames, "silent", "no frames"}};
+    } kinds[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
+                 {FlagSpan::Kind::LostFrame, "lost", "lost frames"},
+                 {FlagSpan::Kind::NoFrames, "silent", "no frames"}};
     double legend = Left;
     for (const auto &kind : kinds) {
       bool any = false;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/FlagSpans.h"
+
 namespace tool {
 
 struct Curve {
@@ -16,8 +18,7 @@ struct Curve {
 };
 
 struct ShadedTime {
-  enum class Kind { LostFrame, Failsafe, NoFrames };
-  Kind kind;
+  FlagSpan::Kind kind;
   double from, to;
 };
 

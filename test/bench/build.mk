@@ -15,6 +15,7 @@ TRIES ?= 200000
 CPU := -mcpu=cortex-m0plus -mthumb -Os
 include $(ROOT)/extras/setup/flags.mk
 SECTIONS := -ffunction-sections -fdata-sections
+PLAIN := -std=gnu++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wno-psabi
 INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
@@ -25,9 +26,9 @@ bench: $(OUT)/Bench
 .PHONY: bench sizes
 .DELETE_ON_ERROR:
 
-$(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o \
+$(OUT)/Bench: $(LIBRARY:%=$(OUT)/src/%.o) $(MEASURED:%=$(OUT)/%.o) $(PARTS:%=$(OUT)/%.o) $(OUT)/Start.o $(OUT)/Runtime.o \
   $(OUT)/BoardUart.o $(OUT)/FakeClock.o $(OUT)/Print.o $(M0)/microbit.ld
-	$(CROSS) $(CPU) -nostartfiles -specs=rdimon.specs -T $(M0)/microbit.ld -Wl,--gc-sections $(filter %.o,$^) -o $@
+	$(CROSS:%g++=%gcc) $(CPU) -nostartfiles -specs=rdimon.specs -T $(M0)/microbit.ld -Wl,--gc-sections $(filter %.o,$^) -lm -o $@
 
 compile = $(CROSS) $(CPU) $1 $(SECTIONS) $(WARNINGS) $(DEPENDENCIES) $(INCLUDES) -c $< -o $@
 # What is measured is compiled as on the board, the bench itself as suits it.
@@ -41,8 +42,9 @@ $(foreach part,$(MEASURED),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,$(BO
 $(eval $(call rule,Start.o,$(M0)/Start.cpp,$(BOARD)))
 $(eval $(call rule,FakeClock.o,$(TEST)/support/FakeClock.cpp,$(BOARD)))
 $(eval $(call rule,Print.o,$(HOST)/arduino/Print.cpp,$(BOARD)))
-$(eval $(call rule,BoardUart.o,$(HOST)/board/BoardUart.cpp,-std=gnu++17))
-$(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,-std=gnu++17 -Wno-psabi)))
+$(eval $(call rule,Runtime.o,$(M0)/Runtime.cpp,$(PLAIN)))
+$(eval $(call rule,BoardUart.o,$(HOST)/board/BoardUart.cpp,$(PLAIN)))
+$(foreach part,$(PARTS),$(eval $(call rule,$(part).o,$(HERE)/$(part).cpp,$(PLAIN))))
 
 $(OUT)/LongestCall.o: INCLUDES += -DTRIES=$(TRIES)
 $(OUT)/LongestCall.o: $(OUT)/tries-$(TRIES)

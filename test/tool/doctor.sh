@@ -90,6 +90,7 @@ adapter 16 9 16 200
 grep -q '^[0-9]*~[0-9]* ' "$WORK/adapter.txt" && "$SBUS" hex "$WORK/adapter.txt" >"$WORK/adapter.hex" &&
   [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'All well.'
 verdict $? "a recording of an adapter at 16 ms keeps its reads: its frames are found again"
+kill $player
 
 # One who is not root, to whom a port may be denied: mode 000, or another program's alone (TIOCEXCL).
 folder=$(mktemp -d)

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "sbus/Frame.h"
 #include "support/Bytes.h"
@@ -16,7 +15,7 @@ static_assert(!sbus::isEndByte(0x0F), "a header ends no frame");
 namespace {
 
 // Futaba S.BUS and FrSky; S.BUS2's four telemetry slots; R7003SB and FASSTest 12CH.
-const std::set<unsigned> EndBytes = {0x00, 0x04, 0x08, 0x14, 0x24, 0x34};
+constexpr unsigned EndBytes[] = {0x00, 0x04, 0x08, 0x14, 0x24, 0x34};
 
 // By both ways of unpacking, which have to agree. The sanitizers guard the ends of all arrays.
 Channels unpacked(const Frame &frame) {
@@ -58,7 +57,7 @@ std::array<uint16_t, 16> unpackedExtra(const Frame &frame) {
 TEST_CASE("a frame begins with 0F, has flags 00..0F, ends with 00 04 08 14 24 34, and nothing else") {
   for (unsigned byte = 0; byte < 256; byte++) {
     CAPTURE(byte);
-    const bool isEnd = EndBytes.count(byte) == 1;
+    const bool isEnd = std::count(std::begin(EndBytes), std::end(EndBytes), byte) == 1;
     CHECK(sbus::isEndByte(static_cast<uint8_t>(byte)) == isEnd);
     CHECK(sbus::isFlagsByte(static_cast<uint8_t>(byte)) == (byte <= 0x0F));
     CHECK(sbus::isFrame(withByte(PaperLow.bytes, 0, byte).data()) == (byte == 0x0F));

@@ -145,9 +145,7 @@ std::string Watch::json(uint64_t nowUs) {
     json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
   }
   return json.number("frames_per_second", _observer.perSecond(nowUs))
-      .number("frames", now.frames)
-      .number("lost_frames", now.lostFrames)
-      .number("failsafe_frames", now.failsafeFrames)
+      .counts(now)
       .number("discarded_bytes", now.discardedBytes)
       .number("bad_characters", _observer.badCharacters())
       .line();

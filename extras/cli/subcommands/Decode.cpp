@@ -1,6 +1,5 @@
 // sbus decode: a logic analyser's or an oscilloscope's recording of the wire itself; characters, then frames.
 
-#include <algorithm>
 #include <csignal>
 #include <deque>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "cli/options/LineOptions.h"
 #include "cli/Output.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/capture/CaptureTimes.h"
 #include "line/recording/RecordingWriter.h"
 
 namespace tool {
@@ -37,18 +37,15 @@ class Frames {
   }
 
   void begin(const std::string &capture, const line::FoundWire &wire) {
-    _characterNs = wire.settings.format.bits() * wire.bitNs;
+    _times.begin(wire);
     _observer.reset(0, wire.settings.characterUs());
     _writer.comment("sbus decode " + capture);
     _writer.opened(wire.settings);
   }
 
   void put(const line::WireCharacter &wire) {
-    if (_waiting.empty() && _observer.characters() == 0) {
-      _zeroNs = std::min<int64_t>(0, wire.startNs);
-    }
     _waiting.push_back(wire);
-    const line::Character character = wire.since(_zeroNs, _characterNs);
+    const line::Character character = _times.of(wire);
     _observer.put(character);
     if (_record) {
       _writer.put(character);
@@ -57,7 +54,7 @@ class Frames {
   }
 
   const line::Observer &finish(int64_t endNs) {
-    _observer.idleUntil(static_cast<uint64_t>(std::max<int64_t>(0, endNs - _zeroNs) / 1000));
+    _observer.idleUntil(_times.us(endNs));
     _observer.finish();
     if (_record) {
       _writer.finish();
@@ -82,8 +79,7 @@ class Frames {
   line::RecordingWriter _writer;
   line::Observer _observer;
   std::deque<line::WireCharacter> _waiting;  // in no stretch yet
-  double _characterNs = 0;
-  int64_t _zeroNs = 0;
+  line::CaptureTimes _times;
 };
 
 std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) {

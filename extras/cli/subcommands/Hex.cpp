@@ -206,9 +206,7 @@ void writeJsonEnd(const line::Observer &observer) {
   write(Json("end")
             .number("characters", observer.characters())
             .number("bad_characters", observer.badCharacters())
-            .number("frames", observer.counters().frames)
-            .number("lost_frames", observer.counters().lostFrames)
-            .number("failsafe_frames", observer.counters().failsafeFrames)
+            .counts(observer.counters())
             .line());
 }
 

@@ -22,28 +22,6 @@ struct PlotOptions {
   std::string output;
 };
 
-constexpr uint64_t SilenceUs = sbus::Link::DefaultTimeout * 1000;
-
-// What is shaded while it is so, of one kind.
-class Shade {
- public:
-  explicit Shade(ShadedTime::Kind kind) : _kind(kind) {}
-
-  void at(double ms, bool is, std::vector<ShadedTime> &spans) {
-    if (is && !_is) {
-      _from = ms;
-    } else if (!is && _is) {
-      spans.push_back({_kind, _from, ms});
-    }
-    _is = is;
-  }
-
- private:
-  ShadedTime::Kind _kind;
-  bool _is = false;
-  double _from = 0;
-};
-
 // Takes a line, of S.Bus or of a sketch's rows, and draws it.
 class Plotter {
  public:
@@ -72,20 +50,22 @@ class Plotter {
   void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
 
   // There is something to be drawn.
-  bool any() const { return _lastUs != 0; }
+  bool any() const { return _flags.lastUs() != 0; }
 
   std::string finish(const std::string &name) {
     _observer.finish();
     if (!any()) {
       throw std::runtime_error(name + ": there is nothing to be drawn: no frames came; sbus doctor says why");
     }
-    const double end = ms(_lastUs);
-    _failsafe.at(end, false, _picture.spans);
-    _lost.at(end, false, _picture.spans);
+    _flags.finish();
+    for (const FlagSpan &span : _flags.all()) {
+      _picture.spans.push_back({span.kind, ms(span.fromUs), ms(span.toUs)});
+    }
+    const double end = ms(_flags.lastUs());
     _picture.title = name == "-" ? "standard input" : name.substr(name.rfind('/') + 1);
     _picture.yTitle = "raw";
-    const double margin = _lastUs > _firstUs ? 0 : 0.5;  // of a single frame: its time is in the middle
-    _picture.xBegin = std::max(0.0, ms(_firstUs) - margin);
+    const double margin = _flags.lastUs() > _flags.firstUs() ? 0 : 0.5;  // of a single frame: its time is in the middle
+    _picture.xBegin = std::max(0.0, ms(_flags.firstUs()) - margin);
     _picture.xEnd = end + margin;
     if (_rows.recognised() && !_rowsHaveTimes) {
       _picture.xTitle = "rows";
@@ -125,20 +105,22 @@ class Plotter {
       return;
     }
     _picture.curves.resize(_columns.size());
-    const bool joined = begin(stretch.endUs());
+    const uint64_t us = stretch.endUs();
+    const bool joined = any() && !_flags.silentUntil(us);
     for (size_t i = 0; i < _columns.size(); i++) {
       const unsigned channel = _columns[i].channel;
       const bool isSwitch = values.count == 16 && channel > 16;
       const double value = isSwitch ? values.switches[channel - 17] : values.raw[channel - 1];
       _picture.curves[i].name = "CH" + std::to_string(channel);
-      _picture.curves[i].points.push_back({ms(_lastUs), value, joined});
+      _picture.curves[i].points.push_back({ms(us), value, joined});
     }
-    shade(values.failsafe, values.lostFrame);
+    _flags.put(us, values.failsafe, values.lostFrame);
   }
 
   void takeRow(uint64_t nowUs) {
     const line::CsvRow &row = _rows.row();
-    const bool joined = begin(_rowsHaveTimes ? nowUs : _lastUs + 1000);
+    const uint64_t us = _rowsHaveTimes ? nowUs : _flags.lastUs() + 1000;
+    const bool joined = any();
     bool failsafe = false;
     bool lostFrame = false;
     size_t curve = 0;
@@ -150,27 +132,9 @@ class Plotter {
       }
       _picture.curves.resize(std::max(_picture.curves.size(), curve + 1));
       _picture.curves[curve].name = row[i].name.empty() ? "CH" + std::to_string(i + 1) : row[i].name;
-      _picture.curves[curve++].points.push_back({ms(_lastUs), row[i].value, joined});
+      _picture.curves[curve++].points.push_back({ms(us), row[i].value, joined});
     }
-    shade(failsafe, lostFrame);
-  }
-
-  // The next point is at `us`. True if it is joined to the one before.
-  bool begin(uint64_t us) {
-    const bool silence = _lastUs != 0 && us - _lastUs > SilenceUs && !_rows.recognised();
-    if (silence) {
-      shade(false, false);
-      _picture.spans.push_back({ShadedTime::Kind::NoFrames, ms(_lastUs), ms(us)});
-    }
-    const bool joined = _lastUs != 0 && !silence;
-    _firstUs = _lastUs == 0 ? us : _firstUs;
-    _lastUs = us;
-    return joined;
-  }
-
-  void shade(bool failsafe, bool lostFrame) {
-    _failsafe.at(ms(_lastUs), failsafe, _picture.spans);
-    _lost.at(ms(_lastUs), lostFrame && !failsafe, _picture.spans);
+    _flags.put(us, failsafe, lostFrame);
   }
 
   const std::vector<CsvColumn> _columns;
@@ -178,11 +142,8 @@ class Plotter {
   line::Observer _observer;
   line::CsvRows _rows;
   Picture _picture;
-  Shade _failsafe{ShadedTime::Kind::Failsafe};
-  Shade _lost{ShadedTime::Kind::LostFrame};
+  FlagSpans _flags;       // of what is drawn
   uint64_t _beganUs = 0;  // of the first frame
-  uint64_t _firstUs = 0;  // of what is drawn
-  uint64_t _lastUs = 0;
 };
 
 void run(const SourceOption &source, const PlotOptions &options) {

@@ -1,11 +1,13 @@
 // sbus summary: a flight in a few lines: when failsafe and losses were and for how long, and how often frames came.
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "cli/FlagSpans.h"
 #include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/VariantOfLine.h"
@@ -14,79 +16,56 @@
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Observer.h"
-#include "sbus/Link.h"
 
 namespace tool {
 
 namespace {
 
-constexpr uint64_t SilenceUs = sbus::Link::DefaultTimeout * 1000;  // longer ones are listed, and no intervals
-constexpr size_t ShownMost = 20;                                   // spans of a kind
-constexpr unsigned long BarMost = 50;                              // characters
+constexpr size_t ShownMost = 20;       // spans of a kind
+constexpr unsigned long BarMost = 50;  // characters
 
 double seconds(uint64_t us) {
   return static_cast<double>(us) / 1e6;
 }
 
-struct Span {
-  uint64_t fromUs;
-  uint64_t toUs;
-
-  uint64_t us() const { return toUs - fromUs; }
+// What is listed: `name` in the text, `type` in JSON.
+struct Listed {
+  FlagSpan::Kind kind;
+  const char *name;
+  const char *type;
 };
+constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
+                                {FlagSpan::Kind::LostFrame, "lost frames", "lost_frames"},
+                                {FlagSpan::Kind::NoFrames, "no frames", "no_frames"}};
 
-// While something is so: from the first frame that says it to the first one that does not.
-class Spans {
- public:
-  // `name`: of the text. `kind`: of JSON.
-  Spans(const char *name, const char *kind) : _name(name), _kind(kind) {}
-
-  void at(uint64_t us, bool is) {
-    if (is && !_is) {
-      _spans.push_back({us, us});
-    } else if (_is) {
-      _spans.back().toUs = us;
-    }
-    _is = is;
+std::string text(const char *name, const std::vector<FlagSpan> &spans) {
+  if (spans.empty()) {
+    return format("%-12s none\n", name);
   }
-
-  void add(const Span &span) { _spans.push_back(span); }
-
-  std::string text() const {
-    if (_spans.empty()) {
-      return format("%-12s none\n", _name);
-    }
-    uint64_t us = 0;
-    for (const Span &span : _spans) {
-      us += span.us();
-    }
-    std::vector<Span> shown = _spans;
-    std::stable_sort(shown.begin(), shown.end(), [](const Span &a, const Span &b) { return a.us() > b.us(); });
-    shown.resize(std::min(shown.size(), ShownMost));
-    std::sort(shown.begin(), shown.end(), [](const Span &a, const Span &b) { return a.fromUs < b.fromUs; });
-    std::string text =
-        format("%-12s %zu %s, %.3f s in all%s\n", _name, _spans.size(), _spans.size() == 1 ? "time" : "times",
-               seconds(us), shown.size() < _spans.size() ? "; the longest are" : "");
-    for (const Span &span : shown) {
-      text += format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
-    }
-    return text;
+  uint64_t us = 0;
+  for (const FlagSpan &span : spans) {
+    us += span.us();
   }
-
-  std::string json() const {
-    std::string lines;
-    for (const Span &span : _spans) {
-      lines += Json("span").text("kind", _kind).number("from_us", span.fromUs).number("to_us", span.toUs).line();
-    }
-    return lines;
+  std::vector<FlagSpan> shown = spans;
+  std::stable_sort(shown.begin(), shown.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.us() > b.us(); });
+  shown.resize(std::min(shown.size(), ShownMost));
+  std::sort(shown.begin(), shown.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.fromUs < b.fromUs; });
+  std::string text =
+      format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times", seconds(us),
+             shown.size() < spans.size() ? "; the longest are" : "");
+  for (const FlagSpan &span : shown) {
+    text += format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
   }
+  return text;
+}
 
- private:
-  const char *_name;
-  const char *_kind;
-  bool _is = false;
-  std::vector<Span> _spans;
-};
+std::string json(const char *type, const std::vector<FlagSpan> &spans) {
+  std::string lines;
+  for (const FlagSpan &span : spans) {
+    lines += Json("span").text("kind", type).number("from_us", span.fromUs).number("to_us", span.toUs).line();
+  }
+  return lines;
+}
 
 class Summary {
  public:
@@ -98,6 +77,10 @@ class Summary {
   Summary &operator=(const Summary &) = delete;
 
   line::Observer &observer() { return _observer; }
+  void finish() {
+    _observer.finish();
+    _flags.finish();
+  }
   bool any() const { return _observer.counters().frames > 0; }
 
   std::string text(const std::string &name, bool hasTimes) const {
@@ -116,16 +99,16 @@ class Summary {
     Json summary("summary");
     summary.text("line", _kind.text());
     if (hasTimes) {
-      summary.number("from_us", _firstUs).number("to_us", _lastUs);
+      summary.number("from_us", _flags.firstUs()).number("to_us", _flags.lastUs());
     }
-    summary.number("frames", counters.frames)
-        .number("lost_frames", counters.lostFrames)
-        .number("failsafe_frames", counters.failsafeFrames)
+    summary.counts(counters)
         .number("discarded_bytes", counters.discardedBytes)
         .number("bad_characters", _observer.badCharacters());
     std::string lines = summary.line();
     if (hasTimes) {
-      lines += _failsafe.json() + _lost.json() + _silent.json();
+      for (const Listed &each : AllListed) {
+        lines += tool::json(each.type, spans(each.kind));
+      }
       for (const auto &[ms, count] : _intervals) {
         lines += Json("interval").number("ms", ms).number("count", count).line();
       }
@@ -139,24 +122,26 @@ class Summary {
     if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {
       return;
     }
-    const line::Values &values = _observer.newest();
     const uint64_t us = stretch.endUs();
-    if (_lastUs > 0 && us - _lastUs > SilenceUs) {
-      _failsafe.at(_lastUs, false);  // nothing is known of the silence
-      _lost.at(_lastUs, false);
-      _silent.add({_lastUs, us});
-    } else if (_lastUs > 0) {
-      _intervals[(us - _lastUs + 500) / 1000]++;
+    if (!_flags.silentUntil(us) && _flags.lastUs() > 0) {
+      _intervals[(us - _flags.lastUs() + 500) / 1000]++;
     }
-    _failsafe.at(us, values.failsafe);
-    _lost.at(us, values.lostFrame && !values.failsafe);
-    _firstUs = _lastUs == 0 ? us : _firstUs;
-    _lastUs = us;
+    _flags.put(us, _observer.newest().failsafe, _observer.newest().lostFrame);
+  }
+
+  std::vector<FlagSpan> spans(FlagSpan::Kind kind) const {
+    std::vector<FlagSpan> spans;
+    std::copy_if(_flags.all().begin(), _flags.all().end(), std::back_inserter(spans),
+                 [kind](const FlagSpan &span) { return span.kind == kind; });
+    return spans;
   }
 
   std::string times() const {
-    std::string text = format("%-12s %.3f s to %.3f s\n", "frames", seconds(_firstUs), seconds(_lastUs)) +
-                       _failsafe.text() + _lost.text() + _silent.text();
+    std::string text =
+        format("%-12s %.3f s to %.3f s\n", "frames", seconds(_flags.firstUs()), seconds(_flags.lastUs()));
+    for (const Listed &each : AllListed) {
+      text += tool::text(each.name, spans(each.kind));
+    }
     unsigned long most = 1;
     for (const auto &[ms, count] : _intervals) {
       most = std::max(most, count);
@@ -171,11 +156,7 @@ class Summary {
 
   line::Observer _observer;
   VariantOfLine _kind;
-  uint64_t _firstUs = 0;  // of the frames
-  uint64_t _lastUs = 0;   // 0: none yet
-  Spans _failsafe{"failsafe", "failsafe"};
-  Spans _lost{"lost frames", "lost_frames"};
-  Spans _silent{"no frames", "no_frames"};
+  FlagSpans _flags;
   std::map<uint64_t, unsigned long> _intervals;  // by ms, rounded
 };
 
@@ -188,7 +169,7 @@ void run(const SourceOption &source, bool asJson) {
                summary.observer().idleUntil(input->knownUs());
                silence.tick(nowUs, summary.any());
              });
-  summary.observer().finish();
+  summary.finish();
   if (!summary.any()) {
     throw std::runtime_error(source.name() + ": no frames came; sbus doctor says why");
   }

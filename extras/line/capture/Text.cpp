@@ -24,25 +24,6 @@ constexpr Powers TenTo;
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  const auto goes = [](char c) { return isBlank(c) || c == '"'; };
-  while (!text.empty() && goes(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && goes(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string small(text);
-  for (char &c : small) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return small;
-}
-
 bool takeNumber(const char *&at, const char *end, double &value, char mark) {
   const char *p = at;
   const bool negative = p < end && *p == '-';

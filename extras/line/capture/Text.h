@@ -18,10 +18,9 @@ constexpr bool isAscii(char c) {
 }
 
 // Without the blanks and quotation marks around it.
-std::string_view trimmed(std::string_view text);
-
-// In lower case.
-std::string lower(std::string_view text);
+inline std::string_view trimmed(std::string_view text) {
+  return withoutBlanks(text, '"');
+}
 
 // Takes a decimal number ("-1.25e-03") off the front; false if there is none. `mark`: stands for the decimal point,
 // too.

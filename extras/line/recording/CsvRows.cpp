@@ -20,24 +20,14 @@ bool isNumber(const std::string &text) {
   return !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos;
 }
 
-std::string trimmed(std::string_view text) {
-  while (!text.empty() && isBlank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && isBlank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return std::string(text);
-}
-
 CsvField fieldOf(std::string_view text) {
   CsvField field;
   const size_t colon = text.find(':');
   if (colon != std::string_view::npos) {
-    field.name = trimmed(text.substr(0, colon));
+    field.name = withoutBlanks(text.substr(0, colon));
     text.remove_prefix(colon + 1);
   }
-  field.text = trimmed(text);
+  field.text = withoutBlanks(text);
   char *end = nullptr;
   field.value = std::strtod(field.text.c_str(), &end);
   field.isNumber = isNumber(field.text) && *end == '\0' && std::isfinite(field.value);
@@ -52,9 +42,8 @@ constexpr struct {
              {"switch17", CsvKind::Switch17},
              {"switch18", CsvKind::Switch18}};
 
-CsvKind kindOf(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+CsvKind kindOf(const std::string &text) {
+  const std::string name = lower(text);
   const auto *const known =
       std::find_if(std::begin(Names), std::end(Names), [&](const auto &each) { return name == each.name; });
   return known == std::end(Names) ? CsvKind::Channel : known->kind;
@@ -112,8 +101,7 @@ CsvKind CsvRows::kind(size_t column) const {
 // At commas, at tabs if there is none, or at blanks.
 void CsvRows::split() {
   _row.clear();
-  const std::string line = trimmed(_line);
-  std::string_view rest = line;
+  std::string_view rest = withoutBlanks(_line);
   const bool commas = rest.find(',') != std::string_view::npos;
   const bool tabs = rest.find('\t') != std::string_view::npos;
   _isTable = commas || rest.find(':') != std::string_view::npos;

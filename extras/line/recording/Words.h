@@ -11,6 +11,27 @@ constexpr bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
+// Without the blanks around it, and without `mark`s among these.
+inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {
+  const auto goes = [mark](char c) { return isBlank(c) || c == mark; };
+  while (!text.empty() && goes(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && goes(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+// In lower case.
+inline std::string lower(std::string_view text) {
+  std::string small(text);
+  for (char &c : small) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return small;
+}
+
 // Without the byte order mark that some editors put before a text.
 inline std::string_view withoutMark(std::string_view text) {
   constexpr std::string_view Mark = "\xEF\xBB\xBF";

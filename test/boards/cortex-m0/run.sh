@@ -23,9 +23,9 @@ alignment() {
   verdict $? "a word at an odd address is a fault, and ends the program"
 }
 
-# sums LOG: doctest's lines "[doctest] test cases: ..." and "[doctest] assertions: ..."
+# sums LOG: "test cases: N" and "assertions: N", of doctest's lines and of the M0's
 sums() {
-  grep '^\[doctest\] \(test cases\|assertions\):' "$1"
+  sed -nE 's/^(\[doctest\] )?(test cases|assertions): *([0-9]+).*/\2: \3/p' "$1"
 }
 
 unit() {  # PROGRAM

@@ -1,0 +1,55 @@
+// When failsafe, lost frames and silence were: for the lines of `sbus summary` and the shades of `sbus plot`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace tool {
+
+struct FlagSpan {
+  enum class Kind { Failsafe, LostFrame, NoFrames };
+
+  Kind kind;
+  uint64_t fromUs;
+  uint64_t toUs;
+
+  uint64_t us() const { return toUs - fromUs; }
+};
+
+// A flag's span lasts from the first frame that has it to the first one that does not, to a silence, or to the end. A
+// frame in failsafe is not lost besides.
+class FlagSpans {
+ public:
+  // Returns true if the line was silent from the newest frame until `us`: all spans end before a silence.
+  bool silentUntil(uint64_t us);
+
+  // The next frame has these flags.
+  void put(uint64_t us, bool failsafe, bool lostFrame);
+
+  // After the last frame.
+  void finish();
+
+  // In the order in which they ended.
+  const std::vector<FlagSpan> &all() const { return _all; }
+
+  // Of the frames; 0 before the first one.
+  uint64_t firstUs() const { return _firstUs; }
+  uint64_t lastUs() const { return _lastUs; }
+
+ private:
+  struct Flag {
+    FlagSpan::Kind kind;
+    bool is;
+    uint64_t fromUs;
+  };
+
+  void set(Flag &flag, bool is);
+
+  Flag _failsafe = {FlagSpan::Kind::Failsafe, false, 0};
+  Flag _lostFrame = {FlagSpan::Kind::LostFrame, false, 0};
+  std::vector<FlagSpan> _all;
+  uint64_t _firstUs = 0;
+  uint64_t _lastUs = 0;
+};
+
+}  // namespace tool

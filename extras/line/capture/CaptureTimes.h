@@ -1,0 +1,34 @@
+// The times of a capture's characters as an Observer takes them: from 0 on, though a capture with a trigger begins before.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "line/capture/WireFinder.h"
+#include "line/uart/Levels.h"
+
+namespace line {
+
+class CaptureTimes {
+ public:
+  void begin(const FoundWire &wire) { _characterNs = wire.settings.format.bits() * wire.bitNs; }
+
+  // Returns the character with its time. Time 0 is the capture's, or the beginning of the first character before that.
+  Character of(const WireCharacter &character) {
+    if (!_begun) {
+      _begun = true;
+      _zeroNs = std::min<int64_t>(0, character.startNs);
+    }
+    return character.since(_zeroNs, _characterNs);
+  }
+
+  // Returns the time `ns` of the capture.
+  uint64_t us(int64_t ns) const { return static_cast<uint64_t>(std::max<int64_t>(0, ns - _zeroNs) / 1000); }
+
+ private:
+  bool _begun = false;
+  int64_t _zeroNs = 0;
+  double _characterNs = 0;
+};
+
+}  // namespace line
