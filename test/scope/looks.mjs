@@ -1,6 +1,6 @@
 // Sizes, themes, keyboard and screen readers.
 import assert from 'node:assert/strict';
-import { axe, check, connect, frame, reads, until } from './support.mjs';
+import { axe, check, connect, fingers, frame, reads, until } from './support.mjs';
 
 const sizes = {
   desktop: { width: 1440, height: 900 },
@@ -216,12 +216,6 @@ export default async function () {
     }, { forcedColors: 'active', colorScheme });
   }
 
-  // Fingers, by the debugger's protocol.
-  async function fingers(page) {
-    const session = await page.context().newCDPSession(page);
-    const send = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
-    return { put: (...points) => send('touchStart', ...points), move: (...points) => send('touchMove', ...points), lift: () => send('touchEnd') };
-  }
   await check('fingers: one scrolls the curves, two zoom them, and what is pressed is 44 px high', async (page) => {
     await reads(page, '#state', 'Fine');
     const small = await page.evaluate(() => [...document.querySelectorAll('button, select')].filter((each) => each.offsetParent && each.offsetHeight < 44).map((each) => each.id || each.textContent));

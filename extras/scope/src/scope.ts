@@ -56,6 +56,8 @@ export class Scope {
       pause: byId('pause'),
       window: byId('window'),
       readout: byId('readout'),
+      cursors: byId('cursors'),
+      table: byId('cursor-values'),
     });
     this.timeline = new Timeline(() => this.forget());
   }
@@ -63,7 +65,7 @@ export class Scope {
   private leave(): void {
     this.recorder.end();
     this.forget();
-    this.curves.pause(false);
+    this.curves.forget();
   }
 
   private enter(source: Source): void {
