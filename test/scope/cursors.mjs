@@ -1,6 +1,6 @@
 // Two cursors on the curves, and what differs between them.
 import assert from 'node:assert/strict';
-import { axe, check, codes, connect, counts, fingers, playRamp, ramp, reads, until } from './support.mjs';
+import { axe, check, codes, connect, counts, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
 
 // The table: by row, then by column.
 const table = (page) => page.$$eval('#cursor-values tr', (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
@@ -12,13 +12,6 @@ const shows = (page, expected) => {
 const lineOf = async (page, name) => {
   const box = await page.locator(`.cursor[aria-label="Cursor ${name}"]`).boundingBox();
   return [box.x + box.width / 2, box.y + box.height / 2];
-};
-// Where the recording's frame number i is.
-const placeOf = async (page, i) => {
-  const box = await page.locator('#plot .u-over').boundingBox();
-  const seconds = parseFloat(await page.textContent('#window'));
-  const end = ramp.lengthS;
-  return [box.x + box.width * (1 - (end - ramp.timeS(i)) / seconds), box.y + box.height / 2];
 };
 const rows = (a, b) => {
   const [dt, values] = [ramp.timeS(b) - ramp.timeS(a), [a, b].map((i) => ramp.channels(i))];

@@ -129,6 +129,12 @@ export async function playRamp(page) {
   await toEnd(page);
   await counts(page, 'frames', ramp.count);
 }
+// Where its frame number i is on the curves, while they show its end.
+export async function placeOf(page, i) {
+  const box = await page.locator('#plot .u-over').boundingBox();
+  const seconds = parseFloat(await page.textContent('#window'));
+  return [box.x + box.width * (1 - (ramp.lengthS - ramp.timeS(i)) / seconds), box.y + box.height / 2];
+}
 
 export async function downloaded(page, selector) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);

@@ -9,8 +9,8 @@ import type { Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
 import { dashOf } from './dash';
+import { Gestures } from './gestures';
 import { bands, trace, type Area } from './strokes';
-import { Touch } from './touch';
 import { Viewport } from './viewport';
 
 const pauseS = 0.1; // without a frame: the curve breaks
@@ -40,8 +40,12 @@ export class Curves {
     this.cursors = new Cursors(history, this.view, ui.cursors, (on) => this.pause(on || this.paused), () => this.told());
     new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height })).observe(root);
     root.addEventListener('keydown', (event) => this.key(event));
-    new Touch(root, (part) => this.scroll(part), (steps) => this.zoom(steps));
-    root.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    new Gestures(root, {
+      place: () => (this.plot as uPlot).over.getBoundingClientRect(),
+      scroll: (part) => this.look((view) => view.scroll(part)),
+      zoom: (factor, part) => this.look((view) => view.zoom(factor, part)),
+      reset: () => this.look((view) => view.reset()),
+    });
     this.told();
   }
 
@@ -50,14 +54,12 @@ export class Curves {
   }
 
   pause(on: boolean): void {
-    this.view.pause(on);
-    this.told();
+    this.look((view) => view.pause(on));
   }
 
   // +1: nearer.
   zoom(steps: number): void {
-    this.view.step(steps);
-    this.told();
+    this.look((view) => view.step(steps));
   }
 
   // Another source follows.
@@ -91,10 +93,15 @@ export class Curves {
     this.table.draw(this.cursors.samples, channels, channels.map((channel) => `CH${channel + 1}`), unit);
   }
 
+  private look(act: (view: Viewport) => void): void {
+    act(this.view);
+    this.told();
+  }
+
   private told(): void {
     this.ui.pause.setAttribute('aria-pressed', String(this.paused));
     setText(this.ui.pause, this.paused ? 'Go on' : 'Pause');
-    setText(this.ui.window, `${this.view.seconds} s`);
+    setText(this.ui.window, `${+this.view.seconds.toPrecision(3)} s`);
   }
 
   // By a pixel: of a minute and more it is drawn a few times a second.
@@ -137,7 +144,7 @@ export class Curves {
     const plot = this.plot;
     const left = plot?.cursor.left ?? -1;
     if (!plot || left < 0 || this.history.end === 0) {
-      setText(this.ui.readout, this.paused ? 'Paused. Drag zooms, arrows scroll, End goes on.' : '');
+      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, turn the wheel to zoom; a double click goes on.' : '');
       return;
     }
     const sample = this.history.nearest(plot.posToVal(left, 'x'));
@@ -155,29 +162,18 @@ export class Curves {
       this.zoom(-1);
     } else if (event.key === 'End') {
       this.pause(false);
+    } else if (event.key === '0') {
+      this.look((view) => view.reset());
     } else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) {
       this.cursors.toggle(true);
     } else if (event.key === 'Escape' && this.cursors.on) {
       this.cursors.clear();
     } else if (scroll !== undefined) {
-      this.scroll(scroll);
+      this.look((view) => view.scroll(scroll));
     } else {
       return;
     }
     event.preventDefault();
-  }
-
-  private scroll(part: number): void {
-    this.view.scroll(part);
-    this.told();
-  }
-
-  // Only with Ctrl (two fingers on a touchpad): else the page scrolls.
-  private wheel(event: WheelEvent): void {
-    if (event.ctrlKey) {
-      event.preventDefault();
-      this.zoom(event.deltaY < 0 ? 1 : -1);
-    }
   }
 
   private make(channels: number[]): void {
@@ -220,15 +216,19 @@ export class Curves {
             paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
           })),
         ],
-        cursor: { y: false, drag: { x: true, y: false, setScale: false }, points: { show: false } },
+        cursor: {
+          y: false,
+          drag: { x: true, y: false, setScale: false },
+          points: { show: false },
+          bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
+        },
         hooks: {
           drawClear: [(plot): void => this.bands(plot, alarm, warning)],
           setSelect: [
             (plot): void => {
               const { left, width } = plot.select;
               if (width > 4) {
-                this.view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x'));
-                this.told();
+                this.look((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
                 plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
               }
             },

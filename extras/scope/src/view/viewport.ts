@@ -2,6 +2,7 @@
 
 const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240]; // s
 const usual = 10; // s
+const least = 0.1; // s: eleven frames
 
 export class Viewport {
   seconds = usual;
@@ -36,6 +37,22 @@ export class Viewport {
     const at = steps > 0 ? windows.filter((each) => each < this.seconds).length : windows.findIndex((each) => each > this.seconds);
     const next = steps > 0 ? Math.max(at - 1, 0) : at < 0 ? windows.length - 1 : at;
     this.seconds = windows[next];
+  }
+
+  // Shows `factor` times as much, and this part of the width (0..1) stays where it is. The edge follows on as long as it can.
+  zoom(factor: number, part: number): void {
+    const seconds = Math.min(Math.max(factor * this.seconds, least), windows[windows.length - 1]);
+    const right = this.edge + (1 - part) * (seconds - this.seconds);
+    this.seconds = seconds;
+    if (this.paused || right < this.now) {
+      this.hold(right);
+    }
+  }
+
+  // The newest, as wide as at first.
+  reset(): void {
+    this.seconds = usual;
+    this.right = undefined;
   }
 
   // Scrolls by a part of the width, and stands still then.
