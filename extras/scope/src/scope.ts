@@ -1,5 +1,6 @@
 // The page at work: one source, what has come of it, and a picture of that, sixty times a second.
 
+import { Channels } from './channels';
 import { Kind, LinkState, type Core, type Status, type Stretch } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
@@ -15,6 +16,7 @@ import { CountersView } from './view/counters';
 import { Curves } from './view/curves';
 import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
+import { NamesView } from './view/names';
 import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
 
@@ -40,7 +42,8 @@ export class Scope {
   private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
   private doctor?: Doctor;
-  private readonly chosen = new Set([0, 1, 2, 3]);
+  private readonly channels = new Channels();
+  private readonly names = new NamesView(this.channels);
   private readonly bars: Bars;
   private readonly link = new LinkView(byId('link'));
   private readonly verdict = new VerdictView();
@@ -50,9 +53,9 @@ export class Scope {
 
   constructor(private readonly core: Core) {
     this.recorder = new Recorder(core);
-    this.bars = new Bars(byId('bars'), core, this.chosen);
+    this.bars = new Bars(byId('bars'), core, this.channels);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
-    this.curves = new Curves(byId('plot'), this.history, this.chosen, {
+    this.curves = new Curves(byId('plot'), this.history, this.channels, {
       pause: byId('pause'),
       window: byId('window'),
       readout: byId('readout'),
@@ -115,6 +118,7 @@ export class Scope {
     setText(byId('title'), source.title + asides[this.choice.state]);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
+    this.names.draw(this.newest?.channels.length || 16);
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
     this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);

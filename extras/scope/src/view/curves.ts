@@ -2,6 +2,7 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import type { Channels } from '../channels';
 import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
@@ -33,7 +34,7 @@ export class Curves {
   constructor(
     private readonly root: HTMLElement,
     private readonly history: History,
-    private readonly chosen: ReadonlySet<number>,
+    private readonly channels: Channels,
     private readonly ui: { pause: HTMLElement; window: HTMLElement; readout: HTMLElement; cursors: HTMLElement; table: HTMLElement },
   ) {
     this.table = new CursorTable(ui.table, history);
@@ -78,7 +79,7 @@ export class Curves {
     this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0);
     this.rowS = intervalUs / 1e6;
     this.rows = newest !== undefined && newest.bytes.length === 0;
-    const channels = [...this.chosen].filter((channel) => channel < (newest?.channels.length || 16)).sort((a, b) => a - b);
+    const channels = this.channels.drawn(newest?.channels.length || 16);
     const shown = `${channels} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
@@ -90,7 +91,7 @@ export class Curves {
     }
     this.read(channels);
     this.cursors.draw();
-    this.table.draw(this.cursors.samples, channels, channels.map((channel) => `CH${channel + 1}`), unit);
+    this.table.draw(this.cursors.samples, channels, channels.map((channel) => this.channels.name(channel)), unit);
   }
 
   private look(act: (view: Viewport) => void): void {
@@ -148,7 +149,7 @@ export class Curves {
       return;
     }
     const sample = this.history.nearest(plot.posToVal(left, 'x'));
-    const values = channels.map((channel) => `CH${channel + 1} ${this.unit?.text(this.history.value(sample, channel))}`);
+    const values = channels.map((channel) => `${this.channels.name(channel)} ${this.unit?.text(this.history.value(sample, channel))}`);
     setText(this.ui.readout, [`${this.history.time(sample).toFixed(3)} s`, ...values].join('   '));
   }
 
@@ -208,7 +209,6 @@ export class Curves {
         series: [
           {},
           ...channels.map((channel) => ({
-            label: `CH${channel + 1}`,
             stroke: colors[channel % 8],
             width: channels.length > many ? 1 : 2,
             dash: dashOf(channel),
