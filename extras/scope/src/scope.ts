@@ -17,6 +17,7 @@ import { Curves } from './view/curves';
 import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
 import { NamesView } from './view/names';
+import { StatisticsView } from './view/statistics';
 import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
 
@@ -48,6 +49,7 @@ export class Scope {
   private readonly link = new LinkView(byId('link'));
   private readonly verdict = new VerdictView();
   private readonly counters = new CountersView(byId('counters'));
+  private readonly statistics = new StatisticsView(this.history);
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
 
@@ -122,6 +124,7 @@ export class Scope {
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
     this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
+    this.statistics.draw(nowUs, this.newest?.kind === Kind.Row ? 'rows' : 'frames');
     this.frames.draw();
     this.timeline.draw();
     const doctor = this.doctor as Doctor;
