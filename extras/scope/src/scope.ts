@@ -18,6 +18,7 @@ import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
 import { NamesView } from './view/names';
 import { StatisticsView } from './view/statistics';
+import { SticksView } from './view/sticks';
 import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
 
@@ -46,6 +47,7 @@ export class Scope {
   private readonly channels = new Channels();
   private readonly names = new NamesView(this.channels);
   private readonly bars: Bars;
+  private readonly sticks: SticksView;
   private readonly link = new LinkView(byId('link'));
   private readonly verdict = new VerdictView();
   private readonly counters = new CountersView(byId('counters'));
@@ -56,6 +58,7 @@ export class Scope {
   constructor(private readonly core: Core) {
     this.recorder = new Recorder(core);
     this.bars = new Bars(byId('bars'), core, this.channels);
+    this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
     this.curves = new Curves(byId('plot'), this.history, this.channels, {
       pause: byId('pause'),
@@ -120,6 +123,7 @@ export class Scope {
     setText(byId('title'), source.title + asides[this.choice.state]);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
+    this.sticks.draw(this.newest, unit, trusted);
     this.names.draw(this.newest?.channels.length || 16);
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
