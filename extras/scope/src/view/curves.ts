@@ -6,11 +6,13 @@ import type { Channels } from '../channels';
 import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
-import type { Unit } from '../unit';
+import { ticksOf, type Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
 import { dashOf } from './dash';
 import { Gestures } from './gestures';
+import { paletteOf, type Palette } from './palette';
+import { picture } from './picture';
 import { bands, trace, type Area } from './strokes';
 import { Viewport } from './viewport';
 
@@ -26,6 +28,8 @@ export class Curves {
   private readonly view = new Viewport();
   private drawn = { edge: NaN, seconds: 0, begin: 0, end: 0, atMs: 0 };
   private unit?: Unit;
+  private palette?: Palette;
+  private shownChannels: number[] = [];
   private rows = false;
   private rowS = 0;
   private readonly cursors: Cursors;
@@ -74,6 +78,13 @@ export class Curves {
     this.shown = '';
   }
 
+  // What is shown, as the text of an SVG file.
+  svg(title: string): string {
+    const { shownChannels: channels, unit, palette, drawn: times, longest } = this;
+    const names = channels.map((channel) => this.channels.name(channel));
+    return picture(this.history, { title, channels, names, unit: unit as Unit, times, longest, thickness: this.thickness(channels) }, palette as Palette);
+  }
+
   // `intervalUs`: from one frame or row to the next, on average.
   draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number): void {
     this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0);
@@ -84,6 +95,7 @@ export class Curves {
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
       this.unit = unit;
+      this.shownChannels = channels;
       this.make(channels);
     }
     if (this.hasMoved()) {
@@ -134,9 +146,17 @@ export class Curves {
     return { ...plot.bbox, ...this.drawn };
   }
 
+  private get longest(): number {
+    return this.rows ? Math.max(rowPauseS, 3 * this.rowS) : pauseS;
+  }
+
+  private thickness(channels: number[]): number {
+    return channels.length > many ? 1 : 2;
+  }
+
   private path(plot: uPlot, channel: number, unit: Unit): uPlot.Series.Paths {
     const stroke = new Path2D();
-    trace(this.history, channel, unit, this.area(plot), this.rows ? Math.max(rowPauseS, 3 * this.rowS) : pauseS, stroke);
+    trace(this.history, channel, unit, this.area(plot), this.longest, stroke);
     return { stroke };
   }
 
@@ -179,21 +199,11 @@ export class Curves {
 
   private make(channels: number[]): void {
     this.plot?.destroy();
-    const color = (name: string): string => {
-      this.root.style.color = `var(${name})`; // a canvas knows neither variables nor light-dark()
-      return getComputedStyle(this.root).color;
-    };
-    const alarm = color('--alarm-band');
-    const warning = color('--warning-band');
+    const palette = (this.palette = paletteOf(this.root));
     const unit = this.unit as Unit;
-    const grid = { stroke: color('--grid'), width: 1 };
-    const axis = { stroke: color('--muted'), font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
-    const colors = Array.from({ length: 8 }, (_, i) => color(`--c${i}`));
-    const { low, high, range } = unit;
-    const middle = range ? [range.low, range.centre, range.high] : low < -high / 8 && high > -low / 8 ? [0] : [];
-    const ends = [low, ...middle, high];
+    const grid = { stroke: palette.grid, width: 1 };
+    const axis = { stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
     this.root.replaceChildren();
-    this.root.style.color = '';
     this.drawn.edge = NaN;
     this.plot = new uPlot(
       {
@@ -204,13 +214,13 @@ export class Curves {
         scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] } },
         axes: [
           { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => `${+tick.toFixed(2)} s`) },
-          { ...axis, size: 46, splits: () => ends, values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
+          { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
         ],
         series: [
           {},
           ...channels.map((channel) => ({
-            stroke: colors[channel % 8],
-            width: channels.length > many ? 1 : 2,
+            stroke: palette.curves[channel % palette.curves.length],
+            width: this.thickness(channels),
             dash: dashOf(channel),
             points: { show: false },
             paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
@@ -223,7 +233,7 @@ export class Curves {
           bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
         },
         hooks: {
-          drawClear: [(plot): void => this.bands(plot, alarm, warning)],
+          drawClear: [(plot): void => this.bands(plot, palette)],
           setSelect: [
             (plot): void => {
               const { left, width } = plot.select;
@@ -242,14 +252,14 @@ export class Curves {
   }
 
   // Where the receiver was in failsafe, where radio frames were lost, and where nothing came.
-  private bands(plot: uPlot, alarm: string, warning: string): void {
+  private bands(plot: uPlot, palette: Palette): void {
     const { ctx, bbox } = plot;
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     bands(this.history, this.area(plot), (x, width, failsafe) => {
-      ctx.fillStyle = failsafe ? alarm : warning;
+      ctx.fillStyle = palette[failsafe ? 'alarm-band' : 'warning-band'];
       ctx.fillRect(x, bbox.top, width, bbox.height);
     });
     ctx.restore();
