@@ -101,12 +101,13 @@ export default async function () {
     await until('the theme is not drawn', async () => (await all()) > before);
   });
 
-  await check('the cursor reads time and values; dragging zooms in and pauses', async (page) => {
+  await check('the cursor reads time and values; dragging with Shift zooms in and pauses', async (page) => {
     await play(page, path.join(root, 'test/recordings/paper.txt'));
     await toEnd(page);
     const box = await page.locator('#plot .u-over').boundingBox();
     await page.mouse.move(box.x + box.width - 2, box.y + 50);
     await reads(page, '#readout', /^0\.3[678]\d s   CH1 995   CH2 993   CH3 1811   CH4 992$/);
+    await page.keyboard.down('Shift');
     await page.mouse.down();
     await page.mouse.move(box.x + box.width - 40, box.y + 50, { steps: 4 });
     await page.mouse.up();

@@ -1,6 +1,6 @@
 // Sizes, themes, keyboard and screen readers.
 import assert from 'node:assert/strict';
-import { axe, check, connect, frame, reads, until } from './support.mjs';
+import { axe, check, connect, fingers, frame, reads, until } from './support.mjs';
 
 const sizes = {
   desktop: { width: 1440, height: 900 },
@@ -109,7 +109,11 @@ export default async function () {
       globalThis.busyMs = now;
     });
   }`);
-  const busyFor = (page, seconds) => until('the page stands still', async () => (await page.evaluate(() => globalThis.busyMs)) > 1000 * seconds);
+  const busyFor = async (page, seconds) => {
+    for (let part = 5; part <= seconds; part += 5) {
+      await until('the page stands still', async () => (await page.evaluate(() => globalThis.busyMs)) > 1000 * part);
+    }
+  };
 
   await check("a meter's value is what the page has shown within the last second, however busy the PC is", async (page) => {
     await busy(page, (now) => {
@@ -141,9 +145,7 @@ export default async function () {
     await page.mouse.move(plot.x + plot.width - 40, plot.y + 50);
     await reads(page, '#readout', /CH1/);
     const seconds = 40;
-    for (let part = 10; part <= seconds; part += 10) {
-      await busyFor(page, part);
-    }
+    await busyFor(page, seconds);
     const said = await page.evaluate(() => [...globalThis.said].map(([id, [count]]) => [id, count]));
     assert.ok(said.length >= 5, String(said));
     assert.deepEqual(said.filter(([, count]) => count > 1 + seconds / 5), []);
@@ -222,12 +224,6 @@ export default async function () {
     }, { forcedColors: 'active', colorScheme });
   }
 
-  // Fingers, by the debugger's protocol.
-  async function fingers(page) {
-    const session = await page.context().newCDPSession(page);
-    const send = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
-    return { put: (...points) => send('touchStart', ...points), move: (...points) => send('touchMove', ...points), lift: () => send('touchEnd') };
-  }
   await check('fingers: one scrolls the curves, two zoom them, and what is pressed is 44 px high', async (page) => {
     await reads(page, '#state', 'Fine');
     const small = await page.evaluate(() => [...document.querySelectorAll('button, select')].filter((each) => each.offsetParent && each.offsetHeight < 44).map((each) => each.id || each.textContent));

@@ -1,6 +1,6 @@
 // What the tests share: the browser, a page in it, and the bytes of frames.
 import { createRequire } from 'node:module';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import path from 'node:path';
 import assert from 'node:assert/strict';
@@ -114,9 +114,38 @@ export async function toEnd(page) {
   await reads(page, '#play', 'Play');
 }
 
+// A recording whose channels rise and fall by its frame's number, played to its end.
+export const ramp = {
+  count: 400,
+  lengthS: 4.003,
+  timeS: (i) => 0.01 * (i + 1) + 0.00288, // of its last byte
+  channels: (i) => [500 + i, 1500 - 2 * i, 992, i % 2 === 0 ? 172 : 1811],
+};
+export async function playRamp(page) {
+  const file = path.join(build, 'ramp.txt');
+  const hex = (i) => frame(ramp.channels(i)).map((byte) => byte.toString(16).padStart(2, '0')).join(' ');
+  writeFileSync(file, Array.from({ length: ramp.count }, (_, i) => `${10000 * (i + 1)} ${hex(i)}\n`).join(''));
+  await play(page, file);
+  await toEnd(page);
+  await counts(page, 'frames', ramp.count);
+}
+// Where its frame number i is on the curves, while they show its end.
+export async function placeOf(page, i) {
+  const box = await page.locator('#plot .u-over').boundingBox();
+  const seconds = parseFloat(await page.textContent('#window'));
+  return [box.x + box.width * (1 - (ramp.lengthS - ramp.timeS(i)) / seconds), box.y + box.height / 2];
+}
+
 export async function downloaded(page, selector) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8'), path: await download.path() };
+}
+
+// Fingers, by the debugger's protocol.
+export async function fingers(page) {
+  const session = await page.context().newCDPSession(page);
+  const send = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  return { put: (...points) => send('touchStart', ...points), move: (...points) => send('touchMove', ...points), lift: () => send('touchEnd') };
 }
 
 // The 25 bytes of a frame: bit k of channel c is bit 11c+k of the payload.

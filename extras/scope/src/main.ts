@@ -3,7 +3,7 @@
 import './style.css';
 import { Core, type Setting } from './core';
 import { byId, setText } from './dom';
-import { saveCsv } from './recorder';
+import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
 import { PortSource, pickPort, type PortKind } from './source/port';
 import { RecordingSource } from './source/recording';
@@ -118,6 +118,7 @@ function wire(): void {
   addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
   byId('csv').addEventListener('click', () => saveCsv(scope.history, scope.newest?.channels.length ?? 16));
 
+  byId('picture').addEventListener('click', () => savePicture(scope.curves.svg(scope.choice.current?.title ?? '')));
   byId('pause').addEventListener('click', () => scope.curves.pause(!scope.curves.paused));
   byId('zoom-in').addEventListener('click', () => scope.curves.zoom(1));
   byId('zoom-out').addEventListener('click', () => scope.curves.zoom(-1));

@@ -1,4 +1,4 @@
-// What the user keeps: a recording in the project's format, or the numbers as CSV.
+// What the user keeps: a recording in the project's format, the numbers as CSV, or a picture.
 
 import type { Core } from './core';
 import { download } from './dom';
@@ -68,4 +68,8 @@ export function saveCsv(history: History, channels: number): void {
     lines.push([history.time(sample).toFixed(6), ...values, ...flags].join(','));
   }
   download(`sbus-${stamp()}.csv`, [lines.join('\n'), '\n'], 'text/csv');
+}
+
+export function savePicture(svg: string): void {
+  download(`sbus-${stamp()}.svg`, [svg], 'image/svg+xml');
 }

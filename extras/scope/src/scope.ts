@@ -1,5 +1,6 @@
 // The page at work: one source, what has come of it, and a picture of that, sixty times a second.
 
+import { Channels } from './channels';
 import { Kind, LinkState, type Core, type Status, type Stretch } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
@@ -15,6 +16,9 @@ import { CountersView } from './view/counters';
 import { Curves } from './view/curves';
 import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
+import { NamesView } from './view/names';
+import { StatisticsView } from './view/statistics';
+import { SticksView } from './view/sticks';
 import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
 
@@ -40,22 +44,28 @@ export class Scope {
   private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
   private doctor?: Doctor;
-  private readonly chosen = new Set([0, 1, 2, 3]);
+  private readonly channels = new Channels();
+  private readonly names = new NamesView(this.channels);
   private readonly bars: Bars;
+  private readonly sticks: SticksView;
   private readonly link = new LinkView(byId('link'));
   private readonly verdict = new VerdictView();
   private readonly counters = new CountersView(byId('counters'));
+  private readonly statistics = new StatisticsView(this.history);
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
 
   constructor(private readonly core: Core) {
     this.recorder = new Recorder(core);
-    this.bars = new Bars(byId('bars'), core, this.chosen);
+    this.bars = new Bars(byId('bars'), core, this.channels);
+    this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
-    this.curves = new Curves(byId('plot'), this.history, this.chosen, {
+    this.curves = new Curves(byId('plot'), this.history, this.channels, {
       pause: byId('pause'),
       window: byId('window'),
       readout: byId('readout'),
+      cursors: byId('cursors'),
+      table: byId('cursor-values'),
     });
     this.timeline = new Timeline(() => this.forget());
   }
@@ -63,7 +73,7 @@ export class Scope {
   private leave(): void {
     this.recorder.end();
     this.forget();
-    this.curves.pause(false);
+    this.curves.forget();
   }
 
   private enter(source: Source): void {
@@ -113,9 +123,12 @@ export class Scope {
     setText(byId('title'), source.title + asides[this.choice.state]);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
+    this.sticks.draw(this.newest, unit, trusted);
+    this.names.draw(this.newest?.channels.length || 16);
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
     this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
+    this.statistics.draw(nowUs, this.newest?.kind === Kind.Row ? 'rows' : 'frames');
     this.frames.draw();
     this.timeline.draw();
     const doctor = this.doctor as Doctor;

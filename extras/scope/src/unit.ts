@@ -24,6 +24,12 @@ const units: Record<string, Unit> = {
   parts: { raw: false, low: -1.25, high: 1.25, range: { low: -1, centre: 0, high: 1 }, text: (value) => value.toFixed(3) },
 };
 
+// Where an axis has numbers: its ends, and the ends and centre of the range, or 0.
+export function ticksOf({ low, high, range }: Unit): number[] {
+  const middle = range ? [range.low, range.centre, range.high] : low < -high / 8 && high > -low / 8 ? [0] : [];
+  return [low, ...middle, high];
+}
+
 // The next number away from 0 that is 1, 2 or 5 times a power of ten.
 function round(value: number): number {
   const size = Math.abs(value);

@@ -1,5 +1,6 @@
 // One bar a channel: raw, microseconds and percent, marks at the least and the most seen, ends of the calibration.
 
+import type { Channels } from '../channels';
 import type { Core, Stretch } from '../core';
 import { make, setAttribute, setText } from '../dom';
 import type { Unit } from '../unit';
@@ -11,6 +12,7 @@ const spokenMs = 500; // for screen readers
 interface Bar {
   row: HTMLLIElement;
   chip: HTMLButtonElement;
+  name: HTMLElement;
   track: HTMLDivElement;
   fill: HTMLElement;
   low: HTMLElement;
@@ -26,11 +28,10 @@ export class Bars {
   private textAt = 0;
   private spokenAt = 0;
 
-  // `chosen`: the channels whose curves are drawn.
   constructor(
     private readonly list: HTMLElement,
     private readonly core: Core,
-    private readonly chosen: Set<number>,
+    private readonly channels: Channels,
   ) {}
 
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
@@ -42,6 +43,7 @@ export class Bars {
     this.textAt = text ? ms : this.textAt;
     this.spokenAt = spoken ? ms : this.spokenAt;
     this.list.classList.toggle('doubtful', !trusted);
+    this.list.classList.toggle('named', this.channels.anyNamed);
     for (let i = 0; i < count; i++) {
       const value = newest ? newest.channels[i] : undefined;
       this.drawBar(this.bars[i], i, value, unit, text, spoken);
@@ -57,12 +59,16 @@ export class Bars {
     if (!text) {
       return;
     }
+    const name = this.channels.fullName(channel);
+    setText(bar.name, this.channels.name(channel));
+    setAttribute(bar.chip, 'title', `${name} as a curve`);
+    setAttribute(bar.track, 'aria-label', name);
     const travel = this.core.travel(channel);
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;
       bar.high.style.left = `${share(travel[1]) * 100}%`;
-      setAttribute(bar.track, 'title', `CH${channel + 1}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
+      setAttribute(bar.track, 'title', `${name}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
     }
     bar.ends.forEach((end) => (end.hidden = range === undefined));
     if (range) {
@@ -82,31 +88,31 @@ export class Bars {
     while (this.bars.length < count) {
       this.bars.push(this.add(this.bars.length));
     }
-    this.bars.forEach((bar, i) => (bar.row.hidden = i >= count));
+    this.bars.forEach((bar, i) => (bar.row.hidden = i >= count || this.channels.isHidden(i)));
   }
 
   private add(channel: number): Bar {
-    const name = `CH${channel + 1}`;
-    const shown = this.chosen.has(channel);
-    const chip = make('button', { class: 'chip', 'aria-pressed': String(shown), title: `${name} as a curve` }, swatch(channel), name);
+    const { curves } = this.channels;
+    const name = make('span', { class: 'name' });
+    const chip = make('button', { class: 'chip', 'aria-pressed': String(curves.has(channel)) }, swatch(channel), name);
     chip.dataset.color = String(channel % 8);
     chip.addEventListener('click', () => {
-      const on = !this.chosen.has(channel);
-      this.chosen[on ? 'add' : 'delete'](channel);
+      const on = !curves.has(channel);
+      curves[on ? 'add' : 'delete'](channel);
       chip.setAttribute('aria-pressed', String(on));
     });
     const ends = [0, 1, 2].map((i) => make('i', { class: i === 1 ? 'end middle' : 'end' }));
     const fill = make('span', { class: 'fill' });
     const low = make('b', { class: 'mark low' });
     const high = make('b', { class: 'mark high' });
-    const track = make('div', { class: 'track', role: 'meter', 'aria-label': name, 'aria-valuenow': 0, 'aria-valuemin': 0, 'aria-valuemax': 2047 });
+    const track = make('div', { class: 'track', role: 'meter', 'aria-valuenow': 0, 'aria-valuemin': 0, 'aria-valuemax': 2047 });
     track.append(...ends, fill, low, high);
     const raw = make('span', { class: 'raw' });
     const us = make('span', { class: 'us' });
     const percent = make('span', { class: 'percent' });
     const row = make('li', {}, chip, track, raw, us, percent);
     this.list.append(row);
-    return { row, chip, track, fill, low, high, ends, raw, us, percent };
+    return { row, chip, name, track, fill, low, high, ends, raw, us, percent };
   }
 }
 

@@ -2,14 +2,20 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import type { Channels } from '../channels';
 import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
-import type { Unit } from '../unit';
+import { ticksOf, type Unit } from '../unit';
+import { CursorTable } from './cursorTable';
+import { Cursors } from './cursors';
 import { dashOf } from './dash';
-import { Touch } from './touch';
+import { Gestures } from './gestures';
+import { paletteOf, type Palette } from './palette';
+import { picture } from './picture';
+import { bands, trace, type Area } from './strokes';
+import { Viewport } from './viewport';
 
-const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240]; // s
 const pauseS = 0.1; // without a frame: the curve breaks
 const rowPauseS = 1.5; // of a slow sketch three rows
 const height = 300;
@@ -19,41 +25,52 @@ const restMs = 500; // at most, until what has moved by less than a pixel is dra
 export class Curves {
   private plot?: uPlot;
   private shown = ''; // channels and colours that the plot was made for
-  private window = 4; // of windows
-  private right?: number; // the edge while it is paused, in s
-  private now = 0;
-  private samples = { begin: 0, end: 0 };
-  private drawn = { edge: NaN, seconds: 0, atMs: 0 };
+  private readonly view = new Viewport();
+  private drawn = { edge: NaN, seconds: 0, begin: 0, end: 0, atMs: 0 };
   private unit?: Unit;
+  private palette?: Palette;
+  private shownChannels: number[] = [];
   private rows = false;
   private rowS = 0;
+  private readonly cursors: Cursors;
+  private readonly table: CursorTable;
 
   constructor(
     private readonly root: HTMLElement,
     private readonly history: History,
-    private readonly chosen: ReadonlySet<number>,
-    private readonly ui: { pause: HTMLElement; window: HTMLElement; readout: HTMLElement },
+    private readonly channels: Channels,
+    private readonly ui: { pause: HTMLElement; window: HTMLElement; readout: HTMLElement; cursors: HTMLElement; table: HTMLElement },
   ) {
+    this.table = new CursorTable(ui.table, history);
+    this.cursors = new Cursors(history, this.view, ui.cursors, (on) => this.pause(on || this.paused), () => this.told());
     new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height })).observe(root);
     root.addEventListener('keydown', (event) => this.key(event));
-    new Touch(root, (part) => this.scroll(part), (steps) => this.zoom(steps));
-    root.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    new Gestures(root, {
+      place: () => (this.plot as uPlot).over.getBoundingClientRect(),
+      scroll: (part) => this.look((view) => view.scroll(part)),
+      zoom: (factor, part) => this.look((view) => view.zoom(factor, part)),
+      reset: () => this.look((view) => view.reset()),
+    });
     this.told();
   }
 
   get paused(): boolean {
-    return this.right !== undefined;
+    return this.view.paused;
   }
 
   pause(on: boolean): void {
-    this.right = on ? this.now : undefined;
-    this.told();
+    this.look((view) => view.pause(on));
   }
 
   // +1: nearer.
   zoom(steps: number): void {
-    this.window = Math.min(Math.max(this.window - steps, 0), windows.length - 1);
-    this.told();
+    this.look((view) => view.step(steps));
+  }
+
+  // Another source follows.
+  forget(): void {
+    this.cursors.clear();
+    this.pause(false);
   }
 
   // Redraws what depends on the theme.
@@ -61,52 +78,59 @@ export class Curves {
     this.shown = '';
   }
 
+  // What is shown, as the text of an SVG file.
+  svg(title: string): string {
+    const { shownChannels: channels, unit, palette, drawn: times, longest } = this;
+    const names = channels.map((channel) => this.channels.name(channel));
+    return picture(this.history, { title, channels, names, unit: unit as Unit, times, longest, thickness: this.thickness(channels) }, palette as Palette);
+  }
+
   // `intervalUs`: from one frame or row to the next, on average.
   draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number): void {
-    this.now = nowUs / 1e6;
+    this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0);
     this.rowS = intervalUs / 1e6;
     this.rows = newest !== undefined && newest.bytes.length === 0;
-    const channels = [...this.chosen].filter((channel) => channel < (newest?.channels.length || 16)).sort((a, b) => a - b);
+    const channels = this.channels.drawn(newest?.channels.length || 16);
     const shown = `${channels} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
       this.unit = unit;
+      this.shownChannels = channels;
       this.make(channels);
     }
     if (this.hasMoved()) {
       this.redraw();
     }
     this.read(channels);
+    this.cursors.draw();
+    this.table.draw(this.cursors.samples, channels, channels.map((channel) => this.channels.name(channel)), unit);
   }
 
-  private get seconds(): number {
-    return windows[this.window];
-  }
-
-  private get edge(): number {
-    return this.right ?? this.now;
+  private look(act: (view: Viewport) => void): void {
+    act(this.view);
+    this.told();
   }
 
   private told(): void {
     this.ui.pause.setAttribute('aria-pressed', String(this.paused));
     setText(this.ui.pause, this.paused ? 'Go on' : 'Pause');
-    setText(this.ui.window, `${this.seconds} s`);
+    setText(this.ui.window, `${+this.view.seconds.toPrecision(3)} s`);
   }
 
   // By a pixel: of a minute and more it is drawn a few times a second.
   private hasMoved(): boolean {
-    const { history, edge, seconds, drawn } = this;
+    const { history, drawn } = this;
+    const { edge, seconds } = this.view;
     const begin = Math.max(history.find(edge - seconds) - 1, history.begin);
     const end = Math.min(history.find(edge) + 1, history.end);
     const nowMs = performance.now();
     const pixels = (Math.abs(edge - drawn.edge) / seconds) * (this.plot as uPlot).bbox.width;
     const alike = seconds === drawn.seconds && pixels < 1;
-    const same = edge === drawn.edge && begin === this.samples.begin && end === this.samples.end;
+    const same = edge === drawn.edge && begin === drawn.begin && end === drawn.end;
     if (alike && (same || nowMs - drawn.atMs < restMs)) {
       return false;
     }
-    this.drawn = { edge, seconds, atMs: nowMs };
-    this.samples = { begin, end };
+    this.drawn = { edge, seconds, begin, end, atMs: nowMs };
     return true;
   }
 
@@ -118,40 +142,21 @@ export class Curves {
     plot.setScale('x', { min: edge - seconds, max: edge });
   }
 
-  // What stays at a pixel's height is one stroke: 16 curves of 1100 samples each are drawn sixty times a second.
+  private area(plot: uPlot): Area {
+    return { ...plot.bbox, ...this.drawn };
+  }
+
+  private get longest(): number {
+    return this.rows ? Math.max(rowPauseS, 3 * this.rowS) : pauseS;
+  }
+
+  private thickness(channels: number[]): number {
+    return channels.length > many ? 1 : 2;
+  }
+
   private path(plot: uPlot, channel: number, unit: Unit): uPlot.Series.Paths {
-    const { history } = this;
-    const { edge, seconds } = this.drawn;
-    const { left, top, width, height } = plot.bbox;
-    const longest = this.rows ? Math.max(rowPauseS, 3 * this.rowS) : pauseS;
     const stroke = new Path2D();
-    let [x, y] = [0, 0];
-    let before = -Infinity; // the time of x, y
-    let owed = false; // the stroke to x, y
-    const settle = (): void => {
-      if (owed) {
-        stroke.lineTo(x, y);
-        owed = false;
-      }
-    };
-    for (let sample = this.samples.begin; sample < this.samples.end; sample++) {
-      const time = history.time(sample);
-      const value = history.value(sample, channel);
-      const nextX = Math.round(left + ((time - edge) / seconds + 1) * width);
-      const nextY = Math.round(top + ((unit.high - value) / (unit.high - unit.low)) * height);
-      if (Number.isNaN(value) || time - before > longest) {
-        settle();
-        stroke.moveTo(nextX, nextY); // nowhere if it is NaN
-      } else if (nextY !== y) {
-        settle();
-        stroke.lineTo(nextX, nextY);
-      } else {
-        owed = true;
-      }
-      [x, y] = [nextX, nextY];
-      before = Number.isNaN(value) ? -Infinity : time;
-    }
-    settle();
+    trace(this.history, channel, unit, this.area(plot), this.longest, stroke);
     return { stroke };
   }
 
@@ -160,12 +165,11 @@ export class Curves {
     const plot = this.plot;
     const left = plot?.cursor.left ?? -1;
     if (!plot || left < 0 || this.history.end === 0) {
-      setText(this.ui.readout, this.paused ? 'Paused. Drag zooms, arrows scroll, End goes on.' : '');
+      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, turn the wheel to zoom; a double click goes on.' : '');
       return;
     }
-    const { begin, end } = this.samples;
-    const sample = Math.min(Math.max(this.history.find(plot.posToVal(left, 'x')), begin), end - 1);
-    const values = channels.map((channel) => `CH${channel + 1} ${this.unit?.text(this.history.value(sample, channel))}`);
+    const sample = this.history.nearest(plot.posToVal(left, 'x'));
+    const values = channels.map((channel) => `${this.channels.name(channel)} ${this.unit?.text(this.history.value(sample, channel))}`);
     setText(this.ui.readout, [`${this.history.time(sample).toFixed(3)} s`, ...values].join('   '));
   }
 
@@ -179,54 +183,27 @@ export class Curves {
       this.zoom(-1);
     } else if (event.key === 'End') {
       this.pause(false);
+    } else if (event.key === '0') {
+      this.look((view) => view.reset());
+    } else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) {
+      this.cursors.toggle(true);
+    } else if (event.key === 'Escape' && this.cursors.on) {
+      this.cursors.clear();
     } else if (scroll !== undefined) {
-      this.scroll(scroll);
+      this.look((view) => view.scroll(scroll));
     } else {
       return;
     }
     event.preventDefault();
   }
 
-  private scroll(part: number): void {
-    const right = this.edge + part * this.seconds;
-    const oldest = this.history.end > 0 ? this.history.time(this.history.begin) : 0;
-    this.right = Math.min(Math.max(right, oldest + 0.1 * this.seconds), this.now);
-    this.told();
-  }
-
-  // Only with Ctrl (two fingers on a touchpad): else the page scrolls.
-  private wheel(event: WheelEvent): void {
-    if (event.ctrlKey) {
-      event.preventDefault();
-      this.zoom(event.deltaY < 0 ? 1 : -1);
-    }
-  }
-
-  // A part was chosen by dragging: the window that fits it best.
-  private zoomTo(from: number, to: number): void {
-    const fits = windows.findIndex((seconds) => seconds >= to - from);
-    this.window = fits < 0 ? windows.length - 1 : fits;
-    this.right = Math.min(to + (this.seconds - (to - from)) / 2, this.now);
-    this.told();
-  }
-
   private make(channels: number[]): void {
     this.plot?.destroy();
-    const color = (name: string): string => {
-      this.root.style.color = `var(${name})`; // a canvas knows neither variables nor light-dark()
-      return getComputedStyle(this.root).color;
-    };
-    const alarm = color('--alarm-band');
-    const warning = color('--warning-band');
+    const palette = (this.palette = paletteOf(this.root));
     const unit = this.unit as Unit;
-    const grid = { stroke: color('--grid'), width: 1 };
-    const axis = { stroke: color('--muted'), font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
-    const colors = Array.from({ length: 8 }, (_, i) => color(`--c${i}`));
-    const { low, high, range } = unit;
-    const middle = range ? [range.low, range.centre, range.high] : low < -high / 8 && high > -low / 8 ? [0] : [];
-    const ends = [low, ...middle, high];
+    const grid = { stroke: palette.grid, width: 1 };
+    const axis = { stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
     this.root.replaceChildren();
-    this.root.style.color = '';
     this.drawn.edge = NaN;
     this.plot = new uPlot(
       {
@@ -237,27 +214,31 @@ export class Curves {
         scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] } },
         axes: [
           { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => `${+tick.toFixed(2)} s`) },
-          { ...axis, size: 46, splits: () => ends, values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
+          { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
         ],
         series: [
           {},
           ...channels.map((channel) => ({
-            label: `CH${channel + 1}`,
-            stroke: colors[channel % 8],
-            width: channels.length > many ? 1 : 2,
+            stroke: palette.curves[channel % palette.curves.length],
+            width: this.thickness(channels),
             dash: dashOf(channel),
             points: { show: false },
             paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
           })),
         ],
-        cursor: { y: false, drag: { x: true, y: false, setScale: false }, points: { show: false } },
+        cursor: {
+          y: false,
+          drag: { x: true, y: false, setScale: false },
+          points: { show: false },
+          bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
+        },
         hooks: {
-          drawClear: [(plot): void => this.bands(plot, alarm, warning)],
+          drawClear: [(plot): void => this.bands(plot, palette)],
           setSelect: [
             (plot): void => {
               const { left, width } = plot.select;
               if (width > 4) {
-                this.zoomTo(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x'));
+                this.look((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
                 plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
               }
             },
@@ -267,34 +248,20 @@ export class Curves {
       [[], ...channels.map(() => [])],
       this.root,
     );
+    this.cursors.enter(this.plot.over);
   }
 
   // Where the receiver was in failsafe, where radio frames were lost, and where nothing came.
-  private bands(plot: uPlot, alarm: string, warning: string): void {
+  private bands(plot: uPlot, palette: Palette): void {
     const { ctx, bbox } = plot;
-    const { begin, end } = this.samples;
-    const paint = (from: number, to: number, fill: string): void => {
-      const left = plot.valToPos(from, 'x', true);
-      ctx.fillStyle = fill;
-      ctx.fillRect(left, bbox.top, Math.max(plot.valToPos(to, 'x', true) - left, 2), bbox.height);
-    };
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
-    for (let sample = begin; sample < end; ) {
-      const failsafe = this.history.failsafe(sample);
-      const lost = this.history.lost(sample);
-      let last = sample;
-      while (last + 1 < end && this.history.failsafe(last + 1) === failsafe && this.history.lost(last + 1) === lost) {
-        last++;
-      }
-      if (failsafe || lost) {
-        const next = last + 1 < end ? this.history.time(last + 1) : this.history.time(last);
-        paint(this.history.time(sample), next, failsafe ? alarm : warning);
-      }
-      sample = last + 1;
-    }
+    bands(this.history, this.area(plot), (x, width, failsafe) => {
+      ctx.fillStyle = palette[failsafe ? 'alarm-band' : 'warning-band'];
+      ctx.fillRect(x, bbox.top, width, bbox.height);
+    });
     ctx.restore();
   }
 }

@@ -1,10 +1,10 @@
-// What µs and % mean: a FrSky's range, a Futaba's, or that of the radio that was calibrated here. Such a calibration outlives the
-// page where the browser lets it: from disk it may not.
+// What µs and % mean: a FrSky's range, a Futaba's, or that of the radio that was calibrated here, which the browser keeps.
 
 import { Scale, type Core } from '../core';
 import { byId, setText } from '../dom';
+import { keep, recall } from '../storage';
 
-const key = 'sbus-scope-calibration'; // its value: when, and the bytes in hexadecimal
+const key = 'calibration'; // its value: when, and the bytes in hexadecimal
 
 export class ScaleView {
   private readonly select = byId<HTMLSelectElement>('scale');
@@ -20,12 +20,12 @@ export class ScaleView {
   calibrated(): void {
     const now = new Date().toISOString();
     const hex = Array.from(this.core.calibration, (byte) => byte.toString(16).padStart(2, '0')).join('');
-    attempt(() => localStorage.setItem(key, `${now} ${hex}`));
+    keep(key, `${now} ${hex}`);
     this.useCalibration(now);
   }
 
   private restore(): void {
-    const [when, hex = ''] = attempt(() => localStorage.getItem(key))?.split(' ') ?? [''];
+    const [when, hex = ''] = recall(key)?.split(' ') ?? [''];
     if (this.core.restoreCalibration(Uint8Array.from(hex.match(/../g) ?? [], (pair) => parseInt(pair, 16)))) {
       this.useCalibration(when);
     } else {
@@ -34,7 +34,7 @@ export class ScaleView {
   }
 
   private drop(): void {
-    attempt(() => localStorage.removeItem(key));
+    keep(key);
     this.select.options[Scale.Calibrated].disabled = true;
     this.use(Scale.FrSky);
     this.select.focus(); // the button has gone
@@ -50,14 +50,5 @@ export class ScaleView {
     this.select.value = String(scale);
     this.core.setScale(scale);
     this.note.hidden = scale !== Scale.Calibrated;
-  }
-}
-
-// A browser that keeps nothing throws: then it is not kept.
-function attempt<T>(act: () => T): T | undefined {
-  try {
-    return act();
-  } catch {
-    return undefined;
   }
 }

@@ -1,0 +1,93 @@
+// Mouse, wheel and fingers on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel and
+// two fingers zoom there, a double click resets. Shift is for uPlot, which selects then. A tap is the mouse's, and reads the values.
+
+const slopPx = { mouse: 3, touch: 8 }; // a click or a tap may tremble
+const leastSpreadPx = 20;
+const doublePx = 250; // of the wheel, for twice as much time
+const pinchPx = 50; // the same, of two fingers on a touchpad
+
+export interface Gestured {
+  // The curves' place on the screen, without their axes.
+  place(): DOMRect;
+  // By this part of the width.
+  scroll(part: number): void;
+  // Shows `factor` times as much; what is at this part of the width stays there.
+  zoom(factor: number, part: number): void;
+  reset(): void;
+}
+
+export class Gestures {
+  private readonly pointers = new Map<number, number>(); // x, by pointer
+  private scrolls = false;
+  private begun = 0; // x of the first pointer
+
+  constructor(
+    element: HTMLElement,
+    private readonly curves: Gestured,
+  ) {
+    element.addEventListener('pointerdown', (event) => this.put(event));
+    element.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    element.addEventListener('dblclick', () => this.curves.reset());
+    addEventListener('pointermove', (event) => this.move(event));
+    for (const end of ['pointerup', 'pointercancel'] as const) {
+      addEventListener(end, (event) => this.lift(event));
+    }
+  }
+
+  private put(event: PointerEvent): void {
+    if (event.button === 0 && !event.shiftKey) {
+      this.pointers.set(event.pointerId, event.clientX);
+      this.begin();
+    }
+  }
+
+  private lift(event: PointerEvent): void {
+    if (this.pointers.delete(event.pointerId)) {
+      this.begin();
+    }
+  }
+
+  private begin(): void {
+    this.scrolls = false;
+    [this.begun = 0] = this.pointers.values();
+  }
+
+  private move(event: PointerEvent): void {
+    if (!this.pointers.has(event.pointerId)) {
+      return;
+    }
+    const before = this.spread();
+    const slop = event.pointerType === 'mouse' ? slopPx.mouse : slopPx.touch;
+    if (this.pointers.size === 1 && !this.scrolls) {
+      this.scrolls = Math.abs(event.clientX - this.begun) > slop;
+      if (!this.scrolls) {
+        return;
+      }
+    }
+    this.pointers.set(event.pointerId, event.clientX);
+    const now = this.spread();
+    const { left, width } = this.curves.place();
+    this.curves.scroll((before.middle - now.middle) / width);
+    if (this.pointers.size === 2) {
+      this.curves.zoom(before.px / now.px, (now.middle - left) / width);
+    }
+  }
+
+  // Where the fingers are, and how far apart.
+  private spread(): { middle: number; px: number } {
+    const [first = 0, second = first] = this.pointers.values();
+    return { middle: (first + second) / 2, px: Math.max(Math.abs(second - first), leastSpreadPx) };
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const { left, width } = this.curves.place();
+    const px = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : 16;
+    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+      this.curves.scroll((event.deltaX * px) / width);
+    } else {
+      const doubles = (event.deltaY * px) / (event.ctrlKey ? pinchPx : doublePx);
+      this.curves.zoom(2 ** Math.min(Math.max(doubles, -1), 1), (event.clientX - left) / width);
+    }
+  }
+}

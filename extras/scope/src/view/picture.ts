@@ -1,0 +1,97 @@
+// The curves as they are shown, as an SVG file: it stays sharp at any size, on paper too, and its texts can be edited.
+
+import type { History } from '../history';
+import { ticksOf, type Unit } from '../unit';
+import { dashOf } from './dash';
+import type { Palette } from './palette';
+import { bands, trace, type Area } from './strokes';
+
+const width = 1200;
+const left = 70;
+const right = 20;
+const top = 64;
+const plotHeight = 420;
+const legendHeight = 24;
+const legendWidth = 150; // of a name
+
+export interface Shown {
+  title: string;
+  channels: number[];
+  names: string[];
+  unit: Unit;
+  times: Pick<Area, 'edge' | 'seconds' | 'begin' | 'end'>;
+  longest: number; // s without a frame: the curve breaks
+  thickness: number;
+}
+
+export function picture(history: History, { title, channels, names, unit, times, longest, thickness }: Shown, palette: Palette): string {
+  const area: Area = { ...times, left, top, width: width - left - right, height: plotHeight };
+  const bottom = top + plotHeight;
+  const perRow = Math.floor(area.width / legendWidth);
+  const height = bottom + 40 + legendHeight * Math.ceil(channels.length / perRow);
+  const parts: string[] = [];
+  const text = (x: number, y: number, words: string, more = ''): void => void parts.push(`<text x="${x}" y="${y}"${more}>${escaped(words)}</text>`);
+  const line = (x1: number, y1: number, x2: number, y2: number, stroke: string, more = ''): void =>
+    void parts.push(`<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" ${paint('stroke', stroke)}${more}/>`);
+
+  text(left, 28, title, ` font-size="18" font-weight="600" ${paint('fill', palette.ink)}`);
+  text(left, 50, `${+area.seconds.toPrecision(3)} s up to ${area.edge.toFixed(3)} s`);
+  parts.push(`<clipPath id="plot"><rect x="${left}" y="${top}" width="${area.width}" height="${plotHeight}"/></clipPath>`);
+  parts.push('<g clip-path="url(#plot)">');
+  bands(history, area, (x, wide, failsafe) => {
+    parts.push(`<rect x="${x.toFixed(1)}" y="${top}" width="${wide.toFixed(1)}" height="${plotHeight}" ${paint('fill', palette[failsafe ? 'alarm-band' : 'warning-band'])}/>`);
+  });
+  parts.push('</g>');
+  for (const tick of ticksOf(unit)) {
+    const y = top + ((unit.high - tick) / (unit.high - unit.low)) * plotHeight;
+    line(left, y, width - right, y, palette.grid);
+    text(left - 8, y + 4, unit.text(tick), ' text-anchor="end"');
+  }
+  const step = stepOf(area.seconds);
+  for (let tick = Math.ceil((area.edge - area.seconds) / step); tick * step <= area.edge; tick++) {
+    const x = +(left + ((tick * step - area.edge) / area.seconds + 1) * area.width).toFixed(1);
+    line(x, top, x, bottom, palette.grid);
+    text(x, bottom + 18, `${+(tick * step).toFixed(2)} s`, ' text-anchor="middle"');
+  }
+  channels.forEach((channel, i) => {
+    const stroke = `${paint('stroke', palette.curves[channel % palette.curves.length])} stroke-width="${thickness}" stroke-dasharray="${dashOf(channel).join(' ') || 'none'}"`;
+    const pen = new Path();
+    trace(history, channel, unit, area, longest, pen);
+    parts.push(`<path clip-path="url(#plot)" fill="none" stroke-linejoin="round" ${stroke} d="${pen.text}"><title>${escaped(names[i])}</title></path>`);
+    const [x, y] = [left + (i % perRow) * legendWidth, bottom + 44 + legendHeight * Math.floor(i / perRow)];
+    parts.push(`<line x1="${x}" y1="${y - 4}" x2="${x + 36}" y2="${y - 4}" ${stroke}/>`);
+    text(x + 44, y, names[i]);
+  });
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="12" ${paint('fill', palette.muted)}>`,
+    `<title>${escaped(title)}</title>`,
+    `<rect width="${width}" height="${height}" ${paint('fill', palette.card)}/>`,
+    ...parts,
+    '</svg>\n',
+  ].join('\n');
+}
+
+class Path {
+  text = '';
+  moveTo(x: number, y: number): void {
+    this.text += `M${x} ${y}`;
+  }
+  lineTo(x: number, y: number): void {
+    this.text += `L${x} ${y}`;
+  }
+}
+
+// At most twelve ticks.
+function stepOf(seconds: number): number {
+  return [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find((step) => seconds / step <= 12) ?? 30;
+}
+
+// SVG 1.1 knows no alpha in a colour, nor do some programs that read it.
+function paint(what: 'fill' | 'stroke', color: string): string {
+  const [, rgb, alpha] = /^rgba\((.*), ([\d.]+)\)$/.exec(color) ?? [];
+  return rgb ? `${what}="rgb(${rgb})" ${what}-opacity="${alpha}"` : `${what}="${color}"`;
+}
+
+function escaped(text: string): string {
+  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+}

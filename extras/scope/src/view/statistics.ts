@@ -1,0 +1,101 @@
+// Frame intervals as a histogram, and lost frames over time; with the numbers beside them.
+
+import { byId, make, setAttribute, setText } from '../dom';
+import type { History } from '../history';
+import { intervals, losses, type Intervals, type Losses } from '../statistics';
+
+const drawMs = 500;
+
+interface Bar {
+  title: string;
+  // From the bottom: how high, of 1, and of which class.
+  pieces: [number, string][];
+}
+
+const ms = (us: number): string => (us / 1000).toFixed(us < 1e5 ? 1 : 0);
+const percent = (part: number, all: number): string => `${all > 0 ? ((100 * part) / all).toFixed(1) : '0.0'} %`;
+
+export class StatisticsView {
+  private drawnAt = -drawMs;
+
+  constructor(private readonly history: History) {}
+
+  // `what`: "frames" or "rows".
+  draw(nowUs: number, what: string): void {
+    const now = performance.now();
+    if (now - this.drawnAt < drawMs) {
+      return;
+    }
+    this.drawnAt = now;
+    this.drawIntervals(intervals(this.history), what);
+    this.drawLosses(losses(this.history, nowUs / 1e6), what);
+  }
+
+  private drawIntervals(found: Intervals | undefined, what: string): void {
+    const text = found
+      ? `${found.count} intervals: the median is ${ms(found.medianUs)} ms, 98 of 100 last ${ms(found.lowUs)} to ${ms(found.highUs)} ms, the longest ${ms(found.longestUs)} ms.`
+      : `Two ${what} are awaited.`;
+    setText(byId('intervals-text'), text);
+    const { bins = [], shorter = 0, longer = 0, firstUs = 0, widthUs = 0 } = found ?? {};
+    const most = Math.max(...bins, shorter, longer, 1);
+    const height = (count: number): number => Math.log1p(count) / Math.log1p(most); // one of a thousand is seen
+    const middle = (bin: number): number => firstUs + bin * widthUs;
+    chart(byId('intervals-chart'), [
+      { title: `shorter: ${shorter}`, pieces: [[height(shorter), 'outside']] },
+      ...bins.map((count, bin): Bar => ({ title: `${ms(middle(bin))} ms: ${count}`, pieces: [[height(count), '']] })),
+      { title: `longer: ${longer}`, pieces: [[height(longer), 'outside']] },
+    ]);
+    axis('intervals-axis', found ? [`${ms(middle(0))} ms`, `${ms(middle(bins.length >> 1))} ms`, `${ms(middle(bins.length - 1))} ms`] : []);
+  }
+
+  private drawLosses({ beginS, widthS, parts, all }: Losses, what: string): void {
+    const recent = parts.slice(-Math.max(Math.round(10 / widthS), 1)).reduce((sum, part) => ({ frames: sum.frames + part.frames, lost: sum.lost + part.lost }), { frames: 0, lost: 0 });
+    const text = `${percent(all.lost, all.frames)} of ${all.frames} ${what} were lost by radio, ${percent(recent.lost, recent.frames)} of those of the last ten seconds; ${percent(all.failsafe, all.frames)} were failsafe.`;
+    setText(byId('losses-text'), all.frames > 0 ? text : `No ${what} yet.`);
+    const worst = Math.max(...parts.map(({ lost, frames }) => lost / Math.max(frames, 1)));
+    const top = [0.1, 0.25, 0.5, 1].find((each) => each >= worst) ?? 1;
+    chart(byId('losses-chart'), parts.map(({ frames, lost, failsafe }, i): Bar => {
+      const from = beginS + i * widthS;
+      const share = (count: number): number => count / frames / top;
+      return {
+        title: `${from} to ${from + widthS} s: ${frames > 0 ? percent(lost, frames) : 'silence'}`,
+        pieces: frames > 0 ? [[share(failsafe), 'failsafe'], [share(lost - failsafe), 'lost']] : [[1, 'silence']],
+      };
+    }));
+    setText(byId('losses-top'), `${100 * top} %`);
+    axis('losses-axis', [`${beginS} s`, `${beginS + parts.length * widthS} s`]);
+  }
+}
+
+function axis(id: string, labels: string[]): void {
+  const root = byId(id);
+  if (root.children.length !== labels.length) {
+    root.replaceChildren(...labels.map(() => make('span')));
+  }
+  labels.forEach((label, i) => setText(root.children[i] as HTMLElement, label));
+}
+
+// Bars side by side, in the width that there is.
+function chart(svg: HTMLElement, bars: Bar[]): void {
+  const element = (name: string): SVGElement => document.createElementNS('http://www.w3.org/2000/svg', name);
+  setAttribute(svg, 'viewBox', `0 0 ${Math.max(bars.length, 1)} 1`);
+  while (svg.children.length < bars.length) {
+    const group = element('g');
+    group.append(element('title'), element('rect'), element('rect'));
+    svg.append(group);
+  }
+  while (svg.children.length > bars.length) {
+    svg.lastElementChild?.remove();
+  }
+  bars.forEach(({ title, pieces }, x) => {
+    const [text, ...rects] = Array.from(svg.children[x].children);
+    setText(text as HTMLElement, title);
+    let y = 1;
+    rects.forEach((rect, i) => {
+      const [height, name] = pieces[i] ?? [0, ''];
+      y -= height;
+      const attributes = { x: x + 0.08, y: y.toFixed(4), width: 0.84, height: height.toFixed(4), class: name };
+      Object.entries(attributes).forEach(([key, value]) => setAttribute(rect, key, String(value)));
+    });
+  });
+}

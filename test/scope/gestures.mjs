@@ -1,0 +1,74 @@
+// What a mouse, its wheel and fingers do with the curves: what is pointed at stays under the pointer.
+import assert from 'node:assert/strict';
+import { check, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
+
+const readsFrame = (page, i) => reads(page, '#readout', `${[`${ramp.timeS(i).toFixed(3)} s`, ...ramp.channels(i).map((value, channel) => `CH${channel + 1} ${value}`)].join('   ')}`);
+const seconds = async (page) => parseFloat(await page.textContent('#window'));
+
+export default async function () {
+  await check('the wheel zooms at the pointer, in and out; a wheel turned sideways and a drag scroll; a double click resets', async (page) => {
+    await playRamp(page);
+    await page.click('#zoom-in');
+    await page.click('#zoom-in');
+    const [x, y] = await placeOf(page, 300);
+    await page.mouse.move(x, y);
+    await readsFrame(page, 300);
+    await page.mouse.wheel(0, -250);
+    await reads(page, '#window', '1 s');
+    await readsFrame(page, 300);
+    await reads(page, '#pause', 'Go on');
+    await page.mouse.wheel(0, 125);
+    await reads(page, '#window', '1.41 s');
+    await readsFrame(page, 300);
+    await page.mouse.down();
+    await page.mouse.move(x + 150, y, { steps: 5 });
+    await page.mouse.up();
+    await readsFrame(page, 300);
+    await page.mouse.wheel(150, 0);
+    await page.mouse.move(x, y);
+    await readsFrame(page, 300);
+    await reads(page, '#window', '1.41 s');
+    await page.mouse.dblclick(x, y);
+    await reads(page, '#window', '10 s');
+    await reads(page, '#pause', 'Pause');
+  });
+
+  await check('the wheel on a line that runs: near stands still, far follows the newest, and the page does not scroll', async (page) => {
+    await reads(page, '#state', 'Fine');
+    const box = await page.locator('#plot .u-over').boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + 100);
+    for (let i = 0; i < 8; i++) await page.mouse.wheel(0, 500);
+    await reads(page, '#window', '240 s');
+    await reads(page, '#pause', 'Pause');
+    assert.equal(await page.evaluate(() => scrollY), 0);
+    await page.mouse.wheel(0, -100);
+    await reads(page, '#pause', 'Go on');
+    for (let i = 0; i < 14; i++) await page.mouse.wheel(0, -500);
+    await reads(page, '#window', '0.1 s');
+    await page.focus('#plot');
+    await page.keyboard.press('0');
+    await reads(page, '#window', '10 s');
+    await reads(page, '#pause', 'Pause');
+  });
+
+  await check('two fingers zoom between them, and move what they hold; two taps reset', async (page) => {
+    await playRamp(page);
+    for (let i = 0; i < 2; i++) await page.tap('#zoom-in');
+    await page.locator('#plot').scrollIntoViewIfNeeded();
+    const [x, y] = await placeOf(page, 300);
+    const { put, move, lift } = await fingers(page);
+    await put([x - 40, y], [x + 40, y]);
+    for (let i = 1; i <= 10; i++) await move([x - 40 - 7 * i, y], [x + 40 + 9 * i, y]);
+    await lift();
+    await until(async () => `${await seconds(page)} s`, async () => (await seconds(page)) === 0.667);
+    await page.touchscreen.tap(x + 10, y);
+    await reads(page, '#readout', new RegExp(`^${ramp.timeS(300).toFixed(2)}`));
+    // On a busy PC two taps may be too far from each other.
+    await until('two taps do nothing', async () => {
+      await page.touchscreen.tap(x + 10, y);
+      await page.touchscreen.tap(x + 10, y);
+      return (await seconds(page)) === 10;
+    });
+    await reads(page, '#pause', 'Pause');
+  }, { size: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
+}

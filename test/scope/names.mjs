@@ -1,0 +1,84 @@
+// Channels that the user names and hides.
+import assert from 'node:assert/strict';
+import { axe, check, connect, downloaded, frame, opensWith, placeOf, playRamp, raw, reads, until } from './support.mjs';
+
+const chips = (page) => page.$$eval('#bars li', (rows) => rows.filter((row) => row.offsetParent).map((row) => row.querySelector('.chip').textContent));
+
+async function clean(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => axe.run(document));
+  assert.deepEqual(violations.map(({ id, nodes }) => `${id} ${nodes[0].html}`), []);
+}
+
+export default async function () {
+  await check('a channel has a name: in its bar, the curves, the cursors and for screen readers, and the next time; CSV has CH1 on', async (page) => {
+    await page.click('#names-open');
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Name of CH1');
+    await page.keyboard.type('  Throttle  ');
+    await clean(page);
+    await page.keyboard.press('Enter');
+    await reads(page, '#bars li:nth-child(1) .chip', 'Throttle');
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'names-open');
+    await page.reload();
+    await reads(page, '#bars li:nth-child(1) .chip', 'Throttle');
+    assert.equal(await page.getAttribute('#bars li:nth-child(1) .track', 'aria-label'), 'Throttle (CH1)');
+    await playRamp(page);
+    await page.mouse.move(...(await placeOf(page, 300)));
+    await reads(page, '#readout', / s {3}Throttle \d+ {3}CH2 /);
+    await page.click('#cursors');
+    await reads(page, '#cursor-values thead', 'Time1/ΔtThrottleCH2CH3CH4');
+    assert.match((await downloaded(page, '#csv')).text, /^seconds,CH1,CH2,/);
+    await page.click('#names-open');
+    await page.click('#names-clear');
+    await page.click('#names-close');
+    await reads(page, '#bars li:nth-child(1) .chip', 'CH1');
+    assert.equal(await page.evaluate(() => localStorage.getItem('sbus-scope-channels')), null);
+  });
+
+  await check('hidden channels have no bar and no curve, and it says so; the next time, too', async (page) => {
+    await page.click('#names-open');
+    for (const channel of [2, 16]) await page.uncheck(`#names-list [aria-label="Show CH${channel}"]`);
+    await page.keyboard.press('Escape');
+    await page.reload();
+    await reads(page, '#hidden-note', '2 channels are hidden.');
+    await until('it is there', async () => String(await chips(page)) === 'CH1,CH3,CH4,CH5,CH6,CH7,CH8,CH9,CH10,CH11,CH12,CH13,CH14,CH15');
+    await playRamp(page);
+    await page.mouse.move(...(await placeOf(page, 300)));
+    await reads(page, '#readout', / s {3}CH1 \d+ {3}CH3 \d+ {3}CH4 \d+$/);
+    await page.click('#names-open');
+    await page.check('#names-list [aria-label="Show CH2"]');
+    await page.click('#names-close');
+    await reads(page, '#hidden-note', '1 channel is hidden.');
+  });
+
+  await check('names that were kept and are damaged are not used; a browser that keeps nothing has them until it is left', async (page) => {
+    for (const bad of ['nonsense', '[]', 'null', '7', '{"names":7,"hidden":7}', '{"names":{"-1":"x","32":"x","0":7,"y":"x"},"hidden":[-1,99,"0",null,0.5]}']) {
+      await page.evaluate((value) => localStorage.setItem('sbus-scope-channels', value), bad);
+      await page.reload();
+      await reads(page, '#state', 'Fine');
+      assert.equal(String(await chips(page)), Array.from({ length: 16 }, (_, i) => `CH${i + 1}`).join(), bad);
+    }
+    await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get: () => { throw new DOMException('denied', 'SecurityError'); } }));
+    await page.reload();
+    await page.click('#names-open');
+    await page.fill('#names-list [aria-label="Name of CH3"]', 'A name that is far too long');
+    await page.click('#names-close');
+    await reads(page, '#bars li:nth-child(3) .chip', 'A name that is f');
+    await opensWith(page, [frame([7, 8, 9])]);
+    await connect(page);
+    await raw(page, 3, '9');
+    await reads(page, '#bars li:nth-child(3) .chip', 'A name that is f');
+  });
+
+  await check('names on a phone: it fits, and what is pressed is 44 px high', async (page) => {
+    await page.tap('#names-open');
+    await page.fill('#names-list [aria-label="Name of CH3"]', 'WWWWWWWWWWWWWWWW');
+    const fits = () => page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth);
+    assert.ok(await fits());
+    assert.deepEqual(await page.$$eval('#names button, #names label, #names [type="text"]', (all) => all.filter((each) => each.offsetHeight < 44).map((each) => each.outerHTML)), []);
+    await page.tap('#names-close');
+    await reads(page, '#bars li:nth-child(3) .chip', 'WWWWWWWWWWWWWWWW');
+    assert.ok(await fits());
+    await clean(page);
+  }, { size: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+}
