@@ -1,4 +1,4 @@
-// Runs in the page, before it: a clock that tests put on, and the memory of the WebAssembly.
+// Runs in the page, before it: a clock that tests put on, the memory of the WebAssembly, and what that says of its layout.
 {
   const real = performance.now.bind(performance);
   let skipped = 0;
@@ -7,10 +7,18 @@
   fake.skip = (ms) => (skipped += ms);
   fake.realNow = real;
 
+  // The layout reads as `fake.layout` makes of it, in as many letters.
+  const disguise = (at, { buffer }) => {
+    const bytes = new Uint8Array(buffer, at);
+    const text = new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+    new TextEncoder().encodeInto(fake.layout?.(text) ?? text, bytes);
+    return at;
+  };
+
   const instantiate = WebAssembly.instantiate;
   WebAssembly.instantiate = async (...parts) => {
-    const result = await instantiate(...parts);
-    fake.memory = result.instance.exports.memory;
-    return result;
+    const { exports } = (await instantiate(...parts)).instance;
+    fake.memory = exports.memory;
+    return { instance: { exports: { ...exports, layout: () => disguise(exports.layout(), exports.memory) } } };
   };
 }

@@ -1,6 +1,7 @@
 // Says what is wrong with the line, at all times; and where no frame comes, tries the other settings of the port.
 
-import { Finding, Flag, LinkState, type Core, type Setting, type Status, type Stretch } from './core';
+import { Finding, type Core, type Setting } from './core';
+import { Flag, LinkState, type Status, type Stretch } from './line';
 import type { Problem, Source } from './source/Source';
 
 const trialMs = 500; // half a second has 12 frames of the slowest receiver known

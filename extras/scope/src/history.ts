@@ -1,6 +1,6 @@
 // The newest values of all channels, in memory that does not grow: some five minutes of 111 frames a second.
 
-import { Flag, type Stretch } from './core';
+import { Flag, type Stretch } from './line';
 
 export class History {
   static readonly capacity = 1 << 15;

@@ -1,9 +1,10 @@
 // The page at work: one source, what has come of it, and a picture of that, sixty times a second.
 
-import { Kind, LinkState, type Core, type Status, type Stretch } from './core';
+import type { Core } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History } from './history';
+import { Kind, LinkState, type Status, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import type { State } from './source/connection';

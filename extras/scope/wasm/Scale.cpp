@@ -6,8 +6,7 @@ using namespace scope;
 
 namespace {
 
-enum Scale { FrSky, Futaba, Calibrated };
-int scale = FrSky;
+Scale scale = Scale::FrSky;
 
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
@@ -16,12 +15,12 @@ sbus::CalibrationError finishError = sbus::CalibrationError::None;
 double range[3];
 
 sbus::CalibratedChannel uncalibrated() {
-  return {scale == Futaba ? sbus::Futaba : sbus::FrSky, 0};
+  return {scale == Scale::Futaba ? sbus::Futaba : sbus::FrSky, 0};
 }
 
 sbus::CalibratedChannel of(unsigned channel) {
   const bool known =
-      scale == Calibrated && channel < sbus::ProportionalCount && sbus::isCalibrated(calibration.channels[channel]);
+      scale == Scale::Calibrated && channel < sbus::ProportionalCount && sbus::isCalibrated(calibration.channels[channel]);
   return known ? calibration.channels[channel] : uncalibrated();
 }
 
@@ -34,11 +33,11 @@ void scope::feedCalibrator(const line::Values &newest) {
 }
 
 EXPORT(setScale)(int chosen)->void {
-  scale = chosen;
+  scale = static_cast<Scale>(chosen);
 }
 // Of a Futaba 1100, 1520 and 1940 us: either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880.
 EXPORT(microseconds)(unsigned channel, double raw)->int {
-  const sbus::CalibratedChannel scaled = scale == Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
+  const sbus::CalibratedChannel scaled = scale == Scale::Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
   return scaled.toMicroseconds(static_cast<uint16_t>(raw));
 }
 EXPORT(thousandths)(unsigned channel, double raw)->int {

@@ -15,7 +15,12 @@
 
 namespace scope {
 
-// A stretch of the line as the page reads it: doubles first, no padding that a compiler chooses.
+constexpr size_t TransferSize = size_t{1} << 16;  // bytes that the page can hand over at once
+
+// By which a raw value is scaled.
+enum class Scale { FrSky, Futaba, Calibrated };
+
+// A stretch of the line as the page reads it, by Layout.cpp.
 struct Record {
   static constexpr size_t ChannelsMax = 32;
   static constexpr size_t BytesMax = sbus::FrameSize24;
@@ -30,7 +35,6 @@ struct Record {
   uint8_t bytes[BytesMax];  // of the line
   char why[88];             // it is no frame
 };
-static_assert(sizeof(Record) == 8 + 8 * 32 + 4 + 36 + 88, "src/core.ts reads it");
 
 class Scope {
  public:

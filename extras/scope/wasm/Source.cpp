@@ -8,7 +8,7 @@ using namespace scope;
 
 namespace {
 
-uint8_t buffer[1 << 16];  // what the page hands over: bytes of a port, text of a recording
+uint8_t buffer[TransferSize];  // what the page hands over: bytes of a port, text of a recording
 std::unique_ptr<line::RecordingReader> reader;
 line::LineSettings readSettings;
 line::Recording read;  // to be played

@@ -1,6 +1,7 @@
 // A serial port, through Web Serial: an adapter that receives S.Bus itself, or a board that prints numbers.
 
-import type { Core, Setting, Stretch } from '../core';
+import type { Core, Setting } from '../core';
+import type { Stretch } from '../line';
 import { Connection, type State } from './connection';
 import type { Problem, Source } from './Source';
 

@@ -1,6 +1,6 @@
 // A recording, or rows of CSV, with a time line.
 
-import { recordingBeginning, type Core } from '../core';
+import type { Core } from '../core';
 import type { Source } from './Source';
 
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
@@ -25,7 +25,7 @@ export class RecordingSource implements Source {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv read it`);
     }
-    const beginning = await file.slice(0, recordingBeginning).arrayBuffer();
+    const beginning = await file.slice(0, core.recordingBeginning).arrayBuffer();
     signal.throwIfAborted(); // the core reads one file at a time
     if (/^(?!time,|seconds,)"?time\b/im.test(new TextDecoder().decode(beginning))) {
       throw new Error(`${file.name}: is a capture of the wire`);

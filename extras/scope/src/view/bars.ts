@@ -1,7 +1,8 @@
 // One bar a channel: raw, microseconds and percent, marks at the least and the most seen, ends of the calibration.
 
-import type { Core, Stretch } from '../core';
+import type { Core } from '../core';
 import { make, setAttribute, setText } from '../dom';
+import type { Stretch } from '../line';
 import type { Unit } from '../unit';
 import { dashOf } from './dash';
 

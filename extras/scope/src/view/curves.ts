@@ -2,9 +2,9 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
+import type { Stretch } from '../line';
 import type { Unit } from '../unit';
 import { dashOf } from './dash';
 import { Touch } from './touch';

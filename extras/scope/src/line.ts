@@ -1,0 +1,41 @@
+// A line as the page sees it, wherever it is decoded.
+
+export enum LinkState {
+  NeverSeen,
+  Ok,
+  Lossy,
+  Failsafe,
+  Stale,
+}
+
+export enum Kind {
+  Frame, // 16 channels and two switches
+  Frame24,
+  Extra, // header 2F: CH17..CH32
+  NoFrame,
+  Row, // numbers that a board has printed
+}
+
+export enum Flag {
+  Channel17 = 1,
+  Channel18 = 2,
+  LostFrame = 4,
+  Failsafe = 8,
+}
+
+// A piece of the line: a frame, or what is none.
+export interface Stretch {
+  endUs: number;
+  kind: Kind;
+  flags: number;
+  channels: Float64Array; // raw; of a Row as it was printed
+  bytes: Uint8Array; // empty for a Row
+  why: string; // it is no frame
+}
+
+export const statusNames = [
+  'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
+  'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
+  'extraFrames', 'rows', 'otherLines', 'garbled',
+] as const;
+export type Status = Record<(typeof statusNames)[number], number>;
