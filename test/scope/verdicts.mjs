@@ -31,6 +31,11 @@ class Page {
     take(bytes.length);
   }
 
+  status(us, name) {
+    const at = Number(new RegExp(`^field Status ${name} (\\d+) double 1$`, 'm').exec(this.words(this.wasm.layout()))[1]);
+    return new DataView(this.wasm.memory.buffer).getFloat64(this.wasm.status(us) + at, true);
+  }
+
   advance(us) {
     while (this.wasm.advance(us) >= 256) this.wasm.takenRecords();
     this.wasm.takenRecords();
@@ -41,10 +46,9 @@ class Page {
     this.wasm.openSimulated(0, option('channels') ?? 16, option('noise') ?? 0, option('baud') ?? 100000, inverted);
     this.wasm.setPort(0, 100000, 1);
     this.wasm.cutWire(Number(option('silent') ?? 0));
-    this.wasm.mark();
     this.advance(watchUs);
-    if (new Float64Array(this.wasm.memory.buffer, this.wasm.status(watchUs), 9)[8] > 0) {
-      return this.wasm.verdict();
+    if (this.status(watchUs, 'frames') > 0) {
+      return this.status(watchUs, 'findingSoFar');
     }
     this.wasm.beginRound();
     settings.forEach(([baud, way], i) => {
@@ -63,15 +67,14 @@ class Page {
     }
     assert.equal(this.words(this.wasm.endRecording()), '');
     this.wasm.playRecording();
-    this.wasm.mark();
-    this.advance(this.wasm.recordingLengthUs() + 1000);
-    return this.wasm.verdict();
+    const endUs = this.wasm.recordingLengthUs() + 1000;
+    this.advance(endUs);
+    return this.status(endUs, 'findingSoFar');
   }
 
   // A line of a recording of an adapter is what it has brought at once.
   port(text) {
     this.wasm.openPort(0, 100000, 0);
-    this.wasm.mark();
     let nowUs = 0;
     for (const [, us, words] of text.matchAll(/^(\d+)~\d+ (.*)$/gm)) {
       const bytes = words.split(' ').map((word) => parseInt(word, 16));
@@ -80,7 +83,7 @@ class Page {
       this.give(bytes, (count) => this.wasm.received(count, nowUs));
     }
     this.advance(nowUs + 100000);
-    return this.wasm.verdict();
+    return this.status(nowUs + 100000, 'findingSoFar');
   }
 }
 

@@ -167,13 +167,9 @@ export class Core {
     return { finding: this.native.roundFinding(), best: this.native.roundBest() };
   }
 
+  // What has come before is forgotten.
   mark(): void {
     this.native.mark();
-  }
-
-  // Of what came since mark().
-  get verdict(): Finding {
-    return this.native.verdict();
   }
 
   findingText(finding: Finding): string {

@@ -37,5 +37,8 @@ export const statusNames = [
   'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
   'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
   'extraFrames', 'rows', 'otherLines', 'garbled',
+  'quietUs', // since the newest character
+  'finding', // of the last whole second of the line's time; -1 before the first is over
+  'findingSoFar', // of all that has come
 ] as const;
 export type Status = Record<(typeof statusNames)[number], number>;

@@ -26,9 +26,15 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   rows = BoardRows();
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
-  examination.begin(observer, nowUs);
   _reads = line::PortReads(settings.characterUs());
+  _characterUs = 0;
   _turnUs = nowUs;
+  mark();
+}
+
+void Scope::mark() {
+  examination.begin(observer, _turnUs);
+  watch.begin(observer, _turnUs);
 }
 
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
@@ -49,6 +55,7 @@ void Scope::receivedBad(uint64_t nowUs) {
 void Scope::put(const line::Character &character) {
   recorder.put(character);
   observer.put(character);
+  _characterUs = character.endUs;
 }
 
 void Scope::record(bool on) {
@@ -63,6 +70,7 @@ void Scope::advance(uint64_t nowUs) {
   line::Line *const line = simulated ? static_cast<line::Line *>(simulated.get()) : played.get();
   line::Character character;
   while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
+    watch.until(observer, settings, character.endUs);
     put(character);
     if (played && rows.put(character)) {  // a board's port was recorded
       takeRow(character.endUs);
@@ -79,6 +87,9 @@ void Scope::advance(uint64_t nowUs) {
   if (played && played->atEnd() && !_finished) {
     _finished = true;
     observer.finish();
+  }
+  if (records.size() < Enough) {
+    watch.until(observer, settings, nowUs);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "PlayedLine.h"
 #include "Recorder.h"
 #include "SimulatedLine.h"
+#include "Watch.h"
 #include "line/Examination.h"
 #include "line/simulation/LineSettings.h"
 #include "line/Observer.h"
@@ -49,11 +50,16 @@ class Scope {
   void advance(uint64_t nowUs);
   // The line's time, as it was told last: it stands still while a recording does.
   uint64_t nowUs() const { return _turnUs; }
+  // Forgets what was found: what comes from now on counts.
+  void mark();
+  // When the newest character was through; 0 before the first.
+  uint64_t characterUs() const { return _characterUs; }
   // From the last advance() on.
   void record(bool on);
 
   line::Observer observer;
   line::Examination examination;             // of what came since the port was opened, or since mark()
+  Watch watch;
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
   std::unique_ptr<SimulatedLine> simulated;  // one of the two, or neither for a port, which the browser reads
@@ -67,6 +73,7 @@ class Scope {
   void takeRow(uint64_t nowUs);
 
   line::PortReads _reads;  // of a port
+  uint64_t _characterUs = 0;
   uint64_t _turnUs = 0;    // of the last picture or read
   bool _finished = false;  // the recording: nothing waits any more
 };

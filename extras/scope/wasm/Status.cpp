@@ -1,5 +1,7 @@
 #include "Status.h"
 
+#include <algorithm>
+
 #include "Scope.h"
 
 using namespace scope;
@@ -9,6 +11,13 @@ namespace {
 Status answer;
 
 double marks[2];
+
+// Of the port's setting as it is, and all that came since it was opened, or since mark().
+sbus::Finding findingSoFar(uint64_t nowUs) {
+  sbus::Diagnosis diagnosis;
+  diagnosis.add(theScope.examination.trial(theScope.observer, theScope.settings, nowUs));
+  return diagnosis.finding();
+}
 
 }  // namespace
 
@@ -41,6 +50,9 @@ EXPORT(status)(double now)->const Status * {
   answer.rows = d(rows.count());
   answer.otherLines = d(rows.otherLines());
   answer.garbled = d(rows.garbled());
+  answer.quietUs = d(nowUs - std::min(nowUs, theScope.characterUs()));
+  answer.finding = theScope.watch.finding() ? d(static_cast<uint64_t>(*theScope.watch.finding())) : -1;
+  answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
 }
 

@@ -8,7 +8,8 @@ namespace scope {
   field(state) field(ageUs) field(framesPerSecond) field(gapMinUs) field(gapMeanUs) field(gapMaxUs) field(characters)   \
   field(badCharacters) field(frames) field(lostFrames) field(failsafeFrames) field(rejectedByEnd)                       \
   field(rejectedByFlags) field(rejectedByLength) field(discardedBytes) field(resyncs) field(overflows)                  \
-  field(extraFrames) field(rows) field(otherLines) field(garbled)
+  field(extraFrames) field(rows) field(otherLines) field(garbled) field(quietUs)                             \
+  field(finding) field(findingSoFar)
 
 struct Status {
 #define SCOPE_FIELD(name) double name = 0;

@@ -19,6 +19,9 @@ export interface Source {
   // The line's time: all that was through by then has come. Asked for each picture.
   nowUs(): number;
 
+  // Its time stands still: it is paused, or at its end.
+  readonly stands?: boolean;
+
   // The settings that its port can have, the one that is meant first; none, or one, if there is nothing to try.
   readonly settings: readonly Setting[];
   // Resolves once the port has that setting.

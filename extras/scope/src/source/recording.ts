@@ -55,6 +55,10 @@ export class RecordingSource implements Source {
     return this.us >= this.endUs;
   }
 
+  get stands(): boolean {
+    return !this.playing || this.atEnd;
+  }
+
   nowUs(): number {
     const ms = performance.now();
     if (this.playing) {
