@@ -15,6 +15,23 @@
     return at;
   };
 
+  // A worker tells the memory of its WebAssemblies: `memories` in it.
+  const prelude = `{
+    const Real = WebAssembly.Instance;
+    globalThis.memories = [];
+    WebAssembly.Instance = function (...parts) {
+      const made = new Real(...parts);
+      memories.push(new WeakRef(made.exports.memory));
+      return made;
+    };
+  }\n`;
+  const RealBlob = Blob;
+  globalThis.Blob = class extends RealBlob {
+    constructor(parts, options) {
+      super(options?.type?.startsWith('text/javascript') ? [prelude, ...parts] : parts, options);
+    }
+  };
+
   const instantiate = WebAssembly.instantiate;
   WebAssembly.instantiate = async (...parts) => {
     const { exports } = (await instantiate(...parts)).instance;

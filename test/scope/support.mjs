@@ -68,8 +68,8 @@ async function open({ size = { width: 1440, height: 900 }, serial = true, ...con
 }
 
 // Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy rejects.)
-export async function until(what, isSo) {
-  const end = Date.now() + 20000;
+export async function until(what, isSo, patience = 20000) {
+  const end = Date.now() + patience;
   while (!(await isSo())) {
     assert.ok(Date.now() < end, typeof what === 'string' ? what : await what());
     await new Promise((resolve) => setTimeout(resolve, 30));

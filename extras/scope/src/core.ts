@@ -1,7 +1,7 @@
 // The library itself, compiled to WebAssembly (../wasm): all that is known of S.Bus is known there.
 
 import wasm from '../scope.wasm?inline';
-import type { Status, Stretch } from './line';
+import { Flag, Kind, type Line, type Sink, type Status, type Stretch } from './line';
 import { imports, Native, type Exports } from './native';
 
 // sbus::Finding
@@ -59,7 +59,12 @@ export enum Scale {
   Calibrated,
 }
 
-export class Core {
+const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
+
+export class Core implements Line {
+  // What a worker runs.
+  readonly wasm = bytes;
+  private calibrating = false;
   private readonly native: Native['calls'];
 
   // Throws if the page and WebAssembly were not built together.
@@ -71,7 +76,6 @@ export class Core {
   }
 
   static async load(): Promise<Core> {
-    const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
     const { instance } = await WebAssembly.instantiate(bytes, imports);
     const native = instance.exports as Exports;
     native._initialize();
@@ -105,40 +109,14 @@ export class Core {
     this.native.receivedBad(nowUs);
   }
 
-  // How many bytes of a file tell what it is.
-  get recordingBeginning(): number {
-    return this.memory.layout.constant('RecordingBeginning');
-  }
-
-  // `beginning`: recordingBeginning bytes, or all there are. They tell how its line was set.
-  openRecording(beginning: Uint8Array): void {
-    this.memory.transfer(beginning, (count) => this.native.openRecording(count));
-  }
-
-  recordingText(text: Uint8Array): void {
-    this.memory.transfer(text, (count) => this.native.recordingText(count));
-  }
-
-  // What is wrong with the recording, or ''. Until playRecording() the line is as it was.
-  endRecording(): string {
-    return this.memory.words(this.native.endRecording());
-  }
-
-  playRecording(): void {
-    this.native.playRecording();
-  }
-
-  get recordingLengthUs(): number {
-    return this.native.recordingLengthUs();
-  }
-
-  rewindRecording(): void {
-    this.native.rewindRecording();
-  }
-
   // Hands over all that has come by `nowUs`.
-  advance(nowUs: number, take: (stretch: Stretch) => void): void {
-    this.memory.advance(nowUs, take);
+  advance(nowUs: number, sink: Sink): void {
+    this.memory.records(nowUs, (records) => this.stretchesIn(records).forEach((stretch) => sink.take(stretch)));
+  }
+
+  // The stretches of a worker's picture.
+  stretchesIn(records: Uint8Array): Stretch[] {
+    return this.memory.stretchesIn(records);
   }
 
   status(nowUs: number): Status {
@@ -204,7 +182,18 @@ export class Core {
   }
 
   calibrate(step: number): void {
+    this.calibrating = step !== 0;
     this.native.calibrate(step);
+  }
+
+  // A stretch for the calibration that is under way, if one is.
+  feedCalibrator({ kind, channels, flags }: Stretch): void {
+    if (this.calibrating && (kind === Kind.Frame || kind === Kind.Frame24)) {
+      const raw = Uint16Array.from(channels);
+      this.memory.transfer(new Uint8Array(raw.buffer), () =>
+        this.native.feedCalibrator(flags & Flag.Failsafe, flags & Flag.LostFrame),
+      );
+    }
   }
 
   calibrationError(channel: number): CalibrationError {
@@ -245,12 +234,17 @@ export class Core {
 
   // Recording.
 
-  record(on: boolean): void {
-    this.native.record(Number(on));
+  record(): void {
+    this.native.record(1);
   }
 
   takeRecorded(): string {
     return this.memory.words(this.native.takeRecorded());
+  }
+
+  async endRecorded(): Promise<string> {
+    this.native.record(0);
+    return this.takeRecorded();
   }
 
   private calibrationBytes(): Uint8Array {

@@ -1,5 +1,7 @@
 // A line as the page sees it, wherever it is decoded.
 
+import type { Samples } from './history';
+
 export enum LinkState {
   NeverSeen,
   Ok,
@@ -42,3 +44,28 @@ export const statusNames = [
   'findingSoFar', // of all that has come
 ] as const;
 export type Status = Record<(typeof statusNames)[number], number>;
+
+// What takes a line in.
+export interface Sink {
+  take(stretch: Stretch): void;
+  // All that was taken is of another place of the line. These are the newest ones before it.
+  jump(recalled: readonly Stretch[]): void;
+  // The history before a place that was jumped to.
+  precede(samples: Samples): void;
+}
+
+export interface Line {
+  // Hands over all that has come by `nowUs`.
+  advance(nowUs: number, sink: Sink): void;
+  status(nowUs: number): Status;
+  // Least and most of a channel, from 0 on; undefined if there is none yet.
+  travel(channel: number): [number, number] | undefined;
+  resetMarks(): void;
+
+  // From now on what comes is kept.
+  record(): void;
+  // What was recorded since this was last asked.
+  takeRecorded(): string;
+  // Ends the recording. Returns the rest of it.
+  endRecorded(): Promise<string>;
+}

@@ -23,9 +23,12 @@ export class Native {
   private readonly statusAt: Record<keyof Status, number>;
   private readonly enough: number;
 
-  // Throws if the page and WebAssembly were not built together.
-  constructor(readonly calls: Exports) {
-    this.layout = new Layout(this.words(calls.layout()));
+  // Throws if the page and WebAssembly were not built together. `layout`: of another instance.
+  constructor(
+    readonly calls: Exports,
+    layout?: Layout,
+  ) {
+    this.layout = layout ?? new Layout(this.words(calls.layout()));
     this.layout.enumeration('LinkState', LinkState);
     this.layout.enumeration('Kind', Kind);
     this.layout.enumeration('Flag', Flag);
@@ -35,16 +38,26 @@ export class Native {
     this.enough = this.layout.constant('Enough');
   }
 
-  // Hands over all that has come by `nowUs`.
-  advance(nowUs: number, take: (stretch: Stretch) => void): void {
-    for (let count = this.enough; count >= this.enough; ) {
+  // Hands over all that has come by `nowUs`, as records. `feed`: hands a recording's next part over.
+  records(nowUs: number, take: (records: Uint8Array) => void, feed = (): void => undefined): void {
+    for (let count = this.enough; count >= this.enough || this.calls.needsMore(); ) {
+      if (this.calls.needsMore()) {
+        feed();
+      }
       count = this.calls.advance(nowUs);
-      const at = this.calls.records();
-      const view = new DataView(this.calls.memory.buffer);
-      const stretches = Array.from({ length: count }, (_, i) => this.stretch(view, at + i * this.recordSize));
-      this.calls.takenRecords();
-      stretches.forEach(take); // it may call what makes the memory grow, and the view is then detached
+      if (count > 0) {
+        take(this.taken(count));
+      }
     }
+  }
+
+  // Returns the records of what the page shows of the line.
+  recalled(): Uint8Array {
+    return this.taken(this.calls.recall());
+  }
+
+  stretchesIn(records: Uint8Array): Stretch[] {
+    return Array.from({ length: records.length / this.recordSize }, (_, i) => this.stretch(records, i * this.recordSize));
   }
 
   status(nowUs: number): Status {
@@ -74,20 +87,30 @@ export class Native {
   }
 
   words(at: number): string {
-    const bytes = new Uint8Array(this.calls.memory.buffer, at);
+    return this.wordsIn(new Uint8Array(this.calls.memory.buffer, at));
+  }
+
+  private wordsIn(bytes: Uint8Array): string {
     return this.text.decode(bytes.subarray(0, bytes.indexOf(0)));
   }
 
-  private stretch(view: DataView, at: number): Stretch {
+  private taken(count: number): Uint8Array {
+    const records = new Uint8Array(this.calls.memory.buffer, this.calls.records(), count * this.recordSize).slice();
+    this.calls.takenRecords();
+    return records;
+  }
+
+  private stretch({ buffer }: Uint8Array, at: number): Stretch {
     const { record } = this;
-    const kind = view.getUint8(at + record.kind);
+    const view = new DataView(buffer, at, this.recordSize);
+    const kind = view.getUint8(record.kind);
     return {
-      endUs: view.getFloat64(at + record.endUs, true),
+      endUs: view.getFloat64(record.endUs, true),
       kind,
-      flags: view.getUint8(at + record.flags),
-      channels: new Float64Array(view.buffer, at + record.channels, view.getUint8(at + record.channelCount)).slice(),
-      bytes: new Uint8Array(view.buffer, at + record.bytes, view.getUint8(at + record.size)).slice(),
-      why: kind === Kind.NoFrame ? this.words(at + record.why) : '',
+      flags: view.getUint8(record.flags),
+      channels: new Float64Array(buffer, at + record.channels, view.getUint8(record.channelCount)).slice(),
+      bytes: new Uint8Array(buffer, at + record.bytes, view.getUint8(record.size)).slice(),
+      why: kind === Kind.NoFrame ? this.wordsIn(new Uint8Array(buffer, at + record.why)) : '',
     };
   }
 }

@@ -9,6 +9,7 @@
 
 #include "Scope.h"
 #include "Status.h"
+#include "line/recording/Recording.h"
 #include "sbus/Calibrator.h"
 
 using namespace scope;
@@ -127,6 +128,7 @@ EXPORT(layout)()->const char * {
   addFlag("Failsafe", sbus::FlagFailsafe);
   add("constant", "Enough", std::to_string(Scope::Enough));
   add("constant", "TransferSize", std::to_string(TransferSize));
+  add("constant", "CharacterSize", std::to_string(sizeof(line::Character)));
   add("constant", "RecordingBeginning", std::to_string(line::RecordingBeginning));
   return lines.c_str();
 }

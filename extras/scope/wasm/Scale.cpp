@@ -1,4 +1,6 @@
 // What a raw value means, on a FrSky, a Futaba, or a radio that was calibrated here; and the calibration.
+#include <cstring>
+
 #include "Scope.h"
 #include "sbus/Calibrator.h"
 
@@ -10,7 +12,6 @@ Scale scale = Scale::FrSky;
 
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
-bool calibrating = false;
 sbus::CalibrationError finishError = sbus::CalibrationError::None;
 double range[3];
 
@@ -25,12 +26,6 @@ sbus::CalibratedChannel of(unsigned channel) {
 }
 
 }  // namespace
-
-void scope::feedCalibrator(const line::Values &newest) {
-  if (calibrating) {
-    calibrator.feed(newest.raw.data(), newest.failsafe, newest.lostFrame);
-  }
-}
 
 EXPORT(setScale)(int chosen)->void {
   scale = static_cast<Scale>(chosen);
@@ -53,9 +48,8 @@ EXPORT(rangeOf)(unsigned channel)->const double * {
   return range;
 }
 
-// Step 1: whole travel; 2: at rest; 3: up and right; 0: leaves it.
+// Step 1: whole travel; 2: at rest; 3: up and right.
 EXPORT(calibrate)(int step)->void {
-  calibrating = step != 0;
   if (step == 1) {
     calibrator.begin();
   } else if (step == 2) {
@@ -63,6 +57,13 @@ EXPORT(calibrate)(int step)->void {
   } else if (step == 3) {
     calibrator.high();
   }
+}
+
+// A frame: its raw values are in the buffer, 16 bits each.
+EXPORT(feedCalibrator)(int failsafe, int lostFrame)->void {
+  uint16_t raw[sbus::ProportionalCount];
+  std::memcpy(raw, transfer, sizeof raw);
+  calibrator.feed(raw, failsafe != 0, lostFrame != 0);
 }
 
 // Returns what is still to be done with a channel, from 0 on: an sbus::CalibrationError.

@@ -5,6 +5,7 @@
 namespace scope {
 
 Scope theScope;
+alignas(8) uint8_t transfer[TransferSize];
 
 namespace {
 
@@ -23,6 +24,8 @@ Scope::Scope() {
 void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   settings = now;
   records.clear();
+  _lately.clear();
+  _newest.reset();
   rows = BoardRows();
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
@@ -76,6 +79,9 @@ void Scope::advance(uint64_t nowUs) {
       takeRow(character.endUs);
     }
   }
+  if (played && played->needsMore()) {
+    return;
+  }
   if (nowUs > _turnUs) {  // what had come by the last turn, a turn of the browser has brought
     _reads.empty(_turnUs);
     _turnUs = nowUs;
@@ -110,15 +116,29 @@ void Scope::takeRow(uint64_t nowUs) {
                                                            : 0;
     record.flags = static_cast<uint8_t>(record.flags | (value != 0 ? flag : 0));
   }
+  add(record);
+}
+
+void Scope::add(const Record &record) {
   records.push_back(record);
+  _lately.push_back(record);
+  if (_lately.size() > Shown) {
+    _lately.pop_front();
+  }
+  if (record.kind != static_cast<uint8_t>(line::Stretch::Kind::NoFrame)) {
+    _newest = record;
+  }
+}
+
+void Scope::recall() {
+  records.assign(_lately.begin(), _lately.end());
+  if (_newest && (records.empty() || _newest->endUs < records.front().endUs)) {
+    records.insert(records.begin(), *_newest);
+  }
 }
 
 void Scope::take(const line::Stretch &stretch) {
-  using Kind = line::Stretch::Kind;
   const line::Values &newest = observer.newest();
-  if (stretch.kind == Kind::Frame || stretch.kind == Kind::Frame24) {
-    feedCalibrator(newest);
-  }
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
   record.kind = static_cast<uint8_t>(stretch.kind);
@@ -130,7 +150,7 @@ void Scope::take(const line::Stretch &stretch) {
                  [](const line::Character &character) { return character.value; });
   const std::string words = line::why(stretch);
   words.copy(record.why, sizeof record.why - 1);
-  records.push_back(record);
+  add(record);
 }
 
 }  // namespace scope

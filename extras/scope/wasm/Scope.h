@@ -1,11 +1,13 @@
 // What the page is about: one line, and what a decoder makes of it.
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "BoardRows.h"
-#include "PlayedLine.h"
+#include "FedLine.h"
 #include "Recorder.h"
 #include "SimulatedLine.h"
 #include "Watch.h"
@@ -17,6 +19,12 @@
 namespace scope {
 
 constexpr size_t TransferSize = size_t{1} << 16;  // bytes that the page can hand over at once
+
+// Where it hands them over: bytes of a port, text of a recording.
+alignas(8) extern uint8_t transfer[TransferSize];
+inline std::string_view transferred(size_t count) {
+  return {reinterpret_cast<const char *>(transfer), count};
+}
 
 // By which a raw value is scaled.
 enum class Scale { FrSky, Futaba, Calibrated };
@@ -46,7 +54,7 @@ class Scope {
   void reset(uint64_t nowUs, const line::LineSettings &settings);
   void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
   void receivedBad(uint64_t nowUs);
-  // All that was through by then; less if there are records enough.
+  // All that was through by then; less if there are records enough, or if the recording needs its next part.
   void advance(uint64_t nowUs);
   // The line's time, as it was told last: it stands still while a recording does.
   uint64_t nowUs() const { return _turnUs; }
@@ -54,6 +62,8 @@ class Scope {
   void mark();
   // When the newest character was through; 0 before the first.
   uint64_t characterUs() const { return _characterUs; }
+  // Hands over once more what the page shows of the line: the newest records, and the newest that is a frame or a row.
+  void recall();
   // From the last advance() on.
   void record(bool on);
 
@@ -63,15 +73,20 @@ class Scope {
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
   std::unique_ptr<SimulatedLine> simulated;  // one of the two, or neither for a port, which the browser reads
-  std::unique_ptr<PlayedLine> played;
+  std::unique_ptr<FedLine> played;
   std::vector<Record> records;
   Recorder recorder;
 
  private:
   void put(const line::Character &character);
   void take(const line::Stretch &stretch);
+  void add(const Record &record);
   void takeRow(uint64_t nowUs);
 
+  static constexpr size_t Shown = 8;  // records
+
+  std::deque<Record> _lately;
+  std::optional<Record> _newest;  // frame or row
   line::PortReads _reads;  // of a port
   uint64_t _characterUs = 0;
   uint64_t _turnUs = 0;    // of the last picture or read
@@ -79,9 +94,6 @@ class Scope {
 };
 
 extern Scope theScope;
-
-// A frame for the calibration that is under way, if one is.
-void feedCalibrator(const line::Values &newest);
 
 }  // namespace scope
 

@@ -1,6 +1,7 @@
 // Where a line comes from.
 
 import type { Setting } from '../core';
+import type { Line } from '../line';
 import type { State } from './connection';
 
 // What is wrong, and what to do.
@@ -12,6 +13,12 @@ export interface Problem {
 export interface Source {
   // What it is, for a person.
   readonly title: string;
+
+  // What comes of it.
+  readonly line: Line;
+
+  // What is awaited, while that takes time; or ''.
+  readonly progress?: string;
 
   // Nothing can come unless it is open.
   readonly state: State;

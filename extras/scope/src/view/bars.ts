@@ -2,7 +2,7 @@
 
 import type { Core } from '../core';
 import { make, setAttribute, setText } from '../dom';
-import type { Stretch } from '../line';
+import type { Line, Stretch } from '../line';
 import type { Unit } from '../unit';
 import { dashOf } from './dash';
 
@@ -32,6 +32,7 @@ export class Bars {
     private readonly list: HTMLElement,
     private readonly core: Core,
     private readonly chosen: Set<number>,
+    private readonly line: () => Line | undefined,
   ) {}
 
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
@@ -58,7 +59,7 @@ export class Bars {
     if (!text) {
       return;
     }
-    const travel = this.core.travel(channel);
+    const travel = this.line()?.travel(channel);
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;
