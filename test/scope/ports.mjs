@@ -125,7 +125,7 @@ export default async function () {
     await brings(page, frame([1300]), 200000);
     await page.evaluate(() => (fake.port.openMs = 1300));
     await connect(page);
-    await reads(page, '#verdict-text', 'LISTENING.');
+    await reads(page, '#verdict-text', 'Listening.');
     await reads(page, '#verdict-note', /^Wrong baud rate: .* Done: 200000 baud/);
     await reads(page, '#state', 'Fine');
     const opened = await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate));
@@ -375,7 +375,7 @@ export default async function () {
     await brings(page, codes('begin(100000): 0 frames, 0 bytes\r\n'), 115200, 50);
     await page.click('#source-simulated');
     await connect(page, 'board');
-    await reads(page, '#verdict-text', /^TEXT COMES, but no rows/);
+    await reads(page, '#verdict-text', /^Text comes, but no rows/);
   });
 
   await check('S.BUS2 with two sensors behind each frame: every frame after the first dozen', async (page) => {

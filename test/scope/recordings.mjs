@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { check, counts, downloaded, play, raw, reads, root, toEnd } from './support.mjs';
+import { check, counts, downloaded, play, raw, reads, root, seek, toEnd } from './support.mjs';
 
 const recordings = path.join(root, 'test/recordings');
 const golden = path.join(root, 'test/golden');
@@ -95,12 +95,7 @@ export default async function () {
     await toEnd(page);
     const all = 14;
     await counts(page, 'frames', all);
-    const seek = (ms) => page.evaluate((to) => {
-      const position = document.querySelector('#position');
-      position.value = to;
-      position.dispatchEvent(new Event('input'));
-    }, ms);
-    await seek(300);
+    await seek(page, 300);
     await reads(page, '#position-text', /^0:00\.3 /);
     await reads(page, '[data-counter="frames"]', new RegExp(`^(?!${all}$)[1-9]`));
     await page.selectOption('#speed', '10');

@@ -68,8 +68,8 @@ async function open({ size = { width: 1440, height: 900 }, serial = true, ...con
 }
 
 // Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy rejects.)
-export async function until(what, isSo) {
-  const end = Date.now() + 20000;
+export async function until(what, isSo, patience = 20000) {
+  const end = Date.now() + patience;
   while (!(await isSo())) {
     assert.ok(Date.now() < end, typeof what === 'string' ? what : await what());
     await new Promise((resolve) => setTimeout(resolve, 30));
@@ -104,13 +104,16 @@ export async function play(page, file) {
   await reads(page, '#title', `Recording ${path.basename(file)}`);
 }
 
+// To this time in the recording.
+export const seek = (page, ms) => page.evaluate((to) => {
+  const position = document.querySelector('#position');
+  position.value = to;
+  position.dispatchEvent(new Event('input'));
+}, ms);
+
 // To the recording's end.
 export async function toEnd(page) {
-  await page.evaluate(() => {
-    const position = document.querySelector('#position');
-    position.value = position.max;
-    position.dispatchEvent(new Event('input'));
-  });
+  await seek(page, 1e9);
   await reads(page, '#play', 'Play');
 }
 
@@ -162,6 +165,9 @@ export function frame(channels, { flags = 0, end = 0, header = 0x0f } = {}) {
   bytes[24] = end;
   return bytes;
 }
+
+// The line of a recording that holds these bytes.
+export const recorded = (us, bytes) => `${us} ${bytes.map((byte) => byte.toString(16).padStart(2, '0')).join(' ')}\n`;
 
 // The bytes of a text.
 export const codes = (text) => [...text].map((letter) => letter.charCodeAt(0));

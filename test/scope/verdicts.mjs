@@ -5,46 +5,23 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { build, check, root } from './support.mjs';
+import { Native } from './native.mjs';
+import { check, root } from './support.mjs';
 
 const test = path.join(root, 'test');
 const trialUs = 500000;
 const watchUs = 1000000;
 const settings = [[100000, 1], [200000, 1], [100000, 0], [200000, 0]];
 
-class Page {
-  static async load() {
-    const noSystem = new Proxy({}, { get: () => () => 52 });
-    const wasm = readFileSync(path.join(build, 'scope.wasm'));
-    const { instance } = await WebAssembly.instantiate(wasm, { wasi_snapshot_preview1: noSystem });
-    instance.exports._initialize();
-    return Object.assign(new Page(), { wasm: instance.exports });
-  }
-
-  words(at) {
-    const bytes = new Uint8Array(this.wasm.memory.buffer, at);
-    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
-  }
-
-  give(bytes, take) {
-    new Uint8Array(this.wasm.memory.buffer, this.wasm.transferBuffer()).set(bytes);
-    take(bytes.length);
-  }
-
-  advance(us) {
-    while (this.wasm.advance(us) >= 256) this.wasm.takenRecords();
-    this.wasm.takenRecords();
-  }
-
+class Page extends Native {
   simulated(option) {
     const inverted = Number(!option('uninverted'));
     this.wasm.openSimulated(0, option('channels') ?? 16, option('noise') ?? 0, option('baud') ?? 100000, inverted);
     this.wasm.setPort(0, 100000, 1);
     this.wasm.cutWire(Number(option('silent') ?? 0));
-    this.wasm.mark();
     this.advance(watchUs);
-    if (new Float64Array(this.wasm.memory.buffer, this.wasm.status(watchUs), 9)[8] > 0) {
-      return this.wasm.verdict();
+    if (this.status(watchUs, 'frames') > 0) {
+      return this.status(watchUs, 'findingSoFar');
     }
     this.wasm.beginRound();
     settings.forEach(([baud, way], i) => {
@@ -56,22 +33,15 @@ class Page {
   }
 
   recording(text) {
-    const bytes = new TextEncoder().encode(text);
-    this.give(bytes.subarray(0, 4096), (count) => this.wasm.openRecording(count));
-    for (let at = 0; at < bytes.length; at += 65536) {
-      this.give(bytes.subarray(at, at + 65536), (count) => this.wasm.recordingText(count));
-    }
-    assert.equal(this.words(this.wasm.endRecording()), '');
-    this.wasm.playRecording();
-    this.wasm.mark();
-    this.advance(this.wasm.recordingLengthUs() + 1000);
-    return this.wasm.verdict();
+    this.open(text);
+    const endUs = this.wasm.recordingLengthUs() + 1000;
+    this.advance(endUs);
+    return this.status(endUs, 'findingSoFar');
   }
 
   // A line of a recording of an adapter is what it has brought at once.
   port(text) {
     this.wasm.openPort(0, 100000, 0);
-    this.wasm.mark();
     let nowUs = 0;
     for (const [, us, words] of text.matchAll(/^(\d+)~\d+ (.*)$/gm)) {
       const bytes = words.split(' ').map((word) => parseInt(word, 16));
@@ -80,7 +50,7 @@ class Page {
       this.give(bytes, (count) => this.wasm.received(count, nowUs));
     }
     this.advance(nowUs + 100000);
-    return this.wasm.verdict();
+    return this.status(nowUs + 100000, 'findingSoFar');
   }
 }
 
@@ -93,7 +63,7 @@ export default async function () {
       continue;
     }
     await check(`the page finds on ${source}: ${finding}`, async () => {
-      const page = await Page.load();
+      const page = await new Page().load();
       const option = (name) => new RegExp(`--${name}(?: (\\w+))?`).exec(source)?.map((word) => word ?? true)[1];
       const text = source.startsWith('sim') ? '' : readFileSync(path.resolve(test, source.replace('WORK', folder)), 'utf8');
       const found = text === '' ? [page.simulated(option)] : [page.recording(text)];

@@ -1,14 +1,8 @@
 // The library itself, compiled to WebAssembly (../wasm): all that is known of S.Bus is known there.
 
 import wasm from '../scope.wasm?inline';
-
-export enum LinkState {
-  NeverSeen,
-  Ok,
-  Lossy,
-  Failsafe,
-  Stale,
-}
+import { Flag, Kind, type Line, type Sink, type Status, type Stretch } from './line';
+import { imports, Native, type Exports } from './native';
 
 // sbus::Finding
 export enum Finding {
@@ -41,39 +35,6 @@ export enum CalibrationError {
   NotHeld,
 }
 
-export enum Kind {
-  Frame, // 16 channels and two switches
-  Frame24,
-  Extra, // header 2F: CH17..CH32
-  NoFrame,
-  Row, // numbers that a board has printed
-}
-
-export enum Flag {
-  Channel17 = 1,
-  Channel18 = 2,
-  LostFrame = 4,
-  Failsafe = 8,
-}
-
-// A piece of the line: a frame, or what is none.
-export interface Stretch {
-  endUs: number;
-  kind: Kind;
-  flags: number;
-  channels: Float64Array; // raw; of a Row as it was printed
-  bytes: Uint8Array; // empty for a Row
-  why: string; // it is no frame
-}
-
-// As in wasm/Status.cpp.
-const statusNames = [
-  'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
-  'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
-  'extraFrames', 'rows', 'otherLines', 'garbled',
-] as const;
-export type Status = Record<(typeof statusNames)[number], number>;
-
 export interface Setting {
   baud: number;
   inverted: boolean;
@@ -98,32 +59,27 @@ export enum Scale {
   Calibrated,
 }
 
-// As in wasm/Scope.h.
-const recordSize = 392;
-const channelsAt = 8;
-const bytesAt = 268;
-const whyAt = 304;
-const enough = 256; // records
+const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
 
-// The C++ library of Debian 13 writes its last words to standard error. There is none: WASI's error ENOSYS is 52.
-const noSystem = new Proxy({}, { get: () => () => 52 });
+export class Core implements Line {
+  // What a worker runs.
+  readonly wasm = bytes;
+  private calibrating = false;
+  private readonly native: Native['calls'];
 
-// As in line/Recording.h.
-export const recordingBeginning = 4096; // bytes
-
-type Native = Record<string, (...values: number[]) => number> & { memory: WebAssembly.Memory };
-
-export class Core {
-  private readonly text = new TextDecoder();
-
-  private constructor(private readonly native: Native) {}
+  // Throws if the page and WebAssembly were not built together.
+  private constructor(private readonly memory: Native) {
+    this.native = memory.calls;
+    memory.layout.enumeration('Finding', Finding);
+    memory.layout.enumeration('CalibrationError', CalibrationError);
+    memory.layout.enumeration('Scale', Scale);
+  }
 
   static async load(): Promise<Core> {
-    const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
-    const { instance } = await WebAssembly.instantiate(bytes, { wasi_snapshot_preview1: noSystem });
-    const native = instance.exports as Native;
+    const { instance } = await WebAssembly.instantiate(bytes, imports);
+    const native = instance.exports as Exports;
     native._initialize();
-    return new Core(native);
+    return new Core(new Native(native));
   }
 
   // The line.
@@ -146,59 +102,29 @@ export class Core {
   }
 
   received(bytes: Uint8Array, nowUs: number): void {
-    this.transfer(bytes, (count) => this.native.received(count, nowUs));
+    this.memory.transfer(bytes, (count) => this.native.received(count, nowUs));
   }
 
   receivedBad(nowUs: number): void {
     this.native.receivedBad(nowUs);
   }
 
-  // `beginning`: recordingBeginning bytes, or all there are. They tell how its line was set.
-  openRecording(beginning: Uint8Array): void {
-    this.transfer(beginning, (count) => this.native.openRecording(count));
-  }
-
-  recordingText(text: Uint8Array): void {
-    this.transfer(text, (count) => this.native.recordingText(count));
-  }
-
-  // What is wrong with the recording, or ''. Until playRecording() the line is as it was.
-  endRecording(): string {
-    return this.words(this.native.endRecording());
-  }
-
-  playRecording(): void {
-    this.native.playRecording();
-  }
-
-  get recordingLengthUs(): number {
-    return this.native.recordingLengthUs();
-  }
-
-  rewindRecording(): void {
-    this.native.rewindRecording();
-  }
-
   // Hands over all that has come by `nowUs`.
-  advance(nowUs: number, take: (stretch: Stretch) => void): void {
-    for (let count = enough; count >= enough; ) {
-      count = this.native.advance(nowUs);
-      const at = this.native.records();
-      const view = new DataView(this.native.memory.buffer);
-      const stretches = Array.from({ length: count }, (_, i) => this.stretch(view, at + i * recordSize));
-      this.native.takenRecords();
-      stretches.forEach(take); // it may call what makes the memory grow, and the view is then detached
-    }
+  advance(nowUs: number, sink: Sink): void {
+    this.memory.records(nowUs, (records) => this.stretchesIn(records).forEach((stretch) => sink.take(stretch)));
+  }
+
+  // The stretches of a worker's picture.
+  stretchesIn(records: Uint8Array): Stretch[] {
+    return this.memory.stretchesIn(records);
   }
 
   status(nowUs: number): Status {
-    const values = this.doubles(this.native.status(nowUs), statusNames.length);
-    return Object.fromEntries(statusNames.map((name, i) => [name, values[i]])) as Status;
+    return this.memory.status(nowUs);
   }
 
   travel(channel: number): [number, number] | undefined {
-    const at = this.native.travel(channel);
-    return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
+    return this.memory.travel(channel);
   }
 
   resetMarks(): void {
@@ -219,21 +145,17 @@ export class Core {
     return { finding: this.native.roundFinding(), best: this.native.roundBest() };
   }
 
+  // What has come before is forgotten.
   mark(): void {
     this.native.mark();
   }
 
-  // Of what came since mark().
-  get verdict(): Finding {
-    return this.native.verdict();
-  }
-
   findingText(finding: Finding): string {
-    return this.words(this.native.findingText(finding));
+    return this.memory.words(this.native.findingText(finding));
   }
 
   findingRemedy(finding: Finding): string {
-    return this.words(this.native.findingRemedy(finding));
+    return this.memory.words(this.native.findingRemedy(finding));
   }
 
   isWell(finding: Finding): boolean {
@@ -255,12 +177,23 @@ export class Core {
   }
 
   range(channel: number): Range {
-    const [low, centre, high] = this.doubles(this.native.rangeOf(channel), 3);
+    const [low, centre, high] = this.memory.doubles(this.native.rangeOf(channel), 3);
     return { low, centre, high };
   }
 
   calibrate(step: number): void {
+    this.calibrating = step !== 0;
     this.native.calibrate(step);
+  }
+
+  // A stretch for the calibration that is under way, if one is.
+  feedCalibrator({ kind, channels, flags }: Stretch): void {
+    if (this.calibrating && (kind === Kind.Frame || kind === Kind.Frame24)) {
+      const raw = Uint16Array.from(channels);
+      this.memory.transfer(new Uint8Array(raw.buffer), () =>
+        this.native.feedCalibrator(flags & Flag.Failsafe, flags & Flag.LostFrame),
+      );
+    }
   }
 
   calibrationError(channel: number): CalibrationError {
@@ -269,7 +202,7 @@ export class Core {
 
   // Follows the channel's name: " hardly moved: ...".
   calibrationErrorText(error: CalibrationError): string {
-    return this.words(this.native.calibrationErrorText(error));
+    return this.memory.words(this.native.calibrationErrorText(error));
   }
 
   // Why not: "CH3 hardly moved: ..."; or ''.
@@ -301,46 +234,20 @@ export class Core {
 
   // Recording.
 
-  record(on: boolean): void {
-    this.native.record(Number(on));
+  record(): void {
+    this.native.record(1);
   }
 
   takeRecorded(): string {
-    return this.words(this.native.takeRecorded());
+    return this.memory.words(this.native.takeRecorded());
   }
 
-  private transfer(bytes: Uint8Array, call: (count: number) => void): void {
-    const at = this.native.transferBuffer();
-    const size = 1 << 16;
-    for (let from = 0; from < bytes.length; from += size) {
-      const part = bytes.subarray(from, from + size);
-      new Uint8Array(this.native.memory.buffer, at).set(part);
-      call(part.length);
-    }
-  }
-
-  private stretch(view: DataView, at: number): Stretch {
-    const [kind, flags, count, size] = new Uint8Array(view.buffer, at + channelsAt + 256, 4);
-    return {
-      endUs: view.getFloat64(at, true),
-      kind,
-      flags,
-      channels: new Float64Array(view.buffer, at + channelsAt, count).slice(),
-      bytes: new Uint8Array(view.buffer, at + bytesAt, size).slice(),
-      why: kind === Kind.NoFrame ? this.words(at + whyAt) : '',
-    };
+  async endRecorded(): Promise<string> {
+    this.native.record(0);
+    return this.takeRecorded();
   }
 
   private calibrationBytes(): Uint8Array {
     return new Uint8Array(this.native.memory.buffer, this.native.calibrationBytes(), this.native.calibrationSize());
-  }
-
-  private doubles(at: number, count: number): Float64Array {
-    return new Float64Array(this.native.memory.buffer, at, count);
-  }
-
-  private words(at: number): string {
-    const bytes = new Uint8Array(this.native.memory.buffer, at);
-    return this.text.decode(bytes.subarray(0, bytes.indexOf(0)));
   }
 }

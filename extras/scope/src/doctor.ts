@@ -1,11 +1,14 @@
 // Says what is wrong with the line, at all times; and where no frame comes, tries the other settings of the port.
 
-import { Finding, Flag, LinkState, type Core, type Setting, type Status, type Stretch } from './core';
+import { Finding, type Core, type Setting } from './core';
+import { Flag, LinkState, type Status, type Stretch } from './line';
 import type { Problem, Source } from './source/Source';
 
 const trialMs = 500; // half a second has 12 frames of the slowest receiver known
 const patienceMs = 1000; // without a frame, until others are tried
 const pauseMs = 2000; // until they are tried again
+const quietestUs = 50000; // from a frame to the next one's bytes
+const silenceUs = 1000000; // after bytes that are no frames
 
 export type Severity = 'good' | 'note' | 'warning' | 'alarm';
 
@@ -35,21 +38,16 @@ export class Doctor {
   private found = ''; // by trying: the port is open so now
   private trying?: Setting;
   private trial = 0; // of the round
-  private sinceMs: number; // the trial's, or the watch's
+  private sinceMs = performance.now(); // of the trial, or of the open port
   private seen = false; // frames, since the source was opened
   private pausedUntilMs = 0;
-  private finding?: Finding; // of the last watch
   private round?: Finding; // of the last round
-  private characters = 0; // when the watch began
 
   constructor(
     private readonly core: Core,
     private readonly source: Source,
     private readonly lineSettings: readonly Setting[] = source.settings,
-  ) {
-    this.sinceMs = performance.now();
-    core.mark();
-  }
+  ) {}
 
   // What is being tried, or was found.
   get note(): string {
@@ -59,26 +57,22 @@ export class Doctor {
   // Call it for each picture.
   async tick(status: Status): Promise<void> {
     const ms = performance.now();
-    const elapsed = ms - this.sinceMs;
     if (this.trying) {
-      if (elapsed >= trialMs) {
+      if (ms - this.sinceMs >= trialMs) {
         await this.endTrial();
       }
       return;
     }
     if (this.source.state !== 'open') {
-      this.watch(status);
+      this.sinceMs = ms;
+      this.core.mark();
       return;
     }
     this.seen ||= status.frames > 0 || status.rows > 0;
-    if (elapsed >= patienceMs) {
-      this.finding = this.core.verdict;
-      this.watch(status);
-      const mayTry = this.lineSettings.length > 1 && !this.source.problem && ms >= this.pausedUntilMs;
-      if (!this.seen && mayTry && status.otherLines === 0) {
-        this.core.beginRound();
-        await this.beginTrial(0);
-      }
+    const mayTry = this.lineSettings.length > 1 && !this.source.problem && ms >= this.pausedUntilMs;
+    if (!this.seen && mayTry && status.otherLines === 0 && ms - this.sinceMs >= patienceMs) {
+      this.core.beginRound();
+      await this.beginTrial(0);
     }
   }
 
@@ -96,26 +90,35 @@ export class Doctor {
       case LinkState.Failsafe:
         return this.of((newest?.flags ?? 0) & Flag.Failsafe ? Finding.Failsafe : Finding.NoRadio);
       case LinkState.Stale:
-        return status.characters > this.characters
+        return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
           ? this.of(Finding.NoFrames)
           : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames have come, now not a byte does.' };
       case LinkState.NeverSeen: {
-        const finding = this.lineSettings.length > 1 ? this.round : this.finding;
+        const finding = this.lineSettings.length > 1 ? this.round : this.finding(status);
         return finding === undefined
-          ? { text: 'LISTENING.', remedy: 'The first frame is awaited.', severity: 'note' }
+          ? { text: 'Listening.', remedy: 'The first frame is awaited.', severity: 'note' }
           : this.of(finding);
       }
       default:
-        return this.finding === undefined || this.finding <= Finding.NoFrames
-          ? { text: 'Frames come.', remedy: 'A verdict needs a second of them.', severity: 'good' }
-          : this.of(this.finding);
+        return this.ofFrames(this.finding(status), status.state === LinkState.Lossy);
     }
   }
 
-  private watch(status: Status): void {
-    this.sinceMs = performance.now();
-    this.characters = status.characters;
-    this.core.mark();
+  // Of the line's last whole second; where its time stands still before that is over, of what has come.
+  private finding(status: Status): Finding | undefined {
+    return status.finding >= 0 ? status.finding : this.source.stands && status.characters > 0 ? status.findingSoFar : undefined;
+  }
+
+  // The newest frame is there: what was found of older ones must not contradict it.
+  private ofFrames(finding: Finding | undefined, lossy: boolean): Verdict {
+    const isOld = finding === undefined || finding === Finding.Failsafe || finding <= Finding.NoFrames;
+    if (lossy && (isOld || this.core.isWell(finding))) {
+      return this.of(Finding.Lossy);
+    }
+    if (isOld) {
+      return { text: 'Frames come.', remedy: 'A verdict needs a second of them.', severity: 'good' };
+    }
+    return this.of(finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
   }
 
   private async beginTrial(trial: number): Promise<void> {
@@ -143,8 +146,6 @@ export class Doctor {
     this.trying = undefined;
     this.sinceMs = performance.now();
     this.pausedUntilMs = this.sinceMs + pauseMs;
-    this.characters = 0;
-    this.core.mark();
   }
 
   private of(finding: Finding): Verdict {
@@ -171,7 +172,7 @@ const noText: Verdict = {
 function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
-      text: 'TEXT COMES, but no rows of numbers.',
+      text: 'Text comes, but no rows of numbers.',
       remedy: 'Upload a sketch that prints 2 to 32 of them, with commas, tabs or blanks: DecodeSBus, AllChannels, Channels24.',
       severity: 'warning',
     };

@@ -1,14 +1,22 @@
 // The newest values of all channels, in memory that does not grow: some five minutes of 111 frames a second.
 
-import { Flag, type Stretch } from './core';
+import { Flag, Kind, type Stretch } from './line';
 
-export class History {
+// Frames or rows, the oldest first.
+export interface Samples {
+  times: Float64Array; // s
+  values: Float32Array; // History.channels of each
+  flags: Uint8Array;
+}
+
+export class History implements Samples {
   static readonly capacity = 1 << 15;
+  static readonly seconds = 300;
   static readonly channels = 32;
 
-  private readonly times = new Float64Array(History.capacity); // s
-  private readonly values = new Float32Array(History.capacity * History.channels).fill(NaN);
-  private readonly flags = new Uint8Array(History.capacity);
+  readonly times = new Float64Array(History.capacity); // s
+  readonly values = new Float32Array(History.capacity * History.channels).fill(NaN);
+  readonly flags = new Uint8Array(History.capacity);
   private taken = 0; // since clear()
 
   clear(): void {
@@ -16,13 +24,24 @@ export class History {
   }
 
   add(stretch: Stretch): void {
-    const at = this.taken % History.capacity;
-    this.times[at] = stretch.endUs / 1e6;
-    this.flags[at] = stretch.flags;
-    for (let i = 0; i < History.channels; i++) {
-      this.values[at * History.channels + i] = i < stretch.channels.length ? stretch.channels[i] : NaN;
-    }
+    put(this, this.taken % History.capacity, stretch);
     this.taken++;
+  }
+
+  // These came before all that is held.
+  precede({ times, values, flags }: Samples): void {
+    const held = this.taken;
+    const count = Math.min(times.length, History.capacity - held);
+    const from = times.length - count; // the oldest have no room
+    if (count > 0) {
+      this.times.copyWithin(count, 0, held);
+      this.times.set(times.subarray(from));
+      this.flags.copyWithin(count, 0, held);
+      this.flags.set(flags.subarray(from));
+      this.values.copyWithin(count * History.channels, 0, held * History.channels);
+      this.values.set(values.subarray(from * History.channels));
+      this.taken += count;
+    }
   }
 
   // Samples are numbered from clear() on; the oldest may be gone.
@@ -74,5 +93,23 @@ export class History {
   nearest(seconds: number): number {
     const after = Math.min(this.find(seconds), Math.max(this.end - 1, this.begin));
     return after > this.begin && seconds - this.time(after - 1) < this.time(after) - seconds ? after - 1 : after;
+  }
+}
+
+// Frames with the first channels, and rows.
+export const isSample = ({ kind }: Stretch): boolean => kind !== Kind.NoFrame && kind !== Kind.Extra;
+
+export function samplesOf(stretches: readonly Stretch[]): Samples {
+  const count = stretches.length;
+  const samples = { times: new Float64Array(count), values: new Float32Array(count * History.channels).fill(NaN), flags: new Uint8Array(count) };
+  stretches.forEach((stretch, i) => put(samples, i, stretch));
+  return samples;
+}
+
+function put({ times, values, flags }: Samples, at: number, stretch: Stretch): void {
+  times[at] = stretch.endUs / 1e6;
+  flags[at] = stretch.flags;
+  for (let i = 0; i < History.channels; i++) {
+    values[at * History.channels + i] = i < stretch.channels.length ? stretch.channels[i] : NaN;
   }
 }

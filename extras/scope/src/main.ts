@@ -58,7 +58,7 @@ async function connect(kind: PortKind): Promise<void> {
     if (port) {
       await scope.choice.change(async () => () => {
         pressed(kind);
-        return new PortSource(core, port, kind, scope.take, Number(select('baud').value));
+        return new PortSource(core, port, kind, scope, Number(select('baud').value));
       });
     }
   } catch (problem) {
@@ -73,17 +73,20 @@ async function play(file: File | undefined): Promise<void> {
   notice.hide();
   try {
     await scope.choice.change(async (signal) => {
-      const make = await RecordingSource.read(core, file, signal);
+      const read = (part: number): void => void (scope.reading = `reading ${file.name}: ${Math.floor(100 * part)} %`);
+      const make = await RecordingSource.read(core, file, signal, read);
       return () => {
         pressed('recording');
         return make();
       };
     });
   } catch (error) {
-    notice.show({
+    notice.show(!(error instanceof Error) ? (error as Problem) : {
       text: `This is no recording: ${(error as Error).message}.`,
       remedy: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
     });
+  } finally {
+    scope.reading = '';
   }
 }
 
@@ -109,10 +112,11 @@ function wire(): void {
   });
 
   byId('record').addEventListener('click', () => {
+    const { current } = scope.choice;
     if (scope.recorder.on) {
       scope.recorder.end();
-    } else {
-      scope.recorder.begin(scope.choice.current?.title ?? '');
+    } else if (current) {
+      scope.recorder.begin(current.line, current.title);
     }
   });
   addEventListener('beforeunload', (event) => scope.recorder.on && event.preventDefault());
@@ -122,7 +126,7 @@ function wire(): void {
   byId('pause').addEventListener('click', () => scope.curves.pause(!scope.curves.paused));
   byId('zoom-in').addEventListener('click', () => scope.curves.zoom(1));
   byId('zoom-out').addEventListener('click', () => scope.curves.zoom(-1));
-  byId('reset-marks').addEventListener('click', () => core.resetMarks());
+  byId('reset-marks').addEventListener('click', () => scope.choice.current?.line.resetMarks());
   new Dropping(byId('drop'));
 }
 

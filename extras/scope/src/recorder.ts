@@ -1,8 +1,8 @@
 // What the user keeps: a recording in the project's format, the numbers as CSV, or a picture.
 
-import type { Core } from './core';
 import { download } from './dom';
 import { History } from './history';
+import type { Line } from './line';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 
@@ -14,35 +14,37 @@ export class Recorder {
   private text = '';
   private parts: Blob[] = [];
 
-  constructor(private readonly core: Core) {}
+  private line?: Line;
 
   // `title`: what is recorded, for the first line.
-  begin(title: string): void {
+  begin(line: Line, title: string): void {
     this.on = true;
+    this.line = line;
     this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
     this.parts = [];
     this.bytes = this.text.length;
-    this.core.record(true);
+    line.record();
   }
 
   // Call it often enough: for each picture, and each time that bytes have come.
   poll(): void {
-    if (this.on) {
-      this.append(this.core.takeRecorded());
+    if (this.line) {
+      this.append(this.line.takeRecorded());
     }
   }
 
-  // Hands the file over.
+  // Hands the file over, once the line has given its end.
   end(): void {
-    if (!this.on) {
+    const { line } = this;
+    if (!line) {
       return;
     }
-    this.core.record(false);
-    this.append(this.core.takeRecorded());
     this.on = false;
-    download(`sbus-${stamp()}.txt`, [...this.parts, this.text], 'text/plain');
+    this.line = undefined;
+    const parts = [...this.parts, this.text];
     this.parts = [];
     this.text = '';
+    void line.endRecorded().then((rest) => download(`sbus-${stamp()}.txt`, [...parts, rest], 'text/plain'));
   }
 
   private append(text: string): void {

@@ -1,10 +1,11 @@
 // The page at work: one source, what has come of it, and a picture of that, sixty times a second.
 
 import { Channels } from './channels';
-import { Kind, LinkState, type Core, type Status, type Stretch } from './core';
+import type { Core } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
-import { History } from './history';
+import { History, isSample, type Samples } from './history';
+import { Kind, LinkState, type Sink, type Status, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import type { State } from './source/connection';
@@ -34,12 +35,13 @@ const asides: Record<State, string> = {
   failed: ' (not open)',
 };
 
-export class Scope {
+export class Scope implements Sink {
   readonly history = new History();
-  readonly recorder: Recorder;
+  readonly recorder = new Recorder();
   readonly curves: Curves;
   readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
   newest?: Stretch; // frame or row
+  reading = ''; // the file that is read, and how far
 
   private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
@@ -56,8 +58,7 @@ export class Scope {
   private readonly timeline: Timeline;
 
   constructor(private readonly core: Core) {
-    this.recorder = new Recorder(core);
-    this.bars = new Bars(byId('bars'), core, this.channels);
+    this.bars = new Bars(byId('bars'), core, this.channels, () => this.choice.current?.line);
     this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
     this.curves = new Curves(byId('plot'), this.history, this.channels, {
@@ -67,7 +68,7 @@ export class Scope {
       cursors: byId('cursors'),
       table: byId('cursor-values'),
     });
-    this.timeline = new Timeline(() => this.forget());
+    this.timeline = new Timeline(() => this.recorder.end());
   }
 
   private leave(): void {
@@ -82,25 +83,35 @@ export class Scope {
   }
 
   // A stretch of the line has come.
-  readonly take = (stretch: Stretch): void => {
-    this.showBytes(stretch);
+  take(stretch: Stretch): void {
+    this.core.feedCalibrator(stretch);
+    this.show(stretch);
     if (++this.taken % pollAfter === 0) {
       this.recorder.poll(); // a page in the background draws nothing
     }
-    if (stretch.kind !== Kind.NoFrame) {
-      this.newest = stretch;
-      if (stretch.kind !== Kind.Extra) {
-        this.history.add(stretch);
-      }
+    if (isSample(stretch)) {
+      this.history.add(stretch);
     }
-  };
+  }
+
+  jump(recalled: readonly Stretch[]): void {
+    this.forget();
+    recalled.forEach((stretch) => this.show(stretch));
+  }
+
+  precede(samples: Samples): void {
+    this.history.precede(samples);
+  }
 
   // Of a board that prints numbers there are no bytes of S.Bus.
-  private showBytes(stretch: Stretch): void {
+  private show(stretch: Stretch): void {
     if (stretch.kind !== Kind.Row && this.newest?.kind !== Kind.Row) {
       this.frames.add(stretch);
     } else if (this.newest?.kind !== Kind.Row) {
       this.frames.clear();
+    }
+    if (stretch.kind !== Kind.NoFrame) {
+      this.newest = stretch;
     }
   }
 
@@ -110,17 +121,17 @@ export class Scope {
       return;
     }
     const nowUs = source.nowUs();
-    this.core.advance(nowUs, this.take);
+    source.line.advance(nowUs, this);
     this.recorder.poll();
-    const status = this.core.status(nowUs);
+    const status = source.line.status(nowUs);
     void this.doctor?.tick(status);
-    this.show(source, status, nowUs);
+    this.picture(source, status, nowUs);
   }
 
-  private show(source: Source, status: Status, nowUs: number): void {
+  private picture(source: Source, status: Status, nowUs: number): void {
     const unit = this.units.of(this.newest);
     byId('rows').hidden = this.newest?.kind !== Kind.Row;
-    setText(byId('title'), source.title + asides[this.choice.state]);
+    setText(byId('title'), source.title + (this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state]));
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
     this.sticks.draw(this.newest, unit, trusted);

@@ -1,6 +1,7 @@
 // What a channel's numbers are: raw ones of a frame, or what a sketch prints. Of those only the user knows it.
 
-import { Kind, type Range, type Stretch } from './core';
+import type { Range } from './core';
+import { Kind, type Stretch } from './line';
 
 export interface Unit {
   raw: boolean; // 0..2047: they can be scaled

@@ -1,4 +1,6 @@
 // What a raw value means, on a FrSky, a Futaba, or a radio that was calibrated here; and the calibration.
+#include <cstring>
+
 #include "Scope.h"
 #include "sbus/Calibrator.h"
 
@@ -6,39 +8,31 @@ using namespace scope;
 
 namespace {
 
-enum Scale { FrSky, Futaba, Calibrated };
-int scale = FrSky;
+Scale scale = Scale::FrSky;
 
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
-bool calibrating = false;
 sbus::CalibrationError finishError = sbus::CalibrationError::None;
 double range[3];
 
 sbus::CalibratedChannel uncalibrated() {
-  return {scale == Futaba ? sbus::Futaba : sbus::FrSky, 0};
+  return {scale == Scale::Futaba ? sbus::Futaba : sbus::FrSky, 0};
 }
 
 sbus::CalibratedChannel of(unsigned channel) {
   const bool known =
-      scale == Calibrated && channel < sbus::ProportionalCount && sbus::isCalibrated(calibration.channels[channel]);
+      scale == Scale::Calibrated && channel < sbus::ProportionalCount && sbus::isCalibrated(calibration.channels[channel]);
   return known ? calibration.channels[channel] : uncalibrated();
 }
 
 }  // namespace
 
-void scope::feedCalibrator(const line::Values &newest) {
-  if (calibrating) {
-    calibrator.feed(newest.raw.data(), newest.failsafe, newest.lostFrame);
-  }
-}
-
 EXPORT(setScale)(int chosen)->void {
-  scale = chosen;
+  scale = static_cast<Scale>(chosen);
 }
 // Of a Futaba 1100, 1520 and 1940 us: either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880.
 EXPORT(microseconds)(unsigned channel, double raw)->int {
-  const sbus::CalibratedChannel scaled = scale == Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
+  const sbus::CalibratedChannel scaled = scale == Scale::Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
   return scaled.toMicroseconds(static_cast<uint16_t>(raw));
 }
 EXPORT(thousandths)(unsigned channel, double raw)->int {
@@ -54,9 +48,8 @@ EXPORT(rangeOf)(unsigned channel)->const double * {
   return range;
 }
 
-// Step 1: whole travel; 2: at rest; 3: up and right; 0: leaves it.
+// Step 1: whole travel; 2: at rest; 3: up and right.
 EXPORT(calibrate)(int step)->void {
-  calibrating = step != 0;
   if (step == 1) {
     calibrator.begin();
   } else if (step == 2) {
@@ -64,6 +57,13 @@ EXPORT(calibrate)(int step)->void {
   } else if (step == 3) {
     calibrator.high();
   }
+}
+
+// A frame: its raw values are in the buffer, 16 bits each.
+EXPORT(feedCalibrator)(int failsafe, int lostFrame)->void {
+  uint16_t raw[sbus::ProportionalCount];
+  std::memcpy(raw, transfer, sizeof raw);
+  calibrator.feed(raw, failsafe != 0, lostFrame != 0);
 }
 
 // Returns what is still to be done with a channel, from 0 on: an sbus::CalibrationError.

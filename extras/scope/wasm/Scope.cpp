@@ -5,6 +5,7 @@
 namespace scope {
 
 Scope theScope;
+alignas(8) uint8_t transfer[TransferSize];
 
 namespace {
 
@@ -23,12 +24,20 @@ Scope::Scope() {
 void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   settings = now;
   records.clear();
+  _lately.clear();
+  _newest.reset();
   rows = BoardRows();
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
-  examination.begin(observer, nowUs);
   _reads = line::PortReads(settings.characterUs());
+  _characterUs = 0;
   _turnUs = nowUs;
+  mark();
+}
+
+void Scope::mark() {
+  examination.begin(observer, _turnUs);
+  watch.begin(observer, _turnUs);
 }
 
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
@@ -49,6 +58,7 @@ void Scope::receivedBad(uint64_t nowUs) {
 void Scope::put(const line::Character &character) {
   recorder.put(character);
   observer.put(character);
+  _characterUs = character.endUs;
 }
 
 void Scope::record(bool on) {
@@ -63,10 +73,14 @@ void Scope::advance(uint64_t nowUs) {
   line::Line *const line = simulated ? static_cast<line::Line *>(simulated.get()) : played.get();
   line::Character character;
   while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
+    watch.until(observer, settings, character.endUs);
     put(character);
     if (played && rows.put(character)) {  // a board's port was recorded
       takeRow(character.endUs);
     }
+  }
+  if (played && played->needsMore()) {
+    return;
   }
   if (nowUs > _turnUs) {  // what had come by the last turn, a turn of the browser has brought
     _reads.empty(_turnUs);
@@ -79,6 +93,9 @@ void Scope::advance(uint64_t nowUs) {
   if (played && played->atEnd() && !_finished) {
     _finished = true;
     observer.finish();
+  }
+  if (records.size() < Enough) {
+    watch.until(observer, settings, nowUs);
   }
 }
 
@@ -99,15 +116,29 @@ void Scope::takeRow(uint64_t nowUs) {
                                                            : 0;
     record.flags = static_cast<uint8_t>(record.flags | (value != 0 ? flag : 0));
   }
+  add(record);
+}
+
+void Scope::add(const Record &record) {
   records.push_back(record);
+  _lately.push_back(record);
+  if (_lately.size() > Shown) {
+    _lately.pop_front();
+  }
+  if (record.kind != static_cast<uint8_t>(line::Stretch::Kind::NoFrame)) {
+    _newest = record;
+  }
+}
+
+void Scope::recall() {
+  records.assign(_lately.begin(), _lately.end());
+  if (_newest && (records.empty() || _newest->endUs < records.front().endUs)) {
+    records.insert(records.begin(), *_newest);
+  }
 }
 
 void Scope::take(const line::Stretch &stretch) {
-  using Kind = line::Stretch::Kind;
   const line::Values &newest = observer.newest();
-  if (stretch.kind == Kind::Frame || stretch.kind == Kind::Frame24) {
-    feedCalibrator(newest);
-  }
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
   record.kind = static_cast<uint8_t>(stretch.kind);
@@ -119,7 +150,7 @@ void Scope::take(const line::Stretch &stretch) {
                  [](const line::Character &character) { return character.value; });
   const std::string words = line::why(stretch);
   words.copy(record.why, sizeof record.why - 1);
-  records.push_back(record);
+  add(record);
 }
 
 }  // namespace scope

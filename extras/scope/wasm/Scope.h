@@ -1,13 +1,16 @@
 // What the page is about: one line, and what a decoder makes of it.
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "BoardRows.h"
-#include "PlayedLine.h"
+#include "FedLine.h"
 #include "Recorder.h"
 #include "SimulatedLine.h"
+#include "Watch.h"
 #include "line/Examination.h"
 #include "line/simulation/LineSettings.h"
 #include "line/Observer.h"
@@ -15,7 +18,18 @@
 
 namespace scope {
 
-// A stretch of the line as the page reads it: doubles first, no padding that a compiler chooses.
+constexpr size_t TransferSize = size_t{1} << 16;  // bytes that the page can hand over at once
+
+// Where it hands them over: bytes of a port, text of a recording.
+alignas(8) extern uint8_t transfer[TransferSize];
+inline std::string_view transferred(size_t count) {
+  return {reinterpret_cast<const char *>(transfer), count};
+}
+
+// By which a raw value is scaled.
+enum class Scale { FrSky, Futaba, Calibrated };
+
+// A stretch of the line as the page reads it, by Layout.cpp.
 struct Record {
   static constexpr size_t ChannelsMax = 32;
   static constexpr size_t BytesMax = sbus::FrameSize24;
@@ -30,7 +44,6 @@ struct Record {
   uint8_t bytes[BytesMax];  // of the line
   char why[88];             // it is no frame
 };
-static_assert(sizeof(Record) == 8 + 8 * 32 + 4 + 36 + 88, "src/core.ts reads it");
 
 class Scope {
  public:
@@ -41,36 +54,46 @@ class Scope {
   void reset(uint64_t nowUs, const line::LineSettings &settings);
   void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
   void receivedBad(uint64_t nowUs);
-  // All that was through by then; less if there are records enough.
+  // All that was through by then; less if there are records enough, or if the recording needs its next part.
   void advance(uint64_t nowUs);
   // The line's time, as it was told last: it stands still while a recording does.
   uint64_t nowUs() const { return _turnUs; }
+  // Forgets what was found: what comes from now on counts.
+  void mark();
+  // When the newest character was through; 0 before the first.
+  uint64_t characterUs() const { return _characterUs; }
+  // Hands over once more what the page shows of the line: the newest records, and the newest that is a frame or a row.
+  void recall();
   // From the last advance() on.
   void record(bool on);
 
   line::Observer observer;
   line::Examination examination;             // of what came since the port was opened, or since mark()
+  Watch watch;
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
   std::unique_ptr<SimulatedLine> simulated;  // one of the two, or neither for a port, which the browser reads
-  std::unique_ptr<PlayedLine> played;
+  std::unique_ptr<FedLine> played;
   std::vector<Record> records;
   Recorder recorder;
 
  private:
   void put(const line::Character &character);
   void take(const line::Stretch &stretch);
+  void add(const Record &record);
   void takeRow(uint64_t nowUs);
 
+  static constexpr size_t Shown = 8;  // records
+
+  std::deque<Record> _lately;
+  std::optional<Record> _newest;  // frame or row
   line::PortReads _reads;  // of a port
+  uint64_t _characterUs = 0;
   uint64_t _turnUs = 0;    // of the last picture or read
   bool _finished = false;  // the recording: nothing waits any more
 };
 
 extern Scope theScope;
-
-// A frame for the calibration that is under way, if one is.
-void feedCalibrator(const line::Values &newest);
 
 }  // namespace scope
 

@@ -1,6 +1,6 @@
 // Which line the page looks at, and what it brings.
 #include <algorithm>
-#include <utility>
+#include <cstring>
 
 #include "Scope.h"
 
@@ -8,11 +8,6 @@ using namespace scope;
 
 namespace {
 
-uint8_t buffer[1 << 16];  // what the page hands over: bytes of a port, text of a recording
-std::unique_ptr<line::RecordingReader> reader;
-line::LineSettings readSettings;
-line::Recording read;  // to be played
-std::string partOfLine;
 std::string words;
 
 line::LineSettings settings(double baud, bool inverted) {
@@ -35,7 +30,7 @@ void begin(double nowUs, const line::LineSettings &settings) {
 }  // namespace
 
 EXPORT(transferBuffer)()->uint8_t * {
-  return buffer;
+  return transfer;
 }
 
 EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud, int inverted)->void {
@@ -71,67 +66,30 @@ EXPORT(openPort)(double nowUs, double baud, int board)->void {
 }
 
 EXPORT(received)(unsigned count, double nowUs)->void {
-  theScope.received(buffer, count, us(nowUs));
+  theScope.received(transfer, count, us(nowUs));
 }
 EXPORT(receivedBad)(double nowUs)->void {
   theScope.receivedBad(us(nowUs));
 }
 
-// The file's beginning is in the buffer, line::RecordingBeginning bytes of it.
-EXPORT(openRecording)(unsigned count)->void {
-  const std::string_view beginning(reinterpret_cast<const char *>(buffer), count);
-  const bool csv = line::isCsvText(beginning);
-  readSettings = csv ? line::csvSettings() : line::settingsIn(beginning);
-  reader = std::make_unique<line::RecordingReader>(readSettings.characterUs(), csv);
-  partOfLine.clear();
-}
-
-EXPORT(recordingText)(unsigned count)->void {
-  std::string_view text(reinterpret_cast<const char *>(buffer), count);
-  for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    partOfLine += text.substr(0, end);
-    reader->line(partOfLine);
-    partOfLine.clear();
-    text.remove_prefix(end + 1);
-  }
-  // A reader rejects longer lines: what is after that need not be kept.
-  partOfLine += text.substr(0, line::RecordingLineMax + 1 - std::min(partOfLine.size(), line::RecordingLineMax));
-}
-
-// What is wrong with it, or "".
-EXPORT(endRecording)()->const char * {
-  if (!partOfLine.empty()) {
-    reader->line(partOfLine);
-  }
-  read = reader->finish();
-  reader.reset();
-  words = read.errorLine > 0 ? "line " + std::to_string(read.errorLine) + ": " : "";
-  words += read.error;
-  if (!read.error.empty()) {
-    read = line::Recording();
-  }
-  return words.c_str();
-}
-
-// What was read takes the place of the line that there was.
+// A recording, set as the buffer says (recordingSettings()).
 EXPORT(playRecording)()->void {
-  begin(0, readSettings);
-  theScope.played = std::make_unique<PlayedLine>(std::exchange(read, {}));
+  line::LineSettings settings;
+  std::memcpy(static_cast<void *>(&settings), transfer, sizeof settings);
+  begin(0, settings);
+  theScope.played = std::make_unique<FedLine>();
 }
 
-EXPORT(recordingLengthUs)()->double {
-  return theScope.played ? static_cast<double>(theScope.played->lengthUs()) : 0;
+// Its next characters are in the buffer, `size` bytes of them (recordingPart()).
+EXPORT(feed)(unsigned size, int areLast)->void {
+  theScope.played->feed(reinterpret_cast<const line::Character *>(transfer), size / sizeof(line::Character),
+                        areLast != 0);
+}
+EXPORT(needsMore)()->int {
+  return theScope.played && theScope.played->needsMore();
 }
 
-// To the recording's beginning.
-EXPORT(rewindRecording)()->void {
-  theScope.reset(0, theScope.settings);
-  if (theScope.played) {
-    theScope.played->rewind();
-  }
-}
-
-// How many records there are then. If there are Scope::Enough, call it again once they are taken away.
+// How many records there are then. If there are Scope::Enough, call it again once they are taken away; if needsMore(), once it is fed.
 EXPORT(advance)(double nowUs)->unsigned {
   theScope.advance(us(nowUs));
   return static_cast<unsigned>(theScope.records.size());
@@ -139,6 +97,11 @@ EXPORT(advance)(double nowUs)->unsigned {
 
 EXPORT(records)()->const Record * {
   return theScope.records.data();
+}
+// Puts what the page shows of the line there once more. Returns how many records that is.
+EXPORT(recall)()->unsigned {
+  theScope.recall();
+  return static_cast<unsigned>(theScope.records.size());
 }
 EXPORT(takenRecords)()->void {
   theScope.records.clear();

@@ -1,19 +1,23 @@
-// What the page says of the line as a whole.
+#include "Status.h"
+
+#include <algorithm>
+
 #include "Scope.h"
 
 using namespace scope;
 
 namespace {
 
-// src/core.ts has the names in this order.
-struct Status {
-  double state, ageUs, framesPerSecond, gapMinUs, gapMeanUs, gapMaxUs, characters, badCharacters, frames, lostFrames,
-      failsafeFrames, rejectedByEnd, rejectedByFlags, rejectedByLength, discardedBytes, resyncs, overflows, extraFrames, rows,
-      otherLines, garbled;
-};
 Status answer;
 
 double marks[2];
+
+// Of the port's setting as it is, and all that came since it was opened, or since mark().
+sbus::Finding findingSoFar(uint64_t nowUs) {
+  sbus::Diagnosis diagnosis;
+  diagnosis.add(theScope.examination.trial(theScope.observer, theScope.settings, nowUs));
+  return diagnosis.finding();
+}
 
 }  // namespace
 
@@ -25,27 +29,30 @@ EXPORT(status)(double now)->const Status * {
   const bool text = rows.recognised();
   const line::Extent &gaps = text ? rows.gaps() : observer.gaps();
   const auto d = [](uint64_t value) { return static_cast<double>(value); };
-  answer = {d(static_cast<uint64_t>(text ? rows.state(nowUs) : observer.state(nowUs))),
-            d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs)),
-            d(text ? rows.perSecond(nowUs) : observer.perSecond(nowUs)),
-            d(gaps.low),
-            d(gaps.mean()),
-            d(gaps.high),
-            d(observer.characters()),
-            d(observer.badCharacters()),
-            d(counters.frames),
-            d(counters.lostFrames),
-            d(counters.failsafeFrames),
-            d(counters.rejectedByEnd),
-            d(counters.rejectedByFlags),
-            d(counters.rejectedByLength),
-            d(counters.discardedBytes),
-            d(counters.resyncs),
-            d(counters.overflows),
-            d(counters.extraFrames),
-            d(rows.count()),
-            d(rows.otherLines()),
-            d(rows.garbled())};
+  answer.state = d(static_cast<uint64_t>(text ? rows.state(nowUs) : observer.state(nowUs)));
+  answer.ageUs = d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs));
+  answer.framesPerSecond = d(text ? rows.perSecond(nowUs) : observer.perSecond(nowUs));
+  answer.gapMinUs = d(gaps.low);
+  answer.gapMeanUs = d(gaps.mean());
+  answer.gapMaxUs = d(gaps.high);
+  answer.characters = d(observer.characters());
+  answer.badCharacters = d(observer.badCharacters());
+  answer.frames = d(counters.frames);
+  answer.lostFrames = d(counters.lostFrames);
+  answer.failsafeFrames = d(counters.failsafeFrames);
+  answer.rejectedByEnd = d(counters.rejectedByEnd);
+  answer.rejectedByFlags = d(counters.rejectedByFlags);
+  answer.rejectedByLength = d(counters.rejectedByLength);
+  answer.discardedBytes = d(counters.discardedBytes);
+  answer.resyncs = d(counters.resyncs);
+  answer.overflows = d(counters.overflows);
+  answer.extraFrames = d(counters.extraFrames);
+  answer.rows = d(rows.count());
+  answer.otherLines = d(rows.otherLines());
+  answer.garbled = d(rows.garbled());
+  answer.quietUs = d(nowUs - std::min(nowUs, theScope.characterUs()));
+  answer.finding = theScope.watch.finding() ? d(static_cast<uint64_t>(*theScope.watch.finding())) : -1;
+  answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
 }
 

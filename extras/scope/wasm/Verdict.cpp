@@ -26,16 +26,9 @@ EXPORT(roundBest)()->int {
   return trials.best();
 }
 
-// From here on verdict() counts.
+// What has come before is forgotten.
 EXPORT(mark)()->void {
-  theScope.examination.begin(theScope.observer, theScope.nowUs());
-}
-
-// Of the setting as it is, and what came since mark(), or since the port was opened.
-EXPORT(verdict)()->int {
-  sbus::Diagnosis diagnosis;
-  diagnosis.add(theScope.examination.trial(theScope.observer, theScope.settings, theScope.nowUs()));
-  return static_cast<int>(diagnosis.finding());
+  theScope.mark();
 }
 
 EXPORT(findingText)(int finding)->const char * {

@@ -1,6 +1,7 @@
 // A serial port, through Web Serial: an adapter that receives S.Bus itself, or a board that prints numbers.
 
-import type { Core, Setting, Stretch } from '../core';
+import type { Core, Setting } from '../core';
+import type { Sink } from '../line';
 import { Connection, type State } from './connection';
 import type { Problem, Source } from './Source';
 
@@ -29,7 +30,7 @@ export class PortSource implements Source {
     private readonly core: Core,
     private port: SerialPort,
     kind: PortKind,
-    private readonly take: (stretch: Stretch) => void,
+    private readonly sink: Sink,
     boardBaud = 115200,
   ) {
     this.isBoard = kind === 'board';
@@ -47,6 +48,10 @@ export class PortSource implements Source {
       disturbed: (error) => this.disturbed(error),
       unplugged: () => this.count('unplugged'),
     });
+  }
+
+  get line(): Core {
+    return this.core;
   }
 
   get title(): string {
@@ -92,7 +97,7 @@ export class PortSource implements Source {
 
   private received(bytes: Uint8Array): void {
     this.core.received(bytes, this.nowUs());
-    this.core.advance(this.nowUs(), this.take);
+    this.core.advance(this.nowUs(), this.sink);
   }
 
   private disturbed(error: string): void {

@@ -1,6 +1,8 @@
 // A recording, or rows of CSV, with a time line.
 
-import { recordingBeginning, type Core } from '../core';
+import type { Core } from '../core';
+import type { Line } from '../line';
+import { Player } from './player';
 import type { Source } from './Source';
 
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
@@ -11,40 +13,38 @@ export class RecordingSource implements Source {
   speed = 1;
   loop = false;
   playing = true;
-  private us = 0;
+  private us = 0; // where it is to be
   private lastMs = performance.now();
 
   private constructor(
-    private readonly core: Core,
+    private readonly player: Player,
     readonly title: string,
-    readonly lengthUs: number,
   ) {}
 
-  // Reads the file; what it returns plays it. Throws an Error that says what is wrong with the recording.
-  static async read(core: Core, file: File, signal: AbortSignal): Promise<() => RecordingSource> {
+  // Reads the file; what it returns plays it. Throws an Error that says what is wrong with the recording, or a Problem.
+  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv read it`);
     }
-    const beginning = await file.slice(0, recordingBeginning).arrayBuffer();
-    signal.throwIfAborted(); // the core reads one file at a time
-    if (/^(?!time,|seconds,)"?time\b/im.test(new TextDecoder().decode(beginning))) {
-      throw new Error(`${file.name}: is a capture of the wire`);
-    }
-    core.openRecording(new Uint8Array(beginning));
-    const reader = file.stream().getReader();
-    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    const player = await Player.read(core, file, signal, progress);
+    if (signal.aborted) {
+      player.close();
       signal.throwIfAborted();
-      core.recordingText(part.value);
     }
-    signal.throwIfAborted();
-    const error = core.endRecording();
-    if (error !== '') {
-      throw new Error(`${file.name}: ${error}`);
-    }
-    return () => {
-      core.playRecording();
-      return new RecordingSource(core, `Recording ${file.name}`, core.recordingLengthUs);
-    };
+    return () => new RecordingSource(player, `Recording ${file.name}`);
+  }
+
+  get line(): Line {
+    return this.player;
+  }
+
+  get lengthUs(): number {
+    return this.player.lengthUs;
+  }
+
+  get progress(): string {
+    const { progress } = this.player;
+    return progress === undefined ? '' : `decoding up to there: ${Math.floor(100 * progress)} %`;
   }
 
   get positionUs(): number {
@@ -52,7 +52,11 @@ export class RecordingSource implements Source {
   }
 
   get atEnd(): boolean {
-    return this.us >= this.endUs;
+    return this.us >= this.endUs && this.player.us >= this.endUs;
+  }
+
+  get stands(): boolean {
+    return !this.playing || this.atEnd;
   }
 
   nowUs(): number {
@@ -61,21 +65,21 @@ export class RecordingSource implements Source {
       this.us = Math.min(this.us + (ms - this.lastMs) * 1000 * this.speed, this.endUs);
     }
     this.lastMs = ms;
-    return this.us;
+    this.player.wantedUs = this.us;
+    return this.player.us;
   }
 
-  // All is as if it had been played up to there. True if that is from its beginning once more.
-  seek(us: number): boolean {
-    const back = us < this.us;
-    if (back) {
-      this.core.rewindRecording();
-    }
+  // All is as if it had been played up to there.
+  seek(us: number): void {
     this.us = Math.min(us, this.endUs);
-    return back;
+    this.player.seek(this.us);
   }
 
   async use(): Promise<void> {}
-  close(): void {}
+
+  close(): void {
+    this.player.close();
+  }
 
   // A moment after the last character: then it is known to be the last.
   private get endUs(): number {

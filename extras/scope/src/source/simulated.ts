@@ -32,6 +32,10 @@ export class SimulatedSource implements Source {
     this.settings = ways.flatMap((inverted) => bauds.map((baud) => ({ baud, inverted })));
   }
 
+  get line(): Core {
+    return this.core;
+  }
+
   nowUs(): number {
     const ms = performance.now();
     this.us += Math.min(ms - this.lastMs, longestStepMs) * 1000;

@@ -1,8 +1,9 @@
 // One bar a channel: raw, microseconds and percent, marks at the least and the most seen, ends of the calibration.
 
 import type { Channels } from '../channels';
-import type { Core, Stretch } from '../core';
+import type { Core } from '../core';
 import { make, setAttribute, setText } from '../dom';
+import type { Line, Stretch } from '../line';
 import type { Unit } from '../unit';
 import { dashOf } from './dash';
 
@@ -32,6 +33,7 @@ export class Bars {
     private readonly list: HTMLElement,
     private readonly core: Core,
     private readonly channels: Channels,
+    private readonly line: () => Line | undefined,
   ) {}
 
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
@@ -63,7 +65,7 @@ export class Bars {
     setText(bar.name, this.channels.name(channel));
     setAttribute(bar.chip, 'title', `${name} as a curve`);
     setAttribute(bar.track, 'aria-label', name);
-    const travel = this.core.travel(channel);
+    const travel = this.line()?.travel(channel);
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;

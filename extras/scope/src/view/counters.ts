@@ -1,7 +1,7 @@
 // What was counted, by cause. What is 0 stays quiet.
 
-import type { Status } from '../core';
 import { make, setText } from '../dom';
+import type { Status } from '../line';
 
 const rows: [keyof Status, string, string][] = [
   ['frames', 'frames', 'delivered'],

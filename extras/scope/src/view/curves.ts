@@ -3,9 +3,9 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Channels } from '../channels';
-import type { Stretch } from '../core';
 import { setText } from '../dom';
 import type { History } from '../history';
+import type { Stretch } from '../line';
 import { ticksOf, type Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';

@@ -1,7 +1,8 @@
 // The line, byte by byte. Pointing at a bit shows its channel; meanwhile the view holds still.
 
-import { Flag, Kind, type Core, type Stretch } from '../core';
+import type { Core } from '../core';
 import { make, setText } from '../dom';
+import { Flag, Kind, type Stretch } from '../line';
 
 const kept = 8; // pieces of the line
 const drawMs = 100;

@@ -1,7 +1,7 @@
 // The link at a glance: its state, the flags, age, rate and gaps.
 
-import { Flag, Kind, LinkState, type Status, type Stretch } from '../core';
 import { make, setAttribute, setText } from '../dom';
+import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 
 const names: Record<LinkState, [string, string]> = {
   [LinkState.NeverSeen]: ['Never seen', 'note'],

@@ -1,6 +1,7 @@
 // The sticks as on a radio, from the scaled values of CH1 to CH4: aileron, elevator, throttle, rudder, as most radios send them.
 
-import type { Core, Stretch } from '../core';
+import type { Core } from '../core';
+import type { Stretch } from '../line';
 import { byId, make, setText } from '../dom';
 import { keep, recall } from '../storage';
 import type { Unit } from '../unit';

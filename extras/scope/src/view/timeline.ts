@@ -17,8 +17,8 @@ export class Timeline {
   private readonly speed = byId<HTMLSelectElement>('speed');
   private readonly loop = byId<HTMLInputElement>('loop');
 
-  // `rewound`: what was seen so far is seen once more.
-  constructor(private readonly rewound: () => void) {
+  // `leaving`: called before another place of the recording is sought.
+  constructor(private readonly leaving: () => void) {
     this.play.addEventListener('click', () => this.toggle());
     this.position.addEventListener('input', () => this.seek(Number(this.position.value) * 1000));
     this.speed.addEventListener('change', () => this.apply());
@@ -64,8 +64,9 @@ export class Timeline {
   }
 
   private seek(us: number): void {
-    if (this.source?.seek(us)) {
-      this.rewound();
+    if (this.source) {
+      this.leaving();
+      this.source.seek(us);
     }
   }
 

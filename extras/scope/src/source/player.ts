@@ -1,0 +1,159 @@
+// A recording that a worker reads and decodes: the page never waits for it.
+
+import type { Core } from '../core';
+import type { Line, Sink, Status } from '../line';
+import type { Answer, Picture, Request } from '../worker/messages';
+import PlayingWorker from '../worker/worker?worker&inline';
+import type { Problem } from './Source';
+
+const noWorker: Problem = {
+  text: 'This browser makes no worker, which reads recordings.',
+  remedy: 'Open this page in a browser of this year or the last; or let make scope serve it, if it was opened from disk.',
+};
+
+type Opened = Extract<Answer, { kind: 'opened' }>;
+
+export class Player implements Line {
+  wantedUs = 0; // where the line is to be
+  progress?: number; // 0..1, while a place is looked for
+  private id = 0; // of the newest request
+  private answered = 0;
+  private sought = 0; // the newest request that was a seek
+  private came: Answer[] = []; // since the last picture
+  private text = '';
+  private ended?: (text: string) => void;
+
+  private constructor(
+    private readonly core: Core,
+    private readonly worker: Worker,
+    readonly lengthUs: number,
+    private picture: Picture,
+  ) {}
+
+  // Reads the file. Throws an Error that says what is wrong with it, or a Problem if there is no worker; and if `signal` aborts it.
+  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Player> {
+    const worker = makeWorker();
+    try {
+      const { lengthUs, picture } = await new Promise<Opened>((resolve, reject) => {
+        signal.addEventListener('abort', () => reject(signal.reason));
+        worker.onerror = (): void => reject(noWorker);
+        worker.onmessage = ({ data }: MessageEvent<Answer>): void => {
+          if (data.kind === 'progress') {
+            progress(data.part);
+          } else if (data.kind === 'opened') {
+            resolve(data);
+          } else if (data.kind === 'failed') {
+            reject(new Error(`${file.name}: ${data.error}`));
+          }
+        };
+        worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
+      });
+      const player = new Player(core, worker, lengthUs, picture);
+      worker.onmessage = ({ data }: MessageEvent<Answer>): void => player.hear(data);
+      worker.onerror = null;
+      return player;
+    } catch (error) {
+      worker.terminate();
+      throw error;
+    }
+  }
+
+  // The line's time.
+  get us(): number {
+    return this.picture.us;
+  }
+
+  seek(us: number): void {
+    this.wantedUs = us;
+    this.sought = ++this.id;
+    this.ask({ kind: 'seek', id: this.id, us });
+  }
+
+  // `nowUs` is us: what was wanted comes with one of the next pictures.
+  advance(_nowUs: number, sink: Sink): void {
+    for (const answer of this.came.splice(0)) {
+      this.show(answer, sink);
+    }
+    if (this.answered === this.id && this.us < this.wantedUs) {
+      this.ask({ kind: 'advance', id: ++this.id, us: this.wantedUs });
+    }
+  }
+
+  status(): Status {
+    return this.picture.status;
+  }
+
+  travel(channel: number): [number, number] | undefined {
+    return this.picture.travel[channel];
+  }
+
+  resetMarks(): void {
+    this.ask({ kind: 'resetMarks' });
+  }
+
+  record(): void {
+    this.ask({ kind: 'record', on: true });
+  }
+
+  takeRecorded(): string {
+    const { text } = this;
+    this.text = '';
+    return text;
+  }
+
+  endRecorded(): Promise<string> {
+    this.ask({ kind: 'record', on: false });
+    return new Promise((resolve) => (this.ended = resolve));
+  }
+
+  // The end of a recording that is awaited is handed over before.
+  close(): void {
+    if (this.ended) {
+      const { ended } = this;
+      this.ended = (text): void => (ended(text), this.worker.terminate());
+    } else {
+      this.worker.terminate();
+    }
+  }
+
+  private ask(request: Request): void {
+    this.worker.postMessage(request);
+  }
+
+  private hear(answer: Answer): void {
+    if (answer.kind === 'progress') {
+      this.progress = answer.part;
+    } else if (answer.kind === 'failed') {
+      throw new Error(answer.error); // the page shows it
+    } else if (answer.kind === 'recorded') {
+      this.ended?.(this.takeRecorded() + answer.text);
+      this.ended = undefined;
+    } else {
+      this.came.push(answer);
+      this.text += answer.kind === 'picture' ? answer.recorded : '';
+    }
+  }
+
+  private show(answer: Answer, sink: Sink): void {
+    if (answer.kind === 'past' && answer.id === this.sought) {
+      sink.precede(answer.samples);
+    } else if (answer.kind === 'picture' && answer.id >= this.sought) {
+      this.picture = answer;
+      this.answered = answer.id;
+      this.progress = undefined;
+      const pieces = answer.records.map((records) => this.core.stretchesIn(records));
+      if (answer.jumped) {
+        sink.jump(pieces.shift() ?? []);
+      }
+      pieces.flat().forEach((stretch) => sink.take(stretch));
+    }
+  }
+}
+
+function makeWorker(): Worker {
+  try {
+    return new PlayingWorker();
+  } catch {
+    throw noWorker;
+  }
+}

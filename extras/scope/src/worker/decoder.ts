@@ -1,0 +1,105 @@
+// Decodes a tape in a WebAssembly of its own, whose memory is all that it knows: a copy of that is the line's state.
+
+import { imports, Native, type Exports } from '../native';
+import type { Tape } from './tape';
+
+const stepUs = 1000000;
+const blockSize = 256; // numbers of 32 bits
+
+// The memory at a moment, where it differs from that of the first image.
+export interface Image {
+  us: number;
+  next: number; // character
+  size: number; // bytes of the memory
+  places: Uint32Array; // of blocks
+  blocks: Uint32Array;
+}
+
+export class Decoder {
+  us = 0;
+  next = 0; // the first character that it has not had
+  private native: Native;
+  private readonly first: Uint32Array;
+
+  constructor(
+    private readonly module: WebAssembly.Module,
+    private readonly tape: Tape,
+  ) {
+    this.native = this.instance();
+    this.native.calls._initialize();
+    this.native.transfer(tape.settings, () => this.native.calls.playRecording());
+    this.advance(0);
+    this.first = this.memory.slice();
+  }
+
+  get calls(): Exports {
+    return this.native.calls;
+  }
+
+  get reader(): Native {
+    return this.native;
+  }
+
+  // Hands over all that comes up to `us`, as records. Returns false if `hurry` ended it before.
+  advance(us: number, take: (records: Uint8Array) => void = () => undefined, hurry = Infinity): boolean {
+    while (this.us < us || us === 0) {
+      this.us = Math.min(us, Math.max(this.us + stepUs, this.tape.timeOf(this.next))); // a silence is one step
+      this.native.records(this.us, take, () => this.feed());
+      if (this.us >= us) {
+        return true;
+      }
+      if (performance.now() > hurry) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  image(): Image {
+    const { memory, first } = this;
+    const places = [];
+    for (let at = 0; at < memory.length; at += blockSize) {
+      for (let i = at; i < at + blockSize; i++) {
+        if (memory[i] !== (first[i] ?? 0)) {
+          places.push(at);
+          break;
+        }
+      }
+    }
+    const blocks = new Uint32Array(places.length * blockSize);
+    places.forEach((at, i) => blocks.set(memory.subarray(at, at + blockSize), i * blockSize));
+    return { us: this.us, next: this.next, size: memory.byteLength, places: Uint32Array.from(places), blocks };
+  }
+
+  // Goes to where an image was taken, of this decoder or of another one of the tape.
+  restore(image: Image): void {
+    if (this.memory.byteLength > image.size) {
+      this.native = this.instance(); // a memory never shrinks, and its heap begins behind the end
+    }
+    const lacking = image.size - this.memory.byteLength;
+    if (lacking > 0) {
+      this.calls.memory.grow(lacking / 65536);
+    }
+    const { memory } = this;
+    memory.set(this.first);
+    memory.fill(0, this.first.length);
+    image.places.forEach((at, i) => memory.set(image.blocks.subarray(i * blockSize, (i + 1) * blockSize), at));
+    this.us = image.us;
+    this.next = image.next;
+  }
+
+  private get memory(): Uint32Array {
+    return new Uint32Array(this.calls.memory.buffer);
+  }
+
+  private instance(): Native {
+    const { exports } = new WebAssembly.Instance(this.module, imports);
+    return new Native(exports as Exports, this.tape.layout);
+  }
+
+  private feed(): void {
+    const part = this.tape.part(this.next);
+    this.next += part.count;
+    this.native.transfer(part.bytes, (size) => this.calls.feed(size, Number(this.next === this.tape.size)));
+  }
+}

@@ -1,0 +1,33 @@
+// What the page and the worker that plays a recording tell each other.
+
+import type { Samples } from '../history';
+import type { Status } from '../line';
+
+export type Travel = [number, number] | undefined;
+
+export type Request =
+  | { kind: 'open'; wasm: Uint8Array; file: File }
+  | { kind: 'advance'; id: number; us: number } // all that was through by then
+  | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
+  | { kind: 'resetMarks' }
+  | { kind: 'record'; on: boolean };
+
+// The line as it is at `us`.
+export interface Picture {
+  kind: 'picture';
+  id: number; // of the request
+  jumped: boolean; // what came before is in it, or follows as the past
+  us: number;
+  status: Status;
+  travel: Travel[]; // by channel
+  records: Uint8Array[]; // see Native.stretchesIn()
+  recorded: string;
+}
+
+export type Answer =
+  | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
+  | { kind: 'failed'; error: string }
+  | { kind: 'opened'; lengthUs: number; picture: Picture }
+  | Picture
+  | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
+  | { kind: 'recorded'; text: string }; // the end of it

@@ -1,0 +1,215 @@
+// Plays one recording, beside the page: reads its file, decodes it, and goes to any place of it.
+
+import { History, isSample, samplesOf } from '../history';
+import type { Stretch } from '../line';
+import { Decoder, type Image } from './decoder';
+import type { Answer, Picture, Request } from './messages';
+import { Tape } from './tape';
+
+const sliceMs = 15; // of work, until messages are heard
+const pictureMs = 30; // at most, for a picture
+const progressMs = 100;
+const shownUs = 10000000; // before a place that was sought: what the curves show at first
+const spacing = 25000; // characters from one image to the next: ten seconds of S.Bus, which are decoded in 6 ms
+const mostImages = 1024; // of 80 kB each
+const channels = 32;
+
+const answer = (message: Answer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
+
+// Lets messages come in.
+const { port1, port2 } = new MessageChannel();
+const turn = (): Promise<void> => new Promise((resolve) => ((port1.onmessage = () => resolve()), port2.postMessage(0)));
+
+let toldMs = 0;
+function progress(part: number): void {
+  const ms = performance.now();
+  if (ms - toldMs >= progressMs) {
+    toldMs = ms;
+    answer({ kind: 'progress', part });
+  }
+}
+
+// The line's states, each some seconds after the other: it is decoded once, as soon as there is time for it.
+class Index {
+  readonly images: Image[];
+  private readonly apart: number;
+
+  constructor(
+    private readonly decoder: Decoder,
+    size: number,
+    private readonly endUs: number,
+  ) {
+    this.images = [decoder.image()];
+    this.apart = Math.max(spacing, size / mostImages);
+  }
+
+  get us(): number {
+    return this.decoder.us;
+  }
+
+  get isComplete(): boolean {
+    return this.us >= this.endUs;
+  }
+
+  work(): void {
+    const { decoder } = this;
+    for (const endMs = performance.now() + sliceMs; !this.isComplete && performance.now() < endMs; ) {
+      decoder.advance(Math.min(decoder.us + 1000000, this.endUs));
+      if (decoder.next - (this.images.at(-1) as Image).next >= this.apart) {
+        this.images.push(decoder.image());
+      }
+    }
+  }
+
+  // The newest state of those that are not newer.
+  before(us: number): Image {
+    let newest = 0;
+    for (let i = 0; i < this.images.length && this.images[i].us <= us; i++) {
+      newest = i;
+    }
+    return this.images[newest];
+  }
+}
+
+class Playing {
+  private readonly player: Decoder;
+  private readonly index: Index;
+  private past?: Past;
+  private wanted?: Extract<Request, { kind: 'advance' | 'seek' }>;
+  private waking = (): void => undefined;
+
+  constructor(
+    private readonly module: WebAssembly.Module,
+    private readonly tape: Tape,
+    endUs: number,
+  ) {
+    this.player = new Decoder(module, tape);
+    this.index = new Index(new Decoder(module, tape), tape.size, endUs);
+  }
+
+  hear(request: Request): void {
+    const { calls, reader } = this.player;
+    if (request.kind === 'resetMarks') {
+      calls.resetMarks();
+    } else if (request.kind === 'record') {
+      calls.record(Number(request.on));
+      if (!request.on) {
+        answer({ kind: 'recorded', text: reader.words(calls.takeRecorded()) });
+      }
+    } else if (request.kind !== 'open') {
+      this.wanted = request;
+      this.waking();
+    }
+  }
+
+  async run(): Promise<never> {
+    for (;;) {
+      const { wanted } = this;
+      if (wanted?.kind === 'seek' && (this.index.isComplete || this.index.us >= wanted.us)) {
+        this.seek(wanted.id, wanted.us);
+      } else if (wanted?.kind === 'seek') {
+        progress(this.index.us / wanted.us);
+        this.index.work();
+      } else if (wanted) {
+        this.advance(wanted.id, wanted.us);
+      } else if (this.past) {
+        this.past = this.past.work() ? undefined : this.past;
+      } else if (!this.index.isComplete) {
+        this.index.work();
+      } else {
+        await new Promise<void>((resolve) => (this.waking = resolve));
+      }
+      await turn();
+    }
+  }
+
+  private advance(id: number, us: number): void {
+    this.wanted = undefined;
+    const records: Uint8Array[] = [];
+    this.player.advance(us, (part) => records.push(part), performance.now() + pictureMs);
+    this.show(id, false, records);
+  }
+
+  private seek(id: number, us: number): void {
+    this.wanted = undefined;
+    const { player, index } = this;
+    const image = index.before(Math.max(us - shownUs, 0));
+    player.restore(image);
+    const records = [player.reader.recalled()];
+    player.advance(us, (part) => records.push(part));
+    this.show(id, true, records);
+    this.past = image.us > 0 ? new Past(id, this.module, this.tape, index, image.us) : undefined;
+  }
+
+  private show(id: number, jumped: boolean, records: Uint8Array[]): void {
+    answer(this.picture(id, jumped, records), records.map(({ buffer }) => buffer));
+  }
+
+  picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
+    const { us, calls, reader } = this.player;
+    const status = reader.status(us);
+    const travel = Array.from({ length: channels }, (_, i) => reader.travel(i));
+    const recorded = reader.words(calls.takeRecorded());
+    return { kind: 'picture', id, jumped, us, status, travel, records, recorded };
+  }
+}
+
+// The history before a place.
+class Past {
+  private readonly decoder: Decoder;
+  private readonly stretches: Stretch[] = [];
+
+  constructor(
+    private readonly id: number,
+    module: WebAssembly.Module,
+    tape: Tape,
+    index: Index,
+    private readonly endUs: number,
+  ) {
+    this.decoder = new Decoder(module, tape);
+    this.decoder.restore(index.before(Math.max(endUs - 1e6 * History.seconds, 0)));
+  }
+
+  // Returns true once it is all there, and handed over.
+  work(): boolean {
+    const { decoder } = this;
+    const isThere = decoder.advance(
+      this.endUs,
+      (records) => decoder.reader.stretchesIn(records).forEach((stretch) => isSample(stretch) && this.stretches.push(stretch)),
+      performance.now() + sliceMs,
+    );
+    if (isThere) {
+      const samples = samplesOf(this.stretches.slice(-History.capacity));
+      answer({ kind: 'past', id: this.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
+    }
+    return isThere;
+  }
+}
+
+let playing: Playing | undefined;
+
+async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise<void> {
+  try {
+    const module = new WebAssembly.Module(wasm as BufferSource);
+    const tape = new Tape(module);
+    const error = await tape.read(file, progress);
+    if (error !== '') {
+      answer({ kind: 'failed', error });
+      return;
+    }
+    const { lengthUs } = tape;
+    playing = new Playing(module, tape, lengthUs + 1000);
+    answer({ kind: 'opened', lengthUs, picture: playing.picture(0, false, []) });
+    await playing.run();
+  } catch (error) {
+    answer({ kind: 'failed', error: `cannot be read: ${(error as Error).message}` });
+  }
+}
+
+addEventListener('message', ({ data }: MessageEvent<Request>) => {
+  if (data.kind === 'open') {
+    void open(data);
+  } else {
+    playing?.hear(data);
+  }
+});

@@ -1,0 +1,20 @@
+// What the page says of the line as a whole.
+#pragma once
+
+namespace scope {
+
+// Its fields, each a double.
+#define SCOPE_STATUS(field)                                                                                            \
+  field(state) field(ageUs) field(framesPerSecond) field(gapMinUs) field(gapMeanUs) field(gapMaxUs) field(characters)   \
+  field(badCharacters) field(frames) field(lostFrames) field(failsafeFrames) field(rejectedByEnd)                       \
+  field(rejectedByFlags) field(rejectedByLength) field(discardedBytes) field(resyncs) field(overflows)                  \
+  field(extraFrames) field(rows) field(otherLines) field(garbled) field(quietUs)                             \
+  field(finding) field(findingSoFar)
+
+struct Status {
+#define SCOPE_FIELD(name) double name = 0;
+  SCOPE_STATUS(SCOPE_FIELD)
+#undef SCOPE_FIELD
+};
+
+}  // namespace scope

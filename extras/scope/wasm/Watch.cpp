@@ -1,0 +1,23 @@
+#include "Watch.h"
+
+#include "sbus/Diagnosis.h"
+
+namespace scope {
+
+void Watch::begin(const line::Observer &observer, uint64_t nowUs) {
+  _finding.reset();
+  _beganUs = nowUs;
+  _second.begin(observer, nowUs);
+}
+
+// What has come belongs to the first second that is over; in those after it the line was silent.
+void Watch::judge(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs) {
+  const uint64_t seconds = (nowUs - _beganUs) / SecondUs;
+  sbus::Diagnosis diagnosis;
+  diagnosis.add(_second.trial(observer, port, _beganUs + SecondUs));
+  _finding = seconds > 1 ? sbus::Finding::NoSignal : diagnosis.finding();
+  _beganUs += seconds * SecondUs;
+  _second.begin(observer, _beganUs);
+}
+
+}  // namespace scope

@@ -1,0 +1,35 @@
+// A verdict for each whole second of the line's own time.
+#pragma once
+
+#include <optional>
+
+#include "line/Examination.h"
+
+namespace scope {
+
+class Watch {
+ public:
+  // The first second begins.
+  void begin(const line::Observer &observer, uint64_t nowUs);
+
+  // All that was through by then has come to a port that is set so: judges each second that is over.
+  void until(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs) {
+    if (nowUs >= _beganUs + SecondUs) {
+      judge(observer, port, nowUs);
+    }
+  }
+
+  // Returns what was found in the last whole second; nothing before the first is over.
+  std::optional<sbus::Finding> finding() const { return _finding; }
+
+ private:
+  static constexpr uint64_t SecondUs = 1000000;
+
+  void judge(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs);
+
+  line::Examination _second;
+  uint64_t _beganUs = 0;
+  std::optional<sbus::Finding> _finding;
+};
+
+}  // namespace scope

@@ -1,0 +1,144 @@
+// Any place of a recording: what the page shows there is what it would show if it had been played from the beginning.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { Native } from './native.mjs';
+import { build, check, counter, counts, downloaded, frame, play, reads, recorded, seek, toEnd, until } from './support.mjs';
+
+const seed = Number(process.env.SEED ?? 26);
+const places = 25;
+const lengthMs = 400000; // longer than the history
+const counters = ['frames', 'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes',
+  'resyncs', 'badCharacters'];
+
+function random(state) {
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+// Frames of sticks that move, some damaged, lost or in failsafe, bytes of noise, and silences of up to twenty seconds.
+function impaired(next) {
+  const lines = [];
+  let ms = 9;
+  for (let i = 0; ms < lengthMs; i++) {
+    const bytes = frame([1000 + Math.round(600 * Math.sin(i / 300)), i % 2048], { flags: next() < 0.05 ? 4 : next() < 0.02 ? 12 : Math.floor(4 * next()) });
+    const damage = next();
+    if (damage < 0.02) bytes.splice(Math.floor(25 * next()), 1);
+    if (damage > 0.99) bytes[Math.floor(25 * next())] ^= 1 << Math.floor(8 * next());
+    const line = recorded(1000 * ms, bytes);
+    lines.push(damage > 0.98 && damage < 0.99 ? line.replace(/( \w\w)$/m, '$1!') : line);
+    ms += next() < 0.0005 ? Math.floor(20000 * next()) : 9;
+  }
+  return lines.join('');
+}
+
+const shown = (page) => page.evaluate((names) => ({
+  counters: names.map((name) => Number(document.querySelector(`[data-counter="${name}"]`).textContent.replace(/\D/g, ''))),
+  gap: document.querySelector('#gap').textContent + document.querySelector('#gap-ends').textContent,
+  travel: document.querySelector('#bars li:nth-child(2) .track').title,
+}), counters);
+
+export default async function () {
+  const next = random(seed);
+  const text = impaired(next);
+  const file = path.join(build, 'seek.txt');
+  writeFileSync(file, text);
+
+  await check(`${places} places of a recording, seed ${seed}: counters, gaps, travel and history as if it had been played from the beginning`, async (page) => {
+    const straight = await new Native().load();
+    straight.open(text);
+    await play(page, file);
+    await page.click('#play');
+    for (let i = 0; i < places; i++) {
+      const ms = Math.floor(next() * lengthMs);
+      await seek(page, ms);
+      straight.rewind();
+      const history = straight.advance(1000 * ms).filter(({ kind }) => kind === 0);
+      const status = (name) => straight.status(1000 * ms, name);
+      const low = (us) => (us / 1000).toFixed(1);
+      const travel = straight.travel(1);
+      const expected = {
+        counters: counters.map(status),
+        gap: `${low(status('gapMeanUs'))} ms${low(status('gapMinUs'))} to ${low(status('gapMaxUs'))}`,
+        travel: `CH2: least ${travel[0]}, most ${travel[1]}`,
+      };
+      const same = async () => JSON.stringify(await shown(page)) === JSON.stringify(expected);
+      await until(async () => `at ${ms} ms ${JSON.stringify(await shown(page))}, not ${JSON.stringify(expected)}`, same);
+      if (i % 5 === 0) {
+        const times = history.map(({ endUs }) => (endUs / 1e6).toFixed(6));
+        let kept = [];
+        await until(() => `at ${ms} ms the history has ${kept.length} frames, from ${kept[0]} to ${kept.at(-1)}, not ${times.length}`, async () => {
+          const { text: csv } = await downloaded(page, '#csv');
+          kept = csv.trim().split('\n').slice(1).map((row) => row.split(',')[0]);
+          return kept.length >= times.filter((time) => time > ms / 1000 - 300).length;
+        });
+        assert.deepEqual(kept, times.slice(-kept.length));
+      }
+    }
+  }, { patience: 200000 });
+
+  // Drops a file onto the page: this many frames, then `end`.
+  const drop = (page, name, count, end = '') => page.evaluate(([called, frames, line, last]) => {
+    const parts = Array.from({ length: frames }, (_, i) => `${9000 * (i + 1)} ${line}`);
+    fake.titles = [];
+    new MutationObserver(() => fake.titles.push(document.querySelector('#title').textContent)).observe(document.querySelector('#title'), { childList: true });
+    dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File([...parts, last], called)] } }));
+  }, [name, count, recorded(9000, frame([1000])).slice(5), end]);
+  const titles = (page) => page.evaluate(() => fake.titles);
+
+  await check('a file that is read shows how far, while the running source goes on; another source ends that work', async (page) => {
+    await drop(page, 'long.txt', 700000);
+    const [before, after] = await page.evaluate(async () => {
+      const frames = () => Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''));
+      const reading = async (part) => {
+        while (!new RegExp(`reading long.txt: ${part} %`).test(document.querySelector('#title').textContent)) await new Promise(requestAnimationFrame);
+        return frames();
+      };
+      const counted = [await reading('\\d'), await reading('[2-9]\\d')];
+      document.querySelector('#source-simulated').click();
+      return counted;
+    });
+    assert.ok(after > before, `${before} frames became ${after}`);
+    await until('the worker goes on', () => page.workers().length === 0);
+    await reads(page, '#title', /^Simulated FrSky R-XSR[^(]*$/);
+    await drop(page, 'long.txt', 400000);
+    await reads(page, '#title', /^Recording long.txt/);
+    const parts = (await titles(page)).map((title) => /^Simulated .*\(reading long.txt: (\d+) %\)$/.exec(title)?.[1]).filter(Boolean).map(Number);
+    assert.ok(parts.length >= 3 && parts.length < 60, `${parts}`); // some times, not with each piece
+    await page.click('#source-simulated');
+    await until('the worker goes on', () => page.workers().length === 0);
+  });
+
+  await check('a file that fails leaves the recording that plays, its place and its curves as they are', async (page) => {
+    await play(page, file);
+    await page.click('#play');
+    await seek(page, 350000);
+    await until('no history', async () => (await downloaded(page, '#csv')).text.length > 1e6);
+    const { text: before } = await downloaded(page, '#csv');
+    await drop(page, 'bad.txt', 10000, '!');
+    await reads(page, '#notice-text', /bad\.txt: line \d+: .* is not a time/);
+    assert.equal(await page.textContent('#title'), 'Recording seek.txt');
+    assert.match(await page.textContent('#position-text'), /^5:50\.0 /);
+    assert.equal((await downloaded(page, '#csv')).text, before);
+    assert.equal(page.workers().length, 1);
+  });
+
+  await check('a place that is not decoded yet is awaited, and how long', async (page) => {
+    await drop(page, 'long.txt', 700000);
+    await reads(page, '#title', /^Recording long\.txt/);
+    await toEnd(page);
+    await counts(page, 'frames', '700\u202f000');
+    const said = await titles(page);
+    assert.ok(said.some((title) => /^Recording long\.txt \(decoding up to there: \d+ %\)$/.test(title)), said.join('\n'));
+    await reads(page, '#title', 'Recording long.txt');
+  });
+
+  await check('a browser that makes no worker is told so', async (page) => {
+    await page.evaluate(() => (Worker = class { constructor() { throw new DOMException('no', 'SecurityError'); } }));
+    await drop(page, 'paper.txt', 1);
+    await reads(page, '#notice-text', 'This browser makes no worker, which reads recordings.');
+    await reads(page, '#state', 'Fine');
+  });
+}

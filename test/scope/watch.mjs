@@ -1,0 +1,96 @@
+// The verdict runs on the line's time: a recording that is paused, sought in or over has that of the line before its position, and
+// never one that the link beside it contradicts.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, check, connect, frame, opensWith, play, reads, recorded, seek, toEnd, until } from './support.mjs';
+
+const periodMs = 9;
+const good = frame([1000]);
+const damaged = [...good.slice(0, 11), ...good.slice(12)];
+const lost = frame([1000], { flags: 4 });
+const failsafe = frame([1000], { flags: 12 });
+
+// What is on the line at a time in ms.
+function at(ms) {
+  return ms < 4000 ? good // well
+    : ms < 7000 ? (ms % (4 * periodMs) < periodMs ? damaged : good) // noise
+    : ms < 10000 ? (ms === 9000 ? lost : good) // a single lost frame
+    : ms < 12000 ? failsafe
+    : good;
+}
+
+// Ten seconds of silence after 15 s: the wire was cut; then frames again.
+const events = [
+  ...Array.from({ length: 15000 / periodMs }, (_, i) => (i + 1) * periodMs),
+  ...Array.from({ length: 300 }, (_, i) => 25002 + i * periodMs),
+];
+const text = events.map((ms) => recorded(1000 * ms, at(ms))).join('');
+
+async function pausedAt(page, ms) {
+  await seek(page, ms);
+  await reads(page, '#position-text', new RegExp(`^0:${String(Math.floor(ms / 1000)).padStart(2, '0')}\\.${Math.floor(ms / 100) % 10} `));
+}
+
+export default async function () {
+  const file = path.join(build, 'watch.txt');
+  writeFileSync(file, text);
+
+  await check('a recording that is paused at any place has the verdict of the line before it, and keeps it', async (page) => {
+    await play(page, file);
+    await page.click('#play');
+    for (const [ms, state, said] of [
+      [5500, 'Fine', /^Noise/],
+      [500, 'Fine', /^All well/], // before a second is over
+      [3500, 'Fine', /^All well/],
+      [9004, 'Lossy', /^Lossy/], // a single one
+      [9500, 'Fine', /^All well/],
+      [11500, 'Failsafe', /^Failsafe/],
+      [12200, 'Fine', /^Frames come/], // a second ago it was failsafe
+      [14200, 'Fine', /^All well/],
+      [15050, 'Fine', /^All well/],
+      [15120, 'Stale', /^No signal any more/], // the second has not been over
+      [24000, 'Stale', /^No signal any more/],
+      [25020, 'Fine', /^Frames come/],
+      [27000, 'Fine', /^All well/],
+      [6200, 'Fine', /^Noise/],
+    ]) {
+      await pausedAt(page, ms);
+      await reads(page, '#state', state);
+      await reads(page, '#verdict-text', said);
+    }
+    await page.waitForTimeout(1500);
+    assert.match(await page.textContent('#verdict-text'), /^Noise/);
+  });
+
+  await check("a recording's end keeps its verdict, also that of one shorter than a second", async (page) => {
+    for (const [name, ms, said] of [['short.txt', 500, /^All well/], ['noisy.txt', 6500, /^Noise/]]) {
+      const part = path.join(build, name);
+      writeFileSync(part, events.filter((each) => each < ms).map((each) => recorded(1000 * each, at(each))).join(''));
+      await play(page, part);
+      await toEnd(page);
+      await reads(page, '#verdict-text', said);
+      await page.waitForTimeout(1500);
+      assert.match(await page.textContent('#verdict-text'), said);
+    }
+  });
+
+  await check('a cut wire is named as soon as the link is stale, and never as bytes without frames', async (page) => {
+    await opensWith(page, [good]);
+    await connect(page);
+    await page.evaluate(([bytes]) => {
+      fake.said = new Set();
+      const watch = () => {
+        if (document.querySelector('#state').textContent === 'Stale') fake.said.add(document.querySelector('#verdict-text').textContent);
+        requestAnimationFrame(watch);
+      };
+      watch();
+      for (let i = 0; i < 40; i++) setTimeout(() => fake.port.feed(bytes), 9 * i);
+    }, [good]);
+    await reads(page, '#state', 'Fine');
+    await reads(page, '#state', 'Stale');
+    await until('no verdict', () => page.evaluate(() => fake.said.size > 0));
+    await page.waitForTimeout(1500);
+    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['No signal any more: frames have come, now not a byte does.']);
+  });
+}
