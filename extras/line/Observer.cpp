@@ -60,7 +60,7 @@ void Observer::idleUntil(uint64_t nowUs) {
   _segments.cutBefore(_decoders.openAt(_segments.end()), _last.endUs + _silenceUs);
 }
 
-// Where whole frames wait for what follows, silence does. A part of one would be taken for a impaired frame.
+// Where whole frames wait for what follows, silence does. A part of one would be taken for an impaired frame.
 void Observer::finish() {
   constexpr uint64_t SilenceUs = 10000;
   handOver();

@@ -37,7 +37,7 @@ TEST_CASE("frames: bytes, time, channels, rate and gaps") {
   CHECK(line.observer.characters() == 5000);
 }
 
-TEST_CASE("gaps differ; marks begin anew") {
+TEST_CASE("gaps differ; marks begin again") {
   Watched line;
   line.frame(992).frame(172, false, false, 12000).frame(1811).frame(992);
   CHECK(line.observer.gaps().low == 9000);

@@ -96,7 +96,7 @@ TEST_CASE("pulled in mid frame and plugged in again: the halves are no frame if 
   }
 }
 
-TEST_CASE("a impaired frame in the first read of a port that was never found empty: one stretch, with its reason") {
+TEST_CASE("an impaired frame in the first read of a port that was never found empty: one stretch, with its reason") {
   line::Random random(Seed);
   PayloadFrames sticks(Payload::Neutral, random);
   const Frame good = sticks.next();

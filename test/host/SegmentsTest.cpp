@@ -120,7 +120,7 @@ TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not
   }
 }
 
-TEST_CASE("a frame that has lost a character to an error and got another at its end is none, though a decoder takes it") {
+TEST_CASE("a frame that has lost a character to an error and got another at its end is no frame, though a decoder takes it") {
   for (const size_t bad : {size_t{1}, size_t{3}, size_t{22}}) {
     CAPTURE(bad);
     Watched line;

@@ -33,7 +33,7 @@ TEST_CASE("a UART's rules: glitches, breaks, and the character after them") {
   CHECK_FALSE(decoded.characters[All.size() + 1].bad());
 }
 
-TEST_CASE("a capture that ends within a character: that one is left out, unless its last edge is the end") {
+TEST_CASE("a capture that ends within a character: the character is left out, unless its last edge is the end") {
   const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
   const std::string atItsEdge = vcd.substr(0, vcd.rfind('#'));
   const struct {

@@ -185,7 +185,7 @@ TEST_CASE("what is no S.Bus, and why") {
   TestWire glitch = uart;
   glitch.edges.push_back(glitch.ns + 1000);
   glitch.edges.push_back(glitch.ns + 1500);
-  TestWire seldom;  // sampled at 300 kHz, and nobody says so
+  TestWire seldom;  // sampled at 300 kHz, which the capture does not say
   for (const double edge : uart.edges) {
     seldom.edges.push_back(std::ceil(edge * 0.0003) / 0.0003);
   }

@@ -13,7 +13,7 @@
 using line::Character;
 using line::Stretch;
 
-// A program that reads the adapter by poll(): `stallUs`, one read in 20 finds it late by up to so much.
+// A program that reads the adapter by poll(): one read in 20 finds it late, by up to `stallUs`.
 class Program {
  public:
   Program(uint32_t latencyUs, uint32_t stallUs, line::Random &random)

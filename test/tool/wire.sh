@@ -12,7 +12,7 @@ verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
 }
 
-# The bytes of a recording, one a line; a bad one, too.
+# The bytes of a recording, one a line, bad ones included.
 bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n'; }
 
 # What sigrok's uart decodes of a VCD, one byte a line.
@@ -53,7 +53,7 @@ sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 verdict $? "a bad character of a recording has a wrong parity bit on the wire"
 if [ -n "$have_sigrok" ]; then
   [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
-  verdict $? "sigrok finds it, too"
+  verdict $? "sigrok finds it as well"
 fi
 
 # The paper's bits, in each form.

@@ -91,7 +91,7 @@ TEST_CASE("a 2F frame is believed once silence follows it, or at the first byte 
   }
 }
 
-TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and after a impaired frame the next 2F frame") {
+TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and after an impaired frame the next 2F frame") {
   for (const bool extraImpaired : {true, false}) {
     for (const size_t lost : {1u, 5u, 12u, 24u}) {
       INFO("extraImpaired ", extraImpaired, ", lost ", lost);
@@ -201,7 +201,7 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is not believed, the fram
     CAPTURE(row.silenceUs);
     Feeder line;
     line.lock();
-    line.wait(row.silenceUs - Feeder::GapUs);  // lock() ends with that one
+    line.wait(row.silenceUs - Feeder::GapUs);  // lock() ends with that gap
     for (unsigned number = 1; number <= 2; number++) {
       CHECK(line.feed(bytesOf(extraFrame(number))).empty());
       CHECK(line.wait(Feeder::GapUs).feed(bytesOf(plainFrame(number))) == Frames{plainFrame(number)});
@@ -250,7 +250,7 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
   }
 }
 
-TEST_CASE("a 2F frame after a impaired frame is not lost with it") {
+TEST_CASE("a 2F frame after an impaired frame is not lost with it") {
   for (size_t missing = 1; missing < 25; missing++) {
     for (const bool neutral : {false, true}) {
       INFO("missing ", missing, ", neutral ", neutral);

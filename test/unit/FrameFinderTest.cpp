@@ -22,7 +22,7 @@ Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
 
 }  // namespace
 
-TEST_CASE("before the first frame there is none; reset forgets frames, halves of frames and counters") {
+TEST_CASE("there is no frame before the first one; reset forgets frames, halves of frames and counters") {
   Feeder line;
   for (const Bytes &bytes : {part(Low, 0, 24), Low + Bytes(30, 0xA5) + part(Low, 0, 12)}) {
     CHECK(line.finder.frame() == nullptr);

@@ -1,4 +1,4 @@
-// Finding frames on a impaired line: one damage costs one frame, and what is delivered was on the line.
+// Finding frames on an impaired line: one damage costs one frame, and what is delivered was on the line.
 // The impairment bench (test/impairment) shows the same of random damage.
 #include <doctest/doctest.h>
 

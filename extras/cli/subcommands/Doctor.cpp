@@ -157,7 +157,7 @@ class Heard {
     return periods;
   }
 
-  // The median, which a impaired frame does not move; the mean where a port's lumps leave no period as it was.
+  // The median, which an impaired frame does not move; the mean where a port's lumps leave no period as it was.
   uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
     const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
     std::nth_element(periods.begin(), middle, periods.end());
@@ -169,7 +169,7 @@ class Heard {
   }
 
   sbus::Counters counters() const { return _observer.counters(); }
-  // A recording ends with a frame, not with the pause that belongs to it.
+  // A recording ends with a frame, not with the silence that belongs to it.
   uint64_t pauseUs() const {
     const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
     return std::max(_observer.gaps().low, frameUs) - frameUs;

@@ -58,7 +58,7 @@ struct HexOptions {
   size_t width = 0;  // 0: the terminal's
 };
 
-// Returns the columns of the terminal that standard output is; 0 if it is none.
+// Returns the columns of the terminal that standard output is; 0 if it is no terminal.
 size_t terminalWidth() {
   winsize size{};
   return isTerminal() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size_t{size.ws_col} : 0;
