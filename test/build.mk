@@ -48,7 +48,7 @@ $(OUT)/%Test: $(OUT)/%Test.o $(OUT)/support/Main.o $(OUT)/board.a
 $(OUT)/unit/PlainCoreTest: $(OUT)/unit/PlainCoreTest.o $(OUT)/support/Main.o $(OUT)/plain.a
 	$(CXX) $(SANITIZE) $^ -o $@
 # A line as the impairment bench has it.
-$(OUT)/host/AdapterTest: $(OUT)/support/ImpairedLine.o $(OUT)/support/Payload.o
+$(OUT)/host/AdapterTest $(OUT)/host/PortReadsTest: $(OUT)/support/ImpairedLine.o $(OUT)/support/Payload.o
 # PreemptTest stops after each instruction of the library: as the board has them, without the sanitizers' own.
 $(OUT)/unit/PreemptTest: SANITIZE :=
 $(OUT)/unit/PreemptTest: unit/PreemptTest.cpp support/Main.cpp support/FakeClock.cpp $(SOURCES:%=$(SRC)/%) build.mk

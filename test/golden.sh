@@ -9,7 +9,7 @@
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
-# "golden.sh COMPILER update" writes the golden files anew instead.
+# "golden.sh COMPILER update" writes the golden files instead.
 set -u
 cd "$(dirname "$0")" || exit 1
 compiler=$1

@@ -13,7 +13,7 @@ enum class Form { Table, Csv, Json };
 
 class DecodeOutput {
  public:
-  // `characters`: it shows each of them, else the frames and what is none.
+  // `characters`: it shows each of them, otherwise frames and what is no frame.
   DecodeOutput(Form form, bool characters) : _form(form), _showsCharacters(characters) {}
 
   // The wire was found.

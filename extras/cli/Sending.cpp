@@ -66,7 +66,7 @@ class Way {
   std::unique_ptr<line::SendingPort> _port;
 };
 
-// What is back to back goes out in one piece, or the system would put pauses into it.
+// What is back to back goes out in one piece, otherwise the system would put silences into it.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}

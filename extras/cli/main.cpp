@@ -34,7 +34,7 @@ void addSubcommands(CLI::App &app) {
   tool::addHelp(app);
 }
 
-// What is opened next would else be taken for a standard stream that is closed, and get its text.
+// Otherwise what is opened next would be taken for a closed standard stream, and get its text.
 void keepStreamsApart() {
   for (int stream = 0; stream <= 2; stream++) {
     if (fcntl(stream, F_GETFD) < 0) {

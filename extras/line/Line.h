@@ -14,7 +14,7 @@ struct Character {
   uint64_t endUs = 0;  // when its last bit was through, in microseconds since the program's start
   uint8_t value = 0;
   bool bad = false;          // its parity or a stop bit was wrong
-  uint32_t lateUs = 0;       // a port kept it back: it ended no earlier than so much before
+  uint32_t lateUs = 0;       // a port kept it back: it ended this much earlier at most
   bool parityWrong = false;  // of a bad one, what was wrong; neither, if its source does not tell
   bool stopWrong = false;
 };
@@ -26,7 +26,7 @@ class Line {
   // The sketch has opened the port, for the first time, at `nowUs`.
   virtual void opened(uint64_t /*nowUs*/) {}
 
-  // The next character that was through by `nowUs`, the oldest first; false if there is none.
+  // Takes the oldest character that was through by `nowUs`; returns false without one.
   virtual bool next(uint64_t nowUs, Character &character) = 0;
 
   // Returns the time up to which next() has brought all that was through.

@@ -18,7 +18,7 @@ constexpr uint32_t MostPerFrame = 410;  // neutral sticks, a loop() of 50 us
 constexpr uint32_t MostPerDecode = 162;
 
 constexpr uint32_t PeriodUs = 9000;
-constexpr unsigned FramesAhead = 32;  // after so many the driver's ring begins anew
+constexpr unsigned FramesAhead = 32;  // after these the driver's ring begins again
 constexpr unsigned MeasuredFrames = 96;
 constexpr size_t Characters = (FramesAhead + MeasuredFrames) * sbus::FrameSize;
 

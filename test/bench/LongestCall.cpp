@@ -151,7 +151,7 @@ class Search {
   line::Random _random{Seed};
 };
 
-// In sync with each kind of line, and about to find so many bytes.
+// In sync with each kind of line, and about to find this number of bytes.
 std::vector<Attack> startsInSync(size_t size) {
   std::vector<Attack> starts;
   for (const sbus::LineVariant &kind : sbus::LineVariants) {

@@ -2,7 +2,7 @@
 # What the library costs on a Cortex-M0+, ours beside the baseline, counted by QEMU's machine microbit.
 #   bench.sh          prints the tables
 #   bench.sh known    ... but for the worst call that a search finds
-#   bench.sh worst    ... that one alone; TRIES=n from each start
+#   bench.sh worst    ... the longest call alone; TRIES=n from each start
 #   bench.sh check    says "ok bench: ..." or "FAILED bench: ..." of each bound
 # BUILD is the folder for what is built, absolute.
 set -u

@@ -1,7 +1,7 @@
 // Finding frames under whatever bytes, polls, times and breaks the fuzzer thinks of.
 //
 // The input: operations of one byte and what they need.
-//   0xxxxxxx          a poll after so many hundreds of us, with the bytes that have come since; there may be none
+//   0xxxxxxx          a poll after this many hundreds of us, with the bytes that have come since, if any
 //   10xxxxxx          the next x + 1 bytes of the input come in
 //   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08; x = 14: one with header
 //                     2F; x = 15: one of 36 bytes

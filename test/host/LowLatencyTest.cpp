@@ -76,7 +76,7 @@ TEST_CASE("where it is not allowed, or no serial port, nothing changes") {
   CHECK(driver.sets == 0);
 }
 
-TEST_CASE("an adapter's latency timer: its file, of a link too") {
+TEST_CASE("an adapter's latency timer: its file, also of a link") {
   CHECK(line::latencyFile("/dev/ttyUSB7") == "/sys/bus/usb-serial/devices/ttyUSB7/latency_timer");
   CHECK(line::latencyFile("/dev/fd/../null") == "/sys/bus/usb-serial/devices/null/latency_timer");
   CHECK(line::latencyMs("/proc/sys/kernel/pid_max").value_or(0) > 0);

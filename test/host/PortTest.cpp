@@ -7,7 +7,7 @@
 
 namespace {
 
-// Characters whose ends are so many us apart.
+// Characters whose ends are this many us apart.
 class EvenLine : public line::Line {
  public:
   EvenLine(unsigned count, uint64_t apartUs) : _left(count), _apartUs(apartUs) {}

@@ -7,8 +7,8 @@
 
 #include "Simulation.h"
 
-// Frames per impaired frame, noise character and blocked loop; where there are none of these, per intact frame. They
-// hold for all setups and all sticks of a group together. Late, or too young, are none.
+// Frames per impaired frame, noise character and blocked loop; otherwise per intact frame. They
+// hold for all setups and all sticks of a group together. No frame may be late or too young.
 constexpr double NotBound = 1e9;  // only printed
 struct Limits {
   double missed;

@@ -32,7 +32,7 @@ struct Impairments {
 struct Company {
   unsigned slots = 0;      // of telemetry, after each frame that ends in 04
   bool afterEach = false;  // also after 14, 24 and 34
-  int32_t lateUs = 0;      // sensors answer so much too late; below 0: too early
+  int32_t lateUs = 0;      // sensors answer this much too late; below 0: too early
   uint8_t group = 0;       // added to the group of which their slots should be
   int strayBefore = NoStray;  // a character straight before each frame; AnyStray: anything but a header
   int strayBehind = NoStray;  // likewise behind
@@ -46,7 +46,7 @@ struct Cut {
   unsigned fromCharacter = 0;
   uint64_t toFrame = 0;
   unsigned toCharacter = 0;
-  uint64_t every = 0;  // again after so many frames, each time a character later
+  uint64_t every = 0;  // again after this many frames, each time a character later
 };
 
 // What goes over the line, and how fast.
@@ -59,7 +59,7 @@ struct Transmission {
   uint32_t periodUs = 9000;
   uint32_t spreadUs = 0;  // between the characters of a frame
   uint64_t frames = UINT64_MAX;
-  uint64_t stopEvery = 0;  // after so many frames the line is silent for 100 ms
+  uint64_t stopEvery = 0;  // after this many frames the line is silent for 100 ms
   Company company{};
   Cut cut{};
 
@@ -91,7 +91,7 @@ class ImpairedLine : public line::Line {
   // When the next character will be through; UINT64_MAX once the line has finished.
   uint64_t nextUs();
 
-  // The next frame that was sent, the oldest first; false if there is none. No character of a frame comes before it.
+  // Takes the oldest frame that was sent; returns false without one. No character of a frame comes before it.
   bool nextSent(SentFrame &frame);
 
   // When the first character after the cut begins, if frames are all that is sent; without a cut, the first of all.

@@ -10,7 +10,7 @@ using line::Random;
 
 enum class Payload {
   // Ordinary ones, such as receivers send.
-  Uniform,       // every channel anywhere, anew in every frame
+  Uniform,       // every channel anywhere, different in every frame
   Smooth,        // every channel moves by at most 20 a frame
   Neutral,       // a real frame of a FrSky receiver: 0F twice in the payload, every frame the same
   Still,         // any values, standing still

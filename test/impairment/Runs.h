@@ -24,7 +24,7 @@ inline Run with(double Impairments::*impairment, double probability, Kind kind =
 inline Run dropped(double probability, Kind kind = Kind::Plain) {
   return with(&Impairments::dropped, probability, kind);
 }
-// S.BUS2: so many slots behind 04, or behind each frame.
+// S.BUS2: this number of slots behind 04, or behind each frame.
 inline Run slots(unsigned count, Run run = plain()) {
   run.line.kind = Kind::Sbus2;
   run.line.company.slots = count;
@@ -43,7 +43,7 @@ inline Run stopping() {
   run.line.stopEvery = 20;
   return run;
 }
-// Of so many frames each.
+// Of this number of frames each.
 inline Run lines(uint64_t frames, Run run) {
   run.line.frames = frames;
   return run;
@@ -72,7 +72,7 @@ inline Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
   run.blockEveryUs = 1000 * everyMs;
   return run;
 }
-// Unplugged for so many periods in every 12 frames and these, and on again at the same character.
+// Unplugged for this number of periods in every 12 frames and these, and on again at the same character.
 inline Run cut(unsigned periods) {
   Run run;
   run.line.cut = {12, 1, 12 + uint64_t{periods}, 1, 13 + uint64_t{periods}};

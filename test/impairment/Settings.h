@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-// A number of `least` or more. What is none ends the program with 2.
+// Returns a number of `least` or more. Another text ends the program with status 2.
 inline uint64_t setting(const char *name, uint64_t otherwise, uint64_t least = 0) {
   const char *const text = std::getenv(name);
   if (text == nullptr || *text == 0) {

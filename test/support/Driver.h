@@ -13,7 +13,7 @@ struct Driver {
 // GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Source/stm32l0_uart.c: a DMA ring of 32 (variants/*/
 // variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, wherever a frame stands (53, 280), when
 // the line is idle for a character (653), and before a bad character, which is dropped (529). What finds no place is
-// dropped, so the newest (125). begin() empties the ring and begins it anew (379). All that is host::BoardUart's.
+// dropped, so the newest (125). begin() empties the ring and starts it again (379). All that is host::BoardUart's.
 constexpr Driver Board = {"board", 16, 1};
 
 // arduino/ArduinoCore-avr 11b9130, cores/arduino/HardwareSerial_private.h:101: an interrupt a character. Only a parity

@@ -1,6 +1,6 @@
 // The paper's way of receiving (J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", §4.3.3), the yardstick:
 // 25 bytes from a 0F on; a frame if the last one is 00, else all 25 are given up; after 15 ms without a call what has
-// come of a frame is forgotten. Written anew from its description.
+// come of a frame is forgotten. Written from its description.
 #pragma once
 
 #include <stdint.h>

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.." || exit 1
 
 . tool/common.sh
 
-# agree FILE: so many frames a second and so many us from one to the next are the same, within a frame a second
+# agree FILE: the frames a second and the us from one to the next agree, within a frame a second
 agree() {
   awk '/ frames a second and 0 damaged, / {
     for (i = 1; i < NF; i++) { if ($(i + 1) == "frames") rate = $i; if ($(i + 1) == "us") us = $i }
@@ -36,7 +36,7 @@ while IFS='|' read -r finding well figures by arguments; do
   asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
 done <"$WORK/lines"
 
-# player VERB ARGUMENTS...: on a pseudo-terminal, `terminal`
+# player SUBCOMMAND ARGUMENTS...: on a pseudo-terminal, `terminal`
 player() {
   rm -f "$WORK/terminal"
   "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
@@ -59,7 +59,7 @@ player replay golden/AllChannels.csv --loop
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 
-# At an adapter that hands bytes over every so many ms, in true time: a busy PC may well be late, so only lines that bear
+# At an adapter that hands bytes over every few ms, in true time: a busy PC may well be late, so only lines that bear
 # it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
 sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/simulation/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several

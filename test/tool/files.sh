@@ -123,7 +123,7 @@ for name in bytes.bin dump.RAW; do
   # shellcheck disable=SC2059  # the frame has no %
   printf "$octal$octal" | written $name
 done
-# The bytes of a line that was cut look like times; a second line shows that they are none.
+# The bytes of a line that was cut look like times; a second line shows that they are bytes.
 printf '03 1F %s %s\n10 %s\n' "$frame" "$frame" "$frame" >"$work/cut.txt"
 "$SBUS" record "$work/cut.txt" - 2>"$work/err" >"$work/cut.recording" && [ "$(bytes "$work/cut.recording" | wc -l)" -eq 78 ]
 verdict $? "bytes without times whose lines begin with decimal digits"

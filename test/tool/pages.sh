@@ -2,7 +2,7 @@
 # Runs `sbus monitor` in terminals of tmux, and says "ok ..." or "FAILED ..." of:
 #   tool/pages/NAME.txt   what stands on the page, as the calls of `page` below have it
 #   its keys, another size, a line that falls silent, and the terminal afterwards
-# "pages.sh update" writes tool/pages anew instead. SBUS: the program; WORK: an absolute folder for what is written.
+# "pages.sh update" writes tool/pages instead. SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 update="${1:-}"
@@ -73,7 +73,7 @@ page unknown-rows 80x24 $utf8 golden/Normalized.csv
 for file in tool/pages/*.txt; do
   grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "$file is of no page"
 done
-# The sketch AllChannels printed its last row 3.2 s after the beginning, too.
+# The sketch AllChannels also printed its last row 3.2 s after the beginning.
 awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$WORK/raw.txt"
 [ "$(cat "$WORK/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
 verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChannels.csv"

@@ -16,13 +16,13 @@
 #   tool/STATUS                the exit status
 #   tool/completion.sh         what bash, zsh and fish complete
 #   the manual
-# "run.sh update" writes tool/golden and tool/pages anew instead. BUILD: an absolute folder for what is built.
+# "run.sh update" writes tool/golden and tool/pages instead. BUILD: an absolute folder for what is built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 out="${BUILD:-$PWD/../build/test}/tool"
 sbus=$out/sbus
 work=$out/work
-flags="-O0 -g -fsanitize=address"  # what CLI11 is made of takes minutes with more
+flags="-O0 -g -fsanitize=address"  # CLI11 compiles twice as long with more
 update="${1:-}"
 
 . tool/common.sh
@@ -39,7 +39,7 @@ until_true() {
 
 has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
 
-# player VERB ARGUMENTS...: starts one on a pseudo-terminal; sets `player` to its process, `terminal` to its name
+# player SUBCOMMAND ARGUMENTS...: starts one on a pseudo-terminal; sets `player` to its process, `terminal` to its name
 player() {
   rm -f "$work/terminal"
   "$sbus" "$@" >"$work/terminal" 2>"$work/player.err" &
@@ -123,7 +123,7 @@ verdict $? "a line shorter than 0.2 s has a row, of its newest frame"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
 verdict $? "standard output is full"
 ! "$sbus" hex --help >/dev/full 2>"$work/err"
-verdict $? "standard output is full, of help, too"
+verdict $? "standard output is full, also of help"
 "$sbus" record sim "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
 verdict $? "standard error is closed: nothing of it gets into the recording"
 "$sbus" hex sim --silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
@@ -179,7 +179,7 @@ rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus dec
 rejected "--noise: is for sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
-verdict $? "a recording that looks like bits is none of the wire"
+verdict $? "a recording that looks like bits is no capture of the wire"
 printf 'time,CH17\n0.2,0\n0.4,1\n' >"$work/times.csv"
 rejected "sbus plot: $work/times.csv: has a column of times, as sbus csv and the scope write it; only rows without are read again. Keep the line with sbus record" plot "$work/times.csv"
 
@@ -187,7 +187,7 @@ rejected "sbus plot: $work/times.csv: has a column of times, as sbus csv and the
 
 "$sbus" record sim "$work/sim.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
   "$sbus" record sim - --simulated-time --seconds 0.2 2>"$work/err" | cmp - "$work/sim.txt"
-verdict $? "record writes to standard output, too"
+verdict $? "record also writes to standard output"
 
 # characters RECORDING: each character with its time, one a line
 characters() {

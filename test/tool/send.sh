@@ -31,7 +31,7 @@ END
     "$SBUS" csv "$work/port.bin" --every-frame --columns ch1-ch18,failsafe,lostframe 2>"$work/note" | tr -d '\r' >"$work/rows"
 }
 
-# constant FRAMES ROW ARGUMENTS...: so many frames, all of them ROW
+# constant FRAMES ROW ARGUMENTS...: FRAMES frames, all of them ROW
 constant() {
   frames=$1 row=$2
   shift 2

@@ -48,7 +48,7 @@ sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 verdict $? "a bad character of a recording has a wrong parity bit on the wire"
 if [ -n "$have_sigrok" ]; then
   [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
-  verdict $? "sigrok finds it, too"
+  verdict $? "sigrok finds it as well"
 fi
 
 # The paper's bits, in each form.

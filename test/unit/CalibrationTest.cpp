@@ -23,7 +23,7 @@ constexpr unsigned Size = 132;
 using Stored = std::array<uint8_t, Size>;
 
 constexpr CalibratedChannel Samples[] = {
-    {sbus::FrSky, 0},         // what a radio sends that nobody has trimmed
+    {sbus::FrSky, 0},         // what an untrimmed radio sends
     {sbus::FrSky, 8},         // with the dead zone of a Calibrator
     {sbus::Futaba, 8},        //
     {{78, 1024, 1964}, 20},   // a Futaba's +-140 %

@@ -97,7 +97,7 @@ TEST_CASE("what is found: ends, centre and dead zone") {
       {"one more", {172, 1811}, {1000, 1000}, 100, {172, 1000, 1811, 99}},
       {"the largest, in the shortest travel, off its middle", {800, 1200}, {900, 900}, 99, {800, 900, 1200, 99}},
       {"values above 2047 are 2047", {0, 65535}, {1024, 1024}, -1, {0, 1024, 2047, 8}},
-      {"... resting there, too", {1000, 2048}, {3000, 65535}, -1, {2047, 1524, 1000, 0}},
+      {"... also when it rests there", {1000, 2048}, {3000, 65535}, -1, {2047, 1524, 1000, 0}},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);

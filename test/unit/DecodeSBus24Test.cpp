@@ -168,7 +168,7 @@ TEST_CASE("DecodeSBus24 gives 24 channels, and the flags of byte 34; the link is
   }
 }
 
-TEST_CASE("what EncodeSBus24 sends DecodeSBus24 reads, and DecodeSBus counts as other frames; the other way round too") {
+TEST_CASE("what EncodeSBus24 sends DecodeSBus24 reads, and DecodeSBus counts as other frames; and the other way round") {
   Board24 board24;
   OpenBoard board;
   FakeSerial port24, port;

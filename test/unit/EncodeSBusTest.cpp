@@ -53,7 +53,7 @@ TEST_CASE("the first frame after begin is sent at once, byte for byte as receive
   }
 }
 
-TEST_CASE("called in every loop() it sends every period, late calls do not add up, across a wrap of micros() too") {
+TEST_CASE("called in every loop() it sends every period, late calls do not add up, also across a wrap of micros()") {
   const struct {
     uint16_t period;
     uint32_t loop;  // us

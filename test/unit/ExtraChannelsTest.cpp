@@ -201,7 +201,7 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is not believed, the fram
     CAPTURE(row.silenceUs);
     Feeder line;
     line.lock();
-    line.wait(row.silenceUs - Feeder::GapUs);  // lock() ends with that one
+    line.wait(row.silenceUs - Feeder::GapUs);  // lock() ends with that gap
     for (unsigned number = 1; number <= 2; number++) {
       CHECK(line.feed(bytesOf(extraFrame(number))).empty());
       CHECK(line.wait(Feeder::GapUs).feed(bytesOf(plainFrame(number))) == Frames{plainFrame(number)});

@@ -1,5 +1,5 @@
-// Finding frames on lines without damage: which are delivered and when, what is rejected and how that is counted, the
-// buffers that are swapped, and what receivers of all makes send.
+// Finding frames on lines without damage: what is delivered, what is rejected and how that is counted, the buffers that
+// are swapped, and what receivers of all makes send.
 #include <doctest/doctest.h>
 
 #include <type_traits>
@@ -20,15 +20,9 @@ Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
   return neutral ? neutralFrame(number, end) : plainFrame(number, end);
 }
 
-// FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
-Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace) {
-  const Frame beginning = withByte(withByte(neutralFrame(number), 23, flagsPlace), 24, endPlace);
-  return bytesOf(beginning) + Bytes(9, 0x3E) + Bytes{0x08, 0x00};  // failsafe
-}
-
 }  // namespace
 
-TEST_CASE("before the first frame there is none; reset forgets frames, halves of frames and counters") {
+TEST_CASE("there is no frame before the first one; reset forgets frames, halves of frames and counters") {
   Feeder line;
   for (const Bytes &bytes : {part(Low, 0, 24), Low + Bytes(30, 0xA5) + part(Low, 0, 12)}) {
     CHECK(line.finder.frame() == nullptr);
@@ -40,38 +34,6 @@ TEST_CASE("before the first frame there is none; reset forgets frames, halves of
   }
   CHECK(line.finder.frame() == nullptr);
   CHECK(line.wait(5000).poll(bytesOf(plainFrame(7)) + Bytes{0x0F}) == Frames{plainFrame(7)});
-}
-
-TEST_CASE("from reset on every frame is found, however seldom polls come: the first once the second has begun") {
-  for (const uint32_t periodUs : {3000u, 4000u, 9000u, 30000u}) {
-    CAPTURE(periodUs);
-    Feeder line;
-    line.wait(50000);
-    Frames sent, found;
-    for (unsigned number = 0; number < 12; number++) {
-      sent.push_back(plainFrame(number));
-      found = found + line.block(periodUs).poll(bytesOf(sent.back()));
-      CHECK(found.size() + 1 >= sent.size());
-    }
-    CHECK(found == sent);
-    CHECK(line.finder.counters().discardedBytes == 0);
-  }
-}
-
-TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, or silence, and nothing else") {
-  for (unsigned next = 0; next < 256; next++) {
-    CAPTURE(next);
-    Feeder line;
-    REQUIRE(line.settle().feed(Low).empty());
-    const bool delivered = next == 0x0F || next == 0x2F;
-    CHECK(line.feed({static_cast<uint8_t>(next)}) == (delivered ? Frames{PaperLow.bytes} : Frames{}));
-  }
-  Feeder line;
-  CHECK(line.settle().feed(Low).empty());
-  CHECK(line.wait(22 * Feeder::CharacterUs).waited.empty());
-  CHECK(line.wait(1).waited == Frames{PaperLow.bytes});
-  CHECK(line.wait(4000).waited.empty());
-  CHECK(line.feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
 }
 
 TEST_CASE("two buffers take turns, a frame stays where it came in, its payload at a multiple of four") {
@@ -180,49 +142,6 @@ TEST_CASE("nothing from before a break completes a frame after it, the complete 
   }
 }
 
-TEST_CASE("a frame is as old as the last poll that had not its end, and what a port holds back; a block makes it older") {
-  constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
-  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
-    CAPTURE(start);
-    Feeder line(start);
-    line.lock();
-    uint32_t before = line.now;
-    CHECK(line.block(3000).poll(Low).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle);
-    before = line.wait(6000).now;
-    CHECK(line.block(20).poll(Low).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle);
-    before = line.wait(6000).now;
-    CHECK(line.block(10000000).poll(Low + Low).size() == 2);
-    CHECK(line.finder.frameTime() == before - Idle);  // the second, too
-    before = line.wait(6000).now;
-    CHECK(line.block(10000000).poll(join(Frames(20, PaperLow.bytes))).size() == 20);
-    CHECK(line.finder.frameTime() == before - Idle);  // and the last of as many as 512 bytes hold
-    before = line.wait(6000).now;
-    CHECK(line.block(20).poll(Low + part(Low, 0, 3)).size() == 1);
-    CHECK(line.finder.frameTime() == before - Idle - 3 * 5 * Feeder::CharacterUs);  // a port may have waited for each of these
-  }
-}
-
-TEST_CASE("the period is that of the line; a longer interval counts for an eighth") {
-  sbus::Counters counters = {};
-  const uint32_t rows[][2] = {{5000, 0}, {9000, 9000}, {17000, 10000}, {2000, 9000}};  // interval, period after it
-  for (const auto &row : rows) {
-    counters.count(0, row[0]);
-    CHECK(counters.period == row[1]);
-  }
-  for (const uint32_t periodUs : {4000u, 9000u, 15000u}) {
-    CAPTURE(periodUs);
-    Feeder line;
-    line.lock();
-    for (unsigned number = 0; number < 60; number++) {
-      line.wait(periodUs - 3000).feed(bytesOf(plainFrame(number)));
-    }
-    CHECK(line.finder.counters().period >= periodUs - 8);
-    CHECK(line.finder.counters().period <= periodUs + 8);
-  }
-}
-
 TEST_CASE("of every make every frame is delivered, with flags, telemetry and tail, and of another make after it") {
   const struct Make {
     const char *name;
@@ -261,149 +180,5 @@ TEST_CASE("of every make every frame is delivered, with flags, telemetry and tai
         }
       }
     }
-  }
-}
-
-TEST_CASE("a frame behind as much noise as a large buffer holds is as old as its own poll makes it") {
-  for (const size_t noise : {100u, 128u, 129u, 200u, 300u, 480u}) {
-    CAPTURE(noise);
-    Feeder line;
-    const uint32_t before = line.lock().wait(6000).now;
-    CHECK(line.block(60000).poll(Bytes(noise, 0x55) + Low + Bytes{0x0F}) == Frames{PaperLow.bytes});
-    CHECK(line.finder.frameTime() == before - (4 + 5) * Feeder::CharacterUs);
-  }
-}
-
-TEST_CASE("there is no period where a frame looks older than the first one, by what is behind it, but from the next on") {
-  Feeder line;
-  REQUIRE(line.settle().feed(Low).empty());
-  REQUIRE(line.wait(4000).waited.size() == 1);
-  const uint32_t first = line.finder.frameTime();
-  CHECK(line.block(41 * Feeder::CharacterUs).poll(Low + part(Low, 0, 16)).size() == 1);
-  const uint32_t second = line.finder.frameTime();
-  CHECK(second - first == 0u - 5480);
-  CHECK(line.finder.counters().period == 0);
-  CHECK(line.feed(part(Low, 16)).size() == 1);
-  CHECK(line.finder.counters().period == line.finder.frameTime() - second);
-}
-
-TEST_CASE("a frame behind one that waited is as old as its own poll makes it") {
-  Feeder line;
-  line.settle().feed(Low);
-  const uint32_t before = line.now;
-  CHECK(line.block(9000).poll(bytesOf(PaperHigh.bytes) + Bytes{0x0F}).size() == 2);
-  CHECK(line.finder.frameTime() == before - (4 + 5) * Feeder::CharacterUs);
-}
-
-TEST_CASE("a frame that waited is as old as the last poll that had not its end") {
-  for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 5000}) {
-    for (const bool silence : {false, true}) {
-      INFO("start ", start, ", silence ", silence);
-      Feeder line(start);
-      CHECK(line.settle().feed(Low).empty());
-      const uint32_t before = line.now - Feeder::CharacterUs;
-      CHECK((silence ? line.wait(14000).waited : line.feed({0x0F})).size() == 1);
-      CHECK(line.finder.frameTime() == before - 4 * Feeder::CharacterUs);
-    }
-  }
-}
-
-TEST_CASE("where gaps are seen the first frame stands at one, and is no end of a longer one that lost characters") {
-  for (size_t before = 0; before < 60; before++) {
-    for (const bool header : {false, true}) {
-      INFO("before ", before, ", header ", header);
-      const bool mayBeLonger = before > 1 && before <= 11;
-      Feeder line;
-      const Frames found = line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{}));
-      CHECK(found.empty() == (before > 0 || !header));
-      CHECK(line.wait(Feeder::GapUs).waited.empty() == (mayBeLonger || header));
-      CHECK(line.feed({0x0F}).empty());
-      const bool isFirst = before > 0 && (mayBeLonger || header);
-      CHECK(line.feed(part(Low, 1)).empty() == isFirst);
-      CHECK(line.wait(Feeder::GapUs).waited.size() == isFirst);
-    }
-  }
-}
-
-TEST_CASE("joined midway the first whole frame is there once the line is silent, whatever of another came before the gap") {
-  for (size_t rest = 1; rest < 25; rest++) {
-    CAPTURE(rest);
-    Feeder line;
-    line.settle().feed(part(Low, 25 - rest));
-    CHECK(line.wait(Feeder::GapUs).feed(Low, 16).empty());
-    CHECK(line.wait(Feeder::GapUs).waited == Frames{PaperLow.bytes});
-  }
-}
-
-TEST_CASE("a failsafe frame whose place is not certain is there once the line is silent behind it") {
-  const Bytes failsafe = bytesOf(FailsafeFrame);
-  Feeder line;
-  CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());  // noise hides the gap before it
-  CHECK(line.wait(Feeder::GapUs).waited == Frames{FailsafeFrame});
-  for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {
-    CAPTURE(unsigned{next});
-    Feeder without;
-    CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
-    CHECK(without.wait(Feeder::GapUs).waited.empty());
-  }
-  // The rest of one, and one that has lost as many characters: silence behind them says nothing.
-  for (const size_t lost : {2u, 5u, 11u}) {
-    Feeder halves;
-    const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
-    halves.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) +
-                       part(failsafe, 10 + lost));
-    CHECK(halves.wait(Feeder::GapUs).waited.empty());
-    CHECK(halves.feed({0x0F}).empty());
-  }
-}
-
-TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH17 and CH18 are") {
-  for (const unsigned flagsPlace : {0x00u, 0x03u, 0x08u, 0x0Fu, 0xE0u}) {
-    for (const unsigned endPlace : {0x00u, 0x04u, 0x08u, 0x14u, 0x34u}) {
-      for (const uint32_t loopUs : {50u, 1000u, 2000u, 5000u}) {
-        INFO("flagsPlace ", flagsPlace, ", endPlace ", endPlace, ", loopUs ", loopUs);
-        TimedLine line;
-        for (unsigned number = 0; number < 40; number++) {
-          line.send(frame36(number, flagsPlace, endPlace)).gap(9000 - 36 * 120);
-        }
-        CHECK(line.frames(loopUs).empty());
-      }
-    }
-  }
-}
-
-TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between cost none, and none is wrong") {
-  for (const bool longOnes : {false, true}) {
-    TimedLine line;
-    Frames sent;
-    for (unsigned number = 0; number < 40; number++) {
-      sent.push_back(frameOf(number % 2 != 0, number));
-      line.send(sent.back()).gap(4000);
-      line.send(longOnes ? frame36(number, 0xE0, 0x00) : bytesOf(withByte(neutralFrame(number), 0, 0x2F)))
-          .gap(4000);
-    }
-    for (const uint32_t loopUs : {50u, 500u, 1000u, 2000u}) {
-      INFO("longOnes ", longOnes, ", loopUs ", loopUs);
-      CHECK(line.frames(loopUs) == sent);
-    }
-    CHECK(isPartOf(line.frames(5000), sent));
-  }
-}
-
-TEST_CASE("where 25 bytes were known 36-byte frames are believed once at the most, and not if more of one is there") {
-  const struct {
-    size_t burst;
-    unsigned most;
-  } rows[] = {{1, 1}, {9, 1}, {16, 0}, {36, 0}};
-  for (const auto &row : rows) {
-    CAPTURE(row.burst);
-    Feeder line;
-    line.lock();
-    Frames found;
-    for (unsigned number = 0; number < 40; number++) {
-      found = found + line.feed(frame36(number, 0x03, 0x00), row.burst);
-      line.wait(Feeder::GapUs);
-    }
-    CHECK(found.size() <= row.most);
   }
 }

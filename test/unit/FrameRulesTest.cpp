@@ -183,7 +183,7 @@ TEST_CASE("endsTwice: noise may stand before the header, unless a stray characte
   }
 }
 
-TEST_CASE("tail: before the first frame a gap behind a tail makes a place certain only if one stands before the frame, too") {
+TEST_CASE("tail: before the first frame a gap behind a tail makes a place certain only if one also stands before the frame") {
   Bytes tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
   tailed[9] = 0x00;
   tailed[10] = 0x0F;  // the tail may be the end of the frame that begins here

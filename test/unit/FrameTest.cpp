@@ -8,7 +8,7 @@
 #include "support/KnownFrames.h"
 #include "support/ShowArrays.h"
 
-// The checks can be made by the compiler, too.
+// The compiler can also make the checks.
 static_assert(sbus::isFrame(PaperLow.bytes.data()), "the paper's frame is a frame");
 static_assert(!sbus::isEndByte(0x0F), "a header ends no frame");
 

@@ -102,7 +102,7 @@ const Situations All = {
 const Situations Long = {{"two frames come, then 200 ms", 3, 9, 2, 200, false},
                          {"one frame comes, then 200 ms", 3, 9, 1, 200, false}};
 
-// What the readers run on, made anew for each instruction.
+// What the readers run on, made again for each instruction.
 struct Scene {
   OpenBoard board;
   unsigned next = 0;  // frame
@@ -319,7 +319,7 @@ TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array 
   }
 }
 
-TEST_CASE("this proof finds the fault of a reader that does not read anew") {
+TEST_CASE("this proof finds the fault of a reader that does not read again") {
   static Feeder *line;
   listen();
   interrupt = [] {

@@ -59,7 +59,7 @@ TEST_CASE("whatever comes, only pieces of it that are frames are delivered, in o
   }));
 }
 
-TEST_CASE("all frames that one receiver sends are delivered, each by the poll that finds its last byte") {
+TEST_CASE("all frames of a receiver are delivered, each by the poll that finds its last byte") {
   CHECK(rc::check("clean stream in == frames out", [] {
     const auto kind = *rc::gen::element<uint8_t>(0x00, 0x04, 0x08);
     const bool gaps = *rc::gen::arbitrary<bool>();

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double YearS = 366.0 * 24 * 60 * 60;
 
-// Leaves what ends within the time, and all if `toUs` is 0 and `fromUs` too.
+// Leaves what ends within the time, and all if `fromUs` and `toUs` are 0.
 void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t toUs) {
   const line::Characters all = std::exchange(file.recording.characters, {});
   for (const line::Character character : all) {

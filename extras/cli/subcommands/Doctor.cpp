@@ -169,7 +169,7 @@ class Heard {
   }
 
   sbus::Counters counters() const { return _observer.counters(); }
-  // A recording ends with a frame, not with the pause that belongs to it.
+  // A recording ends with a frame, not with the silence that belongs to it.
   uint64_t pauseUs() const {
     const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
     return std::max(_observer.gaps().low, frameUs) - frameUs;

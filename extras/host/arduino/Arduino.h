@@ -58,7 +58,7 @@ inline int digitalRead(uint32_t) {
 #define DEG_TO_RAD (PI / 180)
 #define RAD_TO_DEG (180 / PI)
 
-// Macros, as on the board: code that trips over them is to trip here too. They come last, because the headers of the
+// Macros, as on the board: code that trips over them also trips here. They come last, because the headers of the
 // C++ library do not survive them.
 #undef abs
 #define min(a, b) ((a) < (b) ? (a) : (b))

@@ -22,7 +22,7 @@ class Board {
   // There is one. It is made when first asked for, be it by a constructor of the sketch before main().
   static Board &instance();
 
-  // Until it is set, a simulated clock from 0 runs: objects that the sketch constructs before main() see that one.
+  // Until it is set, a simulated clock from 0 runs: objects that the sketch constructs before main() see that clock.
   void setClock(const Clock &clock) { _clock = clock; }
   const Clock &clock() const { return _clock; }
 

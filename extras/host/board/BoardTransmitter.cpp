@@ -62,7 +62,7 @@ void BoardTransmitter::beginPacket(uint64_t fromNs) {
   _packetNs = fromNs;
 }
 
-// When so many characters of the packet are through. Rounded up: at that time they really are.
+// Returns when this number of the packet's characters is through, rounded up: at that time they really are.
 uint64_t BoardTransmitter::endUs(size_t characters) const {
   return (_packetNs + characters * _characterNs + NsPerUs - 1) / NsPerUs;
 }

@@ -32,7 +32,7 @@ class BoardTransmitter {
   // handed out all that was sent by `nowUs`.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
-  // The next character that was through by `nowUs`, the oldest first; false if there is none.
+  // Takes the oldest character that was through by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
   // What the sketch is told: free places, 0 if closed.

@@ -10,20 +10,20 @@ namespace host {
 
 class Eeprom {
  public:
-  static constexpr size_t Size = 4096;  // of the board's 6 KB the core offers so much
+  static constexpr size_t Size = 4096;  // the core offers this part of the board's 6 KB
 
   Eeprom();
   ~Eeprom();
   Eeprom(const Eeprom &) = delete;
   Eeprom &operator=(const Eeprom &) = delete;
 
-  // Keeps the contents in this file; if there is none, it is made, erased. Throws std::runtime_error.
+  // Keeps the contents in this file; a file that is missing is made, erased. Throws std::runtime_error.
   void keepIn(const std::string &file);
 
   // An address that does not exist reads as 0, and nothing is written there.
   uint8_t read(int address) const;
 
-  // Writes, into the file too. Returns how long the sketch has to wait, in us.
+  // Writes, also into the file. Returns how long the sketch has to wait, in us.
   uint64_t write(int address, const uint8_t *bytes, size_t size);
 
  private:

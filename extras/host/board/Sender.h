@@ -28,7 +28,7 @@ class Sender {
   void open(uint64_t nowUs, const PortSettings &settings);
   void close() { _transmitter.close(); }
 
-  // The next character that was through by `nowUs`; false if there is none.
+  // Takes the next character that was through by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
   BoardTransmitter &transmitter() { return _transmitter; }

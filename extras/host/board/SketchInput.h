@@ -14,7 +14,7 @@ class SketchInput {
  public:
   static constexpr size_t BufferSize = 256;
 
-  // `patient`: whoever looks waits for a pipe or a file to fill the buffer, or to end. So each look finds the same in
+  // `patient`: a look waits for a pipe or a file to fill the buffer, or to end. So each look finds the same in
   // every run. A pipe that stays silent for a second is no longer waited for.
   void setPatient(bool patient) { _patient = patient; }
 

@@ -77,7 +77,7 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrule
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
 
-// The format of a capture that begins with `head`, as CaptureReader::format(); nothing if it is none.
+// The format of a capture that begins with `head`, as CaptureReader::format(); nothing if it is no capture.
 // Not of bits either: a recording may look like them.
 std::string captureFormat(std::string_view head);
 

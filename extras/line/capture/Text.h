@@ -22,8 +22,8 @@ inline std::string_view trimmed(std::string_view text) {
   return withoutBlanks(text, '"');
 }
 
-// Takes a decimal number ("-1.25e-03") off the front; false if there is none. `mark`: stands for the decimal point,
-// too.
+// Takes a decimal number ("-1.25e-03") off the front; false without one. `mark` also stands for the decimal
+// point.
 bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');
 
 // True if all of `word` is a number.

@@ -14,7 +14,7 @@
 namespace line {
 
 // It keeps the newest edges of each signal until one has frames; then it decodes the one that has most, and forgets the
-// others. If the capture ends before, and only one signal is looked at, it decodes that one's characters.
+// others. If the capture ends before, and only one signal is looked at, it decodes that signal's characters.
 class WireDecoder : public LevelSink {
  public:
   // `found` is called once, before the first character.

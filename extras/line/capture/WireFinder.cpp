@@ -115,7 +115,7 @@ double gridNs(const std::vector<int64_t> &lengths) {
   return grid;
 }
 
-// All but the glitches last so long; 0 if there are none.
+// Returns how long all but the glitches last at least; 0 without pulses.
 double shortest(const std::vector<int64_t> &lengths) {
   return lengths.empty() ? 0 : static_cast<double>(lengths[lengths.size() / 20]);
 }

@@ -16,7 +16,7 @@ struct Level {
   bool high;
 };
 
-// The clocks of receiver and analyser differ by so much at the most, of 100000 or 200000 baud.
+// The clocks of receiver and analyser differ by this part of 100000 or 200000 baud at most.
 constexpr double BaudTolerance = 0.03;
 
 constexpr uint64_t SilenceUs = 10000;  // after a capture that ends with an edge; a last frame waits for 3 ms of it

@@ -98,7 +98,7 @@ CsvKind CsvRows::kind(size_t column) const {
                                 : (isLast ? CsvKind::Switch18 : CsvKind::Switch17);
 }
 
-// At commas, at tabs if there is none, or at blanks.
+// Splits at commas; without commas at tabs; without both at blanks.
 void CsvRows::split() {
   _row.clear();
   std::string_view rest = withoutBlanks(_line);

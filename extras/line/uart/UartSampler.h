@@ -21,7 +21,7 @@ class UartSampler {
   // A character has gone over the wire. One that had begun before open() is ignored.
   void put(const Character &character);
 
-  // The next character that the port has seen, with its end as the port sees it; false if there is none. `nowUs`: every
+  // Takes the next character that the port has seen, with its end as the port sees it; false without one. `nowUs`: every
   // character that was through by then has been put.
   bool next(uint64_t nowUs, Character &character);
 

@@ -101,7 +101,7 @@ const Opening Openings[] = {
      200000, true, false},
 #endif
 #if defined(OPENED_BY_HAND)
-    {"listen(), opened as the core wants it",
+    {"listen(), opened as the core expects it",
      [](DecodeSBus &dSBus) {
        openByHand();
        dSBus.listen();
@@ -342,7 +342,7 @@ TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") 
   }
 }
 
-TEST_CASE("a Stream with room for less than a frame is given whole frames, too") {
+TEST_CASE("a Stream with room for less than a frame is also given whole frames") {
   switchOn();
   Software software(15);
   EncodeSBus eSBus(software);

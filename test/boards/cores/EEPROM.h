@@ -1,4 +1,4 @@
-// EEPROM.h of the cores that have one. EEPROM_EMULATED: it wants begin(), commit() and end().
+// EEPROM.h of the cores that have one. EEPROM_EMULATED: it needs begin(), commit() and end().
 #pragma once
 
 #include <Arduino.h>

@@ -16,8 +16,8 @@ constexpr int CorePin = 3;
 
 struct Facts {
   unsigned buffer;       // bytes that wait to be read
-  unsigned burst;        // they come so many at once, or when the line has been idle
-  unsigned idle;         // ... for so many characters
+  unsigned burst;        // they come this many at once, or when the line has been idle
+  unsigned idle;         // ... for this many characters
   unsigned transmitter;  // bytes that write() takes at once; 0: it waits until each has been sent
   unsigned faults;
   bool ring;  // the bursts' ends stand at places of a ring, so gaps do not move them

@@ -58,7 +58,7 @@ std::vector<Printed> rowsOf(const Mega &mega) {
   return rows;
 }
 
-// These return the first mistake; empty: there is none.
+// These return the first mistake, or an empty text.
 std::string wrongRow(const Expected &expected, const std::vector<Printed> &rows, const Rule &rule) {
   std::string wrong;
   for (size_t i = 0; i < rows.size() && wrong.empty(); i++) {
@@ -103,7 +103,7 @@ TEST_CASE("What the examples print, send and do at their pins is what stands on 
     std::string sketch;
     std::string line;
     double seconds;
-    size_t rows;  // so many at least
+    size_t rows;  // at least
     Rule rule;
     size_t sent = 0;
     size_t pulses = 0;
@@ -300,6 +300,6 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints
   CHECK(again.eeprom() == eeprom);
 
   std::vector<uint8_t> changed = eeprom;
-  changed[50] = 1;  // of CH7, was 0: begins anew
+  changed[50] = 1;  // of CH7, was 0: begins again
   CHECK(textOf(Mega("Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
 }

@@ -59,7 +59,7 @@ class Servo {
   // Before each pulse, so that none begins right after the end of one of the simulated receiver's frames: there a
   // sketch may have read neither that frame nor the one before.
   static constexpr uint16_t Gap = 1000 * TicksPerUs;
-  // The interrupt comes so much before an edge, and waits for it: other interrupts, each shorter than that, do not move
+  // The interrupt comes this much before an edge, and waits for it: other interrupts, each shorter than that, do not move
   // the edge, as they do with the real library.
   static constexpr uint16_t Ahead = 24 * TicksPerUs;
 

@@ -1,0 +1,105 @@
+// The characters of the wire, by a UART's rules; captures that are cut off or malformed.
+#include "support/Decoded.h"
+
+TEST_CASE("the paper's bits, chapter 4.1: a framing error in byte 2, a parity error in byte 3, all others good") {
+  const Decoded decoded(
+      "1 00001111 1001 00111000 0001 00111111 1101 00000111 1001 00101011 1001 11111100 1001 00011100 0001 10101111 1001");
+  const Bytes expected = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};
+  REQUIRE(decoded.characters.size() == expected.size());
+  for (size_t i = 0; i < expected.size(); i++) {
+    INFO("byte ", i);
+    CHECK(decoded.characters[i].value == expected[i]);
+    CHECK(decoded.characters[i].startNs == static_cast<int64_t>(i) * 120000);
+    CHECK(decoded.characters[i].stopWrong == (i == 2));
+    CHECK(decoded.characters[i].parityWrong == (i == 3));
+  }
+  CHECK(decoded.wire.settings.polarity == line::Polarity::Inverted);
+}
+
+TEST_CASE("a UART's rules: glitches, breaks, and the character after them") {
+  TestWire wire = wireOf();
+  wire.edges.push_back(wire.ns);  // shorter than half a bit: no start bit
+  wire.edges.push_back(wire.ns + 4000);
+  wire.gap(50000);
+  wire.edges.push_back(wire.ns);  // a break: one framing error, however long
+  wire.edges.push_back(wire.ns + 900000);
+  wire.gap(950000);
+  wire.byte(0x55);
+  const Decoded decoded(textOf(wire, TestFormat::Saleae));
+  REQUIRE(decoded.characters.size() == All.size() + 2);
+  CHECK(decoded.characters[All.size()].value == 0);
+  CHECK(decoded.characters[All.size()].stopWrong);
+  CHECK(decoded.characters[All.size() + 1].value == 0x55);
+  CHECK_FALSE(decoded.characters[All.size() + 1].bad());
+}
+
+TEST_CASE("a capture that ends within a character: the character is left out, unless its last edge is the end") {
+  const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
+  const std::string atItsEdge = vcd.substr(0, vcd.rfind('#'));
+  const struct {
+    std::string text;
+    size_t characters;
+  } rows[] = {
+      {atItsEdge, 100},
+      {atItsEdge.substr(0, atItsEdge.rfind('#')), 99},
+      {atItsEdge + printed("#%.0f\n", (wireOf().ns - 4e6 - 25000) / 10), 99},  // the middle of its parity bit
+  };
+  for (const auto &row : rows) {
+    INFO(row.text.size(), " bytes");
+    CHECK(Decoded(row.text).error == "");
+    CHECK(Decoded(row.text).bytes() == part(All, 0, row.characters));
+  }
+}
+
+TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
+  const std::string vcd = "$timescale 1 us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n";
+  const std::string saleae = "Time [s],RX\n0.0,0\n0.1,1\n";
+  const struct {
+    std::string text, error;
+  } rows[] = {
+      {"", "is empty: a capture of a wire is expected"},
+      {"<SALEAE>\x01", "is Logic 2's binary export: export it as CSV"},
+      {"# ours\n120 0F E3\n", "is a recording of characters, not a capture of the wire"},
+      {"beef 0F E3\n", "is no capture of a wire that is known"},
+      {"0\n1\n0\n1\n", "does not say when its samples were taken"},
+      {"hello\nworld\n", "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2"},
+      {"0,1\n0,1\n1,0\n", "does not say when its samples were taken"},
+      {"$timescale 1 us $end\n", "1: ends within its header: $enddefinitions $end is expected"},
+      {"$timescale 3 us $end\n", "1: \"3us\" is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected"},
+      {"$var wire 1 ! RX $end\n$enddefinitions $end\n", "2: there is no $timescale before this line"},
+      {"$timescale 1 us $end\n$enddefinitions $end\n", "2: there is no variable of bits before this line"},
+      {"$timescale 1 us $end\n$var real 64 ! v $end\n$enddefinitions $end\n", "3: there is no variable of bits before this line"},
+      {"$timescale 1 us $end\nvar\n", "2: \"var\" stands outside of a section"},
+      {"$var wire 1 $end\n", "1: a variable is not complete: type, number of bits, code and name are expected"},
+      {vcd + "#0\n0!\n#x\n", "6: \"x\" is not a time: a whole number is expected after #"},
+      {vcd + "#5\n0!\n#4\n", "6: time 4 is before the one that came before it: times in order are expected"},
+      {vcd + "#99999999999999999\n", "4: time 99999999999999999 is later than a year: is the timescale right?"},
+      {vcd + "#1000000000000000000\n", "4: \"1000000000000000000\" is not a time"},
+      {vcd + "#0\n2!\n", "5: \"2!\" is no value change: #TIME, or 0 or 1 and a variable's code is expected"},
+      {vcd + "#0\n0\n", "5: a value has no code: one such as 1! is expected"},
+      {saleae + "0.2\n", "4: the row ends after column 1: column 2 is expected"},
+      {textOf(wireOf(), TestFormat::PulseView) + "2\n", "30005: \"2\" is no level: 0 or 1 is expected in column 1"},
+      {saleae + "soon,0\n", "4: \"soon\" is not a time: a number is expected in column 1"},
+      {saleae + "soon,1\n", "4: \"soon\" is not a time: a number is expected in column 1"},
+      {"Time,V\n1,0.1\n2,0.1\n3,0.1\n4,0.1\nsoon,3\n6,3\n7,3\n8,3\n9,0\n10,0\n", "6: \"soon\" is not a time: a number is expected in column 1"},
+      {saleae + "0.05,0\n", "4: a time is before that of a row above: times in order are expected"},
+      {saleae + "1e9,0\n", "4: a time is beyond a year: is its unit right?"},
+      {"Time,V\n0,0.1\n1,0.2\n2,0.1\n3,volt\n", "5: \"volt\" is no voltage: a number is expected in column 2"},
+      {"0110\n0120\n", "does not say when its samples were taken"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.text);
+    CHECK(Decoded(row.text).error.substr(0, row.error.size()) == row.error);
+  }
+}
+
+TEST_CASE("what is wrong somewhere does not take what came before it") {
+  for (const TestFormat format : TestFormats) {
+    INFO("format ", static_cast<int>(format));
+    const std::string text = textOf(wireOf(), format);
+    const Decoded decoded(text + "what?\n");
+    const bool endsWithEdge = format == TestFormat::DsView || format == TestFormat::DsViewOld;  // and more may be lost
+    CHECK(decoded.error != "");
+    CHECK(decoded.bytes() == part(All, 0, endsWithEdge ? 99 : 100));
+  }
+}

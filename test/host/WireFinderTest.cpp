@@ -1,0 +1,239 @@
+// Which signal of a capture carries S.Bus, which way up and how fast; and why one does not.
+#include "support/Decoded.h"
+
+namespace {
+
+// Two inverted wires, A and B, in one capture.
+std::string vcdOf(const TestWire &a, const TestWire &b) {
+  std::string vcd = "$timescale 1 ns $end\n$var wire 1 a A $end\n$var wire 1 b B $end\n$enddefinitions $end\n#0\n0a\n0b\n";
+  for (size_t i = 0, k = 0; i < a.edges.size() || k < b.edges.size();) {
+    const bool isA = k == b.edges.size() || (i < a.edges.size() && a.edges[i] <= b.edges[k]);
+    vcd += isA ? printed("#%.0f\n%da\n", a.edges[i], i % 2 == 0) : printed("#%.0f\n%db\n", b.edges[k], k % 2 == 0);
+    (isA ? i : k)++;
+  }
+  return vcd + printed("#%.0f\n", std::fmax(a.ns, b.ns));
+}
+
+}  // namespace
+
+TEST_CASE("of several signals the one that carries S.Bus is found, or the one that was asked for") {
+  for (const TestFormat format : {TestFormat::Vcd, TestFormat::Saleae, TestFormat::PulseView}) {
+    const std::string text = textOf(wireOf(), format, true);
+    INFO("format ", static_cast<int>(format));
+    CHECK(Decoded(text).signal == "RX");
+    CHECK(Decoded(text).bytes() == All);
+    CHECK(Decoded(text, "RX").bytes() == All);
+    CHECK(holds(Decoded(text, "TX").failure, "there is no signal TX: one of "));
+  }
+  const std::string failure = Decoded(textOf(wireOf(), TestFormat::PulseView, true), "CLK").failure;
+  CHECK(holds(failure, "signal CLK is no S.Bus: its shortest pulses last 3.0 us, as bits of 333333 baud do"));
+  CHECK_FALSE(holds(failure, "signal RX"));
+  CHECK(Decoded("Time [s],A,B,C,D,E,F,G,H,I\n0,0,0,0,0,0,0,0,0,0\n1,0,0,0,0,0,0,0,0,1\n", "X").failure ==
+        "there is no signal X: one of A, B, C, D, E, F, G, H, ... is expected");
+}
+
+TEST_CASE("a signal without frames is never taken for S.Bus, whatever stands beside it and however clean its characters are") {
+  TestWire bytes = wireOf();  // 8E2 at 100000 baud, too
+  bytes.edges.clear();
+  bytes.ns = 2000000;
+  for (int i = 0; i < 200; i++) {
+    bytes.byte(static_cast<uint8_t>(i));
+  }
+  TestWire damaged = wireOf();  // one frame is whole
+  for (const size_t edge : {9u, 60u, 100u}) {
+    damaged.edges[edge] += 10000;
+  }
+  std::vector<TestWire> others = {bytes};
+  const double endNs = wireOf().ns;
+  for (const double halfPeriodNs : {500, 5000, 10000, 15000, 20000, 25000, 35000, 45000}) {
+    TestWire clock;
+    for (clock.ns = 1000; clock.ns < endNs; clock.ns += halfPeriodNs) {
+      clock.edges.push_back(clock.ns);
+    }
+    others.push_back(clock);
+  }
+  for (const TestWire &other : others) {
+    for (const TestWire &wire : {wireOf(), damaged}) {
+      for (const bool otherFirst : {false, true}) {
+        INFO("edges ", other.edges[0], " ", other.edges[1], ", first: ", otherFirst);
+        const std::string both = otherFirst ? vcdOf(other, wire) : vcdOf(wire, other);
+        CHECK(Decoded(both).signal == (otherFirst ? "B" : "A"));
+        CHECK(Decoded(both).others.empty());
+        CHECK(Decoded(both).wire.frames >= 1);
+      }
+    }
+    const std::string alone = vcdOf(other, other);
+    CHECK(Decoded(alone).signal == "");
+    CHECK(holds(Decoded(alone).failure, "No signal has a frame of S.Bus: a frame is 25 characters"));
+    CHECK(Decoded(alone, "A").wire.frames == 0);
+  }
+  CHECK(Decoded(vcdOf(bytes, bytes), "B").characters.size() == 200);  // as it was asked for
+}
+
+TEST_CASE("of two signals with frames the one with more is decoded, though its first characters have more errors") {
+  TestWire few;
+  few.bytes(Neutral.bytes);
+  few.gap(30000000);
+  TestWire more = wireOf();
+  more.edges[3] += 10000;
+  CHECK(Decoded(vcdOf(few, more)).signal == "B");
+  CHECK(Decoded(vcdOf(few, more)).others == std::vector<std::string>{"A"});
+}
+
+TEST_CASE("what the user knows better overrules what is found") {
+  const std::string samples = sampled(wireOf(), 1000);
+  const std::string noRate = samples.substr(samples.find('\n') + 1);
+  const std::string bits = replaced(noRate.substr(noRate.find('\n') + 1), "0\n0\n0\n0\n", "0000\n");
+  const std::string fast = textOf(wireOf(9400), TestFormat::Saleae);  // 6 % off
+  const std::string uninverted = textOf(wireOf(10000, false), TestFormat::Saleae);
+  const std::string volts = textOf(wireOf(), TestFormat::Scope);
+  const auto overrules = [](unsigned long baud, line::Polarity polarity, double periodNs, std::optional<double> volt) {
+    line::Overrules told;
+    told.baud = baud;
+    told.polarity = polarity;
+    told.periodNs = periodNs;
+    told.threshold = volt;
+    return told;
+  };
+  const auto Either = line::Polarity::Either;
+  const struct {
+    std::string what, text;
+    line::Overrules told;
+    bool right;
+  } rows[] = {
+      {"6 % too fast", fast, overrules(0, Either, 0, {}), false},
+      {"6 % too fast, but told so", fast, overrules(106000, Either, 0, {}), true},
+      {"the other baud rate", fast, overrules(200000, Either, 0, {}), false},
+      {"uninverted, as it is", uninverted, overrules(0, line::Polarity::Uninverted, 0, {}), true},
+      {"inverted, as it is not", uninverted, overrules(0, line::Polarity::Inverted, 0, {}), false},
+      {"no rate", noRate, overrules(0, Either, 0, {}), false},
+      {"a rate", noRate, overrules(0, Either, 1000, {}), true},
+      {"the file's rate is wrong", replaced(samples, "1000000.0", "1500000.0"), overrules(0, Either, 1000, {}), true},
+      {"the file's times are wrong", replaced(volts, "(ms)", "(s)"), overrules(0, Either, 1000, {}), true},
+      {"samples without a title", bits, overrules(0, Either, 1000, {}), true},
+      {"a threshold on the slope", volts, overrules(0, Either, 0, 1.2), true},
+      {"a threshold above it all", volts, overrules(0, Either, 0, 5), false},
+  };
+  for (const auto &row : rows) {
+    INFO(row.what);
+    const Decoded decoded(row.text, row.told);
+    CHECK((decoded.wire.frames > 0) == row.right);
+    CHECK((decoded.characters.size() == All.size() && decoded.bytes() == All) == row.right);
+  }
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrules(0, Either, 1000, {})).error == "has times of its own: leave out --rate");
+  CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrules(0, Either, 0, 1.5)).error == "has no voltages: leave out --threshold");
+  TestWire zeros;  // whose pulses are all of ten bits: nothing tells how long one is
+  zeros.bytes(Bytes(5, 0));
+  zeros.gap(1e6);
+  CHECK(Decoded(textOf(zeros, TestFormat::Saleae)).characters.empty());
+  CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrules(100000, Either, 0, {})).bytes() == Bytes(5, 0));
+}
+
+TEST_CASE("of two signals that carry S.Bus the one with less errors is decoded, and the other one named") {
+  TestWire good = wireOf();
+  TestWire worse = wireOf();
+  worse.edges[9] += 10000;
+  const struct {
+    const TestWire &a, &b;
+    std::string signal, other;
+  } rows[] = {{good, worse, "A", "B"}, {worse, good, "B", "A"}, {good, good, "A", "B"}};
+  for (const auto &row : rows) {
+    const std::string vcd = vcdOf(row.a, row.b);
+    CHECK(Decoded(vcd).signal == row.signal);
+    CHECK(Decoded(vcd).others == std::vector<std::string>{row.other});
+  }
+}
+
+TEST_CASE("S.Bus that begins after a million edges of noise: no byte of it is missing") {
+  TestWire wire;
+  uint32_t random = 1;
+  for (int i = 0; i < 1000524; i++) {  // fewer than fill the sample: S.Bus fills the other half
+    random = random * 1664525 + 1013904223;
+    wire.ns += 1000 + (random >> 16);
+    wire.edges.push_back(wire.ns);
+  }
+  wire.gap(1e6);
+  for (int i = 0; i < 20; i++) {
+    wire.bytes(PaperLow.bytes);
+    wire.gap(6e6);
+  }
+  const std::vector<WireCharacter> characters = Decoded(textOf(wire, TestFormat::Saleae)).characters;
+  REQUIRE(characters.size() >= 500);
+  for (size_t i = 0; i < 500; i++) {
+    CHECK(characters[characters.size() - 500 + i].value == PaperLow.bytes[i % 25]);
+  }
+}
+
+TEST_CASE("what is no S.Bus, and why") {
+  TestWire uart;  // 115200 baud
+  uart.bitNs = 8680;
+  uart.bytes(All);
+  TestWire silent;
+  silent.gap(1e6);
+  TestWire other;  // 100000 baud and 2 % less, but odd parity
+  other.bitNs = 10200;
+  for (const uint8_t byte : All) {
+    unsigned ones = 0;
+    for (unsigned i = 0; i < 8; i++) {
+      ones += byte >> i & 1u;
+    }
+    other.character(byte | (1 - (ones & 1)) << 8 | 3u << 9);
+  }
+  TestWire brief;  // three characters
+  brief.bytes(part(All, 0, 3));
+  brief.gap(1e6);
+  TestWire glitch = uart;
+  glitch.edges.push_back(glitch.ns + 1000);
+  glitch.edges.push_back(glitch.ns + 1500);
+  TestWire seldom;  // sampled at 300 kHz, which the capture does not say
+  for (const double edge : uart.edges) {
+    seldom.edges.push_back(std::ceil(edge * 0.0003) / 0.0003);
+  }
+  const struct {
+    std::string text, failure;
+  } rows[] = {
+      {textOf(glitch, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
+      {textOf(wireOf(10400), TestFormat::Saleae), "its shortest pulses last 10.4 us, as bits of 96153 baud do: 10 us or 5 us are expected, within 3 %"},
+      {textOf(seldom, TestFormat::Saleae), "signal RX was sampled every 3.3 us, but a bit lasts 10.0 us"},
+      {textOf(brief, TestFormat::Saleae), "signal RX has 3 good characters at 100000 baud, 8E2, inverted, but no frame. No signal has a frame of S.Bus: a frame is 25 characters"},
+      {textOf(silent, TestFormat::Saleae), "signal RX has no pulses: is the probe on S-BUS_OUT, and the receiver on?"},
+      {textOf(silent, TestFormat::Saleae, true), "no signal has pulses: is the probe on S-BUS_OUT, and the receiver on? No signal has a frame"},
+      {textOf(uart, TestFormat::Vcd), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do: 10 us or 5 us are expected, within 3 %. No"},
+      {textOf(silent, TestFormat::Scope), "has no pulses"},  // noise alone
+      {textOf(uart, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
+      {textOf(other, TestFormat::Saleae), "have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.failure);
+    CHECK_MESSAGE(holds(Decoded(row.text).failure, row.failure), Decoded(row.text).failure);
+    CHECK(Decoded(row.text).characters.empty());
+  }
+}
+
+TEST_CASE("four samples a bit are enough, with less it is said so; bits are still told with a little more than two") {
+  const struct {
+    double bitNs, periodNs;
+    bool right;
+    const char *tooSlow;
+  } rows[] = {
+      {10000, 1000, true, ""},
+      {10000, 2500, true, ""},
+      {10000, 2600, true, "was sampled every 2.6 us, but a bit lasts 10.0 us: at least 4 samples a bit are expected"},
+      {10000, 4500, true, "was sampled every 4.5 us, but a bit lasts 10.0 us"},
+      {10000, 8000, false, "was sampled every 8.0 us, but a bit lasts 10.0 us"},
+      {5000, 1250, true, ""},
+      {5000, 1300, true, "was sampled every 1.3 us, but a bit lasts 5.0 us"},
+      {5000, 2250, true, "was sampled every 2.3 us, but a bit lasts 5.0 us"},
+      {5000, 4000, false, "was sampled every 4.0 us, but a bit lasts 10.0 us"},
+      {8680, 2500, false, ""},  // no S.Bus at all
+      {8680, 2600, false, "was sampled every 2.6 us, but a bit lasts 10.0 us"},
+  };
+  for (const auto &row : rows) {
+    INFO("a bit lasts ", row.bitNs, " ns, sampled every ", row.periodNs);
+    const Decoded decoded(sampled(wireOf(row.bitNs), row.periodNs));
+    CHECK((decoded.bytes() == All) == row.right);
+    const std::string said = row.right ? line::tooSlow(row.periodNs, row.bitNs) : decoded.failure;
+    CHECK(holds(said, "was sampled every") == (*row.tooSlow != '\0'));
+    CHECK_MESSAGE(holds(said, row.tooSlow), said);
+  }
+}

@@ -1,0 +1,155 @@
+// The first frame of a line: after a reset, joined midway, and on lines with frames of other lengths or headers.
+#include <doctest/doctest.h>
+
+#include "sbus/FrameFinder.h"
+#include "support/Feed.h"
+#include "support/ShowArrays.h"
+
+namespace {
+
+const Bytes Low = bytesOf(PaperLow.bytes);
+
+// Of lines with and without 0F in the payload.
+Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
+  return neutral ? neutralFrame(number, end) : plainFrame(number, end);
+}
+
+// FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
+Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace) {
+  const Frame beginning = withByte(withByte(neutralFrame(number), 23, flagsPlace), 24, endPlace);
+  return bytesOf(beginning) + Bytes(9, 0x3E) + Bytes{0x08, 0x00};  // failsafe
+}
+
+}  // namespace
+
+TEST_CASE("from reset on every frame is found, however seldom polls come: the first once the second has begun") {
+  for (const uint32_t periodUs : {3000u, 4000u, 9000u, 30000u}) {
+    CAPTURE(periodUs);
+    Feeder line;
+    line.wait(50000);
+    Frames sent, found;
+    for (unsigned number = 0; number < 12; number++) {
+      sent.push_back(plainFrame(number));
+      found = found + line.block(periodUs).poll(bytesOf(sent.back()));
+      CHECK(found.size() + 1 >= sent.size());
+    }
+    CHECK(found == sent);
+    CHECK(line.finder.counters().discardedBytes == 0);
+  }
+}
+
+TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, or silence, and nothing else") {
+  for (unsigned next = 0; next < 256; next++) {
+    CAPTURE(next);
+    Feeder line;
+    REQUIRE(line.settle().feed(Low).empty());
+    const bool delivered = next == 0x0F || next == 0x2F;
+    CHECK(line.feed({static_cast<uint8_t>(next)}) == (delivered ? Frames{PaperLow.bytes} : Frames{}));
+  }
+  Feeder line;
+  CHECK(line.settle().feed(Low).empty());
+  CHECK(line.wait(22 * Feeder::CharacterUs).waited.empty());
+  CHECK(line.wait(1).waited == Frames{PaperLow.bytes});
+  CHECK(line.wait(4000).waited.empty());
+  CHECK(line.feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
+}
+
+TEST_CASE("where gaps are seen the first frame stands at one, and is no end of a longer one that lost characters") {
+  for (size_t before = 0; before < 60; before++) {
+    for (const bool header : {false, true}) {
+      INFO("before ", before, ", header ", header);
+      const bool mayBeLonger = before > 1 && before <= 11;
+      Feeder line;
+      const Frames found = line.settle().feed(Bytes(before, 0x7C) + Low + (header ? Bytes{0x0F, 0x7C} : Bytes{}));
+      CHECK(found.empty() == (before > 0 || !header));
+      CHECK(line.wait(Feeder::GapUs).waited.empty() == (mayBeLonger || header));
+      CHECK(line.feed({0x0F}).empty());
+      const bool isFirst = before > 0 && (mayBeLonger || header);
+      CHECK(line.feed(part(Low, 1)).empty() == isFirst);
+      CHECK(line.wait(Feeder::GapUs).waited.size() == isFirst);
+    }
+  }
+}
+
+TEST_CASE("joined midway the first whole frame is there once the line is silent, whatever of another came before the gap") {
+  for (size_t rest = 1; rest < 25; rest++) {
+    CAPTURE(rest);
+    Feeder line;
+    line.settle().feed(part(Low, 25 - rest));
+    CHECK(line.wait(Feeder::GapUs).feed(Low, 16).empty());
+    CHECK(line.wait(Feeder::GapUs).waited == Frames{PaperLow.bytes});
+  }
+}
+
+TEST_CASE("a failsafe frame whose place is not certain is there once the line is silent behind it") {
+  const Bytes failsafe = bytesOf(FailsafeFrame);
+  Feeder line;
+  CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());  // noise hides the gap before it
+  CHECK(line.wait(Feeder::GapUs).waited == Frames{FailsafeFrame});
+  for (const uint8_t next : {uint8_t{0x0F}, uint8_t{0x2F}, uint8_t{0x00}}) {
+    CAPTURE(unsigned{next});
+    Feeder without;
+    CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
+    CHECK(without.wait(Feeder::GapUs).waited.empty());
+  }
+  // The rest of one, and one that has lost as many characters: silence behind them says nothing.
+  for (const size_t lost : {2u, 5u, 11u}) {
+    Feeder halves;
+    const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
+    halves.lock().feed(Bytes(10, 0x55) + part(bytesOf(before), 25 - lost) + part(failsafe, 0, 10) +
+                       part(failsafe, 10 + lost));
+    CHECK(halves.wait(Feeder::GapUs).waited.empty());
+    CHECK(halves.feed({0x0F}).empty());
+  }
+}
+
+TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH17 and CH18 are") {
+  for (const unsigned flagsPlace : {0x00u, 0x03u, 0x08u, 0x0Fu, 0xE0u}) {
+    for (const unsigned endPlace : {0x00u, 0x04u, 0x08u, 0x14u, 0x34u}) {
+      for (const uint32_t loopUs : {50u, 1000u, 2000u, 5000u}) {
+        INFO("flagsPlace ", flagsPlace, ", endPlace ", endPlace, ", loopUs ", loopUs);
+        TimedLine line;
+        for (unsigned number = 0; number < 40; number++) {
+          line.send(frame36(number, flagsPlace, endPlace)).gap(9000 - 36 * 120);
+        }
+        CHECK(line.frames(loopUs).empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between cost none, and none is wrong") {
+  for (const bool longOnes : {false, true}) {
+    TimedLine line;
+    Frames sent;
+    for (unsigned number = 0; number < 40; number++) {
+      sent.push_back(frameOf(number % 2 != 0, number));
+      line.send(sent.back()).gap(4000);
+      line.send(longOnes ? frame36(number, 0xE0, 0x00) : bytesOf(withByte(neutralFrame(number), 0, 0x2F)))
+          .gap(4000);
+    }
+    for (const uint32_t loopUs : {50u, 500u, 1000u, 2000u}) {
+      INFO("longOnes ", longOnes, ", loopUs ", loopUs);
+      CHECK(line.frames(loopUs) == sent);
+    }
+    CHECK(isPartOf(line.frames(5000), sent));
+  }
+}
+
+TEST_CASE("where 25 bytes were known 36-byte frames are believed once at the most, and not if more of one is there") {
+  const struct {
+    size_t burst;
+    unsigned most;
+  } rows[] = {{1, 1}, {9, 1}, {16, 0}, {36, 0}};
+  for (const auto &row : rows) {
+    CAPTURE(row.burst);
+    Feeder line;
+    line.lock();
+    Frames found;
+    for (unsigned number = 0; number < 40; number++) {
+      found = found + line.feed(frame36(number, 0x03, 0x00), row.burst);
+      line.wait(Feeder::GapUs);
+    }
+    CHECK(found.size() <= row.most);
+  }
+}
