@@ -46,7 +46,7 @@ Object.defineProperty(globalThis, 'navigator', { value: { serial: fake.serial },
 const typescript = createRequire(path.join(build, 'npm/package.json'))('typescript');
 const out = path.join(build, 'source');
 mkdirSync(out, { recursive: true });
-for (const name of ['connection', 'choice', 'port']) {
+for (const name of ['connection', 'choice', 'device', 'port']) {
   const text = readFileSync(path.join(here, `../../extras/scope/src/source/${name}.ts`), 'utf8');
   const { outputText } = typescript.transpileModule(text, { compilerOptions: { module: 'ESNext', target: 'ES2022' } });
   writeFileSync(path.join(out, `${name}.mjs`), outputText.replace(/from '\.\/(\w+)'/g, "from './$1.mjs'"));

@@ -120,7 +120,8 @@ export class Scope {
   private show(source: Source, status: Status, nowUs: number): void {
     const unit = this.units.of(this.newest);
     byId('rows').hidden = this.newest?.kind !== Kind.Row;
-    setText(byId('title'), source.title + asides[this.choice.state]);
+    const device = source.device ? `, ${source.device}` : '';
+    setText(byId('title'), source.title + device + asides[this.choice.state]);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
     this.sticks.draw(this.newest, unit, trusted);

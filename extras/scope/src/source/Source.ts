@@ -13,6 +13,9 @@ export interface Source {
   // What it is, for a person.
   readonly title: string;
 
+  // What it is plugged in with, if that is known.
+  readonly device?: string;
+
   // Nothing can come unless it is open.
   readonly state: State;
 

@@ -52,7 +52,7 @@ export class StatisticsView {
     const recent = parts.slice(-Math.max(Math.round(10 / widthS), 1)).reduce((sum, part) => ({ frames: sum.frames + part.frames, lost: sum.lost + part.lost }), { frames: 0, lost: 0 });
     const text = `${percent(all.lost, all.frames)} of ${all.frames} ${what} were lost by radio, ${percent(recent.lost, recent.frames)} of those of the last ten seconds; ${percent(all.failsafe, all.frames)} were failsafe.`;
     setText(byId('losses-text'), all.frames > 0 ? text : `No ${what} yet.`);
-    const worst = Math.max(...parts.map(({ lost, frames }) => lost / Math.max(frames, 1)));
+    const worst = Math.max(0, ...parts.map(({ lost, frames }) => lost / Math.max(frames, 1)));
     const top = [0.1, 0.25, 0.5, 1].find((each) => each >= worst) ?? 1;
     chart(byId('losses-chart'), parts.map(({ frames, lost, failsafe }, i): Bar => {
       const from = beginS + i * widthS;
@@ -63,7 +63,7 @@ export class StatisticsView {
       };
     }));
     setText(byId('losses-top'), `${100 * top} %`);
-    axis('losses-axis', [`${beginS} s`, `${beginS + parts.length * widthS} s`]);
+    axis('losses-axis', parts.length > 0 ? [`${beginS} s`, `${beginS + parts.length * widthS} s`] : []);
   }
 }
 
