@@ -1,5 +1,6 @@
 // What the user keeps: a recording in the project's format, the numbers as CSV, or a picture.
 
+import { Awake } from './awake';
 import type { Core } from './core';
 import { download } from './dom';
 import { History } from './history';
@@ -13,6 +14,7 @@ export class Recorder {
   bytes = 0;
   private text = '';
   private parts: Blob[] = [];
+  private readonly awake = new Awake();
 
   constructor(private readonly core: Core) {}
 
@@ -23,6 +25,7 @@ export class Recorder {
     this.parts = [];
     this.bytes = this.text.length;
     this.core.record(true);
+    this.awake.want(true);
   }
 
   // Call it often enough: for each picture, and each time that bytes have come.
@@ -40,6 +43,7 @@ export class Recorder {
     this.core.record(false);
     this.append(this.core.takeRecorded());
     this.on = false;
+    this.awake.want(false);
     download(`sbus-${stamp()}.txt`, [...this.parts, this.text], 'text/plain');
     this.parts = [];
     this.text = '';
