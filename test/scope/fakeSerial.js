@@ -123,7 +123,7 @@
     }
 
     // A device that is plugged in again is another SerialPort: Serial::GetOrCreatePort() knows it by a new token. The permission of
-    // one with a serial number stays.
+    // one with a serial number stays: SerialChooserContext::GrantPortPermission() in chrome/browser/serial.
     plug() {
       const port = Object.assign(new FakePort(), { ids: this.ids, opened: this.opened, onOpen: this.onOpen, openMs: this.openMs, permitted: this.permitted });
       if (fake.port === this) fake.port = port;
