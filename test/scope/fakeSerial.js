@@ -19,6 +19,7 @@
     opened = []; // the options of each open() that a port has come of
     busy = false; // another program has it open
     gone = false;
+    permitted = false; // by the user, in the chooser
     openMs = 60; // an FTDI adapter's open() took 60 to 1300 ms; 0 for a port that is there at once
     closeMs = 5;
     ids = { usbVendorId: 0x0403, usbProductId: 0x6001 };
@@ -121,10 +122,12 @@
       tell('disconnect', this);
     }
 
-    // A device that is plugged in again is another SerialPort: Serial::GetOrCreatePort() knows it by a new token.
+    // A device that is plugged in again is another SerialPort: Serial::GetOrCreatePort() knows it by a new token. The permission of
+    // one with a serial number stays: SerialChooserContext::GrantPortPermission() in chrome/browser/serial.
     plug() {
-      const port = Object.assign(new FakePort(), { ids: this.ids, opened: this.opened, onOpen: this.onOpen, openMs: this.openMs });
+      const port = Object.assign(new FakePort(), { ids: this.ids, opened: this.opened, onOpen: this.onOpen, openMs: this.openMs, permitted: this.permitted });
       if (fake.port === this) fake.port = port;
+      ports.push(port);
       tell('connect', port);
       return port;
     }
@@ -167,8 +170,12 @@
     }
   }
 
-  // SerialPort::DispatchEventInternal(): the event bubbles to navigator.serial.
+  const ports = []; // all there are
+
+  // SerialPort::DispatchEventInternal(): the event bubbles to navigator.serial. Of a port without permission a page hears nothing:
+  // SerialService::OnPortConnectedStateChanged() in content/browser/serial/serial_service.cc.
   const tell = (name, port) => {
+    if (!port.permitted) return;
     const event = Object.defineProperty(new Event(name), 'target', { value: port });
     port.dispatchEvent(new Event(name));
     serial.dispatchEvent(event);
@@ -186,12 +193,22 @@
     cancel?.();
     return new Promise((resolve, reject) => {
       cancel = () => reject(notSelected());
-      Promise.resolve(fake.choose()).then((port) => (port ? resolve(port) : reject(notSelected())));
+      Promise.resolve(fake.choose()).then((port) => (port ? resolve(Object.assign(port, { permitted: true })) : reject(notSelected())));
     });
   };
+  // Serial::getPorts(), without any gesture: those that are plugged in and permitted, SerialService::FinishGetPorts(); each is the
+  // SerialPort that it was before, Serial::OnGetPorts().
+  serial.getPorts = async () => {
+    await later(5);
+    return ports.filter(({ permitted, gone }) => permitted && !gone);
+  };
+  const newPort = () => {
+    ports.push(new FakePort());
+    return ports.at(-1);
+  };
   globalThis.fake = {
-    port: new FakePort(),
-    newPort: () => new FakePort(),
+    port: newPort(),
+    newPort,
     serial,
     // What the user picks in the chooser, if anything.
     choose: () => fake.port,

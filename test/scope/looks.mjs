@@ -220,6 +220,14 @@ export default async function () {
         assert.notEqual(one, other, `${what}: ${JSON.stringify(colors)}`);
       }
       assert.equal(colors.curve[0], 'CanvasText');
+      await page.click('#cursors');
+      // Each where it belongs.
+      const astray = await page.$$eval('button, select, .fill, .mark, .plot, .sign, .indicator i, .eight i, .cursor, .stick-at', (all) => all.filter((each) => each.checkVisibility() && each.closest('li, section, header')).filter((each) => {
+        const [inner, outer] = [each, each.closest('li, section, header')].map((one) => one.getBoundingClientRect());
+        const slop = 30; // a cursor's handle and a stick's place reach over an edge
+        return inner.left < outer.left - slop || inner.top < outer.top - slop || inner.right > outer.right + slop || inner.bottom > outer.bottom + slop;
+      }).map((each) => each.outerHTML.slice(0, 80)));
+      assert.deepEqual(astray, []);
       await fits(page);
     }, { forcedColors: 'active', colorScheme });
   }

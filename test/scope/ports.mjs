@@ -86,7 +86,7 @@ export default async function () {
       await reads(page, '#state', 'Fine');
       await page.evaluate((still) => fake.port.unplug({ bound: still }), bound);
       await reads(page, '#verdict-text', 'The port has gone.');
-      await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (opening again)');
+      await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening again)');
       await reads(page, '#state', 'Stale');
       await page.waitForTimeout(1500); // it was tried again, and the browser says only that it cannot be opened
       await reads(page, '#verdict-text', 'The port has gone.');
@@ -115,10 +115,10 @@ export default async function () {
     await page.click('#source-adapter');
     await reads(page, '#verdict-text', 'The port cannot be opened.');
     await reads(page, '#verdict-remedy', /^Close the other program/);
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (not open)');
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2');
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001)');
   });
 
   await check('a port that takes 1.3 s to open: nothing is tried meanwhile, and each baud rate is listened to for as long as the other', async (page) => {
@@ -137,7 +137,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.openMs = 1300));
     await page.click('#source-adapter');
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2 (opening)');
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening)');
     await page.click('#source-simulated');
     await reads(page, '#title', /^Simulated/);
     await reads(page, '#state', 'Fine');
@@ -334,7 +334,7 @@ export default async function () {
     await reads(page, '#verdict-remedy', /^Choose the baud rate/);
     await page.selectOption('#baud', '9600');
     await reads(page, '#bars li:nth-child(1) .raw', '832');
-    await reads(page, '#title', 'A board that prints numbers, 9600 baud');
+    await reads(page, '#title', 'A board that prints numbers, 9600 baud, FTDI FT232 (0403:6001)');
     await reads(page, '#verdict-text', 'Rows come from a board.');
     assert.deepEqual(await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate)), [115200, 9600]);
   });

@@ -2,14 +2,13 @@
 // and on a clock that is turned by hand. No browser.
 //   node sources.mjs [SEED [COUNT]]
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { fileURLToPath } from 'node:url';
 import vm from 'node:vm';
+import { load } from './modules.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
-const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope');
 const [firstSeed = 20181, seeds = 400] = process.argv.slice(2).map(Number);
 const clicks = 24; // a seed
 
@@ -42,17 +41,8 @@ const later = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 vm.runInThisContext(readFileSync(path.join(here, 'fakeSerial.js'), 'utf8'));
 Object.defineProperty(globalThis, 'navigator', { value: { serial: fake.serial }, configurable: true });
 
-// The sources as they stand, without their types.
-const typescript = createRequire(path.join(build, 'npm/package.json'))('typescript');
-const out = path.join(build, 'source');
-mkdirSync(out, { recursive: true });
-for (const name of ['connection', 'choice', 'port']) {
-  const text = readFileSync(path.join(here, `../../extras/scope/src/source/${name}.ts`), 'utf8');
-  const { outputText } = typescript.transpileModule(text, { compilerOptions: { module: 'ESNext', target: 'ES2022' } });
-  writeFileSync(path.join(out, `${name}.mjs`), outputText.replace(/from '\.\/(\w+)'/g, "from './$1.mjs'"));
-}
-const { Choice } = await import(pathToFileURL(path.join(out, 'choice.mjs')));
-const { PortSource, pickPort } = await import(pathToFileURL(path.join(out, 'port.mjs')));
+const { Choice } = await load('source/choice');
+const { PortSource, pickPort } = await load('source/port');
 
 const random = (seed) => () => {
   seed = (seed + 0x6d2b79f5) | 0;

@@ -9,7 +9,9 @@ import { PortSource, pickPort, type PortKind } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
 import type { Problem } from './source/Source';
+import { keep, recall } from './storage';
 import { CalibrationView } from './view/calibration';
+import { KnownPorts } from './view/knownPorts';
 import { NoticeView } from './view/notice';
 import { ScaleView } from './view/scale';
 
@@ -25,6 +27,7 @@ addEventListener('unhandledrejection', (event) => fault(event.reason));
 const core = await Core.load();
 const scope = new Scope(core);
 const notice = new NoticeView();
+const known = new KnownPorts(byId('known'), (port, kind) => void open(port, kind));
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
 
 function pressed(source: string): void {
@@ -56,14 +59,20 @@ async function connect(kind: PortKind): Promise<void> {
   try {
     const port = await scope.choice.ask(() => pickPort(kind));
     if (port) {
-      await scope.choice.change(async () => () => {
-        pressed(kind);
-        return new PortSource(core, port, kind, scope, Number(select('baud').value));
-      });
+      await open(port, kind);
     }
   } catch (problem) {
     notice.show(problem as Problem);
   }
+}
+
+async function open(port: SerialPort, kind: PortKind): Promise<void> {
+  notice.hide();
+  await scope.choice.change(async () => () => {
+    pressed(kind);
+    return new PortSource(core, port, kind, scope.take, Number(select('baud').value));
+  });
+  known.remember(port, kind);
 }
 
 async function play(file: File | undefined): Promise<void> {
@@ -100,7 +109,9 @@ function wire(): void {
     void play(input.files?.[0]);
     input.value = '';
   });
+  select('baud').value = [...select('baud').options].find(({ value }) => value === recall('baud'))?.value ?? '115200';
   select('baud').addEventListener('change', () => {
+    keep('baud', select('baud').value);
     void scope.choice.current?.use({ baud: Number(select('baud').value), inverted: false });
   });
   select('receiver').addEventListener('change', simulate);
@@ -174,6 +185,8 @@ await simulate();
 
 function picture(): void {
   scope.draw();
+  const { current } = scope.choice;
+  known.draw((port) => current instanceof PortSource && current.has(port));
   calibration.draw();
   recordButton();
   requestAnimationFrame(picture);

@@ -1,5 +1,6 @@
 // What the user keeps: a recording in the project's format, the numbers as CSV, or a picture.
 
+import { Awake } from './awake';
 import { download } from './dom';
 import { History } from './history';
 import type { Line } from './line';
@@ -13,6 +14,7 @@ export class Recorder {
   bytes = 0;
   private text = '';
   private parts: Blob[] = [];
+  private readonly awake = new Awake();
 
   private line?: Line;
 
@@ -24,6 +26,7 @@ export class Recorder {
     this.parts = [];
     this.bytes = this.text.length;
     line.record();
+    this.awake.want(true);
   }
 
   // Call it often enough: for each picture, and each time that bytes have come.
@@ -41,6 +44,7 @@ export class Recorder {
     }
     this.on = false;
     this.line = undefined;
+    this.awake.want(false);
     const parts = [...this.parts, this.text];
     this.parts = [];
     this.text = '';

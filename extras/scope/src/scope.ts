@@ -131,7 +131,8 @@ export class Scope implements Sink {
   private picture(source: Source, status: Status, nowUs: number): void {
     const unit = this.units.of(this.newest);
     byId('rows').hidden = this.newest?.kind !== Kind.Row;
-    setText(byId('title'), source.title + (this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state]));
+    const aside = this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state];
+    setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     this.bars.draw(this.newest, unit, trusted);
     this.sticks.draw(this.newest, unit, trusted);

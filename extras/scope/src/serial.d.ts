@@ -17,6 +17,7 @@ interface SerialPort extends EventTarget {
 
 interface Serial extends EventTarget {
   requestPort(): Promise<SerialPort>;
+  getPorts(): Promise<SerialPort[]>;
 }
 
 interface Navigator {

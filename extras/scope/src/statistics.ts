@@ -84,7 +84,7 @@ export function losses(history: History, nowS: number): Losses {
   const oldestS = history.end > 0 ? history.time(history.begin) : nowS;
   const widthS = [1, 2, 5].find((width) => (nowS - oldestS) / width < mostParts - 1) ?? 10;
   const end = Math.floor(nowS / widthS) + 1;
-  const begin = Math.max(Math.floor(oldestS / widthS), end - mostParts);
+  const begin = history.end > 0 ? Math.max(Math.floor(oldestS / widthS), end - mostParts) : end;
   const parts = Array.from({ length: end - begin }, () => ({ frames: 0, lost: 0, failsafe: 0 }));
   const all = { frames: 0, lost: 0, failsafe: 0 };
   for (let sample = history.begin; sample < history.end; sample++) {

@@ -14,6 +14,9 @@ export interface Source {
   // What it is, for a person.
   readonly title: string;
 
+  // What it is plugged in with, if that is known.
+  readonly device?: string;
+
   // What comes of it.
   readonly line: Line;
 

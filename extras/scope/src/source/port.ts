@@ -3,6 +3,7 @@
 import type { Core, Setting } from '../core';
 import type { Sink } from '../line';
 import { Connection, type State } from './connection';
+import { deviceName } from './device';
 import type { Problem, Source } from './Source';
 
 export type PortKind = 'adapter' | 'board';
@@ -56,6 +57,14 @@ export class PortSource implements Source {
 
   get title(): string {
     return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : 'S.Bus at a serial adapter, 8E2';
+  }
+
+  get device(): string {
+    return deviceName(this.info);
+  }
+
+  has(port: SerialPort): boolean {
+    return port === this.port;
   }
 
   get state(): State {

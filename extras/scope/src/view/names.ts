@@ -55,7 +55,9 @@ export class NamesView {
     const shown = make('input', { type: 'checkbox', 'aria-label': `Show ${number}` });
     shown.checked = !this.channels.isHidden(channel);
     shown.addEventListener('change', () => this.channels.hide(channel, !shown.checked));
-    const name = make('input', { type: 'text', maxlength: longestName, placeholder: number, 'aria-label': `Name of ${number}`, autocomplete: 'off', spellcheck: 'false' });
+    const name = make('input', {
+      type: 'text', maxlength: longestName, placeholder: number, 'aria-label': `Name of ${number}`, autocomplete: 'off', spellcheck: 'false',
+    });
     name.value = this.channels.givenName(channel);
     name.addEventListener('input', () => this.channels.rename(channel, name.value));
     return make('li', {}, make('label', { class: 'check' }, shown, number), name);

@@ -24,7 +24,8 @@ export interface Shown {
   thickness: number;
 }
 
-export function picture(history: History, { title, channels, names, unit, times, longest, thickness }: Shown, palette: Palette): string {
+export function picture(history: History, shown: Shown, palette: Palette): string {
+  const { title, channels, names, unit, times, longest, thickness } = shown;
   const area: Area = { ...times, left, top, width: width - left - right, height: plotHeight };
   const bottom = top + plotHeight;
   const perRow = Math.floor(area.width / legendWidth);
@@ -39,7 +40,8 @@ export function picture(history: History, { title, channels, names, unit, times,
   parts.push(`<clipPath id="plot"><rect x="${left}" y="${top}" width="${area.width}" height="${plotHeight}"/></clipPath>`);
   parts.push('<g clip-path="url(#plot)">');
   bands(history, area, (x, wide, failsafe) => {
-    parts.push(`<rect x="${x.toFixed(1)}" y="${top}" width="${wide.toFixed(1)}" height="${plotHeight}" ${paint('fill', palette[failsafe ? 'alarm-band' : 'warning-band'])}/>`);
+    const fill = paint('fill', palette[failsafe ? 'alarm-band' : 'warning-band']);
+    parts.push(`<rect x="${x.toFixed(1)}" y="${top}" width="${wide.toFixed(1)}" height="${plotHeight}" ${fill}/>`);
   });
   parts.push('</g>');
   for (const tick of ticksOf(unit)) {
@@ -54,16 +56,20 @@ export function picture(history: History, { title, channels, names, unit, times,
     text(x, bottom + 18, `${+(tick * step).toFixed(2)} s`, ' text-anchor="middle"');
   }
   channels.forEach((channel, i) => {
-    const stroke = `${paint('stroke', palette.curves[channel % palette.curves.length])} stroke-width="${thickness}" stroke-dasharray="${dashOf(channel).join(' ') || 'none'}"`;
+    const dash = dashOf(channel).join(' ') || 'none';
+    const stroke = `${paint('stroke', palette.curves[channel % palette.curves.length])} stroke-width="${thickness}" stroke-dasharray="${dash}"`;
     const pen = new Path();
     trace(history, channel, unit, area, longest, pen);
-    parts.push(`<path clip-path="url(#plot)" fill="none" stroke-linejoin="round" ${stroke} d="${pen.text}"><title>${escaped(names[i])}</title></path>`);
+    parts.push(
+      `<path clip-path="url(#plot)" fill="none" stroke-linejoin="round" ${stroke} d="${pen.text}"><title>${escaped(names[i])}</title></path>`,
+    );
     const [x, y] = [left + (i % perRow) * legendWidth, bottom + 44 + legendHeight * Math.floor(i / perRow)];
     parts.push(`<line x1="${x}" y1="${y - 4}" x2="${x + 36}" y2="${y - 4}" ${stroke}/>`);
     text(x + 44, y, names[i]);
   });
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="12" ${paint('fill', palette.muted)}>`,
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`,
+    ` font-family="system-ui, sans-serif" font-size="12" ${paint('fill', palette.muted)}>`,
     `<title>${escaped(title)}</title>`,
     `<rect width="${width}" height="${height}" ${paint('fill', palette.card)}/>`,
     ...parts,

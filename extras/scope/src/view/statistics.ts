@@ -33,7 +33,8 @@ export class StatisticsView {
 
   private drawIntervals(found: Intervals | undefined, what: string): void {
     const text = found
-      ? `${found.count} intervals: the median is ${ms(found.medianUs)} ms, 98 of 100 last ${ms(found.lowUs)} to ${ms(found.highUs)} ms, the longest ${ms(found.longestUs)} ms.`
+      ? `${found.count} intervals: the median is ${ms(found.medianUs)} ms, 98 of 100 last ${ms(found.lowUs)} to ${ms(found.highUs)} ms, ` +
+        `the longest ${ms(found.longestUs)} ms.`
       : `Two ${what} are awaited.`;
     setText(byId('intervals-text'), text);
     const { bins = [], shorter = 0, longer = 0, firstUs = 0, widthUs = 0 } = found ?? {};
@@ -49,10 +50,16 @@ export class StatisticsView {
   }
 
   private drawLosses({ beginS, widthS, parts, all }: Losses, what: string): void {
-    const recent = parts.slice(-Math.max(Math.round(10 / widthS), 1)).reduce((sum, part) => ({ frames: sum.frames + part.frames, lost: sum.lost + part.lost }), { frames: 0, lost: 0 });
-    const text = `${percent(all.lost, all.frames)} of ${all.frames} ${what} were lost by radio, ${percent(recent.lost, recent.frames)} of those of the last ten seconds; ${percent(all.failsafe, all.frames)} were failsafe.`;
+    const recent = { frames: 0, lost: 0 };
+    for (const { frames, lost } of parts.slice(-Math.max(Math.round(10 / widthS), 1))) {
+      recent.frames += frames;
+      recent.lost += lost;
+    }
+    const text =
+      `${percent(all.lost, all.frames)} of ${all.frames} ${what} were lost by radio, ${percent(recent.lost, recent.frames)} of those of ` +
+      `the last ten seconds; ${percent(all.failsafe, all.frames)} were failsafe.`;
     setText(byId('losses-text'), all.frames > 0 ? text : `No ${what} yet.`);
-    const worst = Math.max(...parts.map(({ lost, frames }) => lost / Math.max(frames, 1)));
+    const worst = Math.max(0, ...parts.map(({ lost, frames }) => lost / Math.max(frames, 1)));
     const top = [0.1, 0.25, 0.5, 1].find((each) => each >= worst) ?? 1;
     chart(byId('losses-chart'), parts.map(({ frames, lost, failsafe }, i): Bar => {
       const from = beginS + i * widthS;
@@ -63,7 +70,7 @@ export class StatisticsView {
       };
     }));
     setText(byId('losses-top'), `${100 * top} %`);
-    axis('losses-axis', [`${beginS} s`, `${beginS + parts.length * widthS} s`]);
+    axis('losses-axis', parts.length > 0 ? [`${beginS} s`, `${beginS + parts.length * widthS} s`] : []);
   }
 }
 

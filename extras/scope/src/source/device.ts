@@ -1,0 +1,31 @@
+// What a port's device is called. Web Serial tells only its numbers; names are those of the USB IDs' list (linux-usb.org).
+
+const vendors: Record<string, string> = {
+  '0403': 'FTDI', '0483': 'STMicroelectronics', '067b': 'Prolific', '10c4': 'Silicon Labs', '16c0': 'Teensy', '1a86': 'WCH', '1b4f': 'SparkFun',
+  '2341': 'Arduino', '239a': 'Adafruit', '2a03': 'Arduino', '2e8a': 'Raspberry Pi', '303a': 'Espressif',
+};
+const products: Record<string, string> = {
+  '0403:6001': 'FT232', '0403:6010': 'FT2232', '0403:6014': 'FT232H', '0403:6015': 'FT231X', '067b:2303': 'PL2303', '10c4:ea60': 'CP210x',
+  '1a86:7523': 'CH340', '2341:0042': 'Mega 2560', '2341:0043': 'Uno',
+};
+
+type Numbers = ReturnType<SerialPort['getInfo']>;
+
+const hex = (number: number): string => number.toString(16).padStart(4, '0');
+
+// 0403:6001, or '' for a port that is no USB device.
+export function idsOf({ usbVendorId, usbProductId }: Numbers): string {
+  return usbVendorId === undefined || usbProductId === undefined ? '' : `${hex(usbVendorId)}:${hex(usbProductId)}`;
+}
+
+// FTDI FT232 (0403:6001)
+export function deviceName(info: Numbers): string {
+  const ids = idsOf(info);
+  const names = [vendors[ids.slice(0, 4)], products[ids]].filter(Boolean);
+  return ids === '' ? 'serial port' : names.length > 0 ? `${names.join(' ')} (${ids})` : `USB ${ids}`;
+}
+
+// Adapters are FTDI's, mostly: those can invert.
+export function isLikelyAdapter(info: Numbers): boolean {
+  return idsOf(info).startsWith('0403');
+}

@@ -1,0 +1,61 @@
+// Ports that were allowed before.
+import assert from 'node:assert/strict';
+import { check, connect, frame, lit, raw, reads, until } from './support.mjs';
+
+const known = (page) => page.$$eval('#known button', (buttons) => buttons.map((button) => `${button.textContent}, ${button.title}, ${button.getAttribute('aria-pressed')}`));
+const shows = (page, ...expected) => until(async () => `${JSON.stringify(await known(page))}`, async () => JSON.stringify(await known(page)) === JSON.stringify(expected));
+// The next page is opened while these devices, which it may use, are plugged in; others are not permitted.
+const plugged = (page, ...ports) => page.addInitScript((all) => {
+  for (const ids of all) Object.assign(fake.newPort(), { ids, permitted: true });
+}, ports);
+const uno = { usbVendorId: 0x2341, usbProductId: 0x43 };
+
+export default async function () {
+  await check('a port that was allowed before opens by one click, without a chooser; vendor and product are shown', async (page) => {
+    await shows(page);
+    await page.evaluate((bytes) => {
+      const port = Object.assign(fake.newPort(), { permitted: true, gone: true }).plug();
+      port.onOpen = () => port.feed(bytes);
+      fake.choose = () => fake.newPort(); // with other bytes: none
+    }, [1, 2, 3].flatMap(() => frame([1234], { flags: 1 })));
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, false');
+    await page.click('#known button');
+    await raw(page, 1, '1234');
+    await lit(page, 'ch17');
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
+    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001)');
+    assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
+    await page.click('#source-simulated');
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, false');
+  });
+
+  await check('a port opens again as what it was: a board with its baud rate, whatever its vendor; one that is new is guessed', async (page) => {
+    await connect(page, 'board');
+    await page.selectOption('#baud', '57600');
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as a board, true');
+    await plugged(page, { usbVendorId: 0x0403, usbProductId: 0x6001 }, uno, { usbVendorId: 0x0403, usbProductId: 0x6015 }, { usbVendorId: 0x1234, usbProductId: 0xabc }, {});
+    await page.reload();
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as a board, false', 'Arduino Uno (2341:0043), Open it again as a board, false',
+      'FTDI FT231X (0403:6015), Open it again as an adapter, false', 'USB 1234:0abc, Open it again as a board, false', 'serial port, Open it again as a board, false');
+    await page.click('#known button');
+    await reads(page, '#title', 'A board that prints numbers, 57600 baud, FTDI FT232 (0403:6001)');
+  });
+
+  await check('unplugged, its button goes; plugged in again it is there; a port without permission has none', async (page) => {
+    await page.evaluate(() => fake.newPort().plug());
+    await connect(page);
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
+    await page.evaluate(() => fake.port.unplug());
+    await shows(page);
+    await page.evaluate(() => fake.port.plug());
+    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
+  });
+
+  await check('a browser that rejects getPorts(), as in a page of opaque origin: no buttons, no fault', async (page) => {
+    await page.addInitScript(() => (navigator.serial.getPorts = () => Promise.reject(new DOMException('opaque origin', 'SecurityError'))));
+    await page.reload();
+    await reads(page, '#state', 'Fine');
+    await shows(page);
+    await reads(page, '#verdict-text', 'All well.');
+  });
+}

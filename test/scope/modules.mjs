@@ -1,0 +1,29 @@
+// The page's own modules (extras/scope/src) as they stand, without their types, for node.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope');
+const typescript = createRequire(path.join(build, 'npm/package.json'))('typescript');
+const written = new Set();
+
+// Loads one, such as 'source/port', with all that it imports.
+export async function load(name) {
+  write(name);
+  return import(pathToFileURL(path.join(build, 'modules', `${name}.mjs`)));
+}
+
+function write(name) {
+  if (written.has(name)) return;
+  written.add(name);
+  const text = readFileSync(path.join(here, '../../extras/scope/src', `${name}.ts`), 'utf8');
+  const { outputText } = typescript.transpileModule(text, { compilerOptions: { module: 'ESNext', target: 'ES2022' } });
+  const file = path.join(build, 'modules', `${name}.mjs`);
+  mkdirSync(path.dirname(file), { recursive: true });
+  writeFileSync(file, outputText.replace(/^import wasm .*$/m, "const wasm = '';").replace(/from '(\.[\w./]+)'/g, (_, other) => {
+    write(path.join(path.dirname(name), other));
+    return `from '${other}.mjs'`;
+  }));
+}
