@@ -82,8 +82,8 @@ async function play(file: File | undefined): Promise<void> {
     });
   } catch (error) {
     notice.show(!(error instanceof Error) ? (error as Problem) : {
-      text: `This is no recording: ${(error as Error).message}.`,
-      remedy: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
+      text: `This cannot be played: ${(error as Error).message}.`,
+      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
     });
   } finally {
     scope.reading = '';
