@@ -10,7 +10,7 @@
 #include "line/recording/RecordingFile.h"
 #include "line/recording/Words.h"
 #include "line/capture/CaptureFile.h"
-#include "line/capture/CaptureTimes.h"
+#include "line/capture/RecordedCapture.h"
 #include "line/capture/Text.h"
 
 namespace tool {
@@ -124,31 +124,17 @@ FileSource readBytes(const std::string &name, unsigned long baud) {
 }
 
 FileSource readCapture(const std::string &name, unsigned long baud) {
-  FileSource file;
-  file.kind = FileKind::Capture;
-  line::CaptureTimes times;
   line::Overrules overrules;
   overrules.baud = baud;
-  line::WireDecoder wire(
-      overrules,
-      [&] {
-        file.settings = wire.wire().settings;
-        times.begin(wire.wire());
-      },
-      [&](const line::WireCharacter &character) { file.recording.characters.push_back(times.of(character)); });
-  const line::CaptureEnd end = line::readCapture(name, overrules, wire);
-  if (!end.error.empty()) {
-    throw std::runtime_error(end.error + "; sbus decode -o FILE keeps what came before it");
+  line::RecordedCapture capture(overrules);
+  const std::string failure = capture.failure(name, line::readCapture(name, overrules, capture.wire()));
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
   }
-  if (file.recording.characters.empty()) {
-    throw std::runtime_error(
-        name + ": " +
-        (wire.found() ? "has no characters: " + std::string(line::FrameForm) : wire.failure(end.periodNs)));
-  }
-  const std::string slow = line::tooSlow(end.periodNs, wire.wire().bitNs);
-  if (!slow.empty()) {
-    throw std::runtime_error(name + ": " + slow + "; sbus decode shows what can be decoded");
-  }
+  FileSource file;
+  file.kind = FileKind::Capture;
+  file.settings = capture.settings();
+  file.recording = std::move(capture.recording);
   return file;
 }
 

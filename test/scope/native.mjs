@@ -62,11 +62,11 @@ export class Native {
   // A recording from its beginning; advance() plays it.
   open(text) {
     const bytes = new TextEncoder().encode(text);
-    this.give(bytes.subarray(0, 4096), (count) => this.wasm.openRecording(count));
+    this.give(bytes.subarray(0, 65536), (count) => this.wasm.openFile(count));
     for (let at = 0; at < bytes.length; at += 65536) {
-      this.give(bytes.subarray(at, at + 65536), (count) => this.wasm.recordingText(count));
+      this.give(bytes.subarray(at, at + 65536), (count) => this.wasm.fileText(count));
     }
-    assert.equal(this.words(this.wasm.endRecording()), '');
+    assert.equal(this.words(this.wasm.endFile()), '');
     this.rewind();
   }
 

@@ -182,7 +182,7 @@ export default async function () {
   await check('a file that cannot be read: a notice, and the simulation, its recording and its verdict go on', (page) =>
     untouched(page, async () => {
       await page.setInputFiles('#file', { name: 'x.txt', mimeType: 'text/plain', buffer: Buffer.from('120 0F\n240 XY\n') });
-      await reads(page, '#notice-text', /^This is no recording: x\.txt: line 2/);
+      await reads(page, '#notice-text', /^This cannot be played: x\.txt: line 2/);
     }));
 
   await check('a notice fades by itself', async (page) => {

@@ -90,16 +90,20 @@ export default async function () {
 
   await check('a file that is read shows how far, while the running source goes on; another source ends that work', async (page) => {
     await drop(page, 'long.txt', 700000);
-    const [before, after] = await page.evaluate(async () => {
+    const [before, after, title] = await page.evaluate(async () => {
       const frames = () => Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''));
-      const reading = () => /reading long.txt: \d+ %/.test(document.querySelector('#title').textContent);
-      while (!reading()) await new Promise(requestAnimationFrame);
-      const first = frames();
-      while (reading() && frames() === first) await new Promise(requestAnimationFrame);
-      const counted = [first, frames()];
+      const title = () => document.querySelector('#title').textContent;
+      const until = async (isSo) => {
+        while (!isSo()) await new Promise(requestAnimationFrame);
+      };
+      await until(() => title().includes('reading long.txt'));
+      const begin = frames();
+      await until(() => frames() > begin || !title().startsWith('Simulated'));
+      const counted = [begin, frames(), title()];
       document.querySelector('#source-simulated').click();
       return counted;
     });
+    assert.match(title, /^Simulated FrSky R-XSR.*\(reading long\.txt: \d+ %\)$/);
     assert.ok(after > before, `${before} frames became ${after}`);
     await until('the worker goes on', () => page.workers().length === 0);
     await reads(page, '#title', /^Simulated FrSky R-XSR[^(]*$/);

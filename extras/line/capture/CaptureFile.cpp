@@ -1,19 +1,13 @@
 #include "line/capture/CaptureFile.h"
 
-#include <algorithm>
-#include <cstring>
-#include <memory>
 #include <stdexcept>
 
 #include "line/capture/PackedFile.h"
 #include "line/capture/SessionReader.h"
-#include "line/capture/Text.h"
 
 namespace line {
 
 namespace {
-
-constexpr size_t BlockSize = size_t{1} << 20;
 
 constexpr size_t MetadataMax = size_t{1} << 20;
 
@@ -52,12 +46,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
     reject("has no samples: " + entry + " or " + entry + "-1 is expected in it");
   }
   decoder.finish(reader.endNs(), !error.empty());
-  return {reader.format(), reader.periodNs(), error.empty() ? "" : name + ": " + error};
-}
-
-// Returns true if the format shows itself in the first characters of a capture, though more of it will come.
-bool isHead(std::string_view text) {
-  return trimmed(text).substr(0, 1) == "$" || text.size() >= CaptureHeadMax;
+  return {reader.format(), reader.periodNs(), error.empty() ? "" : name + ": " + error, ""};
 }
 
 }  // namespace
@@ -67,56 +56,13 @@ CaptureEnd readCapture(const std::string &name, const Overrules &overrules, Wire
   if (file.isZip()) {
     return readSession(name, overrules, file, decoder);
   }
-  CaptureEnd end;
-  std::string_view fresh;
-  std::unique_ptr<CaptureReader> reader;
-  std::vector<char> block(BlockSize);
-  size_t filled = 0;
-  bool more = true;
-  bool cutOff = false;
-  while (more && end.error.empty()) {
-    fresh = fresh.empty() ? file.read() : fresh;
-    const size_t count = std::min(fresh.size(), block.size() - filled);
-    std::copy_n(fresh.data(), count, block.data() + filled);
-    fresh.remove_prefix(count);
-    filled += count;
-    more = count > 0;
-    std::string_view text(block.data(), filled);
-    const bool full = filled == block.size();
-    if (more && !full && (reader ? reader->wantsFullBlocks() : !isHead(text))) {
-      continue;
-    }
-    if (!reader) {
-      OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), decoder, overrules);
-      if (!opened.error.empty()) {
-        throw std::runtime_error(name + ": " + (file.failure().empty() ? opened.error : file.failure()));
-      }
-      reader = std::move(opened.reader);
-    }
-    if (more) {
-      text = text.substr(0, text.rfind('\n') + 1);
-      if (text.empty() && !full) {
-        continue;
-      }
-      if (text.empty()) {
-        throw std::runtime_error(name + ": line " + std::to_string(reader->lines() + 1) + " is longer than " +
-                                 std::to_string(BlockSize) + " characters: is this text?");
-      }
-    }
-    end.error = reader->put(text);
-    cutOff = !end.error.empty() && text.back() != '\n';
-    filled -= text.size();
-    std::memmove(block.data(), text.data() + text.size(), filled);
+  CaptureText text(name, overrules, decoder);
+  for (std::string_view bytes = file.read(); !bytes.empty() && text.put(bytes); bytes = file.read()) {
   }
-  const std::string place = name + ":" + std::to_string(reader->lines()) + ": ";
-  if (end.error.empty()) {
-    end.error = reader->finish();
+  CaptureEnd end = text.finish(file.failure());
+  if (!end.rejection.empty()) {
+    throw std::runtime_error(end.rejection);
   }
-  end.error = end.error.empty() ? "" : place + (cutOff ? "the capture ends within this line: " : "") + end.error;
-  end.error = file.failure().empty() ? end.error : name + ": " + file.failure();
-  decoder.finish(reader->endNs(), !end.error.empty());
-  end.format = reader->format();
-  end.periodNs = reader->periodNs();
   return end;
 }
 

@@ -70,7 +70,7 @@ async function open(port: SerialPort, kind: PortKind): Promise<void> {
   notice.hide();
   await scope.choice.change(async () => () => {
     pressed(kind);
-    return new PortSource(core, port, kind, scope.take, Number(select('baud').value));
+    return new PortSource(core, port, kind, scope, Number(select('baud').value));
   });
   known.remember(port, kind);
 }
@@ -91,8 +91,8 @@ async function play(file: File | undefined): Promise<void> {
     });
   } catch (error) {
     notice.show(!(error instanceof Error) ? (error as Problem) : {
-      text: `This is no recording: ${(error as Error).message}.`,
-      remedy: 'A line of one holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire (VCD, Saleae, PulseView) is for sbus decode.',
+      text: `This cannot be played: ${(error as Error).message}.`,
+      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
     });
   } finally {
     scope.reading = '';

@@ -9,7 +9,7 @@
 
 #include "Scope.h"
 #include "Status.h"
-#include "line/recording/Recording.h"
+#include "line/capture/Capture.h"
 #include "sbus/Calibrator.h"
 
 using namespace scope;
@@ -129,6 +129,7 @@ EXPORT(layout)()->const char * {
   add("constant", "Enough", std::to_string(Scope::Enough));
   add("constant", "TransferSize", std::to_string(TransferSize));
   add("constant", "CharacterSize", std::to_string(sizeof(line::Character)));
-  add("constant", "RecordingBeginning", std::to_string(line::RecordingBeginning));
+  add("constant", "HeadSize", std::to_string(line::CaptureHeadMax));
+  static_assert(line::CaptureHeadMax <= TransferSize, "it is handed over at once");
   return lines.c_str();
 }

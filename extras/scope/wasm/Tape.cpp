@@ -1,33 +1,83 @@
-// A recording that is read, and then handed over in parts to the instance that decodes it (FedLine.h).
+// A file that is read: a recording, or a capture of the wire. Its characters are handed over in parts to the instance that decodes
+// them (FedLine.h).
 #include <algorithm>
 #include <cstring>
 #include <memory>
 
 #include "Scope.h"
+#include "line/capture/RecordedCapture.h"
 #include "line/recording/Recording.h"
 
 using namespace scope;
 
 namespace {
 
+std::string name;  // of the file
 line::LineSettings settings;
 std::unique_ptr<line::RecordingReader> reader;
+std::unique_ptr<line::RecordedCapture> capture;
+std::unique_ptr<line::CaptureText> captureText;  // of a capture; no reader then
 line::Recording tape;
 std::string partOfLine;
-std::string error;
+std::string words;
+
+// An oscilloscope's columns may be a sketch's rows; rows with times are no capture.
+bool isCapture(std::string_view head, bool isCsv) {
+  if (head.substr(0, 8) == "<SALEAE>") {
+    return true;  // which is told so
+  }
+  const std::string format = line::captureFormat(head);
+  const bool hasTimes = head.substr(0, 5) == "time," || head.substr(0, 8) == "seconds,";
+  return !format.empty() && !hasTimes && !(isCsv && format == line::OscilloscopeFormat);
+}
+
+// Returns what is wrong with a recording.
+std::string finishRecording() {
+  if (!partOfLine.empty()) {
+    reader->line(partOfLine);
+  }
+  tape = reader->finish();
+  const std::string place = tape.errorLine > 0 ? "line " + std::to_string(tape.errorLine) + ": " : "";
+  return tape.error.empty() ? "" : name + ": " + place + tape.error;
+}
+
+// Returns why a capture cannot be played.
+std::string finishCapture() {
+  const std::string failure = capture->failure(name, captureText->finish(""));
+  if (failure.empty()) {
+    settings = capture->settings();
+    tape = std::move(capture->recording);
+  }
+  return failure;
+}
 
 }  // namespace
 
-// The file's beginning is in the buffer, line::RecordingBeginning bytes of it.
-EXPORT(openRecording)(unsigned count)->void {
-  const std::string_view beginning = transferred(count);
+// The file's name is in the buffer.
+EXPORT(nameFile)(unsigned count)->void {
+  name = transferred(count);
+}
+
+// The file's beginning is in the buffer, line::CaptureHeadMax bytes of it.
+EXPORT(openFile)(unsigned count)->void {
+  const std::string_view head = transferred(count);
+  const std::string_view beginning = head.substr(0, line::RecordingBeginning);
   const bool csv = line::isCsvText(beginning);
+  if (isCapture(head, csv)) {
+    capture = std::make_unique<line::RecordedCapture>();
+    captureText = std::make_unique<line::CaptureText>(name, line::Overrules{}, capture->wire());
+    return;
+  }
   settings = csv ? line::csvSettings() : line::settingsIn(beginning);
   reader = std::make_unique<line::RecordingReader>(settings.characterUs(), csv);
 }
 
-EXPORT(recordingText)(unsigned count)->void {
+EXPORT(fileText)(unsigned count)->void {
   std::string_view text = transferred(count);
+  if (captureText) {
+    captureText->put(text);
+    return;
+  }
   for (size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     partOfLine += text.substr(0, end);
     reader->line(partOfLine);
@@ -38,15 +88,21 @@ EXPORT(recordingText)(unsigned count)->void {
   partOfLine += text.substr(0, line::RecordingLineMax + 1 - std::min(partOfLine.size(), line::RecordingLineMax));
 }
 
-// What is wrong with it, or "".
-EXPORT(endRecording)()->const char * {
-  if (!partOfLine.empty()) {
-    reader->line(partOfLine);
+// Returns what is wrong with the file, or "".
+EXPORT(endFile)()->const char * {
+  words = captureText ? finishCapture() : finishRecording();
+  return words.c_str();
+}
+
+// Returns what carries the line in a capture, or "".
+EXPORT(carrier)()->const char * {
+  words = "";
+  if (capture) {
+    const line::WireDecoder &wire = capture->wire();
+    words = "signal " + wire.signal() + (wire.wire().frames > 0 ? "" : ", without a frame") +
+            (wire.isMeasured() ? ", " + text(wire.wire().settings) : "");
   }
-  tape = reader->finish();
-  error = tape.errorLine > 0 ? "line " + std::to_string(tape.errorLine) + ": " : "";
-  error += tape.error;
-  return error.c_str();
+  return words.c_str();
 }
 
 EXPORT(recordingLengthUs)()->double {

@@ -27,6 +27,7 @@ export class Player implements Line {
     private readonly core: Core,
     private readonly worker: Worker,
     readonly lengthUs: number,
+    readonly carrier: string, // of a capture: the signal that has the line
     private picture: Picture,
   ) {}
 
@@ -34,7 +35,7 @@ export class Player implements Line {
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Player> {
     const worker = makeWorker();
     try {
-      const { lengthUs, picture } = await new Promise<Opened>((resolve, reject) => {
+      const { lengthUs, carrier, picture } = await new Promise<Opened>((resolve, reject) => {
         signal.addEventListener('abort', () => reject(signal.reason));
         worker.onerror = (): void => reject(noWorker);
         worker.onmessage = ({ data }: MessageEvent<Answer>): void => {
@@ -43,12 +44,12 @@ export class Player implements Line {
           } else if (data.kind === 'opened') {
             resolve(data);
           } else if (data.kind === 'failed') {
-            reject(new Error(`${file.name}: ${data.error}`));
+            reject(new Error(data.error));
           }
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const player = new Player(core, worker, lengthUs, picture);
+      const player = new Player(core, worker, lengthUs, carrier, picture);
       worker.onmessage = ({ data }: MessageEvent<Answer>): void => player.hear(data);
       worker.onerror = null;
       return player;

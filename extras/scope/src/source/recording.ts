@@ -1,4 +1,4 @@
-// A recording, or rows of CSV, with a time line.
+// A recording, rows of CSV or a capture of the wire, with a time line.
 
 import type { Core } from '../core';
 import type { Line } from '../line';
@@ -31,7 +31,7 @@ export class RecordingSource implements Source {
       player.close();
       signal.throwIfAborted();
     }
-    return () => new RecordingSource(player, `Recording ${file.name}`);
+    return () => new RecordingSource(player, player.carrier ? `Capture ${file.name}, ${player.carrier}` : `Recording ${file.name}`);
   }
 
   get line(): Line {

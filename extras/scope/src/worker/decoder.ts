@@ -42,7 +42,7 @@ export class Decoder {
 
   // Hands over all that comes up to `us`, as records. Returns false if `hurry` ended it before.
   advance(us: number, take: (records: Uint8Array) => void = () => undefined, hurry = Infinity): boolean {
-    while (this.us < us || us === 0) {
+    for (;;) {
       this.us = Math.min(us, Math.max(this.us + stepUs, this.tape.timeOf(this.next))); // a silence is one step
       this.native.records(this.us, take, () => this.feed());
       if (this.us >= us) {
@@ -52,7 +52,6 @@ export class Decoder {
         return false;
       }
     }
-    return true;
   }
 
   image(): Image {

@@ -27,7 +27,7 @@ export interface Picture {
 export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string }
-  | { kind: 'opened'; lengthUs: number; picture: Picture }
+  | { kind: 'opened'; lengthUs: number; carrier: string; picture: Picture }
   | Picture
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
   | { kind: 'recorded'; text: string }; // the end of it

@@ -1,4 +1,4 @@
-// A file that is read: the characters of a recording, in a WebAssembly of their own.
+// A file that is read, in a WebAssembly of its own: the characters of a recording, or of a capture of the wire.
 
 import { imports, Native, type Exports } from '../native';
 
@@ -6,6 +6,7 @@ export class Tape {
   settings: Uint8Array = new Uint8Array();
   size = 0; // characters
   lengthUs = 0;
+  carrier = ''; // of a capture: the signal that has the line
   private readonly native: Native;
 
   constructor(module: WebAssembly.Module) {
@@ -20,23 +21,41 @@ export class Tape {
   // Returns what is wrong with the file, or ''.
   async read(file: File, progress: (part: number) => void): Promise<string> {
     const { calls, layout } = this.native;
-    const beginning = await file.slice(0, layout.constant('RecordingBeginning')).arrayBuffer();
-    if (/^(?!time,|seconds,)"?time\b/im.test(new TextDecoder().decode(beginning))) {
-      return 'is a capture of the wire';
+    const magic = new Uint8Array(await file.slice(0, 2).arrayBuffer());
+    if (magic[0] === 0x50 && magic[1] === 0x4b) {
+      return `${file.name}: is packed: sbus decode reads a session of PulseView (.sr); or export it as VCD or CSV`;
     }
-    this.native.transfer(new Uint8Array(beginning), (count) => calls.openRecording(count));
     let bytes = 0;
-    const reader = file.stream().getReader();
-    for (let part = await reader.read(); !part.done; part = await reader.read()) {
-      this.native.transfer(part.value, (count) => calls.recordingText(count));
-      bytes += part.value.length;
-      progress(bytes / file.size);
+    const counting = new TransformStream<Uint8Array, Uint8Array>({
+      transform(part, out): void {
+        bytes += part.length;
+        progress(bytes / file.size);
+        out.enqueue(part);
+      },
+    });
+    const plain = file.stream().pipeThrough(counting);
+    const isGzip = magic[0] === 0x1f && magic[1] === 0x8b;
+    const reader = (isGzip ? plain.pipeThrough(new DecompressionStream('gzip') as TransformStream) : plain).getReader();
+    this.native.transfer(new TextEncoder().encode(file.name), (count) => calls.nameFile(count));
+    let head = new Uint8Array();
+    let part = await reader.read();
+    for (; !part.done && head.length < layout.constant('HeadSize'); part = await reader.read()) {
+      head = joined(head, part.value);
     }
-    const error = this.native.words(calls.endRecording());
+    this.native.transfer(head.subarray(0, layout.constant('HeadSize')), (count) => calls.openFile(count));
+    if (head.length === 0) {
+      calls.openFile(0);
+    }
+    this.native.transfer(head, (count) => calls.fileText(count));
+    for (; !part.done; part = await reader.read()) {
+      this.native.transfer(part.value, (count) => calls.fileText(count));
+    }
+    const error = this.native.words(calls.endFile());
     if (error === '') {
       this.settings = this.handed(calls.recordingSettings());
       this.size = calls.recordingSize();
       this.lengthUs = calls.recordingLengthUs();
+      this.carrier = this.native.words(calls.carrier());
     }
     return error;
   }
@@ -55,4 +74,11 @@ export class Tape {
     const { calls } = this.native;
     return new Uint8Array(calls.memory.buffer, calls.transferBuffer(), size).slice();
   }
+}
+
+function joined(first: Uint8Array, second: Uint8Array): Uint8Array<ArrayBuffer> {
+  const both = new Uint8Array(first.length + second.length);
+  both.set(first);
+  both.set(second, first.length);
+  return both;
 }

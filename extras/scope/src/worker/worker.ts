@@ -197,12 +197,12 @@ async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise
       answer({ kind: 'failed', error });
       return;
     }
-    const { lengthUs } = tape;
+    const { lengthUs, carrier } = tape;
     playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, picture: playing.picture(0, false, []) });
+    answer({ kind: 'opened', lengthUs, carrier, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
-    answer({ kind: 'failed', error: `cannot be read: ${(error as Error).message}` });
+    answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });
   }
 }
 

@@ -1,0 +1,45 @@
+// A capture's text as it comes, in pieces of any size: from a file, or from a page.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "line/capture/WireDecoder.h"
+
+namespace line {
+
+struct CaptureEnd {
+  std::string format;     // "PulseView CSV"
+  double periodNs = 0;    // between two samples; 0 if it is not known
+  std::string error;      // with the place in the file; what came before it was decoded. Empty if nothing is wrong
+  std::string rejection;  // why it is no capture: nothing was decoded. Empty if it is one
+};
+
+class CaptureText {
+ public:
+  // `name`: of the file, for messages.
+  CaptureText(std::string name, const Overrules &overrules, WireDecoder &decoder);
+
+  // The next bytes. Returns false once something is wrong: further ones do nothing.
+  bool put(std::string_view bytes);
+
+  // After the last. `failure`: why the file was not read to its end; empty if it was.
+  CaptureEnd finish(const std::string &failure);
+
+ private:
+  void take(bool more);
+
+  const std::string _name;
+  const Overrules _overrules;
+  WireDecoder &_decoder;
+  std::unique_ptr<CaptureReader> _reader;
+  std::vector<char> _block;
+  size_t _filled = 0;
+  bool _cutOff = false;    // the line that is wrong has no end
+  std::string _error;      // in a line
+  std::string _rejection;  // of the file
+};
+
+}  // namespace line

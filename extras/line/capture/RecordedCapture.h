@@ -1,0 +1,33 @@
+// A capture as a recording: the characters of its signal that carries S.Bus, from time 0 on.
+#pragma once
+
+#include <string>
+
+#include "line/capture/CaptureText.h"
+#include "line/capture/CaptureTimes.h"
+#include "line/recording/Recording.h"
+
+namespace line {
+
+class RecordedCapture {
+ public:
+  explicit RecordedCapture(const Overrules &overrules = {});
+  RecordedCapture(const RecordedCapture &) = delete;
+  RecordedCapture &operator=(const RecordedCapture &) = delete;
+
+  // Decode the capture into it.
+  WireDecoder &wire() { return _wire; }
+
+  // Returns why it cannot be played, after its end; nothing if it can. `name`: of the file.
+  std::string failure(const std::string &name, const CaptureEnd &end) const;
+
+  const LineSettings &settings() const { return _wire.wire().settings; }
+
+  Recording recording;
+
+ private:
+  WireDecoder _wire;
+  CaptureTimes _times;
+};
+
+}  // namespace line
