@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "line/capture/Capture.h"
 #include "line/capture/Text.h"
@@ -11,85 +10,7 @@ namespace line {
 
 namespace {
 
-using Fields = std::vector<std::string_view>;
-
 constexpr size_t RowsMax = 2000;  // of the head, that are looked at
-
-constexpr std::string_view Separators = ";\t,";  // a comma beside another one is a decimal point
-
-// A # that stands alone is a column's title.
-bool isComment(std::string_view line) {
-  const bool alone = line.size() > 1 && Separators.find(line[1]) != std::string_view::npos;
-  return !line.empty() && (line.front() == ';' || (line.front() == '#' && !alone));
-}
-
-// 0, 1 or unknown.
-bool isLogic(std::string_view field) {
-  return field.size() == 1 && std::string_view("01xXzZ").find(field.front()) != std::string_view::npos;
-}
-
-bool isNumber(std::string_view field) {
-  double value;
-  return parseNumber(field, value);
-}
-
-bool isVoltage(std::string_view field) {
-  const char *at = field.data();
-  const char *end = at + field.size();
-  double volts;
-  return (takeNumber(at, end, volts) || takeInfinity(at, end, volts)) && at == end;
-}
-
-bool isTimestamp(std::string_view field) {
-  int64_t ns;
-  return parseTimestamp(field, ns);
-}
-
-// Numbers, or nothing; at least one number.
-bool isRow(const Fields &fields) {
-  const auto fits = [](std::string_view field) {
-    return field.empty() || isLogic(field) || isVoltage(field) || isTimestamp(field);
-  };
-  return std::all_of(fields.begin(), fields.end(), fits) && std::any_of(fields.begin(), fields.end(), isNumber);
-}
-
-// True if one of the words of `text`, in lower case, is one of `words`. A micro sign, in whatever encoding, is a u.
-bool hasWord(std::string_view text, std::initializer_list<std::string_view> words) {
-  std::string word;
-  for (const char c : lower(text) + ' ') {
-    if (c >= 'a' && c <= 'z') {
-      word += c;
-    } else if (!isAscii(c)) {
-      word = "u";
-    } else if (std::find(words.begin(), words.end(), word) != words.end()) {
-      return true;
-    } else {
-      word.clear();
-    }
-  }
-  return false;
-}
-
-double unitOf(std::string_view title) {
-  return hasWord(title, {"ns", "nanosecond", "nanoseconds"})     ? 1
-         : hasWord(title, {"us", "microsecond", "microseconds"}) ? 1e3
-         : hasWord(title, {"ms", "millisecond", "milliseconds"}) ? 1e6
-                                                                 : 1e9;
-}
-
-// A unit as oscilloscopes write it below a channel's name.
-bool isUnit(std::string_view field) {
-  return field.empty() || hasWord(field, {"sequence", "s", "second", "ms", "us", "ns", "v", "mv", "volt", "volts"});
-}
-
-// Names; but for the first one, a channel's may be its number.
-bool isTitles(const Fields &fields) {
-  const auto isChannel = [](std::string_view field) {
-    return !isNumber(field) ||
-           (field.size() <= 2 && std::all_of(field.begin(), field.end(), isDigit));
-  };
-  return !fields.empty() && !isNumber(fields.front()) && std::all_of(fields.begin(), fields.end(), isChannel);
-}
 
 // What stands before the rows.
 struct Header {
@@ -244,29 +165,6 @@ double sigrokUnitNs(double periodNs) {
 }
 
 }  // namespace
-
-void splitRow(std::string_view row, char separator, std::vector<std::string_view> &fields) {
-  fields.clear();
-  while (!row.empty()) {
-    const size_t size = row.find(separator);
-    fields.push_back(trimmed(row.substr(0, size)));
-    row.remove_prefix(size == std::string_view::npos ? row.size() : size + 1);
-  }
-}
-
-bool takeInfinity(const char *&at, const char *end, double &volts) {
-  const char *p = at + (at < end && *at == '-');
-  const char *word = p;
-  while (p < end && !isAscii(*p)) {
-    p++;
-  }
-  if (p == word) {
-    return false;
-  }
-  volts = at == word ? HUGE_VAL : -HUGE_VAL;
-  at = p;
-  return true;
-}
 
 bool CsvLayout::timeOf(std::string_view field, double &ns) const {
   int64_t timestampNs;

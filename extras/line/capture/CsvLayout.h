@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "line/capture/CsvFields.h"
+
 namespace line {
 
 struct CsvLayout {
@@ -32,12 +34,5 @@ struct CsvLayout {
 // Returns what is wrong and what is expected, or nothing. `head`: the file's first lines. `periodNs`: between two rows,
 // whatever the file says; 0: the file says it.
 std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs = 0);
-
-// Takes what PicoScope writes of a voltage beyond its range off the front: an infinity sign, or a minus and one, which
-// any encoding makes something beyond ASCII of; false if there is none.
-bool takeInfinity(const char *&at, const char *end, double &volts);
-
-// The fields of a row; a separator at its end does not begin another one.
-void splitRow(std::string_view row, char separator, std::vector<std::string_view> &fields);
 
 }  // namespace line

@@ -1,0 +1,43 @@
+// The fields of a row of CSV, and what each may be: titles, units, levels, voltages and times.
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+namespace line {
+
+using Fields = std::vector<std::string_view>;
+
+constexpr std::string_view Separators = ";\t,";  // a comma beside another one is a decimal point
+
+// Sets the fields of a row; a separator at its end does not begin another one.
+void splitRow(std::string_view row, char separator, Fields &fields);
+
+// Returns true if the line is a comment. A # that stands alone is a column's title.
+bool isComment(std::string_view line);
+
+// Returns true if the field is 0, 1 or unknown.
+bool isLogic(std::string_view field);
+
+// Returns true if each field is a number or empty, and at least one is a number.
+bool isRow(const Fields &fields);
+
+// Returns true if the fields are names; but for the first one, a channel's may be its number.
+bool isTitles(const Fields &fields);
+
+// Returns true if the field is a unit as oscilloscopes write it below a channel's name.
+bool isUnit(std::string_view field);
+
+// Returns the unit of times that a title names, in ns; a second without one.
+double unitOf(std::string_view title);
+
+// Returns true if one of the words of `text`, in lower case, is one of `words`. A micro sign, in whatever encoding, is a
+// u.
+bool hasWord(std::string_view text, std::initializer_list<std::string_view> words);
+
+// Takes what PicoScope writes of a voltage beyond its range off the front: an infinity sign, or a minus and one, which
+// any encoding makes something beyond ASCII of; returns false without one.
+bool takeInfinity(const char *&at, const char *end, double &volts);
+
+}  // namespace line
