@@ -1,4 +1,5 @@
-// A recording, of which one part after the other is handed over: so a decoder's memory stays small, and can be kept and put back.
+// A recording, of which one part after the other is handed over: so a decoder's memory stays small, and can be kept and
+// put back.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// A file that is read: a recording, or a capture of the wire. Its characters are handed over in parts to the instance that decodes
-// them (FedLine.h).
+// A file that is read: a recording, or a capture of the wire. Its characters are handed over in parts to the instance
+// that decodes them (FedLine.h).
 #include <algorithm>
 #include <cstring>
 #include <memory>
