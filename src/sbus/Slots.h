@@ -22,13 +22,13 @@ constexpr uint8_t GroupSizeMax = 26;  ///< characters between two frames: eight 
 /// The data of a slot. A slot does not say which sensor fills it: the user knows.
 struct SlotData {
   uint8_t data0;  ///< sent first
-  uint8_t data1;
+  uint8_t data1;  ///< sent second
 };
 
 /// A slot and its data.
 struct Slot {
   uint8_t number;  ///< 0..31; 0 is the receiver's own
-  SlotData data;
+  SlotData data;   ///< its two bytes
 };
 
 /// Returns the ID of slot `number`, 0..31: its number's five bits in reverse order, then 011.

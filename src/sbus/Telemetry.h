@@ -25,14 +25,14 @@ class Telemetry {
   /// Returns how many groups were announced, and then held no slots, or something else than slots.
   uint32_t rejectedGroups() const { return _rejected; }
 
-  // The events of a FrameFinder: see NoEvents.
-  void begin();
-  void taken(const uint8_t *frame);
-  void extra() { lost(); }
-  void lost() { _count = GroupSizeMax + 1; }
-  void discarded(const uint8_t *bytes, int count);
-  void rejected(int, Rejection) {}
-  static constexpr bool seesEachGap() { return true; }
+  // The events of a FrameFinder.
+  void begin();                                         ///< see NoEvents
+  void taken(const uint8_t *frame);                     ///< see NoEvents
+  void extra() { lost(); }                              ///< see NoEvents
+  void lost() { _count = GroupSizeMax + 1; }            ///< see NoEvents
+  void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
+  void rejected(int, Rejection) {}                      ///< see NoEvents
+  static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
 
  private:
   SlotData _data[SlotCount];
