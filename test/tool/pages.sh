@@ -110,7 +110,7 @@ close
 
 # The recording grows while the page is there, and is whole after q.
 rm -f "$WORK/seen.txt"
-open 80x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving
+open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving
 tries=0
 until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
