@@ -69,20 +69,20 @@ export default async function () {
       const clear = CanvasRenderingContext2D.prototype.clearRect;
       globalThis.drawn = 0;
       CanvasRenderingContext2D.prototype.clearRect = function (...place) {
-        drawn++;
+        globalThis.drawn++;
         clear.apply(this, place);
       };
     });
     await page.reload();
     await reads(page, '#state', 'Fine');
     // Pictures drawn, and frames that came, at one moment.
-    const both = () => page.evaluate(() => [drawn, Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''))]);
+    const both = () => page.evaluate(() => [globalThis.drawn, Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''))]);
     const all = async () => (await both())[0];
     // Pictures in each 100 frames, while so many come or, on a busy PC, more.
     const drawn = async (frames) => {
       const [picture, frame] = await both();
       let now;
-      await until('no frames come', async () => ((now = await both()), now[1] >= frame + frames));
+      await until('no frames come', async () => (now = await both())[1] >= frame + frames);
       return (100 * (now[0] - picture)) / (now[1] - frame);
     };
     assert.ok((await drawn(50)) > 6);
@@ -106,7 +106,7 @@ export default async function () {
     await toEnd(page);
     const box = await page.locator('#plot .u-over').boundingBox();
     await page.mouse.move(box.x + box.width - 2, box.y + 50);
-    await reads(page, '#readout', /^0\.3[678]\d s   CH1 995   CH2 993   CH3 1811   CH4 992$/);
+    await reads(page, '#readout', /^0\.3[678]\d s {3}CH1 995 {3}CH2 993 {3}CH3 1811 {3}CH4 992$/);
     await page.keyboard.down('Shift');
     await page.mouse.down();
     await page.mouse.move(box.x + box.width - 40, box.y + 50, { steps: 4 });

@@ -215,7 +215,7 @@ export default async function () {
         return { colors, missing };
       });
       let colors, missing;
-      await until(() => `there is no ${missing}`, async () => (({ colors, missing } = await look()), missing.length === 0));
+      await until(() => `there is no ${missing}`, async () => ({ colors, missing } = await look()).missing.length === 0);
       for (const [what, [one, other]] of Object.entries(colors)) {
         assert.notEqual(one, other, `${what}: ${JSON.stringify(colors)}`);
       }

@@ -6,7 +6,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope');
-const typescript = createRequire(path.join(build, 'npm/package.json'))('typescript');
+const { transformSync } = createRequire(path.join(build, 'npm/package.json'))('esbuild');
 const written = new Set();
 
 // Loads one, such as 'source/port', with all that it imports.
@@ -19,10 +19,10 @@ function write(name) {
   if (written.has(name)) return;
   written.add(name);
   const text = readFileSync(path.join(here, '../../extras/scope/src', `${name}.ts`), 'utf8');
-  const { outputText } = typescript.transpileModule(text, { compilerOptions: { module: 'ESNext', target: 'ES2022' } });
+  const { code } = transformSync(text, { loader: 'ts', target: 'es2022' });
   const file = path.join(build, 'modules', `${name}.mjs`);
   mkdirSync(path.dirname(file), { recursive: true });
-  writeFileSync(file, outputText.replace(/^import wasm .*$/m, "const wasm = '';").replace(/from '(\.[\w./]+)'/g, (_, other) => {
+  writeFileSync(file, code.replace(/^import wasm .*$/m, "const wasm = '';").replace(/from "(\.[\w./]+)"/g, (_, other) => {
     write(path.join(path.dirname(name), other));
     return `from '${other}.mjs'`;
   }));

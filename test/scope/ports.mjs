@@ -287,11 +287,11 @@ export default async function () {
     });
   }
 
-  for (const [row, shown, indicators] of [
-    ['1500 1000 0', ['1500', '1000', '0'], 2],
-    ['1500\t1000\t', ['1500', '1000'], 2],
-    ['throttle:172,roll:992', ['172', '992'], 2],
-    ['1,2,3,4,5,0', ['1', '2', '3', '4', '5', '0'], 2], // six channels: 5 is no flag
+  for (const [row, shown] of [
+    ['1500 1000 0', ['1500', '1000', '0']],
+    ['1500\t1000\t', ['1500', '1000']],
+    ['throttle:172,roll:992', ['172', '992']],
+    ['1,2,3,4,5,0', ['1', '2', '3', '4', '5', '0']], // six channels: 5 is no flag
   ]) {
     await check(`a board that prints "${row}": each number is a channel`, async (page) => {
       await brings(page, codes(`${row}\r\n`), 115200, 100);

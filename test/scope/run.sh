@@ -9,6 +9,11 @@ if ! "${MAKE:-make}" --no-print-directory -s -C ../../extras/scope BUILD="$build
   echo "FAILED extras/scope does not build"
   exit
 fi
+if (tests=$PWD && cd "$build/npm" && npm run --silent check -- "$tests"); then
+  echo "ok scope: the linter accepts the page and its tests"
+else
+  echo "FAILED scope: the linter accepts the page and its tests"
+fi
 line=../../extras/line
 g++ -std=c++17 -O1 -I../../src -I../../extras Frames.cpp "$line"/recording/CsvRows.cpp "$line"/simulation/LineSettings.cpp "$line"/recording/Recording*.cpp \
   ../../src/sbus/*.cpp -o "$build/Frames" || echo "FAILED scope/Frames does not build"

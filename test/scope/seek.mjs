@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Native } from './native.mjs';
-import { build, check, counter, counts, downloaded, frame, play, reads, recorded, seek, toEnd, until } from './support.mjs';
+import { build, check, counts, downloaded, frame, play, reads, recorded, seek, toEnd, until } from './support.mjs';
 
 const seed = Number(process.env.SEED ?? 26);
 const places = 25;
@@ -11,7 +11,8 @@ const lengthMs = 400000; // longer than the history
 const counters = ['frames', 'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes',
   'resyncs', 'badCharacters'];
 
-function random(state) {
+function random(seed) {
+  let state = seed;
   return () => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
     return state / 2 ** 32;
@@ -136,7 +137,7 @@ export default async function () {
   });
 
   await check('a browser that makes no worker is told so', async (page) => {
-    await page.evaluate(() => (Worker = class { constructor() { throw new DOMException('no', 'SecurityError'); } }));
+    await page.evaluate(() => (globalThis.Worker = class { constructor() { throw new DOMException('no', 'SecurityError'); } }));
     await drop(page, 'paper.txt', 1);
     await reads(page, '#notice-text', 'This browser makes no worker, which reads recordings.');
     await reads(page, '#state', 'Fine');

@@ -83,7 +83,10 @@ check('round widths come one after the other, from any width', () => {
   const view = new Viewport();
   view.follow(300, 0);
   const all = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240];
-  const walk = (step, count) => Array.from({ length: count }, () => (view.step(step), view.seconds));
+  const walk = (step, count) => Array.from({ length: count }, () => {
+    view.step(step);
+    return view.seconds;
+  });
   assert.deepEqual(walk(-1, 6), [20, 30, 60, 120, 240, 240]);
   assert.deepEqual(walk(1, 10), [...all.slice(0, -1).reverse(), 0.5]);
   view.zoom(2.4, 1);

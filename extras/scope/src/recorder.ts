@@ -2,7 +2,7 @@
 
 import { Awake } from './awake';
 import { download } from './dom';
-import { History } from './history';
+import type { History } from './history';
 import type { Line } from './line';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk

@@ -19,7 +19,7 @@ export class Player implements Line {
   private id = 0; // of the newest request
   private answered = 0;
   private sought = 0; // the newest request that was a seek
-  private came: Answer[] = []; // since the last picture
+  private readonly came: Answer[] = []; // since the last picture
   private text = '';
   private ended?: (text: string) => void;
 
@@ -111,7 +111,10 @@ export class Player implements Line {
   close(): void {
     if (this.ended) {
       const { ended } = this;
-      this.ended = (text): void => (ended(text), this.worker.terminate());
+      this.ended = (text): void => {
+        ended(text);
+        this.worker.terminate();
+      };
     } else {
       this.worker.terminate();
     }

@@ -11,7 +11,7 @@ export class NamesView {
   private count = 0;
 
   constructor(private readonly channels: Channels) {
-    this.button.addEventListener('click', () => this.turn(this.panel.hidden));
+    this.button.addEventListener('click', () => this.turn(this.panel.hidden !== false));
     byId('names-close').addEventListener('click', () => this.turn(false));
     byId('names-clear').addEventListener('click', () => {
       channels.forget();

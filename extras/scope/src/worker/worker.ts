@@ -18,7 +18,11 @@ const answer = (message: Answer, transfer: Transferable[] = []): void => postMes
 
 // Lets messages come in.
 const { port1, port2 } = new MessageChannel();
-const turn = (): Promise<void> => new Promise((resolve) => ((port1.onmessage = () => resolve()), port2.postMessage(0)));
+const turn = (): Promise<void> =>
+  new Promise((resolve) => {
+    port1.onmessage = () => resolve();
+    port2.postMessage(0);
+  });
 
 let toldMs = 0;
 function progress(part: number): void {
