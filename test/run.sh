@@ -161,7 +161,9 @@ export STEP_LOGS
 rm -rf "$STEP_LOGS"
 mkdir -p "$STEP_LOGS"
 [ "${1:-}" = check ] && chosen=$quick || chosen=$all
-[ -z "${STEPS:-}" ] || chosen=$(echo "$chosen" | grep -E "^($STEPS) ")
+if [ -n "${STEPS:-}" ]; then
+  chosen=$(echo "$chosen" | grep -E "^($STEPS) ") || { echo "STEPS: no step has the name '$STEPS'" >&2; exit 2; }
+fi
 COUNT=$(echo "$chosen" | wc -l)
 export COUNT
 # Several steps need what these make: make it once.

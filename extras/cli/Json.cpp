@@ -71,7 +71,13 @@ Json noFrameJson(const line::Stretch &stretch, double startUs) {
     bytes += (bytes.empty() ? "" : " ") + format("%02X", static_cast<unsigned>(character.value)) +
              (character.bad ? "!" : "");
   }
-  return Json("no_frame").decimal("time_us", startUs).text("bytes", bytes).text("why", why(stretch));
+  Json json("no_frame");
+  json.decimal("time_us", startUs).text("bytes", bytes).text("why", why(stretch));
+  std::vector<double> numbers;
+  for (const sbus::Slot &slot : stretch.slots) {
+    numbers.push_back(slot.number);
+  }
+  return numbers.empty() ? json : json.numbers("slots", numbers);
 }
 
 }  // namespace tool

@@ -16,6 +16,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   static_cast<Statistics &>(*this) = Statistics();
   _decoders.reset(nowUs, characterUs);
   _segments.reset(characterUs);
+  _telemetry = TelemetrySlots();
   _characterUs = characterUs;
   _last = Character();
   _last.endUs = nowUs;
@@ -36,6 +37,11 @@ sbus::Counters Observer::counters() const {
     counters.discardedBytes -= sbus::FrameSize;
   }
   return counters;
+}
+
+unsigned long Observer::discardedBytes() const {
+  const unsigned long all = counters().discardedBytes;
+  return all - std::min(all, _telemetry.characters());
 }
 
 void Observer::put(const Character &character) {
@@ -119,7 +125,9 @@ void Observer::say(Stretch &stretch) {
         stretch.rejected.push_back({rejected.at - stretch.at, rejected.why});
       }
     }
+    stretch.slots = _telemetry.slotsIn(stretch);
   }
+  _telemetry.put(stretch);
   if (_listener) {
     _listener(stretch);
   }

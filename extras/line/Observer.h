@@ -16,6 +16,7 @@
 #include "line/Decoders.h"
 #include "line/Segments.h"
 #include "line/Statistics.h"
+#include "line/telemetry/TelemetrySlots.h"
 
 namespace line {
 
@@ -46,8 +47,13 @@ class Observer : public Statistics {
   unsigned long badCharacters() const { return _badCharacters; }
   // True if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
+  // Returns how many bytes belong neither to a frame nor to telemetry.
+  unsigned long discardedBytes() const;
   // As the decoder has them that is right; and the frame with header 2F that the line was joined at is one.
   sbus::Counters counters() const;
+
+  // Returns the telemetry between the frames. Within a listener its proved() are those of this stretch.
+  const TelemetrySlots &telemetry() const { return _telemetry; }
 
   // Of the decoder for 16 channels, even if it is not the one that is right: for sbus::Diagnosis.
   sbus::Counters counters16() const { return _decoders.counters16(); }
@@ -60,12 +66,13 @@ class Observer : public Statistics {
 
   Listener _listener;
   Decoders _decoders;
+  TelemetrySlots _telemetry;
   Segments _segments{[this](Stretch &stretch) { take(stretch); }};
   uint32_t _characterUs;
   Character _last;
   uint64_t _lineUs;     // the decoders' time at its end: characters and what is certain to be silence, no more
   uint64_t _silenceUs;  // what is certain since then
-  bool _waits;  // the last one has not been handed over
+  bool _waits;          // the last one has not been handed over
   unsigned long _badCharacters;
   uint64_t _saidUs;               // the end of the last stretch
   std::optional<Stretch> _first;  // may be the frame with header 2F that comes before the first frame

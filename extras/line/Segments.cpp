@@ -12,7 +12,8 @@ constexpr uint32_t GapCharacters = 8;       // so long a gap ends one
 constexpr uint64_t Forever = UINT64_MAX;
 
 // By sbus::Rejection.
-constexpr const char *Reasons[] = {"no end byte",  "unused flags set", "a gap inside", "more bytes than a frame",
+constexpr const char *Reasons[] = {"no end byte",  "unused flags set",
+                                   "a gap inside", "more bytes than a frame",
                                    "not at a gap", "may be the halves of two frames"};
 static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "one for each");
 
@@ -25,6 +26,15 @@ constexpr Error Errors[] = {{true, false, "parity error"},
                             {false, true, "framing error"},
                             {true, true, "parity and framing error"},
                             {false, false, "parity or framing error"}};
+
+// "telemetry slots 1, 2"
+std::string numbersOf(const std::vector<sbus::Slot> &slots) {
+  std::string text = slots.size() == 1 ? "telemetry slot" : "telemetry slots";
+  for (size_t i = 0; i < slots.size(); i++) {
+    text += (i == 0 ? " " : ", ") + std::to_string(slots[i].number);
+  }
+  return text;
+}
 
 // "parity error (byte 12)", "2 framing errors (bytes 0, 3)", "7 parity errors"; empty if no character has it.
 std::string places(const std::vector<Character> &characters, const Error &error) {
@@ -52,6 +62,9 @@ std::string why(const Stretch &stretch) {
     return {};
   }
   const auto &characters = stretch.characters;
+  if (!stretch.slots.empty()) {
+    return numbersOf(stretch.slots);
+  }
   std::string text;
   for (const Error &error : Errors) {
     const std::string found = places(characters, error);
@@ -116,7 +129,7 @@ void Segments::cutRows(uint64_t end, uint64_t nowUs) {
 
 void Segments::say(Stretch::Kind kind, size_t count) {
   const auto end = _kept.begin() + static_cast<std::ptrdiff_t>(count);
-  Stretch stretch{kind, _at, {_kept.begin(), end}, {}};
+  Stretch stretch{kind, _at, {_kept.begin(), end}, {}, {}};
   _kept.erase(_kept.begin(), end);
   _at += count;
   _say(stretch);

@@ -10,6 +10,7 @@
 
 #include "line/Line.h"
 #include "sbus/FrameRules.h"
+#include "sbus/Slots.h"
 
 namespace line {
 
@@ -27,13 +28,14 @@ struct Stretch {
   uint64_t at = 0;                    // place of its first character
   std::vector<Character> characters;  // 1 or more, with those that have errors, which no frame consists of
   std::vector<Rejected> rejected;     // of NoFrame; places in the stretch
+  std::vector<sbus::Slot> slots;  // of NoFrame: what it is if a frame follows, telemetry that the last frame announces
 
   bool isFrame() const { return kind != Kind::NoFrame; }
   uint64_t endUs() const { return characters.back().endUs; }
 };
 
-// Why a stretch is no frame: "parity error (byte 12)"; without a bad character "unused flags set (byte 10)", if that is
-// the place of the header, or "no header"; empty if it is one.
+// Why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a bad character "unused flags
+// set (byte 10)", if that is the place of the header, or "no header"; empty if it is one.
 std::string why(const Stretch &stretch);
 
 // A stretch as a decoder has found it.

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "line/Observer.h"
-#include "line/telemetry/Sensors.h"
-#include "line/telemetry/TelemetrySlots.h"
+#include "line/telemetry/Readings.h"
 #include "support/KnownFrames.h"
 
 namespace {
@@ -22,18 +21,12 @@ std::vector<uint8_t> frameBytes(unsigned number, uint8_t end) {
   return {frame.begin(), frame.end()};
 }
 
-// "us slot:data0 data1" of each, and how many groups were rejected.
-std::string read(const std::vector<Burst> &line) {
+// Plays a line to an observer; `listen` is called with each stretch.
+template <typename Listen>
+std::string feed(const std::vector<Burst> &line, Listen listen) {
   line::Observer observer;
-  line::TelemetrySlots slots;
-  std::string text;
   observer.reset(0, line::CharacterUs);
-  observer.listen([&](const line::Stretch &stretch) {
-    for (const line::TelemetrySlots::Slot &slot : slots.put(stretch)) {
-      text += std::to_string(slot.endUs) + " " + std::to_string(slot.number) + ":" + std::to_string(slot.data.data0) +
-              "," + std::to_string(slot.data.data1) + " ";
-    }
-  });
+  observer.listen([&](const line::Stretch &stretch) { listen(observer, stretch); });
   for (const Burst &burst : line) {
     for (size_t i = 0; i < burst.bytes.size(); i++) {
       line::Character character;
@@ -44,7 +37,19 @@ std::string read(const std::vector<Burst> &line) {
     }
   }
   observer.finish();
-  return text + "rejected " + std::to_string(slots.rejectedGroups());
+  return "rejected " + std::to_string(observer.telemetry().rejectedGroups());
+}
+
+// "us slot:data0 data1" of each slot, and how many groups were rejected.
+std::string read(const std::vector<Burst> &line) {
+  std::string text;
+  const std::string rejected = feed(line, [&text](const line::Observer &observer, const line::Stretch &) {
+    for (const line::TelemetrySlots::Slot &slot : observer.telemetry().proved()) {
+      text += std::to_string(slot.endUs) + " " + std::to_string(slot.number) + ":" + std::to_string(slot.data.data0) +
+              "," + std::to_string(slot.data.data1) + " ";
+    }
+  });
+  return text + rejected;
 }
 
 // Frames of 15 ms, each with what follows 2030 us after it.
@@ -146,4 +151,56 @@ TEST_CASE("what sensors measure: the sources' examples and real lines") {
         "0 UTC 0 s, 5 pressure 1009.1 hPa, 6 altitude 69.4 m, 7 climb 0.0 m/s");
   CHECK(line::sensorOf("F167") == nullptr);
   CHECK(line::sensorOf("") == nullptr);
+}
+
+TEST_CASE("a stretch is named slots while only slots have come since the frame; a gap between two slots cuts it") {
+  const struct {
+    const char *what;
+    std::vector<Burst> behind;  // times from the end of the frame on
+    const char *said;
+  } rows[] = {
+      {"slots 0 to 2", {{2030, {0x03, 0xC0, 0x2E}}, {2690, {0x83, 1, 2, 0x43, 3, 4}}}, "telemetry slots 0, 1, 2; "},
+      {"slots 0 and 6", {{2030, {0x03, 0xC0, 0x2E}}, {5990, {0x63, 1, 2}}}, "telemetry slot 0; telemetry slot 6; "},
+      {"noise, then slot 6", {{2030, {0x55}}, {5990, {0x63, 1, 2}}}, "no header; no header; "},
+      {"slot 6, then slot 0", {{2030, {0x63, 1, 2}}, {5990, {0x03, 0xC0, 0x2E}}}, "telemetry slot 6; no header; "},
+      {"a bad character", {{2030, {0x03, 0xC0, 0x2E}, 1}}, "parity or framing error (byte 1); "},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    std::vector<Burst> line = {
+        {10000, frameBytes(0, 0x24)}, {25000, frameBytes(1, 0x34)}, {40000, frameBytes(2, 0x04)}};
+    for (Burst burst : row.behind) {
+      burst.startUs += 40000 + uint64_t{sbus::FrameSize} * line::CharacterUs;
+      line.push_back(burst);
+    }
+    std::string said;
+    line.push_back({55000, frameBytes(3, 0x14)});
+    feed(line, [&](const line::Observer &, const line::Stretch &stretch) {
+      said += stretch.characters.size() < sbus::FrameSize ? why(stretch) + "; " : "";
+    });
+    CHECK(said == row.said);
+  }
+}
+
+TEST_CASE("readings: the newest of each quantity, both of the receiver's, nothing of a sensor that lacks a slot") {
+  using Slots = std::vector<line::TelemetrySlots::Slot>;
+  line::Readings readings({{uint8_t{0}, line::sensorOf("receiver")}, {uint8_t{1}, line::sensorOf("SBS-01V")}});
+  const auto texts = [&readings](uint64_t sinceUs) {
+    std::string all;
+    for (const std::string &text : readings.quantities(sinceUs)) {
+      all += text + "; ";
+    }
+    return all + readings.slots(sinceUs);
+  };
+  CHECK(texts(0).empty());
+  readings.put(Slots{{{0, {0xC0, 0x2E}}, 1000}});
+  CHECK(texts(0) == "receiver voltage 4.6 V; slot 0");
+  readings.put(Slots{{{0, {0xC4, 0xF1}}, 61000}, {{1, {0x80, 0x38}}, 61660}, {{2, {0x00, 0x7D}}, 62320}});
+  readings.put(Slots{{{0, {0xC0, 0x2D}}, 121000}, {{1, {0x80, 0x39}}, 121660}});
+  CHECK(
+      texts(0) ==
+      "external voltage 24.1 V; receiver voltage 4.5 V; battery voltage 5.6 V; external voltage 12.5 V; slots 0, 1, 2");
+  CHECK(texts(121000) == "receiver voltage 4.5 V; slots 0, 1");
+  CHECK(texts(121660) == "receiver voltage 4.5 V; slot 1");
+  CHECK(texts(121661).empty());
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/options/CsvColumn.h"
 #include "cli/Format.h"
 #include "cli/Json.h"
+#include "cli/options/CsvColumn.h"
 #include "sbus/Diagnosis.h"
 
 namespace tool {
@@ -38,8 +38,8 @@ std::string gaps(const line::Extent &gaps) {
 }  // namespace
 
 Watch::Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
-             const sbus::Range &pulses)
-    : _source(source), _settings(settings), _range(range), _pulses(pulses) {
+             const sbus::Range &pulses, const line::SensorsBySlot &sensors)
+    : _source(source), _settings(settings), _range(range), _pulses(pulses), _readings(sensors) {
   _observer.reset(0, settings.characterUs());
   _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
@@ -61,12 +61,14 @@ void Watch::reset() {
   _observer.resetMarks();
   _before = _observer.counters();
   _badBefore = _observer.badCharacters();
+  _discardedBefore = _observer.discardedBytes();
   _columns.clear();
   _rowGaps = line::Extent();
 }
 
 void Watch::take(const line::Stretch &stretch) {
   _kind.take(stretch);
+  _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame()) {
     _isCsv = false;
     if (_observer.newest().lostFrame) {
@@ -146,7 +148,7 @@ std::string Watch::json(uint64_t nowUs) {
   }
   return json.number("frames_per_second", _observer.perSecond(nowUs))
       .counts(now)
-      .number("discarded_bytes", now.discardedBytes)
+      .number("discarded_bytes", _observer.discardedBytes())
       .number("bad_characters", _observer.badCharacters())
       .line();
 }
@@ -175,6 +177,17 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
   view.indicators.push_back({"Frame lost", lost, Mood::Warn});
   view.indicators.push_back({"Failsafe", values.failsafe, Mood::Bad});
   view.groups = groups(nowUs, seen);
+  if (_observer.telemetry().count() > 0) {
+    view.groups.push_back(telemetry(nowUs));
+  }
+}
+
+MonitorView::Group Watch::telemetry(uint64_t nowUs) const {
+  const uint64_t sinceUs = nowUs - std::min(nowUs, line::Readings::FreshUs);
+  MonitorView::Group group = {"Sensors", _readings.quantities(sinceUs)};
+  const std::string slots = _readings.slots(sinceUs);
+  group.facts.push_back(slots.empty() ? "no telemetry" : slots);
+  return group;
 }
 
 std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
@@ -182,12 +195,11 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
   return {
       {"Frames",
        {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
-        format("%3u frames/s", _observer.perSecond(nowUs)),
-        count("lost by radio", now.lostFrames - _before.lostFrames),
+        format("%3u frames/s", _observer.perSecond(nowUs)), count("lost by radio", now.lostFrames - _before.lostFrames),
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
        {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
-        count("bytes discarded", now.discardedBytes - _before.discardedBytes)}},
+        count("bytes discarded", _observer.discardedBytes() - _discardedBefore)}},
       {"Rejected",
        {count("no end byte", now.rejectedByEnd - _before.rejectedByEnd),
         count("unused flags", now.rejectedByFlags - _before.rejectedByFlags),
@@ -251,10 +263,10 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   for (size_t i = channels; i < _row.size(); i++) {
     const bool failsafe = sketch && i == channels;
     view.indicators.push_back({sketch ? (failsafe ? "Failsafe" : "Frame lost") : "CH" + std::to_string(i + 1),
-                          _row[i].value > 0,
-                          failsafe ? Mood::Bad
-                          : sketch ? Mood::Warn
-                                   : Mood::Good});
+                               _row[i].value > 0,
+                               failsafe ? Mood::Bad
+                               : sketch ? Mood::Warn
+                                        : Mood::Good});
   }
   view.groups = {{"Rows", {"newest" + age(ageUs) + " old", count("total", _rowGaps.count + 1), gaps(_rowGaps)}}};
   view.old = ageUs >= StaleRowUs;

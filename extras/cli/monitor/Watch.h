@@ -5,9 +5,10 @@
 
 #include "cli/VariantOfLine.h"
 #include "cli/monitor/MonitorView.h"
+#include "line/Observer.h"
 #include "line/recording/CsvRows.h"
 #include "line/simulation/LineSettings.h"
-#include "line/Observer.h"
+#include "line/telemetry/Readings.h"
 
 namespace tool {
 
@@ -15,7 +16,7 @@ class Watch {
  public:
   // `range`, `pulses`: as MonitorView's.
   Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
-        const sbus::Range &pulses);
+        const sbus::Range &pulses, const line::SensorsBySlot &sensors);
   Watch(const Watch &) = delete;  // its observer's listener leads into it
   Watch &operator=(const Watch &) = delete;
 
@@ -45,6 +46,7 @@ class Watch {
   void showFrames(MonitorView &view, uint64_t nowUs);
   void showState(MonitorView &view, uint64_t nowUs);
   void showRows(MonitorView &view, uint64_t nowUs) const;
+  MonitorView::Group telemetry(uint64_t nowUs) const;
   std::vector<MonitorView::Group> groups(uint64_t nowUs, bool seen) const;
 
   const std::string _source;
@@ -54,8 +56,10 @@ class Watch {
 
   line::Observer _observer;
   VariantOfLine _kind;
+  line::Readings _readings;
   sbus::Counters _before{};  // when the counters were reset
   unsigned long _badBefore = 0;
+  unsigned long _discardedBefore = 0;
   uint64_t _characterUs = 0;  // when the newest came
   uint64_t _lostUs = 0;       // when the newest lost frame came; 0: none yet
 

@@ -8,14 +8,15 @@
 
 #include "cli/Format.h"
 #include "cli/Json.h"
-#include "cli/VariantOfLine.h"
 #include "cli/Output.h"
-#include "cli/options/SourceOption.h"
 #include "cli/Stop.h"
+#include "cli/VariantOfLine.h"
+#include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
-#include "line/recording/CsvRows.h"
 #include "line/Examination.h"
 #include "line/Observer.h"
+#include "line/recording/CsvRows.h"
+#include "line/telemetry/Readings.h"
 
 namespace tool {
 
@@ -83,11 +84,13 @@ class Heard {
   // "100000 baud, 8E2, inverted: 55 frames, 0 bytes of no frame"
   std::string text() const {
     const std::string bad = std::to_string(_observer.badCharacters());
+    const unsigned long telemetry = _observer.telemetry().characters();
+    const unsigned long discarded = _observer.discardedBytes();
     return line::text(_settings) + ": " +
            (_isCsv ? "rows of CSV"
                    : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
-                         std::to_string(counters().discardedBytes) +
-                         (counters().discardedBytes == 1 ? " byte of no frame" : " bytes of no frame")) +
+                         (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
+                         std::to_string(discarded) + (discarded == 1 ? " byte of no frame" : " bytes of no frame")) +
            (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") +
            "\n";
   }
@@ -99,18 +102,29 @@ class Heard {
         .number("heard_ms", ms())
         .number("frames", counters().frames)
         .flag("has_24_channels", _observer.has24())
-        .number("discarded_bytes", counters().discardedBytes)
+        .number("telemetry_bytes", _observer.telemetry().characters())
+        .number("discarded_bytes", _observer.discardedBytes())
         .number("bad_characters", _observer.badCharacters())
         .number("lost_frames", counters().lostFrames)
         .number("failsafe_frames", counters().failsafeFrames)
         .flag("rows_of_csv", _isCsv);
   }
 
+  // "Telemetry: receiver voltage 4.6 V; slots 0, 1", a line; empty without a slot.
+  std::string telemetry() const {
+    const std::string slots = _readings.slots(0);
+    std::string text;
+    for (const std::string &quantity : _readings.quantities(0)) {
+      text += quantity + "; ";
+    }
+    return slots.empty() ? "" : "Telemetry: " + text + slots + "\n";
+  }
+
   // "S.BUS", "S.BUS2" ...; empty without frames.
   std::string kind() const { return _kind.text(); }
 
-  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it by
-  // the times of the frames: one frame has no rate.
+  // "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag". All of it
+  // by the times of the frames: one frame has no rate.
   std::string figures() const {
     const sbus::Counters &seen = counters();
     if (seen.frames == 0) {
@@ -131,6 +145,7 @@ class Heard {
  private:
   void take(const line::Stretch &stretch) {
     _kind.take(stretch);
+    _readings.put(_observer.telemetry().proved());
     if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
       _ends.push_back(stretch.endUs());
     }
@@ -180,6 +195,7 @@ class Heard {
   line::Observer _observer;
   line::Examination _examination;
   VariantOfLine _kind;
+  line::Readings _readings;
   std::vector<uint64_t> _ends;      // of the frames, in us
   std::vector<uint64_t> _silences;  // where they begin, in us
   uint64_t _silentUs = 0;
@@ -244,7 +260,8 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
           const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
     const std::string finding = "Rows of CSV: they come from a sketch; this is no S.Bus.";
-    const std::string remedy = "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
+    const std::string remedy =
+        "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
     write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
     return false;
   }
@@ -260,8 +277,8 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
     return well;
   }
   write(std::string(text(finding)) + "\n" + remedy(finding) + "\n" +
-         advice(finding, source, settings.front(), settings[diagnosis.best()]) +
-         (source.hasTimes() ? best.figures() : "") + best.note());
+        advice(finding, source, settings.front(), settings[diagnosis.best()]) +
+        (source.hasTimes() ? best.figures() : "") + best.telemetry() + best.note());
   return well;
 }
 

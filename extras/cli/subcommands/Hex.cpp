@@ -89,7 +89,7 @@ class HexView {
       showFolded(stretch, time, std::max(width, LeastWidth));
       return;
     }
-    const char *const colour = stretch.isFrame() ? "" : _colours.rejected;
+    const char *const colour = colourOf(stretch);
     std::string text = _colours.time + time + _colours.off + colour + bytes(stretch, 0, stretch.characters.size());
     for (size_t i = stretch.characters.size(); i < sbus::FrameSize; i++) {
       text += "   ";
@@ -119,7 +119,7 @@ class HexView {
     std::vector<std::string> texts;
     fold(verdict(stretch) + flags(stretch), textWidth, texts);
     const bool alarmed = !flags(stretch).empty();
-    const char *const colour = !stretch.isFrame() ? _colours.rejected : alarmed ? _colours.flags : "";
+    const char *const colour = alarmed ? _colours.flags : colourOf(stretch);
     for (std::string &text : texts) {
       text = colour + text + (*colour != '\0' ? _colours.off : "");
     }
@@ -144,7 +144,7 @@ class HexView {
   }
 
   std::string bytes(const line::Stretch &stretch, size_t from, size_t to) const {
-    const char *const colour = stretch.isFrame() ? "" : _colours.rejected;
+    const char *const colour = colourOf(stretch);
     std::string text;
     for (size_t i = from; i < to; i++) {
       const line::Character &character = stretch.characters[i];
@@ -152,6 +152,10 @@ class HexView {
       text += character.bad ? _colours.bad + byte + "!" + _colours.off + colour : byte + " ";
     }
     return text;
+  }
+
+  const char *colourOf(const line::Stretch &stretch) const {
+    return stretch.isFrame() || !stretch.slots.empty() ? "" : _colours.rejected;
   }
 
   // What kind it is, with the end of a frame or what is wrong.
@@ -244,8 +248,7 @@ void addHex(CLI::App &app) {
       .excludes(values)
       .excludes(delta);
   subcommand
-      .option("--width", options->width,
-              "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
+      .option("--width", options->width, "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
       .between(LeastWidth, 1000)
       .type("N");
   subcommand.option("--color", options->colour, "auto: on a terminal (auto)")

@@ -7,14 +7,15 @@
 #include <memory>
 #include <thread>
 
-#include "cli/monitor/MonitorPage.h"
 #include "cli/Output.h"
 #include "cli/Recorder.h"
-#include "cli/monitor/Screen.h"
-#include "cli/options/SourceOption.h"
 #include "cli/Stop.h"
-#include "cli/subcommands/Subcommands.h"
+#include "cli/monitor/MonitorPage.h"
+#include "cli/monitor/Screen.h"
 #include "cli/monitor/Watch.h"
+#include "cli/options/SensorOption.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
 
 namespace tool {
 
@@ -28,6 +29,7 @@ struct MonitorOptions {
   std::string range = "frsky";
   std::string record;  // a file
   bool json = false;
+  std::unique_ptr<SensorOption> sensors;
 };
 
 bool isMake(const std::string &text) {
@@ -149,10 +151,11 @@ void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> 
 }
 
 void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
-  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940 us.
+  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940
+  // us.
   const sbus::Range scale = rangeOf(options.range);
   const sbus::Range pulses = isMake(options.range) ? sbus::FrSky : scale;
-  Watch watch(source.name(), input.settings(), scale, pulses);
+  Watch watch(source.name(), input.settings(), scale, pulses, options.sensors->sensors());
   uint64_t lastUs = 0;
   const auto put = [&](const line::Character &character) {
     watch.put(character);
@@ -183,6 +186,7 @@ void show(const SourceOption &source, Input &input, const MonitorOptions &option
 
 void run(const SourceOption &source, const MonitorOptions &options) {
   rangeOf(options.range);  // what is wrong is said first
+  options.sensors->sensors();
   const std::unique_ptr<Input> input = source.open();
   if (options.record.empty()) {
     show(source, *input, options, nullptr);
@@ -206,10 +210,12 @@ void addMonitor(CLI::App &app) {
   subcommand.option("--record", options->record, "records while it shows; a file that is there already is left alone")
       .notStandardOutput()
       .type("FILE");
+  options->sensors = std::make_unique<SensorOption>(subcommand);
   subcommand.flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
   subcommand.footer(
       "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
-      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state changes.");
+      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state "
+      "changes.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

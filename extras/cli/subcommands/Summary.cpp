@@ -10,9 +10,9 @@
 #include "cli/FlagSpans.h"
 #include "cli/Format.h"
 #include "cli/Json.h"
-#include "cli/VariantOfLine.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
+#include "cli/VariantOfLine.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Observer.h"
@@ -50,9 +50,8 @@ std::string text(const char *name, const std::vector<FlagSpan> &spans) {
   std::stable_sort(shown.begin(), shown.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.us() > b.us(); });
   shown.resize(std::min(shown.size(), ShownMost));
   std::sort(shown.begin(), shown.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.fromUs < b.fromUs; });
-  std::string text =
-      format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times", seconds(us),
-             shown.size() < spans.size() ? "; the longest are" : "");
+  std::string text = format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
+                            seconds(us), shown.size() < spans.size() ? "; the longest are" : "");
   for (const FlagSpan &span : shown) {
     text += format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
   }
@@ -89,7 +88,7 @@ class Summary {
         name + ": " + _kind.text() + ", " +
         format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu bytes of no frame, %lu bad characters\n",
                static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
-               static_cast<unsigned long>(counters.failsafeFrames), static_cast<unsigned long>(counters.discardedBytes),
+               static_cast<unsigned long>(counters.failsafeFrames), _observer.discardedBytes(),
                _observer.badCharacters());
     return counts + (hasTimes ? times() : "");
   }
@@ -102,7 +101,7 @@ class Summary {
       summary.number("from_us", _flags.firstUs()).number("to_us", _flags.lastUs());
     }
     summary.counts(counters)
-        .number("discarded_bytes", counters.discardedBytes)
+        .number("discarded_bytes", _observer.discardedBytes())
         .number("bad_characters", _observer.badCharacters());
     std::string lines = summary.line();
     if (hasTimes) {

@@ -15,9 +15,16 @@ class TelemetrySlots {
     uint64_t endUs;  // of its last character
   };
 
-  // Takes the next stretch. Returns the slots that it proves: those before a frame, once that frame is there; of one
-  // moment, in rising order. Mostly none.
-  std::vector<Slot> put(const Stretch &stretch);
+  // Takes the next stretch.
+  void put(const Stretch &stretch);
+
+  // Returns the slots that this stretch has proved: those before a frame, once that frame is there; of one moment, in
+  // rising order. Mostly none.
+  const std::vector<Slot> &proved() const { return _proved; }
+
+  // Returns the slots that the next stretch consists of, if only slots came since the last frame; else none. They are
+  // proved once a frame follows.
+  std::vector<sbus::Slot> slotsIn(const Stretch &stretch) const;
 
   // Returns true if a frame has announced a group.
   bool announced() const { return _announced; }
@@ -25,14 +32,23 @@ class TelemetrySlots {
   // Returns how many times the characters between two frames were not just slots of the announced group.
   unsigned long rejectedGroups() const { return _rejected; }
 
- private:
-  std::vector<Slot> proved();
+  // Returns how many slots were proved so far.
+  unsigned long count() const { return _count; }
 
+  // Returns how many characters are telemetry; of a group that is not proved yet, how many may be.
+  unsigned long characters() const;
+
+ private:
+  std::vector<Slot> prove();
+
+  std::vector<Slot> _proved;
   std::vector<Character> _between;  // since the last frame
   uint8_t _end = 0;                 // its end byte
   bool _isWhole = false;            // nothing but characters came since, none of them bad
   bool _announced = false;
   unsigned long _rejected = 0;
+  unsigned long _count = 0;
+  unsigned long _characters = 0;  // of groups that are proved
 };
 
 }  // namespace line

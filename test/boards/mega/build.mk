@@ -82,7 +82,7 @@ $(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o)
 
 # With the host's lines, and what of the core they and the expectations need.
 TEST := $(filter-out %/Counters.cpp,$(wildcard $(HERE)/*.cpp)) \
-  $(wildcard $(ROOT)/extras/line/*.cpp $(addprefix $(ROOT)/extras/line/,simulation/*.cpp recording/*.cpp uart/*.cpp)) $(wildcard $(ROOT)/src/sbus/*.cpp)
+  $(wildcard $(ROOT)/extras/line/*.cpp $(addprefix $(ROOT)/extras/line/,simulation/*.cpp recording/*.cpp uart/*.cpp telemetry/*.cpp)) $(wildcard $(ROOT)/src/sbus/*.cpp)
 $(OUT)/MegaTest: $(TEST:$(ROOT)/%.cpp=$(OUT)/pc/%.o)
 	$(CXX) $^ -lsimavr -o $@
 $(OUT)/pc/%.o: $(ROOT)/%.cpp $(HERE)/build.mk

@@ -1,0 +1,55 @@
+#include "cli/options/SensorOption.h"
+
+#include "cli/Format.h"
+#include "cli/Output.h"
+
+namespace tool {
+
+namespace {
+
+std::string knownNames() {
+  std::string names;
+  for (const line::Sensor &sensor : line::sensors()) {
+    names += (names.empty() ? "" : ", ") + std::string(sensor.name);
+  }
+  return names;
+}
+
+// "1=SBS-01V". A sensor's slots follow one another within a group of eight.
+void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
+  const size_t equals = text.find('=');
+  const std::string number = text.substr(0, equals);
+  const bool isNumber =
+      !number.empty() && number.size() <= 2 && number.find_first_not_of("0123456789") == std::string::npos;
+  if (equals == std::string::npos || !isNumber || std::stoul(number) >= sbus::SlotCount) {
+    rejectCommandLine("--sensor: " + text + " is no slot and name, such as 1=SBS-01V; slots are 0 to 31");
+  }
+  const auto slot = static_cast<uint8_t>(std::stoul(number));
+  const line::Sensor *const sensor = line::sensorOf(text.substr(equals + 1));
+  if (sensor == nullptr) {
+    rejectCommandLine("--sensor: " + text + " names no sensor that is known: " + knownNames());
+  }
+  if (slot % sbus::SlotsOfGroup + sensor->slots > sbus::SlotsOfGroup) {
+    rejectCommandLine(
+        format("--sensor: %s has %u slots, which do not fit into the group of slots %u to %u from slot %u on",
+               sensor->name, sensor->slots, slot / 8 * 8, slot / 8 * 8 + 7, slot));
+  }
+  sensors[slot] = sensor;
+}
+
+}  // namespace
+
+SensorOption::SensorOption(Subcommand &subcommand) {
+  subcommand.option("--sensor", _named, "what fills a telemetry slot, such as 1=SBS-01V; once for each sensor")
+      .type("SLOT=NAME");
+}
+
+line::SensorsBySlot SensorOption::sensors() const {
+  line::SensorsBySlot sensors = {{uint8_t{0}, line::sensorOf("receiver")}};
+  for (const std::string &text : _named) {
+    addSensor(text, sensors);
+  }
+  return sensors;
+}
+
+}  // namespace tool

@@ -1,0 +1,46 @@
+// What the sensors of an S.BUS2 line have measured: the newest of each quantity.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "line/telemetry/Sensors.h"
+#include "line/telemetry/TelemetrySlots.h"
+
+namespace line {
+
+// Which sensor begins at a slot. A slot does not say so; slot 0 is the receiver's own.
+using SensorsBySlot = std::map<uint8_t, const Sensor *>;
+
+// Returns what the sensors measure in slots of one moment, in rising order of Quantity::slot, which counts from the
+// line's slot 0. A sensor that lacks a slot says nothing.
+std::vector<Quantity> quantitiesIn(const std::vector<TelemetrySlots::Slot> &slots, const SensorsBySlot &sensors);
+
+class Readings {
+ public:
+  static constexpr uint64_t FreshUs = 1000000;  // a slot comes every 60 ms: 16 of them were missing
+
+  explicit Readings(SensorsBySlot sensors = {{uint8_t{0}, sensorOf("receiver")}}) : _sensors(std::move(sensors)) {}
+
+  // Takes slots of one moment.
+  void put(const std::vector<TelemetrySlots::Slot> &slots);
+
+  // Return what came at `sinceUs` or later, in rising order of slots: "receiver voltage 4.6 V"; "slots 0, 1, 24".
+  std::vector<std::string> quantities(uint64_t sinceUs) const;
+  std::string slots(uint64_t sinceUs) const;  // empty if there is none
+
+ private:
+  struct Reading {
+    Quantity quantity;
+    uint64_t endUs;
+  };
+
+  SensorsBySlot _sensors;
+  std::map<uint8_t, uint64_t> _slots;                            // when each came
+  std::map<std::pair<uint8_t, std::string>, Reading> _readings;  // the receiver sends two quantities in turn
+};
+
+}  // namespace line
