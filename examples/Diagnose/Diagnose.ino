@@ -39,7 +39,7 @@ void print(uint32_t number, const char *text) {
 
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
-  while (input.read() >= 0) {  // what came before
+  while (input.read() >= 0) {  // drops what came before
   }
   const uint32_t start = millis();
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
