@@ -43,10 +43,11 @@ void addSensor(const std::string &text, SensorsBySlot &sensors) {
   if (sensor == nullptr) {
     rejectCommandLine("--sensor: " + text + " names no sensor that is known: " + knownNames());
   }
-  if (slot % sbus::SlotsOfGroup + sensor->slots > sbus::SlotsOfGroup) {
+  const unsigned first = slot - slot % sbus::SlotsOfGroup;  // of the group
+  if (slot + sensor->slots > first + sbus::SlotsOfGroup) {
     rejectCommandLine(
         format("--sensor: %s has %u slots, which do not fit into the group of slots %u to %u from slot %u on",
-               sensor->name, sensor->slots, slot / 8 * 8, slot / 8 * 8 + 7, slot));
+               sensor->name, sensor->slots, first, first + sbus::SlotsOfGroup - 1, slot));
   }
   sensors[slot] = sensor;
 }
@@ -62,12 +63,10 @@ class TelemetryView {
   line::Observer &observer() { return _observer; }
   bool framesCame() const { return _observer.counters().frames > 0; }
 
-  void finish(const std::string &source) {
+  void finish(const std::string &source, const SilenceNote &silence) {
     _observer.finish();
     flush();
-    if (!framesCame()) {
-      throw std::runtime_error(source + ": no frames came; sbus doctor says why");
-    }
+    silence.end(framesCame());
     if (_printed == 0) {
       throw std::runtime_error(
           source + (_slots.rejectedGroups() > 0 ? ": what came between the frames is no slot of theirs"
@@ -94,7 +93,7 @@ class TelemetryView {
     }
   }
 
-  // Of the sensor that begins with this slot, if all of its slots are there.
+  // Adds what the sensor that begins with this slot measures, if all of its slots are there.
   void add(const std::vector<line::TelemetrySlots::Slot> &slots, size_t first,
            std::map<unsigned, line::Quantity> &shown) const {
     const auto named = _sensors.find(slots[first].number);
@@ -130,7 +129,7 @@ void run(const SourceOption &source, const std::vector<std::string> &named) {
                view.observer().idleUntil(input->knownUs());
                silence.tick(nowUs, view.framesCame());
              });
-  view.finish(source.name());
+  view.finish(source.name(), silence);
 }
 
 }  // namespace
@@ -143,8 +142,7 @@ void addTelemetry(CLI::App &app) {
       .type("SLOT=NAME");
   subcommand.footer(
       "A slot does not say which sensor fills it: name those that the radio has. Slot 0 is the receiver's own voltage. "
-      "There is no checksum: what stands between two frames is printed if it is slots of the announced group and "
-      "nothing "
+      "There is no checksum: what stands between two frames is printed if it is slots of the announced group and nothing "
       "else, once the second frame is there.");
   subcommand.run([source, sensors] { run(*source, *sensors); });
 }
