@@ -15,8 +15,7 @@ class TelemetrySlots {
     uint64_t endUs;  // of its last character
   };
 
-  // Takes the next stretch. Returns the slots that it proves: those before a frame, once that frame is there; of one
-  // moment, in rising order. Mostly none.
+  // Takes the next stretch. Returns the slots that it proves, those before a frame, in rising order; mostly none.
   std::vector<Slot> put(const Stretch &stretch);
 
   // Returns true if a frame has announced a group.
