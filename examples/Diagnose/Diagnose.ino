@@ -62,8 +62,8 @@ void tell() {
     Serial.print("dSBus.");
     Serial.print(SETTINGS[diagnosis.best()].text);
     print(seen.frames * 1000 / TRIAL, " frames a second and ");
-    print(impairedFrames(seen) * 1000 / TRIAL, " damaged, ");
-    print(seen.period, " us from one to the next; ");
+    print(impairedFrames(seen) * 1000 / TRIAL, " damaged, frame interval ");
+    print(seen.period, " us; ");
     print(seen.lostFrames * 100 / seen.frames, " % with the lost-frame flag\r\n");
   }
 }

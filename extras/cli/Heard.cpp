@@ -84,8 +84,8 @@ std::string Heard::figures() const {
   const auto aSecond = [us](uint64_t count) { return std::to_string((count * 1000000 + us / 2) / us); };
   const std::string rate = us == 0 ? frames() + ", too few for a rate"
                                    : aSecond(periods.size()) + " frames a second and " +
-                                         aSecond(sbus::impairedFrames(seen)) + " damaged, " +
-                                         std::to_string(usualPeriodUs(periods, us)) + " us from one to the next";
+                                         aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
+                                         std::to_string(usualPeriodUs(periods, us)) + " us";
   return _variant.text() + ": " + rate + "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) +
          " % with the lost-frame flag" +
          (_silentUs == 0 ? "" : format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";

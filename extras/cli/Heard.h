@@ -37,7 +37,7 @@ class Heard {
 
   Json json() const;
 
-  // Returns a line: "S.BUS: 111 frames a second and 0 damaged, 9000 us from one to the next; 1 % with the lost-frame flag".
+  // Returns a line: "S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us; 1 % with the lost-frame flag".
   // All figures come from the times of the frames, so a single frame has no rate.
   std::string figures() const;
 
