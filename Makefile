@@ -38,7 +38,7 @@ help:
 	@echo "            CAPTURES=dir          also replays recordings of real receivers in dir"
 	@echo "            V=1                   prints everything"
 	@echo "make check  unit tests and examples only: less than a minute, once built"
-	@echo "make impairment  the table of what comes through impaired lines, ours beside the paper's way"
+	@echo "make impairment  the table of what comes through impaired lines: ours beside the baseline, the paper's listing"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
 	@echo "make size   what the library and the examples take of flash and RAM, on AVR and Cortex-M0+"

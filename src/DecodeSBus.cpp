@@ -7,23 +7,23 @@ bool DecodeSBus::decodeExtraChannels(uint16_t channels[]) {
   uint32_t number;
   for (;;) {
     number = _finder.counters().extraFrames;
-    READ_ANEW();
+    SBUS_BARRIER();
     if (number == _staleExtra) {
       return false;
     }
     if (!_link.isStale(micros() - _finder.extraTime())) {
       break;
     }
-    READ_ANEW();
+    SBUS_BARRIER();
     if (number == _finder.counters().extraFrames) {
       _staleExtra = number;
     }
   }
   do {
     number = _finder.counters().extraFrames;
-    READ_ANEW();
+    SBUS_BARRIER();
     sbus::unpackExtra(_finder.extra(), channels);
-    READ_ANEW();
+    SBUS_BARRIER();
   } while (number != _finder.counters().extraFrames);
   return true;
 }

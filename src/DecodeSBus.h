@@ -95,7 +95,7 @@ class DecodeSBusOf {
   /// counts from the last call of parseSBusFrame() before the frame's end came. Call it at least once an hour.
   unsigned long frameAge();
 
-  /// Returns what was counted on the line since begin(); all 0 before the first byte.
+  /// Returns the counters of the line since begin(); all are 0 before the first byte.
   sbus::Counters counters() const { return _finder.counters(); }
 
   // ---- Settings; begin() keeps them

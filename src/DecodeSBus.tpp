@@ -1,4 +1,4 @@
-// The methods of DecodeSBusOf, for the two files that compile them: in one file the compiler would inline less.
+// The methods of DecodeSBusOf, for the files that compile one format each: in one file the compiler would inline less.
 #include "DecodeSBus.h"
 
 namespace {
@@ -8,9 +8,9 @@ inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
 
-// A compiler barrier: an interrupt's parseSBusFrame() may change what is read before and after it. (clang moves reads
-// past __atomic_signal_fence(). It is a macro because -Os calls an inline function.)
-#define READ_ANEW() __asm__ volatile("" ::: "memory")
+// Keeps the compiler from moving reads past it: an interrupt's parseSBusFrame() may change what they read. (clang moves
+// reads past __atomic_signal_fence(). A macro, because -Os calls an inline function.)
+#define SBUS_BARRIER() __asm__ volatile("" ::: "memory")
 
 }  // namespace
 
@@ -34,8 +34,8 @@ void DecodeSBusOf<Format, Events>::end() {
   _port.close();
 }
 
-// Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. It never asks the
-// port for more, because the STM32L0's core would then write past the end of the buffer that it is given.
+// Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. Asked for more,
+// the STM32L0's core would write past the end of the buffer.
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::parseSBusFrame() {
   const uint32_t now = micros();
@@ -74,14 +74,14 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
   }
 }
 
-// A frame that comes in between is younger than the time that was read: then both are read again.
+// If a frame comes between the two reads of frameTime(), the state belongs to neither: then both are read again.
 template <typename Format, typename Events>
 sbus::LinkState DecodeSBusOf<Format, Events>::linkState() {
   for (;;) {
     const uint32_t time = _finder.frameTime();
-    READ_ANEW();
+    SBUS_BARRIER();
     const sbus::LinkState state = _link.state(time, micros());
-    READ_ANEW();
+    SBUS_BARRIER();
     if (time == _finder.frameTime()) {
       return state;
     }
@@ -109,12 +109,12 @@ void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &fa
   uint32_t number;
   do {
     number = _finder.counters().frames;
-    READ_ANEW();
+    SBUS_BARRIER();
     const uint8_t *const frame = _finder.newest();
     Format::unpack(frame, channels);
     lostFrame = (frame[Format::Size - 2] & sbus::FlagLostFrame) != 0;
     failsafe = _link.isLost();
-    READ_ANEW();
+    SBUS_BARRIER();
   } while (number != _finder.counters().frames);
   _decoded = number;
 }

@@ -7,8 +7,8 @@
     R-XSR GND       -> GND
 
   Sends a line "CH1,CH2, ... CH16,CH17,CH18" over USB five times a second: CH1..CH16 are 0..2047, CH17 and CH18 are 0
-  or 1. For the Serial Monitor, a file or a spreadsheet. As curves, the Serial Plotter of the Arduino IDE shows the
-  first 8 and Serial Oscilloscope the first 9: to see others, set FIRST to the number of the first channel.
+  or 1. Read it with the Serial Monitor, a file or a spreadsheet. As curves, the Serial Plotter of the Arduino IDE shows
+  the first 8 and Serial Oscilloscope the first 9: to see others, set FIRST to the number of the first channel.
 */
 
 #include <DecodeSBus.h>

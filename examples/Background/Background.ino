@@ -11,7 +11,7 @@
   line (55 or 56 from an R-XSR, one every 9 ms), the age of the newest in ms (4294967295 before the first), and the
   throttle, 0..2047.
 
-  For the STM32L0 alone: its core calls back at PendSV level, above loop() and below all interrupts.
+  It needs an STM32L0: only that core calls back, at PendSV level, above loop() and below all interrupts.
 */
 
 #include <DecodeSBus.h>
@@ -29,7 +29,7 @@ bool failsafe;
 bool lostFrame;
 uint32_t framesBefore = 0;
 
-// From now on only the interrupt may call parseSBusFrame().
+// The port calls this: loop() must not call parseSBusFrame() as well.
 void received() {
   dSBus.parseSBusFrame();
 }

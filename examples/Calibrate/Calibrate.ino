@@ -1,5 +1,5 @@
 /*
-  Calibrate: finds out what your radio really sends, and keeps it in EEPROM. Boards without any forget it.
+  Calibrate: finds out what your radio really sends, and keeps it in EEPROM. Boards without EEPROM forget it.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 

@@ -21,7 +21,7 @@ struct Guide {
     }
   }
 
-  // A line a second: how far each channel has come, and what is still to do with it, unless that is `next`.
+  // Prints a line a second: how far each channel has come, and what is still to do with it, or "ok" if that is `next`.
   void step(const char *what, uint8_t seconds, sbus::CalibrationError next) {
     Serial.println(what);
     for (uint8_t i = 0; i < 4 * seconds; i++) {

@@ -3,7 +3,7 @@
 
 #include <Arduino.h>
 
-// These have no EEPROM library. (Asking for it by __has_include would not do: the IDE looks for what is included only.)
+// These cores have no EEPROM library. (__has_include would not find any: the IDE looks only for what is included.)
 #if defined(ARDUINO_ARCH_SAMD) || defined(ARDUINO_ARCH_SAM) || defined(ARDUINO_ARCH_NRF52) || defined(ARDUINO_ARCH_MBED)
 struct NoEeprom {
   template <typename Value>
@@ -17,7 +17,7 @@ NoEeprom EEPROM;
 #endif
 
 // ESP32, ESP8266 and arduino-pico have flash in its place: begin() reads it into RAM, commit() writes it, and end()
-// forgets the RAM. The other cores have no such methods: then the second of two functions is the one that fits.
+// forgets the RAM. The other cores have no such methods: there the second function of each pair is called.
 template <typename Eeprom>
 auto readFlash(Eeprom &eeprom, int) -> decltype(eeprom.begin(256), void()) {
   eeprom.begin(256);  // bytes: older arduino-picos write past the end of other sizes
@@ -34,7 +34,7 @@ template <typename Eeprom>
 void writeFlash(Eeprom &, long) {
 }
 
-// What has been stored; whether it has been the value must tell.
+// Reads what is stored. The value itself must tell whether anything was stored.
 template <typename Eeprom, typename Value>
 void load(Eeprom &eeprom, Value &value) {
   readFlash(eeprom, 0);

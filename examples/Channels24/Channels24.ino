@@ -9,9 +9,9 @@
     +5V      -> VIN
     GND      -> GND
 
-  Sends a line "CH1,CH2, ... CH23,CH24" over USB five times a second, each 0..2047. For the Serial Monitor, a file or a
-  spreadsheet. As curves, the Serial Plotter of the Arduino IDE shows the first 8 and Serial Oscilloscope the first 9:
-  to see others, set FIRST to the number of the first channel.
+  Sends a line "CH1,CH2, ... CH23,CH24" over USB five times a second, each 0..2047. Read it with the Serial Monitor, a
+  file or a spreadsheet. As curves, the Serial Plotter of the Arduino IDE shows the first 8 and Serial Oscilloscope the
+  first 9: to see others, set FIRST to the number of the first channel.
 */
 
 #include <DecodeSBus.h>

@@ -26,8 +26,8 @@ bool lostFrame;
 
 elapsedMillis timerDisplay;
 
-// The paper's way: called after every loop() while bytes wait on Serial1; not an interrupt. The cores of Uno R4, SAMD,
-// mbed and ESP8266 never call it: there loop() does all.
+// As in the paper: the core calls it after every loop() while bytes wait on Serial1; it is no interrupt. The cores of
+// Uno R4, SAMD, mbed and ESP8266 never call it: there loop() does all.
 void serialEvent1() {
   dSBus.parseSBusFrame();
 }

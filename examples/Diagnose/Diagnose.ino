@@ -39,7 +39,7 @@ void print(uint32_t number, const char *text) {
 
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
-  while (input.read() >= 0) {  // what came before
+  while (input.read() >= 0) {  // drops what came before
   }
   const uint32_t start = millis();
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
@@ -62,8 +62,8 @@ void tell() {
     Serial.print("dSBus.");
     Serial.print(SETTINGS[diagnosis.best()].text);
     print(seen.frames * 1000 / TRIAL, " frames a second and ");
-    print(impairedFrames(seen) * 1000 / TRIAL, " damaged, ");
-    print(seen.period, " us from one to the next; ");
+    print(impairedFrames(seen) * 1000 / TRIAL, " damaged, frame interval ");
+    print(seen.period, " us; ");
     print(seen.lostFrames * 100 / seen.frames, " % with the lost-frame flag\r\n");
   }
 }

@@ -13,7 +13,7 @@ DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16
 EncodeSBus eSBus(Serial1);  // TX: D1
 
 const uint16_t FRAMES = 100;
-const uint32_t PATIENCE = 50;  // ms, for the last of them to come back
+const uint32_t PATIENCE = 50;  // ms, for the last frame to come back
 
 uint16_t sent, right, wrong;
 uint32_t sentTime;

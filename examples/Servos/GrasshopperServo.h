@@ -7,7 +7,7 @@
 
 class Servo {
  public:
-  // Pulses of `us` from the next on, 544..2400, as Arduino's library limits them. Before attach(): the first.
+  // Sets the length of the next pulses in us, clamped to 544..2400 as by Arduino's library. It may precede attach().
   void writeMicroseconds(int us) {
     const uint16_t clamped = static_cast<uint16_t>(us < 544 ? 544 : us > 2400 ? 2400 : us);
     if (clamped != _us) {
@@ -31,7 +31,7 @@ class Servo {
   }
 
  private:
-  static stm32l0_servo_table_t &table() {  // what the driver shall do; all servos share it
+  static stm32l0_servo_table_t &table() {  // pins and pulses, which the driver reads; all servos share it
     static stm32l0_servo_table_t all;
     return all;
   }

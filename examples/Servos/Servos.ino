@@ -20,7 +20,7 @@
 #endif
 
 DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
-const int PINS[] = {2, 3, 4, 5};  // of the servos; other boards: the same page
+const int PINS[] = {2, 3, 4, 5};  // of the servos; other boards: extras/docs/boards.md
 
 const int THROTTLE = 2;                    // CH3, counted from 0
 const unsigned long PERIOD_DISPLAY = 200;  // ms
@@ -54,7 +54,7 @@ void loop() {
     }
     servos[i].writeMicroseconds(pulses[i]);
   }
-  // Never waits: servos come first. Where Serial always says 0 it may (mbed, Uno R4 WiFi).
+  // Printing must not delay the servos. It may wait only where Serial always reports a room of 0 (mbed, Uno R4 WiFi).
   tellsRoom = tellsRoom || Serial.availableForWrite() > 0;
   if (timerDisplay >= PERIOD_DISPLAY && (Serial.availableForWrite() > 24 || !tellsRoom)) {
     timerDisplay = 0;

@@ -16,7 +16,7 @@ double ms(int64_t ns) {
   return static_cast<double>(ns) / 1e6;
 }
 
-// To a tenth of a microsecond: a sample more or less is no more.
+// Rounds to a tenth of a microsecond: samples are rarely shorter.
 std::string us(int64_t ns) {
   return format("%.1f", static_cast<double>(ns) / 1e3);
 }
@@ -37,7 +37,8 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       }
       write("signal " + wire.signal() +
             (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") + others +
-            (_isMeasured ? ": " + text(found.settings) + format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
+            (_isMeasured ? ": " + text(found.settings) +
+                               format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
                          : ", as the analyser has decoded it") +
             '\n');
       if (_showsCharacters) {
@@ -139,7 +140,7 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
   }
 }
 
-// One head for all rows, as a spreadsheet expects it.
+// Writes one head for all rows, as a spreadsheet expects it.
 void DecodeOutput::csvHead() {
   std::string head = "time_us";
   for (unsigned i = 1; i <= _channels; i++) {
@@ -149,7 +150,7 @@ void DecodeOutput::csvHead() {
   write(head + ",lost_frame,failsafe,end\n");
 }
 
-// What a frame does not carry is empty: of 32 channels each frame has a half.
+// Leaves fields empty that the frame does not carry: of 32 channels each frame has half.
 void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   if ((stretch.kind == line::Stretch::Kind::Frame24) != (_channels == 24) || (extra && _channels != 32)) {
@@ -197,7 +198,7 @@ std::string DecodeOutput::fault(const line::WireCharacter &character) const {
     return std::string(character.parityWrong ? "parity error" : "") +
            (character.parityWrong && character.stopWrong ? "; " : "") + (character.stopWrong ? "framing error" : "");
   }
-  // On the wire, as an oscilloscope shows it.
+  // These are levels of the wire, as an oscilloscope shows them.
   const int idle = _inverted ? 0 : 1;
   const int parity = line::isOdd(character.value) ? idle : 1 - idle;
   const std::string parityError =

@@ -13,15 +13,15 @@ enum class Form { Table, Csv, Json };
 
 class DecodeOutput {
  public:
-  // `characters`: it shows each of them, otherwise frames and what is no frame.
+  // `characters`: shows each character; otherwise frames, and the bytes of no frame.
   DecodeOutput(Form form, bool characters) : _form(form), _showsCharacters(characters) {}
 
-  // The wire was found.
+  // Takes the wire, once it is found.
   void begin(const line::WireDecoder &wire);
 
   void character(const line::WireCharacter &character);
 
-  // A stretch of the line with its characters as they were on the wire. `values`: of a frame.
+  // Takes a stretch of the line with its characters as they were on the wire. `values`: of a frame.
   void stretch(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters,
                const line::Values &values);
 
@@ -40,11 +40,11 @@ class DecodeOutput {
 
   const Form _form;
   const bool _showsCharacters;
-  bool _isMeasured = true;  // the wire, not characters that are decoded already
+  bool _isMeasured = true;  // the capture holds the wire, not characters that an analyser has decoded
   bool _inverted = true;
-  size_t _columns = 0;  // of the frame above: a table's head stands where it changes
+  size_t _columns = 0;         // of the newest frame in the table: a new head stands where they change
   unsigned _channels = 16;     // of the rows of CSV
-  unsigned long _leftOut = 0;  // frames that do not fit in there
+  unsigned long _leftOut = 0;  // frames that have other channels
   unsigned long _characters = 0;
   unsigned long _parityErrors = 0;
   unsigned long _framingErrors = 0;

@@ -22,12 +22,12 @@ bool hasNameOfBytes(const std::string &name) {
   return end == ".bin" || end == ".raw";
 }
 
-// Without a comment.
+// Returns the line without its comment.
 std::string_view content(std::string_view line) {
   return line::trimmed(line.substr(0, line.find('#')));
 }
 
-// `xxd` and `hexdump -C` begin a line so; it is no byte of the line.
+// Returns true if the text begins with an offset, as a line of `xxd` or `hexdump -C` does.
 bool isOffset(std::string_view text) {
   const std::string_view word = text.substr(0, text.find_first_of(" \t"));
   const size_t digits = std::min(word.size(), word.find(':'));
@@ -58,7 +58,7 @@ bool isHexText(std::string_view head) {
   return !maybeTime || (time.size() == 2 && first[1].size() == 2);
 }
 
-// Bytes one behind the other.
+// Appends bytes to a recording, back to back.
 class BackToBack {
  public:
   BackToBack(line::Recording &recording, const line::LineSettings &settings)
@@ -140,7 +140,7 @@ FileSource readCapture(const std::string &name, unsigned long baud) {
 
 }  // namespace
 
-// An oscilloscope's columns may be a sketch's rows.
+// A sketch's rows may look like an oscilloscope's columns: then they are rows.
 FileKind kindOfFile(const std::string &name) {
   const std::string head = line::beginningOf(name, line::CaptureHeadMax);
   const bool isLogic2 = head.rfind("<SALEAE>", 0) == 0;

@@ -10,18 +10,18 @@ namespace tool {
 
 enum class FileKind { Recording, Rows, Capture, Bytes };
 
-// Returns what the file is, told from its beginning and, of raw bytes, from its name: FILE.bin or FILE.raw. Throws
-// std::runtime_error if it is none of these; a file that cannot be opened is taken for a recording.
+// Returns the kind of the file, by its beginning; raw bytes are known by their name, FILE.bin or FILE.raw. Throws
+// std::runtime_error for any other file; one that cannot be opened is taken for a recording.
 FileKind kindOfFile(const std::string &name);
 
 struct FileSource {
   FileKind kind = FileKind::Recording;
   line::Recording recording;
-  line::LineSettings settings;  // of the line: of a capture as they were found on the wire
+  line::LineSettings settings;  // of the line; a capture's are those found on the wire
 };
 
 // Reads the whole file. `baud`: of the line; 0: what the file says, or 100000. Throws std::runtime_error, which names
-// the place, if it cannot be read or something is wrong with it. Says on standard error if times are not known.
+// the place, if it cannot be read or is wrong. Says on standard error if times are not known.
 FileSource readFile(const std::string &name, unsigned long baud = 0);
 
 }  // namespace tool

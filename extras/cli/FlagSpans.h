@@ -16,23 +16,23 @@ struct FlagSpan {
   uint64_t us() const { return toUs - fromUs; }
 };
 
-// A flag's span lasts from the first frame that has it to the first one that does not, to a silence, or to the end. A
-// frame in failsafe is not lost besides.
+// A flag's span lasts from the first frame with the flag to the next one without, to a silence, or to the end. A frame
+// with both flags counts as failsafe only.
 class FlagSpans {
  public:
   // Returns true if the line was silent from the newest frame until `us`: all spans end before a silence.
   bool silentUntil(uint64_t us);
 
-  // The next frame has these flags.
+  // Takes the flags of the next frame.
   void put(uint64_t us, bool failsafe, bool lostFrame);
 
-  // After the last frame.
+  // Ends all spans, after the last frame.
   void finish();
 
-  // In the order in which they ended.
+  // Returns the spans in the order in which they ended.
   const std::vector<FlagSpan> &all() const { return _all; }
 
-  // Of the frames; 0 before the first one.
+  // Return the times of the first and the newest frame; 0 before the first.
   uint64_t firstUs() const { return _firstUs; }
   uint64_t lastUs() const { return _lastUs; }
 

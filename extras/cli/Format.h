@@ -6,7 +6,7 @@
 
 namespace tool {
 
-// As std::snprintf(); what is longer than 399 characters is cut off.
+// Formats like std::snprintf(), and cuts the text after 399 characters.
 template <typename... Values>
 std::string format(const char *pattern, Values... values) {
   char text[400];

@@ -15,7 +15,7 @@ struct HexText {
     bool bad;
   };
   std::vector<Byte> bytes;
-  std::string wrong;  // what is not hexadecimal; the text is read up to there. Empty: nothing
+  std::string wrong;  // the first piece that is not hexadecimal: the text is read up to it; mostly empty
 };
 
 // Blanks, commas, semicolons, colons, hyphens and braces separate bytes.

@@ -19,35 +19,36 @@ class Input {
   Input(std::unique_ptr<line::Line> line, const line::LineSettings &settings, Pace pace, double seconds)
       : _line(std::move(line)), _settings(settings), _pace(pace), _seconds(seconds) {}
 
-  // How the port is set.
+  // Returns the settings of the port.
   const line::LineSettings &settings() const { return _settings; }
 
-  // Where a port that has gone, or is back, is reported. Default: standard error.
+  // Sets what takes the news that a port has gone, or is back. Default: standard error.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
-  // The time that run() begins with: a line before that is not heard. Default: 0.
+  // Sets the time at which run() begins: what came before is not heard. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
-  // The speed, as a multiple of true time.
+  // Sets the speed as a multiple of true time. Default: 1.
   void setSpeed(double speed) { _speed = speed; }
 
-  // Hands over each character as it comes, and says the time: every millisecond, of a port whenever it brings bytes and
-  // 20 times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after
-  // end(). Throws std::runtime_error if the line breaks down.
+  // Calls `put` with each character as it comes, and `tick` every millisecond; on a port, whenever it brings bytes and 20
+  // times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws
+  // std::runtime_error if the line fails.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 
-  // In a tick: all that was through by then has been handed over. Earlier than its time, if the port is late.
+  // Returns, for a tick, the time up to which all characters have been handed over: earlier than the tick's own if the
+  // port hands bytes over late.
   uint64_t knownUs() const { return _knownUs; }
 
-  // Returns when --seconds ends what is done in true time; without them it is never.
+  // Returns when --seconds end a source in true time; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
     return _pace == Pace::True && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   }
 
-  // As Line's.
+  // Returns the note of the line.
   std::string note() const { return _line->note(); }
 
-  // run() returns after the present tick: a key was pressed.
+  // Makes run() return after the present tick.
   void end() { _ended = true; }
 
  private:

@@ -6,7 +6,7 @@ namespace tool {
 
 namespace {
 
-// In quotation marks. Names of ports and signals are UTF-8.
+// Returns the text in quotation marks. Names of ports and signals are UTF-8.
 std::string quoted(const std::string &text) {
   std::string json = "\"";
   for (const char c : text) {

@@ -19,7 +19,7 @@ class Json {
   Json &flag(const char *name, bool value) { return add(name, value ? "true" : "false"); }
   Json &counts(const sbus::Counters &counters);  // frames, lost_frames, failsafe_frames
   Json &number(const char *name, uint64_t value) { return add(name, std::to_string(value)); }
-  Json &decimal(const char *name, double value);  // to a tenth
+  Json &decimal(const char *name, double value);  // rounded to a tenth
   Json &numbers(const char *name, const std::vector<double> &values);
   // Adds CHfirst and on, raw values.
   Json &channels(const line::Values &values, size_t first, size_t count);

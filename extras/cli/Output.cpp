@@ -33,7 +33,7 @@ void setLineByLine() {
 }
 
 void write(const std::string &text) {
-  // Of what went wrong while a buffer was emptied, fwrite() says nothing.
+  // fwrite() does not report an error of a buffer that was emptied before; ferror() does.
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::ferror(stdout) != 0) {
     fail();
   }

@@ -11,23 +11,23 @@
 
 namespace tool {
 
-// What comes is kept until it is clear whether it is S.Bus or a sketch's rows. A recording's copy is a recording, with
-// its times, of rows also.
+// Holds the characters back until it is clear whether they are S.Bus or a sketch's rows. A copy of a recording is always
+// a recording with the same times, even if it holds rows.
 class Recorder {
  public:
-  // `write` takes the text. `subcommand`: who records, for the file's first comment. `isCopy`: of a recording.
+  // `write` takes the text. The file's first comment names `subcommand` and `source`. `isCopy`: of a recording.
   Recorder(const std::string &subcommand, const std::string &source, const line::LineSettings &settings, bool isCopy,
            const Put &write);
 
   void put(const line::Character &character);
 
-  // After the last character.
+  // Call it after the last character.
   void finish();
 
-  // Frames or rows have come.
+  // Returns true if frames or rows have come.
   bool knows() const { return _rows.recognised() || _observer.counters().frames > 0; }
 
-  // "1000 characters (0 bad), 40 frames"
+  // Returns "1000 characters (0 bad), 40 frames".
   std::string summary();
 
  private:

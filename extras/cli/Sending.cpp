@@ -19,10 +19,10 @@ void say(const std::string &text) {
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-// Where the bytes go.
-class Way {
+// The port or pseudo-terminal that the bytes go to.
+class Destination {
  public:
-  Way(const std::string &to, const line::LineSettings &settings) {
+  Destination(const std::string &to, const line::LineSettings &settings) {
     if (to.empty()) {
       _terminal = std::make_unique<line::PseudoTerminal>();
       write(_terminal->name() + "\n");
@@ -32,7 +32,7 @@ class Way {
     }
   }
 
-  // A line begins when somebody reads it. False if the end was asked for.
+  // Waits until a program has opened the pseudo-terminal. Returns false if the end was asked for.
   bool waitForReader() const {
     if (!_terminal) {
       return true;
@@ -48,7 +48,7 @@ class Way {
     return !stopped();
   }
 
-  // Returns how many of them went.
+  // Returns how many bytes were sent.
   size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
     if (_terminal) {
       return _terminal->write(bytes.data(), bytes.size());
@@ -66,7 +66,7 @@ class Way {
   std::unique_ptr<line::SendingPort> _port;
 };
 
-// What is back to back goes out in one piece, otherwise the system would put silences into it.
+// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between them.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}
@@ -78,7 +78,7 @@ class Bursts {
     }
   }
 
-  // Once nothing more belongs to it; empty before.
+  // Returns the burst once it is complete; otherwise nothing.
   std::vector<uint8_t> take(uint64_t nowUs) {
     const bool ready = nowUs >= _lastEndUs + 2 * _characterUs || _bytes.size() >= BurstMax;
     return ready ? std::exchange(_bytes, {}) : std::vector<uint8_t>();
@@ -95,13 +95,13 @@ class Bursts {
 }  // namespace
 
 Sending::Sending(Subcommand &subcommand) {
-  subcommand.option("--to", _to, "a serial port; else a pseudo-terminal, whose name is printed").type("DEVICE");
+  subcommand.option("--to", _to, "a serial port; without it a pseudo-terminal, whose name is printed").type("DEVICE");
 }
 
 void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const {
   std::unique_ptr<Input> input = open();
-  Way way(_to, input->settings());
-  if (!way.waitForReader()) {
+  Destination destination(_to, input->settings());
+  if (!destination.waitForReader()) {
     return;
   }
   say("sending; Ctrl-C ends it");
@@ -118,9 +118,9 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
         [&](uint64_t nowUs) {
           const std::vector<uint8_t> bytes = bursts.take(nowUs);
           if (!bytes.empty()) {
-            const size_t went = way.send(nowUs, bytes);
-            sent += went;
-            lost += bytes.size() - went;
+            const size_t count = destination.send(nowUs, bytes);
+            sent += count;
+            lost += bytes.size() - count;
           }
         });
     if (!loop || stopped()) {

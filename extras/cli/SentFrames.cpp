@@ -24,7 +24,7 @@ struct Name {
   size_t channel = 0;  // counted from 0
 };
 
-// Returns false if it names nothing that a frame or `sbus csv` has.
+// Returns false if the text names no column of `sbus csv`.
 bool parseName(const std::string &text, Name &name) {
   const std::string word = line::lower(text);
   double channel = 0;
@@ -44,7 +44,7 @@ bool isSwitch(const Name &name) {
   return name.column != Column::Channel || name.channel >= sbus::ProportionalCount;
 }
 
-// "a switch" is 0 or 1, a channel 0 to 2047.
+// Returns true for 0 and 1 of a switch or flag, and for 0 to 2047 of a channel.
 bool isValue(const Name &name, double value) {
   return value >= 0 && value <= (isSwitch(name) ? 1 : sbus::ChannelMax) && value == std::floor(value);
 }
@@ -73,7 +73,7 @@ std::string nameOf(line::CsvKind kind, size_t column) {
   return "CH" + std::to_string(column + 1);
 }
 
-// What the columns of the newest row are called.
+// Returns the names of the columns of the newest row.
 std::vector<std::string> namesOf(const line::CsvRows &rows, bool isHeader) {
   std::vector<std::string> names;
   for (size_t i = 0; i < rows.row().size(); i++) {

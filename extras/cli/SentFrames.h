@@ -23,7 +23,7 @@ struct FrameValues {
 // Sets what "ch3=172", "ch5=on" or "failsafe=on" says. Throws std::runtime_error.
 void assign(const std::string &word, FrameValues &values);
 
-// From a time on the frames hold these.
+// The values that frames hold from a time on.
 struct TimedValues {
   uint64_t us;
   FrameValues values;
@@ -34,12 +34,12 @@ struct TimedRows {
   uint64_t endUs = 0;  // the last one holds until then
 };
 
-// Reads rows as `sbus csv` writes them: with a header any columns, without one the columns that it prints by default. Their times
-// are those of the column time, counted from the first row; without it rows come every 0.2 s. Throws
-// std::runtime_error, which names the line.
+// Reads rows as `sbus csv` writes them: with a header any columns, without one the columns that it prints by default.
+// The column time is counted from the first row; without it rows come every 0.2 s. Throws std::runtime_error, which names
+// the line.
 TimedRows readTimedRows(const std::string &name);
 
-// Sends a frame every `periodUs`, which holds the newest row. Ends at the rows' end; without one never.
+// Sends the newest row as a frame every `periodUs`, until the rows end; without end if `endUs` is 0.
 class FrameLine : public line::Line {
  public:
   FrameLine(TimedRows rows, uint64_t periodUs, const line::LineSettings &settings)
@@ -50,7 +50,7 @@ class FrameLine : public line::Line {
 
  private:
   void beginFrame();
-  // All frames have been sent, the last one whole.
+  // Returns true if all frames have been sent, the last one whole.
   bool ended() const { return _rows.endUs > 0 && _frameUs >= _rows.endUs; }
 
   const TimedRows _rows;

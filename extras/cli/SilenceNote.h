@@ -1,18 +1,20 @@
-// Says on standard error, once, that a source has not brought yet what is waited for.
+// Says on standard error, once, that a source has brought nothing yet; and throws if it ends so.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 
 namespace tool {
 
 class SilenceNote {
  public:
-  // `what`: "frames"
+  // `what` is waited for: "frames".
   SilenceNote(const std::string &source, const char *what) : _source(source), _what(what) {}
 
+  // `has`: it has come.
   void tick(uint64_t nowUs, bool has) {
     _beginUs = std::min(_beginUs, nowUs);
     const bool isLong = nowUs - _beginUs >= AfterUs;
@@ -20,6 +22,13 @@ class SilenceNote {
       std::fprintf(stderr, "%s: no %s yet; sbus doctor %s says why\n", _source.c_str(), _what, _source.c_str());
     }
     _done = _done || has || isLong;
+  }
+
+  // Takes the end of the source. Throws std::runtime_error unless it `has` come.
+  void end(bool has) const {
+    if (!has) {
+      throw std::runtime_error(_source + ": no " + _what + " came; sbus doctor says why");
+    }
   }
 
  private:

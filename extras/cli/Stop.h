@@ -5,10 +5,11 @@ namespace tool {
 
 constexpr int WrongCommandLine = 2;  // exit status
 
-// SIGINT, SIGTERM and SIGHUP ask for the end, a second one does not wait for it. A closed pipe is an error of write().
+// Makes SIGINT, SIGTERM and SIGHUP ask for the end; a second signal ends the program at once. A closed pipe becomes an
+// error of write().
 void catchSignals();
 
-// True once the end was asked for.
+// Returns true once the end was asked for.
 bool stopped();
 
 }  // namespace tool

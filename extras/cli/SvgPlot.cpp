@@ -78,7 +78,7 @@ Axis valueAxis(const Picture &picture) {
       most = std::max(most, point.y);
     }
   }
-  constexpr double SpanMin = 20;  // a curve that stands still is no zigzag of its noise
+  constexpr double SpanMin = 20;  // so that the noise of a resting stick does not fill the height
   const double margin = std::max(0.06 * (most - least), (SpanMin - (most - least)) / 2);
   return Axis(least - margin, most + margin, 7);
 }
@@ -125,7 +125,7 @@ class Drawing {
 
   static std::string look(size_t curve) { return format("c%zu d%zu", curve % Colours, curve / Colours); }
 
-  // What is shaded, and a legend of it below the axis.
+  // Shades the spans, and adds a legend below the axis.
   void spans() {
     const struct {
       FlagSpan::Kind kind;
@@ -176,8 +176,8 @@ class Drawing {
     label(Left - 8, Top - 10, "end", _picture.yTitle);
   }
 
-  // Of all points that fall on one column of pixels the first, the last, the least and the most. One that is joined to
-  // no other is a ring.
+  // Draws, of all points in one column of pixels, the first, the last, the lowest and the highest. A point that is joined
+  // to no other is a ring.
   void curves() {
     for (size_t i = 0; i < _picture.curves.size(); i++) {
       const std::vector<Curve::Point> &points = _picture.curves[i].points;

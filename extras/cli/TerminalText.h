@@ -7,14 +7,13 @@ namespace tool {
 
 int widthOf(const std::string &text);
 
-// What of it fits.
+// Returns as much of the text as fits.
 std::string cut(const std::string &text, int width);
 
-// The same, not in the middle of what it says: "Failsafe" of "Failsafe: the receiver is well, but has given the radio
-// up."
+// Cuts after a title or a sentence: "Failsafe" of "Failsafe: the receiver works, but has lost the link."
 std::string cutAtPhrase(const std::string &text, int width);
 
-// Cut, or filled with blanks: on its right; on its left.
+// Return the text with exactly `width` columns: cut, or filled with blanks on its right, or on its left.
 std::string padded(const std::string &text, int width);
 std::string right(const std::string &text, int width);
 

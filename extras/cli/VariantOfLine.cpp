@@ -5,25 +5,25 @@
 namespace tool {
 
 void VariantOfLine::take(const line::Stretch &stretch) {
-  const uint8_t kind = sbus::variantOfEnd(stretch.characters.back().value);
+  const uint8_t variant = sbus::variantOfEnd(stretch.characters.back().value);
   _of24 += stretch.kind == line::Stretch::Kind::Frame24;
   _extra += stretch.kind == line::Stretch::Kind::Extra;
-  if (stretch.kind == line::Stretch::Kind::Frame && kind != sbus::UnknownVariant) {
-    _ofKind[kind]++;
+  if (stretch.kind == line::Stretch::Kind::Frame && variant != sbus::UnknownVariant) {
+    _of16[variant]++;
   }
 }
 
 std::string VariantOfLine::text() const {
   constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "S.BUS of an R7003SB (end byte 08)"};
-  static_assert(std::size(Texts) == sbus::UnknownVariant, "a word for each row of LineVariants");
-  const auto most = std::max_element(_ofKind.begin(), _ofKind.end());
+  static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
+  const auto most = std::max_element(_of16.begin(), _of16.end());
   if (_of24 > *most) {
     return "S.BUS of 24 channels";
   }
   if (*most == 0) {
     return {};
   }
-  return _extra > *most / 2 ? "FASSTest 26" : Texts[most - _ofKind.begin()];
+  return _extra > *most / 2 ? "FASSTest 26" : Texts[most - _of16.begin()];
 }
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// What kind of line it is, in words: "S.BUS", "S.BUS2", "R7003SB" ... The end bytes of its frames tell.
+// The variant of a line in words, such as "S.BUS2": the end bytes of its frames tell it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class VariantOfLine {
   std::string text() const;
 
  private:
-  std::array<unsigned long, sbus::UnknownVariant> _ofKind{};
+  std::array<unsigned long, sbus::UnknownVariant> _of16{};  // frames of 16 channels, by variant
   unsigned long _of24 = 0;
   unsigned long _extra = 0;
 };

@@ -34,7 +34,8 @@ void addSubcommands(CLI::App &app) {
   tool::addHelp(app);
 }
 
-// Otherwise what is opened next would be taken for a closed standard stream, and get its text.
+// Opens /dev/null in place of each closed standard stream: otherwise the next file opened would get its number and its
+// text.
 void keepStreamsApart() {
   for (int stream = 0; stream <= 2; stream++) {
     if (fcntl(stream, F_GETFD) < 0) {
@@ -43,7 +44,7 @@ void keepStreamsApart() {
   }
 }
 
-// Of the subcommand that was asked for, if any.
+// Returns "sbus", with the subcommand that was asked for.
 std::string nameOf(const CLI::App &app) {
   const auto subcommands = app.get_subcommands();
   return subcommands.empty() ? app.get_name() : app.get_name() + " " + subcommands.front()->get_name();
@@ -56,7 +57,7 @@ int main(int argc, char **argv) {
   CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
   app.require_subcommand(1);
   app.set_version_flag("--version", VERSION, "the version");
-  app.set_help_flag("-h,--help", "what there is to give");
+  app.set_help_flag("-h,--help", "the subcommands; after a subcommand, its options");
   app.set_help_all_flag("--help-all", "what every subcommand takes");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a capture of a logic analyser, bytes), - for "

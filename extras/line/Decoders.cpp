@@ -14,7 +14,7 @@ namespace {
 constexpr uint8_t ShortGap = 3;     // characters, as if a port waited for them
 constexpr uint32_t SureLead = 2;    // votes more than the other decoder has
 constexpr uint64_t EndUs = 50000;   // a longer silence ends what came before it
-constexpr size_t MostOpen = 8;      // frames of a decoder, so that none waits for ever
+constexpr size_t MostOpen = 8;      // frames of a decoder that wait for the other: none waits for ever
 
 }  // namespace
 
@@ -35,8 +35,8 @@ void Places::found(Stretch::Kind variant, int size) {
   pieces.push_back({end - begin == static_cast<uint64_t>(size) ? variant : Stretch::Kind::NoFrame, begin, end});
 }
 
-// Where gaps do not tell, what one decoder takes for a frame may be a part of the other's, again and again: 25 of 36
-// bytes, or 36 that begin in each second frame.
+// Returns true if this may be a part of the other decoder's frames, where gaps do not tell: again and again 25 of 36
+// bytes, or 36 bytes that begin in each second frame.
 bool Places::isDoubtful(Stretch::Kind variant, uint64_t begin) const {
   const uint64_t between = (begin - _foundEnd) % sbus::FrameSize24;
   const bool is24 = variant == Stretch::Kind::Frame24;
@@ -79,7 +79,7 @@ const std::vector<Piece> &Decoders::finish() {
   return decide(true);
 }
 
-// A gap of eight characters is known, one of seven is not. idle(): a finder that has heard of no such call would guess.
+// A gap of eight characters is seen, one of seven is not. idle() is called at once: without it a finder would guess.
 void Decoders::reset(uint64_t nowUs, uint32_t characterUs) {
   const auto us = static_cast<uint8_t>(std::min<uint32_t>(characterUs, UINT8_MAX));  // a slower line has no S.Bus
   _nowUs = nowUs;

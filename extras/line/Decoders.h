@@ -10,10 +10,10 @@
 
 namespace line {
 
-// What a decoder says of its bytes (sbus::NoEvents), each with its place on the line.
+// Takes what a decoder tells of its bytes (sbus::NoEvents), and knows each byte's place on the line.
 class Places {
  public:
-  // The next byte that the decoder gets stands there.
+  // Takes the place of the next byte that the decoder gets.
   void put(uint64_t at) { _open.push_back(at); }
 
   // Returns the place of the first byte that may still belong to a frame, or `end`.
@@ -50,25 +50,27 @@ class Decoders {
  public:
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // Up to `nowUs` no byte has come but those put. Returns what was found by that.
+  // Takes the time up to which no other byte has come. Returns what was found by that.
   const std::vector<Piece> &idle(uint64_t nowUs);
 
-  // At `nowUs` the character at place `at` has come, and is good. Returns what was found by that.
+  // Takes the good character at place `at`, which came at `nowUs`. Returns what was found by that.
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
 
   bool has24() const;
   const sbus::Counters &counters() const { return has24() ? _finder24.counters() : _finder16.counters(); }
-  // Of the decoder for 16. Where no gaps tell the size of frames, those of the other decoder are its other frames.
+  // Returns the counters of the decoder for 16 channels. Where gaps do not tell the size of frames, its frames of the
+  // other size are those of the other decoder.
   sbus::Counters counters16() const;
 
-  // Of the decoder that is right.
+  // Returns the places of the decoder that is right.
   const Places &places() const {
     return has24() ? static_cast<const Places &>(_finder24.events()) : _finder16.events();
   }
-  // Nothing more will come. Returns what waited.
+  // Takes the end of the line. Returns what waited.
   const std::vector<Piece> &finish();
 
-  // Before it is known which is right, all may be a frame's.
+  // Returns the place of the first byte that may still belong to a frame, or `end`: of either decoder until it is known
+  // which is right.
   uint64_t openAt(uint64_t end) const;
 
  private:
@@ -81,7 +83,7 @@ class Decoders {
 
   Finder<sbus::Frame16> _finder16;
   Finder<sbus::Frame24> _finder24;
-  uint64_t _nowUs;   // as they were told last
+  uint64_t _nowUs;   // the newest time that the decoders have
   uint64_t _byteUs;  // of the last byte
   bool _isDecided;   // it is known which of the two is right
   std::vector<Piece> _none;

@@ -6,7 +6,7 @@ namespace line {
 
 namespace {
 
-// Counters that a change of the decoder that is right has set back count from 0.
+// Counters that are lower than before, since the other decoder is right now, count from 0.
 sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
   const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
   subtract(now.frames, before.frames);
@@ -36,7 +36,8 @@ sbus::Trial Examination::trial(const Observer &observer, const LineSettings &por
   sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
                        static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
                        difference(observer.counters16(), _before)};
-  // Bad characters never reach a decoder, and impairedFrames() counts on that. A line of bad ones only is no silence.
+  // Bad characters never reach a decoder, and impairedFrames() relies on that. A line of bad characters only is not
+  // silent.
   if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {
     trial.counters.discardedBytes = static_cast<uint32_t>(observer.badCharacters() - _badBefore);
   }

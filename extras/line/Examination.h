@@ -1,5 +1,5 @@
-// What has come of a line since a moment, as sbus::Diagnosis takes it. `sbus doctor` and the page both judge by this,
-// and a sketch's decoder counts the same: a line gets the same finding from each.
+// What has come of a line since a moment, as sbus::Diagnosis takes it. `sbus doctor` and the page judge by this, and a
+// sketch's decoder counts in the same way: all three have the same finding for a line.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace line {
 
 class Examination {
  public:
-  // What has come up to `nowUs`, in the line's time, does not count.
+  // Begins at `nowUs`, in the line's time: what came before does not count.
   void begin(const Observer &observer, uint64_t nowUs);
 
-  // Returns what has come since then, up to `nowUs`, to a port that is set so.
+  // Returns what has come from begin() to `nowUs` to a port with these settings.
   sbus::Trial trial(const Observer &observer, const LineSettings &port, uint64_t nowUs) const;
 
  private:
@@ -24,7 +24,7 @@ class Examination {
   uint64_t _beganUs = 0;
 };
 
-// True if nothing is to be done about it: no fault of the line, and no other decoder either.
+// Returns true if nothing is to be done: the line has no fault, and needs no other decoder.
 constexpr bool isWell(sbus::Finding finding) {
   return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
 }

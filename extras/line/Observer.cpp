@@ -66,7 +66,7 @@ void Observer::idleUntil(uint64_t nowUs) {
   _segments.cutBefore(_decoders.openAt(_segments.end()), _last.endUs + _silenceUs);
 }
 
-// Where whole frames wait for what follows, silence does. A part of one would be taken for an impaired frame.
+// Lets silence follow if whole frames wait for what follows them. (A part of a frame would count as an impaired one.)
 void Observer::finish() {
   constexpr uint64_t SilenceUs = 10000;
   handOver();
@@ -88,8 +88,8 @@ void Observer::handOver() {
   }
 }
 
-// In FASSTest 26 a frame with header 2F comes before each frame. A decoder does not take the first one, since nothing
-// tells it yet what line it hears.
+// In FASSTest 26 a frame with header 2F comes before each frame. A decoder does not take the first of them, since it
+// does not know the line yet.
 void Observer::take(Stretch &stretch) {
   if (_first) {
     _joinedAtExtra = stretch.kind == Stretch::Kind::Frame;
@@ -104,7 +104,7 @@ void Observer::take(Stretch &stretch) {
   }
 }
 
-// True if no frame came before it, no character for a gap's time, and it has a frame's form.
+// Returns true if the stretch has a frame's form, behind a gap, and no frame came before it.
 bool Observer::isExtraAlone(const Stretch &stretch) const {
   constexpr uint64_t GapCharacters = 8;
   const auto &characters = stretch.characters;

@@ -26,36 +26,37 @@ class Observer : public Statistics {
 
   Observer() { reset(0, CharacterUs); }
 
-  // Called with each stretch as soon as it is certain what it is; newest() is that frame then. Until a decoder is past
-  // them, up to two frames' bytes wait: finish() lets them go.
+  // Sets what is called with each stretch as soon as its kind is certain; a frame is then newest(). Up to two frames'
+  // bytes wait until a decoder is past them, or for finish().
   void listen(Listener listener) { _listener = std::move(listener); }
 
-  // Starts over on a line whose characters take so long.
+  // Starts over on a line whose characters take `characterUs`.
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // The next character, the oldest first. A gap of eight characters before it is seen, less what it may be late. The
-  // decoders get it as ports hand it over: with the next one, or when the line has been idle for a character.
+  // Takes the next character, the oldest first. A gap of eight characters before it is seen, less what it may be late.
+  // The decoders get it as ports hand it over: with the next one, or when the line has been idle for a character.
   void put(const Character &character);
 
-  // No other character was through by then.
+  // Takes the time up to which no other character was complete.
   void idleUntil(uint64_t nowUs);
 
-  // Nothing more will come: what still waits is no frame.
+  // Takes the end of the line: what still waits is no frame.
   void finish();
 
   unsigned long characters() const { return static_cast<unsigned long>(_segments.end()); }
   unsigned long badCharacters() const { return _badCharacters; }
-  // True if frames have 24 channels, not 16.
+  // Returns true if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
   // Returns how many bytes belong neither to a frame nor to telemetry.
   unsigned long discardedBytes() const;
-  // As the decoder has them that is right; and the frame with header 2F that the line was joined at is one.
-  sbus::Counters counters() const;
 
   // Returns the telemetry between the frames. Within a listener its proved() are those of this stretch.
   const TelemetrySlots &telemetry() const { return _telemetry; }
 
-  // Of the decoder for 16 channels, even if it is not the one that is right: for sbus::Diagnosis.
+  // Returns the counters of the decoder that is right, with the frame with header 2F at which the line was joined.
+  sbus::Counters counters() const;
+
+  // Returns the counters of the decoder for 16 channels, even if the other is right: for sbus::Diagnosis.
   sbus::Counters counters16() const { return _decoders.counters16(); }
 
  private:
@@ -71,12 +72,12 @@ class Observer : public Statistics {
   uint32_t _characterUs;
   Character _last;
   uint64_t _lineUs;     // the decoders' time at its end: characters and what is certain to be silence, no more
-  uint64_t _silenceUs;  // what is certain since then
-  bool _waits;          // the last one has not been handed over
+  uint64_t _silenceUs;  // the certain silence since then
+  bool _waits;          // _last has not been handed over
   unsigned long _badCharacters;
   uint64_t _saidUs;               // the end of the last stretch
   std::optional<Stretch> _first;  // may be the frame with header 2F that comes before the first frame
-  bool _joinedAtExtra;            // it was
+  bool _joinedAtExtra;            // it was such a frame
 };
 
 }  // namespace line

@@ -8,14 +8,14 @@ namespace line {
 namespace {
 
 constexpr size_t RowMax = sbus::FrameSize;  // characters of a stretch that is no frame
-constexpr uint32_t GapCharacters = 8;       // so long a gap ends one
+constexpr uint32_t GapCharacters = 8;       // a gap as long as this ends it
 constexpr uint64_t Forever = UINT64_MAX;
 
 // By sbus::Rejection.
 constexpr const char *Reasons[] = {"no end byte",  "unused flags set",
                                    "a gap inside", "more bytes than a frame",
                                    "not at a gap", "may be the halves of two frames"};
-static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "one for each");
+static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "a text for each reason");
 
 // What may be wrong with a bad character.
 struct Error {
@@ -27,7 +27,7 @@ constexpr Error Errors[] = {{true, false, "parity error"},
                             {true, true, "parity and framing error"},
                             {false, false, "parity or framing error"}};
 
-// "telemetry slots 1, 2"
+// Returns "telemetry slots 1, 2".
 std::string numbersOf(const std::vector<sbus::Slot> &slots) {
   std::string text = slots.size() == 1 ? "telemetry slot" : "telemetry slots";
   for (size_t i = 0; i < slots.size(); i++) {
@@ -36,7 +36,7 @@ std::string numbersOf(const std::vector<sbus::Slot> &slots) {
   return text;
 }
 
-// "parity error (byte 12)", "2 framing errors (bytes 0, 3)", "7 parity errors"; empty if no character has it.
+// Returns "parity error (byte 12)", "2 framing errors (bytes 0, 3)" or "7 parity errors"; "" if no character has it.
 std::string places(const std::vector<Character> &characters, const Error &error) {
   constexpr size_t Named = 3;
   size_t count = 0;
@@ -56,7 +56,7 @@ std::string places(const std::vector<Character> &characters, const Error &error)
 
 }  // namespace
 
-// Behind a bad character, which no decoder gets, all bytes are one too early: what they are rejected for is not told.
+// With a bad character only that is named: no decoder gets it, so the bytes behind it are rejected for wrong reasons.
 std::string why(const Stretch &stretch) {
   if (stretch.isFrame()) {
     return {};
@@ -94,7 +94,7 @@ void Segments::reset(uint32_t characterUs) {
 
 void Segments::cut(const std::vector<Piece> &pieces) {
   for (const Piece &piece : pieces) {
-    if (piece.begin >= _at) {  // the other decoder has not had some of it
+    if (piece.begin >= _at) {  // otherwise the other decoder has had a part of it
       cutRows(piece.begin, Forever);
       say(piece.kind, static_cast<size_t>(piece.end - piece.begin));
     }

@@ -20,7 +20,7 @@ struct Rejected {
   sbus::Rejection why;
 };
 
-// A piece of the line. All of them together are the line, each character once and in its order.
+// A piece of the line. All stretches together are the line, each character once and in its order.
 struct Stretch {
   enum class Kind { Frame, Frame24, Extra, NoFrame };  // Extra: a frame with header 2F
 
@@ -34,11 +34,11 @@ struct Stretch {
   uint64_t endUs() const { return characters.back().endUs; }
 };
 
-// Why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a bad character "unused flags
-// set (byte 10)", if that is the place of the header, or "no header"; empty if it is one.
+// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a bad character "unused
+// flags set (byte 10)", with the place of the header, or "no header". Returns "" for a frame.
 std::string why(const Stretch &stretch);
 
-// A stretch as a decoder has found it.
+// A stretch that a decoder has found.
 struct Piece {
   Stretch::Kind kind;
   uint64_t begin;
@@ -55,16 +55,17 @@ class Segments {
   void reset(uint32_t characterUs);
   void put(const Character &character) { _kept.push_back(character); }
 
-  // The place of the next character.
+  // Returns the place of the next character.
   uint64_t end() const { return _at + _kept.size(); }
 
-  // These are stretches, and what is before them is no frame.
+  // Takes stretches that were found: what stands before them is no frame.
   void cut(const std::vector<Piece> &pieces);
 
-  // What is before place `end` is no frame. The last of it waits for more, or for a gap: no more came up to `nowUs`.
+  // What stands before place `end` is no frame. Its last part waits for more characters, or for a gap: none came up to
+  // `nowUs`.
   void cutBefore(uint64_t end, uint64_t nowUs);
 
-  // Nothing waits any more.
+  // Hands over all that still waits.
   void finish();
 
  private:
@@ -73,7 +74,7 @@ class Segments {
 
   const std::function<void(Stretch &)> _say;
   std::deque<Character> _kept;  // no stretch yet
-  uint64_t _at = 0;             // place of the first of them
+  uint64_t _at = 0;             // place of the first kept character
   uint32_t _characterUs = CharacterUs;
 };
 

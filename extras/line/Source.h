@@ -1,4 +1,4 @@
-// Which line there is: a recording, the simulated receiver, or nothing; and what disturbs it.
+// Chooses a line: a recording, the simulated receiver, or nothing; and what disturbs it.
 #pragma once
 
 #include <memory>
@@ -19,12 +19,13 @@ struct Source {
   Channels channels = Channels::Sixteen;
   unsigned noise = 0;  // disturbances per second
   LineSettings settings;
-  bool isForSketch = false;  // a recording begins a moment after the port is opened, a late port's gets its gaps back
+  // A recording begins a moment after the port is opened; that of a late port gets its gaps back.
+  bool isForSketch = false;
 
-  // Throws std::runtime_error if the recording cannot be read.
+  // Opens the line. Throws std::runtime_error if the recording cannot be read.
   std::unique_ptr<Line> open() const;
 
-  // "simulated FrSky R-XSR", "recording line.txt, once"
+  // Returns "simulated FrSky R-XSR", "recording line.txt, once" ...
   std::string text() const;
 };
 

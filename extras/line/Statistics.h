@@ -1,4 +1,4 @@
-// What frames, or a sketch's rows, say in all: how often they come, the newest values, how far the sticks went.
+// Statistics of frames, or of a sketch's rows: how often they come, the newest values, how far the sticks went.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace line {
 
-// The least and the most of something since the last reset.
+// The least and the greatest of several values since the last reset.
 struct Extent {
-  uint64_t count = 0;  // of values; without one the others are 0
+  uint64_t count = 0;  // of values; 0: all members are 0
   uint64_t low = 0;
   uint64_t high = 0;
   uint64_t sum = 0;
@@ -22,22 +22,22 @@ struct Extent {
   uint64_t mean() const { return count == 0 ? 0 : (sum + count / 2) / count; }
 };
 
-// When they have come, and what the link is by that.
+// When frames or rows came, and the state of the link by that.
 class Arrivals {
  public:
   explicit Arrivals(uint16_t timeoutMs = sbus::Link::DefaultTimeout) { _link.setTimeout(timeoutMs); }
 
   sbus::LinkState state(uint64_t nowUs);
-  // Since the newest one, in us. Of no meaning while state() is NeverSeen.
+  // Returns the age of the newest in us; undefined while state() is NeverSeen.
   uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
-  // Within the last second.
+  // Returns how many came within the last second.
   unsigned perSecond(uint64_t nowUs) const;
-  // us from the end of one to the end of the next.
+  // Returns the frame intervals in us, from end to end.
   const Extent &gaps() const { return _gaps; }
 
  protected:
   void setTimeout(uint16_t ms) { _link.setTimeout(ms); }
-  // One has come, with these flags of a frame.
+  // Takes a frame or row with its flags.
   void add(uint64_t nowUs, uint8_t flags);
   void resetMarks() { _gaps = Extent(); }
 
@@ -55,7 +55,7 @@ struct Values {
   std::array<uint16_t, 32> raw{};  // CH1.., 0..2047
   std::array<bool, 2> switches{};  // CH17 and CH18 of a line of 16 channels
   bool lostFrame = false;          // the frame's flag
-  bool failsafe = false;           // the same
+  bool failsafe = false;           // the frame's flag
 };
 
 class Statistics : public Arrivals {

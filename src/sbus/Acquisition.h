@@ -33,7 +33,7 @@ class Acquisition {
   /// forbidden until one of the right size has come, or eight gaps.
   bool gap(int waiting, bool isVariantOpen) {
     if (_run == 0) {
-      return false;  // taken already
+      return false;  // this gap was taken before
     }
     const bool isOther = _run == Format::OtherSize;
     if (isOther) {

@@ -4,10 +4,11 @@ namespace sbus {
 
 namespace {
 
-constexpr int16_t EndPart = 16;  // a channel that rests within 1/16 of its travel from an end rests at that end
-constexpr int16_t CentrePart =
-    4;  // one that rests at least 1/4 of its travel from both ends is centred: trims move it that far
-constexpr int16_t PushPart = 4;  // a push moves it by more than 1/4 of its travel
+// A channel that rests within 1/16 of its travel from an end rests at that end; at least 1/4 of its travel from both
+// ends it is centred, since trims move it that far. A push moves it by more than 1/4 of its travel.
+constexpr int16_t EndPart = 16;
+constexpr int16_t CentrePart = 4;
+constexpr int16_t PushPart = 4;
 
 // Sticks of all makes have their centre here, with trims of up to 25 %; none has an end here.
 constexpr uint16_t MiddleMin = 700;
@@ -62,8 +63,8 @@ void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {
 void Calibrator::Hold::follow(uint16_t value) {
   if (frames > 0 && (value > place ? value - place : place - value) <= StillMax) {
     frames = smaller(static_cast<uint16_t>(frames + 1), HeldMost);
-    place = static_cast<uint16_t>(place + (value > place) -
-                                  (value < place));  // otherwise a first value that is far off would stay
+    // Follows the value by one: otherwise a first value that is far off would stay.
+    place = static_cast<uint16_t>(place + (value > place) - (value < place));
   } else if (frames > WrongFrame) {
     frames = static_cast<uint16_t>(frames - WrongFrame);
   } else {

@@ -39,8 +39,7 @@ const char *text(CalibrationError error);
 /// ms.
 class Calibrator {
  public:
-  static constexpr uint16_t TravelMin =
-      400;  ///< raw counts, a quarter of a FrSky's travel; a channel with less has not moved
+  static constexpr uint16_t TravelMin = 400;      ///< raw counts, a quarter of a FrSky's travel: less is no movement
   static constexpr uint16_t StillMax = 32;        ///< raw counts, 2 % of that travel: the jitter of a resting stick
   static constexpr uint8_t SeenFrames = 3;        ///< frames in a row that must reach an end for it to count
   static constexpr uint8_t HeldFrames = 64;       ///< frames at one place that count as held: 0.45..0.9 s
@@ -52,15 +51,15 @@ class Calibrator {
   /// Starts the first step, in which all channels move through their whole travel. Forgets all but the dead zone.
   void begin() { begin(Travel); }
 
-  /// Starts the second step, also once more: sticks centred, throttle low, nothing moves.
+  /// Starts the second step, or starts it again: sticks centred, throttle low, nothing moves.
   void centre() { begin(Centre); }
 
   /// Starts the third step: push all sticks up and right, and hold them there until it ends. Only where they are held
   /// counts. A channel that is held more than a quarter of its travel below its resting place is reversed.
   void high() { begin(High); }
 
-  /// Takes a frame of decodeSBusFrame(): call it once for each. Ignores frames with a flag set. A wrong value in one or
-  /// two frames does no harm in the first and third step; in the second it gives NotStill.
+  /// Takes a frame of decodeSBusFrame(): call it once for each frame. Ignores frames with a flag set. A wrong value in
+  /// one or two frames does no harm in the first and third step; in the second it gives NotStill.
   void feed(const uint16_t channels[], bool failsafe, bool lostFrame);
 
   /// Sets the dead zone on either side of the centre, 0..99 raw counts, clamped. Default: DefaultDeadZone. A stick that

@@ -14,8 +14,8 @@ struct Counters {
   uint32_t lostFrames;      ///< frames delivered with the lost-frame flag
   uint32_t failsafeFrames;  ///< frames delivered with the failsafe flag
 
-  uint32_t
-      rejectedByEnd;  ///< 25 bytes from a 0F or 2F on without an end byte: a byte is missing, or that was no header
+  /// 25 bytes from a 0F or 2F on without an end byte: a byte is missing, or the 0F or 2F was no header
+  uint32_t rejectedByEnd;
   uint32_t rejectedByFlags;   ///< 25 bytes from a 0F or 2F on with unused bits of the flags set
   uint32_t rejectedByLength;  ///< 25 bytes from a 0F or 2F on that more bytes belong to, or with a gap inside
 
@@ -24,7 +24,7 @@ struct Counters {
   uint32_t overflows;        ///< polls that found the port's buffer full: it has probably lost bytes
   uint32_t extraFrames;      ///< frames with header 2F, for DecodeSBus::decodeExtraChannels()
   uint32_t otherSizeFrames;  ///< as many bytes between two gaps as a frame of 24 channels has (DecodeSBus24: of 16)
-  uint32_t period;           ///< us, frame interval, smoothed over some eight frames; 0 before the second
+  uint32_t period;           ///< us, frame interval, smoothed over about eight frames; 0 before the second frame
 
   /// Counts a frame with these flags, `interval` us after the one before. A negative interval is not used: a blocked
   /// loop() has hidden when the frame before came.

@@ -69,9 +69,9 @@ uint32_t impairedFrames(const Counters &counters) {
   if (counters.resyncs == 0) {
     return 0;
   }
-  const uint32_t skipped = (counters.discardedBytes + ImpairedSize / 2) / ImpairedSize;
+  const uint32_t discarded = (counters.discardedBytes + ImpairedSize / 2) / ImpairedSize;
   const uint32_t headers = rejected(counters);
-  return (skipped < headers ? skipped : headers) + missingExtraFrames(counters);
+  return (discarded < headers ? discarded : headers) + missingExtraFrames(counters);
 }
 
 void Diagnosis::add(const Trial &trial) {

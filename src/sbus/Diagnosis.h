@@ -26,15 +26,15 @@ struct Trial {
 enum class Finding : uint8_t {
   NoSignal,              ///< no byte with any setting
   NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax
-  Channels24,            ///< as NoFrames, but frames of 24 channels come, for a DecodeSBus24
+  Channels24,            ///< no frames of 16 channels, but frames of 24, for a DecodeSBus24
   WrongPolarity,         ///< frames come with the other polarity than the expected one
   WrongBaud,             ///< frames come with the other baud rate
-  WrongPolarityAndBaud,  ///< frames come with both others
+  WrongPolarityAndBaud,  ///< frames come with the other polarity and the other baud rate
   PolledTooSeldom,       ///< the port's buffer overflowed
   Noise,                 ///< more than one frame in a hundred is impaired
   Failsafe,              ///< the receiver is in failsafe
   NoRadio,               ///< more than half of the frames have the lost-frame flag, without failsafe
-  Lossy,                 ///< more than a tenth have it
+  Lossy,                 ///< more than a tenth of the frames have the lost-frame flag
   AllWellAndMore,        ///< no fault; more than a byte per frame belongs to no frame
   AllWell,               ///< no fault
 };
@@ -43,7 +43,7 @@ enum class Finding : uint8_t {
 /// KB of RAM in a sketch that calls text() or remedy(), and nothing in others.
 const char *text(Finding finding);
 
-/// Returns what to do about it, in at most 100 ASCII characters.
+/// Returns what to do about the finding, in at most 100 ASCII characters.
 const char *remedy(Finding finding);
 
 /// Returns about how many frames were impaired, with those of header 2F: by the discarded bytes, since each 0F of an
@@ -61,14 +61,14 @@ class Diagnosis {
   /// Takes the next trial of the round.
   void add(const Trial &trial);
 
-  /// Returns what is wrong by the trials of this round; NoSignal before the first. Fewer than 25 bytes that begin with
+  /// Returns what the trials of this round show; NoSignal before the first. Fewer than 25 bytes that begin with
   /// 0F count as NoSignal: they may be the start of a frame.
   Finding finding() const;
 
   /// Returns the trial with the most frames of either size, counted from 0; 0 if none has any, and before the first.
   uint8_t best() const { return _best; }
 
-  /// Returns the counters of that trial.
+  /// Returns the counters of the trial best().
   const Counters &seen() const { return _trial.counters; }
 
  private:

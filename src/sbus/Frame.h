@@ -22,8 +22,8 @@ constexpr uint8_t CharacterTime = 120;    ///< us, at 100000 baud
 // The frame: header, 16 channels of 11 bits, flags, end byte.
 constexpr uint8_t FrameSize = 25;     ///< bytes
 constexpr uint8_t HeaderByte = 0x0F;  ///< the first byte; the payload may hold it as well
-constexpr uint8_t ExtraHeader =
-    0x2F;  ///< header of a frame with the extra channels CH17..CH32, which Futaba's FASSTest 26 sends before each frame
+/// Header of a frame with the extra channels CH17..CH32, which Futaba's FASSTest 26 sends before each frame.
+constexpr uint8_t ExtraHeader = 0x2F;
 constexpr uint8_t PayloadIndex = 1;  ///< of the first of 22 bytes
 constexpr uint8_t FlagsIndex = 23;   ///< of the flags byte
 constexpr uint8_t EndIndex = 24;     ///< of the end byte
@@ -86,12 +86,6 @@ constexpr bool isEndByte(uint8_t byte) {
   return variantOfEnd(byte) != UnknownVariant;
 }
 
-/// Returns true if `byte` may be the ID of a telemetry slot, the first of three characters that a sensor sends. Its
-/// next two bits are the group that the end byte before announced; some home-made sensors send those of another group.
-constexpr bool isSlotId(uint8_t byte) {
-  return (byte & 0x07) == 0x03;
-}
-
 /// Returns true if the unused bits of this flags byte are 0.
 constexpr bool isFlagsByte(uint8_t byte) {
   return (byte & FlagsUnused) == 0;
@@ -122,8 +116,8 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 /// as 0..2047, CH17 and CH18 as 0 or 1.
 void unpack(const uint8_t *frame, uint16_t *channels);
 
-/// Does the same as unpack() if the payload, byte 1, is aligned to four bytes and the machine is little-endian: 85
-/// instead of 160 instructions on a Cortex-M0+, and 18 bytes less (`make bench`).
+/// Unpacks a frame whose payload, byte 1, is aligned to four bytes, on a little-endian machine: in 85 instructions of a
+/// Cortex-M0+ instead of the 160 of unpack(), and 18 bytes less (`make bench`).
 void unpackAligned(const uint8_t *frame, uint16_t *channels);
 
 /// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.

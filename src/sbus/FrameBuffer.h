@@ -28,7 +28,7 @@ class FrameBuffer {
   int filled() const { return _filled; }                            ///< bytes of the incoming frame
   uint8_t *bytes() { return _incoming; }                            ///< the incoming frame, filled() bytes
   const uint8_t *bytes() const { return _incoming; }                ///< the incoming frame
-  uint8_t operator[](int index) const { return _incoming[index]; }  ///< a byte of it
+  uint8_t operator[](int index) const { return _incoming[index]; }  ///< a byte of the incoming frame
   /// Returns true if a header stands at `index`.
   bool isHeader(int index) const { return isHeaderByte<Format>(_incoming[index]); }
 

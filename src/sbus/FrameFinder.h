@@ -17,10 +17,10 @@ namespace sbus {
 /// these functions can take its place. Places count from the first byte that taken(), discarded() and extra() have not
 /// had.
 struct NoEvents {
-  void begin() {}                          ///< all is forgotten: reset()
+  void begin() {}                          ///< reset() was called: all is forgotten
   void taken(const uint8_t *) {}           ///< the next bytes are this frame
   void extra() {}                          ///< the next 25 bytes are a frame with header 2F
-  void discarded(const uint8_t *, int) {}  ///< these bytes, so many, belong to no frame
+  void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
   void lost() {}                           ///< bytes are missing before the next one
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
   /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two prove nothing.
@@ -45,8 +45,7 @@ struct NoEvents {
 /// - header, end byte and the unused bits of the flags are right;
 /// - no gap lies inside them;
 /// - they are aligned: they follow a frame or a gap, or a gap follows them. Otherwise they must not look like the end
-/// of
-///   one frame and the start of the next;
+///   of one frame and the start of the next;
 /// - they end there: a gap or a header follows, or frames of this line end in this way.
 ///
 /// Rejected characters are searched again from the second on. FrameRules.h has the rules, extras/docs/receiver.md says
@@ -93,7 +92,7 @@ class FrameFinderOf : private Events {
 
   /// Returns the receiver of the events.
   Events &events() { return *this; }
-  const Events &events() const { return *this; }  ///< the same
+  const Events &events() const { return *this; }  ///< the receiver of the events
 
   /// Returns the last complete frame, 25 bytes; nullptr before the first. The second frame after it may overwrite it:
   /// use what was read only if counters().frames has not changed meanwhile.
@@ -114,7 +113,7 @@ class FrameFinderOf : private Events {
   /// Returns the frameTime() of extra().
   uint32_t extraTime() const { return _extraTime; }
 
-  /// Returns what was counted since reset(); all 0 before the first byte.
+  /// Returns the counters since reset(); all are 0 before the first byte.
   const Counters &counters() const { return _counters; }
 
  private:

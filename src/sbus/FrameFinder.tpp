@@ -1,4 +1,4 @@
-// The methods of FrameFinderOf, for the two files that compile them: in one file the compiler would inline less.
+// The methods of FrameFinderOf, for the files that compile one format each: in one file the compiler would inline less.
 #include <string.h>
 
 #include "FrameFinder.h"
@@ -8,7 +8,7 @@ namespace sbus {
 
 namespace {
 
-constexpr int JudgedWorth = 4;           // headers: one that only judge() rejects costs as much as so many others
+constexpr int JudgedWorth = 4;           // headers: one that judge() rejects costs as much as four without an end byte
 constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
 
 // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.

@@ -8,6 +8,7 @@
 #include "Acquisition.h"
 #include "Frame.h"
 #include "Rule.h"
+#include "Slots.h"
 
 /// For functions whose call would cost more than their body.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline
@@ -106,7 +107,7 @@ template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   return holds(Rule::stray) && c.lineVariant == UnknownVariant && c.bytes[1] != HeaderByte;
 }
-/// Returns true if one does: the gaps before and after prove it.
+/// Returns true if one stray character follows it directly: the gaps before and after prove that.
 template <typename Format>
 SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
   const int after = c.size() + 1;
@@ -141,9 +142,9 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
   return holds(Rule::falseSync) ? innerHeader(c.bytes, Format::Size, variant) : Format::Size;
 }
 
-/// Returns true if a gap after it would still prove that it is aligned. Not where the part before `inner` may be the
-/// rest of a frame, and the part behind it a frame that lost as many characters: the first part is short, behind more
-/// than noise.
+/// Returns true if a gap after it would still prove that it is aligned. A gap proves nothing where the part before
+/// `inner` may be the rest of a frame, and the part behind a frame that lost as many characters: the first part is
+/// short, and stands behind more characters than noise has.
 template <typename Format>
 SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
   return holds(Rule::waits) && c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
@@ -168,7 +169,7 @@ SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> 
 }
 
 /// Returns true if the characters are exactly the next frame of a line in sync, as they nearly always are. judge()
-/// would accept them as well, in 160 cycles more.
+/// would also accept them, but takes 160 cycles more.
 template <typename Format>
 SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t variant, bool isInSync) {
   return filled == Format::Size && isInSync && (gapAt == 0 || gapAt > Format::Size) && bytes[0] == HeaderByte &&

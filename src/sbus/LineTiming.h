@@ -44,8 +44,8 @@ class LineTiming {
     _idleCharacters = idleCharacters;
   }
 
-  /// Returns a time after which a byte ended that `behind` others follow in this poll. The poll before did not find it:
-  /// the port held it back, together with those behind it, and waited for each of them.
+  /// Returns a time after which a byte ended that `behind` others follow in this poll. The poll before did not find the
+  /// byte: the port held it back, together with those behind it, and waited for each of them.
   uint32_t endedAfter(unsigned behind) const {
     constexpr unsigned Each = MostIdleCharacters + 1;
     return _pollBefore - (MostIdleCharacters + (behind < LongestBurst ? behind : LongestBurst) * Each) * _characterTime;

@@ -30,7 +30,7 @@ class Link {
   /// Forgets all frames: the state is NeverSeen. Keeps the settings.
   void reset();
 
-  /// Sets after how many ms without a frame the link is stale, 1..65535. Default: DefaultTimeout. 0 disables it.
+  /// Sets how many ms after the newest frame the link is stale, 1..65535. Default: DefaultTimeout. 0 disables this.
   void setTimeout(uint16_t ms) { _timeout = ms; }
 
   /// Sets how many frames in a row with the lost-frame flag count as failsafe, 1..65535: some receivers never set the
@@ -64,7 +64,7 @@ class Link {
 
  private:
   uint32_t _agedTime;  // time of the frame that state() was called for last
-  uint32_t _age;       // us, its age then
+  uint32_t _age;       // us, the age of that frame at that call
   uint16_t _timeout = DefaultTimeout;
   uint16_t _lossLimit = DefaultLossLimit;
   uint16_t _losses;  // lost frames in a row

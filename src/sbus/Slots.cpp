@@ -6,7 +6,7 @@ namespace {
 
 // An R7003SB sends a 00 before and one after its slot: the line's break, github.com/bolderflight/sbus/issues/79.
 bool isTail(uint8_t end, const uint8_t *characters, uint8_t count) {
-  return end == LineVariants[TailVariant].end && count == LineVariants[TailVariant].tailSize && characters[0] == 0 &&
+  return endsVariant(end, TailVariant) && count == LineVariants[TailVariant].tailSize && characters[0] == 0 &&
          characters[count - 1] == 0;
 }
 
@@ -21,7 +21,7 @@ int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *sl
     return -1;
   }
   uint8_t next = firstSlotOf(end);  // the lowest slot that may follow
-  const uint8_t behind = static_cast<uint8_t>(next + (end == LineVariants[TailVariant].end ? 1 : SlotsOfGroup));
+  const uint8_t behind = static_cast<uint8_t>(next + (endsVariant(end, TailVariant) ? 1 : SlotsOfGroup));
   int8_t found = 0;
   for (uint8_t at = 0; at < count; at = static_cast<uint8_t>(at + SlotSize)) {
     const uint8_t number = slotOfId(characters[at]);

@@ -37,7 +37,13 @@ constexpr uint8_t slotId(uint8_t number) {
                               (number & 16) >> 1 | 3);
 }
 
-/// Returns the number, 0..31, of the slot with this ID; undefined unless isSlotId(id).
+/// Returns true if `byte` may be the ID of a slot, the first of three characters that a sensor sends. Its next two bits
+/// are the group that the end byte before announced; some home-made sensors send those of another group.
+constexpr bool isSlotId(uint8_t byte) {
+  return (byte & 0x07) == 0x03;
+}
+
+/// Returns the number, 0..31, of the slot with this ID; undefined if isSlotId(id) is false.
 constexpr uint8_t slotOfId(uint8_t id) {
   return static_cast<uint8_t>(id >> 7 | (id & 0x40) >> 5 | (id & 0x20) >> 3 | (id & 0x10) >> 1 | (id & 0x08) << 1);
 }

@@ -6,10 +6,10 @@ cd "$(dirname "$0")/.." || exit 1
 
 . tool/common.sh
 
-# agree FILE: the frames a second and the us from one to the next agree, within a frame a second
+# agree FILE: the frames a second and the frame interval in us agree, within a frame a second
 agree() {
   awk '/ frames a second and 0 damaged, / {
-    for (i = 1; i < NF; i++) { if ($(i + 1) == "frames") rate = $i; if ($(i + 1) == "us") us = $i }
+    for (i = 1; i < NF; i++) { if ($(i + 1) == "frames") rate = $i; if ($i == "interval") us = $(i + 1) }
     if (rate > 1e6 / us + 1 || rate < 1e6 / us - 1) { print; exit 1 }
   }' "$1"
 }

@@ -217,7 +217,7 @@ verdict $? "times are the recording's own"
   sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 bad\), [1-9][0-9]* frames$' "$work/err"
 verdict $? "monitor --record records what record does, and shows what it shows"
 rejected "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
-rejected "sbus monitor: /dev/full: could not be written to its end (No space left on device); is there place for it?" monitor sim --simulated-time --seconds 1 --record /dev/full
+rejected "sbus monitor: /dev/full: could not be written to its end (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full
 "$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
 verdict $? "monitor --record of a sketch's rows"
 

@@ -7,10 +7,10 @@ namespace tool {
 
 class Bar {
  public:
-  // The width in columns; all bars of a view have one scale.
+  // `width` in columns. All bars of a view have one scale.
   Bar(const MonitorView &view, int width, bool unicode);
 
-  // What stands above the bars: "-100% 0 +100%" or the ends.
+  // Returns what stands above the bars: "-100 0 +100", or the ends of the scale.
   std::string scale() const;
 
   void append(PageRow &row, const MonitorView::Channel &channel) const;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/monitor/Bar.h"
 #include "cli/TerminalText.h"
+#include "cli/monitor/ChannelRows.h"
 
 namespace tool {
 
@@ -20,49 +20,6 @@ Style styleOf(Mood mood) {
                               : Style::Dim;
 }
 
-// Returns what of a channel has room in this many columns.
-struct Cells {
-  explicit Cells(int width, bool isRaw) : name(width < WithMargin ? 2 : 3), value(isRaw ? 5 : 9) {
-    int left = width - Gap - name - value;
-    const auto take = [&left](int wanted, int kept) {
-      const bool room = left >= wanted + kept;
-      left -= room ? wanted : 0;
-      return room;
-    };
-    us = isRaw && take(Us, 0);
-    percent = isRaw && take(Percent, 0);
-    const bool hasBar = left > LeastBar;
-    marks = hasBar && take(2 * value, LeastBar + 12);
-    bar = hasBar ? left - 1 : 0;
-  }
-
-  static constexpr int Gap = 1;  // to the next column
-  static constexpr int WithMargin = 24;
-  static constexpr int Us = 5;
-  static constexpr int Percent = 7;
-  static constexpr int LeastBar = 10;
-
-  int name;
-  int value;
-  bool us;
-  bool percent;
-  bool marks;
-  int bar;
-};
-
-std::string percentText(uint16_t raw, const sbus::Range &range) {
-  char text[16];
-  const int thousandths = sbus::toNormalised(raw, range);
-  std::snprintf(text, sizeof text, "%+.1f", thousandths / 10.0);
-  return thousandths == 0 ? "0.0" : text;
-}
-
-std::string numberText(double value, bool isRaw) {
-  char text[32];
-  std::snprintf(text, sizeof text, isRaw ? "%.0f" : "%.6g", value);
-  return text;
-}
-
 class Layout {
  public:
   Layout(const MonitorView &view, PageSize size, bool unicode) : _view(view), _size(size), _unicode(unicode) {
@@ -73,7 +30,6 @@ class Layout {
       _rows = (count + _columns - 1) / _columns;
     } while (_columns < MostColumns && _rows + Fixed > size.height);
     _rows = std::min(_rows, size.height - Fixed);
-    _cellWidth = size.width / _columns;
     _spare = size.height - Fixed - _rows;
   }
 
@@ -89,10 +45,11 @@ class Layout {
     title(keys ? std::string() : note);
     banner();
     space(afterBanner);
+    const ChannelRows channels(_view, _size.width / _columns, _unicode);
     if (head) {
-      this->head();
+      _page.push_back(channels.head(_columns));
     }
-    channels();
+    this->channels(channels);
     space(beforeIndicators);
     indicators();
     _page.insert(_page.end(), facts.begin(), facts.end());
@@ -140,60 +97,18 @@ class Layout {
     _page.push_back({{_view.banner.empty() ? "" : padded(text, _size.width), style}});
   }
 
-  void head() {
-    PageRow row;
-    const Cells cells(_cellWidth, _view.isRaw);
-    std::string text = right("CH", cells.name) + right(_view.isRaw ? "raw" : "value", cells.value);
-    text += cells.us ? right(_unicode ? "µs" : "us", Cells::Us) : "";
-    text += cells.percent ? right("%", Cells::Percent) : "";
-    text += cells.bar > 0 ? " " + Bar(_view, cells.bar, _unicode).scale() : "";
-    text += cells.marks ? right("min", cells.value) + right("max", cells.value) : "";
-    for (int column = 0; column < _columns; column++) {
-      row.push_back({padded(text, _cellWidth), Style::Dim});
-    }
-    _page.push_back(row);
-  }
-
-  void channels() {
+  void channels(const ChannelRows &channels) {
     for (int row = 0; row < _rows; row++) {
       space(_grouped && row > 0 && row % GroupSize == 0);
       PageRow cells;
       for (int column = 0; column < _columns; column++) {
         const size_t index = static_cast<size_t>(column * _rows + row);
         if (index < _view.channels.size()) {
-          channel(cells, index);
+          channels.append(cells, index);
         }
       }
       _page.push_back(cells);
     }
-  }
-
-  void channel(PageRow &row, size_t index) const {
-    const MonitorView::Channel &channel = _view.channels[index];
-    const Cells cells(_cellWidth, _view.isRaw);
-    const bool none = channel.text.empty();
-    const auto raw = static_cast<uint16_t>(none || !_view.isRaw ? 0 : channel.value);
-    row.push_back({right(std::to_string(index + 1), cells.name), Style::Dim});
-    row.push_back({right(none ? "-" : channel.text, cells.value), _view.old ? Style::Dim : Style::Strong});
-    std::string numbers;
-    if (cells.us) {
-      numbers += right(none ? "-" : std::to_string(sbus::toMicroseconds(raw, _view.pulses)), Cells::Us);
-    }
-    if (cells.percent) {
-      numbers += right(none ? "-" : percentText(raw, _view.range), Cells::Percent);
-    }
-    row.push_back({numbers, _view.old ? Style::Dim : Style::Plain});
-    if (cells.bar > 0) {
-      row.push_back({" ", Style::Plain});
-      Bar(_view, cells.bar, _unicode).append(row, channel);
-    }
-    if (cells.marks) {
-      const auto mark = [&](double value) {
-        return right(channel.marked ? numberText(value, _view.isRaw) : "-", cells.value);
-      };
-      row.push_back({mark(channel.low) + mark(channel.high), Style::Dim});
-    }
-    row.push_back({std::string(Cells::Gap, ' '), Style::Plain});
   }
 
   void indicators() {
@@ -213,7 +128,7 @@ class Layout {
     _page.push_back(row);
   }
 
-  // With their names if there is room for all, else as many as fit.
+  // Returns the facts with their names if all fit; otherwise as many facts as fit.
   std::vector<PageRow> makeFacts() {
     constexpr int NameWidth = 9;
     std::vector<PageRow> rows;
@@ -253,7 +168,6 @@ class Layout {
   const bool _unicode;
   int _columns = 0;
   int _rows = 0;  // of channels
-  int _cellWidth = 0;
   int _spare = 0;  // rows not taken yet
   bool _grouped = false;
   std::vector<PageRow> _page;
@@ -280,7 +194,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "%      of --range; us: a servo's pulse",
       "gap    from a frame's end to the next's",
       "lost by radio: lost-frame flag, old values",
-      "failsafe: the receiver has given up",
+      "failsafe: the receiver lost the link",
       "rejected: looked like a frame, was none",
       "Any key goes back.",
   };

@@ -24,14 +24,14 @@ struct PageSize {
 
 constexpr PageSize LeastPage = {40, 12};
 
-// `size.height` rows or less, each `size.width` columns or less. `unicode`: else all of it is ASCII. `note`, such as
-// "PAUSED: space goes on", stands in the last row in the keys' place.
+// Returns `size.height` rows or less, each of `size.width` columns or less; ASCII only without `unicode`. `note`, such
+// as "PAUSED: space goes on", replaces the keys in the last row.
 std::vector<PageRow> layOut(const MonitorView &view, PageSize size, bool unicode, const std::string &note);
 
-// What the keys do and what the page shows.
+// Returns what the keys do and what the page shows.
 std::vector<PageRow> layOutHelp(PageSize size);
 
-// The view in a line: "12.000  receiving  992 172 ...  CH18  newest 3 ms old, 111 frames/s, ...".
+// Returns the view in a line: "12.000  receiving  992 172 ...  CH18  newest 3 ms old, 111 frames/s, ...".
 std::string plainLine(const MonitorView &view, uint64_t nowUs);
 
 }  // namespace tool

@@ -33,7 +33,7 @@ struct MonitorView {
   std::string kind;    // "S.BUS2, 100000 baud"
   std::string state;   // a word
   Mood mood = Mood::Calm;
-  std::string banner;  // what must not be overlooked; mostly nothing
+  std::string banner;  // what must not be overlooked; mostly empty
   Mood bannerMood = Mood::Bad;
   bool old = false;      // the values are no longer those of the line
   bool isRaw = true;     // the values are raw ones, 0..2047, so that us and % mean something

@@ -17,7 +17,7 @@ namespace tool {
 
 namespace {
 
-// How a style looks; a terminal without colours, or NO_COLOR, has the attributes alone.
+// How a style looks. Without colours (the terminal has none, or NO_COLOR is set) the attributes `plain` tell.
 struct Look {
   Style style;
   short text;
@@ -53,7 +53,7 @@ bool Screen::isPossible() {
 }
 
 Screen::Screen() {
-  setlocale(LC_CTYPE, "");  // no other: numbers have a point
+  setlocale(LC_CTYPE, "");  // only this category: numbers keep their point
   _unicode = std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
   FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen("/dev/tty", "r");  // of sbus monitor -
   _screen = keys == nullptr ? nullptr : newterm(nullptr, stdout, keys);

@@ -9,22 +9,22 @@ namespace tool {
 
 class Screen {
  public:
-  // True if standard output is a terminal whose cursor can be moved.
+  // Returns true if standard output is a terminal whose cursor can be moved.
   static bool isPossible();
 
   Screen();   // throws std::runtime_error
-  ~Screen();  // the terminal is as it was
+  ~Screen();  // restores the terminal
   Screen(const Screen &) = delete;
   Screen &operator=(const Screen &) = delete;
 
   PageSize size() const;
 
-  // By the locale.
+  // Returns true if the locale has UTF-8.
   bool unicode() const { return _unicode; }
 
   void draw(const std::vector<PageRow> &page);
 
-  // The next key pressed, or 0. Never waits.
+  // Returns the next key pressed, or 0. Never waits.
   int key();
 
  private:

@@ -13,7 +13,7 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t IndicatorUs = 300000;  // a frame's flag is seen so long
+constexpr uint64_t IndicatorUs = 300000;  // how long a frame's flag is shown
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // a sketch prints a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
@@ -67,7 +67,7 @@ void Watch::reset() {
 }
 
 void Watch::take(const line::Stretch &stretch) {
-  _kind.take(stretch);
+  _variant.take(stretch);
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame()) {
     _isCsv = false;
@@ -155,8 +155,8 @@ std::string Watch::json(uint64_t nowUs) {
 
 void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
-  const std::string kind = _kind.text();
-  view.kind = (kind.empty() ? "" : kind + ", ") + std::to_string(_settings.baud) + " baud";
+  const std::string variant = _variant.text();
+  view.kind = (variant.empty() ? "" : variant + ", ") + std::to_string(_settings.baud) + " baud";
   const bool seen = values.count > 0;
   view.channels.resize(seen ? values.count : sbus::ProportionalCount);
   for (size_t i = 0; i < values.count; i++) {
@@ -169,7 +169,8 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
     channel.text = std::to_string(values.raw[i]);
   }
   if (!_observer.has24()) {
-    const bool more = values.count > sbus::ProportionalCount;  // CH17 is a channel then; Futaba calls the switches so
+    // CH17 is a channel then, and Futaba calls the switches DG1 and DG2.
+    const bool more = values.count > sbus::ProportionalCount;
     view.indicators.push_back({more ? "DG1" : "CH17", values.switches[0], Mood::Good});
     view.indicators.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
   }

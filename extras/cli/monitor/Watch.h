@@ -1,4 +1,4 @@
-// Watches a line for `sbus monitor`: takes its characters, and says what there is to see.
+// Watches a line for `sbus monitor`: takes its characters, and returns what the page shows.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ class Watch {
   void put(const line::Character &character);
   void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
 
-  // The port has gone, or is back.
+  // Takes the news that the port has gone, or is back.
   void news(const std::string &text, uint64_t nowUs);
 
   // Resets marks and counters; keeps the link's state.
@@ -55,7 +55,7 @@ class Watch {
   const sbus::Range _pulses;
 
   line::Observer _observer;
-  VariantOfLine _kind;
+  VariantOfLine _variant;
   line::Readings _readings;
   sbus::Counters _before{};  // when the counters were reset
   unsigned long _badBefore = 0;

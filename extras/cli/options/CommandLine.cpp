@@ -89,7 +89,7 @@ bool takesValue(const CLI::Option &option) {
   return option.get_items_expected_min() > 0;
 }
 
-// What an argument called `type` may be: "auto|always|never" are these words, a name in capitals stands for something.
+// Returns what an argument called `type` may be: of "auto|always|never" these words; a name in capitals has its own.
 Words wordsFor(const CLI::App &app, const std::string &type) {
   Words words;
   std::istringstream parts(type);
@@ -111,7 +111,7 @@ Words wordsFor(const CLI::App &app, const std::string &type) {
   return words;
 }
 
-// What may stand after `before`, which begins with the subcommand.
+// Returns what may stand after `before`, which begins with the subcommand.
 Words wordsAfter(const CLI::App &app, const Words &before) {
   const CLI::App *const subcommand = find(app, before[0]);
   if (subcommand == nullptr) {

@@ -1,4 +1,4 @@
-// What the command line has beside the subcommands' work: help, the names that were meant, completion.
+// The command line itself: help, the names that were probably meant, completion.
 #pragma once
 
 #include <string>

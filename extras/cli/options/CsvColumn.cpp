@@ -23,7 +23,7 @@ constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe},
                           {"state", CsvColumn::Kind::State},
                           {"age", CsvColumn::Kind::Age}};
 
-// "ch7" is 7; 0 if the text is no channel.
+// Returns 7 for "ch7"; 0 if the text is no channel.
 unsigned channelOf(const std::string &text) {
   const bool digits = text.size() >= 3 && text.size() <= 4 && text.compare(0, 2, "ch") == 0 && text[2] != '0' &&
                       text.find_first_not_of("0123456789", 2) == std::string::npos;
@@ -31,7 +31,7 @@ unsigned channelOf(const std::string &text) {
   return channel <= ChannelMax ? channel : 0;
 }
 
-// Appends what a word of the list names. False if it names nothing.
+// Appends what a word of the list names. Returns false if it names nothing.
 bool append(const std::string &word, std::vector<CsvColumn> &columns) {
   for (const Name &each : Names) {
     if (word == each.name) {
@@ -70,7 +70,7 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
     const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
     if (!append(word, columns)) {
       rejectCommandLine("--columns: \"" + word +
-                        "\" is none; ch1 to ch32, spans as ch1-ch4, failsafe, lostframe, time, state and age are");
+                        "\" is no column; ch1 to ch32, spans as ch1-ch4, failsafe, lostframe, time, state and age are");
     }
     begin = comma == std::string::npos ? comma : comma + 1;
   }

@@ -15,21 +15,21 @@ struct CsvColumn {
   unsigned channel;  // counted from 1
 };
 
-// "ch1-ch4,failsafe,lostframe": names and spans, in the order in which they are to be printed. Rejects the command line
-// if a word is none of these.
+// Takes names and spans, "ch1-ch4,failsafe,lostframe", in the order in which they are printed. Rejects the command line
+// if a word names no column.
 std::vector<CsvColumn> parseColumns(const std::string &text);
 
-// True if the line has these channels. Throws std::runtime_error if it has not, a second after the first frame: by then
-// all kinds of frames have come.
+// Returns true if the line has these channels. Throws std::runtime_error if one is missing a second after the first
+// frame: by then all kinds of frames have come.
 bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values, uint64_t sinceFirstUs);
 
-// "CH1,CH2,failsafe", with CR and LF as Serial.println() has them.
+// Returns the names of the columns: "CH1,CH2,failsafe", with a line feed.
 std::string header(const std::vector<CsvColumn> &columns);
 
-// "ok", "never seen" ...
+// Returns "ok", "never seen" ...
 const char *stateName(sbus::LinkState state);
 
-// A row of the newest frame.
+// Returns a row of the newest frame.
 std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs);
 
 }  // namespace tool

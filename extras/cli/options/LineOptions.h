@@ -16,21 +16,21 @@ class LineOptions {
   LineOptions(const LineOptions &) = delete;
   LineOptions &operator=(const LineOptions &) = delete;
 
-  // Each rejects the command line if one was given that has no meaning there: `what` is "a port" or the like.
+  // Each rejects the command line if one of these options was given; they mean nothing for `what`, such as "a port".
   void rejectSimulated(const std::string &what) const;   // those of the built-in receiver
   void rejectDisturbing(const std::string &what) const;  // --noise and --uninverted
 
-  // The built-in receiver, or what disturbs a line, as the options have it; on a line that is set so.
+  // Returns the built-in receiver, or the disturbances of a line, as the options say, for a line with these settings.
   line::Source source(const line::LineSettings &settings) const;
 
-  // S.Bus at --baud; Default: 100000.
+  // Returns S.Bus at --baud. Default: 100000.
   line::LineSettings settings() const;
 
-  // 0 without the option.
+  // Returns --baud; 0 without it.
   unsigned long baud() const { return _baud; }
 
  private:
-  unsigned long _baud = 0;  // not told
+  unsigned long _baud = 0;  // 0: not given
   std::string _sticks = "flight";
   int _channels = 16;
   unsigned _noise = 0;

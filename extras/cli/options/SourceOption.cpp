@@ -19,7 +19,7 @@ namespace {
 
 constexpr double YearS = 366.0 * 24 * 60 * 60;
 
-// Leaves what ends within the time, and all if `fromUs` and `toUs` are 0.
+// Keeps the characters that end within the times; `toUs` 0: to the end.
 void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t toUs) {
   const line::Characters all = std::exchange(file.recording.characters, {});
   for (const line::Character character : all) {
@@ -37,7 +37,7 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
 
 enum class Kind { Port, File, Stream, Simulated };
 
-// A name that is neither there nor looks like a device's is a file that is missed.
+// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
 Kind kindOf(const std::string &name) {
   if (name == "sim") {
     return Kind::Simulated;

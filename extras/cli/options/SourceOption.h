@@ -11,7 +11,7 @@
 
 namespace tool {
 
-// Whether a recording goes in true time, as on a page, or as fast as it can. All else goes in true time.
+// Whether a recording goes in true time, as on a page, or as fast as it can. All other sources go in true time.
 enum class Recordings { InTrueTime, AtOnce };
 
 class SourceOption {
@@ -19,13 +19,13 @@ class SourceOption {
   // Adds SOURCE and its options to a subcommand.
   SourceOption(Subcommand &subcommand, Recordings recordings);
 
-  // As a port hears it that is set as the options say: settings(). Throws std::runtime_error.
+  // Opens the source as a port with settings() hears it. Throws std::runtime_error.
   std::unique_ptr<Input> open() const { return open(settings()); }
 
-  // The same with another setting. The polarity of a serial port is its adapter's affair.
+  // Opens the source with another setting. The polarity of a serial port is set in its adapter.
   std::unique_ptr<Input> open(const line::LineSettings &port) const;
 
-  // 8E2 and inverted, at --baud; what a file says; with --csv what a sketch's Serial has, 115200 baud, 8N1. Throws
+  // Returns 8E2, inverted, at --baud; what a file says; with --csv 115200 baud, 8N1, as a sketch's Serial. Throws
   // std::runtime_error if it is a file that cannot be read.
   line::LineSettings settings() const;
 
@@ -33,9 +33,9 @@ class SourceOption {
 
   bool isFile() const;
   bool isStream() const;
-  // Its levels are known, so that a port of either polarity can hear it: sim, recordings and captures.
+  // Returns true if its levels are known, so that a port of either polarity can hear it: sim, recordings, captures.
   bool isWire() const;
-  // Its times are those of the line, if it is not a file of bytes.
+  // Returns true if its times are those of the line; false for a file of bytes.
   bool hasTimes() const;
 
  private:

@@ -64,9 +64,7 @@ class CsvView {
       print(_observer.newest().endUs);
     }
     flush();
-    if (!framesCame()) {
-      throw std::runtime_error(_source + ": no frames came; sbus doctor says why");
-    }
+    _silence.end(framesCame());
   }
 
  private:
@@ -82,7 +80,7 @@ class CsvView {
     }
   }
 
-  // A row whose channels have not all come yet is left out.
+  // Leaves a row out until all of its channels have come.
   void print(uint64_t nowUs) {
     _firstUs = _firstUs == 0 ? nowUs : _firstUs;
     if (haveCome(_columns, _observer.newest(), nowUs - _firstUs)) {
@@ -122,7 +120,8 @@ void addCsv(CLI::App &app) {
   subcommand.option("--rate", options->rate, "rows a second (5)").between(0.01, 1000).type("N");
   options->everyFrame = subcommand.flag("--every-frame", "a row for each frame, whatever the rate");
   options->header = subcommand.flag("--header", "the columns' names in the first row");
-  subcommand.footer("As the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
+  subcommand.footer(
+      "Like the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

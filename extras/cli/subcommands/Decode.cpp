@@ -89,7 +89,7 @@ std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) 
 
 void decode(const Options &options, const Put &record) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    std::signal(signal, SIG_DFL);  // it waits for standard input, and leaves nothing behind
+    std::signal(signal, SIG_DFL);  // ends it at once, even while it waits for standard input: no file is left half done
   }
   if (options.capture == "-") {
     setLineByLine();
@@ -153,7 +153,9 @@ void addDecode(CLI::App &app) {
       .required()
       .notEmpty()
       .type("");
-  subcommand.option("-o,--output", options->output, "a recording to write, in place of the table; one that is there already is left alone")
+  subcommand
+      .option("-o,--output", options->output,
+              "a recording to write, in place of the table; one that is there already is left alone")
       .notStandardOutput()
       .type("FILE.txt");
   line::Overrules &overrules = options->overrules;

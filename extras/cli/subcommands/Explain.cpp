@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "cli/subcommands/Subcommands.h"
 #include "sbus/Frame.h"
 #include "sbus/Scaling.h"
+#include "sbus/Slots.h"
 
 namespace tool {
 
@@ -54,7 +54,7 @@ std::string bitsOf(unsigned value, unsigned count) {
   return text;
 }
 
-// One frame, or as much of it as there is, and what is wrong with it.
+// A frame, or the beginning of one, and what is wrong with it.
 class Frame {
  public:
   Frame(std::vector<uint8_t> bytes, std::vector<std::string> problems)
@@ -83,7 +83,7 @@ class Frame {
   int channels() const { return _size == sbus::FrameSize24 ? sbus::ChannelCount24 : sbus::ProportionalCount; }
   size_t payloadEnd() const { return _size - 2; }
 
-  // More than 25 bytes, and byte 24 does not end a frame of 25.
+  // Returns true for 36 bytes, or more than 25 of which byte 24 does not end a frame.
   bool is24() const {
     return _bytes.size() == sbus::FrameSize24 ||
            (_bytes.size() > sbus::FrameSize &&
@@ -148,27 +148,29 @@ class Frame {
   std::string end(size_t at) {
     constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "R7003SB or FASSTest 12CH"};
     static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
-    const uint8_t kind = sbus::variantOfEnd(_bytes[at]);
-    if (kind == sbus::UnknownVariant || (_size == sbus::FrameSize24 && kind >= sbus::Frame24::Variants)) {
+    const uint8_t variant = sbus::variantOfEnd(_bytes[at]);
+    if (variant == sbus::UnknownVariant || (_size == sbus::FrameSize24 && variant >= sbus::Frame24::Variants)) {
       blame(at, format("%02X is no end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
                        _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";
     }
-    const unsigned slot = (_bytes[at] >> 4) * 8U;
-    const std::string slots =
-        kind == sbus::SlotsVariant ? format(", telemetry slots %u to %u", slot, slot + 7) : std::string();
-    return std::string("end byte: ") + Texts[kind] + slots;
+    const unsigned slot = sbus::firstSlotOf(_bytes[at]);
+    const std::string slots = variant == sbus::SlotsVariant
+                                  ? format(", telemetry slots %u to %u", slot, slot + sbus::SlotsOfGroup - 1)
+                                  : std::string();
+    return std::string("end byte: ") + Texts[variant] + slots;
   }
 
   std::string tail(size_t at) {
-    const uint8_t kind = _size == sbus::FrameSize ? sbus::variantOfEnd(_bytes[sbus::EndIndex]) : sbus::UnknownVariant;
-    if (kind < sbus::UnknownVariant && at < _size + sbus::LineVariants[kind].tailSize) {
+    const uint8_t variant =
+        _size == sbus::FrameSize ? sbus::variantOfEnd(_bytes[sbus::EndIndex]) : sbus::UnknownVariant;
+    if (variant < sbus::UnknownVariant && at < _size + sbus::LineVariants[variant].tailSize) {
       return "belongs to a frame with this end byte, meaning unknown";
     }
     if (at == _size || at == _size + sbus::LongestTail) {
-      blame(at, "the frame ends before it; give one frame at a time");
+      blame(at, "the frame ends before this byte; give one frame at a time");
     }
-    return "not of this frame";
+    return "not part of this frame";
   }
 
   void printChannels() {

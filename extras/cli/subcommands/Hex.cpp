@@ -22,7 +22,7 @@ namespace tool {
 
 namespace {
 
-// Of a terminal that shows colours; the text says the same without them.
+// For a terminal that shows colours. Nothing is said by a colour alone.
 struct Colours {
   const char *time = "";
   const char *rejected = "";
@@ -48,7 +48,7 @@ const char *kindText(line::Stretch::Kind kind) {
                                                 : "-";
 }
 
-constexpr size_t LeastWidth = 60;  // a narrower terminal breaks the lines
+constexpr size_t LeastWidth = 60;  // columns: a narrower terminal breaks the lines
 
 struct HexOptions {
   std::string colour = "auto";
@@ -108,7 +108,7 @@ class HexView {
   static constexpr size_t LeastValues = 4;
   static constexpr size_t ValueWidth = 5;
 
-  // Bytes on the left, what was made of them beside them, in as many rows as it takes.
+  // Writes the bytes on the left and what was made of them on the right, in as many rows as it takes.
   void showFolded(const line::Stretch &stretch, const std::string &time, size_t width) const {
     const size_t least = _options.values ? LeastValues * ValueWidth : LeastText;
     const size_t room = width - time.size() - 1;
@@ -158,7 +158,7 @@ class HexView {
     return stretch.isFrame() || !stretch.slots.empty() ? "" : _colours.rejected;
   }
 
-  // What kind it is, with the end of a frame or what is wrong.
+  // Returns the kind of the stretch, with a frame's end byte or what is wrong.
   static std::string verdict(const line::Stretch &stretch) {
     const std::string kind = kindText(stretch.kind);
     if (!stretch.isFrame()) {
@@ -168,7 +168,7 @@ class HexView {
            (stretch.kind == line::Stretch::Kind::Extra ? ", CH17..CH32" : "");
   }
 
-  // Those of a frame that are set.
+  // Returns the flags of a frame that are set.
   std::string flags(const line::Stretch &stretch) const {
     if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {
       return {};
@@ -181,7 +181,7 @@ class HexView {
     return flags.empty() ? "" : _colours.flags + flags + _colours.off;
   }
 
-  // The frame's channels, raw, if they are asked for.
+  // Returns the frame's raw values, with --values.
   std::vector<std::string> values(const line::Stretch &stretch) const {
     std::vector<std::string> texts;
     if (!stretch.isFrame() || !_options.values) {
@@ -244,7 +244,7 @@ void addHex(CLI::App &app) {
   const Option values = subcommand.flag("--values", options->values, "the raw values of a frame's channels beside it");
   const Option delta =
       subcommand.flag("--delta", options->delta, "the time since the line before, not since the beginning");
-  subcommand.flag("--json", options->json, "JSON lines: every frame, and what is none")
+  subcommand.flag("--json", options->json, "JSON lines: the frames, and the bytes of no frame")
       .excludes(values)
       .excludes(delta);
   subcommand

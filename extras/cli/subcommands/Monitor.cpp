@@ -23,7 +23,7 @@ namespace {
 
 constexpr uint64_t PeriodUs = 50000;  // of the page: the eye cannot follow faster
 constexpr uint64_t LineUs = 1000000;  // of the lines
-constexpr uint64_t LookUs = 10000;    // the state is asked so often
+constexpr uint64_t LookUs = 10000;    // between two looks at the state
 
 struct MonitorOptions {
   std::string range = "frsky";
@@ -54,7 +54,7 @@ class Page {
  public:
   explicit Page(Watch &watch) : _watch(watch) {}
 
-  // False once the user has had enough.
+  // Returns false once a key has quit the page.
   bool takeKeys() {
     for (int key = _screen.key(); key != 0; key = _screen.key()) {
       press(key);
@@ -69,7 +69,7 @@ class Page {
     }
   }
 
-  // The line has ended at `endUs`: what was seen stays, until the user has had enough, or the seconds are over.
+  // Keeps showing the line as it was at its end, `endUs`, until a key quits the page or --seconds are over.
   void stay(uint64_t endUs, uint64_t limitUs) {
     _ended = true;
     for (uint64_t nowUs = endUs; takeKeys() && !stopped() && nowUs < limitUs; nowUs += PeriodUs) {
@@ -114,7 +114,7 @@ class Page {
 
 using Tick = std::function<void(uint64_t nowUs)>;
 
-// `ended` is called once the line has ended, before the user has had enough.
+// `ended` is called once the line has ended, while the page stays.
 void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run,
               const std::function<void()> &ended) {
   Page page(watch);
@@ -130,7 +130,7 @@ void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)
   page.stay(endUs, input.limitUs());
 }
 
-// A line a second, and one when the state changes.
+// Prints a line a second, and one when the state changes.
 void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> &run) {
   uint64_t lookUs = 0;
   uint64_t nextUs = LineUs;
@@ -151,8 +151,7 @@ void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> 
 }
 
 void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
-  // Either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880: of a Futaba 1100, 1520 and 1940
-  // us.
+  // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: a Futaba's into 1100, 1520 and 1940.
   const sbus::Range scale = rangeOf(options.range);
   const sbus::Range pulses = isMake(options.range) ? sbus::FrSky : scale;
   Watch watch(source.name(), input.settings(), scale, pulses, options.sensors->sensors());
@@ -185,7 +184,7 @@ void show(const SourceOption &source, Input &input, const MonitorOptions &option
 }
 
 void run(const SourceOption &source, const MonitorOptions &options) {
-  rangeOf(options.range);  // what is wrong is said first
+  rangeOf(options.range);  // rejects a wrong command line before the source is opened
   options.sensors->sensors();
   const std::unique_ptr<Input> input = source.open();
   if (options.record.empty()) {

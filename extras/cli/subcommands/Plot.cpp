@@ -25,7 +25,7 @@ struct PlotOptions {
 // Takes a line, of S.Bus or of a sketch's rows, and draws it.
 class Plotter {
  public:
-  // `rowsHaveTimes`: a sketch's rows come when they were printed; else their numbers stand for the time.
+  // `rowsHaveTimes`: a sketch's rows come when they were printed; otherwise their numbers stand for the time.
   Plotter(const PlotOptions &options, uint32_t characterUs, bool rowsHaveTimes)
       : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
     for (const CsvColumn &column : _columns) {
@@ -49,7 +49,7 @@ class Plotter {
 
   void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
 
-  // There is something to be drawn.
+  // Returns true if there is something to draw.
   bool any() const { return _flags.lastUs() != 0; }
 
   std::string finish(const std::string &name) {
@@ -78,7 +78,7 @@ class Plotter {
  private:
   static double ms(uint64_t us) { return static_cast<double>(us) / 1000; }
 
-  // Of an axis that ends there.
+  // Chooses the unit of an axis that ends at `endMs`.
   void chooseUnit(double endMs) {
     const double perMs = endMs < 10 ? 1000 : endMs < 1000 ? 1 : 0.001;
     _picture.xTitle = endMs < 10 ? "us" : endMs < 1000 ? "ms" : "s";

@@ -86,7 +86,7 @@ Json json(sp_port *port) {
   return json.flag("permission", access(device.c_str(), R_OK) == 0);
 }
 
-// While sbus has a port open it asks for 1 ms.
+// Returns the advice for a port that keeps bytes back. While sbus has a port open it asks for 1 ms itself.
 std::string latencyText(const std::string &device) {
   const std::string file = line::latencyFile(device);
   const std::optional<unsigned> ms = line::latencyMs(file);

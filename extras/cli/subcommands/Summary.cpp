@@ -4,7 +4,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "cli/FlagSpans.h"
@@ -85,7 +84,7 @@ class Summary {
   std::string text(const std::string &name, bool hasTimes) const {
     const sbus::Counters &counters = _observer.counters();
     const std::string counts =
-        name + ": " + _kind.text() + ", " +
+        name + ": " + _variant.text() + ", " +
         format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu bytes of no frame, %lu bad characters\n",
                static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
                static_cast<unsigned long>(counters.failsafeFrames), _observer.discardedBytes(),
@@ -96,7 +95,7 @@ class Summary {
   std::string json(bool hasTimes) const {
     const sbus::Counters &counters = _observer.counters();
     Json summary("summary");
-    summary.text("line", _kind.text());
+    summary.text("line", _variant.text());
     if (hasTimes) {
       summary.number("from_us", _flags.firstUs()).number("to_us", _flags.lastUs());
     }
@@ -117,7 +116,7 @@ class Summary {
 
  private:
   void take(const line::Stretch &stretch) {
-    _kind.take(stretch);
+    _variant.take(stretch);
     if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {
       return;
     }
@@ -154,7 +153,7 @@ class Summary {
   }
 
   line::Observer _observer;
-  VariantOfLine _kind;
+  VariantOfLine _variant;
   FlagSpans _flags;
   std::map<uint64_t, unsigned long> _intervals;  // by ms, rounded
 };
@@ -169,9 +168,7 @@ void run(const SourceOption &source, bool asJson) {
                silence.tick(nowUs, summary.any());
              });
   summary.finish();
-  if (!summary.any()) {
-    throw std::runtime_error(source.name() + ": no frames came; sbus doctor says why");
-  }
+  silence.end(summary.any());
   write(asJson ? summary.json(source.hasTimes()) : summary.text(source.name(), source.hasTimes()));
   if (!asJson && !input->note().empty()) {
     write(input->note() + '\n');

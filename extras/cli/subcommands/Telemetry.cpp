@@ -30,12 +30,10 @@ class TelemetryView {
   line::Observer &observer() { return _observer; }
   bool framesCame() const { return _observer.counters().frames > 0; }
 
-  void finish(const std::string &source) {
+  void finish(const std::string &source, const SilenceNote &silence) {
     _observer.finish();
     flush();
-    if (!framesCame()) {
-      throw std::runtime_error(source + ": no frames came; sbus doctor says why");
-    }
+    silence.end(framesCame());
     const line::TelemetrySlots &telemetry = _observer.telemetry();
     if (telemetry.count() == 0) {
       throw std::runtime_error(source +
@@ -76,7 +74,7 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors) {
                view.observer().idleUntil(input->knownUs());
                silence.tick(nowUs, view.framesCame());
              });
-  view.finish(source.name());
+  view.finish(source.name(), silence);
 }
 
 }  // namespace
@@ -87,8 +85,7 @@ void addTelemetry(CLI::App &app) {
   const auto sensors = std::make_shared<SensorOption>(subcommand);
   subcommand.footer(
       "A slot does not say which sensor fills it: name those that the radio has. Slot 0 is the receiver's own voltage. "
-      "There is no checksum: what stands between two frames is printed if it is slots of the announced group and "
-      "nothing "
+      "There is no checksum: what stands between two frames is printed if it is slots of the announced group and nothing "
       "else, once the second frame is there.");
   subcommand.run([source, sensors] { run(*source, sensors->sensors()); });
 }

@@ -16,11 +16,11 @@ namespace {
 struct Options {
   std::string recording;
   std::string output;
-  unsigned long baud = 0;  // not told
+  unsigned long baud = 0;  // 0: not given
   bool uninverted = false;
 };
 
-// The whole text of the wire goes to `put`, piece by piece.
+// Hands the text of the wire to `put`, piece by piece.
 void wave(const FileSource &file, const Put &put) {
   line::VcdWriter writer(file.settings);
   for (const line::Character character : file.recording.characters) {

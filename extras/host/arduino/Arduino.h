@@ -1,4 +1,4 @@
-// Arduino.h for the host: what a sketch and a library may expect of the board's core, made of what a PC has.
+// Arduino.h for the host: what a sketch and a library may expect of the board's core, on a PC.
 //
 // With HOST_PLAIN_CORE defined it is a plainer core, such as the AVR's: no SERIAL_SBUS, no read(buffer, size).
 #pragma once

@@ -11,7 +11,7 @@
 
 using host::Board;
 
-// Declared here and not by Arduino.h, whose macros the C++ library does not survive.
+// Declared here, not by Arduino.h, whose macros break the C++ library.
 uint32_t millis();
 uint32_t micros();
 void delay(unsigned long ms);
@@ -22,11 +22,11 @@ void interrupts();
 
 namespace {
 
-// What reading the clock or polling a port costs: not nothing, or a sketch that waits in a loop of its own would wait for
-// ever.
+// What reading the clock or polling a port costs. It is more than 0: otherwise a sketch that waits in a loop would never
+// return.
 constexpr uint64_t PollUs = 1;
 
-// Until the packet under way is through.
+// Waits until the present packet is sent.
 void waitForPacket(const host::BoardTransmitter &transmitter) {
   Board &board = Board::instance();
   const uint64_t nowUs = board.clock().nowUs();

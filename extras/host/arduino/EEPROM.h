@@ -6,10 +6,10 @@
 
 namespace host {
 uint8_t readEeprom(int address);
-void writeEeprom(int address, const uint8_t *bytes, size_t size);  // takes its time, as on the board
+void writeEeprom(int address, const uint8_t *bytes, size_t size);  // takes as long as on the board
 }  // namespace host
 
-// A byte of it, as EEPROM[address] gives it: reads as a uint8_t, writes what is assigned.
+// A byte of the EEPROM, as EEPROM[address] returns it: reads as a uint8_t, writes what is assigned.
 class EERef {
  public:
   explicit EERef(int address) : _address(address) {}
@@ -27,13 +27,13 @@ class EERef {
   const int _address;
 };
 
-// Addresses are 0..4095. Others read as 0, and what is written there is lost.
+// Addresses are 0..4095. Others read as 0, and ignore what is written.
 class EEPROMClass {
  public:
   EERef operator[](int address) { return EERef(address); }
   uint8_t read(int address) { return host::readEeprom(address); }
   void write(int address, uint8_t value) { host::writeEeprom(address, &value, 1); }
-  void update(int address, uint8_t value) { write(address, value); }  // what is the same is never written
+  void update(int address, uint8_t value) { write(address, value); }  // write() skips an equal byte
   static constexpr uint16_t length() { return 4096; }
 
   template <typename T>

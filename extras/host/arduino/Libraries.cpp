@@ -47,12 +47,12 @@ void Servo::writeMicroseconds(int us) {
   }
 }
 
-// Rounded: what write() was given comes back.
+// Rounds, so that read() returns what write() was given.
 int Servo::read() {
   return _max > _min ? ((_us - _min) * Degrees + (_max - _min) / 2) / (_max - _min) : 0;
 }
 
-static_assert(PINS_COUNT == 26, "as many as stand here");
+static_assert(PINS_COUNT == 26, "the pins that stand here");
 const PinDescription g_APinDescription[PINS_COUNT] = {{0},  {1},  {2},  {3},  {4},  {5},  {6},  {7},  {8},
                                                       {9},  {10}, {11}, {12}, {13}, {14}, {15}, {16}, {17},
                                                       {18}, {19}, {20}, {21}, {22}, {23}, {24}, {25}};

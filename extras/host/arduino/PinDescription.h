@@ -1,4 +1,4 @@
-// How the core's drivers call a pin of the board. Here a pin is called by its number.
+// The name of a pin for the core's drivers. Here it is the pin's number.
 #pragma once
 
 #include <stdint.h>

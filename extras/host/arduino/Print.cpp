@@ -10,7 +10,7 @@ size_t Print::write(const uint8_t *buffer, size_t size) {
   return written;
 }
 
-// Only base ten knows a minus: in any other base a negative number shows its 32 bits.
+// Only base ten has a minus: in other bases a negative number shows its 32 bits.
 size_t Print::printSigned(int32_t number, int base) {
   if (number >= 0 || base != DEC) {
     return printUnsigned(static_cast<uint32_t>(number), base);

@@ -1,4 +1,4 @@
-// What begin(baud, config) takes.
+// The formats that begin(baud, config) takes.
 #pragma once
 
 #if defined(HOST_PLAIN_CORE)

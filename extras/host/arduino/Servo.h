@@ -9,7 +9,7 @@
 
 class Servo {
  public:
-  // Pulses begin, no shorter than `min` and no longer than `max`, in us. Returns the pin's number.
+  // Starts pulses, clamped to `min`..`max` us. Returns the pin's number.
   uint8_t attach(int pin) { return attach(pin, MIN_PULSE_WIDTH, MAX_PULSE_WIDTH); }
   uint8_t attach(int pin, int min, int max);
   void detach() { _pin = NoPin; }

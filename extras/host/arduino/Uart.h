@@ -23,7 +23,7 @@ class Uart : public HardwareSerial {
   void begin(unsigned long baud) override;
   void begin(unsigned long baud, uint32_t config) override;
   void begin(unsigned long baud, uint8_t *buffer, size_t size);
-  // With a receive buffer of the sketch's own instead of the 64 bytes; at least 16 bytes, or the port stays closed.
+  // Opens it with a receive buffer of the sketch instead of the 64 bytes; with less than 16 bytes the port stays closed.
   void begin(unsigned long baud, uint32_t config, uint8_t *buffer, size_t size);
   void end() override;
   int available() override;

@@ -6,7 +6,7 @@
 
 class UsbSerial : public HardwareSerial {
  public:
-  // Before it, as on the board, what is printed is lost, and there is nothing to read.
+  // Before begin(), as on the board, output is lost, and there is no input.
   void begin(unsigned long baud) override;
   void begin(unsigned long baud, uint32_t config) override;
   int available() override;
@@ -15,7 +15,7 @@ class UsbSerial : public HardwareSerial {
 #if !defined(HOST_PLAIN_CORE)
   int read(uint8_t *buffer, size_t size) override;
 #endif
-  int availableForWrite() override { return 256; }  // the board's buffer; here somebody always reads
+  int availableForWrite() override { return 256; }  // the board's buffer; here it is always read
   void flush() override {
   }
   size_t write(uint8_t byte) override;

@@ -8,7 +8,8 @@
 
 namespace host {
 
-// Says on standard error which line it is; one with nothing on it if the options want none. Throws std::runtime_error.
+// Opens the line, and names it on standard error; a line with nothing on it if the options have none. Throws
+// std::runtime_error.
 std::unique_ptr<line::Line> makeLine(const Options &options);
 
 }  // namespace host

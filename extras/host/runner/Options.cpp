@@ -54,7 +54,7 @@ void addSent(const std::vector<std::string> &texts, Options &options) {
   for (const std::string &text : texts) {
     const SentOption sent = {portOf(text[0]), text.substr(2)};
     if (sent.file == options.source.recording) {
-      throw CLI::ValidationError("--sent", "another file than the one of --recording is expected");
+      throw CLI::ValidationError("--sent", "another file than that of --recording is expected");
     }
     for (const SentOption &other : options.sent) {
       if (other.port == sent.port || other.file == sent.file) {
@@ -65,7 +65,7 @@ void addSent(const std::vector<std::string> &texts, Options &options) {
   }
 }
 
-// A wire at the RX pin of --on takes the place of the line. Who has asked for a line has then asked for two.
+// A wire at the RX pin of --on replaces the line. Options of a line are then rejected: they would be for a second one.
 void settleLine(const std::vector<CLI::Option *> &lineOptions, Options &options) {
   const bool taken = std::any_of(options.wires.begin(), options.wires.end(),
                                  [&options](const WireOption &wire) { return wire.to == options.on; });

@@ -9,7 +9,7 @@
 
 namespace host {
 
-// From the TX pin of port `from` to the RX pin of port `to`.
+// A wire from the TX pin of port `from` to the RX pin of port `to`.
 struct WireOption {
   int from;
   int to;
@@ -23,8 +23,8 @@ struct SentOption {
 
 struct Options {
   line::Source source;
-  std::string port;  // a device's name, which takes the source's place; or empty
-  int on = 1;        // 0: there is no line, a wire has taken its place
+  std::string port;  // a device's name, which replaces the source; or empty
+  int on = 1;        // 0: there is no line, a wire has replaced it
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;
   std::string eeprom;  // a file's name, or empty

@@ -9,7 +9,7 @@ namespace {
 
 using Number = unsigned long;
 
-// "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe"
+// Prints "25 characters, 1 frames, of them 0 with lost frame, 0 with failsafe".
 void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   observer.idleUntil(nowUs);
   const sbus::Counters &counters = observer.counters();
@@ -24,7 +24,7 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   }
 }
 
-// What the port made of the line with settings that both had.
+// Prints what the port made of the line with these settings of both.
 void reportReception(const Reception &reception, int number) {
   std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu bad", number,
                text(reception.settings.rx).c_str(), reception.sent, reception.good, reception.bad);
@@ -35,7 +35,7 @@ void reportReception(const Reception &reception, int number) {
   std::fputc('\n', stderr);
 }
 
-// Why the port did not receive all there was.
+// Prints why the port did not receive all characters.
 void reportLosses(const Port &port, int number) {
   if (port.missedClosed() > 0) {
     std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", number, port.missedClosed());
@@ -47,7 +47,7 @@ void reportLosses(const Port &port, int number) {
   }
 }
 
-// The port with the line.
+// Reports the port with the line.
 void reportLine(Board &board, int on) {
   Port &port = board.port(on);
   if (port.everOpened()) {
@@ -65,7 +65,7 @@ void reportLine(Board &board, int on) {
   }
 }
 
-// A port that hears another one.
+// Reports a port that hears another one.
 void reportWire(Board &board, const WireOption &wire) {
   const Port &port = board.port(wire.to);
   const bool any = std::any_of(port.receptions().begin(), port.receptions().end(),
@@ -82,7 +82,7 @@ void reportWire(Board &board, const WireOption &wire) {
   reportLosses(port, wire.to);
 }
 
-// A port that has sent something, or was to.
+// Reports a port that has sent something, or that should have.
 void reportSender(Board &board, int number, bool recorded) {
   bool any = false;
   for (Sending &sending : board.port(number).sender().sendings()) {
@@ -138,7 +138,7 @@ void reportOutput(const SketchOutput &output) {
   std::fputc('\n', stderr);
 }
 
-// Why a recording has brought no line: most sketches print a few times a second, and only while the link is fresh.
+// Prints why a recording has brought no output: most sketches print a few times a second, and only while frames come.
 void reportSilence(Board &board, const Options &options) {
   constexpr uint64_t ShortUs = 1000000;
   if (options.source.recording.empty() || options.on == 0 || board.output().columns().lines() > 0) {

@@ -1,4 +1,4 @@
-// What is said at the end, on standard error.
+// Prints the report at the end, on standard error.
 #pragma once
 
 #include "Options.h"

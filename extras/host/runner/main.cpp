@@ -24,7 +24,7 @@
 void setup();
 void loop();
 
-// A sketch has those that it defines.
+// Null in a sketch that does not define them.
 void serialEvent1() __attribute__((weak));
 void serialEvent2() __attribute__((weak));
 void serialEvent3() __attribute__((weak));
@@ -41,7 +41,7 @@ void requestStop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// Decides when the run is over, and sees to it that it ends even if the sketch does not come back from loop().
+// Decides when the run is over, and ends it even if the sketch does not return from loop().
 class Ending {
  public:
   Ending(const Options &options, const line::Line &line) : _options(options), _line(line) {
@@ -74,9 +74,9 @@ class Ending {
   }
 
  private:
-  static constexpr uint64_t PatienceUs = 1000000;  // a sketch may stay in delay() for as long
+  static constexpr uint64_t PatienceUs = 1000000;  // a sketch may stay in delay() for this long
 
-  // Returns whether there is something to complain about.
+  // Prints a failure. Returns true if there was one.
   static bool complain(const std::string &failure) {
     if (!failure.empty()) {
       std::fprintf(stderr, "%s\n", failure.c_str());
@@ -101,7 +101,7 @@ void runSerialEvents() {
   }
 }
 
-// A simulated or recorded line begins when somebody reads; a real one does not wait.
+// Waits until a program reads: a simulated or recorded line begins then. A real one does not wait.
 void waitForReader(const line::PseudoTerminal &terminal) {
   std::fprintf(stderr, "waiting until a program opens %s; Ctrl-C stops it\n", terminal.name().c_str());
   while (!terminal.hasReader()) {
@@ -113,7 +113,7 @@ void waitForReader(const line::PseudoTerminal &terminal) {
   std::fprintf(stderr, "it is open: the sketch starts\n");
 }
 
-// Standard input and output, and the pseudo-terminal, as the sketch's Serial.
+// Makes standard input and output, and the pseudo-terminal, the sketch's Serial.
 void prepareUsb(Board &board, const Options &options) {
   board.output().setLineByLine(!options.simulatedTime);
   board.input().setPatient(options.simulatedTime && isatty(STDIN_FILENO) == 0);
@@ -128,7 +128,7 @@ void prepareUsb(Board &board, const Options &options) {
   }
 }
 
-// Before anything is said: a file that is no good is then all that is said.
+// Opens the files, before anything is printed: if one cannot be used, the only output is that message.
 void prepareFiles(Board &board, const Options &options) {
   if (!options.eeprom.empty()) {
     board.eeprom().keepIn(options.eeprom);
@@ -161,9 +161,9 @@ void connectWires(Board &board, const Options &options) {
   Ending ending(options, *line);
   PortWatch watch(options.port, board.port(std::max(options.on, 1)).observer());
   board.onTime([&ending, &watch](uint64_t nowUs) {
-    const std::string amiss = watch.check(nowUs);
-    if (!amiss.empty()) {
-      std::fprintf(stderr, "%s\n", amiss.c_str());
+    const std::string warning = watch.check(nowUs);
+    if (!warning.empty()) {
+      std::fprintf(stderr, "%s\n", warning.c_str());
     }
     ending.check(nowUs);
   });
@@ -183,12 +183,12 @@ void connectWires(Board &board, const Options &options) {
 int main(int argc, char **argv) {
   const Options options = parseOptions(argc, argv);
   if (fcntl(STDIN_FILENO, F_GETFD) < 0) {
-    open("/dev/null", O_RDONLY);  // closed: or a file opened later would be taken for standard input
+    open("/dev/null", O_RDONLY);  // otherwise a file opened later would be taken for standard input
   }
   std::signal(SIGINT, requestStop);
   std::signal(SIGTERM, requestStop);
   std::signal(SIGTTIN, SIG_IGN);  // reading a terminal that belongs to another program then fails: see SketchInput
-  std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe then fails, and SketchOutput sees to it
+  std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe then fails: see SketchOutput
   try {
     run(options);
   } catch (const std::exception &error) {

@@ -69,7 +69,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
     Row row;
     const std::string_view line = takeLine(head);
     if (head.empty() && !_analysers.empty() && !before.empty()) {
-      break;  // it may be cut off
+      break;  // the last line may be cut off
     }
     splitRow(line, ',', _fields);
     if (_columns.name != None && _fields.size() > _columns.name &&
@@ -83,7 +83,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
     settings.baud = row.ns - before[row.analyser] < FastNs ? 2 * sbus::Baud : settings.baud;
     before[row.analyser] = row.ns;
   }
-  _zeroNs = INT64_MIN;  // read() has set it
+  _zeroNs = INT64_MIN;  // read() has set it for the head
   _bitNs = baud > 0 ? 1e9 / static_cast<double>(baud) : static_cast<double>(settings.bitNs());
   _wires.resize(_analysers.size());
   _sink.ofCharacters();
@@ -139,7 +139,7 @@ std::string AsyncReader::read(std::string_view line, Row &row) {
   return {};
 }
 
-// Start bit, data, parity and two stop bits, of which the first one is wrong in a framing error.
+// Hands on the levels of a start bit, data, parity and two stop bits; with a framing error the first stop bit is wrong.
 std::string AsyncReader::tell(const Row &row) {
   const int64_t startNs = std::llround(row.ns);
   const unsigned parity = static_cast<unsigned>(isOdd(row.value) != row.parityWrong);

@@ -1,5 +1,5 @@
-// Bits as an oscilloscope's picture shows them and somebody has typed them: 0 and 1, one bit after the other, from a
-// start bit on; blanks do not count, and # begins a comment.
+// Bits typed in from an oscilloscope's picture: 0 and 1, one bit after the other, from a start bit on. Blanks do not
+// count, and # begins a comment.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -8,7 +8,7 @@ namespace line {
 
 class BitsReader : public CaptureReader {
  public:
-  // `periodNs`: of a bit, or of a sample. 0: a bit's of 100000 baud.
+  // `periodNs`: of a bit or a sample. 0: of a bit at 100000 baud.
   BitsReader(LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;

@@ -11,7 +11,8 @@ namespace line {
 
 namespace {
 
-// Only 0, 1 and blanks, but for comments, and more than one bit in some line: else it may be a column of samples.
+// Returns true for 0, 1, blanks and comments only, with several bits in some line: otherwise it may be a column of
+// samples.
 bool isBits(std::string_view head) {
   bool any = false;
   while (!head.empty()) {
@@ -25,7 +26,7 @@ bool isBits(std::string_view head) {
   return any;
 }
 
-// The project's own recordings: a time, then bytes in hexadecimal.
+// Returns true for a recording of this project: a time, then bytes in hexadecimal.
 bool isRecording(std::string_view head) {
   while (!head.empty()) {
     const std::string_view line = trimmed(takeLine(head));

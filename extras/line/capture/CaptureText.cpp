@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t BlockSize = size_t{1} << 20;
 
-// Returns true if the format shows itself in the first characters of a capture, though more of it will come.
+// Returns true if the first characters of a capture are enough to recognise its format.
 bool isHead(std::string_view text) {
   return trimmed(text).substr(0, 1) == "$" || text.size() >= CaptureHeadMax;
 }
@@ -30,7 +30,7 @@ bool CaptureText::put(std::string_view bytes) {
     bytes.remove_prefix(count);
     _filled += count;
     const std::string_view text(_block.data(), _filled);
-    if (_filled == _block.size() || !(_reader ? _reader->wantsFullBlocks() : !isHead(text))) {
+    if (_filled == _block.size() || !(_reader ? _reader->needsFullBlocks() : !isHead(text))) {
       take(true);
     }
   }

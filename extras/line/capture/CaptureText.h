@@ -13,8 +13,8 @@ namespace line {
 struct CaptureEnd {
   std::string format;     // "PulseView CSV"
   double periodNs = 0;    // between two samples; 0 if it is not known
-  std::string error;      // with the place in the file; what came before it was decoded. Empty if nothing is wrong
-  std::string rejection;  // why it is no capture: nothing was decoded. Empty if it is one
+  std::string error;      // with its place in the file; what came before was decoded. Empty if nothing is wrong
+  std::string rejection;  // why it is no capture, so that nothing was decoded; empty if it is one
 };
 
 class CaptureText {
@@ -22,10 +22,10 @@ class CaptureText {
   // `name`: of the file, for messages.
   CaptureText(std::string name, const Overrules &overrules, WireDecoder &decoder);
 
-  // The next bytes. Returns false once something is wrong: further ones do nothing.
+  // Takes the next bytes. Returns false once something is wrong, and then ignores all further bytes.
   bool put(std::string_view bytes);
 
-  // After the last. `failure`: why the file was not read to its end; empty if it was.
+  // Takes the end. `failure`: why the file was not read to its end; empty if it was.
   CaptureEnd finish(const std::string &failure);
 
  private:
@@ -37,7 +37,7 @@ class CaptureText {
   std::unique_ptr<CaptureReader> _reader;
   std::vector<char> _block;
   size_t _filled = 0;
-  bool _cutOff = false;    // the line that is wrong has no end
+  bool _cutOff = false;    // the wrong line has no end
   std::string _error;      // in a line
   std::string _rejection;  // of the file
 };

@@ -1,4 +1,5 @@
-// The times of a capture's characters as an Observer takes them: from 0 on, though a capture with a trigger begins before.
+// The times of a capture's characters as an Observer takes them: from 0 on, even if the capture begins before 0 (a
+// trigger's).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ class CaptureTimes {
  public:
   void begin(const FoundWire &wire) { _characterNs = wire.settings.format.bits() * wire.bitNs; }
 
-  // Returns the character with its time. Time 0 is the capture's, or the beginning of the first character before that.
+  // Returns the character with its time. Time 0 is the capture's, or the beginning of a first character before it.
   Character of(const WireCharacter &character) {
     if (!_begun) {
       _begun = true;
@@ -22,7 +23,7 @@ class CaptureTimes {
     return character.since(_zeroNs, _characterNs);
   }
 
-  // Returns the time `ns` of the capture.
+  // Returns the capture's time `ns` as an Observer takes it.
   uint64_t us(int64_t ns) const { return static_cast<uint64_t>(std::max<int64_t>(0, ns - _zeroNs) / 1000); }
 
  private:

@@ -23,21 +23,20 @@ bool isLogic(std::string_view field);
 // Returns true if each field is a number or empty, and at least one is a number.
 bool isRow(const Fields &fields);
 
-// Returns true if the fields are names; but for the first one, a channel's may be its number.
+// Returns true if the fields are names. All but the first may be a number: that of a channel.
 bool isTitles(const Fields &fields);
 
 // Returns true if the field is a unit as oscilloscopes write it below a channel's name.
 bool isUnit(std::string_view field);
 
-// Returns the unit of times that a title names, in ns; a second without one.
+// Returns the unit of times that a title names, in ns; a second if it names none.
 double unitOf(std::string_view title);
 
-// Returns true if one of the words of `text`, in lower case, is one of `words`. A micro sign, in whatever encoding, is a
-// u.
+// Returns true if one of the words of `text`, in lower case, is one of `words`. A micro sign in any encoding counts as u.
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> words);
 
-// Takes what PicoScope writes of a voltage beyond its range off the front: an infinity sign, or a minus and one, which
-// any encoding makes something beyond ASCII of; returns false without one.
+// Takes an infinity sign, perhaps with a minus, off the front: PicoScope writes it for a voltage beyond its range. In any
+// encoding it is beyond ASCII. Returns false without one.
 bool takeInfinity(const char *&at, const char *end, double &volts);
 
 }  // namespace line

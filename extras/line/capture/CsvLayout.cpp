@@ -10,7 +10,7 @@ namespace line {
 
 namespace {
 
-constexpr size_t RowsMax = 2000;  // of the head, that are looked at
+constexpr size_t RowsMax = 2000;  // rows of the head that are looked at
 
 // What stands before the rows.
 struct Header {
@@ -19,7 +19,7 @@ struct Header {
   std::vector<std::string> names;   // of the signals, from a comment
   double startNs = 0;
   double periodNs = 0;
-  std::string program;  // "PulseView" or "DSView"; empty: another one
+  std::string program;  // "PulseView" or "DSView"; empty: another program
 
   void comment(std::string_view line);
   void row(const Fields &fields);
@@ -28,7 +28,7 @@ struct Header {
 // "; Samplerate: 1 MHz", "; Channels (2/8): D0, D1"
 void Header::comment(std::string_view line) {
   const std::string small = lower(line);
-  // DSView was made of sigrok, and has said so in its header up to 1.1; its times are seconds.
+  // DSView was made from sigrok, and its header says so up to version 1.1; its times are seconds.
   const bool dsView = small.find("dsview") != std::string::npos || small.find("sigrok4dsl") != std::string::npos;
   program = dsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
   const size_t colon = line.find(": ");
@@ -46,7 +46,7 @@ void Header::comment(std::string_view line) {
 }
 
 void Header::row(const Fields &fields) {
-  // OWON's: "Time interval" stands beside that between two rows.
+  // OWON writes the time between two rows beside "Time interval".
   for (size_t i = 1; i < fields.size() && hasWord(fields.front(), {"interval"}); i++) {
     const char *at = fields[i].data();
     double value;
@@ -65,7 +65,7 @@ void Header::row(const Fields &fields) {
     units.clear();
     return;
   }
-  // Rigol's: under "Start" and "Increment" stand the first row's time and that between two rows.
+  // Rigol writes the first row's time and the time between two rows under "Start" and "Increment".
   for (size_t i = 0; i < titles.size() && i < fields.size(); i++) {
     double seconds;
     if (parseNumber(fields[i], seconds)) {
@@ -75,8 +75,8 @@ void Header::row(const Fields &fields) {
   }
 }
 
-// The first rows, and what stands before them. They have the same number of fields, and are two at the least, unless
-// there is no more.
+// Finds the first rows, and reads what stands before them. The rows have the same number of fields, and are at least two,
+// if there are as many.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
   uint64_t lines = 0;
@@ -125,7 +125,7 @@ bool isTime(std::string_view title) {
   return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
 }
 
-// Each is more than the one before; by one, if the column `counts`.
+// Returns true if each value is greater than the one before; by one, if the column `counts`.
 bool grows(const std::vector<Fields> &rows, size_t column, bool counts) {
   double before = 0;
   for (size_t i = 0; i < rows.size(); i++) {
@@ -201,7 +201,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     return (column < header.titles.size() ? header.titles[column] : "") + " " +
            (column < header.units.size() ? header.units[column] : "");
   };
-  // Before the times, or instead of them, there may be a column that counts the rows.
+  // A column that counts the rows may stand before the times, or replace them.
   size_t first = layout.columns.front();
   const bool counted = layout.columns.size() > 1 && !isTime(title(first)) && grows(rows, first, true);
   if (counted) {

@@ -1,4 +1,4 @@
-// What the columns of a capture's CSV are: of a logic analyser or an oscilloscope, told from its first rows.
+// What the columns of a capture's CSV hold, found by its first rows: of a logic analyser or an oscilloscope.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,22 @@ struct CsvLayout {
   char separator = ',';
   char decimalMark = '.';
   std::vector<std::string> names;  // of the signals
-  std::vector<size_t> columns;     // theirs
-  bool analogue = false;           // volts; else 0 and 1
+  std::vector<size_t> columns;     // of the signals
+  bool analogue = false;           // volts; otherwise 0 and 1
   size_t timeColumn = None;
   double timeUnitNs = 1e9;
-  // Where there is no time, the first row's, and between two rows.
+  // Without a column of times: the time of the first row, and between two rows.
   double startNs = 0;
   double periodNs = 0;
-  int64_t zeroNs = 0;      // what is taken off timestamps: the first one
+  int64_t zeroNs = 0;      // the first timestamp, from which times are counted
   uint64_t headLines = 0;  // before the first row
 
-  // False if `field` is neither a number nor a timestamp.
+  // Reads a time. Returns false if `field` is neither a number nor a timestamp.
   bool timeOf(std::string_view field, double &ns) const;
 };
 
-// Returns what is wrong and what is expected, or nothing. `head`: the file's first lines. `periodNs`: between two rows,
-// whatever the file says; 0: the file says it.
+// Finds the layout. Returns what is wrong and what is expected, or nothing. `head`: the file's first lines. `periodNs`:
+// between two rows, whatever the file says; 0: as the file says.
 std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs = 0);
 
 }  // namespace line

@@ -48,13 +48,13 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   return {};
 }
 
-// Most rows are not looked at; the last one's time is.
+// Most rows' times are not read; that of the last row is.
 int64_t CsvReader::endNs() {
   int64_t ns;
   return !_last.empty() && rowTime(_last, ns).empty() ? ns : _endNs;
 }
 
-// Most rows are as the row before, and then are not looked at any closer.
+// Most rows equal the row before, and are not read any further.
 std::string DigitalReader::rows(std::string_view text) {
   const bool timed = _layout.timeColumn == 0;
   std::string_view last = _last;
@@ -111,15 +111,15 @@ std::string DigitalReader::changed(std::string_view row) {
 }
 
 AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
-    : CsvReader(std::move(layout), sink), _told(threshold.has_value()) {
+    : CsvReader(std::move(layout), sink), _isGiven(threshold.has_value()) {
   _signals.resize(_layout.columns.size());
   for (Signal &signal : _signals) {
     signal.threshold = Threshold(threshold.value_or(0), 0);
-    signal.found = _told;
+    signal.found = _isGiven;
   }
 }
 
-// First all voltages of the rows at hand, then the edges in them; only where there is one the time is looked at.
+// Reads first all voltages of the rows at hand, then looks for edges in them; only at an edge the time is read.
 std::string AnalogueReader::rows(std::string_view text) {
   _rows.clear();
   for (Signal &signal : _signals) {
@@ -132,7 +132,7 @@ std::string AnalogueReader::rows(std::string_view text) {
     error = isPassedOver(row) ? "" : takeVolts(row);
   }
   for (Signal &signal : _signals) {
-    if (!_told) {
+    if (!_isGiven) {
       signal.learn();
     }
   }
@@ -160,7 +160,7 @@ std::string AnalogueReader::rows(std::string_view text) {
   return error;
 }
 
-// Starts again if the wire now swings much further than before: then that was noise.
+// Starts again if the wire now swings much further than before: what came before was noise.
 void AnalogueReader::Signal::learn() {
   if (!found || Threshold::rangeOf(volts).span > 2.5 * threshold.swing()) {
     found = threshold.find(volts) || found;

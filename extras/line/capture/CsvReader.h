@@ -7,7 +7,7 @@
 
 namespace line {
 
-// What both have in common: rows, and their times.
+// The common part of both: rows, and their times.
 class CsvReader : public CaptureReader {
  public:
   CsvReader(CsvLayout layout, LevelSink &sink);
@@ -17,16 +17,16 @@ class CsvReader : public CaptureReader {
   int64_t endNs() override;
 
  protected:
-  // Rows with their LF. Each that is taken counts in _lines.
+  // Takes rows with their LF, and counts them in _lines.
   virtual std::string rows(std::string_view text) = 0;
 
-  // The time of the next row, `row`. Returns what is wrong, or nothing.
+  // Reads the time of the next row. Returns what is wrong, or nothing.
   std::string rowTime(std::string_view row, int64_t &ns);
 
   const CsvLayout _layout;
   std::vector<std::string_view> _fields;
-  uint64_t _row = 0;  // the next one's number, from 0
-  std::string _last;  // the last one that was good
+  uint64_t _row = 0;  // number of the next row, from 0
+  std::string _last;  // the last good row
 };
 
 class DigitalReader : public CsvReader {
@@ -37,23 +37,23 @@ class DigitalReader : public CsvReader {
   std::string rows(std::string_view text) override;
   std::string changed(std::string_view row);
 
-  std::string _values;  // of the row before: what stands in it after its time
+  std::string _values;  // the row before without its time
   std::vector<char> _levels;
 };
 
 class AnalogueReader : public CsvReader {
  public:
-  // `threshold`: of all signals; none: each has its own, which is found.
+  // `threshold`: of all signals; none: a threshold is found for each signal.
   AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
 
-  bool wantsFullBlocks() const override { return !_told; }
+  bool needsFullBlocks() const override { return !_isGiven; }
 
  private:
   struct Signal {
     Threshold threshold;
     std::vector<double> volts;  // of the rows at hand
     bool found = false;         // there are two levels
-    bool begun = false;         // the first one has been told
+    bool begun = false;         // the first level has been handed on
     bool high = false;
 
     void learn();
@@ -62,7 +62,7 @@ class AnalogueReader : public CsvReader {
   std::string rows(std::string_view text) override;
   std::string takeVolts(std::string_view row);
 
-  const bool _told;  // the threshold
+  const bool _isGiven;  // the threshold
   std::vector<Signal> _signals;
   std::vector<std::string_view> _rows;  // at hand
 };

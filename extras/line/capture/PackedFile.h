@@ -1,4 +1,4 @@
-// A file's bytes as they come: of a .gz what is packed in it, of a ZIP one entry after the other.
+// A file's bytes as they come: a .gz is unpacked, and so is a ZIP, one entry after the other.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class PackedFile {
 
   bool isZip() const;
 
-  // False of a pipe.
+  // Returns false for a pipe.
   bool canGoBack() const;
 
   // Goes to the beginning of a ZIP's entry, wherever it stands in the file. Returns false if no entry has this name.
@@ -38,7 +38,7 @@ class PackedFile {
 
   const int _file;
   std::unique_ptr<archive, int (*)(archive *)> _archive;
-  std::string _entry;  // its name
+  std::string _entry;  // name of the entry
   bool _atEnd = false;
   std::string _failure;
 };

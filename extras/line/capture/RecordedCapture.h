@@ -15,7 +15,7 @@ class RecordedCapture {
   RecordedCapture(const RecordedCapture &) = delete;
   RecordedCapture &operator=(const RecordedCapture &) = delete;
 
-  // Decode the capture into it.
+  // Returns what takes the capture.
   WireDecoder &wire() { return _wire; }
 
   // Returns why it cannot be played, after its end; nothing if it can. `name`: of the file.

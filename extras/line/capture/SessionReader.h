@@ -8,13 +8,13 @@ namespace line {
 
 class SessionReader : public CaptureReader {
  public:
-  // `periodNs`: between two samples, whatever the metadata say; 0: they say it.
+  // `periodNs`: between two samples, whatever the metadata say; 0: as they say.
   SessionReader(LevelSink &sink, double periodNs) : CaptureReader(sink) { _periodNs = periodNs; }
 
   // Takes all of "metadata". Returns what is wrong and what is expected, or nothing.
   std::string metadata(std::string_view text);
 
-  // Returns the name of the ZIP's entry with the samples; if there is none, -1, -2 and so on follow its name.
+  // Returns the name of the ZIP's entry with the samples. If there is no such entry, there are NAME-1, NAME-2 and so on.
   const std::string &samplesName() const { return _samplesName; }
 
   // Takes the next bytes of samples.
@@ -28,7 +28,7 @@ class SessionReader : public CaptureReader {
   std::string _samplesName;
   std::vector<size_t> _bits;  // of each signal: its place in a sample
   size_t _sampleSize = 0;     // bytes
-  std::string _rest;          // of a sample, whose other bytes will come
+  std::string _rest;          // the first bytes of a sample
   std::string _before;        // the sample before
   uint64_t _samples = 0;
 };

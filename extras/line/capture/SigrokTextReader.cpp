@@ -22,7 +22,7 @@ bool takeName(std::string_view &line, std::string &name) {
   return true;
 }
 
-// Each two hexadecimal digits have a blank after them, bits only each eight.
+// A blank follows every two hexadecimal digits, or every eight bits.
 bool isHex(std::string_view head) {
   while (!head.empty()) {
     const std::string_view line = takeLine(head);
@@ -56,7 +56,7 @@ std::string SigrokTextReader::put(std::string_view lines) {
   return error;
 }
 
-// "Acquisition with 2/8 channels at 1 MHz"
+// Reads "Acquisition with 2/8 channels at 1 MHz".
 std::string SigrokTextReader::header(std::string_view line) {
   const char *at = line.data() + Title.size();
   double signals = 0;

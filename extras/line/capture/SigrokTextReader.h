@@ -1,5 +1,5 @@
 // Samples as sigrok-cli -O bits and -O hex print them (libsigrok, src/output/bits.c and hex.c, gen_header() and
-// receive()): a line of each signal, in turn, again and again.
+// receive()): a line of each signal in turn.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -8,10 +8,10 @@ namespace line {
 
 class SigrokTextReader : public CaptureReader {
  public:
-  // Returns true if a text begins as they do.
+  // Returns true if a text begins as these do.
   static bool isHead(std::string_view head);
 
-  // `head`: of the text. `periodNs`: between two samples, whatever the text says; 0: it says it.
+  // `head`: the beginning of the text. `periodNs`: between two samples, whatever the text says; 0: as it says.
   SigrokTextReader(std::string_view head, LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;
@@ -25,10 +25,10 @@ class SigrokTextReader : public CaptureReader {
   std::string tell();
 
   const bool _hex;
-  size_t _signals = 0;  // 0 before the header has said it
+  size_t _signals = 0;  // 0 before the header
   std::vector<std::string> _names;
-  std::vector<std::string> _rows;  // of the signals, as 0 and 1: these lines are at hand
-  std::string _levels;             // of the signals, after the rows before
+  std::vector<std::string> _rows;  // the lines at hand, one of each signal, as 0 and 1
+  std::string _levels;             // of the signals, at the end of the rows before
   uint64_t _samples = 0;           // of each signal, before these rows
 };
 

@@ -7,7 +7,7 @@ namespace line {
 
 namespace {
 
-constexpr int PowerMax = 40;  // of ten; nothing that is measured needs more
+constexpr int PowerMax = 40;  // of ten: no measurement needs more
 
 struct Powers {
   double of[2 * PowerMax + 1];

@@ -17,20 +17,19 @@ constexpr bool isAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
 }
 
-// Without the blanks and quotation marks around it.
+// Returns the text without the blanks and quotation marks around it.
 inline std::string_view trimmed(std::string_view text) {
   return withoutBlanks(text, '"');
 }
 
-// Takes a decimal number ("-1.25e-03") off the front; false without one. `mark` also stands for the decimal
-// point.
+// Takes a decimal number ("-1.25e-03") off the front; returns false without one. `mark` is allowed as decimal point.
 bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');
 
-// True if all of `word` is a number.
+// Reads a number. Returns false if `word` is none.
 bool parseNumber(std::string_view word, double &value, char mark = '.');
 
-// True if `word` is a time as ISO 8601 has it ("2021-05-11T18:12:30.213141000+00:00"). `ns`: since 1970, where it was
-// taken.
+// Reads an ISO 8601 time ("2021-05-11T18:12:30.213141000+00:00"). `ns`: since 1970, in local time. Returns false if
+// `word` is none.
 bool parseTimestamp(std::string_view word, int64_t &ns);
 
 // Returns the period of "1 MHz" or "1000000" in ns; 0 if it is no rate.

@@ -1,4 +1,4 @@
-// Makes a wire's levels of its voltages.
+// Turns a wire's voltages into levels.
 #pragma once
 
 #include <cstdint>
@@ -6,25 +6,25 @@
 
 namespace line {
 
-// Where low ends and high begins, told from the voltages alone: what lies between is neither, and changes nothing, so
-// that noise on a slope makes one edge.
+// Where low ends and high begins, found by the voltages alone. Voltages between the two change nothing, so that noise on
+// a slope makes one edge.
 class Threshold {
  public:
   Threshold() = default;
   // The wire goes up and down by `swing` volts around `middle`; 0: each crossing of the middle is an edge.
   Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
 
-  // Of voltages; one that is infinite, beyond what was measured, is taken for two spans beyond the others.
+  // The range of voltages. An infinite voltage, beyond the instrument's range, counts as two spans beyond the others.
   struct Range {
     double least;
     double span;
   };
   static Range rangeOf(const std::vector<double> &volts);
 
-  // Looks for two levels among the voltages. False if there is only one, and its noise.
+  // Looks for two levels among the voltages. Returns false if there is only one, and its noise.
   bool find(const std::vector<double> &volts);
 
-  // What a wire that was `high` is at this voltage.
+  // Returns the level at this voltage of a wire that was `high` before.
   bool isHigh(double volts, bool high) const { return high ? volts > _low : volts >= _high; }
 
   double middle() const { return (_low + _high) / 2; }
@@ -33,7 +33,7 @@ class Threshold {
  private:
   static constexpr double Hysteresis = 0.15;  // of the swing, on either side of the middle
 
-  // A converter's last digit also toggles, but no bit is that short.
+  // Returns true if the levels last as long as bits: the last digit of a converter toggles faster.
   bool lasts(const std::vector<double> &volts) const;
 
   double _low = 0;   // up to here it is low

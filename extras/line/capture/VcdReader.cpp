@@ -26,7 +26,7 @@ void takeRange(std::string_view range, double &highest, double &lowest) {
   }
 }
 
-// Takes the next word off `text`; empty at the end.
+// Takes the next word off `text`. Returns "" at the end.
 std::string_view takeWord(std::string_view &text) {
   size_t from = 0;
   while (from < text.size() && isBlank(text[from])) {
@@ -224,7 +224,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
   }
 }
 
-// Where the value has fewer bits than the vector, zeros stand before it; but x or z, if it begins so.
+// If the value has fewer bits than the vector, the missing ones are 0; or x or z, if the value begins with these.
 void VcdReader::setVector(size_t lowest) {
   for (size_t i = 0; lowest != None && !_bits.empty() && i < _widths[lowest]; i++) {
     const char bit = i < _bits.size() ? _bits[_bits.size() - 1 - i] : _bits.front() == '1' ? '0' : _bits.front();

@@ -1,5 +1,5 @@
 // A value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its signals are
-// scalar variables and the bits of vectors; reals are passed over.
+// scalar variables and the bits of vectors; reals are ignored.
 #pragma once
 
 #include <array>
@@ -26,14 +26,14 @@ class VcdReader : public CaptureReader {
   void setVector(size_t lowest);
   std::string bodyWord(std::string_view word);
   std::string setTime(std::string_view digits);
-  // Of a vector: that of its lowest bit, whose higher ones follow.
+  // Returns the signal of a code; of a vector that of its lowest bit, which the higher ones follow.
   size_t signalOf(std::string_view code) const;
 
   bool _inBody = false;
-  bool _passing = false;      // over what is not for us, up to $end; in the body: a comment
+  bool _passing = false;      // ignores words up to $end; in the body: of a comment
   bool _codeFollows = false;  // of a vector or real
-  std::string _bits;          // and this was its value, if it is a vector
-  std::string _section;       // "$var": which words are collected, up to $end
+  std::string _bits;          // the value of the vector whose code follows
+  std::string _section;       // "$var": the section whose words are collected, up to $end
   std::vector<std::string> _words;
   std::vector<std::string> _scopes;
   std::vector<std::string> _names;

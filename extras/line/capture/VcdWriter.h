@@ -8,17 +8,17 @@
 
 namespace line {
 
-// Characters go in, in their order, and text comes out. A bad character gets a wrong parity bit.
+// Takes characters in their order, and returns text. A bad character gets a wrong parity bit.
 class VcdWriter {
  public:
   // 100000 or 200000 baud: a bit then lasts whole microseconds.
   explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
 
-  // A first character that begins at the time 0 or before has no level before its edge: then all are later, so that it
-  // begins after a character's time.
+  // Takes the next character. If the first one begins at time 0 or before, no level would stand before its edge: then all
+  // characters are later, and the first begins after a character's time.
   std::string put(Character character);
 
-  // The line stays idle for a character.
+  // Ends the text: the line stays idle for a character.
   std::string finish() const;
 
  private:

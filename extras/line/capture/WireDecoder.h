@@ -1,4 +1,4 @@
-// The characters of a capture: of the signal that carries S.Bus, however fast it is and whichever way up.
+// The characters of a capture: of the signal that carries S.Bus, at any baud rate and polarity.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace line {
 
-// It keeps the newest edges of each signal until one has frames; then it decodes the one that has most, and forgets the
-// others. If the capture ends before, and only one signal is looked at, it decodes that signal's characters.
+// It keeps the newest edges of each signal until one has frames; then it decodes the signal with most frames, and forgets
+// the others. If the capture ends before, and only one signal is looked at, it decodes that signal's characters.
 class WireDecoder : public LevelSink {
  public:
   // `found` is called once, before the first character.
@@ -32,21 +32,21 @@ class WireDecoder : public LevelSink {
     }
   }
 
-  // The capture ends at `endNs`. A character that is not through by then is left out; but if the capture ends with an
-  // edge, and is not `cutOff`, the wire stayed so, and the last character is taken if that makes it a good one.
+  // Takes the end of the capture at `endNs`. A character that is not complete by then is left out. But if the capture
+  // ends with an edge, and is not `cutOff`, the wire kept its level: then the last character is taken if it is good.
   void finish(int64_t endNs, bool cutOff);
 
-  // The wire is known up to there, after finish().
+  // Returns the time up to which the wire is known, after finish().
   int64_t endNs() const { return _endNs; }
 
   bool found() const { return _decoder.has_value(); }
   const FoundWire &wire() const { return _wire; }
   const std::string &signal() const { return _names[_chosen]; }
 
-  // Returns false if an analyser has decoded the characters: of wire() only the frames are then true.
+  // Returns false if an analyser has decoded the characters: then only wire().frames is true.
   bool isMeasured() const { return _isMeasured; }
 
-  // Signals beside the chosen one that also carry S.Bus.
+  // Returns the other signals that carry S.Bus.
   const std::vector<std::string> &others() const { return _others; }
 
   // Returns why none was found, after finish(). `periodNs`: between two samples, 0 if it is not known.

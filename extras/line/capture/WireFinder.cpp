@@ -13,7 +13,7 @@ namespace {
 constexpr double ShortestBitNs = 5000;
 constexpr int LongestPulse = 10;  // bits between two edges of a character: start bit, 00 and its parity bit
 
-// Of one pulse: how many bits it lasts; 0 if it does not last a number of them.
+// Returns how many bits a pulse lasts; 0 if that is no whole number.
 int bitsOf(double pulseNs, double bitNs) {
   constexpr double Tolerance = 0.36;  // 3 % of 10 bits, and what samples and slopes take
   const double bits = std::round(pulseNs / bitNs);
@@ -22,9 +22,9 @@ int bitsOf(double pulseNs, double bitNs) {
              : 0;
 }
 
-// The bit time near `bitNs` that fits the pulses best; 0 if a quarter of them does not fit, or nearly all last an even
-// number of bits: then they are bits of half the speed. A wire's high pulses may all be longer than its low ones, since
-// the threshold is not half way up its slopes: by least squares over both unknowns.
+// Returns the bit time near `bitNs` that fits the pulses best; 0 if a quarter of them does not fit, or nearly all last an
+// even number of bits: then they are bits of half the speed. The high pulses may all be longer than the low ones, since
+// the threshold is not half way up the slopes: hence least squares over both unknowns.
 double fit(const std::vector<Level> &levels, double bitNs) {
   double bits2 = 0, bitsSign = 0, bitsNs = 0, signNs = 0;
   int fitting = 0;
@@ -84,7 +84,7 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   return wire;
 }
 
-// The pulses but the first, which began before the sample, in order of length.
+// Returns the pulses in order of length, without the first, which began before the sample.
 std::vector<int64_t> pulses(const std::vector<Level> &levels) {
   std::vector<int64_t> lengths;
   for (size_t i = 1; i + 1 < levels.size(); i++) {
@@ -94,8 +94,7 @@ std::vector<int64_t> pulses(const std::vector<Level> &levels) {
   return lengths;
 }
 
-// What all pulses are multiples of, if there is such a time: then it is that between an analyser's samples, most
-// probably.
+// Returns the time that all pulses are multiples of, if there is one: most probably the time between two samples.
 double gridNs(const std::vector<int64_t> &lengths) {
   constexpr double RoundingNs = 50;  // times of a capture are rounded, some more than once
   double grid = 0;

@@ -1,4 +1,4 @@
-// Whether a wire carries S.Bus, which way up it is and how fast, told from its edges.
+// Finds by its edges whether a wire carries S.Bus, its polarity and its baud rate.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace line {
 
-// From `ns` on the wire is so.
+// The level of the wire from `ns` on.
 struct Level {
   int64_t ns;
   bool high;
@@ -19,7 +19,7 @@ struct Level {
 // The clocks of receiver and analyser differ by this part of 100000 or 200000 baud at most.
 constexpr double BaudTolerance = 0.03;
 
-constexpr uint64_t SilenceUs = 10000;  // after a capture that ends with an edge; a last frame waits for 3 ms of it
+constexpr uint64_t SilenceUs = 10000;  // assumed after a capture that ends with an edge; a last frame needs 3 ms
 
 struct FoundWire {
   LineSettings settings;  // Inverted or Uninverted
@@ -29,10 +29,10 @@ struct FoundWire {
   unsigned long frames = 0;  // of the sample: a wire without any carries no S.Bus
   unsigned channels = 16;    // 16, 24 or 32, as the frames have
 
-  // Returns true if most characters of the sample have a right parity and stop bit. Other lines' characters may have, as well.
+  // Returns true if most characters of the sample have a right parity and stop bit. Those of other lines may as well.
   bool hasCharacters() const { return good >= 4 && good >= 2 * bad; }
   double share() const { return good == 0 ? 0 : static_cast<double>(good) / (good + bad); }
-  // By how much the wire is faster than it should be: 0.01 is 1 %.
+  // Returns by which part the wire is too fast: 0.01 is 1 %.
   double deviation() const { return 1e9 / bitNs / static_cast<double>(settings.baud) - 1; }
 
   // Returns true if `other` has fewer frames, or as many but more errors.
@@ -53,11 +53,11 @@ bool hasBits(const std::vector<Level> &levels);
 // Returns what a wire without frames carries instead. `periodNs`: between two samples, 0 if it is not known.
 std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs);
 
-// What is looked for, for messages that nothing was found.
+// What a frame is, for messages that none was found.
 constexpr const char *FrameForm =
     "a frame is 25 characters (36 of 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap";
 
-// Empty if the samples were close enough to tell the bits of a character.
+// Returns that the samples are too far apart to tell the bits of a character; "" if they are not.
 std::string tooSlow(double sampledNs, double bitNs);
 
 }  // namespace line

@@ -46,7 +46,7 @@ bool ByteStream::wait() {
   return !_ended && _waiting.empty() && ::poll(&state, 1, _reads.knownAfterMs()) >= 0;
 }
 
-// Takes in more bytes, if any wait. Ctrl-C ends the waiting.
+// Reads more bytes, if any wait. Ctrl-C ends the waiting.
 void ByteStream::fill(uint64_t nowUs) {
   pollfd state = {_file, POLLIN, 0};
   if (_ended || ::poll(&state, 1, _patient ? -1 : 0) != 1) {

@@ -9,11 +9,11 @@
 
 namespace line {
 
-// A pipe brings a frame in pieces, as a port does. What comes quicker than a line is held back to its pace.
+// A pipe brings a frame in pieces, as a port does. Bytes that come faster than on a line are held back.
 class ByteStream : public Line {
  public:
-  // `name`: a file, or - for standard input. `patient`: next() waits for bytes, whatever the time, and no silence is
-  // among them. Throws std::runtime_error.
+  // `name`: a file, or - for standard input. `patient`: next() waits for bytes, whatever the time, and there is no
+  // silence between them. Throws std::runtime_error.
   ByteStream(const std::string &name, uint32_t characterUs, bool patient);
   ~ByteStream() override;
   ByteStream(const ByteStream &) = delete;
@@ -21,7 +21,7 @@ class ByteStream : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override;
-  // At its end it is silent.
+  // Returns the time up to which all bytes have come; after its end the stream is silent.
   uint64_t knownUs(uint64_t nowUs) const override { return _ended && _waiting.empty() ? nowUs : _reads.knownUs(); }
   bool wait() override;
   std::string failure() const override { return _failure; }

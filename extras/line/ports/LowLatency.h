@@ -1,4 +1,4 @@
-// Asks a port to hand its bytes over at once, and puts that back.
+// Asks a port to hand its bytes over at once, and restores the setting at its end.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ class LowLatency {
  public:
   using Control = int (*)(int file, unsigned long request, ...);  // ioctl()
 
-  // Where the system or the adapter does not allow it, nothing happens.
+  // Does nothing where the system or the adapter does not allow it.
   LowLatency(int file, Control control);
   ~LowLatency();
   LowLatency(const LowLatency &) = delete;
@@ -23,10 +23,10 @@ class LowLatency {
   bool _isOurs = false;  // it was not asked for before
 };
 
-// Of an adapter with a latency timer, FTDI's: the file that tells it in ms. `device` may be a link.
+// Returns the file that holds the latency timer of an FTDI adapter, in ms. `device` may be a link.
 std::string latencyFile(const std::string &device);
 
-// Returns what that file tells; none if there is no such file.
+// Returns the ms in that file; none if there is no such file.
 std::optional<unsigned> latencyMs(const std::string &file);
 
 }  // namespace line

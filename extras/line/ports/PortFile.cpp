@@ -24,8 +24,8 @@ std::string lastError() {
   return text;
 }
 
-// Who may use it without being root: a port belongs to a group, "dialout" on Debian, "uucp" on Arch.
-std::string permissionCure(const std::string &device, const struct stat &status) {
+// Returns how to get the permission: a port belongs to a group, "dialout" on Debian, "uucp" on Arch.
+std::string permissionRemedy(const std::string &device, const struct stat &status) {
   const group *const owners = (status.st_mode & S_IRGRP) != 0 ? getgrgid(status.st_gid) : nullptr;
   if (owners == nullptr || status.st_gid == 0) {
     const std::string name = device.substr(device.rfind('/') + 1);
@@ -35,7 +35,7 @@ std::string permissionCure(const std::string &device, const struct stat &status)
   return std::string("join the group that may use it (sudo usermod -aG ") + owners->gr_name + " $USER), log in again";
 }
 
-// Why `device` could not be opened, `error` being what the system says.
+// Returns why `device` could not be opened. `error`, `message`: the system's.
 std::string openError(const std::string &device, int error, const std::string &message) {
   struct stat status;
   if (stat(device.c_str(), &status) != 0 && errno == ENOENT) {
@@ -43,7 +43,7 @@ std::string openError(const std::string &device, int error, const std::string &m
   }
   switch (error) {
     case EACCES:
-      return device + ": no permission; " + permissionCure(device, status);
+      return device + ": no permission; " + permissionRemedy(device, status);
     case EBUSY:
       return device + ": in use; close the other program that has it open";
     default:
@@ -59,7 +59,7 @@ bool configure(sp_port *port, const LineSettings &settings) {
          sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE) == SP_OK;
 }
 
-// Some drivers take any rate and then run at the nearest one that they have.
+// Returns true if the port has the rate: some drivers take any rate, and run at the nearest one that they have.
 bool runsAt(sp_port *port, int wanted) {
   sp_port_config *config = nullptr;
   int baud = 0;
@@ -71,7 +71,7 @@ bool runsAt(sp_port *port, int wanted) {
   return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: what 12 bits can bear
 }
 
-// libserialport does not know these.
+// Returns true for a pseudo-terminal, which libserialport does not know.
 bool isPseudoTerminal(const std::string &device) {
   constexpr unsigned First = 136;  // major numbers of Linux
   constexpr unsigned Last = 143;
@@ -106,7 +106,7 @@ PortFile::PortFile(const std::string &device, const LineSettings &settings, Way 
   if (sp_get_port_by_name(device.c_str(), &port) != SP_OK) {
     throw std::runtime_error(openError(device, 0, "unknown to the system"));
   }
-  _port.reset(port);  // closes it, too
+  _port.reset(port);  // closes it in the end
   if (sp_open(port, way == Way::Read ? SP_MODE_READ : SP_MODE_WRITE) != SP_OK) {
     const int error = sp_last_error_code();
     throw std::runtime_error(openError(device, error, lastError()));

@@ -14,14 +14,14 @@ class PortFile {
  public:
   enum class Way { Read, Write };
 
-  // 8 data bits. The polarity is the adapter's affair. Throws std::runtime_error, with a line that says what is wrong
-  // and what to do.
+  // Opens the port with 8 data bits; the polarity is set in the adapter. Throws std::runtime_error, which says what is
+  // wrong and what to do.
   PortFile(const std::string &device, const LineSettings &settings, Way way);
   ~PortFile();
   PortFile(const PortFile &) = delete;
   PortFile &operator=(const PortFile &) = delete;
 
-  // The system's number of it; read() and write() never wait.
+  // Returns the file descriptor; its read() and write() never wait.
   int file() const { return _file; }
 
  private:

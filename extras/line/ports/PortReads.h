@@ -1,6 +1,6 @@
-// What the reads of a port bring, as characters with times. A port hands bytes over late and in lumps: an FTDI adapter
-// every 16 ms, in packets of 62. Bytes that came in one read may have any gaps between them; and from one read to the
-// next the line was silent only for as long as the port was found empty, less the port's latency.
+// The reads of a port, as characters with times. A port hands bytes over late and in lumps: an FTDI adapter every 16 ms,
+// in packets of 62. Bytes that came in one read may have any gaps between them. Between two reads the line was silent
+// only for as long as the port was found empty, less the port's latency.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace line {
 
 class PortReads {
  public:
-  // Linux' default of FTDI's latency timer, and longer than what other adapters wait.
+  // Linux's default for FTDI's latency timer; other adapters wait less.
   static constexpr uint32_t UsualLatencyUs = 16000;
 
   explicit PortReads(uint32_t characterUs = CharacterUs, uint32_t latencyUs = UsualLatencyUs)
       : _characterUs(characterUs), _lateUs(latencyUs + SystemUs) {}
 
-  // A read at `nowUs` finds nothing.
+  // Takes a read at `nowUs` that finds nothing.
   void empty(uint64_t nowUs) { _emptyUs = nowUs; }
 
   // Takes a read at `nowUs` that brings this many characters: get each by next().
@@ -39,10 +39,10 @@ class PortReads {
     return character;
   }
 
-  // So long after bytes an empty read tells of a gap.
+  // Returns how long after bytes an empty read proves a gap.
   int knownAfterMs() const { return static_cast<int>(_lateUs / 1000) + 1; }
 
-  // All characters that were through by then have come.
+  // Returns the time up to which all complete characters have come.
   uint64_t knownUs() const { return _emptyUs - std::min<uint64_t>(_emptyUs, _lateUs); }
 
  private:

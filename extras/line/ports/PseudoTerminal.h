@@ -1,4 +1,4 @@
-// A pseudo-terminal, for programs that talk with the sketch through a serial port.
+// A pseudo-terminal, for programs that read a serial port.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Something open on a device that may go and come back: an adapter that is unplugged and plugged in again. The program
-// at a pseudo-terminal's other end does not: the next of its name may be anybody's.
+// A port on a device that may go and come back: an adapter that is unplugged and plugged in again. A pseudo-terminal does
+// not come back: the next one with its name may belong to another program.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ class Reopened {
  public:
   using Open = std::function<std::unique_ptr<Port>()>;
 
-  // `open` throws std::runtime_error if it cannot; and so does this, the first time.
+  // Opens the port; throws what `open` throws, std::runtime_error.
   Reopened(std::string device, Open open) : _device(std::move(device)), _open(std::move(open)), _port(_open()) {}
 
-  // None while it is gone. Tries again now and then.
+  // Returns the port; nullptr while it is gone. Tries again now and then.
   Port *at(uint64_t nowUs) {
     if (!_port && nowUs >= _retryUs && comesBack()) {
       _retryUs = nowUs + RetryUs;
@@ -28,17 +28,17 @@ class Reopened {
     return _port.get();
   }
 
-  // It has turned out to be gone.
+  // Notes that the port has turned out to be gone.
   void gone() {
     _port.reset();  // while it is open, the system would give the adapter another name
     _news = _device + (comesBack() ? ": the port has gone; plug the adapter in again, it goes on by itself"
                                    : ": the program at its other end has gone");
   }
 
-  // It is gone and will not come back.
+  // Returns true if it is gone and will not come back.
   bool finished() const { return !_port && !comesBack(); }
 
-  // As Line's.
+  // Returns the news as Line::news() does.
   std::string news() { return std::exchange(_news, {}); }
 
  private:
@@ -51,7 +51,7 @@ class Reopened {
       _port = _open();
       _news = _device + ": the port is back";
     } catch (const std::runtime_error &) {
-      // not yet: right after it has come back it may still belong to root
+      // Not yet: right after its return a port may still belong to root.
     }
   }
 

@@ -12,10 +12,10 @@ class SendingPort {
   SendingPort(const std::string &device, const LineSettings &settings)
       : _port(device, [=] { return std::make_unique<PortFile>(device, settings, PortFile::Way::Write); }) {}
 
-  // Never waits: what the port cannot take, or finds it gone, is lost. Returns how many bytes were not.
+  // Never waits: bytes that the port cannot take, or that find it gone, are lost. Returns how many were written.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
-  // As Line's.
+  // Returns the news as Line::news() does.
   std::string news() { return _port.news(); }
 
  private:

@@ -14,9 +14,9 @@ namespace line {
 
 namespace {
 
-constexpr int IdleMs = 50;  // a silent port is asked so often
+constexpr int IdleMs = 50;  // between two reads of a silent port
 
-// libserialport does not look at parity. The board drops bad characters, so they must be told from good ones.
+// Makes the system mark bad characters: the board drops them, and libserialport does not look at parity.
 bool markBadCharacters(int file) {
   termios settings;
   if (tcgetattr(file, &settings) != 0) {
@@ -58,7 +58,7 @@ bool SerialPort::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
-// After bytes the next look is due when it can tell that the line fell silent.
+// After bytes the next read is due when it can prove that the line fell silent.
 bool SerialPort::wait() {
   pollfd state = {_port.file(), POLLIN, 0};
   ::poll(&state, 1, _isSilent ? IdleMs : _reads.knownAfterMs());
@@ -76,7 +76,7 @@ std::string SerialPort::note() const {
                                 _latencyFile;
 }
 
-// The caller's time may be older than the bytes.
+// Reads the clock: the caller's time may be older than the bytes.
 uint64_t SerialPort::nowUs() const {
   return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _zero).count());
 }
@@ -92,7 +92,7 @@ void SerialPort::poll() {
     _isSilent = askedUs > _lastReadUs + uint64_t{1000} * static_cast<unsigned>(_reads.knownAfterMs());
     _reads.empty(askedUs);
   }
-  // A port that has gone reads as one that is silent; only poll() tells them apart.
+  // A read does not tell a port that has gone from a silent one; poll() does.
   pollfd state = {_port.file(), POLLIN, 0};
   if (failed || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
     _failure = _device + ": the port has gone. Plug the adapter in and start again";
@@ -116,7 +116,7 @@ void SerialPort::take(const uint8_t *bytes, size_t count) {
   }
 }
 
-// True if the character is complete.
+// Takes a byte with its marks. Returns true if the character is complete.
 bool SerialPort::unmark(uint8_t byte, Character &character) {
   if (_mark == Mark::None && byte == 0xFF) {
     _mark = Mark::Escape;

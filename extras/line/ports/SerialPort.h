@@ -15,7 +15,7 @@ namespace line {
 
 class SerialPort : public Line {
  public:
-  // Throws std::runtime_error, with a line that says what is wrong and what to do.
+  // Throws std::runtime_error, which says what is wrong and what to do.
   explicit SerialPort(const std::string &device, const LineSettings &settings = {});
 
   bool next(uint64_t nowUs, Character &character) override;

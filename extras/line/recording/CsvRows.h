@@ -14,7 +14,7 @@ namespace line {
 
 struct CsvField {
   std::string text;  // the number as it was printed
-  std::string name;  // of "name:number"; else empty
+  std::string name;  // of "name:number"; otherwise empty
   double value = 0;
   bool isNumber = false;
 };
@@ -24,40 +24,40 @@ using CsvRow = std::vector<CsvField>;
 // What a column holds.
 enum class CsvKind { Channel, Failsafe, LostFrame, Switch17, Switch18 };
 
-// How a sketch's Serial is set: 115200 baud, 8N1.
+// Returns the settings of a sketch's Serial: 115200 baud, 8N1.
 LineSettings csvSettings();
 
 // Takes the bytes of a text, and tells a sketch's rows from the bytes of S.Bus, which are no text.
 class CsvRows {
  public:
-  // The next byte. True if it has completed a row, or a line of other words.
+  // Takes the next byte. Returns true if it has completed a row, or a line of other words.
   bool put(uint8_t byte);
 
-  // The same of what a port has received; a bad character is no text.
+  // Takes the next character of a port; a bad one is no text.
   bool put(const Character &character) { return put(character.bad ? uint8_t{0} : character.value); }
 
-  // The newest line's fields; further ones than 64 are left out, and so is what follows 1024 bytes of a line.
+  // Returns the fields of the newest line: 64 at most, from its first 1024 bytes.
   const CsvRow &row() const { return _row; }
 
-  // What a column of the newest row holds: as its name says, or a line of names before the rows. Without names the last
-  // two of 6 are flags, as examples/DecodeSBus prints them, and the last two of 18 are switches, as
-  // examples/AllChannels prints them, as long as nothing but 0 and 1 has stood there.
+  // Returns what a column of the newest row holds, by its name or by a line of names before the rows. Without names the
+  // last two of 6 are flags, as examples/DecodeSBus prints them, and the last two of 18 are switches, as
+  // examples/AllChannels prints them, as long as only 0 and 1 have stood there.
   CsvKind kind(size_t column) const;
 
-  // Bytes that are no text, since the beginning: many of them if the baud rate is wrong.
+  // Returns how many bytes were no text, since the beginning: many if the baud rate is wrong.
   unsigned garbled() const { return _garbled; }
 
-  // The newest line has a comma or a name: it is no line of a recording.
+  // Returns true if the newest line has a comma or a name: no line of a recording has.
   bool isTable() const { return _isTable; }
 
-  // The newest line is one of a sketch's rows: 1 or more fields, each a number.
+  // Returns true if the newest line is a sketch's row: 1 or more fields, each a number.
   bool isRow() const { return _isRow; }
 
-  // The newest line is text: 4 characters or more, and no other bytes.
+  // Returns true if the newest line is text: 4 characters or more, and no other bytes.
   bool isText() const { return _isText; }
 
-  // True once the text is a sketch's: two rows in a row, of 2 or more columns, and as many in both. False again when
-  // something comes that is no text.
+  // Returns true once the text is a sketch's: two rows directly after each other, with the same number of columns, 2 or
+  // more. Returns false again when something comes that is no text.
   bool recognised() const { return _recognised; }
 
  private:
@@ -65,7 +65,7 @@ class CsvRows {
   void split();
 
   std::string _line;
-  bool _text = true;  // nothing else has come on this line
+  bool _text = true;  // only text has come on this line
   CsvRow _row;
   CsvRow _names;  // the line before the rows
   unsigned _garbled = 0;

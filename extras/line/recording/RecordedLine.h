@@ -11,7 +11,7 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
-  // `leadUs`: so long after the port was opened the recording begins; a sketch would miss its first character otherwise.
+  // The recording begins `leadUs` after the port was opened: otherwise a sketch would miss its first character.
   explicit RecordedLine(Recording recording, uint64_t leadUs = 0)
       : RecordedLine(std::make_shared<const Recording>(std::move(recording)), leadUs) {}
 
@@ -25,7 +25,7 @@ class RecordedLine : public Line {
 
   uint64_t knownUs(uint64_t nowUs) const override;
 
-  // A little later than its last character, so that the sketch can show what it has made of it.
+  // Returns true a little after the last character, so that the sketch can show what it has made of it.
   bool finished(uint64_t nowUs) const override;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint64_t LateMaxUs = UINT32_MAX;
 
-// Takes the next word off `text`; empty at the end.
+// Takes the next word off `text`. Returns "" at the end.
 std::string_view takeWord(std::string_view &text) {
   while (!text.empty() && isBlank(text.front())) {
     text.remove_prefix(1);
@@ -50,7 +50,7 @@ int hexDigit(char c) {
   return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-// "0F", or "0F!" if it was bad.
+// Takes "0F", or "0F!" for a bad character.
 bool parseCharacter(std::string_view word, Character &character) {
   character.bad = word.size() > 1 && word.back() == '!';
   if (character.bad) {
@@ -100,7 +100,7 @@ std::string parseLine(std::string_view line, uint32_t characterUs, Characters &c
   return {};
 }
 
-// The line of names over rows with times, as sbus csv and the scope write it.
+// Returns true for the line of names over rows with times, as sbus csv and the scope write it.
 bool namesTimes(std::string_view text) {
   const std::string_view first = text.substr(0, text.find(','));
   return first == "time" || first == "seconds";
@@ -160,7 +160,7 @@ void RecordingReader::row(std::string_view text) {
   put(text.substr(comma + 1), us, AtOnceUs);
 }
 
-// The first character is complete at `endUs`; with times the last one is.
+// Adds a row whose first character is complete at `endUs`, or, in rows with times, whose last is.
 void RecordingReader::put(std::string_view text, uint64_t endUs, uint32_t characterUs) {
   Characters &characters = _recording.characters;
   const std::string row = std::string(text.substr(0, RecordingLineMax / 2)) + '\n';

@@ -54,10 +54,10 @@ class Characters {
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size()}; }
 
-  // True if a port has brought some of them late.
+  // Returns true if a port has brought some of them late.
   bool isLate() const { return !_late.empty(); }
 
-  // Of a line that has brought the first `count` of them: see Line::knownUs().
+  // Returns Line::knownUs() of a line that has brought the first `count` of them.
   uint64_t knownUs(size_t count, uint64_t nowUs) const {
     const Character next = count < size() ? (*this)[count] : Character{nowUs + CharacterUs};
     return std::min(nowUs, next.endUs - std::min<uint64_t>(next.endUs, CharacterUs + next.lateUs));
@@ -75,7 +75,7 @@ class Characters {
     return after == _late.begin() ? 0 : std::prev(after)->us;
   }
 
-  std::deque<uint64_t> _packed;  // a vector would take three times as much while it grows
+  std::deque<uint64_t> _packed;  // a vector would need three times the memory while it grows
   std::deque<Late> _late;        // where it changes
 };
 
@@ -90,26 +90,26 @@ constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  //
 
 constexpr size_t RecordingBeginning = 4096;  // bytes of a file: they tell what it is
 
-// How its line was set, by a comment as RecordingWriter::opened() writes it before the first character: as Fast S.Bus,
-// or as a sketch's Serial, 8N1; as S.Bus if none says so.
+// Returns the settings of its line, by a comment as RecordingWriter::opened() writes it before the first character:
+// Fast S.Bus, or a sketch's Serial, 8N1; S.Bus without such a comment.
 LineSettings settingsIn(std::string_view beginning);
 
-// True if it is no recording, but the rows that a sketch prints.
+// Returns true if it is no recording, but the rows that a sketch prints.
 bool isCsvText(std::string_view beginning);
 
 // Takes a recording line by line.
 class RecordingReader {
  public:
   // `characterUs`: what a character takes on the line. `csv`: the lines are a sketch's rows. They come every 200 ms, as
-  // the examples print them, or when their first column says, if that is called "time" or "seconds": so sbus csv and
+  // the examples print them, or at the times of their first column, if its name is "time" or "seconds", as sbus csv and
   // the scope write them.
   explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
       : _characterUs(characterUs), _csv(csv) {}
 
-  // The next line, without its LF. Does nothing once something was wrong.
+  // Takes the next line, without its LF. Does nothing once something was wrong.
   void line(std::string_view text);
 
-  // After the last line. If there is an error, `characters` holds what came before it.
+  // Returns the recording, after its last line. With an error, `characters` holds what came before it.
   Recording finish();
 
  private:
@@ -123,7 +123,7 @@ class RecordingReader {
   bool _hasTimes = false;  // of its rows
 };
 
-// A whole recording's text.
+// Reads the whole text of a recording.
 Recording parseRecording(std::string_view text, uint32_t characterUs = CharacterUs);
 
 }  // namespace line

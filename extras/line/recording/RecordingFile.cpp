@@ -86,19 +86,19 @@ void LineFile::write(const std::string &lines) {
   _size += _failure.empty() ? static_cast<long>(lines.size()) : 0;
 }
 
-// A full disk takes a part of a line: that part goes.
+// A full disk takes a part of a line: removes that part.
 void LineFile::fail() {
   _failure = _name + ": could not be written to its end (" + std::strerror(errno) + ")";
   if (ftruncate(_file, _size) == 0) {
     _failure += "; what came before is whole";
   }
-  _failure += "; is there place for it?";
+  _failure += "; is the disk full?";
 }
 
 std::string LineFile::finish() {
   const int file = std::exchange(_file, -1);
   if (file >= 0 && close(file) != 0 && _failure.empty()) {
-    _failure = _name + ": could not be written to its end (" + std::strerror(errno) + "); is there place for it?";
+    _failure = _name + ": could not be written to its end (" + std::strerror(errno) + "); is the disk full?";
   }
   return _failure;
 }

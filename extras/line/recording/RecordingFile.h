@@ -8,30 +8,28 @@
 
 namespace line {
 
-// Throws std::runtime_error, which names file and line, if it cannot be read or something is wrong with it.
+// Reads a recording. Throws std::runtime_error, which names file and line, if it cannot be read or is wrong.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
-// The first bytes of a file, `size` at most; none if it cannot be read.
+// Returns the first bytes of a file, `size` at most; none if it cannot be read.
 std::string beginningOf(const std::string &name, size_t size);
 
-// How its line was set: see settingsIn().
+// Returns the settings of its line: see settingsIn().
 LineSettings recordedSettings(const std::string &name);
 
 // Reads the rows that a sketch prints, as the line of its Serial: see RecordingReader. Throws as readRecording().
 Recording readCsv(const std::string &name);
 
-// A text file that grows line by line. Whatever happens it holds whole lines: if the program is killed, or the disk
-// full.
+// A text file that grows line by line. It holds whole lines even if the program is killed, or the disk full.
 class LineFile {
  public:
-  // Throws std::runtime_error. `isNew`: a file that is there and has something in it is left alone, and that is an
-  // error.
+  // Throws std::runtime_error if it cannot be written; with `isNew` also if it exists and is not empty.
   explicit LineFile(const std::string &name, bool isNew = false);
   ~LineFile();
   LineFile(const LineFile &) = delete;
   LineFile &operator=(const LineFile &) = delete;
 
-  // Whole lines. Once something has gone wrong nothing more is written.
+  // Writes whole lines; nothing more once something has gone wrong.
   void write(const std::string &lines);
 
   // Closes the file. Returns what has gone wrong, or nothing.
@@ -48,7 +46,7 @@ class LineFile {
   std::string _failure;
 };
 
-// A recording that is written.
+// Writes a recording to a file.
 class RecordingFile {
  public:
   explicit RecordingFile(const std::string &name) : _file(name) {}  // throws std::runtime_error

@@ -12,19 +12,19 @@ namespace line {
 
 class RecordingWriter {
  public:
-  // A comment, one line of it.
+  // Writes a comment of one line.
   void comment(const std::string &text);
 
-  // The line is set so from now on: a comment says so.
+  // Writes a comment with the line's settings from now on.
   void opened(const LineSettings &settings);
 
-  // The next character. One that ends too early for the line that it is on gets the earliest time that a reader takes.
+  // Writes the next character. One that ends too early for its line gets the earliest time that a reader takes.
   void put(const Character &character);
 
-  // Ends the last line. Called once, at the end.
+  // Ends the last line. Call it once, at the end.
   void finish() { endLine(); }
 
-  // The whole lines since the last call: at most 25 characters wait for their line's end.
+  // Returns the whole lines since the last call: at most 25 characters wait for their line's end.
   std::string take() { return std::exchange(_done, {}); }
 
  private:
@@ -36,8 +36,8 @@ class RecordingWriter {
   LineSettings _settings;
   bool _begun = false;  // a character has come
   uint64_t _lastEndUs = 0;
-  uint32_t _lateUs = 0;  // of its characters
-  unsigned _onLine = 0;  // characters of it
+  uint32_t _lateUs = 0;  // of the characters of _line
+  unsigned _onLine = 0;  // characters of _line
 };
 
 }  // namespace line

@@ -1,5 +1,5 @@
-// A late port's line, or a recording of it, for a sketch, which polls a UART: each frame back to back, and gaps between
-// them, however the port has brought them.
+// The line of a late port, or a recording of one, for a sketch, which polls a UART: the characters of each frame are back
+// to back, and gaps lie between frames, however the port has brought them.
 #pragma once
 
 #include <deque>
@@ -26,7 +26,7 @@ class RestoredLine : public Line {
 
  private:
   static constexpr uint64_t PollUs = 200;      // asking the port more often finds nothing
-  static constexpr uint64_t GapCharacters = 5;  // so that even a frame each 4 ms has time
+  static constexpr uint64_t GapCharacters = 5;  // short enough for a frame every 4 ms
 
   void take(const Stretch &stretch);
 

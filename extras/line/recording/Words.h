@@ -6,12 +6,12 @@
 
 namespace line {
 
-// CR is one too: that makes CRLF files good.
+// Returns true for a blank; CR counts as one, so that CRLF files are read.
 constexpr bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-// Without the blanks around it, and without `mark`s among these.
+// Returns the text without the blanks and `mark`s around it.
 inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {
   const auto goes = [mark](char c) { return isBlank(c) || c == mark; };
   while (!text.empty() && goes(text.front())) {
@@ -23,7 +23,7 @@ inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {
   return text;
 }
 
-// In lower case.
+// Returns the text in lower case.
 inline std::string lower(std::string_view text) {
   std::string small(text);
   for (char &c : small) {
@@ -32,7 +32,7 @@ inline std::string lower(std::string_view text) {
   return small;
 }
 
-// Without the byte order mark that some editors put before a text.
+// Returns the text without the byte order mark that some editors put before it.
 inline std::string_view withoutMark(std::string_view text) {
   constexpr std::string_view Mark = "\xEF\xBB\xBF";
   return text.substr(0, Mark.size()) == Mark ? text.substr(Mark.size()) : text;
@@ -49,7 +49,7 @@ inline std::string_view takeLine(std::string_view &text) {
   return line;
 }
 
-// A word that is wrong, as a message may show it on a terminal: in quotation marks, the beginning of a long one.
+// Returns a wrong word as a message may show it on a terminal: in quotation marks, of a long word the beginning.
 inline std::string quoted(std::string_view word) {
   constexpr size_t Shown = 20;
   std::string text = "\"";

@@ -7,7 +7,7 @@ namespace line {
 
 namespace {
 
-// A whole number of parts, 10 to the power of `decimals` of them to the unit: 1234, 2 is "12.34".
+// Returns parts of a unit as a decimal number: "12.34" for 1234 parts and 2 decimals.
 std::string fixed(int64_t parts, unsigned decimals) {
   std::string digits = std::to_string(parts < 0 ? -parts : parts);
   if (digits.size() <= decimals) {
@@ -19,7 +19,7 @@ std::string fixed(int64_t parts, unsigned decimals) {
   return (parts < 0 ? "-" : "") + digits;
 }
 
-// Of parts of 1/600000 degree, to six decimals.
+// Returns an angle in parts of 1/600000 degree as degrees with six decimals.
 std::string degrees(int32_t angle) {
   const int64_t scaled = int64_t{angle} * 10;
   return fixed((scaled + (scaled < 0 ? -3 : 3)) / 6, 6);

@@ -11,7 +11,7 @@
 namespace line {
 
 struct Quantity {
-  uint8_t slot;      // of the sensor's, from 0 on: where it is shown
+  uint8_t slot;      // the one beside which it is shown, counted from the sensor's first
   const char *name;  // "current"
   std::string value;
   const char *unit;  // "A"; "" for none

@@ -8,8 +8,8 @@
 
 namespace line {
 
-// Calls level(ns, high) at the beginning of each of the character's bits: from there on the wire is so. A bad character
-// gets a wrong parity bit, if it has one.
+// Calls level(ns, high) with the wire's level at the beginning of each of the character's bits. A bad character gets a
+// wrong parity bit, if the format has one.
 template <typename OnLevel>
 void encode(const Character &character, const LineSettings &line, OnLevel level) {
   const Format &format = line.format;
@@ -40,20 +40,20 @@ struct WireCharacter {
   }
 };
 
-// It works as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the
+// Decodes levels as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the
 // middle of the start bit. Each bit is sampled at its middle; the first stop bit ends the character.
 class CharacterDecoder {
  public:
   // `bitNs`: as measured.
   CharacterDecoder(const LineSettings &settings, double bitNs);
 
-  // From `ns` on the wire is so; what it begins with is no edge. True if a character was through before: no more than
-  // one can be.
+  // Takes the wire's level from `ns` on; the first level is no edge. Returns true if a character was complete before:
+  // at most one can be.
   bool level(int64_t ns, bool high, WireCharacter &character) {
     bool through = until(ns, character);
     const bool wasIdle = _idle;
     _idle = high == _idleHigh;
-    if (_sampleNs == ns) {  // sampled at the very edge: as it is from there on
+    if (_sampleNs == ns) {  // a sample at the very edge has the new level
       through = until(ns + 1, character);
     }
     if (wasIdle && !_idle && _sampleNs == Never) {
@@ -65,7 +65,7 @@ class CharacterDecoder {
     return through;
   }
 
-  // The wire stays as it is until `ns`.
+  // Takes the time up to which the wire keeps its level. Returns true if a character was complete before.
   bool until(int64_t ns, WireCharacter &character);
 
  private:
@@ -77,7 +77,7 @@ class CharacterDecoder {
   int64_t _bitNs;
   bool _idle = false;
   int64_t _startNs = 0;
-  int64_t _sampleNs = Never;  // the middle of the next bit, unless an edge is waited for
+  int64_t _sampleNs = Never;  // the middle of the next bit; Never while an edge is awaited
   unsigned _bit = 0;          // its number
   unsigned _bits = 0;         // sampled so far, an idle one is 1
 };

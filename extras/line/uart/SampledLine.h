@@ -1,4 +1,4 @@
-// A line as a port hears it that may be set otherwise.
+// A line as a port hears it that may have other settings.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class SampledLine : public Line {
   std::unique_ptr<Line> _line;
   LineSettings _settings;
   LineSettings _port;
-  bool _agrees;  // nothing has to be sampled then
+  bool _agrees;  // port and line have the same settings: nothing has to be sampled
   UartSampler _sampler;
 };
 

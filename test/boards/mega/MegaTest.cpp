@@ -206,21 +206,21 @@ TEST_CASE("Diagnose says what came in each setting, and what to do") {
        "begin(200000): 0 frames, 0 bytes of no frame\n"
        "No frames: bytes come, but few frames or none.\n"
        "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.\n"
-       "dSBus.begin(100000): 6 frames a second and 0 damaged, some us from one to the next; "
+       "dSBus.begin(100000): 6 frames a second and 0 damaged, frame interval some us; "
        "0 % with the lost-frame flag\n"},
       {"paper",
        "begin(100000): 6 frames, 0 bytes of no frame\n"
        "begin(200000): 0 frames, 0 bytes of no frame\n"
        "All well.\n"
        "Nothing to do.\n"
-       "dSBus.begin(100000): 12 frames a second and 0 damaged, some us from one to the next; "
+       "dSBus.begin(100000): 12 frames a second and 0 damaged, frame interval some us; "
        "0 % with the lost-frame flag\n"},
       {"sbus2",
        "begin(100000): 7 frames, 3 bytes of no frame\n"
        "begin(200000): 0 frames, 99 bytes of no frame\n"
        "All well.\n"
        "Nothing to do.\n"
-       "dSBus.begin(100000): 14 frames a second and 0 damaged, some us from one to the next; "
+       "dSBus.begin(100000): 14 frames a second and 0 damaged, frame interval some us; "
        "0 % with the lost-frame flag\n"},
       {"silent",
        "begin(100000): 0 frames, 0 bytes of no frame\n"

@@ -1,0 +1,153 @@
+#include "cli/Heard.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "cli/Format.h"
+
+namespace tool {
+
+namespace {
+
+constexpr uint64_t SilenceUs = 100000;  // between characters: no frame period is so long
+
+const char *polarityName(line::Polarity polarity) {
+  return polarity == line::Polarity::Inverted     ? "inverted"
+         : polarity == line::Polarity::Uninverted ? "uninverted"
+                                                  : "unknown";
+}
+
+}  // namespace
+
+Heard::Heard(const line::LineSettings &settings) : _settings(settings) {
+  _observer.reset(0, settings.characterUs());
+  _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+}
+
+void Heard::listen(Input &input, uint64_t us, uint64_t framesUs) {
+  input.run(
+      [this, us](const line::Character &character) {
+        if (us == ToItsEnd && _observer.characters() == 0) {
+          _examination.begin(_observer, character.endUs);
+          _lastUs = character.endUs;
+        }
+        heardUntil(character.endUs);
+        _isLate = _isLate || character.lateUs > 0;
+        _observer.put(character);
+        _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
+      },
+      [&](uint64_t nowUs) {
+        _observer.idleUntil(input.knownUs());
+        _endUs = us == ToItsEnd ? _lastUs + gapUs() : nowUs;
+        if (nowUs >= (framesCome() ? framesUs : us)) {
+          input.end();
+        }
+      });
+  _observer.finish();
+  if (us != ToItsEnd) {
+    heardUntil(std::max(_endUs, _lastUs));
+  }
+  _note = input.note();
+}
+
+std::string Heard::text() const {
+  const std::string bad = std::to_string(_observer.badCharacters());
+  const unsigned long telemetry = _observer.telemetry().characters();
+  const unsigned long discarded = _observer.discardedBytes();
+  return line::text(_settings) + ": " +
+         (_isCsv ? "rows of CSV"
+                 : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
+                       (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
+                       std::to_string(discarded) + (discarded == 1 ? " byte of no frame" : " bytes of no frame")) +
+         (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") + "\n";
+}
+
+Json Heard::json() const {
+  return Json("trial")
+      .number("baud", _settings.baud)
+      .text("polarity", polarityName(_settings.polarity))
+      .number("heard_ms", trial().ms)
+      .number("frames", counters().frames)
+      .flag("has_24_channels", _observer.has24())
+      .number("telemetry_bytes", _observer.telemetry().characters())
+      .number("discarded_bytes", _observer.discardedBytes())
+      .number("bad_characters", _observer.badCharacters())
+      .number("lost_frames", counters().lostFrames)
+      .number("failsafe_frames", counters().failsafeFrames)
+      .flag("rows_of_csv", _isCsv);
+}
+
+std::string Heard::figures() const {
+  const sbus::Counters &seen = counters();
+  if (seen.frames == 0) {
+    return {};
+  }
+  const std::vector<uint64_t> periods = this->periods();
+  const uint64_t us = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
+  const auto aSecond = [us](uint64_t count) { return std::to_string((count * 1000000 + us / 2) / us); };
+  const std::string rate = us == 0 ? frames() + ", too few for a rate"
+                                   : aSecond(periods.size()) + " frames a second and " +
+                                         aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
+                                         std::to_string(usualPeriodUs(periods, us)) + " us";
+  return _variant.text() + ": " + rate + "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) +
+         " % with the lost-frame flag" +
+         (_silentUs == 0 ? "" : format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
+}
+
+std::string Heard::telemetry() const {
+  const std::string slots = _readings.slots(0);
+  std::string text;
+  for (const std::string &quantity : _readings.quantities(0)) {
+    text += quantity + "; ";
+  }
+  return slots.empty() ? "" : "Telemetry: " + text + slots + "\n";
+}
+
+void Heard::take(const line::Stretch &stretch) {
+  _variant.take(stretch);
+  _readings.put(_observer.telemetry().proved());
+  if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
+    _ends.push_back(stretch.endUs());
+  }
+}
+
+// Notes a silence: no character came between the last one and `us`, when a character is complete or the listening ends.
+void Heard::heardUntil(uint64_t us) {
+  if (us >= _lastUs + SilenceUs) {
+    _silences.push_back(_lastUs);
+    _silentUs += us - _lastUs;
+  }
+  _lastUs = us;
+}
+
+// Returns the times from frame to frame in which the line was not silent: a silence may last for hours.
+std::vector<uint64_t> Heard::periods() const {
+  std::vector<uint64_t> periods;
+  for (size_t i = 1; i < _ends.size(); i++) {
+    const auto silence = std::lower_bound(_silences.begin(), _silences.end(), _ends[i - 1]);
+    if (silence == _silences.end() || *silence >= _ends[i]) {
+      periods.push_back(_ends[i] - _ends[i - 1]);
+    }
+  }
+  return periods;
+}
+
+// Returns the median, which an impaired frame does not move; the mean where a port hands bytes over in lumps, so that no
+// period is as it was on the line.
+uint64_t Heard::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
+  const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
+  std::nth_element(periods.begin(), middle, periods.end());
+  return _isLate ? us / periods.size() : *middle;
+}
+
+std::string Heard::frames() const {
+  return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
+}
+
+// Returns the gap that belongs to the last frame of a recording, which ends with the frame.
+uint64_t Heard::gapUs() const {
+  const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
+  return std::max(_observer.gaps().low, frameUs) - frameUs;
+}
+
+}  // namespace tool

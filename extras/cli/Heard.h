@@ -1,0 +1,76 @@
+// What a line brings while a port with one setting listens to it: for `sbus doctor`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/Input.h"
+#include "cli/Json.h"
+#include "cli/VariantOfLine.h"
+#include "line/Examination.h"
+#include "line/Observer.h"
+#include "line/recording/CsvRows.h"
+#include "line/telemetry/Readings.h"
+
+namespace tool {
+
+class Heard {
+ public:
+  static constexpr uint64_t ToItsEnd = UINT64_MAX;
+
+  explicit Heard(const line::LineSettings &settings);
+  Heard(const Heard &) = delete;  // its observer's listener leads into it
+  Heard &operator=(const Heard &) = delete;
+
+  // Listens for `us`, or for `framesUs` if frames come. ToItsEnd: until the source ends.
+  void listen(Input &input, uint64_t us, uint64_t framesUs);
+
+  bool isCsv() const { return _isCsv; }
+  bool framesCome() const { return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms; }
+  sbus::Trial trial() const { return _examination.trial(_observer, _settings, _endUs); }
+
+  // Returns "S.BUS", "S.BUS2" ...; empty without frames.
+  std::string variant() const { return _variant.text(); }
+
+  // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 bytes of no frame".
+  std::string text() const;
+
+  Json json() const;
+
+  // Returns a line: "S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us; 1 % with the lost-frame flag".
+  // All figures come from the times of the frames, so a single frame has no rate.
+  std::string figures() const;
+
+  // Returns a line: "Telemetry: receiver voltage 4.6 V; slots 0, 1"; empty without a slot.
+  std::string telemetry() const;
+
+  // Returns a line that says why the times of this source are not exact; empty if they are.
+  std::string note() const { return _note.empty() ? "" : _note + "\n"; }
+
+ private:
+  void take(const line::Stretch &stretch);
+  void heardUntil(uint64_t us);
+  std::vector<uint64_t> periods() const;
+  uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const;
+  uint64_t gapUs() const;
+  std::string frames() const;
+  sbus::Counters counters() const { return _observer.counters(); }
+
+  const line::LineSettings _settings;
+  line::Observer _observer;
+  line::Examination _examination;
+  VariantOfLine _variant;
+  line::Readings _readings;
+  std::vector<uint64_t> _ends;      // of the frames, in us
+  std::vector<uint64_t> _silences;  // where they begin, in us
+  uint64_t _silentUs = 0;
+  line::CsvRows _rows;
+  bool _isCsv = false;
+  uint64_t _lastUs = 0;  // of the characters
+  uint64_t _endUs = 0;   // of what was heard
+  bool _isLate = false;  // the port hands bytes over late
+  std::string _note;
+};
+
+}  // namespace tool
