@@ -92,7 +92,7 @@ async function play(file: File | undefined): Promise<void> {
   } catch (error) {
     notice.show(!(error instanceof Error) ? (error as Problem) : {
       text: `This cannot be played: ${(error as Error).message}.`,
-      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
+      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
     });
   } finally {
     scope.reading = '';
