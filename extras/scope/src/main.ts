@@ -3,6 +3,7 @@
 import './style.css';
 import { Core, type Setting } from './core';
 import { byId, setText } from './dom';
+import { keepOffline } from './offline';
 import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
 import { PortSource, pickPort, type PortKind } from './source/port';
@@ -179,6 +180,7 @@ function recordButton(): void {
 
 wire();
 themes();
+void keepOffline();
 const scale = new ScaleView(core);
 const calibration = new CalibrationView(core, () => scale.calibrated());
 await simulate();
