@@ -15,7 +15,7 @@ const oneFile = {
     const script = all.filter((part) => part.type === 'chunk').map((part) => part.code).join('').replaceAll('</script', '<\\/script');
     const policy =
       `default-src 'none'; script-src ${sha256(script)} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data:; ` +
-      `worker-src blob:; base-uri 'none'; form-action 'none'`;
+      `worker-src blob: 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'`;
     page.source = page.source
       .replace(/<script[^>]*src=[^>]*><\/script>/g, '')
       .replace(/<link rel="stylesheet"[^>]*>/g, '')

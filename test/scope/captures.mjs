@@ -1,5 +1,6 @@
 // Captures of the wire: what the page decodes is what the recording holds that they were made of.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -31,6 +32,27 @@ const forms = {
     `${(wire.at(-1)[0] / 1e6 + 0.02).toFixed(6)},${wire.at(-1)[1]}\n`,
 };
 
+// A session of sigrok, 1 MHz, its samples in so many entries: 0 is one that is not numbered. Packed by another hand than ours.
+function session(wire, parts, { metadata = true, stored = false } = {}) {
+  const samples = Buffer.alloc(wire.at(-1)[0] + 20000);
+  wire.forEach(([us, high], i) => samples.fill(high << 4, us, wire[i + 1]?.[0]));
+  const size = Math.ceil(samples.length / Math.max(parts, 1));
+  const entries = Array.from({ length: parts }, (_, i) => [`logic-1-${i + 1}`, samples.subarray(i * size, (i + 1) * size)]);
+  const all = [...(parts === 0 ? [['logic-1', samples]] : entries.reverse()), ...(metadata ? [['metadata', Buffer.from(
+    '[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=8\nsamplerate=1 MHz\nprobe5=SBUS\nunitsize=1\n')]] : [])];
+  return pack(all, stored);
+}
+function pack(entries, stored = false) {
+  const program = `import base64, io, json, sys, zipfile
+out = io.BytesIO()
+with zipfile.ZipFile(out, "w", zipfile.ZIP_STORED if json.loads(sys.argv[1]) else zipfile.ZIP_DEFLATED) as packed:
+    for name, content in json.load(sys.stdin):
+        packed.writestr(name, base64.b64decode(content))
+sys.stdout.buffer.write(out.getvalue())`;
+  const input = JSON.stringify(entries.map(([name, content]) => [name, content.toString('base64')]));
+  return execFileSync('python3', ['-c', program, JSON.stringify(stored)], { input, maxBuffer: 1 << 26 });
+}
+
 const rows = (csv) => csv.trim().split('\n').slice(1);
 const choose = (page, name, content) => page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
 
@@ -56,6 +78,25 @@ export default async function () {
     });
   }
 
+  for (const [how, parts, stored] of [['one entry', 0, false], ['one entry, not packed', 0, true], ['eleven entries, the last one first', 11, false]]) {
+    await check(`a session of sigrok, ${how}: the frames and times of the recording, and the signal that has them`, async (page) => {
+      const file = path.join(root, 'test/recordings/paper.txt');
+      await play(page, file);
+      await toEnd(page);
+      const wanted = rows((await downloaded(page, '#csv')).text);
+      await choose(page, 'wire.sr', session(edges(readFileSync(file, 'utf8'), 0), parts, { stored }));
+      await reads(page, '#title', 'Capture wire.sr, signal SBUS, 100000 baud, 8E2, inverted');
+      await toEnd(page);
+      assert.deepEqual(rows((await downloaded(page, '#csv')).text), wanted);
+    });
+  }
+
+  const wire = edges('120 0F', 0);
+  const whole = session(wire, 0, { stored: true });
+  const damaged = Buffer.from(whole);
+  damaged[500] ^= 1;
+  const metadata = Buffer.from('[device 1]\ncapturefile=logic-1\nsamplerate=1 MHz\nprobe1=A\nunitsize=1\n');
+
   // The words of `sbus decode` and of what reads captures: `sbus csv`.
   const noSignal = 'No signal has a frame of S.Bus: a frame is 25 characters (36 of 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap';
   const slow = 'Time [s],Channel 0\n0.0,0\n0.1,1\n0.2,0\n0.3,1\n0.4,0\n';
@@ -63,7 +104,12 @@ export default async function () {
     ['idle.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', `idle.csv: signal Channel 0 has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
     ['slow.csv', slow, `slow.csv: signal Channel 0 is no S.Bus: its shortest pulses last 100000.0 us, as bits of 10 baud do: 10 us or 5 us are expected, within 3 %. ${noSignal}`],
     ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps what came before it\.$/],
-    ['session.sr', 'PK\u0003\u0004', 'session.sr: is packed: sbus decode reads a session of PulseView (.sr); or export it as VCD or CSV'],
+    ['other.zip', session(wire, 0, { metadata: false }), 'other.zip: is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
+    ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
+    ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],
+    ['idle.sr', pack([['metadata', metadata], ['logic-1', Buffer.alloc(1000)]]), `idle.sr: signal A has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
+    ['cut.sr', whole.subarray(0, 600), 'cut.sr: cannot be read: the ZIP has no directory; is it cut off?'],
+    ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
     ['logic.sal', '<SALEAE>\0\0', 'logic.sal: is Logic 2\'s binary export: export it as CSV'],
   ]) {
     await check(`${name} is rejected in the words of the command, and the simulation goes on`, async (page) => {

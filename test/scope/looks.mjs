@@ -1,6 +1,7 @@
 // Sizes, themes, keyboard and screen readers.
 import assert from 'node:assert/strict';
-import { axe, check, connect, fingers, frame, reads, until } from './support.mjs';
+import path from 'node:path';
+import { axe, check, connect, fingers, frame, play, reads, root, until } from './support.mjs';
 
 const sizes = {
   desktop: { width: 1440, height: 900 },
@@ -63,6 +64,16 @@ export default async function () {
       await reads(page, '#state', 'Failsafe');
       await clean(page);
     }, { colorScheme });
+  }
+
+  for (const [name, size] of Object.entries(sizes)) {
+    await check(`${name}, a recording with its strip: it fits, and axe-core finds nothing`, async (page) => {
+      await play(page, path.join(root, 'test/recordings/paper.txt'));
+      await page.click('#fault-next');
+      await reads(page, '#fault-text', 'Fault 1 of 1: no frames, 0:00.181 to 0:00.363.');
+      await fits(page);
+      await clean(page);
+    }, { size });
   }
 
   await check('the theme follows the system until its button is pressed', async (page) => {

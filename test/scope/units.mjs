@@ -6,6 +6,8 @@ import { load } from './modules.mjs';
 const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
 const { intervals, losses } = await load('statistics');
+const { Fault } = await load('faults');
+const { Faults, mostSpans } = await load('worker/faults');
 
 let seed = Number(process.argv[2] ?? 20181);
 const first = seed;
@@ -93,6 +95,88 @@ check('round widths come one after the other, from any width', () => {
   assert.deepEqual([view.seconds, ...walk(-1, 1)], [1.2, 2]);
   view.zoom(0.6, 1);
   assert.deepEqual([view.seconds, ...walk(1, 1)], [1.2, 1]);
+});
+
+// A line whose frames come each 10 ms, or after a silence, and the spans that it should have.
+function faulty(count, faults) {
+  const spans = [];
+  const span = (fault, fromUs, toUs, joins = false) => {
+    const last = spans.findLast((each) => each.fault === fault);
+    if (last && (joins || fromUs - last.toUs <= 1e6)) last.toUs = toUs;
+    else spans.push({ fault, fromUs, toUs });
+  };
+  let us = 0;
+  let before = { flags: 0 };
+  for (let i = 0; i < count; i++) {
+    const silent = i > 0 && random() < 0.002;
+    const fromUs = us;
+    us += silent ? 150000 + Math.floor(random() * 3e6) : 10000;
+    const flags = random() < 0.002 ? 12 : random() < 0.002 ? 4 : random() < 0.5 ? before.flags : 0;
+    const damagedUs = i > 0 && random() < 0.003 ? fromUs + 3000 : 0;
+    if (damagedUs) span(Fault.Damage, damagedUs, us);
+    if (silent) span(Fault.NoFrames, fromUs, us);
+    for (const [fault, on, was] of [[Fault.Failsafe, flags & 8, before.flags & 8], [Fault.LostFrame, flags === 4, before.flags === 4]]) {
+      if (was && !silent) span(fault, fromUs, us, true);
+      else if (on) span(fault, us, us);
+    }
+    before = { flags };
+    faults.take({ endUs: us, kind: 0, flags, damagedUs });
+  }
+  faults.finish(us);
+  return spans.sort((a, b) => a.fromUs - b.fromUs || a.fault - b.fault);
+}
+
+check('the next fault after any time, and the one before, are those that a list of all has', () => {
+  const faults = new Faults(2e9);
+  const spans = faulty(100000, faults);
+  assert.ok(spans.length > 300, `${spans.length}`);
+  assert.deepEqual(faults.counts(), [0, 1, 2, 3].map((fault) => spans.filter((span) => span.fault === fault).length));
+  for (let i = 0; i < 3000; i++) {
+    const fromUs = Math.floor(random() * 1.3e9);
+    const next = spans.findIndex((span) => span.fromUs > fromUs);
+    assert.deepEqual(faults.after({ fromUs }), next < 0 ? undefined : { ...spans[next], number: next + 1 });
+    const last = spans.findLastIndex((span) => span.fromUs <= fromUs);
+    assert.deepEqual(faults.before({ fromUs }), last < 0 ? undefined : { ...spans[last], number: last + 1 });
+    assert.equal(faults.at(fromUs), spans.reduce((mask, span) => mask | (span.fromUs <= fromUs && span.toUs >= fromUs ? 1 << span.fault : 0), 0));
+  }
+  spans.forEach((span, i) => {
+    assert.deepEqual(faults.after(span), spans[i + 1] && { ...spans[i + 1], number: i + 2 });
+    assert.deepEqual(faults.before(span), spans[i - 1] && { ...spans[i - 1], number: i });
+  });
+});
+
+check('of more faults than it has room for, neighbours become one, and each still begins where a fault does', () => {
+  const count = 40 * mostSpans;
+  const faults = new Faults(3e6 * count);
+  for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, damagedUs: 0 });
+  faults.finish(3e6 * count);
+  const [, lost] = faults.counts();
+  assert.ok(lost > 0 && lost <= mostSpans, `${lost}`);
+  let found = faults.after({ fromUs: -1 });
+  for (let number = 1; found; number++, found = faults.after(found)) {
+    assert.equal(found.number, number);
+    assert.equal(found.fault, Fault.LostFrame);
+    assert.equal((found.fromUs / 3e6) % 2, 1);
+  }
+  assert.ok(faults.bins.every((bin) => bin === 1 << Fault.LostFrame));
+});
+
+check('a sketch that prints once a second is not silent, and three rows that are missing are no frames', () => {
+  const faults = new Faults(1e8);
+  for (let i = 0; i < 100; i++) {
+    faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, damagedUs: 0 }); // its bytes
+    if (i < 50 || i > 53) faults.take({ endUs: 1e6 * i, kind: 4, flags: 0, damagedUs: 0 });
+  }
+  faults.finish(99e6);
+  assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 49e6, toUs: 54e6, number: 1 });
+  assert.deepEqual(faults.counts(), [0, 0, 0, 1]);
+});
+
+check('bytes that never are a frame are no frames from the first to the last', () => {
+  const faults = new Faults(1e7);
+  for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, damagedUs: 0 });
+  faults.finish(9e6);
+  assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
 });
 
 process.exit(failed > 0 ? 1 : 0);

@@ -19,7 +19,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
     reject("is a pipe, and a session is read more than once: save it in a file first");
   }
   if (!file.find("metadata")) {
-    reject("is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV");
+    reject(SessionReader::NoMetadata);
   }
   std::string metadata;
   for (std::string_view bytes = file.read(); !bytes.empty() && metadata.size() < MetadataMax; bytes = file.read()) {
@@ -43,7 +43,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
   }
   error = error.empty() ? file.failure() : error;
   if (entries == 0) {
-    reject("has no samples: " + entry + " or " + entry + "-1 is expected in it");
+    reject(reader.noSamples());
   }
   decoder.finish(reader.endNs(), !error.empty());
   return {reader.format(), reader.periodNs(), error.empty() ? "" : name + ": " + error, ""};

@@ -11,11 +11,19 @@ class SessionReader : public CaptureReader {
   // `periodNs`: between two samples, whatever the metadata say; 0: as they say.
   SessionReader(LevelSink &sink, double periodNs) : CaptureReader(sink) { _periodNs = periodNs; }
 
+  static constexpr const char *NoMetadata =
+      "is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV";
+
   // Takes all of "metadata". Returns what is wrong and what is expected, or nothing.
   std::string metadata(std::string_view text);
 
   // Returns the name of the ZIP's entry with the samples. If there is no such entry, there are NAME-1, NAME-2 and so on.
   const std::string &samplesName() const { return _samplesName; }
+
+  // Returns what is wrong if there are none.
+  std::string noSamples() const {
+    return "has no samples: " + _samplesName + " or " + _samplesName + "-1 is expected in it";
+  }
 
   // Takes the next bytes of samples.
   std::string put(std::string_view bytes) override;

@@ -3,6 +3,7 @@
 import './style.css';
 import { Core, type Setting } from './core';
 import { byId, setText } from './dom';
+import { keepOffline } from './offline';
 import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
 import { PortSource, pickPort, type PortKind } from './source/port';
@@ -92,7 +93,7 @@ async function play(file: File | undefined): Promise<void> {
   } catch (error) {
     notice.show(!(error instanceof Error) ? (error as Problem) : {
       text: `This cannot be played: ${(error as Error).message}.`,
-      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
+      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
     });
   } finally {
     scope.reading = '';
@@ -179,6 +180,7 @@ function recordButton(): void {
 
 wire();
 themes();
+void keepOffline();
 const scale = new ScaleView(core);
 const calibration = new CalibrationView(core, () => scale.calibrated());
 await simulate();

@@ -142,7 +142,7 @@ export class Scope implements Sink {
     this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
     this.statistics.draw(nowUs, this.newest?.kind === Kind.Row ? 'rows' : 'frames');
     this.frames.draw();
-    this.timeline.draw();
+    this.timeline.draw(...this.curves.shownUs);
     const doctor = this.doctor as Doctor;
     this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
   }

@@ -107,6 +107,7 @@ EXPORT(layout)()->const char * {
     return lines.c_str();
   }
   FIELD(Record, endUs)
+  FIELD(Record, damagedUs)
   FIELD(Record, channels)
   FIELD(Record, kind)
   FIELD(Record, flags)

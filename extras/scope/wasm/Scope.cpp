@@ -27,6 +27,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   _lately.clear();
   _newest.reset();
   rows = BoardRows();
+  _damage = Damage();
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
   _reads = line::PortReads(settings.characterUs());
@@ -141,6 +142,7 @@ void Scope::take(const line::Stretch &stretch) {
   const line::Values &newest = observer.newest();
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
+  record.damagedUs = static_cast<double>(_damage.take(stretch));
   record.kind = static_cast<uint8_t>(stretch.kind);
   record.flags = flagsOf(newest);
   record.channelCount = static_cast<uint8_t>(newest.count);

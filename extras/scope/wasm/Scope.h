@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "BoardRows.h"
+#include "Damage.h"
 #include "FedLine.h"
 #include "Recorder.h"
 #include "SimulatedLine.h"
@@ -36,6 +37,7 @@ struct Record {
   static constexpr uint8_t RowKind = 4;
 
   double endUs;
+  double damagedUs;              // of a frame: since when bytes before it were damaged (Damage.h); 0: they were not
   double channels[ChannelsMax];  // of a frame: the newest of all
   uint8_t kind;                  // line::Stretch::Kind, or RowKind
   uint8_t flags;                 // as in a frame's flags byte
@@ -88,6 +90,7 @@ class Scope {
   std::deque<Record> _lately;
   std::optional<Record> _newest;  // frame or row
   line::PortReads _reads;  // of a port
+  Damage _damage;
   uint64_t _characterUs = 0;
   uint64_t _turnUs = 0;    // of the last picture or read
   bool _finished = false;  // the recording: nothing waits any more

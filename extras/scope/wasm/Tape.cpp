@@ -6,6 +6,7 @@
 
 #include "Scope.h"
 #include "line/capture/RecordedCapture.h"
+#include "line/capture/SessionReader.h"
 #include "line/recording/Recording.h"
 
 using namespace scope;
@@ -17,6 +18,9 @@ line::LineSettings settings;
 std::unique_ptr<line::RecordingReader> reader;
 std::unique_ptr<line::RecordedCapture> capture;
 std::unique_ptr<line::CaptureText> captureText;  // of a capture; no reader then
+std::unique_ptr<line::SessionReader> session;    // of a capture that is one
+std::string metadata;                            // of the session
+std::string sessionError;                        // in its samples
 line::Recording tape;
 std::string partOfLine;
 std::string words;
@@ -41,9 +45,14 @@ std::string finishRecording() {
   return tape.error.empty() ? "" : name + ": " + place + tape.error;
 }
 
+line::CaptureEnd finishSession() {
+  capture->wire().finish(session->endNs(), !sessionError.empty());
+  return {session->format(), session->periodNs(), sessionError.empty() ? "" : name + ": " + sessionError, ""};
+}
+
 // Returns why a capture cannot be played.
 std::string finishCapture() {
-  const std::string failure = capture->failure(name, captureText->finish(""));
+  const std::string failure = capture->failure(name, session ? finishSession() : captureText->finish(""));
   if (failure.empty()) {
     settings = capture->settings();
     tape = std::move(capture->recording);
@@ -72,6 +81,37 @@ EXPORT(openFile)(unsigned count)->void {
   reader = std::make_unique<line::RecordingReader>(settings.characterUs(), csv);
 }
 
+// A session's metadata are in the buffer, or a part of them.
+EXPORT(sessionMetadata)(unsigned count)->void {
+  metadata += transferred(count);
+}
+
+// After the metadata. Returns what is wrong with them, or "".
+EXPORT(openSession)()->const char * {
+  capture = std::make_unique<line::RecordedCapture>();
+  session = std::make_unique<line::SessionReader>(capture->wire(), 0);
+  words = metadata.empty() ? line::SessionReader::NoMetadata : session->metadata(metadata);
+  words = words.empty() ? "" : name + ": " + words;
+  return words.c_str();
+}
+
+// Returns the name of the entry with its samples, or the beginning of several names.
+EXPORT(samplesName)()->const char * {
+  return session->samplesName().c_str();
+}
+// Returns what is wrong with a session that has no such entry.
+EXPORT(noSamples)()->const char * {
+  words = name + ": " + session->noSamples();
+  return words.c_str();
+}
+
+// The session's next samples are in the buffer.
+EXPORT(sessionSamples)(unsigned count)->void {
+  if (sessionError.empty()) {
+    sessionError = session->put(transferred(count));
+  }
+}
+
 EXPORT(fileText)(unsigned count)->void {
   std::string_view text = transferred(count);
   if (captureText) {
@@ -90,7 +130,7 @@ EXPORT(fileText)(unsigned count)->void {
 
 // Returns what is wrong with the file, or "".
 EXPORT(endFile)()->const char * {
-  words = captureText ? finishCapture() : finishRecording();
+  words = capture ? finishCapture() : finishRecording();
   return words.c_str();
 }
 

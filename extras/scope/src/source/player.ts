@@ -1,6 +1,7 @@
 // A recording that a worker reads and decodes: the page never waits for it.
 
 import type { Core } from '../core';
+import type { FaultMap, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import type { Answer, Picture, Request } from '../worker/messages';
 import PlayingWorker from '../worker/worker?worker&inline';
@@ -16,9 +17,11 @@ type Opened = Extract<Answer, { kind: 'opened' }>;
 export class Player implements Line {
   wantedUs = 0; // where the line is to be
   progress?: number; // 0..1, while a place is looked for
+  faults?: FaultMap;
   private id = 0; // of the newest request
   private answered = 0;
   private sought = 0; // the newest request that was a seek
+  private looking?: { id: number; tell: (us: number, found: Found | null) => void }; // for a fault
   private readonly came: Answer[] = []; // since the last picture
   private text = '';
   private ended?: (text: string) => void;
@@ -68,6 +71,22 @@ export class Player implements Line {
     this.wantedUs = us;
     this.sought = ++this.id;
     this.ask({ kind: 'seek', id: this.id, us });
+  }
+
+  // Goes to the next fault after `us`, or after the fault that is there; or back. `tell`: gets the place and the fault, or null if
+  // there is none. Not called if another place is sought meanwhile.
+  seekFault(us: number, at: Span | undefined, back: boolean, tell: (us: number, found: Found | null) => void): void {
+    this.looking = { id: ++this.id, tell };
+    this.ask({ kind: 'fault', id: this.id, us, at, back });
+  }
+
+  get isLooking(): boolean {
+    return this.looking?.id === this.id;
+  }
+
+  // The faults there: 1 << Fault.
+  get faultsHere(): number {
+    return this.picture.faults;
   }
 
   // `nowUs` is us: what was wanted comes with one of the next pictures.
@@ -132,8 +151,15 @@ export class Player implements Line {
     } else if (answer.kind === 'recorded') {
       this.ended?.(this.takeRecorded() + answer.text);
       this.ended = undefined;
+    } else if (answer.kind === 'faults') {
+      this.faults = answer.map;
     } else {
       this.came.push(answer);
+      if (answer.kind === 'picture' && answer.found !== undefined && this.isLooking) {
+        this.sought = answer.found ? answer.id : this.sought;
+        this.looking?.tell(answer.us, answer.found);
+        this.looking = undefined;
+      }
       this.text += answer.kind === 'picture' ? answer.recorded : '';
     }
   }

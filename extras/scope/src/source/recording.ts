@@ -1,6 +1,7 @@
 // A recording, rows of CSV or a capture of the wire, with a time line.
 
 import type { Core } from '../core';
+import type { FaultMap, Found } from '../faults';
 import type { Line } from '../line';
 import { Player } from './player';
 import type { Source } from './Source';
@@ -13,6 +14,8 @@ export class RecordingSource implements Source {
   speed = 1;
   loop = false;
   playing = true;
+  found?: Found; // the fault that was gone to, until the position changes
+  isLast = false; // no other one is on the way that was asked for
   private us = 0; // where it is to be
   private lastMs = performance.now();
 
@@ -44,7 +47,8 @@ export class RecordingSource implements Source {
 
   get progress(): string {
     const { progress } = this.player;
-    return progress === undefined ? '' : `decoding up to there: ${Math.floor(100 * progress)} %`;
+    const what = this.player.isLooking ? 'looking for a fault' : 'decoding up to there';
+    return progress === undefined ? '' : `${what}: ${Math.floor(100 * progress)} %`;
   }
 
   get positionUs(): number {
@@ -61,7 +65,8 @@ export class RecordingSource implements Source {
 
   nowUs(): number {
     const ms = performance.now();
-    if (this.playing) {
+    if (this.playing && !this.player.isLooking) {
+      this.leave();
       this.us = Math.min(this.us + (ms - this.lastMs) * 1000 * this.speed, this.endUs);
     }
     this.lastMs = ms;
@@ -71,14 +76,39 @@ export class RecordingSource implements Source {
 
   // All is as if it had been played up to there.
   seek(us: number): void {
+    this.leave();
     this.us = Math.min(us, this.endUs);
     this.player.seek(this.us);
+  }
+
+  // Goes to the next fault, or the one before, and stands still.
+  seekFault(back: boolean): void {
+    this.player.seekFault(this.us, this.found, back, (us, found) => {
+      this.us = us;
+      this.playing = false;
+      this.found = found ?? this.found;
+      this.isLast = found === null;
+    });
+  }
+
+  get faults(): FaultMap | undefined {
+    return this.player.faults;
+  }
+
+  // Those at the position: 1 << Fault.
+  get faultsHere(): number {
+    return this.player.faultsHere;
   }
 
   async use(): Promise<void> {}
 
   close(): void {
     this.player.close();
+  }
+
+  private leave(): void {
+    this.found = undefined;
+    this.isLast = false;
   }
 
   // A moment after the last character: then it is known to be the last.

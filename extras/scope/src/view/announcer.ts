@@ -1,16 +1,18 @@
-// Tells screen readers a text: once it has stood for a moment, and never several in a row, however often it changes.
+// Tells screen readers a text: once it has stood for a moment, and after a rest since the last one, however often it changes.
 
 import { setText } from '../dom';
 
 const standsMs = 700;
-const restMs = 5000;
 
 export class Announcer {
   private text = '';
   private sinceMs = 0;
-  private saidMs = -restMs;
+  private saidMs = -Infinity;
 
-  constructor(private readonly region: HTMLElement) {}
+  constructor(
+    private readonly region: HTMLElement,
+    private readonly restMs = 5000,
+  ) {}
 
   // Call it for each picture.
   say(text: string): void {
@@ -19,7 +21,7 @@ export class Announcer {
       this.text = text;
       this.sinceMs = now;
     }
-    if (text !== this.region.textContent && now - this.sinceMs > standsMs && now - this.saidMs > restMs) {
+    if (text !== this.region.textContent && now - this.sinceMs > standsMs && now - this.saidMs > this.restMs) {
       this.saidMs = now;
       setText(this.region, text);
     }

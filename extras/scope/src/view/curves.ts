@@ -4,6 +4,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Channels } from '../channels';
 import { setText } from '../dom';
+import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
 import { ticksOf, type Unit } from '../unit';
@@ -16,8 +17,6 @@ import { picture } from './picture';
 import { bands, trace, type Area } from './strokes';
 import { Viewport } from './viewport';
 
-const pauseS = 0.1; // without a frame: the curve breaks
-const rowPauseS = 1.5; // of a slow sketch three rows
 const height = 300;
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until what has moved by less than a pixel is drawn
@@ -31,7 +30,7 @@ export class Curves {
   private palette?: Palette;
   private shownChannels: number[] = [];
   private rows = false;
-  private rowS = 0;
+  private intervalUs = 0;
   private readonly cursors: Cursors;
   private readonly table: CursorTable;
 
@@ -56,6 +55,11 @@ export class Curves {
 
   get paused(): boolean {
     return this.view.paused;
+  }
+
+  // From when to when they show, in us.
+  get shownUs(): [number, number] {
+    return [1e6 * this.view.begin, 1e6 * this.view.edge];
   }
 
   pause(on: boolean): void {
@@ -88,7 +92,7 @@ export class Curves {
   // `intervalUs`: from one frame or row to the next, on average.
   draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number): void {
     this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0);
-    this.rowS = intervalUs / 1e6;
+    this.intervalUs = intervalUs;
     this.rows = newest !== undefined && newest.bytes.length === 0;
     const channels = this.channels.drawn(newest?.channels.length || 16);
     const shown = `${channels} ${unit.low} ${unit.high} ${unit.range?.low}`;
@@ -146,8 +150,9 @@ export class Curves {
     return { ...plot.bbox, ...this.drawn };
   }
 
+  // Without a frame: the curve breaks.
   private get longest(): number {
-    return this.rows ? Math.max(rowPauseS, 3 * this.rowS) : pauseS;
+    return silenceUs(this.rows, this.intervalUs) / 1e6;
   }
 
   private thickness(channels: number[]): number {

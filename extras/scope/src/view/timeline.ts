@@ -1,15 +1,17 @@
 // A recording's time line.
 
-import { byId, setText } from '../dom';
+import { byId, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
+import { clock, namesOf, Strip } from './strip';
 
-const clock = (us: number): string => {
-  const tenths = Math.floor(us / 1e5);
-  return `${Math.floor(tenths / 600)}:${((tenths % 600) / 10).toFixed(1).padStart(4, '0')}`;
-};
+const stepUs = 1000000; // of an arrow key
+const leastSteps = 100; // from end to end
+const toldMs = 1000; // to a screen reader, while it plays
 
 export class Timeline {
   private source?: RecordingSource;
+  private toldAt = 0;
+  private readonly strip = new Strip();
   private readonly panel = byId('timeline');
   private readonly play = byId('play');
   private readonly position = byId<HTMLInputElement>('position');
@@ -21,8 +23,14 @@ export class Timeline {
   constructor(private readonly leaving: () => void) {
     this.play.addEventListener('click', () => this.toggle());
     this.position.addEventListener('input', () => this.seek(Number(this.position.value) * 1000));
+    this.position.addEventListener('keydown', (event) => this.step(event));
     this.speed.addEventListener('change', () => this.apply());
     this.loop.addEventListener('change', () => this.apply());
+    byId('fault-back').addEventListener('click', () => this.seekFault(true));
+    byId('fault-next').addEventListener('click', () => this.seekFault(false));
+    for (const root of [this.panel, byId('plot')]) {
+      root.addEventListener('keydown', (event) => this.key(event));
+    }
   }
 
   show(source: RecordingSource | undefined): void {
@@ -34,7 +42,8 @@ export class Timeline {
     }
   }
 
-  draw(): void {
+  // `from`, `to`: what the curves show, in us.
+  draw(from: number, to: number): void {
     const source = this.source;
     if (!source) {
       return;
@@ -49,8 +58,18 @@ export class Timeline {
     setText(this.play, source.playing ? 'Pause' : 'Play');
     this.play.setAttribute('aria-pressed', String(source.playing));
     this.position.value = String(Math.floor(source.positionUs / 1000));
-    this.position.setAttribute('aria-valuetext', `${clock(source.positionUs)} of ${clock(source.lengthUs)}`);
-    setText(this.text, `${clock(source.positionUs)} / ${clock(source.lengthUs)}`);
+    this.tell(source);
+    setText(this.text, `${clock(source.positionUs, 1)} / ${clock(source.lengthUs, 1)}`);
+    this.strip.draw(source, from, to);
+  }
+
+  private tell(source: RecordingSource): void {
+    const now = performance.now();
+    if (!source.playing || now - this.toldAt >= toldMs) {
+      this.toldAt = now;
+      const names = namesOf(source.faultsHere);
+      setAttribute(this.position, 'aria-valuetext', `${clock(source.positionUs, 1)} of ${clock(source.lengthUs, 1)}${names && `, ${names}`}`);
+    }
   }
 
   private toggle(): void {
@@ -67,6 +86,32 @@ export class Timeline {
     if (this.source) {
       this.leaving();
       this.source.seek(us);
+    }
+  }
+
+  private seekFault(back: boolean): void {
+    if (this.source) {
+      this.leaving();
+      this.source.seekFault(back);
+    }
+  }
+
+  // An arrow key of the slider; PageUp, Home and so on are the browser's.
+  private step(event: KeyboardEvent): void {
+    const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    if (steps !== undefined && this.source) {
+      event.preventDefault();
+      const { positionUs, lengthUs } = this.source;
+      this.seek(Math.max(positionUs + steps * Math.min(stepUs, lengthUs / leastSteps), 0));
+    }
+  }
+
+  // Not where letters choose.
+  private key(event: KeyboardEvent): void {
+    const key = event.key.toLowerCase();
+    if ((key === 'n' || key === 'p') && !event.ctrlKey && !event.metaKey && !event.altKey && event.target !== this.speed && this.source) {
+      event.preventDefault();
+      this.seekFault(key === 'p');
     }
   }
 

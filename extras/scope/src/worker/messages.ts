@@ -1,5 +1,6 @@
 // What the page and the worker that plays a recording tell each other.
 
+import type { FaultMap, Found, Span } from '../faults';
 import type { Samples } from '../history';
 import type { Status } from '../line';
 
@@ -9,6 +10,7 @@ export type Request =
   | { kind: 'open'; wasm: Uint8Array; file: File }
   | { kind: 'advance'; id: number; us: number } // all that was through by then
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
+  | { kind: 'fault'; id: number; us: number; at?: Span; back: boolean } // to the next one after `us`, or after the fault that is there
   | { kind: 'resetMarks' }
   | { kind: 'record'; on: boolean };
 
@@ -22,6 +24,8 @@ export interface Picture {
   travel: Travel[]; // by channel
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
+  faults: number; // there: 1 << Fault
+  found?: Found | null; // the fault that was gone to; null: there is none
 }
 
 export type Answer =
@@ -29,5 +33,6 @@ export type Answer =
   | { kind: 'failed'; error: string }
   | { kind: 'opened'; lengthUs: number; carrier: string; picture: Picture }
   | Picture
+  | { kind: 'faults'; map: FaultMap }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
   | { kind: 'recorded'; text: string }; // the end of it

@@ -1,6 +1,8 @@
 // A file that is read, in a WebAssembly of its own: the characters of a recording, or of a capture of the wire.
 
 import { imports, Native, type Exports } from '../native';
+import { bytesOf } from './bytes';
+import { directory, unpack, type Entry } from './zip';
 
 export class Tape {
   settings: Uint8Array = new Uint8Array();
@@ -18,25 +20,33 @@ export class Tape {
     return this.native.layout;
   }
 
-  // Returns what is wrong with the file, or ''.
+  // Returns what is wrong with the file, or ''. Throws an Error if it cannot be unpacked.
   async read(file: File, progress: (part: number) => void): Promise<string> {
-    const { calls, layout } = this.native;
-    const magic = new Uint8Array(await file.slice(0, 2).arrayBuffer());
-    if (magic[0] === 0x50 && magic[1] === 0x4b) {
-      return `${file.name}: is packed: sbus decode reads a session of PulseView (.sr); or export it as VCD or CSV`;
-    }
+    const { calls } = this.native;
     let bytes = 0;
-    const counting = new TransformStream<Uint8Array, Uint8Array>({
-      transform(part, out): void {
-        bytes += part.length;
-        progress(bytes / file.size);
-        out.enqueue(part);
-      },
-    });
-    const plain = file.stream().pipeThrough(counting);
-    const isGzip = magic[0] === 0x1f && magic[1] === 0x8b;
-    const reader = (isGzip ? plain.pipeThrough(new DecompressionStream('gzip') as TransformStream) : plain).getReader();
+    const taken = (count: number): void => progress((bytes += count) / file.size);
     this.native.transfer(new TextEncoder().encode(file.name), (count) => calls.nameFile(count));
+    const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
+    const isZip = first === 0x50 && second === 0x4b;
+    const isGzip = first === 0x1f && second === 0x8b;
+    const error = isZip ? await this.readSession(file, taken) : await this.readText(file, isGzip, taken);
+    if (error !== '') {
+      return error;
+    }
+    const wrong = this.native.words(calls.endFile());
+    if (wrong === '') {
+      this.settings = this.handed(calls.recordingSettings());
+      this.size = calls.recordingSize();
+      this.lengthUs = calls.recordingLengthUs();
+      this.carrier = this.native.words(calls.carrier());
+    }
+    return wrong;
+  }
+
+  // `taken`: how many more bytes of the file were read.
+  private async readText(file: File, isGzip: boolean, taken: (count: number) => void): Promise<string> {
+    const { calls, layout } = this.native;
+    const reader = bytesOf(file, isGzip ? 'gzip' : undefined, taken);
     let head = new Uint8Array();
     let part = await reader.read();
     for (; !part.done && head.length < layout.constant('HeadSize'); part = await reader.read()) {
@@ -50,14 +60,30 @@ export class Tape {
     for (; !part.done; part = await reader.read()) {
       this.native.transfer(part.value, (count) => calls.fileText(count));
     }
-    const error = this.native.words(calls.endFile());
-    if (error === '') {
-      this.settings = this.handed(calls.recordingSettings());
-      this.size = calls.recordingSize();
-      this.lengthUs = calls.recordingLengthUs();
-      this.carrier = this.native.words(calls.carrier());
+    return '';
+  }
+
+  // A session of sigrok and PulseView. Its samples are one entry, or several that are numbered.
+  private async readSession(file: File, taken: (count: number) => void): Promise<string> {
+    const { calls } = this.native;
+    const entries = await directory(file);
+    const put = async (entry: Entry | undefined, call: (count: number) => void): Promise<boolean> => {
+      if (entry) {
+        await unpack(file, entry, (bytes) => this.native.transfer(bytes, call), taken);
+      }
+      return entry !== undefined;
+    };
+    await put(entries.get('metadata'), (count) => calls.sessionMetadata(count));
+    const error = this.native.words(calls.openSession());
+    if (error !== '') {
+      return error;
     }
-    return error;
+    const name = this.native.words(calls.samplesName());
+    const samples = (count: number): void => void calls.sessionSamples(count);
+    let part = 1;
+    const isWhole = await put(entries.get(name), samples);
+    while (!isWhole && (await put(entries.get(`${name}-${part}`), samples))) part++;
+    return isWhole || part > 1 ? '' : this.native.words(calls.noSamples());
   }
 
   // Returns the characters from there on, as many as a decoder takes at once.

@@ -1,14 +1,17 @@
 // Plays one recording, beside the page: reads its file, decodes it, and goes to any place of it.
 
+import { Fault, type Found, type Sample } from '../faults';
 import { History, isSample, samplesOf } from '../history';
-import type { Stretch } from '../line';
+import { Flag, Kind, LinkState, type Stretch } from '../line';
 import { Decoder, type Image } from './decoder';
+import { Faults } from './faults';
 import type { Answer, Picture, Request } from './messages';
 import { Tape } from './tape';
 
 const sliceMs = 15; // of work, until messages are heard
 const pictureMs = 30; // at most, for a picture
 const progressMs = 100;
+const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
 const spacing = 25000; // characters from one image to the next: ten seconds of S.Bus, which are decoded in 6 ms
 const mostImages = 1024; // of 80 kB each
@@ -33,18 +36,21 @@ function progress(part: number): void {
   }
 }
 
-// The line's states, each some seconds after the other: it is decoded once, as soon as there is time for it.
+// The line's states, each some seconds after the other, and its faults: it is decoded once, as soon as there is time for it.
 class Index {
   readonly images: Image[];
+  readonly faults: Faults;
   private readonly apart: number;
+  private toldMs = 0;
 
   constructor(
     private readonly decoder: Decoder,
     size: number,
-    private readonly endUs: number,
+    readonly endUs: number,
   ) {
     this.images = [decoder.image()];
     this.apart = Math.max(spacing, size / mostImages);
+    this.faults = new Faults(endUs);
   }
 
   get us(): number {
@@ -56,12 +62,26 @@ class Index {
   }
 
   work(): void {
-    const { decoder } = this;
+    const { decoder, faults } = this;
+    const take = (records: Uint8Array): void => decoder.reader.eachSample(records, (sample) => faults.take(sample));
     for (const endMs = performance.now() + sliceMs; !this.isComplete && performance.now() < endMs; ) {
-      decoder.advance(Math.min(decoder.us + 1000000, this.endUs));
+      decoder.advance(Math.min(decoder.us + 1000000, this.endUs), take);
       if (decoder.next - (this.images.at(-1) as Image).next >= this.apart) {
         this.images.push(decoder.image());
       }
+    }
+    if (this.isComplete) {
+      faults.finish(this.endUs);
+    }
+    this.tell();
+  }
+
+  private tell(): void {
+    const { us, isComplete, faults } = this;
+    const ms = performance.now();
+    if (isComplete || ms - this.toldMs >= progressMs) {
+      this.toldMs = ms;
+      answer({ kind: 'faults', map: { us, isComplete, bins: faults.bins, counts: faults.counts() } });
     }
   }
 
@@ -79,7 +99,7 @@ class Playing {
   private readonly player: Decoder;
   private readonly index: Index;
   private past?: Past;
-  private wanted?: Extract<Request, { kind: 'advance' | 'seek' }>;
+  private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' }>;
   private waking = (): void => undefined;
 
   constructor(
@@ -114,6 +134,8 @@ class Playing {
       } else if (wanted?.kind === 'seek') {
         progress(this.index.us / wanted.us);
         this.index.work();
+      } else if (wanted?.kind === 'fault') {
+        this.toFault(wanted);
       } else if (wanted) {
         this.advance(wanted.id, wanted.us);
       } else if (this.past) {
@@ -134,19 +156,59 @@ class Playing {
     this.show(id, false, records);
   }
 
-  private seek(id: number, us: number): void {
+  private seek(id: number, us: number, found?: Found): void {
     this.wanted = undefined;
     const { player, index } = this;
     const image = index.before(Math.max(us - shownUs, 0));
     player.restore(image);
     const records = [player.reader.recalled()];
     player.advance(us, (part) => records.push(part));
-    this.show(id, true, records);
+    if (found) {
+      this.advanceTo(found, records);
+    }
+    this.show(id, true, records, found);
     this.past = image.us > 0 ? new Past(id, this.module, this.tape, index, image.us) : undefined;
   }
 
-  private show(id: number, jumped: boolean, records: Uint8Array[]): void {
-    answer(this.picture(id, jumped, records), records.map(({ buffer }) => buffer));
+  private toFault({ id, us, at, back }: Extract<Request, { kind: 'fault' }>): void {
+    const { index } = this;
+    const { faults, isComplete, endUs } = index;
+    const place = at ?? { fromUs: us };
+    const found = back ? faults.before(place) : faults.after(place);
+    if (isComplete || faults.knows(back ? us : (found?.fromUs ?? Infinity))) {
+      this.wanted = undefined;
+      if (found) {
+        this.seek(id, found.fromUs, found);
+      } else {
+        this.show(id, false, [], null);
+      }
+    } else {
+      progress(index.us / endUs);
+      index.work();
+    }
+  }
+
+  // From where a fault begins to where the page shows it: what a byte belongs to is known some bytes later.
+  private advanceTo(found: Found, records: Uint8Array[]): void {
+    const { player } = this;
+    let isShown = records.some((part) => this.shows(part, found));
+    for (const endUs = Math.min(found.fromUs + longestLookUs, this.index.endUs); !isShown && player.us < endUs; ) {
+      player.advance(player.us + 1000, (part) => {
+        records.push(part);
+        isShown ||= this.shows(part, found);
+      });
+      isShown ||= found.fault === Fault.NoFrames && player.reader.status(player.us).state === LinkState.Stale;
+    }
+  }
+
+  private shows(records: Uint8Array, { fault, fromUs }: Found): boolean {
+    let isIn = false;
+    this.player.reader.eachSample(records, (sample) => (isIn ||= sample.endUs >= fromUs && hasFault(sample, fault)));
+    return isIn;
+  }
+
+  private show(id: number, jumped: boolean, records: Uint8Array[], found?: Found | null): void {
+    answer({ ...this.picture(id, jumped, records), found }, records.map(({ buffer }) => buffer));
   }
 
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
@@ -154,7 +216,17 @@ class Playing {
     const status = reader.status(us);
     const travel = Array.from({ length: channels }, (_, i) => reader.travel(i));
     const recorded = reader.words(calls.takeRecorded());
-    return { kind: 'picture', id, jumped, us, status, travel, records, recorded };
+    return { kind: 'picture', id, jumped, us, status, travel, records, recorded, faults: this.index.faults.at(us) };
+  }
+}
+
+function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
+  const isFrame = kind !== Kind.NoFrame;
+  switch (fault) {
+    case Fault.Failsafe: return isFrame && (flags & Flag.Failsafe) !== 0;
+    case Fault.LostFrame: return isFrame && (flags & Flag.LostFrame) !== 0;
+    case Fault.Damage: return !isFrame;
+    case Fault.NoFrames: return false; // time passes until it is seen
   }
 }
 

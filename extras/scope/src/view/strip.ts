@@ -1,0 +1,98 @@
+// The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
+// Each fault has a height of its own, so that they are told without colours.
+
+import { binCount, Fault, faultNames, faults, type FaultMap, type Span } from '../faults';
+import { byId, make, setAttribute, setText } from '../dom';
+import type { RecordingSource } from '../source/recording';
+import { Announcer } from './announcer';
+
+const restMs = 1000; // from one fault that is told to the next
+const tall = 8;
+
+// Top and height, of `tall`, by Fault.
+const bands: [number, number][] = [[0, 8], [4, 4], [0, 2.5], [3.5, 1]];
+const classes = ['failsafe', 'lost', 'damage', 'silence'];
+
+// 1:02.345
+export function clock(us: number, digits = 3): string {
+  const units = Math.floor(us / 10 ** (6 - digits));
+  const minute = 60 * 10 ** digits;
+  const seconds = ((units % minute) / 10 ** digits).toFixed(digits);
+  return `${Math.floor(units / minute)}:${seconds.padStart(digits + 3, '0')}`;
+}
+
+const textOf = ({ fault, fromUs, toUs }: Span): string => `${faultNames[fault]}, ${clock(fromUs)}${toUs > fromUs ? ` to ${clock(toUs)}` : ''}`;
+
+export const namesOf = (mask: number): string => faults.filter((fault) => mask & (1 << fault)).map((fault) => faultNames[fault]).join(', ');
+
+function svg(name: string, attributes: Record<string, string | number>, ...children: Element[]): SVGElement {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', name);
+  Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, String(value)));
+  element.append(...children);
+  return element;
+}
+
+const boxOf = (fault: Fault, from: number, to: number): string => {
+  const [top, height] = bands[fault];
+  return `M${from} ${top}h${to - from}v${height}h${from - to}z`;
+};
+
+// What bins have it, as the outlines of boxes.
+function outline(fault: Fault, bins: Uint8Array): string {
+  let path = '';
+  for (let from = 0; from < bins.length; from++) {
+    if (bins[from] & (1 << fault)) {
+      let to = from + 1;
+      while (to < bins.length && bins[to] & (1 << fault)) to++;
+      path += boxOf(fault, from, to);
+      from = to;
+    }
+  }
+  return path;
+}
+
+export class Strip {
+  private shown?: FaultMap;
+  private readonly decoded = svg('rect', { class: 'decoded', height: tall });
+  private readonly window = svg('rect', { class: 'window', height: tall });
+  private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
+  private readonly counts = faults.map(() => make('span'));
+  private readonly state = make('li');
+  private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
+
+  constructor() {
+    byId('strip').append(this.decoded, this.window, ...this.paths);
+    const rows = faults.map((fault) => {
+      const sample = svg('svg', { viewBox: `0 0 8 ${tall}`, 'aria-hidden': 'true' }, svg('path', { class: classes[fault], d: boxOf(fault, 0, 8) }));
+      return make('li', {}, sample, this.counts[fault]);
+    });
+    byId('fault-counts').append(...rows, this.state);
+  }
+
+  // `from`, `to`: what the curves show, in us. Call it for each picture.
+  draw({ faults: map, found, isLast, lengthUs }: RecordingSource, from: number, to: number): void {
+    if (map !== this.shown) {
+      this.shown = map;
+      this.drawMap(map ?? { us: 0, isComplete: false, bins: new Uint8Array(binCount), counts: faults.map(() => 0) }, lengthUs);
+    }
+    const place = (us: number): number => Math.min(Math.max((binCount * us) / lengthUs, 0), binCount);
+    setAttribute(this.window, 'x', place(from).toFixed(1));
+    setAttribute(this.window, 'width', (place(to) - place(from)).toFixed(1));
+    const all = map?.isComplete ? ` of ${map.counts.reduce((sum, count) => sum + count)}` : '';
+    const text = isLast ? 'There is no other fault that way.' : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
+    setText(byId('fault-text'), text);
+    this.announcer.say(text);
+  }
+
+  private drawMap({ us, isComplete, bins, counts }: FaultMap, lengthUs: number): void {
+    setAttribute(this.decoded, 'width', String(Math.min((binCount * us) / lengthUs, binCount)));
+    faults.forEach((fault) => {
+      setAttribute(this.paths[fault], 'd', outline(fault, bins));
+      setText(this.counts[fault], `${faultNames[fault]}: ${counts[fault]} ×`);
+      (this.counts[fault].parentElement as HTMLElement).hidden = counts[fault] === 0;
+    });
+    const none = counts.every((count) => count === 0);
+    setText(this.state, isComplete ? (none ? 'no faults' : '') : `${Math.floor((100 * us) / lengthUs)} % decoded`);
+    this.state.hidden = isComplete && !none;
+  }
+}

@@ -1,0 +1,169 @@
+// Collects a recording's faults while it is decoded, in memory that does not grow.
+
+import { binCount, Fault, faults, silenceUs, type Found, type Sample, type Span } from '../faults';
+import { Flag, Kind } from '../line';
+
+export const mostSpans = 1 << 14; // of a fault
+const apartUs = 1000000; // nearer ones are one
+
+// Of one fault, in their order.
+class Spans {
+  count = 0;
+  readonly from = new Float64Array(mostSpans); // us
+  readonly to = new Float64Array(mostSpans);
+  private apartUs = apartUs;
+
+  // It begins later than all before.
+  add(fromUs: number, toUs: number): void {
+    const last = this.count - 1;
+    if (last >= 0 && fromUs - this.to[last] <= this.apartUs) {
+      this.to[last] = Math.max(this.to[last], toUs);
+    } else if (this.count < mostSpans) {
+      this.from[this.count] = fromUs;
+      this.to[this.count++] = toUs;
+    } else {
+      this.thin();
+      this.add(fromUs, toUs);
+    }
+  }
+
+  // Returns how many begin by then.
+  by(us: number): number {
+    let [low, high] = [0, this.count];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      [low, high] = this.from[middle] <= us ? [middle + 1, high] : [low, middle];
+    }
+    return low;
+  }
+
+  // There is no room for more: neighbours become one, until half of it is free.
+  private thin(): void {
+    while (this.count > mostSpans / 2) {
+      this.apartUs *= 2;
+      const { count } = this;
+      this.count = 0;
+      for (let i = 0; i < count; i++) {
+        this.add(this.from[i], this.to[i]);
+      }
+    }
+  }
+}
+
+export class Faults {
+  readonly bins = new Uint8Array(binCount);
+  private readonly spans = faults.map(() => new Spans());
+  private readonly on = faults.map(() => false); // at the newest frame or row
+  private readonly perUs: number;
+  private count = 0; // frames or rows
+  private firstUs = 0; // of them
+  private newestUs?: number; // of them; before the first, when bytes came first
+  private isRow = false; // the newest of them
+
+  constructor(endUs: number) {
+    this.perUs = binCount / Math.max(endUs, 1);
+  }
+
+  // The next stretch of the line.
+  take({ endUs, kind, flags, damagedUs }: Sample): void {
+    if (damagedUs > 0) {
+      this.mark(Fault.Damage, damagedUs, endUs);
+    }
+    if (kind === Kind.NoFrame || kind === Kind.Extra) {
+      this.newestUs ??= endUs;
+      return;
+    }
+    this.isRow = kind === Kind.Row;
+    const silent = this.silence(endUs);
+    const failsafe = (flags & Flag.Failsafe) !== 0;
+    this.flag(Fault.Failsafe, failsafe, silent, endUs);
+    this.flag(Fault.LostFrame, !failsafe && (flags & Flag.LostFrame) !== 0, silent, endUs);
+    this.firstUs = this.count++ === 0 ? endUs : this.firstUs;
+    this.newestUs = endUs;
+  }
+
+  // Nothing comes any more up to there.
+  finish(us: number): void {
+    this.silence(us);
+    this.newestUs = Infinity;
+  }
+
+  counts(): number[] {
+    return this.spans.map(({ count }) => count);
+  }
+
+  // True if every fault is known that begins by then.
+  knows(us: number): boolean {
+    return us < (this.newestUs ?? 0);
+  }
+
+  // Returns the faults there: 1 << Fault.
+  at(us: number): number {
+    return faults.reduce((mask, fault) => {
+      const last = this.spans[fault].by(us) - 1;
+      return mask | (last >= 0 && this.spans[fault].to[last] >= us ? 1 << fault : 0);
+    }, 0);
+  }
+
+  // Returns the first that begins after a time, or that follows a fault.
+  after(place: Place): Found | undefined {
+    return this.first((fault) => this.passed(fault, place), 1);
+  }
+
+  // Returns the last that begins by a time, or that precedes a fault.
+  before(place: Place): Found | undefined {
+    return this.first((fault) => {
+      const last = this.passed(fault, place) - 1;
+      return last >= 0 && order(this.span(fault, last), place) === 0 ? last - 1 : last;
+    }, -1);
+  }
+
+  private first(candidate: (fault: Fault) => number, sign: number): Found | undefined {
+    const all = faults.map((fault) => [fault, candidate(fault)]).filter(([fault, at]) => at >= 0 && at < this.spans[fault].count);
+    const [span] = all.map(([fault, at]) => this.span(fault, at)).sort((one, other) => sign * order(one, other));
+    return span && { ...span, number: faults.reduce((sum, fault) => sum + this.passed(fault, span), 0) };
+  }
+
+  // Returns how many of a fault come by that place.
+  private passed(fault: Fault, place: Place): number {
+    const count = this.spans[fault].by(place.fromUs);
+    return count > 0 && order(this.span(fault, count - 1), place) > 0 ? count - 1 : count;
+  }
+
+  private span(fault: Fault, at: number): Span {
+    return { fault, fromUs: this.spans[fault].from[at], toUs: this.spans[fault].to[at] };
+  }
+
+  // Returns true if none came since the newest frame or row, for too long.
+  private silence(us: number): boolean {
+    const fromUs = this.newestUs ?? us;
+    const meanUs = (fromUs - this.firstUs) / (this.count - 1); // not known before the second row
+    const silent = us - fromUs > silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity);
+    if (silent) {
+      this.mark(Fault.NoFrames, fromUs, us);
+    }
+    return silent;
+  }
+
+  // A flag lasts from the first frame that has it to the first that has it not, or to a silence.
+  private flag(fault: Fault, on: boolean, silent: boolean, us: number): void {
+    if (this.on[fault] && !silent) {
+      this.mark(fault, this.newestUs as number, us);
+    } else if (on) {
+      this.mark(fault, us, us);
+    }
+    this.on[fault] = on;
+  }
+
+  private mark(fault: Fault, fromUs: number, toUs: number): void {
+    this.spans[fault].add(fromUs, toUs);
+    const last = Math.min(Math.floor(toUs * this.perUs), binCount - 1);
+    for (let bin = Math.floor(fromUs * this.perUs); bin <= last; bin++) {
+      this.bins[bin] |= 1 << fault;
+    }
+  }
+}
+
+// A fault, or a time: that is after all that begins then.
+type Place = Pick<Span, 'fromUs'> & Partial<Span>;
+const order = (one: Place, other: Place): number => one.fromUs - other.fromUs || (one.fault ?? Infinity) - (other.fault ?? Infinity);

@@ -1,0 +1,197 @@
+// The strip of a recording: its faults along it, and the way from one to the next.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, check, fingers, frame, play, reads, recorded, seek, until } from './support.mjs';
+
+// A minute of frames, 10 ms apart, and the faults in it: [what, from, to], in ms of ends of frames. A line of recorded() ends 2.88 ms
+// after its time.
+const endMs = 2.88;
+const lines = Array.from({ length: 6000 }, (_, i) => ({ ms: 10 * (i + 1), bytes: frame([1000, i % 2048]) }));
+const at = (ms) => lines[ms / 10 - 1];
+const flagged = (fromMs, toMs, flags) => {
+  for (let ms = fromMs; ms < toMs; ms += 10) at(ms).bytes = frame([1000], { flags });
+};
+flagged(5000, 5050, 4);
+flagged(5500, 5510, 4); // less than a second later: the same
+flagged(10000, 10010, 4);
+flagged(20000, 22500, 12);
+for (let ms = 30010; ms < 31000; ms += 10) at(ms).gone = true;
+at(40000).bytes.splice(7, 1);
+at(45000).bad = true;
+flagged(50000, 50010, 4);
+const text = lines.filter(({ gone }) => !gone)
+  .map(({ ms, bytes, bad }) => recorded(1000 * ms, bytes).replace(/\n$/, bad ? '!\n' : '\n')).join('');
+const short = 0.12; // ms: a byte less
+const expected = [
+  ['lost frames', 5000, 5510],
+  ['lost frames', 10000, 10010],
+  ['failsafe', 20000, 22500],
+  ['no frames', 30000, 31000],
+  ['damaged bytes', 40000 - short, 40010],
+  ['damaged bytes', 45000, 45010],
+  ['lost frames', 50000, 50010],
+].map(([what, from, to]) => [what, from + endMs, to + endMs]);
+
+const clock = (ms) => `0:${(Math.floor(ms + 1e-6) / 1000).toFixed(3).padStart(6, '0')}`;
+const told = ([what, from, to], i) => `Fault ${i + 1} of ${expected.length}: ${what}, ${clock(from)} to ${clock(to)}.`;
+const file = path.join(build, 'faults.txt');
+const decoded = (page) => until('it is not decoded', async () => (await page.getAttribute('#strip .decoded', 'width')) === '512');
+const positionMs = (page) => page.inputValue('#position').then(Number);
+
+// The part of the strip's width in which a fault is drawn: [from, to].
+const boxes = (page, name) => page.$eval(`#strip .${name}`, (shape) =>
+  [...shape.getAttribute('d').matchAll(/M(\S+) \S+h(\S+)v/g)].map(([, from, width]) => [Number(from) / 512, (Number(from) + Number(width)) / 512]));
+
+export default async function () {
+  writeFileSync(file, text);
+
+  await check('the strip has the faults of a recording where they are, and how many', async (page) => {
+    await play(page, file);
+    await decoded(page);
+    assert.deepEqual(await page.$$eval('#fault-counts li', (items) => items.filter(({ hidden }) => !hidden).map(({ textContent }) => textContent)),
+      ['failsafe: 1 ×', 'lost frames: 3 ×', 'damaged bytes: 2 ×', 'no frames: 1 ×']);
+    const all = 60003.88;
+    for (const [name, what] of [['failsafe', 'failsafe'], ['silence', 'no frames'], ['damage', 'damaged bytes']]) {
+      const wanted = expected.filter(([each]) => each === what);
+      const drawn = await boxes(page, name);
+      assert.equal(drawn.length, wanted.length, name);
+      drawn.forEach(([from, to], i) => {
+        assert.ok(from <= wanted[i][1] / all && from > wanted[i][1] / all - 1 / 512, `${name} from ${from}`);
+        assert.ok(to >= wanted[i][2] / all && to < wanted[i][2] / all + 2 / 512, `${name} to ${to}`);
+      });
+    }
+    assert.equal((await boxes(page, 'lost')).length, 4);
+  });
+
+  await check('N goes from fault to fault and stands where each shows, P goes back', async (page) => {
+    await play(page, file);
+    await page.focus('#plot');
+    await page.click('#play');
+    await seek(page, 0);
+    for (const [i, fault] of expected.entries()) {
+      await page.keyboard.press('n');
+      await reads(page, '#fault-text', told(fault, i));
+      const ms = await positionMs(page);
+      const late = fault[0] === 'no frames' ? 101 : fault[0] === 'damaged bytes' ? 20 : 2;
+      assert.ok(ms >= Math.floor(fault[1]) && ms <= fault[1] + late, `${fault} is shown at ${ms} ms`);
+      assert.equal(await page.textContent('#play'), 'Play');
+      const indicator = { 'lost frames': 'lost-frame', failsafe: 'failsafe' }[fault[0]];
+      await until(() => `${fault} is not seen`, () => page.evaluate(([what, name]) =>
+        what ? document.querySelector(`#indicator-${what}`).dataset.on === 'true' :
+          name === 'no frames' ? document.querySelector('#state').textContent === 'Stale' :
+            document.querySelector('#lines li:first-child').className === 'none' || document.querySelector('#lines li:nth-child(2)').className === 'none',
+      [indicator, fault[0]]));
+      assert.match(await page.getAttribute('#position', 'aria-valuetext'), new RegExp(`of 1:00\\.0, (.*, )?${fault[0]}`));
+    }
+    await page.keyboard.press('n');
+    await reads(page, '#fault-text', 'There is no other fault that way.');
+    for (const i of [5, 4, 3, 2, 1, 0]) {
+      await page.keyboard.press('Shift+P');
+      await reads(page, '#fault-text', told(expected[i], i));
+    }
+    await reads(page, '#fault-announcement[role="status"]', told(expected[0], 0));
+  });
+
+  await check('from any place the next fault is the first after it, and the one before begins before it', async (page) => {
+    await play(page, file);
+    await decoded(page);
+    for (const [ms, next, before] of [[7000, 1, 0], [21000, 3, 2], [30050, 4, 3], [49999, 6, 5]]) {
+      await seek(page, ms);
+      await page.click('#fault-next');
+      await reads(page, '#fault-text', told(expected[next], next));
+      await seek(page, ms);
+      await reads(page, '#fault-text', '');
+      await page.click('#fault-back');
+      await reads(page, '#fault-text', told(expected[before], before));
+    }
+  });
+
+  await check('a fault that is not decoded yet is looked for', async (page) => {
+    const long = path.join(build, 'late.txt');
+    writeFileSync(long, Array.from({ length: 400000 }, (_, i) => recorded(10000 * (i + 1), frame([1000], { flags: i === 399990 ? 8 : 0 }))).join(''));
+    await play(page, long);
+    await page.click('#fault-next');
+    await reads(page, '#fault-text', 'Fault 1 of 1: failsafe, 66:39.912 to 66:39.922.');
+  });
+
+  await check('the strip fills while the recording is decoded', async (page) => {
+    const long = path.join(build, 'late.txt');
+    await page.evaluate(() => {
+      fake.seen = [];
+      new MutationObserver(() => {
+        const decoded = document.querySelector('#strip .decoded').getAttribute('width');
+        const said = document.querySelector('#fault-counts li:last-child').textContent;
+        if (fake.seen.at(-1)?.[0] !== Number(decoded)) fake.seen.push([Number(decoded), said]);
+      }).observe(document.querySelector('#timeline'), { subtree: true, attributes: true });
+    });
+    await play(page, long);
+    await decoded(page);
+    const seen = await page.evaluate(() => fake.seen);
+    assert.deepEqual(seen.map(([width]) => width), seen.map(([width]) => width).sort((a, b) => a - b));
+    assert.equal(seen.at(-1)[0], 512);
+    const [, [width, said]] = seen;
+    assert.ok(seen.length > 2 && width > 0 && width < 512 && said === `${Math.floor((100 * width) / 512)} % decoded`, JSON.stringify(seen));
+  });
+
+  await check('the strip seeks where it is clicked, to where it is dragged, and by its keys', async (page) => {
+    await play(page, file);
+    await page.click('#play');
+    const box = await page.locator('.strip').boundingBox();
+    const place = (part) => [box.x + part * box.width, box.y + box.height / 2];
+    const stands = (part) => until(async () => `it is at ${await positionMs(page)} ms, not at ${60000 * part}`, async () => Math.abs((await positionMs(page)) - 60000 * part) < 300);
+    await page.mouse.click(...place(0.4));
+    await stands(0.4);
+    await page.mouse.down();
+    await page.mouse.move(...place(0.6));
+    await page.mouse.move(...place(0.8), { steps: 5 });
+    await page.mouse.up();
+    await stands(0.8);
+    await seek(page, 30000);
+    await page.focus('#position');
+    for (const [key, ms] of [['ArrowRight', 30600], ['ArrowLeft', 30000], ['ArrowDown', 29400], ['ArrowUp', 30000], ['Home', 0], ['End', 60004]]) {
+      await page.keyboard.press(key);
+      await until(async () => `${key}: ${await positionMs(page)} ms, not ${ms}`, async () => Math.abs((await positionMs(page)) - ms) <= 2);
+    }
+    assert.equal(await page.getAttribute('#position', 'aria-valuetext'), '1:00.0 of 1:00.0');
+    await page.keyboard.press('p');
+    await reads(page, '#fault-text', told(expected[6], 6));
+  });
+
+  await check('a finger on the strip seeks', async (page) => {
+    await play(page, file);
+    await page.click('#play');
+    await page.locator('.strip').scrollIntoViewIfNeeded();
+    const box = await page.locator('.strip').boundingBox();
+    const { put, move, lift } = await fingers(page);
+    await put([box.x + 0.2 * box.width, box.y + 10]);
+    for (let i = 1; i <= 10; i++) await move([box.x + (0.2 + 0.05 * i) * box.width, box.y + 10]);
+    await lift();
+    await until(async () => `${await positionMs(page)} ms`, async () => Math.abs((await positionMs(page)) - 42000) < 300);
+  }, { size: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
+
+  await check('another place, and playing on, leave the fault; N where a speed is chosen is a letter', async (page) => {
+    await play(page, file);
+    await page.click('#fault-next');
+    await reads(page, '#fault-text', told(expected[0], 0));
+    await page.click('#play');
+    await reads(page, '#fault-text', '');
+    await page.click('#play');
+    const before = await positionMs(page);
+    await page.focus('#speed');
+    await page.keyboard.press('n');
+    await page.keyboard.press('Control+n');
+    await page.waitForTimeout(300);
+    assert.equal(await positionMs(page), before);
+  });
+
+  await check('telemetry of S.BUS2 is no fault', async (page) => {
+    // Slots 0 to 7: sbus/Slots.h. Their data are headers, which no frame begins with.
+    const slots = [0x03, 0x83, 0x43, 0xc3, 0x23, 0xa3, 0x63, 0xe3].flatMap((id) => [id, 0x0f, 0x0f]);
+    const healthy = Array.from({ length: 200 }, (_, i) => recorded(15000 * (i + 1), frame([1000], { end: 0x04 })) + recorded(15000 * (i + 1) + 5000, slots)).join('');
+    const telemetry = path.join(build, 'telemetry.txt');
+    writeFileSync(telemetry, healthy);
+    await play(page, telemetry);
+    await reads(page, '#fault-counts li:last-child', 'no faults');
+  });
+}
