@@ -110,7 +110,8 @@ class DecodeSBusOf {
   friend class DecodeSBus;   // for the extra channels
   friend class DecodeSBus2;  // for the telemetry
 
-  sbus::FrameFinderOf<Format, Events> _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
+  sbus::FrameFinderOf<typename Format::Line, Events>
+      _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
   sbus::Port _port;
   sbus::Link _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last
@@ -138,3 +139,8 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
 /// Decodes the 24 channels of FrSky's ACCESS and TD receivers that are set to "SBUS 24". On a line of 16 channels it
 /// delivers no frame, and counters().otherSizeFrames counts; so does a DecodeSBus on a line of 24 channels.
 using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
+
+/// A DecodeSBus, without extra channels, that takes a frame whose channels are all 0 for a lost one, and does not hand
+/// its channels out. A FrSky receiver that is set to "No pulses" may send such frames, and not always sets a flag in
+/// them.
+using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;

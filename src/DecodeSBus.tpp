@@ -42,7 +42,7 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
   const int found = _port.available();
   if (found <= 0) {
     if (const uint8_t *const frame = _finder.idle(now)) {
-      _link.frame(frame[Format::Size - 2]);
+      _link.frame(Format::flags(frame));
     }
     return;
   }
@@ -58,7 +58,7 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
     }
     waiting -= count;
     if (const uint8_t *const frame = _finder.received(count, waiting)) {
-      _link.frame(frame[Format::Size - 2]);
+      _link.frame(Format::flags(frame));
     }
   }
   // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,
@@ -112,7 +112,7 @@ void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &fa
     SBUS_BARRIER();
     const uint8_t *const frame = _finder.newest();
     Format::unpack(frame, channels);
-    lostFrame = (frame[Format::Size - 2] & sbus::FlagLostFrame) != 0;
+    lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
     failsafe = _link.isLost();
     SBUS_BARRIER();
   } while (number != _finder.counters().frames);

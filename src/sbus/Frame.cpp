@@ -120,4 +120,12 @@ void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFr
   packEnd(packChannels(frame, channels, ChannelCount24), 0, failsafe, lostFrame);
 }
 
+bool Frame16NoPulses::isZero(const uint8_t *frame) {
+  uint8_t bits = 0;
+  for (uint8_t at = 1; at < Size - 2; at++) {
+    bits = static_cast<uint8_t>(bits | frame[at]);
+  }
+  return bits == 0;
+}
+
 }  // namespace sbus

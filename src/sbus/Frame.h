@@ -135,6 +135,7 @@ void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFr
 
 /// The format of a frame of 16 channels, for templates.
 struct Frame16 {
+  using Line = Frame16;                                ///< the format that is searched for
   static constexpr uint8_t Size = FrameSize;           ///< bytes, the flags and the end byte last
   static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
   static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
@@ -143,6 +144,8 @@ struct Frame16 {
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns how many characters' time `count` of them take: some receivers spread a frame over 4 ms instead of 3.
   static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }
+  /// Returns the flags of a frame.
+  static constexpr uint8_t flags(const uint8_t *frame) { return frame[Size - 2]; }
   /// Calls unpackAligned().
   static void unpack(const uint8_t *frame, uint16_t *channels) { unpackAligned(frame, channels); }
   /// Calls pack().
@@ -153,6 +156,7 @@ struct Frame16 {
 
 /// The format of a frame of 24 channels.
 struct Frame24 {
+  using Line = Frame24;                                ///< the format that is searched for
   static constexpr uint8_t Size = FrameSize24;         ///< bytes
   static constexpr uint8_t Channels = ChannelCount24;  ///< values that unpack() writes
   static constexpr uint8_t Variants = 1;               ///< end byte 00 only
@@ -161,11 +165,30 @@ struct Frame24 {
   static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
   /// Returns `count`: no receiver spreads these frames.
   static constexpr unsigned spread(unsigned count) { return count; }
+  /// Returns the flags of a frame.
+  static constexpr uint8_t flags(const uint8_t *frame) { return frame[Size - 2]; }
   /// Calls unpack24().
   static void unpack(const uint8_t *frame, uint16_t *channels) { unpack24(frame, channels); }
   /// Calls pack24().
   static void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
     pack24(frame, channels, failsafe, lostFrame);
+  }
+};
+
+/// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and not always sets a flag:
+/// github.com/ArduPilot/ardupilot/issues/9400. Such a frame counts as lost, and its channels are not handed out.
+struct Frame16NoPulses : Frame16 {
+  /// Returns true if CH1..CH16 of the frame are 0.
+  static bool isZero(const uint8_t *frame);
+  /// Returns the flags of a frame.
+  static uint8_t flags(const uint8_t *frame) {
+    return static_cast<uint8_t>(Frame16::flags(frame) | (isZero(frame) ? FlagLostFrame : 0));
+  }
+  /// Calls unpackAligned(), unless the channels are 0.
+  static void unpack(const uint8_t *frame, uint16_t *channels) {
+    if (!isZero(frame)) {
+      unpackAligned(frame, channels);
+    }
   }
 };
 

@@ -226,3 +226,51 @@ TEST_CASE("frames that waited while the loop was blocked are as old as they can 
     }
   }
 }
+
+TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost one, and DecodeSBus hands it out") {
+  const struct {
+    const char *what;
+    std::vector<uint16_t> channels;  // CH1.., the others 0
+    uint8_t flags;
+    LinkState state;  // of DecodeSBusNoPulses after one frame, after three with a loss limit of 3
+    LinkState afterThree;
+  } rows[] = {
+      {"all 0", {}, 0, LinkState::Lossy, LinkState::Failsafe},
+      {"all 0, CH17 on", {}, 1, LinkState::Lossy, LinkState::Failsafe},
+      {"all 0 and failsafe", {}, Failsafe, LinkState::Failsafe, LinkState::Failsafe},
+      {"CH1 is 1", {1}, 0, LinkState::Ok, LinkState::Ok},
+      {"CH16 is 1024", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1024}, 0, LinkState::Ok, LinkState::Ok},
+      {"sticks and failsafe", {992, 992, 172}, Failsafe, LinkState::Failsafe, LinkState::Failsafe},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    Channels values = {};
+    std::copy(row.channels.begin(), row.channels.end(), values.begin());
+    values[16] = row.flags & 1;
+    Frame frame;
+    sbus::pack(frame.data(), values.data(), (row.flags & Failsafe) != 0, false);
+    FakeBoardOf<DecodeSBusNoPulses, sbus::Frame16NoPulses> board;
+    OpenBoard plain;
+    board.sbus.begin();
+    board.sbus.setLossLimit(3);
+    board.wait(FakeBoard::SilenceUs);
+    const auto next = [&](const Frame &bytes) {
+      plain.nextFrame(bytes);
+      board.nextFrame(bytes);
+    };
+    next(PaperLow.bytes);
+    next(PaperLow.bytes);
+    REQUIRE(board.decode().channels == PaperLow.channels);
+    next(frame);
+    const bool isZero = row.channels.empty();
+    CHECK(board.sbus.linkState() == row.state);
+    CHECK(board.decode().lostFrame == isZero);
+    CHECK(board.decode().channels == (isZero ? Untouched : values));
+    CHECK(plain.decode().channels == values);
+    CHECK_FALSE(plain.decode().lostFrame);
+    next(frame);
+    next(frame);
+    CHECK(board.sbus.linkState() == row.afterThree);
+    CHECK(board.decode().failsafe == (row.afterThree == LinkState::Failsafe));
+  }
+}

@@ -1,0 +1,3 @@
+#include "DecodeSBus.tpp"
+
+SBUS_COMPILE_DECODER(sbus::Frame16NoPulses)
