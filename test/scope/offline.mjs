@@ -20,7 +20,11 @@ async function serve(files) {
   const url = () => /http:\S+/.exec(said)?.[0];
   await until('it does not serve', url);
   const gone = new Promise((resolve) => server.on('exit', resolve));
-  return { url: url(), folder, stop: () => (server.kill(), gone) };
+  const stop = () => {
+    server.kill();
+    return gone;
+  };
+  return { url: url(), folder, stop };
 }
 
 // A visitor of its own: check()'s page is one from disk.

@@ -123,6 +123,10 @@ export class Core implements Line {
     return this.memory.status(nowUs);
   }
 
+  telemetry(nowUs: number): string[] {
+    return this.memory.telemetry(nowUs);
+  }
+
   travel(channel: number): [number, number] | undefined {
     return this.memory.travel(channel);
   }

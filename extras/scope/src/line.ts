@@ -32,6 +32,7 @@ export interface Stretch {
   flags: number;
   channels: Float64Array; // raw; of a Row as it was printed
   bytes: Uint8Array; // empty for a Row
+  isTelemetry: boolean; // it is no frame, but slots of S.BUS2
   why: string; // it is no frame
 }
 
@@ -58,6 +59,9 @@ export interface Line {
   // Hands over all that has come by `nowUs`.
   advance(nowUs: number, sink: Sink): void;
   status(nowUs: number): Status;
+  // What sensors have measured within the last second ("receiver voltage 4.6 V"), after the slots that came ("slots 0, 1"); none
+  // without telemetry.
+  telemetry(nowUs: number): readonly string[];
   // Least and most of a channel, from 0 on; undefined if there is none yet.
   travel(channel: number): [number, number] | undefined;
   resetMarks(): void;

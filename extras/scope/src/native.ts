@@ -12,7 +12,7 @@ export const imports: WebAssembly.Imports = { wasi_snapshot_preview1: noSystem }
 
 const recordTypes = {
   endUs: 'double 1', damagedUs: 'double 1', channels: 'double 32', kind: 'byte 1', flags: 'byte 1', channelCount: 'byte 1', size: 'byte 1',
-  bytes: 'byte 36', why: 'letter 88',
+  slots: 'byte 1', bytes: 'byte 36', why: 'letter 88',
 };
 const statusTypes = Object.fromEntries(statusNames.map((name) => [name, 'double 1'])) as Record<keyof Status, string>;
 
@@ -86,6 +86,11 @@ export class Native {
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
+  // What sensors have measured, and which slots came; none without telemetry.
+  telemetry(nowUs: number): string[] {
+    return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
+  }
+
   // Hands bytes over in parts: `call` gets how many of them WebAssembly has.
   transfer(bytes: Uint8Array, call: (count: number) => void): void {
     const at = this.calls.transferBuffer();
@@ -125,6 +130,7 @@ export class Native {
       flags: view.getUint8(record.flags),
       channels: new Float64Array(buffer, at + record.channels, view.getUint8(record.channelCount)).slice(),
       bytes: new Uint8Array(buffer, at + record.bytes, view.getUint8(record.size)).slice(),
+      isTelemetry: view.getUint8(record.slots) > 0,
       why: kind === Kind.NoFrame ? this.wordsIn(new Uint8Array(buffer, at + record.why)) : '',
     };
   }

@@ -20,6 +20,7 @@ import { LinkView } from './view/link';
 import { NamesView } from './view/names';
 import { StatisticsView } from './view/statistics';
 import { SticksView } from './view/sticks';
+import { TelemetryView } from './view/telemetry';
 import { Timeline } from './view/timeline';
 import { VerdictView } from './view/verdict';
 
@@ -53,6 +54,7 @@ export class Scope implements Sink {
   private readonly link = new LinkView(byId('link'));
   private readonly verdict = new VerdictView();
   private readonly counters = new CountersView(byId('counters'));
+  private readonly telemetry = new TelemetryView();
   private readonly statistics = new StatisticsView(this.history);
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
@@ -139,6 +141,7 @@ export class Scope implements Sink {
     this.names.draw(this.newest?.channels.length || 16);
     this.link.draw(status, this.newest);
     this.counters.draw(status, source.events);
+    this.telemetry.draw(source.line.telemetry(nowUs));
     this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
     this.statistics.draw(nowUs, this.newest?.kind === Kind.Row ? 'rows' : 'frames');
     this.frames.draw();

@@ -7,11 +7,10 @@
 namespace scope {
 
 // A few good characters without a header cost no frame: some receivers send a tail. FrameMin of them and more did.
-uint64_t Damage::take(const line::Stretch &stretch) {
+uint64_t Damage::take(const line::Stretch &stretch, bool followsSlots) {
   constexpr size_t FrameMin = sbus::FrameSize - sbus::rules::MostNoise;
-  const bool areSlots = !_slots.put(stretch).empty();
   if (stretch.isFrame()) {
-    const bool isDamaged = _seen && !areSlots && (_isOdd || _count >= FrameMin);
+    const bool isDamaged = _seen && !followsSlots && (_isOdd || _count >= FrameMin);
     const uint64_t sinceUs = isDamaged ? _sinceUs : 0;
     _seen = true;
     _isOdd = false;

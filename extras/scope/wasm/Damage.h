@@ -2,18 +2,17 @@
 #pragma once
 
 #include "line/Segments.h"
-#include "line/telemetry/TelemetrySlots.h"
 
 namespace scope {
 
 class Damage {
  public:
-  // Takes the next stretch. Returns when the first damaged bytes since the last frame had come, in us, once the next
-  // frame is there; otherwise 0. What comes before the first frame is half of one.
-  uint64_t take(const line::Stretch &stretch);
+  // Takes the next stretch; `followsSlots`: it is a frame, and proves that what was before it is telemetry. Returns
+  // when the first damaged bytes since the last frame had come, in us, once the next frame is there; otherwise 0. What
+  // comes before the first frame is half of one.
+  uint64_t take(const line::Stretch &stretch, bool followsSlots);
 
  private:
-  line::TelemetrySlots _slots;
   bool _seen = false;     // a frame
   bool _isOdd = false;    // a bad character, or a header, came since the newest frame
   size_t _count = 0;      // characters since then

@@ -113,6 +113,7 @@ EXPORT(layout)()->const char * {
   FIELD(Record, flags)
   FIELD(Record, channelCount)
   FIELD(Record, size)
+  FIELD(Record, slots)
   FIELD(Record, bytes)
   FIELD(Record, why)
   add("size", "Record", std::to_string(sizeof(Record)));

@@ -28,6 +28,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   _newest.reset();
   rows = BoardRows();
   _damage = Damage();
+  readings = line::Readings();
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
   _reads = line::PortReads(settings.characterUs());
@@ -142,7 +143,7 @@ void Scope::take(const line::Stretch &stretch) {
   const line::Values &newest = observer.newest();
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
-  record.damagedUs = static_cast<double>(_damage.take(stretch));
+  record.damagedUs = static_cast<double>(_damage.take(stretch, !observer.telemetry().proved().empty()));
   record.kind = static_cast<uint8_t>(stretch.kind);
   record.flags = flagsOf(newest);
   record.channelCount = static_cast<uint8_t>(newest.count);
@@ -150,6 +151,8 @@ void Scope::take(const line::Stretch &stretch) {
   record.size = static_cast<uint8_t>(std::min(stretch.characters.size(), Record::BytesMax));
   std::transform(stretch.characters.begin(), stretch.characters.begin() + record.size, record.bytes,
                  [](const line::Character &character) { return character.value; });
+  record.slots = static_cast<uint8_t>(stretch.slots.size());
+  readings.put(observer.telemetry().proved());
   const std::string words = line::why(stretch);
   words.copy(record.why, sizeof record.why - 1);
   add(record);

@@ -13,9 +13,10 @@
 #include "SimulatedLine.h"
 #include "Watch.h"
 #include "line/Examination.h"
-#include "line/simulation/LineSettings.h"
 #include "line/Observer.h"
 #include "line/ports/PortReads.h"
+#include "line/simulation/LineSettings.h"
+#include "line/telemetry/Readings.h"
 
 namespace scope {
 
@@ -43,6 +44,7 @@ struct Record {
   uint8_t flags;                 // as in a frame's flags byte
   uint8_t channelCount;
   uint8_t size;             // bytes
+  uint8_t slots;            // how many telemetry slots it is, if it is no frame
   uint8_t bytes[BytesMax];  // of the line
   char why[88];             // it is no frame
 };
@@ -70,7 +72,8 @@ class Scope {
   void record(bool on);
 
   line::Observer observer;
-  line::Examination examination;             // of what came since the port was opened, or since mark()
+  line::Readings readings;
+  line::Examination examination;  // of what came since the port was opened, or since mark()
   Watch watch;
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
@@ -89,7 +92,7 @@ class Scope {
 
   std::deque<Record> _lately;
   std::optional<Record> _newest;  // frame or row
-  line::PortReads _reads;  // of a port
+  line::PortReads _reads;         // of a port
   Damage _damage;
   uint64_t _characterUs = 0;
   uint64_t _turnUs = 0;    // of the last picture or read

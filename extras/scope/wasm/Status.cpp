@@ -43,7 +43,7 @@ EXPORT(status)(double now)->const Status * {
   answer.rejectedByEnd = d(counters.rejectedByEnd);
   answer.rejectedByFlags = d(counters.rejectedByFlags);
   answer.rejectedByLength = d(counters.rejectedByLength);
-  answer.discardedBytes = d(counters.discardedBytes);
+  answer.discardedBytes = d(observer.discardedBytes());
   answer.resyncs = d(counters.resyncs);
   answer.overflows = d(counters.overflows);
   answer.extraFrames = d(counters.extraFrames);
@@ -54,6 +54,18 @@ EXPORT(status)(double now)->const Status * {
   answer.finding = theScope.watch.finding() ? d(static_cast<uint64_t>(*theScope.watch.finding())) : -1;
   answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
+}
+
+// What sensors have measured, and which slots came, within the last second, a line each; "" without telemetry.
+EXPORT(telemetry)(double now)->const char * {
+  static std::string lines;
+  const auto nowUs = static_cast<uint64_t>(now);
+  const uint64_t sinceUs = nowUs - std::min(nowUs, line::Readings::FreshUs);
+  lines = theScope.readings.slots(sinceUs);
+  for (const std::string &quantity : theScope.readings.quantities(sinceUs)) {
+    lines += "\n" + quantity;
+  }
+  return lines.c_str();
 }
 
 // Least and most of a channel, from 0 on; nullptr if there is none yet.

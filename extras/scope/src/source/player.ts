@@ -103,6 +103,10 @@ export class Player implements Line {
     return this.picture.status;
   }
 
+  telemetry(): readonly string[] {
+    return this.picture.telemetry;
+  }
+
   travel(channel: number): [number, number] | undefined {
     return this.picture.travel[channel];
   }

@@ -78,8 +78,8 @@ export class FramesView {
     setText(time, (stretch.endUs / 1e6).toFixed(3));
     setText(code, Array.from(stretch.bytes, hex).join(' '));
     const flags = stretch.flags & Flag.Failsafe ? 'failsafe' : stretch.flags & Flag.LostFrame ? 'lost frame' : '';
-    setText(why, stretch.kind === Kind.NoFrame ? stretch.why : flags);
-    row.className = stretch.kind === Kind.NoFrame ? 'none' : flags ? 'flagged' : '';
+    setText(why, stretch.why || flags);
+    row.className = stretch.kind === Kind.NoFrame && !stretch.isTelemetry ? 'none' : flags ? 'flagged' : '';
   }
 
   // The newest frame, bit by bit.

@@ -1,7 +1,7 @@
 // The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
 // Each fault has a height of its own, so that they are told without colours.
 
-import { binCount, Fault, faultNames, faults, type FaultMap, type Span } from '../faults';
+import { binCount, type Fault, faultNames, faults, type FaultMap, type Span } from '../faults';
 import { byId, make, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Announcer } from './announcer';

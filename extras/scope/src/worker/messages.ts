@@ -22,6 +22,7 @@ export interface Picture {
   us: number;
   status: Status;
   travel: Travel[]; // by channel
+  telemetry: string[]; // see Line.telemetry()
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
   faults: number; // there: 1 << Fault

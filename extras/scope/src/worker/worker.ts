@@ -216,7 +216,8 @@ class Playing {
     const status = reader.status(us);
     const travel = Array.from({ length: channels }, (_, i) => reader.travel(i));
     const recorded = reader.words(calls.takeRecorded());
-    return { kind: 'picture', id, jumped, us, status, travel, records, recorded, faults: this.index.faults.at(us) };
+    const telemetry = reader.telemetry(us);
+    return { kind: 'picture', id, jumped, us, status, travel, telemetry, records, recorded, faults: this.index.faults.at(us) };
   }
 }
 
