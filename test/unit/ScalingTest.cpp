@@ -64,7 +64,7 @@ TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped
   }
 }
 
-TEST_CASE("what no raw value means becomes the nearest that there is") {
+TEST_CASE("a value that no raw value stands for becomes the nearest raw value") {
   const struct {
     int16_t us, thousandths;
     uint16_t raw;
@@ -86,7 +86,7 @@ TEST_CASE("a side without length is the centre, and divides nothing by 0") {
   CHECK(sbus::toUnit(5, {7, 7, 7}) == 0);
 }
 
-TEST_CASE("limited() keeps what is within, and its ends") {
+TEST_CASE("limited() keeps values within its limits, and the limits") {
   const struct {
     int16_t value, limited;
   } rows[] = {{-1001, -1000}, {-1000, -1000}, {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}, {INT16_MAX, 1000}};
