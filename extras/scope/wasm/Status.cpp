@@ -56,7 +56,7 @@ EXPORT(status)(double now)->const Status * {
   return &answer;
 }
 
-// Least and most of a channel, from 0 on; nullptr if there is none yet.
+// Returns the least and greatest value of a channel, from 0 on; nullptr before the first.
 EXPORT(travel)(unsigned channel)->const double * {
   if (theScope.rows.recognised()) {
     const BoardRows::Travel *const travel = theScope.rows.travel(channel);
