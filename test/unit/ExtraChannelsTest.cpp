@@ -120,7 +120,7 @@ TEST_CASE("a 2F frame is rejected if its form is wrong, a gap lies in it, or no 
       {"as it should be", whole, {}, 1},
       {"digital channels and flags", bytesOf(withByte(extraFrame(7), 23, 0x0F)), {}, 1},
       {"flags bit 4", bytesOf(withByte(extraFrame(7), 23, 0x10)), {}, 0},
-      {"another kind's end byte", bytesOf(extraFrame(7, 0x04)), {}, 0},
+      {"the end byte of another variant", bytesOf(extraFrame(7, 0x04)), {}, 0},
       {"no end byte", bytesOf(extraFrame(7, 0x55)), {}, 0},
       {"another header", bytesOf(withByte(extraFrame(7), 0, 0x3F)), {}, 0},
       {"a byte is missing", without(extraFrame(7), 7), {}, 0},

@@ -65,7 +65,7 @@ TEST_CASE("each cause of rejection has its counter, and bytes of no frame are co
       {"flags bit 4", bytesOf(withByte(plainFrame(5), 23, 0x10)), 0, 1, 0},
       {"a byte is missing: the next header stands at the end", without(plainFrame(5), 7), 1, 0, 0},
       {"a byte too many: CH16 stands at the flags", with(plainFrame(5), 7, 0xA5), 0, 1, 0},
-      {"another kind of end byte, and then noise", bytesOf(plainFrame(5, 0x04)) + Bytes{0xA5}, 0, 0, 1},
+      {"the end byte of another variant, and then noise", bytesOf(plainFrame(5, 0x04)) + Bytes{0xA5}, 0, 0, 1},
       {"37 bytes without an end at 24", part(plainFrame(5), 0, 23) + Bytes(14, 0x20), 1, 0, 0},
       {"noise", Bytes(10, 0xA5), 0, 0, 0},
   };

@@ -20,7 +20,7 @@ constexpr struct {
     {"FrSky", sbus::FrSky, true},
     {"Futaba", sbus::Futaba, true},
     {"Futaba, +-140 %", {78, 1024, 1964}, true},
-    {"the whole of it", {0, 1024, 2047}, false},
+    {"the whole range", {0, 1024, 2047}, false},
     {"backwards", {1811, 992, 172}, true},
     {"one side short", {900, 1000, 2000}, true},
     {"as short as can be", {1000, 1001, 1002}, true},
