@@ -2,9 +2,7 @@
 // only where reads prove it.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <ostream>
 #include <string>

@@ -1,7 +1,6 @@
 // Raw values to microseconds and to parts of the stick's travel, and back: exact, over all 2048 values.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

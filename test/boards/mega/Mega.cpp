@@ -8,7 +8,6 @@
 #include <simavr/sim_regbit.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
