@@ -10,8 +10,8 @@ zip:
 release:
 	@sh extras/setup/release.sh '$(VERSION)' '$(URL)'
 
-# make knows no names with spaces. In a folder that has one the work is done in a copy whose name has none; what is built
-# lands in build/ here all the same.
+# make cannot handle names with spaces. In a folder whose name has one the work is done in a copy whose name has none; the
+# results are in build/ here.
 ifneq ($(words $(CURDIR)),1)
 copy := /tmp/DecodeSBus-$(shell id -u)-$(shell pwd | cksum | cut -d' ' -f1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')

@@ -46,7 +46,7 @@ named() {
 # it [ARGUMENTS]: runs the command with further arguments
 it() { timeout 300 sh -c "$line \"\$@\"" sh "$@"; }
 
-# live PATTERN THEN [ARGUMENTS]: the same, of one that goes on: when its output has PATTERN, does THEN; then Ctrl-C
+# live PATTERN THEN [ARGUMENTS]: runs a command that does not end: when its output has PATTERN, does THEN; then Ctrl-C
 live() {
   pattern=$1 then=$2
   shift 2
@@ -83,7 +83,7 @@ small() {
   sed -i '/^DecodeSBus /!d' test/golden/LINES
 }
 
-# step NAME COMMAND: what that step of run.sh has said, or else what COMMAND says
+# step NAME COMMAND: prints the log of that step of run.sh; if there is none, the output of COMMAND
 step() { cat "$STEP_LOGS/$1.log" 2>/dev/null || $2; }
 
 newlib() { [ -z "$(extras/setup/arm-specs.sh)" ] || { echo "skipped: there is no newlib for ARM here"; false; }; }

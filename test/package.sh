@@ -94,4 +94,4 @@ git commit -q -a -m Next
 rejected "it has been released" 9.9.9 $url
 release 9.10.0
 verdict $? "9.10.0 is more than 9.9.9"
-rm -rf "$out"  # or a linter takes its sketches for ones of this library
+rm -rf "$out"  # otherwise a linter takes its sketches for those of this library

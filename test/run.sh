@@ -3,7 +3,7 @@
 #   run.sh          all
 #   run.sh check    those that find most: unit tests, examples
 #   run.sh step N   one of all, by its number in `all`
-# V=1 prints all that the steps print; else it is in BUILD/log. CAPTURES=folder: recordings of real receivers.
+# V=1 prints all output of the steps; otherwise it is in BUILD/log. CAPTURES=folder: recordings of real receivers.
 # STEPS='tool|bench' runs these of them.
 #
 # A check that is no doctest case says "ok ..." or "FAILED ..." on a line of its own. What does not build is a failure,

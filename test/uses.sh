@@ -1,7 +1,7 @@
 #!/bin/sh
 # Is every public function of the headers that sketches include called by a sketch that the tests build: an example, or one
 # of README.md and the pages? Is every word of keywords.txt one of the library, and too special to stand in another sketch,
-# which the IDE would colour, too? Says "ok ..." or "FAILED ..." of each.
+# which the IDE would also colour? Says "ok ..." or "FAILED ..." of each.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 # As golden.sh does it: what stands between ```cpp and ``` and has a loop().

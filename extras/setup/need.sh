@@ -3,9 +3,9 @@
 #
 #   sh extras/setup/need.sh g++ doctest-dev ...
 #
-# 'a|b' is a, or where apt has none b. 'a?' is left out with a line that says so where apt has none: the tests that need it
-# are then skipped. Silent and quick where nothing is missing. `clang-sanitizers` stands for the run-time library of the clang at hand,
-# whose package carries clang's version in its name.
+# 'a|b' is a, or b where apt has no a. 'a?' is left out where apt does not have it, and a line says so: then the tests that
+# need it are skipped. Silent and quick where nothing is missing. `clang-sanitizers` stands for the run-time library of the
+# installed clang, whose package has clang's version in its name.
 set -u
 
 installed() {
@@ -95,12 +95,12 @@ install() {
 
 [ -z "$(missing "$@")" ] && exit 0
 list=$(missing "$@")
-# Not for what apt is known to lack: that would take time in every run.
+# Not for packages that apt is known to lack: that would take time in every run.
 # shellcheck disable=SC2086  # lists of packages, to be split
 if [ -z "$(apt-cache madison make 2>/dev/null)" ] || [ -n "$(to_install $list 2>/dev/null)" ]; then
   update
 fi
-# Twice at the most: only an installed clang can say which run-time library it needs.
+# At most twice: only an installed clang can say which run-time library it needs.
 for round in first second; do
   list=$(missing "$@")
   # shellcheck disable=SC2086

@@ -85,7 +85,7 @@ class Search {
     return IdleUs + static_cast<uint32_t>(below(Longest[below(std::size(Longest))]));
   }
 
-  // What one more call finds: all the same, or not; nothing, sometimes.
+  // What one more call finds: equal bytes, or any; sometimes nothing.
   Bytes some() {
     Bytes bytes(below(4) == 0 ? 0 : below(41), telling());
     if (below(2) == 0) {
@@ -151,7 +151,7 @@ class Search {
   line::Random _random{Seed};
 };
 
-// In sync with each kind of line, and about to find this number of bytes.
+// In sync with each line variant, and about to find this number of bytes.
 std::vector<Attack> startsInSync(size_t size) {
   std::vector<Attack> starts;
   for (const sbus::LineVariant &kind : sbus::LineVariants) {

@@ -5,7 +5,6 @@
 //
 // Of the files below it is known what a right decoder finds; of any other file the counts are printed, and it is
 // checked that every frame delivered stands in the recording.
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

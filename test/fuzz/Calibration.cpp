@@ -1,9 +1,9 @@
-// A stored calibration of whatever bytes, and a calibration by whatever frames: good only if it can be scaled by.
+// A stored calibration of any bytes, and a calibration by any frames: good only if it can be used for scaling.
 //
 // The input: its first byte is the mode, the others are
 //   even: a stored calibration, 132 bytes, what is missing 0; it is judged as it is, and again with its check value
 //   right odd:  two bytes for `wanted`, then operations of one byte and what they need:
-//     00xxxxxx   begin (x = 0), centre (x = 1), high (x = 2), set the dead zone to 4 * x (else)
+//     00xxxxxx   begin (x = 0), centre (x = 1), high (x = 2), set the dead zone to 4 * x (other x)
 //     01xxxxxx   a frame of one value, 32 * x, on all channels; then an offset for each channel, a byte that is 0..7
 //                times the channel's number
 //     10xxxxxx   a frame; two bytes for each of its channels follow
@@ -95,7 +95,7 @@ void checkResults(const sbus::Calibrator &calibrator, uint16_t wanted) {
     const CalibrationError reason = calibrator.result(i, found);
     require(sbus::isCalibrated(found) == (reason == CalibrationError::None), "rejected, and nothing touched; or found");
     require(possibleByRule(found), "what is found can be");
-    const bool named = wanted == 0 ? !good : (wanted >> i & 1) != 0;  // nothing wanted, nothing found: CH1 is named
+    const bool named = wanted == 0 ? !good : (wanted >> i & 1) != 0;  // none required, none found: CH1 is named
     if (reason != CalibrationError::None && named && firstBad == Radio::NoChannel) {
       firstBad = i;
       require(reason == finished.error, "the reason is that of the first bad channel");

@@ -1,4 +1,4 @@
-// Finding frames under whatever bytes, polls, times and breaks the fuzzer thinks of.
+// Finding frames with any bytes, polls, times and breaks.
 //
 // The input: operations of one byte and what they need.
 //   0xxxxxxx          a poll after this many hundreds of us, with the bytes that have come since, if any

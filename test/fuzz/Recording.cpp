@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (!recording.error.empty()) {
     return 0;
   }
-  // Written down and read again it is the same.
+  // A recording that is written and read again has the same characters.
   std::string written;
   for (const line::Character character : recording.characters) {
     char line[40];

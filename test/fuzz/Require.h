@@ -1,4 +1,4 @@
-// Ends a fuzz program that finds what must not be.
+// Ends a fuzz program that finds a fault.
 #pragma once
 
 #include <cstdio>

@@ -1,10 +1,8 @@
-// A line behind a USB adapter, which hands bytes over late and in lumps: no frame is missed, none is made up, and a gap
-// is believed only where reads prove it.
+// A line behind a USB adapter, which hands bytes over late and in lumps: no frame is missed or made up, and a gap counts
+// only where reads prove it.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <ostream>
 #include <string>
@@ -49,12 +47,12 @@ std::ostream &operator<<(std::ostream &out, const Count &count) {
   return out << count.missed << " of " << count.sent << " missed, " << count.wrong << " wrong";
 }
 
-// The frames of a line and where they stood, held against those that an observer has found.
+// Compares the frames of a line and their places with those that an observer has found.
 class Judge {
  public:
   void sent(const SentFrame &frame, uint64_t skipped) {
     if (frame.first < skipped) {
-      return;  // it began before the port was opened
+      return;  // the frame began before the port was opened
     }
     const Stretch::Kind kind = frame.extra                     ? Stretch::Kind::Extra
                                : frame.size == sbus::FrameSize ? Stretch::Kind::Frame
@@ -134,7 +132,7 @@ Count runs(const Row &row, uint32_t latencyUs, uint32_t stallUs, unsigned seeds)
   return count;
 }
 
-// Those that a sketch finds, which polls a board's port each millisecond.
+// Returns the frames that a sketch finds, which polls a board's port each millisecond.
 unsigned long framesOfSketch(const line::Recording &recording) {
   line::RestoredLine line(std::make_unique<line::RecordedLine>(recording), line::CharacterUs);
   sbus::FrameFinder finder;
@@ -189,7 +187,7 @@ TEST_CASE("on a busy PC, which reads up to 100 ms late: no frame is missed, and 
   }
 }
 
-TEST_CASE("a recording of it keeps what each read brought: decoded again it has the same frames") {
+TEST_CASE("a recording of an adapter keeps what each read brought: decoded again it has the same frames") {
   for (const Row &row : Rows) {
     CAPTURE(row.name);
     CAPTURE(row.periodUs);
@@ -211,7 +209,7 @@ TEST_CASE("a recording of it keeps what each read brought: decoded again it has 
     const auto frames = observer.counters().frames + observer.counters().extraFrames;
     CHECK(frames + Dozen > count.sent);
     if (row.kind != Kind::Channels24) {
-      CHECK(framesOfSketch(recording) + Dozen + Dozen > count.sent);  // the sketch has a beginning of its own
+      CHECK(framesOfSketch(recording) + Dozen + Dozen > count.sent);  // the sketch also misses the first dozen
     }
   }
 }

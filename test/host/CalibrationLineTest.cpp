@@ -1,4 +1,4 @@
-// The simulated receiver's line for a calibration sketch: what the person at the radio does, and when.
+// The simulated receiver's line for a calibration sketch: which sticks move, and when.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ TEST_CASE("sticks and switches go to both ends, rest at their trims, are held up
   }
 }
 
-TEST_CASE("hands glide: no stick moves by more than 30 a frame, after two lost ones by 90, not where it begins again either") {
+TEST_CASE("sticks glide: by at most 30 a frame, by 90 after two lost frames, also where the calibration begins again") {
   const std::array<Range, 18> found = ranges(0, PeriodMs);
   for (size_t i = 0; i < 4; i++) {
     CHECK(found[i].fastest <= 90);

@@ -32,7 +32,7 @@ TEST_CASE("rows are read: values and their text") {
   CHECK(rows.row()[1].text == "+3");
 }
 
-TEST_CASE("what is a sketch's text, and what is not") {
+TEST_CASE("a sketch's rows are recognised, and other text is not") {
   const struct {
     const char *text;
     bool is;
@@ -43,7 +43,7 @@ TEST_CASE("what is a sketch's text, and what is not") {
       {"1,2,3,4,0,0\r\n1,2,3,4,0,0", false},                // the second is not complete
       {"1,2,3,4,0,0\r\n", false},
       {"1,2,3\n1,2\n", false},
-      {"120\n240\n", false},  // a number alone says nothing
+      {"120\n240\n", false},  // a number alone proves nothing
       {"PASS: 100 frames sent\nPASS: 100 frames sent\n", false},
       {"1,,3\n1,,3\n", false},
       {"0x1,2\n0x1,2\n", false},
@@ -66,7 +66,7 @@ TEST_CASE("what is a sketch's text, and what is not") {
   }
 }
 
-TEST_CASE("S.Bus is never taken for it") {
+TEST_CASE("S.Bus is never taken for a sketch's rows") {
   for (const line::Channels channels :
        {line::Channels::Sixteen, line::Channels::TwentyFour, line::Channels::ThirtyTwo}) {
     line::SimulatedReceiver receiver(line::Flight, line::CharacterUs, channels);
@@ -102,7 +102,7 @@ TEST_CASE("a line without an end is not kept") {
   CHECK(rows.row().size() == 64);
 }
 
-TEST_CASE("what the columns of a row hold") {
+TEST_CASE("the columns of a row are channels, flags or switches, by their names or number") {
   using line::CsvKind;
   const struct {
     const char *text;

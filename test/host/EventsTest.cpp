@@ -1,10 +1,9 @@
-// What a finder says of each byte, and where: on random impaired lines, polled in several ways.
+// The events of a finder for each byte, and their places: on random impaired lines, polled in several ways.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <vector>
 
@@ -66,7 +65,7 @@ ImpairedLine impairedLine(line::Random &random) {
   const bool hasExtra = Format::HasExtra && random.chance(0.3);
   const bool hasSlots = Format::HasExtra && !hasExtra && random.chance(0.3);
   const bool isNeutral = random.chance(0.5);  // 0F in the payload
-  // No gap to be seen, and it begins within a frame that has a second reading.
+  // No gap can be seen, and the line begins within a frame that allows a false sync.
   const bool isTight = !hasExtra && random.chance(0.2);
   for (unsigned number = 0; number < 60; number++) {
     std::array<uint16_t, sbus::ChannelCount24> channels;
@@ -93,7 +92,7 @@ ImpairedLine impairedLine(line::Random &random) {
       if (!isDamaged || !random.chance(0.1)) {
         send(frame[i]);
       } else if (random.chance(0.2)) {
-        us += 2000;  // the halves of two frames
+        us += 2000;  // the parts of two frames
       }
     }
     if (line.bytes.size() - begin == Format::Size) {

@@ -1,4 +1,4 @@
-// A port that is asked for low latency, and gets back what it had.
+// A port that is asked for low latency, and gets its setting back.
 #include "line/ports/LowLatency.h"
 
 #include <doctest/doctest.h>
@@ -46,7 +46,7 @@ int control(int, unsigned long request, ...) {
 
 }  // namespace
 
-TEST_CASE("low latency while it is open; what others have set meanwhile stays") {
+TEST_CASE("a port has low latency while it is open; what others have set meanwhile stays") {
   driver = Driver();
   {
     const LowLatency latency(3, control);
@@ -56,7 +56,7 @@ TEST_CASE("low latency while it is open; what others have set meanwhile stays") 
   CHECK(driver.flags == (ASYNC_SKIP_TEST | ASYNC_SPD_VHI));
 }
 
-TEST_CASE("a port that has it already keeps it") {
+TEST_CASE("a port that has low latency already keeps it") {
   driver = Driver();
   driver.flags |= ASYNC_LOW_LATENCY;
   { const LowLatency latency(3, control); }

@@ -1,4 +1,4 @@
-// What a person is shown of a line: every character once, each frame where it stood, and the numbers beside it.
+// An Observer shows every character of a line once, each frame where it stood, and its numbers.
 #include <doctest/doctest.h>
 
 #include <memory>
@@ -68,7 +68,7 @@ TEST_CASE("the link: its state, and the flags of frames that are shown but leave
   CHECK(line.observer.ageUs(line.observer.newest().endUs + 5000000000) == 5000000000);
 }
 
-TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined is one, and so is the last one") {
+TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined counts, and so does the last one") {
   Bytes extra = Watched::frameOf(500);
   extra[0] = sbus::ExtraHeader;
   const Bytes frame = Watched::frameOf(992);
@@ -110,7 +110,7 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined is on
   }
 }
 
-TEST_CASE("telemetry is told at the next gap, not with the next frame") {
+TEST_CASE("telemetry is handed over at the next gap, not with the next frame") {
   Watched line;
   line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).gap(2000);
   REQUIRE(line.stretches.size() == 4);

@@ -1,4 +1,4 @@
-// Single reads of a USB adapter: what they prove of the gaps on a line, and what frames come of that.
+// Single reads of a USB adapter: what they prove of the gaps on a line, and which frames are found by that.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST_CASE("24 channels whose tenth byte of payload is a header's, at 16 ms: no f
   }
 }
 
-TEST_CASE("pulled in mid frame and plugged in again: the halves are no frame if reads prove the silence") {
+TEST_CASE("pulled within a frame and plugged in again: the two parts are no frame if reads prove the silence") {
   const struct {
     uint32_t latencyUs;
     uint32_t silenceUs;

@@ -30,7 +30,7 @@ class EvenLine : public line::Line {
 
 }  // namespace
 
-TEST_CASE("what waits is handed over when 16 have come, or the line is idle for a character: not while the next comes in") {
+TEST_CASE("characters are handed over when 16 have come, or the line is idle for a character: not while the next comes in") {
   const struct {
     uint64_t apartUs;
     int afterThree, afterSixteen;  // when their last is through, and 120 us later

@@ -1,4 +1,4 @@
-// A real port that brings no frames: what is said, and when.
+// A real port that brings no frames: the messages, and when they come.
 #include "board/PortWatch.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint64_t Second = 1000000;
 
-// What is said in ten seconds. Characters come from `fromUs` to `toUs`; `noise`: none of them makes a frame.
+// Returns the messages of ten seconds. Characters come from `fromUs` to `toUs`; `noise`: they make no frame.
 std::vector<std::string> said(const std::string &device, uint64_t fromUs, uint64_t toUs, bool noise = false) {
   line::SimulatedReceiver receiver;
   receiver.opened(0);
@@ -41,22 +41,22 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a silent port: at once, and every three seconds") {
+TEST_CASE("a silent port is reported at once, and every three seconds") {
   CHECK(said("tty", 0, 0) == Lines{"waiting for frames from tty", "3 s: nothing comes from tty",
                                    "6 s: nothing comes from tty", "9 s: nothing comes from tty"});
 }
 
-TEST_CASE("characters that make no frame") {
+TEST_CASE("characters that make no frame are reported") {
   CHECK(said("tty", 0, 7 * Second, true) ==
         Lines{"waiting for frames from tty", "3 s: no frames in what comes from tty",
               "6 s: no frames in what comes from tty", "9 s: no frames in what comes from tty"});
 }
 
-TEST_CASE("frames: nothing more is said, until they end") {
+TEST_CASE("while frames come nothing is reported, until they end") {
   CHECK(said("tty", 0, 10 * Second) == Lines{"waiting for frames from tty"});
   CHECK(said("tty", 0, 5 * Second) == Lines{"waiting for frames from tty", "9 s: nothing comes from tty"});
 }
 
-TEST_CASE("no real port: nothing is said") {
+TEST_CASE("without a real port nothing is reported") {
   CHECK(said("", 0, 0).empty());
 }

@@ -1,4 +1,4 @@
-// What is no frame on a line, and why; where it stands.
+// The stretches of a line that are no frames: why, and where they stand.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -7,7 +7,7 @@
 #include "support/KnownFrames.h"
 #include "support/Watched.h"
 
-TEST_CASE("what is no frame stands between the frames, with the reason") {
+TEST_CASE("characters of no frame stand between the frames, with the reason") {
   const Bytes good = Watched::frameOf(992);
   Bytes shortened = good;
   shortened.erase(shortened.begin() + 5);
@@ -44,7 +44,7 @@ TEST_CASE("what is no frame stands between the frames, with the reason") {
   }
 }
 
-TEST_CASE("the reason names its cause, and the header that it was found at") {
+TEST_CASE("the reason names its cause, and its header's place") {
   const Bytes good = Watched::frameOf(1024);
   const Bytes failsafe = bytesOf(FailsafeFrame);
   const Bytes noise = {0x55, 0x55};
@@ -61,7 +61,7 @@ TEST_CASE("the reason names its cause, and the header that it was found at") {
        "no header | not at a gap (byte 2) | no header | frame | frame"},
       {"halves",
        {Bytes(40, 0x55) + part(failsafe, 8) + failsafe, good},
-       "no header | no end byte (byte 15) | may be the halves of two frames (byte 5) | frame | frame"},
+       "no header | no end byte (byte 15) | may be a false sync (byte 5) | frame | frame"},
       {"neither", {good, noise + failsafe, good}, "frame | no header | frame | frame"},
   };
   for (const auto &row : rows) {
@@ -79,7 +79,7 @@ TEST_CASE("the reason names its cause, and the header that it was found at") {
   }
 }
 
-TEST_CASE("what is wrong with a bad character is named with its place, as far as its source tells") {
+TEST_CASE("the error of a bad character is named with its place, as far as its source tells") {
   struct Bad {
     size_t at;
     bool parity, stop;
@@ -144,7 +144,7 @@ TEST_CASE("a frame that has lost a character to an error and got another at its 
   }
 }
 
-TEST_CASE("bad characters only: they are all told, and none is kept for long") {
+TEST_CASE("a line of bad characters only: all are handed over, and none is kept for long") {
   Watched line;
   for (unsigned i = 0; i < 1000; i++) {
     line.send({static_cast<uint8_t>(i)}, 0);

@@ -104,7 +104,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("what sensors measure: the sources' examples and real lines") {
+TEST_CASE("sensors' quantities are right: the sources' examples and real lines") {
   CHECK(measured("receiver", {{0xC0, 0x2E}}) == "0 receiver voltage 4.6 V");
   CHECK(measured("receiver", {{0xC5, 0x04}}) == "0 external voltage 26.0 V");
   CHECK(measured("sbs-01t", {{0x5A, 0x80}}) == "0 temperature -10 degC");

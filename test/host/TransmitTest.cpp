@@ -1,4 +1,4 @@
-// How the host's board sends: the transmit buffer, and what a port with other settings makes of it.
+// How the host's board sends: the transmit buffer, and what a port with other settings receives.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -57,7 +57,7 @@ std::vector<Character> heard(const host::PortSettings &from, const host::PortSet
   return characters;
 }
 
-// How many of the bytes sent come over, in their order: what a sketch could use.
+// Returns how many of the bytes sent come over, in their order: what a sketch could use.
 size_t bytesThrough(const host::PortSettings &from, const host::PortSettings &to) {
   const std::vector<uint8_t> bytes = counting(64);
   size_t through = 0;
@@ -69,7 +69,7 @@ size_t bytesThrough(const host::PortSettings &from, const host::PortSettings &to
 
 }  // namespace
 
-TEST_CASE("a closed port has no places and takes nothing; what is under way when it is closed is lost") {
+TEST_CASE("a closed port has no places and takes nothing; characters under way when it is closed are lost") {
   BoardTransmitter transmitter;
   CHECK(transmitter.availableForWrite() == 0);
   CHECK(write(transmitter, 0, 1) == 0);
@@ -101,7 +101,7 @@ TEST_CASE("characters go out back to back, the first a character's time after it
   }
 }
 
-TEST_CASE("a character is through at its end, not a microsecond before, and times of fractions do not add up") {
+TEST_CASE("a character is sent at its end, not a microsecond before, and fractions of times do not add up") {
   BoardTransmitter transmitter;
   transmitter.open(86805);  // 10 bits at 115200 baud
   write(transmitter, 0, 64);
@@ -129,7 +129,7 @@ TEST_CASE("the board's places become free by packets of up to 32, which do not g
   CHECK(transmitter.availableForWrite() == 64 - 11);
 }
 
-TEST_CASE("a plainer core keeps one place free, and has each one back when its character is through") {
+TEST_CASE("a plainer core keeps one place free, and has each place back when its character is sent") {
   BoardTransmitter transmitter(63, 1);
   transmitter.open(SBusNs);
   CHECK(transmitter.availableForWrite() == 63);
@@ -142,7 +142,7 @@ TEST_CASE("a plainer core keeps one place free, and has each one back when its c
   }
 }
 
-TEST_CASE("a full buffer takes what fits, and what comes after it follows without a gap, and after a gap when it is written") {
+TEST_CASE("a full buffer takes what fits; later bytes follow without a gap, or after a gap when they are written") {
   BoardTransmitter transmitter;
   transmitter.open(SBusNs);
   CHECK(write(transmitter, 0, 70) == 64);

@@ -51,7 +51,7 @@ TEST_CASE("a capture that ends within a character: the character is left out, un
   }
 }
 
-TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
+TEST_CASE("malformed captures are rejected with the line, what is wrong and what is expected") {
   const std::string vcd = "$timescale 1 us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n";
   const std::string saleae = "Time [s],RX\n0.0,0\n0.1,1\n";
   const struct {
@@ -93,7 +93,7 @@ TEST_CASE("malformed captures: the line, what is wrong and what is expected") {
   }
 }
 
-TEST_CASE("what is wrong somewhere does not take what came before it") {
+TEST_CASE("what came before an error is decoded") {
   for (const TestFormat format : TestFormats) {
     INFO("format ", static_cast<int>(format));
     const std::string text = textOf(wireOf(), format);

@@ -35,7 +35,7 @@ std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggere
   return text;
 }
 
-// What Saleae's analyser makes of the known frames, `characterNs` from one to the next. Logic 1: saleae/serial-analyzer,
+// What Saleae's analyser makes of the known frames, with a character every `characterNs`. Logic 1: saleae/serial-analyzer,
 // src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each FrameV2, src/SerialAnalyzer.cpp:240 to
 // 256; the columns of data are in quotation marks, in any order, and a last field that is empty is there.
 std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong = SIZE_MAX, size_t framingWrong = SIZE_MAX) {
@@ -225,7 +225,7 @@ TEST_CASE("a session of sigrok that cannot be decoded: what is wrong and what is
   } rows[] = {
       {"", none},
       {replaced(metadata, "[device 1]", "[device 2]"), none},
-      {replaced(metadata, "capturefile=logic-1\n", ""), none},  // analogue ones alone
+      {replaced(metadata, "capturefile=logic-1\n", ""), none},  // analogue signals only
       {replaced(metadata, "unitsize=1\n", ""), none},          // no samples
       {replaced(replaced(metadata, "probe1", "analog1"), "probe2", "analog2"), none},
       {replaced(metadata, "probe1=", "probe9="), "has more probes than fit into its unitsize of 1"},

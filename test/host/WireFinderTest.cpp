@@ -1,4 +1,4 @@
-// Which signal of a capture carries S.Bus, which way up and how fast; and why one does not.
+// Which signal of a capture carries S.Bus, its polarity and baud rate; and why a signal does not.
 #include "support/Decoded.h"
 
 namespace {
@@ -16,7 +16,7 @@ std::string vcdOf(const TestWire &a, const TestWire &b) {
 
 }  // namespace
 
-TEST_CASE("of several signals the one that carries S.Bus is found, or the one that was asked for") {
+TEST_CASE("of several signals the one with S.Bus is found, or the one that --signal names") {
   for (const TestFormat format : {TestFormat::Vcd, TestFormat::Saleae, TestFormat::PulseView}) {
     const std::string text = textOf(wireOf(), format, true);
     INFO("format ", static_cast<int>(format));
@@ -33,7 +33,7 @@ TEST_CASE("of several signals the one that carries S.Bus is found, or the one th
 }
 
 TEST_CASE("a signal without frames is never taken for S.Bus, whatever stands beside it and however clean its characters are") {
-  TestWire bytes = wireOf();  // 8E2 at 100000 baud, too
+  TestWire bytes = wireOf();  // also 8E2 at 100000 baud
   bytes.edges.clear();
   bytes.ns = 2000000;
   for (int i = 0; i < 200; i++) {
@@ -67,7 +67,7 @@ TEST_CASE("a signal without frames is never taken for S.Bus, whatever stands bes
     CHECK(holds(Decoded(alone).failure, "No signal has a frame of S.Bus: a frame is 25 characters"));
     CHECK(Decoded(alone, "A").wire.frames == 0);
   }
-  CHECK(Decoded(vcdOf(bytes, bytes), "B").characters.size() == 200);  // as it was asked for
+  CHECK(Decoded(vcdOf(bytes, bytes), "B").characters.size() == 200);  // since it was named
 }
 
 TEST_CASE("of two signals with frames the one with more is decoded, though its first characters have more errors") {
@@ -80,7 +80,7 @@ TEST_CASE("of two signals with frames the one with more is decoded, though its f
   CHECK(Decoded(vcdOf(few, more)).others == std::vector<std::string>{"A"});
 }
 
-TEST_CASE("what the user knows better overrules what is found") {
+TEST_CASE("options overrule what is found") {
   const std::string samples = sampled(wireOf(), 1000);
   const std::string noRate = samples.substr(samples.find('\n') + 1);
   const std::string bits = replaced(noRate.substr(noRate.find('\n') + 1), "0\n0\n0\n0\n", "0000\n");
@@ -129,7 +129,7 @@ TEST_CASE("what the user knows better overrules what is found") {
   CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrules(100000, Either, 0, {})).bytes() == Bytes(5, 0));
 }
 
-TEST_CASE("of two signals that carry S.Bus the one with less errors is decoded, and the other one named") {
+TEST_CASE("of two signals that carry S.Bus the one with fewer errors is decoded, and the other is named") {
   TestWire good = wireOf();
   TestWire worse = wireOf();
   worse.edges[9] += 10000;
@@ -164,7 +164,7 @@ TEST_CASE("S.Bus that begins after a million edges of noise: no byte of it is mi
   }
 }
 
-TEST_CASE("what is no S.Bus, and why") {
+TEST_CASE("signals that are no S.Bus are rejected with the reason") {
   TestWire uart;  // 115200 baud
   uart.bitNs = 8680;
   uart.bytes(All);
@@ -210,7 +210,7 @@ TEST_CASE("what is no S.Bus, and why") {
   }
 }
 
-TEST_CASE("four samples a bit are enough, with less it is said so; bits are still told with a little more than two") {
+TEST_CASE("four samples a bit are enough; fewer are reported, but bits are still decoded with a little more than two") {
   const struct {
     double bitNs, periodNs;
     bool right;

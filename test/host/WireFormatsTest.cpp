@@ -25,7 +25,7 @@ const char *nameOf(TestFormat format) {
 
 }  // namespace
 
-TEST_CASE("each format, 100000 and 200000 baud within 3 %, either way up: the same bytes at their times") {
+TEST_CASE("each format, 100000 and 200000 baud within 3 %, either polarity: the same bytes at their times") {
   for (const TestFormat format : TestFormats) {
     for (const double nominalNs : {10000.0, 5000.0}) {
       for (const double clock : {0.975, 1.0, 1.025}) {
@@ -53,7 +53,7 @@ TEST_CASE("each format, 100000 and 200000 baud within 3 %, either way up: the sa
   }
 }
 
-TEST_CASE("what else analysers and oscilloscopes write: the same bytes") {
+TEST_CASE("variations of analysers and oscilloscopes: the same bytes") {
   const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
   const std::string saleae = textOf(wireOf(), TestFormat::Saleae);
   const std::string clocked = textOf(wireOf(), TestFormat::Saleae, true);
@@ -94,7 +94,7 @@ TEST_CASE("what else analysers and oscilloscopes write: the same bytes") {
 }
 
 TEST_CASE("the threshold is looked for again where the wire goes much further than before") {
-  std::string small;  // but for so long that it is taken for a wire
+  std::string small;  // but long enough to be taken for a wire
   for (int i = 0; i < 450; i++) {
     small += printed("%.3f,%.2f\n", -3 + i * 0.001, i / 4 % 2 * 0.45 - 1);
   }
@@ -106,7 +106,7 @@ TEST_CASE("the threshold is looked for again where the wire goes much further th
   }
 }
 
-TEST_CASE("names that several signals have: the module's before it, or the column's number; one wire, one name") {
+TEST_CASE("a name that several signals have gets the module's name or the column's number; a wire has one name") {
   const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
   const std::string var = "$var wire 1 ! RX $end\n";
   const std::string clocked = textOf(wireOf(), TestFormat::Saleae, true);
@@ -222,7 +222,7 @@ TEST_CASE("an oscilloscope's samples beyond its range, in whatever encoding: hig
   }
 }
 
-TEST_CASE("the VCD of a recording reads as the recording: bytes, times, which are bad") {
+TEST_CASE("the VCD of a recording reads as the recording: bytes, times, bad characters") {
   for (const unsigned long baud : {100000ul, 200000ul}) {
     for (const line::Polarity polarity : {line::Polarity::Inverted, line::Polarity::Uninverted}) {
       for (const int64_t startUs : {int64_t{-60}, int64_t{-1}, int64_t{0}, int64_t{1}, int64_t{5000000000}}) {

@@ -5,10 +5,10 @@
 namespace {
 
 constexpr uint64_t Most = 500;  // frames
-constexpr const char *Doubtful = "a frame with a second reading is in doubt where other characters touch it";
+constexpr const char *Doubtful = "a frame that allows a false sync is in doubt where other characters touch it";
 constexpr Limits Touched = {5e-4, 0, Doubtful};
 constexpr Limits NeverWrong = {NotBound, 0, Doubtful};
-constexpr const char *First = "the first of a line, and such as have a second reading until a gap is seen";
+constexpr const char *First = "the first of a line, and those that allow a false sync until a gap is seen";
 constexpr Limits AtFirst = {1e-4, 0, First};
 constexpr Limits InDoubt = {0.25, 5e-5, First};
 

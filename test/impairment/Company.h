@@ -1,8 +1,8 @@
-// Lines on which a receiver is not alone: telemetry, stray characters, a loop() with delays, a connector that is loose.
+// Lines with more than a receiver's frames: telemetry, stray characters, a loop() with delays, a loose connector.
 #pragma once
 
 #include "Conditions.h"
 
-// No frame is damaged. None is wrong, and none is missed, except frames with a second reading that a stray character
-// touches.
+// No frame is damaged. None is wrong, and none is missed, except frames that allow a false sync and that a stray
+// character touches.
 const std::vector<Condition> &companyLines();

@@ -78,11 +78,11 @@ std::vector<Setup> joins(std::initializer_list<uint32_t> loopsUs) {
 const std::vector<Payload> NotMadeUp = {Payload::Uniform, Payload::Smooth, Payload::Neutral,      Payload::Still,
                                         Payload::Equal,   Payload::Zeros,  Payload::LowChannel16, Payload::Failsafe};
 
-constexpr const char *Splices = "zeros, or chance: halves of two frames look like one, or one like halves";
-constexpr const char *Doubtful = "they have a second reading, and are rejected until a gap is seen";
+constexpr const char *Splices = "zeros, or chance: parts of two frames look like one, or one like such parts";
+constexpr const char *Doubtful = "they allow a false sync, and are rejected until a gap is seen";
 constexpr const char *FirstGap = "where gaps are seen now and then, the first frame has to stand at one";
 constexpr const char *Junk = "altered characters: junk, or flipped bits";
-constexpr const char *Glued = "noise straight before a frame hides its gap, and may be a header";
+constexpr const char *Glued = "noise directly before a frame hides its gap, and may be a header";
 constexpr const char *Gap = "the gap between the two may be 0.6 ms, and is not seen: then they are as one";
 constexpr const char *Stops = "after a silence longer than any frame period the first frame may stand anywhere";
 constexpr const char *Full = "the port's buffer overflows, or is taken for full: 63 bytes may be all that it holds";

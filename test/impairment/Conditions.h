@@ -1,4 +1,4 @@
-// The lines on which receivers are put to the impairment, and what ours is held to on each.
+// The impaired lines for receivers, and the bounds for ours on each.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 #include "Simulation.h"
 
-// Frames per impaired frame, noise character and blocked loop; otherwise per intact frame. They
-// hold for all setups and all sticks of a group together. No frame may be late or too young.
+// Frames per impaired frame, noise character and blocked loop; otherwise per intact frame. The bounds hold for all setups
+// and all sticks of a group together. No frame may be late or too young.
 constexpr double NotBound = 1e9;  // only printed
 struct Limits {
   double missed;
   double wrong;
-  const char *reason = "";  // why they are not the usual ones
+  const char *reason = "";  // why these are not the usual bounds
 };
 
 struct Condition {
@@ -22,7 +22,7 @@ struct Condition {
   std::vector<Setup> setups;
   Limits ordinary;
   Limits deceptive;
-  std::vector<Payload> only = {};  // else all
+  std::vector<Payload> only = {};  // empty: all
   uint64_t most = UINT64_MAX;      // frames of each setup and kind of sticks
 
   std::vector<Payload> sticks() const;

@@ -1,4 +1,4 @@
-// A receiver on a bad line: its frames, and what becomes of them on the way.
+// A receiver on an impaired line: its frames, and what happens to them on the way.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Impairments {
   double noise = 0;     // of a gap: it holds one character, anything, anywhere
 };
 
-// Who else is on the wire.
+// What other characters are on the wire.
 struct Company {
   unsigned slots = 0;      // of telemetry, after each frame that ends in 04
   bool afterEach = false;  // also after 14, 24 and 34
@@ -54,7 +54,7 @@ struct Transmission {
   Impairments impairments{};
   Kind kind = Kind::Plain;
   Payload sticks = Payload::Neutral;
-  unsigned place = 0;  // of their second reading, as PayloadFrames has it
+  unsigned place = 0;  // where their false sync begins, as PayloadFrames has it
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
   uint32_t spreadUs = 0;  // between the characters of a frame
@@ -77,7 +77,7 @@ struct SentFrame {
                           // one; nor was the line silent for longer than any frame period
   uint64_t first = 0;     // number of its first good character
   uint64_t after = 0;     // number of the good character after it
-  uint64_t endUs = 0;     // when its last character was through
+  uint64_t endUs = 0;     // when its last character was complete
 };
 
 class ImpairedLine : public line::Line {
@@ -88,7 +88,7 @@ class ImpairedLine : public line::Line {
   bool next(uint64_t nowUs, line::Character &character) override;
   bool finished(uint64_t nowUs) const override;
 
-  // When the next character will be through; UINT64_MAX once the line has finished.
+  // Returns when the next character will be complete; UINT64_MAX once the line has finished.
   uint64_t nextUs();
 
   // Takes the oldest frame that was sent; returns false without one. No character of a frame comes before it.

@@ -1,9 +1,9 @@
-// Prints how the receiver and the paper's way do on every line: a table in Markdown, one row a line, as each is done.
+// Prints how the receiver and the baseline do on every line: a table in Markdown, one row a line, as each is done.
 //   FRAMES=n    frames of each line, setup and kind of sticks; 2000
 //   SEED=n      20181
 //   ONLY=x      only the lines whose name has x in it
 //   FULL=1      one row for each line, setup and kind of sticks
-//   SUMMARY=1   only the receiver, sums only, FRAMES=1000 unless told
+//   SUMMARY=1   only the receiver, sums only; FRAMES: 1000 by default
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -31,7 +31,7 @@ Row rowOf(const Condition &condition) {
           }};
 }
 
-// Here a damage is a join, and one of which no frame was given is missed.
+// Here each join is a damage, and a join without a frame is missed.
 Row rowOf(const JoinLine &line) {
   return {line.name, line.setups, JoinLine::sticks(),
           [&line](const Setup &setup, Payload sticks, Decoder decoder) {
@@ -43,7 +43,7 @@ Row rowOf(const JoinLine &line) {
           }};
 }
 
-// "0.0003", or a plain count if there is nothing to hold it against.
+// Returns "0.0003", or a plain count if there is no number to compare it with.
 std::string perDamage(uint64_t count, const Tally &tally) {
   if (tally.damages() == 0 || count == 0) {
     return std::to_string(count);

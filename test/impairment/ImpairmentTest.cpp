@@ -11,7 +11,7 @@
 
 namespace {
 
-// So many frames of each condition, setup and kind of sticks.
+// Frames of each condition, setup and kind of sticks.
 constexpr uint64_t Frames = 5000;
 
 Tally sumOf(const Condition &condition, const std::vector<Payload> &group) {
@@ -35,7 +35,7 @@ void hold(const Condition &condition, const std::vector<Payload> &group, const L
   const auto base = static_cast<double>(sum.damages() != 0 ? sum.damages() : sum.intact);
   CHECK(static_cast<double>(sum.missed) <= limits.missed * base);
   CHECK(static_cast<double>(sum.wrong) <= limits.wrong * base);
-  // Noise makes a place uncertain, and so does a blocked loop() where no call finds nothing: then a frame may wait.
+  // After noise a frame may not be aligned, nor after a blocked loop() without empty calls: then it may wait.
   const bool byEvents = condition.setups.front().polling == Polling::ByEvents;
   CHECK(sum.late <= (sum.damages() == 0 ? 0 : sum.intact / (byEvents ? 2000 : 20000)));
   CHECK(sum.tooYoung == 0);
@@ -85,7 +85,7 @@ TEST_CASE("no frame is missed or wrong for telemetry, stray characters, delays, 
   }
 }
 
-TEST_CASE("a receiver that joins a line gives no frame that was never sent, and false sync ends at a gap it sees") {
+TEST_CASE("a receiver that joins a line delivers no frame that was never sent, and false sync ends at a gap it sees") {
   for (const JoinLine &line : joinLines()) {
     for (const Payload sticks : JoinLine::sticks()) {
       hold(line, sticks);
@@ -107,7 +107,7 @@ TEST_CASE("the calls of a silence that the simulation leaves out change nothing"
   }
 }
 
-TEST_CASE("the bench shows the faults of the paper's way that are known from elsewhere") {
+TEST_CASE("the bench shows the known faults of the baseline") {
   const Tally dropped = papers("dropped 1/300", Payload::Neutral);
   CHECK(static_cast<double>(dropped.missed) > 4.0 * static_cast<double>(dropped.damaged));  // issue 3: 6.3
   const Tally inserted = papers("inserted 1/500", Payload::Smooth);

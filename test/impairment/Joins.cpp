@@ -10,11 +10,11 @@ namespace {
 constexpr uint64_t FramesInSync = 20;
 constexpr uint64_t FramesAfter = 30;
 constexpr uint32_t LongestCut = 9;  // periods
-constexpr unsigned FirstPlace = 2;  // of a second reading
+constexpr unsigned FirstPlace = 2;  // where a false sync may begin
 constexpr unsigned LastPlace = 23;
 
-constexpr const char *Unseen = "no gap is seen, and what may be halves of two frames is rejected";
-constexpr const char *Hidden = "nor is the cut, or the gap after it; then two halves may be as long as a frame";
+constexpr const char *Unseen = "no gap is seen, and what may be a false sync is rejected";
+constexpr const char *Hidden = "nor is the cut, or the gap after it; then the two parts may be as long as a frame";
 
 bool gapsAreSeen(const Setup &setup) {
   return setup.periodUs >= 6300 && setup.loopUs <= 1000;
@@ -37,7 +37,7 @@ std::vector<Setup> hidden() {
   return setups;
 }
 
-// At this character.
+// Joins at this character.
 Run joined(Join join, const Setup &setup, unsigned character, Random &random) {
   Run run;
   run.setup = setup;

@@ -1,4 +1,4 @@
-// A receiver that is plugged in, or begins to listen, while frames go over the line: does it take two halves for one?
+// A receiver that is plugged in, or begins to listen, while frames go over the line: does it join parts of two frames?
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct JoinLine {
   const char *reason = "";
   Kind kind = Kind::Plain;
 
-  // Frames with a second reading.
+  // Frames that allow a false sync.
   static const std::vector<Payload> &sticks();
 };
 
@@ -34,14 +34,14 @@ const std::vector<JoinLine> &joinLines();
 // What came of a number of joins, with 30 frames each.
 struct JoinTally {
   uint64_t joins = 0;
-  uint64_t misled = 0;  // joins at which a frame was given that was never sent
-  uint64_t unseen = 0;  // joins of which no frame was given that began after them
+  uint64_t misled = 0;  // joins at which a frame was delivered that was never sent
+  uint64_t unseen = 0;  // joins after which no frame was delivered
   Tally frames{};
 
   JoinTally &operator+=(const JoinTally &other);
 };
 
-// With second readings at each place, joined at each character, or at one of `stride`.
+// Frames that allow a false sync at each place, joined at each character, or at one of `stride`.
 JoinTally impairment(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
                   uint64_t seed);
 

@@ -65,7 +65,7 @@ bool Judge::isThat(const uint8_t *frame, const LongFrame &sent) const {
 }
 
 void Judge::given(const uint8_t *frame, uint64_t position, uint64_t sinceUs) {
-  // The newest first: of frames that are alike it is the best that can be said for a receiver.
+  // Looks at the newest first: of equal frames that is the best for the receiver.
   for (size_t i = _entries.size(); i-- > 0;) {
     Entry &entry = _entries[i];
     if (entry.frame.intact && !entry.given && entry.frame.after <= position && position < entry.frame.after + Reach &&

@@ -1,4 +1,4 @@
-// Holds what a sketch was given against what stood on the line.
+// Compares what a sketch was given with what stood on the line.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 struct Tally {
   uint64_t damaged = 0;    // frames that did not reach the sketch whole: damaged on the line, or the buffer was full
   uint64_t intact = 0;     // all others
-  uint64_t missed = 0;     // of these: never given to the sketch
+  uint64_t missed = 0;     // intact frames that were never given to the sketch
   uint64_t wrong = 0;      // given to the sketch, but never on the line as a frame, at its true place
   uint64_t late = 0;       // in sync, and given later than at the first poll that had its last byte
-  uint64_t tooYoung = 0;   // given with an age below the time since its last character was through
+  uint64_t tooYoung = 0;   // given with an age below the time since its last character was complete
   uint64_t altered = 0;    // damaged, and given: all its characters were there, and it looked like a frame
   uint64_t disturbed = 0;  // characters in gaps, and blocked loops
   uint64_t joined = 0;     // intact, begun after a cut's end, and given
@@ -85,6 +85,6 @@ class Judge {
   bool _broken = false;  // since the newest frame began
   bool _lastSettledGiven = false;
   uint64_t _had = 0;        // the newest poll has, or has read, all characters before this
-  uint64_t _hadBefore = 0;  // the same of the poll before it
+  uint64_t _hadBefore = 0;  // _had of the poll before
   Tally _tally;
 };

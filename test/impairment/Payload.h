@@ -1,4 +1,4 @@
-// What the pilot's sticks put into the frames: the payload decides how easily a receiver is misled.
+// Payloads by the sticks' positions: they decide how easily a receiver is misled.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,13 @@ enum class Payload {
   Equal,         // all channels at 0, 992, 1024 or anywhere, standing still
   Zeros,         // smooth, but some channels at 0: no pulses
   LowChannel16,  // smooth, but in every other frame CH16 is low: the frame's end looks like its middle; any flags
-  // Ones that can be read in two ways: a real one, and such as are made up to deceive.
+  // Those that allow a false sync: a real one, and others made up to deceive.
   Failsafe,      // a receiver's failsafe frame: from its flags on to those of the next all is well
   Of0FAnd00,     // every payload byte is a header or an end byte
   All0F,         // every payload byte is a header
-  Shifted,       // has a second reading: looks like a frame from another place on; moving
+  Shifted,       // allows a false sync: looks like a frame from another place on; moving
   ShiftedStill,  // likewise, standing still
-  OtherEnd,      // likewise, and the second reading has the end byte of another line variant
+  OtherEnd,      // likewise, and the false sync has the end byte of another line variant
 };
 
 const char *name(Payload sticks);
@@ -34,7 +34,7 @@ const std::vector<Payload> &deceptiveSticks();
 // Makes frames with end byte 00. Of the moving ones 2 % carry flags, any.
 class PayloadFrames {
  public:
-  // `place`: where a second reading begins, 2 to 23 (at the flags, which are 0F then). 0: anywhere, and now and then
+  // `place`: where a false sync begins, 2 to 23 (at the flags, which are 0F then). 0: anywhere, and now and then
   // elsewhere.
   PayloadFrames(Payload sticks, Random &random, unsigned place = 0);
   Frame next();
@@ -53,7 +53,7 @@ class PayloadFrames {
   Random &_random;
   const unsigned _fixedPlace;
   unsigned _number = 0;
-  unsigned _place = 0;  // of the header of the second reading, if shifted
+  unsigned _place = 0;  // of the header of the false sync, if shifted
   unsigned _zeros = 0;  // bits: these channels stand at 0
   Channels _channels{};
   Frame _still{};

@@ -38,7 +38,7 @@ class OursOf {
     return true;
   }
   bool newExtra(LongFrame &) { return false; }
-  // The newest frame is younger than that, by its age in full ms.
+  // Returns an age that the newest frame has not reached, by its age in full ms.
   uint64_t youngerThanUs() { return (uint64_t{_sbus.frameAge()} + 1) * 1000; }
   uint32_t breaks() const { return _sbus.counters().overflows; }
 

@@ -91,7 +91,7 @@ inline Run fast(Run run) {
   return run;
 }
 
-// What is polled by events has no call that finds nothing.
+// A port that is polled by events has no empty call.
 inline std::vector<Setup> byEvents(std::vector<Setup> setups) {
   for (Setup &setup : setups) {
     setup.polling = Polling::ByEvents;

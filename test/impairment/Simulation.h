@@ -10,8 +10,8 @@
 struct Run {
   Transmission line{};  // its period is the setup's
   Setup setup{};
-  bool reads24 = false;      // ours is class DecodeSBus24, else DecodeSBus
-  bool inStep = false;       // a loop takes exactly its period, else give or take 10 %
+  bool reads24 = false;      // ours is class DecodeSBus24, otherwise DecodeSBus
+  bool inStep = false;       // a loop takes exactly its period, otherwise within 10 % of it
   uint32_t blockFromUs = 0;  // one loop takes so long
   uint32_t blockToUs = 0;    // or up to so long
   uint32_t blockEveryUs = 0;

@@ -77,7 +77,7 @@ int main() {
     }
     expect("may fly", mayFly(), true);
   }
-  // Nobody polled for 12 ms: one poll takes all that has come.
+  // Without a poll for 12 ms one poll takes all that has come.
   port.assign(Neutral.bytes.begin(), Neutral.bytes.end());
   port.insert(port.end(), PaperHigh.bytes.begin(), PaperHigh.bytes.end());
   clockUs += 12000;
@@ -86,7 +86,7 @@ int main() {
   expect("CH3 after a blocked loop", channels[2], 1811);
   pollFor(120000);
   expect("may fly after 120 ms of silence", mayFly(), false);
-  // Its place is not certain after so long a silence: only that nothing follows, idle(), tells that it is a frame.
+  // After so long a silence it is not aligned: only that nothing follows, idle(), proves the frame.
   send(FailsafeFrame);
   pollFor(PeriodUs - 3000);
   expect("CH3 of the failsafe frame", channels[2], 172);

@@ -64,7 +64,7 @@ run "a project that finds 2.1 of it installed, and moved, runs" consumer found -
 for other in 1.9 2.2 3.0; do
   configure consumer "not-$other" -DCMAKE_PREFIX_PATH="$out/moved" -DVERSION="$other" >"$out/said" 2>&1
   [ $? -eq 1 ] && grep -q 'sbusConfig.cmake, version: 2.1.3' "$out/said"
-  verdict $? "one that wants $other is told that there is 2.1.3"
+  verdict $? "a project that asks for $other is told that there is 2.1.3"
 done
 
 # What the registry of components has of it.

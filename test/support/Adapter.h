@@ -36,7 +36,7 @@ class Adapter {
     }
   }
 
-  // Nothing else comes up to then.
+  // Takes the time up to which nothing else comes.
   template <typename Hand>
   void runTo(uint64_t us, Hand hand) {
     while (_timerUs <= us) {

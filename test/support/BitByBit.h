@@ -1,4 +1,4 @@
-// A second reading of the S.Bus frame, as slow and plain as its definition: bit k of channel c (from 0) is bit
+// A second implementation of the S.Bus frame, as slow and plain as its definition: bit k of channel c (from 0) is bit
 // (11c + k) mod 8 of byte 1 + (11c + k) / 8. The tests hold the library against it; it includes nothing of the library.
 #pragma once
 
@@ -24,7 +24,7 @@ std::array<uint16_t, Count> readPayload(const std::array<uint8_t, Size> &frame) 
   return channels;
 }
 
-// The header and the first `Count` of `channels` (0..2047), all else 0.
+// The header and the first `Count` of `channels` (0..2047), all other bits 0.
 template <size_t Count, size_t Size, typename Values>
 std::array<uint8_t, Size> writePayload(const Values &channels) {
   std::array<uint8_t, Size> frame{};

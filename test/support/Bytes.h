@@ -58,7 +58,7 @@ std::array<uint8_t, Size> withByte(std::array<uint8_t, Size> frame, size_t index
   return frame;
 }
 
-// True if `some` are `all`, in order, with any left out.
+// Returns true if `some` are frames of `all`, in their order.
 inline bool isPartOf(const Frames &some, const Frames &all) {
   auto at = all.begin();
   return std::all_of(some.begin(), some.end(), [&](const Frame &frame) {
@@ -67,7 +67,7 @@ inline bool isPartOf(const Frames &some, const Frames &all) {
   });
 }
 
-// What was counted since `before`, up to which nothing went wrong.
+// Returns what was counted since `before`. Nothing had gone wrong up to then.
 inline sbus::Counters operator-(sbus::Counters now, const sbus::Counters &before) {
   now.frames -= before.frames;
   now.discardedBytes -= before.discardedBytes;

@@ -1,4 +1,4 @@
-// The rules of the stored calibration once more, each by itself: the tests hold the library against them.
+// A second implementation of the rules of the stored calibration, each by itself: the tests compare the library with it.
 #pragma once
 
 #include <algorithm>

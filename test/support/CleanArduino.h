@@ -1,5 +1,5 @@
-// Arduino.h without the macros that the standard headers do not survive. To be included before any other header that
-// includes Arduino.h.
+// Arduino.h without the macros that break the standard headers. Include it before any other header that includes
+// Arduino.h.
 #pragma once
 
 #include <Arduino.h>

@@ -1,7 +1,7 @@
-// How a core's driver hands over what has come in.
+// How a core's driver hands over the characters that have come.
 #pragma once
 
-// So many characters at once, or fewer when the line has been idle for so long. A bad character is dropped.
+// Hands over `burst` characters at once, or fewer when the line was idle for `idleCharacters`. Drops bad characters.
 struct Driver {
   const char *name;
   unsigned burst;

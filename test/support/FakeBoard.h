@@ -30,23 +30,23 @@ struct FakeBoardOf {
 
   explicit FakeBoardOf(size_t portCapacity = 64) : port(portCapacity) {}
 
-  // Time goes on, and loop() is blocked.
+  // Lets time go on while loop() is blocked.
   void block(uint64_t us) { fakeMicros += us; }
 
-  // Time goes on, and the sketch polls at its end: nothing is there.
+  // Lets time go on; then the sketch polls, and finds nothing.
   void wait(uint64_t us) {
     block(us);
     sbus.parseSBusFrame();
   }
 
-  // The port hands `bytes` over, and the sketch polls. Returns how many of them the port kept.
+  // Hands `bytes` over, and polls. Returns how many of them the port kept.
   size_t poll(const Bytes &bytes) {
     const size_t kept = port.arrive(bytes);
     sbus.parseSBusFrame();
     return kept;
   }
 
-  // The same after as long as they take, back to back, while loop() is blocked.
+  // Does so after the time that they take, back to back, while loop() is blocked.
   size_t take(const Bytes &bytes) {
     block(120 * bytes.size());
     return poll(bytes);
@@ -64,20 +64,20 @@ struct FakeBoardOf {
     }
   }
 
-  // And a gap before it, so that frames are 9 ms apart.
+  // Receives a frame after a gap, so that frames are 9 ms apart.
   void nextFrame(const Frame &next) {
     wait(9 * Ms - FrameUs);
     frame(next);
   }
 
-  // A frame, and the shortest silence behind it that lets the first one go.
+  // Receives a frame, and the shortest silence behind it that proves the first one.
   static constexpr uint64_t SilenceUs = Format::LongestSpread * 120 + 1;
   void firstFrame(const Frame &first) {
     frame(first);
     wait(SilenceUs);
   }
 
-  // The sketch asks for everything.
+  // Asks the class for everything, as a sketch does.
   Decoded decode() {
     Decoded decoded = {{4711}, false, false};
     sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);

@@ -30,7 +30,7 @@ struct FeederOf {
 
   explicit FeederOf(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
 
-  // A poll, now, that finds `bytes`. Returns the frames that it brings.
+  // Polls, now, and finds `bytes`. Returns the frames that this brings.
   Frames poll(const Bytes &bytes) {
     Frames frames;
     if (bytes.empty()) {
@@ -48,20 +48,20 @@ struct FeederOf {
     return frames;
   }
 
-  // `us` without a poll.
+  // Lets `us` pass without a poll.
   FeederOf &block(uint32_t us) {
     now += us;
     return *this;
   }
 
-  // `us` without a byte, and a poll at their end. A frame that has waited for them is in `waited`.
+  // Lets `us` pass without a byte, and polls at their end. A frame that has waited for this is in `waited`.
   FeederOf &wait(uint32_t us) {
     waited = block(us).poll({});
     return *this;
   }
   Frames waited;
 
-  // `bytes` back to back on the line, a poll whenever `burst` of them have come.
+  // Feeds `bytes` back to back, with a poll whenever `burst` of them have come.
   Frames feed(const Bytes &bytes, size_t burst = 1) {
     Frames frames;
     for (size_t at = 0; at < bytes.size(); at += burst) {
@@ -72,8 +72,7 @@ struct FeederOf {
     return frames;
   }
 
-  // Some polls that find noise, `periodUs` apart, then a gap: the loop period is known. What was counted until now is
-  // left out of counted().
+  // Makes the loop period known: some polls that find noise, `periodUs` apart, then a gap. counted() begins after it.
   FeederOf &settle(uint32_t periodUs = CharacterUs, uint32_t gapUs = GapUs) {
     for (unsigned noise = 0; noise < 6; noise++) {
       wait(periodUs).poll({0x55});
@@ -82,7 +81,7 @@ struct FeederOf {
     return wait(gapUs);
   }
 
-  // settle(), and three frames without 0F in their payload, with gaps: the line's kind is known.
+  // settle(), and three frames without 0F in their payload, with gaps: the line variant is known.
   FeederOf &lock(uint8_t end = 0x00) {
     settle();
     for (unsigned number = 0; number < 3; number++) {
@@ -110,8 +109,8 @@ struct FeederOf {
 
 using Feeder = FeederOf<sbus::Frame16>;
 
-// The frames in `bytes`, without a gap among them, polled whenever `burst` of them have come; `byEvents`: and never else.
-// A header follows: it lets go a frame that waits for it.
+// Returns the frames in `bytes`, without a gap, polled whenever `burst` of them have come; `byEvents`: and never
+// otherwise. A header follows, for a frame that waits for it.
 inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = false) {
   Feeder feeder;
   if (!byEvents) {
@@ -143,8 +142,7 @@ class TimedLine {
     return *this;
   }
 
-  // What a finder delivers that knows that it is polled every `loopUs`, until 20 ms after the last character. `counters`:
-  // what it has counted.
+  // Returns what a finder delivers that is polled every `loopUs`, until 20 ms after the last character, and its counters.
   template <typename Format = sbus::Frame16>
   typename FeederOf<Format>::Frames frames(uint32_t loopUs, sbus::Counters *counters = nullptr) const {
     FeederOf<Format> feeder;

@@ -1,4 +1,4 @@
-// Frames whose channels are known from elsewhere than this repository, each with its source.
+// Frames whose channels are known from other sources than this repository, each with its source.
 #pragma once
 
 #include "BitByBit.h"
@@ -58,8 +58,8 @@ constexpr KnownLongFrame Published24 = {
     {1025, 1024, 1024, 1023, 1024, 1024, 1024, 1024, 1068, 1068, 1068, 1068,
      1024, 1024, 1024, 1024, 1068, 1068, 1068, 1068, 1024, 1024, 1024, 1024}};
 
-// A failsafe frame of a real receiver. It has a second reading, which begins with its flags, 0F, and ends before
-// those of the next.
+// A failsafe frame of a real receiver. It allows a false sync, which begins with its flags, 0F, and ends before those of
+// the next frame.
 constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
                                  0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
 
@@ -93,7 +93,7 @@ inline LongFrame longFrame(unsigned number, bool neutral = false) {
   return writeBitByBit(channels);
 }
 
-// Frame number `number` of Futaba's further channels.
+// Frame number `number` of Futaba's extra channels.
 inline Frame extraFrame(unsigned number, uint8_t end = 0x00) {
   Frame frame = countingFrame(1500, 300, number, end);
   frame[0] = 0x2F;

@@ -1,6 +1,6 @@
-// The paper's way of receiving (J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", §4.3.3), the yardstick:
-// 25 bytes from a 0F on; a frame if the last one is 00, else all 25 are given up; after 15 ms without a call what has
-// come of a frame is forgotten. Written from its description.
+// The baseline: the paper's listing (J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", §4.3.3), written from
+// its description. It takes 25 bytes from a 0F on, and discards all of them if the last is not 00. After 15 ms without a
+// call it forgets an incomplete frame.
 #pragma once
 
 #include <stdint.h>

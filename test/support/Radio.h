@@ -21,7 +21,7 @@ struct Radio {
   static constexpr Numbers NotTouched = {11, 22, 33, 44};
 
   sbus::Calibrator calibrator;
-  Channels channels;  // all rest but those that are moved
+  Channels channels;  // all rest, except those that are moved
   bool backwards = false;
 
   Radio() { channels.fill(Rest); }
@@ -77,7 +77,7 @@ struct Radio {
   }
 };
 
-// What finish() answers, and leaves of a calibration that was all A5.
+// What finish() returns, and what it leaves of a calibration that was all A5.
 struct Finished {
   sbus::Calibration calibration;
   uint8_t channel = Radio::NoChannel;

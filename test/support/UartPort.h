@@ -30,7 +30,7 @@ class UartPort : public HardwareSerial {
     _uart.open(fakeMicros, _buffer.data(), _buffer.size(), _characterUs);
   }
 
-  // A character has come; nothing else has come up to now.
+  // Takes a character that has come; no other has come up to now.
   void receive(const line::Character &character) {
     if (_baud != _lineBaud || character.endUs < _openedUs + _characterUs) {
       return;  // one that has begun before is not received

@@ -1,4 +1,4 @@
-// A line, and what its observer says of it.
+// A line, and what its observer reports.
 #pragma once
 
 #include <algorithm>

@@ -110,7 +110,7 @@ wait $reader
 chmod 000 "$terminal"
 as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
 [ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$WORK/err"
-verdict $? "doctor of a port that one may not open"
+verdict $? "doctor of a port without permission"
 chmod 666 "$terminal"
 perl -e 'open(P, "+<", $ARGV[0]) && ioctl(P, 0x540C, 0) && print("mine\n") && close(STDOUT) && sleep(60)' "$terminal" >"$WORK/mine" &
 owner=$!

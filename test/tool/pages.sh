@@ -21,7 +21,7 @@ open() {
 
 close() { tmux kill-server 2>/dev/null; }
 
-# shows TEXT: it stands on the page, a minute later at the latest
+# shows TEXT: it stands on the page, within a minute
 shows() {
   tries=0
   until tmux capture-pane -p >"$WORK/page.txt" 2>&1 && grep -qF -e "$1" "$WORK/page.txt"; do
@@ -31,7 +31,7 @@ shows() {
   done
 }
 
-# same NAME: the page is tool/pages/NAME.txt, a minute later at the latest
+# same NAME: the page is tool/pages/NAME.txt, within a minute
 same() {
   if [ "$update" = update ]; then
     shows ENDED && cp "$WORK/page.txt" "tool/pages/$1.txt"
@@ -71,7 +71,7 @@ page unknown-rows 80x24 $utf8 golden/Normalized.csv
 [ "$update" = update ] && exit
 
 for file in tool/pages/*.txt; do
-  grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "$file is of no page"
+  grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "no page has $file"
 done
 # The sketch AllChannels also printed its last row 3.2 s after the beginning.
 awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$WORK/raw.txt"

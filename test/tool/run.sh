@@ -3,7 +3,7 @@
 #   golden/*.csv               `sbus csv` prints what the sketches print
 #   tool/golden/NAME.txt       what it prints when called as tool/LINES says, the last 20 lines
 #   tool/REJECTIONS              what it says of what it cannot do
-#   recordings/bad/MESSAGES    the same of each bad recording
+#   recordings/bad/MESSAGES    what it says of each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
@@ -100,7 +100,7 @@ while read -r name arguments; do
 done <"$work/lines"
 [ "$update" = update ] && SBUS=$sbus WORK=$work exec tool/pages.sh update
 for file in tool/golden/*.txt; do
-  [ -f "$work/${file##*/}" ] || verdict 1 "$file is of no line of tool/LINES"
+  [ -f "$work/${file##*/}" ] || verdict 1 "no line of tool/LINES has $file"
 done
 
 # The paper's first frame, as bytes on standard input: two of them, since the second shows where the first one ends.
@@ -128,7 +128,7 @@ verdict $? "standard output is full, also of help"
 verdict $? "standard error is closed: nothing of it gets into the recording"
 "$sbus" hex sim --silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
   "$sbus" hex sim --silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
-verdict $? "a silent source is told after two seconds"
+verdict $? "a silent source is reported after two seconds"
 # In true time: what is written line by line finds the reader gone with the second line.
 (timeout 60 "$sbus" hex sim; echo $? >"$work/status") | head -n 1 >/dev/null
 [ "$(cat "$work/status")" -eq 1 ]

@@ -9,8 +9,8 @@ mkdir -p "$work"
 
 . tool/common.sh
 
-# sent ARGUMENTS...: what a port gets of `send` with them, as rows of all channels and flags in $work/rows. STOP=bytes: it
-# is interrupted after so many.
+# sent ARGUMENTS...: what a port gets from `send`, as rows of all channels and flags in $work/rows. STOP=bytes: interrupts
+# it after this many.
 sent() {
   python3 - "$work/port.bin" "$SBUS" send "$@" 2>"$work/err" <<'END'
 import os, pty, select, subprocess, sys, tty
@@ -60,7 +60,7 @@ verdict $? "send without a port: to a pseudo-terminal"
 
 "$SBUS" csv sim --simulated-time --seconds 10.2 --columns ch1-ch18,failsafe,lostframe --rate 20 --header >"$work/flight.csv"
 tail -n 20 "$work/flight.csv" | (head -n 1 "$work/flight.csv"; cat) >"$work/end.csv"
-# Its failsafe is the link's, which many lost frames bring, too: that column is no flag of a frame.
+# Its column failsafe is the link's state, which many lost frames also cause: it is no flag of a frame.
 sent --from "$work/end.csv" && sed 1d "$work/end.csv" | tr -d '\r' | cut -d, -f1-18,20 | uniq >"$work/wanted" &&
   cut -d, -f1-18,20 "$work/rows" | uniq | cmp - "$work/wanted" && grep -q ',0,1$' "$work/wanted"
 verdict $? "send --from what csv has written"

@@ -9,7 +9,7 @@ mkdir -p "$work"
 
 . tool/common.sh
 
-# Frame i ends at 1 s + 9 ms * i. Frames 10 to 12, 50 and 88 are lost, 60 to 79 have failsafe, too, 89 only that; frame 90
+# Frame i ends at 1 s + 9 ms * i. Frames 10 to 12, 50 and 88 are lost, 60 to 79 have both flags, 89 only failsafe; frame 90
 # comes 0.5 s later, frame 95 3 ms later, the last two have failsafe again.
 awk 'BEGIN {
   for (i = 0; i < 100; i++) {

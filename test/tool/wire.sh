@@ -16,7 +16,7 @@ sigrok() {  # VCD BAUD INVERTED [ANNOTATION]
     sed 's/.* //'
 }
 
-# It has to read what it shall judge; some builds of it come without decoders.
+# It must be able to read the file; some builds have no decoders.
 if ! "$SBUS" wave recordings/paper.txt -o "$work/try.vcd" || ! sigrok "$work/try.vcd" 100000 yes 2>/dev/null | grep -q 0F; then
   echo "skipped sbus: no sigrok-cli with its uart decoder is here"
   have_sigrok=
@@ -62,7 +62,7 @@ done
 "$SBUS" decode tool/paper-4.1.bits | cmp - tool/golden/paper-4.1.table
 verdict $? "decode of the paper's bits"
 
-# Frames, in each form; then a file that is cut off: what came before is there all the same.
+# Frames, in each form; then a file that is cut off: what came before is decoded.
 "$SBUS" wave recordings/sbus2.txt -o "$work/sbus2.vcd"
 for form in table csv json; do
   option=--$form

@@ -1,5 +1,5 @@
-// What people really do with their sticks, many times over: random makes, directions, trims, noise and hands. Whatever
-// they do, no calibration is stored that is wrong. RUNS=5000 prints the table: play, accepted, turned round, off.
+// What people really do with their sticks, many times: random makes, directions, trims, noise and hands. No wrong
+// calibration is ever stored. RUNS=5000 prints the table: play, accepted, turned round, off.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -165,7 +165,8 @@ Play &throttle(Play &play) {
   return play.isThrottle().untrimmed().put(-1);
 }
 
-constexpr int Some = -1, NotCounted = -2;  // some are accepted; the direction of what is not wanted is the radio's
+// Some are accepted; the direction is the radio's if the channel is not required.
+constexpr int Some = -1, NotCounted = -2;
 
 const struct {
   const char *what;
@@ -234,7 +235,7 @@ const struct {
 
 }  // namespace
 
-TEST_CASE("whatever hands do, nothing that is turned round or off by more than 10 % is accepted; what is right, is") {
+TEST_CASE("whatever hands do, no channel turned round or off by more than 10 % is accepted; right channels are") {
   const char *const asked = std::getenv("RUNS");
   const int runs = asked != nullptr ? std::atoi(asked) : DefaultRuns;
   for (const auto &row : Rows) {

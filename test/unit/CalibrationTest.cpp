@@ -29,9 +29,9 @@ constexpr CalibratedChannel Samples[] = {
     {{78, 1024, 1964}, 20},   // a Futaba's +-140 %
     {{1811, 992, 172}, 8},    // backwards
     {{1800, 700, 100}, 99},   // ... and off its middle
-    {{0, 1024, 2047}, 0},     // all that there is
-    {{0, 1024, 2047}, 1022},  // ... nearly all of it dead
-    {{300, 400, 1900}, 99},   // one side short, and nearly all of it dead
+    {{0, 1024, 2047}, 0},     // the whole range
+    {{0, 1024, 2047}, 1022},  // ... nearly all in the dead zone
+    {{300, 400, 1900}, 99},   // one side short, and nearly all in the dead zone
     {{1000, 1001, 1002}, 0},  // as short as can be
     {{2047, 2046, 2045}, 0},  // ... backwards
     {{172, 992, 1811}, 818},  // one count is left above the dead zone, two below
@@ -91,7 +91,7 @@ TEST_CASE("the 132 bytes are the version, 16 times low, centre, high, dead zone,
   CHECK(crcOf(expected.data(), 130) == 0x9CDA);  // the test's own
 }
 
-TEST_CASE("each of the 1056 bits is guarded, and any two") {
+TEST_CASE("any one or two wrong bits of the 1056 are noticed") {
   const Stored good = bytesOf(known());
   for (unsigned bit = 0; bit < 8 * Size; bit++) {
     CAPTURE(bit);
@@ -106,7 +106,7 @@ TEST_CASE("each of the 1056 bits is guarded, and any two") {
   }
 }
 
-TEST_CASE("of 65536 versions one is ours, even if the check value is right; erased storage holds none") {
+TEST_CASE("one of 65536 versions is accepted, even if the check value is right; erased storage holds none") {
   for (unsigned version = 0; version < 0x10000; version++) {
     Calibration calibration = known();
     calibration.version = static_cast<uint16_t>(version);
@@ -124,7 +124,7 @@ TEST_CASE("of 65536 versions one is ours, even if the check value is right; eras
   }
 }
 
-TEST_CASE("a channel can be or cannot be, rule by rule, on either side of its limit, at any place") {
+TEST_CASE("isPossible() tells rule by rule, on either side of each limit, for any channel") {
   const struct {
     const char *rule;
     CalibratedChannel channel;
@@ -184,7 +184,7 @@ TEST_CASE("all 2048 values lie within half a thousandth and half a microsecond o
   }
 }
 
-TEST_CASE("not calibrated is at the centre, whatever comes; no channel, however odd, is further than 32767") {
+TEST_CASE("a channel that is not calibrated is at the centre always; no channel, however odd, is beyond 32767") {
   const CalibratedChannel odd[] = {
       {{0, 0, 0}, 0},
       {{65535, 0, 65535}, 0},

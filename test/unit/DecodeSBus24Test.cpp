@@ -33,7 +33,7 @@ struct Board24 : FakeBoardOf<DecodeSBus24, sbus::Frame24> {
 
 }  // namespace
 
-TEST_CASE("of frames of 36 bytes every one is found, at loops of any period, and none is a resync") {
+TEST_CASE("every frame of 36 bytes is found, at any loop period, without a resync") {
   for (const bool neutral : {false, true}) {
     for (const uint64_t gapUs : {700u, 2700u, 4700u, 9700u}) {
       TimedLine line;
@@ -87,7 +87,7 @@ TEST_CASE("36 bytes are rejected for a wrong header, flags or end byte, each by 
   }
 }
 
-TEST_CASE("a line of the other size brings no frame, and each of its frames is counted, but for the last") {
+TEST_CASE("a line of the other size brings no frame, and all of its frames but the last are counted") {
   for (const bool neutral : {false, true}) {
     for (const uint64_t gapUs : {2700u, 4700u, 9700u}) {
       TimedLine longs, shorts;
@@ -109,7 +109,7 @@ TEST_CASE("a line of the other size brings no frame, and each of its frames is c
   }
 }
 
-TEST_CASE("after frames of the other size the first of the own size between two gaps is there once the second is seen") {
+TEST_CASE("after frames of the other size the first of the right size between two gaps comes once the second gap is seen") {
   for (const unsigned others : {1u, 2u, 20u}) {
     CAPTURE(others);
     Feeder line;
@@ -135,7 +135,7 @@ TEST_CASE("after frames of the other size the first of the own size between two 
   }
 }
 
-TEST_CASE("DecodeSBus24 gives 24 channels, and the flags of byte 34; the link is judged by them and by the timeout") {
+TEST_CASE("DecodeSBus24 decodes 24 channels, and the flags of byte 34; they and the timeout decide on the link") {
   const struct {
     unsigned flags;
     LinkState state;
@@ -168,7 +168,7 @@ TEST_CASE("DecodeSBus24 gives 24 channels, and the flags of byte 34; the link is
   }
 }
 
-TEST_CASE("what EncodeSBus24 sends DecodeSBus24 reads, and DecodeSBus counts as other frames; and the other way round") {
+TEST_CASE("DecodeSBus24 reads what EncodeSBus24 sends, and DecodeSBus counts it as frames of the other size; and vice versa") {
   Board24 board24;
   OpenBoard board;
   FakeSerial port24, port;
@@ -200,6 +200,6 @@ TEST_CASE("what EncodeSBus24 sends DecodeSBus24 reads, and DecodeSBus counts as 
   CHECK(board.sbus.counters().frames == 10);
   CHECK(wrong24.sbus.counters().frames == 0);
   CHECK(wrong.sbus.counters().frames == 0);
-  CHECK(wrong24.sbus.counters().otherSizeFrames == 9);  // all behind which a gap was seen
+  CHECK(wrong24.sbus.counters().otherSizeFrames == 9);  // all that a visible gap follows
   CHECK(wrong.sbus.counters().otherSizeFrames == 9);
 }

@@ -83,7 +83,7 @@ struct Sketch {
     }
   }
 
-  // So many rounds of four frames each, 60 ms.
+  // Runs for this many rounds of four frames each, 60 ms.
   void rounds(unsigned count, const Bus &bus = {}) {
     for (unsigned round = 0; round < count; round++) {
       for (unsigned group = 0; group < 4; group++) {

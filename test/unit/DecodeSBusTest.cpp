@@ -11,7 +11,7 @@
 #include "support/ShowArrays.h"
 #include "support/UartPort.h"
 
-TEST_CASE("the constructor leaves the port alone; begin opens it once, 100000 baud, 8E2, inverted, or as told") {
+TEST_CASE("the constructor leaves the port alone; begin opens it once, at 100000 baud, 8E2, inverted, or as asked") {
   FakeBoard board;
   CHECK(board.port.openings.empty());
   board.sbus.begin();
@@ -33,7 +33,7 @@ TEST_CASE("the constructor leaves the port alone; begin opens it once, 100000 ba
   CHECK(board.port.closings == 0);
 }
 
-TEST_CASE("end closes the port, the last frame can still be decoded; begin forgets it, and the half of one") {
+TEST_CASE("end closes the port, the last frame can still be decoded; begin forgets it, and an incomplete frame") {
   OpenBoard board;
   board.firstFrame(PaperHigh.bytes);
   board.take(part(PaperLow.bytes, 0, 12));
@@ -61,8 +61,8 @@ TEST_CASE("before begin, wherever the object stands, there is no frame, none is 
   }
 }
 
-// The board's core, asked for more than is there, writes what lands meanwhile after the end of the buffer.
-TEST_CASE("the port is never asked for more than it has, nothing is overwritten, whatever lands meanwhile") {
+// The board's core, asked for more bytes than wait, writes those that come meanwhile past the end of the buffer.
+TEST_CASE("the port is never asked for more than it has, nothing is overwritten, whatever comes meanwhile") {
   for (size_t held = 0; held < 25; held++) {
     for (size_t waiting = 1; waiting <= 64; waiting++) {
       INFO("held ", held, ", waiting ", waiting);
@@ -115,7 +115,7 @@ TEST_CASE("every frame is there at the first poll after its last byte, with its 
   CHECK(board.counted().frames == count + 2);
 }
 
-TEST_CASE("of a full buffer the whole frames count, one begun before it too; the torn one is never completed") {
+TEST_CASE("the whole frames of a full buffer count, also one that began before; the torn one is never completed") {
   for (unsigned held = 0; held < 25; held++) {
     CAPTURE(held);
     SyncedBoard board;
@@ -127,7 +127,7 @@ TEST_CASE("of a full buffer the whole frames count, one begun before it too; the
     const unsigned torn = (held + 64) % 25;
     CHECK(board.channels() == readBitByBit(plainFrame(whole)));
     CHECK(board.counted().overflows == 1);
-    // After the break the line goes on with what the torn frame is short of, but of another frame.
+    // After the break the line goes on with the bytes that the torn frame lacks, but those of another frame.
     board.take(part(plainFrame(5), torn == 0 ? 25 : torn));
     CHECK(board.counted().frames == 1 + whole);
     board.nextFrame(plainFrame(6));
@@ -135,7 +135,7 @@ TEST_CASE("of a full buffer the whole frames count, one begun before it too; the
   }
 }
 
-TEST_CASE("bytes that come in between two reads of a poll: if the buffer is full then the line has broken, else not") {
+TEST_CASE("bytes that come between two reads of a poll break the line if the buffer is full, and only then") {
   const struct {
     size_t found, come;
     bool broken;
@@ -159,8 +159,8 @@ TEST_CASE("bytes that come in between two reads of a poll: if the buffer is full
   }
 }
 
-TEST_CASE("what comes in while the buffer is read, fills it and breaks the line there, makes no frame of two") {
-  // All channels of a frame are the same: a mixture shows.
+TEST_CASE("bytes that fill the buffer while it is read break the line there, and no frame is made of two") {
+  // All channels of a frame are equal, so that a mixture shows.
   const auto frame = [](unsigned number) {
     Channels channels{};
     std::fill_n(channels.begin(), 16, static_cast<uint16_t>(1000 + 30 * number));
@@ -194,7 +194,7 @@ TEST_CASE("what comes in while the buffer is read, fills it and breaks the line 
 }
 
 // The driver hands over 16 bytes at a time, and a buffer that is found full, 64, may have been full for long: then the
-// frame that it ends in is given up. Polls that are 48 characters apart never find it full.
+// frame at its end is discarded. Polls that are 48 characters apart never find it full.
 TEST_CASE("a line without gaps is read whole by polls every 5 ms, at 200000 baud 2.5 ms, and 48 characters apart") {
   const struct {
     unsigned long baud;
@@ -223,7 +223,7 @@ TEST_CASE("a line without gaps is read whole by polls every 5 ms, at 200000 baud
     }
     CHECK((sbus.counters().frames == frames.size()) == row.whole);
     CHECK((sbus.counters().overflows == 0) == row.whole);
-    // Up to 64 characters apart the buffer takes all; what is lost is lost by caution.
+    // Up to 64 characters apart the buffer takes all bytes: frames are lost by caution only.
     CHECK(port.droppedFull() == 0);
   }
 }
@@ -258,7 +258,7 @@ TEST_CASE("a silence within a frame, read byte by byte, rejects it: more than fi
   }
 }
 
-TEST_CASE("a port that fails to read what it says it has ends the poll") {
+TEST_CASE("a read that fails although bytes wait ends the poll") {
   OpenBoard board;
   board.port.readFails = true;
   board.take(Bytes(40, 0xA5));

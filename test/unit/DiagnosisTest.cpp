@@ -42,10 +42,10 @@ struct Came {
 };
 
 const Came Nothing = Came::frames(0);
-const Came Noise = Came::bytes(428);  // what a line makes of a wrong setting
+const Came Noise = Came::bytes(428);  // what comes with a wrong setting
 const Came Good = Came::frames(55);
 
-// Half a second with the settings in the order in which a sketch tries them. The first is meant.
+// Half a second with the settings in the order in which a sketch tries them. The first is the expected one.
 Diagnosis diagnosisOf(const std::vector<Came> &came, uint32_t ms = 500) {
   Trial trials[] = {{100000, true, ms, {}}, {200000, true, ms, {}}, {100000, false, ms, {}}, {200000, false, ms, {}}};
   Diagnosis diagnosis;
@@ -58,7 +58,7 @@ Diagnosis diagnosisOf(const std::vector<Came> &came, uint32_t ms = 500) {
 
 }  // namespace
 
-TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults the one to be cured first counts") {
+TEST_CASE("a setting is right if a frame comes every 100 ms; of its faults the one to mend first is the finding") {
   const struct {
     const char *what;
     std::vector<Came> came;
@@ -72,11 +72,11 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"one more", {Came::frames(6), Noise, Noise, Noise}, Finding::AllWell, 0},
       {"one of 25 Hz, the slowest", {Came::frames(12), Noise, Noise, Noise}, Finding::AllWell, 0},
       {"a good line", {Good, Noise, Noise, Noise}, Finding::AllWell, 0},
-      {"the other inversion", {Noise, Noise, Good, Noise}, Finding::WrongPolarity, 2},
-      {"the other inversion, nothing with this", {Nothing, Nothing, Good, Nothing}, Finding::WrongPolarity, 2},
+      {"the other polarity", {Noise, Noise, Good, Noise}, Finding::WrongPolarity, 2},
+      {"the other polarity, nothing with this", {Nothing, Nothing, Good, Nothing}, Finding::WrongPolarity, 2},
       {"the other baud rate", {Noise, Good, Noise, Noise}, Finding::WrongBaud, 1},
       {"both", {Noise, Noise, Noise, Good}, Finding::WrongPolarityAndBaud, 3},
-      {"hardly a frame with the other inversion", {Noise, Noise, Came::frames(5), Noise}, Finding::NoFrames, 2},
+      {"hardly a frame with the other polarity", {Noise, Noise, Came::frames(5), Noise}, Finding::NoFrames, 2},
       {"hardly a frame with the other baud rate", {Noise, Came::frames(5), Noise, Noise}, Finding::NoFrames, 1},
       {"as many with another", {Good, Noise, Good, Noise}, Finding::AllWell, 0},
       {"more with another", {Good, Noise, Came::frames(56), Noise}, Finding::WrongPolarity, 2},
@@ -84,7 +84,7 @@ TEST_CASE("a setting is believed if a frame comes every 100 ms; of its faults th
       {"24 channels", {Came::bytes(1980).other(54), Noise, Noise, Noise}, Finding::Channels24, 0},
       {"24 channels, a frame of them every 100 ms", {Came::bytes(1980).other(5)}, Finding::NoFrames, 0},
       {"one more of them", {Came::bytes(1980).other(6)}, Finding::Channels24, 0},
-      {"24 channels, the other inversion", {Noise, Noise, Noise.other(54), Noise}, Finding::Channels24, 2},
+      {"24 channels, the other polarity", {Noise, Noise, Noise.other(54), Noise}, Finding::Channels24, 2},
       {"24 channels, the other baud rate", {Noise, Noise.other(54), Noise.other(1), Noise}, Finding::Channels24, 1},
       {"24 channels, a frame by chance with another",
        {Noise.other(54), Noise, Came::frames(1), Noise},
@@ -148,7 +148,7 @@ TEST_CASE("a trial may last any time: frames are judged by the second") {
   }
 }
 
-TEST_CASE("each round stands alone: what the last one said is not said again") {
+TEST_CASE("begin() forgets the round before") {
   Diagnosis diagnosis = diagnosisOf({Noise, Noise, Good, Noise});
   REQUIRE(diagnosis.finding() == Finding::WrongPolarity);
   diagnosis.begin();
@@ -193,7 +193,7 @@ TEST_CASE("impaired frames are counted, not their headers: some noise, much nois
   }
 }
 
-TEST_CASE("each finding has words of its own, and a remedy; both are plain and fit a line") {
+TEST_CASE("each finding has its own text, and a remedy; both are ASCII and fit a line") {
   std::vector<std::string> texts;
   for (unsigned number = 0; number <= static_cast<unsigned>(Finding::AllWell); number++) {
     const auto finding = static_cast<Finding>(number);

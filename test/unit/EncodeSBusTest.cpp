@@ -79,7 +79,7 @@ TEST_CASE("called in every loop() it sends every period, late calls do not add u
   }
 }
 
-TEST_CASE("no gap between two frames becomes shorter than half of what it should be, however late one is") {
+TEST_CASE("no gap between two frames is shorter than half of what it should be, however late a frame is") {
   const struct {
     uint16_t period;
     uint32_t late;  // us
@@ -102,7 +102,7 @@ TEST_CASE("no gap between two frames becomes shorter than half of what it should
   }
 }
 
-TEST_CASE("a port gets a whole frame as soon as it takes one, or as much as it ever takes; one that cannot say, when it is due") {
+TEST_CASE("a port gets a frame as soon as it has room for one, or its largest room; one that reports no room when it is due") {
   const struct {
     const char *port;
     int most;  // bytes that it takes when all has gone out

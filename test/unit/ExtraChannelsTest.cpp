@@ -1,5 +1,5 @@
-// Futaba's further channels: which frames with header 2F are believed, what they cost the others, and how long
-// decodeExtraChannels() gives them.
+// Futaba's extra channels: which frames with header 2F are accepted, what they cost the others, and for how long
+// decodeExtraChannels() returns them.
 #include <doctest/doctest.h>
 
 #include "support/Feed.h"
@@ -23,7 +23,7 @@ Extra lastExtra(const sbus::FrameFinder &finder) {
   return channels;
 }
 
-// What decodeExtraChannels() gives; Nothing if nothing.
+// Returns what decodeExtraChannels() writes, or Nothing.
 Extra extraOf(FakeBoard &board) {
   Extra channels = Nothing;
   const bool decoded = board.sbus.decodeExtraChannels(channels.data());
@@ -41,7 +41,7 @@ void receive(FakeBoard &board, unsigned number) {
 
 }  // namespace
 
-TEST_CASE("a 2F frame before each 0F frame, at any gap: all of both come, no byte is skipped, nothing is a resync") {
+TEST_CASE("with a 2F frame before each 0F frame, at any gap, all frames come, without a discarded byte or a resync") {
   for (const uint8_t end : {uint8_t{0x00}, uint8_t{0x04}, uint8_t{0x34}}) {
     for (const uint64_t gapUs : {0u, 120u, 600u, 2000u, 6000u, 9000u}) {
       for (const bool neutral : {false, true}) {
@@ -56,17 +56,18 @@ TEST_CASE("a 2F frame before each 0F frame, at any gap: all of both come, no byt
           INFO("end ", end, ", gapUs ", gapUs, ", neutral ", neutral, ", loopUs ", loopUs);
           sbus::Counters counters;
           CHECK(line.frames(loopUs, &counters) == sent);
-          CHECK(counters.extraFrames == 19);  // before the first frame the kind is not known
+          CHECK(counters.extraFrames == 19);  // before the first frame the variant is not known
           CHECK(counters.discardedBytes == 25);
           CHECK(counters.resyncs == 0);
-          CHECK(counters.rejectedByEnd + counters.rejectedByFlags + counters.rejectedByLength == (neutral ? 3 : 1));  // of it
+          // Those of the first 2F frame.
+          CHECK(counters.rejectedByEnd + counters.rejectedByFlags + counters.rejectedByLength == (neutral ? 3 : 1));
         }
       }
     }
   }
 }
 
-TEST_CASE("a 2F frame is believed once silence follows it, or at the first byte after a gap, or at a header 0F or 2F, and else not") {
+TEST_CASE("a 2F frame is accepted once silence follows it, or a gap and a byte, or a header 0F or 2F, and not otherwise") {
   const struct {
     uint32_t silenceUs;  // after it; then comes another byte
     bool bySilence, byNext;
@@ -80,9 +81,9 @@ TEST_CASE("a 2F frame is believed once silence follows it, or at the first byte 
       line.wait(row.silenceUs);
       CHECK(line.counted().extraFrames == row.bySilence);
       line.feed({static_cast<uint8_t>(next)});
-      const bool believed = row.byNext || next == 0x0F || next == 0x2F;
-      CHECK(line.counted().extraFrames == believed);
-      if (believed) {
+      const bool accepted = row.byNext || next == 0x0F || next == 0x2F;
+      CHECK(line.counted().extraFrames == accepted);
+      if (accepted) {
         CHECK(lastExtra(line.finder) == channelsOf(extraFrame(7)));
       }
       CHECK(line.finder.frame() != nullptr);
@@ -91,7 +92,7 @@ TEST_CASE("a 2F frame is believed once silence follows it, or at the first byte 
   }
 }
 
-TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and after an impaired frame the next 2F frame") {
+TEST_CASE("after an impaired 2F frame the next 2F and 0F frames come at once, and after an impaired 0F frame the next 2F frame") {
   for (const bool extraImpaired : {true, false}) {
     for (const size_t lost : {1u, 5u, 12u, 24u}) {
       INFO("extraImpaired ", extraImpaired, ", lost ", lost);
@@ -109,7 +110,7 @@ TEST_CASE("after a damaged 2F frame the next of each kind is there at once, and 
   }
 }
 
-TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or no frame is expected there") {
+TEST_CASE("a 2F frame is rejected if its form is wrong, a gap lies in it, or no frame is expected there") {
   const Bytes whole = bytesOf(extraFrame(7));
   const struct {
     doctest::String what;
@@ -119,7 +120,7 @@ TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or
       {"as it should be", whole, {}, 1},
       {"digital channels and flags", bytesOf(withByte(extraFrame(7), 23, 0x0F)), {}, 1},
       {"flags bit 4", bytesOf(withByte(extraFrame(7), 23, 0x10)), {}, 0},
-      {"another kind's end byte", bytesOf(extraFrame(7, 0x04)), {}, 0},
+      {"the end byte of another variant", bytesOf(extraFrame(7, 0x04)), {}, 0},
       {"no end byte", bytesOf(extraFrame(7, 0x55)), {}, 0},
       {"another header", bytesOf(withByte(extraFrame(7), 0, 0x3F)), {}, 0},
       {"a byte is missing", without(extraFrame(7), 7), {}, 0},
@@ -150,7 +151,7 @@ TEST_CASE("a 2F frame is not believed if its form is wrong, a gap lies in it, or
   }
 }
 
-TEST_CASE("a 2F frame is believed only once the line's kind is known, and never where that has none") {
+TEST_CASE("a 2F frame is accepted only once the line variant is known, and never if that variant has none") {
   Feeder line;
   line.settle().feed(bytesOf(extraFrame(0)));
   CHECK(line.wait(Feeder::GapUs).feed(bytesOf(extraFrame(1)) + bytesOf(plainFrame(0))).empty());
@@ -165,7 +166,7 @@ TEST_CASE("a 2F frame is believed only once the line's kind is known, and never 
   CHECK(tailed.counted().extraFrames == 0);
 }
 
-TEST_CASE("a 2F frame is as old as the last poll that had not its end, however long silence or a block is") {
+TEST_CASE("a 2F frame's age counts from the last poll without its end, however long a silence or a block is") {
   constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
   const Bytes extra = bytesOf(extraFrame(7));
   for (const uint32_t us : {3000u, 20000u, 10000000u}) {
@@ -192,7 +193,7 @@ TEST_CASE("a 2F frame is as old as the last poll that had not its end, however l
   }
 }
 
-TEST_CASE("after more than 50 ms of silence a 2F frame is not believed, the frame after it is, and the next 2F frame") {
+TEST_CASE("after more than 50 ms of silence a 2F frame is rejected; the frame after it and the next 2F frame are accepted") {
   const struct {
     uint32_t silenceUs;
     unsigned extras;
@@ -212,7 +213,7 @@ TEST_CASE("after more than 50 ms of silence a 2F frame is not believed, the fram
   }
 }
 
-TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and leaves the array alone before and after") {
+TEST_CASE("decodeExtraChannels writes the newest 2F frame until the timeout, and leaves the array alone before and after") {
   const struct {
     int timeoutMs;  // -1: not set, 100
     uint64_t goodMs;
@@ -226,7 +227,7 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
         board.sbus.setTimeout(static_cast<uint16_t>(row.timeoutMs));
       }
       CHECK(extraOf(board) == Nothing);
-      receive(board, 0);  // before the kind is known
+      receive(board, 0);  // before the variant is known
       CHECK(extraOf(board) == Nothing);
       receive(board, 1);
       CHECK(extraOf(board) == channelsOf(extraFrame(1)));
@@ -238,7 +239,7 @@ TEST_CASE("decodeExtraChannels gives the newest 2F frame for the timeout, and le
       CHECK(extraOf(board) == channelsOf(extraFrame(2)));
       board.wait(1 * Ms);
       CHECK((extraOf(board) == Nothing) == (row.timeoutMs != 0));
-      board.wait(MicrosWrap - 1 * Ms);  // the clock says what it said
+      board.wait(MicrosWrap - 1 * Ms);  // the clock shows an earlier time again
       CHECK((extraOf(board) == Nothing) == (row.timeoutMs != 0));
       receive(board, 3);
       receive(board, 4);

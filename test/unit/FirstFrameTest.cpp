@@ -9,7 +9,7 @@ namespace {
 
 const Bytes Low = bytesOf(PaperLow.bytes);
 
-// Of lines with and without 0F in the payload.
+// Frames with and without 0F in the payload.
 Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
   return neutral ? neutralFrame(number, end) : plainFrame(number, end);
 }
@@ -38,7 +38,7 @@ TEST_CASE("from reset on every frame is found, however seldom polls come: the fi
   }
 }
 
-TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, or silence, and nothing else") {
+TEST_CASE("the first frame waits until a header 0F or 2F, or silence, follows it; other bytes do not prove it") {
   for (unsigned next = 0; next < 256; next++) {
     CAPTURE(next);
     Feeder line;
@@ -54,7 +54,7 @@ TEST_CASE("the first frame waits for what follows it: a header 0F or 2F, or sile
   CHECK(line.feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
 }
 
-TEST_CASE("where gaps are seen the first frame stands at one, and is no end of a longer one that lost characters") {
+TEST_CASE("where gaps are seen the first frame stands at a gap, and is not the end of a longer frame that lost characters") {
   for (size_t before = 0; before < 60; before++) {
     for (const bool header : {false, true}) {
       INFO("before ", before, ", header ", header);
@@ -71,7 +71,7 @@ TEST_CASE("where gaps are seen the first frame stands at one, and is no end of a
   }
 }
 
-TEST_CASE("joined midway the first whole frame is there once the line is silent, whatever of another came before the gap") {
+TEST_CASE("on a line joined within a frame the first whole frame comes once silence follows it, whatever came before the gap") {
   for (size_t rest = 1; rest < 25; rest++) {
     CAPTURE(rest);
     Feeder line;
@@ -81,7 +81,7 @@ TEST_CASE("joined midway the first whole frame is there once the line is silent,
   }
 }
 
-TEST_CASE("a failsafe frame whose place is not certain is there once the line is silent behind it") {
+TEST_CASE("a failsafe frame that is not aligned comes once the line is silent behind it") {
   const Bytes failsafe = bytesOf(FailsafeFrame);
   Feeder line;
   CHECK(line.lock().feed(Bytes{0x55} + failsafe).empty());  // noise hides the gap before it
@@ -92,7 +92,7 @@ TEST_CASE("a failsafe frame whose place is not certain is there once the line is
     CHECK(without.lock().feed(Bytes{0x55} + failsafe + Bytes{next}).empty());
     CHECK(without.wait(Feeder::GapUs).waited.empty());
   }
-  // The rest of one, and one that has lost as many characters: silence behind them says nothing.
+  // The rest of a frame, and a frame that has lost as many characters: silence behind them proves nothing.
   for (const size_t lost : {2u, 5u, 11u}) {
     Feeder halves;
     const Frame before = withByte(withByte(plainFrame(5), 25 - lost, 0x0F), 24, 0x00);
@@ -103,7 +103,7 @@ TEST_CASE("a failsafe frame whose place is not certain is there once the line is
   }
 }
 
-TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH17 and CH18 are") {
+TEST_CASE("no frame of 36 bytes, FrSky's 24 channels, is accepted, whatever CH17 and CH18 are") {
   for (const unsigned flagsPlace : {0x00u, 0x03u, 0x08u, 0x0Fu, 0xE0u}) {
     for (const unsigned endPlace : {0x00u, 0x04u, 0x08u, 0x14u, 0x34u}) {
       for (const uint32_t loopUs : {50u, 1000u, 2000u, 5000u}) {
@@ -118,7 +118,7 @@ TEST_CASE("of 36-byte frames, FrSky's 24 channels, none is believed, whatever CH
   }
 }
 
-TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between cost none, and none is wrong") {
+TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, cost no frame between them, and none is wrong") {
   for (const bool longOnes : {false, true}) {
     TimedLine line;
     Frames sent;
@@ -136,7 +136,7 @@ TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, in between
   }
 }
 
-TEST_CASE("where 25 bytes were known 36-byte frames are believed once at the most, and not if more of one is there") {
+TEST_CASE("after frames of 25 bytes one of 36 bytes is accepted at most once, and never if it comes in large bursts") {
   const struct {
     size_t burst;
     unsigned most;

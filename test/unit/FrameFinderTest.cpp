@@ -15,14 +15,14 @@ namespace {
 
 const Bytes Low = bytesOf(PaperLow.bytes);
 
-// Of lines with and without 0F in the payload.
+// Frames with and without 0F in the payload.
 Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
   return neutral ? neutralFrame(number, end) : plainFrame(number, end);
 }
 
 }  // namespace
 
-TEST_CASE("there is no frame before the first one; reset forgets frames, halves of frames and counters") {
+TEST_CASE("frame() is null before the first frame; reset forgets frames, incomplete frames and counters") {
   Feeder line;
   for (const Bytes &bytes : {part(Low, 0, 24), Low + Bytes(30, 0xA5) + part(Low, 0, 12)}) {
     CHECK(line.finder.frame() == nullptr);
@@ -55,7 +55,7 @@ TEST_CASE("two buffers take turns, a frame stays where it came in, its payload a
   }
 }
 
-TEST_CASE("each cause of rejection has its counter, and what belongs to no frame is counted byte by byte") {
+TEST_CASE("each cause of rejection has its counter, and bytes of no frame are counted one by one") {
   const struct {
     doctest::String what;
     Bytes bytes;
@@ -65,7 +65,7 @@ TEST_CASE("each cause of rejection has its counter, and what belongs to no frame
       {"flags bit 4", bytesOf(withByte(plainFrame(5), 23, 0x10)), 0, 1, 0},
       {"a byte is missing: the next header stands at the end", without(plainFrame(5), 7), 1, 0, 0},
       {"a byte too many: CH16 stands at the flags", with(plainFrame(5), 7, 0xA5), 0, 1, 0},
-      {"another kind of end byte, and then noise", bytesOf(plainFrame(5, 0x04)) + Bytes{0xA5}, 0, 0, 1},
+      {"the end byte of another variant, and then noise", bytesOf(plainFrame(5, 0x04)) + Bytes{0xA5}, 0, 0, 1},
       {"37 bytes without an end at 24", part(plainFrame(5), 0, 23) + Bytes(14, 0x20), 1, 0, 0},
       {"noise", Bytes(10, 0xA5), 0, 0, 0},
   };
@@ -105,7 +105,7 @@ TEST_CASE("of many headers in a row each is counted by its cause: 24, or 6 with 
   }
 }
 
-TEST_CASE("frames lost and failsafe are counted by flag; one found again after others were missed is a resync") {
+TEST_CASE("frames are counted by lost-frame and failsafe flag; one that is found after missed frames is a resync") {
   Feeder line;
   line.lock();
   for (const unsigned flags : {0x00u, 0x03u, 0x04u, 0x08u, 0x08u, 0x0Cu}) {
@@ -142,7 +142,7 @@ TEST_CASE("nothing from before a break completes a frame after it, the complete 
   }
 }
 
-TEST_CASE("of every make every frame is delivered, with flags, telemetry and tail, and of another make after it") {
+TEST_CASE("all frames of every make are delivered, with flags, telemetry and tail, and so are those of another make after it") {
   const struct Make {
     const char *name;
     std::vector<uint8_t> ends;

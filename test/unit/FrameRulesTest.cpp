@@ -3,61 +3,10 @@
 
 #include <string>
 
-#include "support/Bytes.h"
-#include "support/KnownFrames.h"
+#include "support/Candidates.h"
 #include "support/ShowArrays.h"
-#include "sbus/FrameRules.h"
 
 using namespace sbus;
-
-namespace {
-
-constexpr int Far = 255;  // no gap is known
-
-// A frame and what follows it; at its expected place on a line of its kind, unless a test says otherwise.
-struct Case {
-  Bytes bytes;
-  int gapAt = Far;
-  int offBy = 0;
-  bool isInSync = true;
-  bool isLines = true;
-  bool isGapCertain = true;
-
-  Candidate<Frame16> candidate() const {
-    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, variantOfEnd(bytes[24]),
-            isLines ? variantOfEnd(bytes[24]) : UnknownVariant, offBy, isInSync && offBy == 0};
-  }
-};
-
-const Bytes Plain = bytesOf(plainFrame(1));
-const Bytes Failsafe = bytesOf(FailsafeFrame);  // a second reading begins at 23
-
-Acquisition<Frame16> noneSeen() {
-  Acquisition<Frame16> acquisition;
-  acquisition.reset();
-  return acquisition;
-}
-
-// Two gaps have been seen, `run` characters apart.
-Acquisition<Frame16> twoGaps(unsigned run) {
-  Acquisition<Frame16> acquisition = noneSeen();
-  acquisition.gap(0, true);
-  acquisition.characters(run);
-  acquisition.gap(static_cast<int>(run), true);
-  return acquisition;
-}
-
-// "accept", "aligned", "wait", or why it is rejected and how many characters further on the search goes.
-std::string judged(const Case &c, Acquisition<Frame16> acquisition = noneSeen()) {
-  static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "second reading"};
-  const Verdict verdict = rules::judge(c.candidate(), acquisition);
-  return verdict.isAligned() ? "aligned"
-         : verdict.isAccepted() ? "accept"
-         : verdict.isOpen()     ? "wait"
-                                : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.next()));
-}
-
-}  // namespace
 
 TEST_CASE("flags: the upper four bits are 0") {
   for (unsigned byte = 0; byte < 256; byte++) {
@@ -75,7 +24,7 @@ TEST_CASE("inside: a gap before the second to the last character rejects, up to 
   }
 }
 
-TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its kind and where no frame has been yet") {
+TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant and before the first frame") {
   const Bytes s2 = bytesOf(plainFrame(1, 0x14)), tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
   const struct {
     const char *what;
@@ -104,7 +53,7 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its kind an
   }
 }
 
-TEST_CASE("2F: further channels are believed on a line of known kind, in place or at a gap, before a gap or a header") {
+TEST_CASE("2F: extra channels are accepted on a line of known variant, in place or at a gap, before a gap or a header") {
   const Bytes extra = bytesOf(withByte(plainFrame(1), 0, ExtraHeader));
   const struct {
     const char *what;
@@ -122,7 +71,7 @@ TEST_CASE("2F: further channels are believed on a line of known kind, in place o
       {"... a gap follows", extra, 25, 1, true, "aligned"},
       {"... after a gap", extra + Bytes{0x0F}, 0, 1, true, "aligned"},
       {"a gap within", extra + Bytes{0x0F}, 24, 0, true, "gap inside 24"},
-      {"a line of another kind, or none", extra + Bytes{0x0F}, 0, 0, false, "not at gap 1"},
+      {"a line of another variant, or unknown", extra + Bytes{0x0F}, 0, 0, false, "not at gap 1"},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -130,23 +79,7 @@ TEST_CASE("2F: further channels are believed on a line of known kind, in place o
   }
 }
 
-TEST_CASE("turn: before the first frame a slot's ID ends a frame if the one before announced the group before") {
-  for (unsigned first = 0; first < 4; first++) {
-    for (unsigned second = 0; second < 4; second++) {
-      INFO("first ", first, ", second ", second);
-      Acquisition<Frame16> acquisition = noneSeen();
-      const auto judge = [&](unsigned group) {
-        const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03};
-        const Case c = {bytes, Far, 0, true, false};
-        return rules::judge(c.candidate(), acquisition).isAccepted();
-      };
-      CHECK_FALSE(judge(first));
-      CHECK(judge(second) == (second == (first + 1) % 4));
-    }
-  }
-}
-
-TEST_CASE("slots: on an S.BUS2 line an ID may follow, which is one of eight bytes; elsewhere it is a character too many") {
+TEST_CASE("slots: on an S.BUS2 line an ID may follow, every eighth byte value; elsewhere it is a character too many") {
   for (unsigned byte = 0; byte < 256; byte++) {
     for (const unsigned end : {0x00u, 0x04u, 0x34u, 0x08u}) {
       const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + tailOf(static_cast<uint8_t>(end)) +
@@ -154,19 +87,6 @@ TEST_CASE("slots: on an S.BUS2 line an ID may follow, which is one of eight byte
       CHECK(rules::isSlotNext(Case{bytes}.candidate()) == ((end & 0x0F) == 4 && byte % 8 == 3));
     }
   }
-}
-
-TEST_CASE("stray: before the first frame one character may follow it, between two gaps that are 26 characters apart") {
-  const Bytes stray = Plain + Bytes{0x00};
-  CHECK(judged({stray, 0, 9, false, false}, twoGaps(25)) == "wait");
-  CHECK(judged({stray, Far, 9, false, false}, twoGaps(25)) == "goes on 2");
-  CHECK(judged({stray, 26, 9, false, false}, twoGaps(26)) == "aligned");
-  for (const unsigned run : {25u, 27u, 52u, 255u}) {
-    CHECK(judged({stray, 26, 9, false, false}, twoGaps(run)) == "goes on 2");
-  }
-  Bytes twice = stray;  // the first of two headers may be the stray one
-  twice[1] = 0x0F;
-  CHECK(judged({twice, 26, 9, false, false}, twoGaps(26)) == "goes on 2");
 }
 
 TEST_CASE("endsTwice: noise may stand before the header, unless a stray character is known to follow each frame") {
@@ -183,17 +103,7 @@ TEST_CASE("endsTwice: noise may stand before the header, unless a stray characte
   }
 }
 
-TEST_CASE("tail: before the first frame a gap behind a tail makes a place certain only if one also stands before the frame") {
-  Bytes tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
-  tailed[9] = 0x00;
-  tailed[10] = 0x0F;  // the tail may be the end of the frame that begins here
-  CHECK(judged({tailed, 30, 9, false, false}, twoGaps(30)) == "aligned");
-  CHECK(judged({tailed, 30, 9, false, false}, noneSeen()) == "second reading 10");
-  CHECK(judged({part(tailed, 0, 25), 25, 9, false, false}, noneSeen()) == "aligned");
-  CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "aligned");
-}
-
-TEST_CASE("halves: before the first frame any end byte counts, later those of the line's kind") {
+TEST_CASE("falseSync: before the first frame any end byte counts, later those of the line's variant") {
   for (const unsigned end : {0x00u, 0x04u, 0x24u, 0x08u}) {
     for (const unsigned inside : {0x00u, 0x04u, 0x14u, 0x08u, 0x40u, 0x01u}) {
       INFO("end ", end, ", inside ", inside);
@@ -222,7 +132,7 @@ TEST_CASE("goesOn: more than four characters follow, and the second is no header
   }
 }
 
-TEST_CASE("halves: where its place is not certain an end and a header inside reject, up to that header") {
+TEST_CASE("falseSync: out of sync an end byte and a header inside reject, up to that header") {
   for (size_t place = 2; place < 24; place++) {
     CAPTURE(place);
     Bytes bytes = Plain;
@@ -231,19 +141,19 @@ TEST_CASE("halves: where its place is not certain an end and a header inside rej
     const int at = static_cast<int>(place);
     CHECK(rules::falseSyncAt(Case{bytes}.candidate()) == at);
     const Bytes before = bytes + Bytes{0x0F};
-    CHECK(judged({before, Far, 0, false}) == "second reading " + std::to_string(at));
-    CHECK(judged({before, Far, 30}) == "second reading " + std::to_string(at));
+    CHECK(judged({before, Far, 0, false}) == "false sync " + std::to_string(at));
+    CHECK(judged({before, Far, 30}) == "false sync " + std::to_string(at));
     CHECK(judged({before, Far, 0, true}) == "aligned");
     CHECK(judged({before, 0, 30}) == "aligned");
     CHECK(judged({before, 25, 30}) == "aligned");
-    CHECK(judged({before, 0, 30, false, true, false}) == "second reading " + std::to_string(at));  // a likely gap
+    CHECK(judged({before, 0, 30, false, true, false}) == "false sync " + std::to_string(at));  // a likely gap
   }
   CHECK(rules::falseSyncAt(Case{Plain}.candidate()) == 25);
   CHECK(rules::falseSyncAt(Case{Failsafe}.candidate()) == 23);
   CHECK(judged({Plain + Bytes{0x0F}, Far, 30}) == "accept");
 }
 
-TEST_CASE("waits: a gap after it may make its place certain, unless a short part may be the rest of the frame before") {
+TEST_CASE("waits: a gap after it may prove that it is aligned, unless a short part may be the rest of the frame before") {
   for (size_t place = 2; place < 24; place++) {
     for (int offBy = -2; offBy < 30; offBy++) {
       INFO("place ", place, ", offBy ", offBy);
@@ -252,55 +162,21 @@ TEST_CASE("waits: a gap after it may make its place certain, unless a short part
       bytes[place] = 0x0F;
       const bool waits = place >= 12 || offBy <= 4;
       CHECK((judged({bytes, Far, offBy, false}) == "wait") == waits);
-      CHECK(judged({bytes + Bytes{0x0F}, Far, offBy, false}) == "second reading " + std::to_string(place));
+      CHECK(judged({bytes + Bytes{0x0F}, Far, offBy, false}) == "false sync " + std::to_string(place));
     }
   }
 }
 
-TEST_CASE("other, first: before the first frame a line must not look like one of the other size, and shows its gaps") {
-  const Bytes whole = Plain + Bytes{0x0F};
-  CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
-  CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");
-  CHECK(judged({whole, 0, 9, false, false}, twoGaps(25)) == "aligned");
-  CHECK(judged({whole, 0, 9, false, false}, twoGaps(36)) == "not at gap 1");
-  Acquisition<Frame16> acquisition = twoGaps(36);
-  acquisition.characters(25);
-  acquisition.gap(25, true);  // one of the right size takes the doubt away
-  CHECK(judged({whole, 0, 9, false, false}, acquisition) == "aligned");
-}
-
-TEST_CASE("doubts last for eight gaps, or one where what waits may be the end of a frame of the other size") {
-  const struct {
-    unsigned run;
-    int waiting;
-    unsigned gaps;
-  } rows[] = {{36, 25, 8}, {35, 25, 1}, {36, 36, 8}, {25, 25, 0}, {24, 0, 0}, {26, 25, 0}, {27, 25, 1},
-              {37, 25, 0}, {255, 25, 0}};
-  for (const auto &row : rows) {
-    INFO("run ", row.run, ", waiting ", row.waiting);
-    Acquisition<Frame16> acquisition = noneSeen();
-    acquisition.gap(0, true);
-    acquisition.characters(row.run);
-    CHECK(acquisition.gap(row.waiting, true) == (row.run == 36));
-    CHECK_FALSE(acquisition.gap(row.waiting, true));  // the same gap again
-    unsigned gaps = 0;
-    for (; !acquisition.allows(true, false); gaps++) {
-      acquisition.characters(3);
-      acquisition.gap(3, true);
-    }
-    CHECK(gaps == row.gaps);
-  }
-}
-
-TEST_CASE("isUsual says nothing but what the whole judgement says") {
-  const auto check = [](const Bytes &bytes, int gapAt, uint8_t kind, bool isInSync) {
-    INFO(bytes, ", gapAt ", gapAt, ", kind ", unsigned{kind}, ", isInSync ", isInSync);
+TEST_CASE("isUsual accepts only what judge() accepts as aligned") {
+  const auto check = [](const Bytes &bytes, int gapAt, uint8_t variant, bool isInSync) {
+    INFO(bytes, ", gapAt ", gapAt, ", variant ", unsigned{variant}, ", isInSync ", isInSync);
     bool accepted = false;
-    if (bytes.size() == 25 && variantOfEnd(bytes[24]) == kind && isInSync && bytes[0] == 0x0F && isFlagsByte(bytes[23])) {
+    if (bytes.size() == 25 && variantOfEnd(bytes[24]) == variant && isInSync && bytes[0] == 0x0F &&
+        isFlagsByte(bytes[23])) {
       Acquisition<Frame16> acquisition = noneSeen();
       accepted = rules::judge(Case{bytes, gapAt}.candidate(), acquisition).isAligned();
     }
-    const bool usual = rules::isUsual<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, kind, isInSync);
+    const bool usual = rules::isUsual<Frame16>(bytes.data(), static_cast<int>(bytes.size()), gapAt, variant, isInSync);
     CHECK(usual == (accepted && gapAt != 25));  // a gap behind is found by an empty poll, and that is not usual
     return usual;
   };
@@ -316,10 +192,10 @@ TEST_CASE("isUsual says nothing but what the whole judgement says") {
           bytes[23] = flags;
           bytes[24] = end;
           for (const int gapAt : {0, 1, 24, 25, Far}) {
-            for (const uint8_t kind : {uint8_t{0}, uint8_t{1}, uint8_t{2}}) {
+            for (const uint8_t variant : {uint8_t{0}, uint8_t{1}, uint8_t{2}}) {
               for (const bool isInSync : {false, true}) {
-                usual += check(bytes, gapAt, kind, isInSync);
-                usual += check(part(bytes, 0, 24), gapAt, kind, isInSync);
+                usual += check(bytes, gapAt, variant, isInSync);
+                usual += check(part(bytes, 0, 24), gapAt, variant, isInSync);
               }
             }
           }
@@ -327,5 +203,5 @@ TEST_CASE("isUsual says nothing but what the whole judgement says") {
       }
     }
   }
-  CHECK(usual == 4 * 4 * 2 * 2);  // readings, end bytes, flags, gaps
+  CHECK(usual == 4 * 4 * 2 * 2);  // inner headers, end bytes, flags, gaps
 }

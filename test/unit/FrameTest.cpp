@@ -8,7 +8,7 @@
 #include "support/KnownFrames.h"
 #include "support/ShowArrays.h"
 
-// The compiler can also make the checks.
+// The checks also work at compile time.
 static_assert(sbus::isFrame(PaperLow.bytes.data()), "the paper's frame is a frame");
 static_assert(!sbus::isEndByte(0x0F), "a header ends no frame");
 
@@ -17,7 +17,7 @@ namespace {
 // Futaba S.BUS and FrSky; S.BUS2's four telemetry slots; R7003SB and FASSTest 12CH.
 constexpr unsigned EndBytes[] = {0x00, 0x04, 0x08, 0x14, 0x24, 0x34};
 
-// By both ways of unpacking, which have to agree. The sanitizers guard the ends of all arrays.
+// Unpacks in both ways, which must agree. The sanitizers guard the ends of all arrays.
 Channels unpacked(const Frame &frame) {
   alignas(4) uint8_t padded[3 + 25];
   std::copy(frame.begin(), frame.end(), padded + 3);
@@ -69,7 +69,7 @@ TEST_CASE("a frame begins with 0F, has flags 00..0F, ends with 00 04 08 14 24 34
   }
 }
 
-TEST_CASE("known frames are frames, have the channels that are known, and are written to the byte, with end byte 00") {
+TEST_CASE("known frames are frames, have the known channels, and are written byte for byte, with end byte 00") {
   for (const KnownFrame &known : KnownFrames) {
     CAPTURE(known.source);
     CHECK(readBitByBit(known.bytes) == known.channels);
@@ -126,7 +126,7 @@ TEST_CASE("a channel above 2047 is sent as 2047 and spills into no neighbour, a 
   }
 }
 
-TEST_CASE("of 24 channels every one takes every value 0..2047, both ways, and leaves its neighbours alone") {
+TEST_CASE("each of 24 channels takes every value 0..2047, both ways, and leaves its neighbours alone") {
   for (const uint16_t others : {uint16_t{0}, uint16_t{2047}}) {
     for (unsigned channel = 0; channel < 24; channel++) {
       for (uint16_t value = 0; value <= 2047; value++) {
@@ -142,13 +142,13 @@ TEST_CASE("of 24 channels every one takes every value 0..2047, both ways, and le
   }
 }
 
-TEST_CASE("the published frame of 24 channels has the channels that are known, and is written to the byte") {
+TEST_CASE("the published frame of 24 channels has the known channels, and is written byte for byte") {
   CHECK(readBitByBit(Published24.bytes) == Published24.channels);
   CHECK(unpacked(Published24.bytes) == Published24.channels);
   CHECK(packed(Published24.channels) == Published24.bytes);
 }
 
-TEST_CASE("of 24 channels one above 2047 is sent as 2047; byte 34 has lost frame and failsafe, byte 35 is 00") {
+TEST_CASE("of 24 channels a value above 2047 is sent as 2047; byte 34 has lost frame and failsafe, byte 35 is 00") {
   for (unsigned channel = 0; channel < 24; channel++) {
     for (const uint16_t value : {uint16_t{2048}, uint16_t{4096}, uint16_t{65535}}) {
       INFO("channel ", channel, ", value ", value);
@@ -179,9 +179,9 @@ TEST_CASE("a frame with header 2F has 16 channels, packed as in any other, whate
   }
 }
 
-TEST_CASE("innerHeader finds a header behind an end byte of the kind, or of any kind, else nothing") {
+TEST_CASE("innerHeader finds a header behind an end byte of the variant, or of any variant, and no other header") {
   const struct {
-    unsigned kind, before;  // the byte before the 0F
+    unsigned variant, before;  // the byte before the 0F
     bool found;
   } rows[] = {{0, 0x00, true},  {0, 0x04, false}, {1, 0x34, true}, {1, 0x00, false}, {2, 0x08, true}, {2, 0x18, false},
               {sbus::UnknownVariant, 0x00, true}, {sbus::UnknownVariant, 0x24, true}, {sbus::UnknownVariant, 0x08, true},
@@ -189,12 +189,12 @@ TEST_CASE("innerHeader finds a header behind an end byte of the kind, or of any 
   for (const auto &row : rows) {
     for (const unsigned size : {25u, 36u}) {
       for (unsigned index = 2; index < size; index++) {
-        INFO("kind ", row.kind, ", before ", row.before, ", index ", index, ", size ", size);
+        INFO("variant ", row.variant, ", before ", row.before, ", index ", index, ", size ", size);
         LongFrame frame{};
         frame.fill(0x55);
         frame[0] = 0x0F;
         frame = withByte(withByte(frame, index - 1, row.before), index, 0x0F);
-        CHECK(sbus::innerHeader(frame.data(), static_cast<int>(size), static_cast<uint8_t>(row.kind)) ==
+        CHECK(sbus::innerHeader(frame.data(), static_cast<int>(size), static_cast<uint8_t>(row.variant)) ==
               static_cast<int>(row.found ? index : size));
       }
     }

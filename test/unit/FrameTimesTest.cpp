@@ -11,7 +11,7 @@ const Bytes Low = bytesOf(PaperLow.bytes);
 
 }  // namespace
 
-TEST_CASE("a frame is as old as the last poll that had not its end, and what a port holds back; a block makes it older") {
+TEST_CASE("a frame's age counts from the last poll without its end, and what a port holds back; a block makes it older") {
   constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
   for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
     CAPTURE(start);
@@ -25,7 +25,7 @@ TEST_CASE("a frame is as old as the last poll that had not its end, and what a p
     CHECK(line.finder.frameTime() == before - Idle);
     before = line.wait(6000).now;
     CHECK(line.block(10000000).poll(Low + Low).size() == 2);
-    CHECK(line.finder.frameTime() == before - Idle);  // the second, too
+    CHECK(line.finder.frameTime() == before - Idle);  // also of the second
     before = line.wait(6000).now;
     CHECK(line.block(10000000).poll(join(Frames(20, PaperLow.bytes))).size() == 20);
     CHECK(line.finder.frameTime() == before - Idle);  // and the last of as many as 512 bytes hold
@@ -54,7 +54,7 @@ TEST_CASE("the period is that of the line; a longer interval counts for an eight
   }
 }
 
-TEST_CASE("a frame behind as much noise as a large buffer holds is as old as its own poll makes it") {
+TEST_CASE("a frame behind as much noise as a large buffer holds has the age of its own poll") {
   for (const size_t noise : {100u, 128u, 129u, 200u, 300u, 480u}) {
     CAPTURE(noise);
     Feeder line;
@@ -64,7 +64,7 @@ TEST_CASE("a frame behind as much noise as a large buffer holds is as old as its
   }
 }
 
-TEST_CASE("there is no period where a frame looks older than the first one, by what is behind it, but from the next on") {
+TEST_CASE("there is no period if the second frame looks older than the first, by the bytes behind it, but from the third on") {
   Feeder line;
   REQUIRE(line.settle().feed(Low).empty());
   REQUIRE(line.wait(4000).waited.size() == 1);
@@ -77,7 +77,7 @@ TEST_CASE("there is no period where a frame looks older than the first one, by w
   CHECK(line.finder.counters().period == line.finder.frameTime() - second);
 }
 
-TEST_CASE("a frame behind one that waited is as old as its own poll makes it") {
+TEST_CASE("a frame behind one that waited has the age of its own poll") {
   Feeder line;
   line.settle().feed(Low);
   const uint32_t before = line.now;
@@ -85,7 +85,7 @@ TEST_CASE("a frame behind one that waited is as old as its own poll makes it") {
   CHECK(line.finder.frameTime() == before - (4 + 5) * Feeder::CharacterUs);
 }
 
-TEST_CASE("a frame that waited is as old as the last poll that had not its end") {
+TEST_CASE("the age of a frame that waited counts from the last poll without its end") {
   for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 5000}) {
     for (const bool silence : {false, true}) {
       INFO("start ", start, ", silence ", silence);

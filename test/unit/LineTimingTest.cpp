@@ -1,4 +1,4 @@
-// Which calls tell a gap of the line, and which say nothing.
+// Which calls prove a gap of the line, and which prove nothing.
 #include <doctest/doctest.h>
 
 #include <initializer_list>
@@ -30,7 +30,7 @@ LineTiming afterByte(uint32_t now, uint8_t characterTime = 120, uint8_t idleChar
 
 }  // namespace
 
-TEST_CASE("the shortest time from the last byte to the last empty call that tells a gap, by the bytes found after it") {
+TEST_CASE("the shortest time from the last byte to the last empty call that proves a gap, by the bytes found after it") {
   const struct {
     unsigned found;
     unsigned idle;           // characters that the port waits for
@@ -47,7 +47,7 @@ TEST_CASE("the shortest time from the last byte to the last empty call that tell
         const auto silence = [&](uint32_t us, bool is24) {
           LineTiming line = afterByte(start, characterTime, static_cast<uint8_t>(row.idle));
           line.empty(start + us);
-          const uint32_t later = start + us + 40000;  // says nothing: loop() may have been blocked
+          const uint32_t later = start + us + 40000;  // proves nothing: loop() may have been blocked
           return is24 ? line.silenceBefore<sbus::Frame24>(row.found, later)
                       : line.silenceBefore<sbus::Frame16>(row.found, later);
         };
@@ -73,7 +73,7 @@ TEST_CASE("without an empty call since the last byte nothing is known, however l
   }
 }
 
-TEST_CASE("what came before the first character is a long silence, and one longer than the clock's turn stays long") {
+TEST_CASE("before the first character the silence is long, and one that outlasts the clock's turn stays long") {
   LineTiming line = timing(7000);
   line.empty(7001);
   CHECK(line.silenceBefore<sbus::Frame16>(1, 7002) == Silence::Long);
@@ -89,7 +89,7 @@ TEST_CASE("what came before the first character is a long silence, and one longe
   }
 }
 
-TEST_CASE("an empty call tells silence once a burst would have been handed over meanwhile") {
+TEST_CASE("an empty call proves silence once a burst would have been handed over meanwhile") {
   LineTiming line = afterByte(1000);
   line.empty(1000 + 22 * 120);
   CHECK_FALSE(line.isSilent<sbus::Frame16>());
@@ -116,7 +116,7 @@ TEST_CASE("a byte ended after the call before it, less the characters behind it 
   CHECK(line.endedAfter(0) == 9000 - 4 * 120);
 }
 
-TEST_CASE("no gap is told on a solid line, nor on one whose characters are spread, whatever burst, loop and phase") {
+TEST_CASE("no gap is reported on a line without gaps, even of spread characters, whatever burst, loop and phase") {
   const struct {
     unsigned burst, idle;
   } ports[] = {{16, 1}, {1, 0}, {8, 4}, {8, 2}};
@@ -141,13 +141,13 @@ TEST_CASE("no gap is told on a solid line, nor on one whose characters are sprea
   }
 }
 
-TEST_CASE("where no call is ever empty, the shortest time between two stands in, and only a short one certifies") {
+TEST_CASE("where no call is ever empty, the shortest time between two replaces it, and only a short one proves a gap") {
   const struct {
     const char *what;
     uint32_t periodUs;  // of the calls, at 100000 baud
     unsigned found;     // by each
     unsigned bytes;     // that come then
-    uint32_t us;        // after so long they come after a gap; 0: never
+    uint32_t us;        // the shortest time that proves a gap before them; 0: none does
     Silence gap;
   } rows[] = {
       {"byte by byte, then one", 120, 1, 1, 961, Silence::Gap},

@@ -23,7 +23,7 @@ Frame withFlags(uint8_t flags) {
   return withByte(PaperLow.bytes, 23, flags);
 }
 
-// All that the class says of the link fits `state`, and decoding gives channels only if they may be trusted.
+// Checks that the class reports the link as in `state`, and decodes channels only if they may be trusted.
 void checkState(FakeBoard &board, LinkState state) {
   const bool young = state != LinkState::NeverSeen && state != LinkState::Stale;
   CHECK(board.sbus.linkState() == state);
@@ -70,7 +70,7 @@ TEST_CASE("a frame is good for the timeout, and not a millisecond longer, at any
   }
 }
 
-TEST_CASE("never seen, ok, lossy, failsafe, stale: each by what comes") {
+TEST_CASE("the frames that come make the link never seen, ok, lossy, failsafe or stale") {
   const struct {
     const char *what;
     std::vector<uint8_t> flags;  // of the frames that come, 9 ms apart
@@ -97,7 +97,7 @@ TEST_CASE("never seen, ok, lossy, failsafe, stale: each by what comes") {
     for (const uint8_t flags : row.flags) {
       board.nextFrame(withFlags(flags));
     }
-    board.wait(FakeBoard::SilenceUs);  // it lets the first one go
+    board.wait(FakeBoard::SilenceUs);  // proves the first frame
     checkState(board, row.state);
     board.wait(100 * Ms);
     checkState(board, row.state == LinkState::NeverSeen ? LinkState::NeverSeen : LinkState::Stale);

@@ -18,7 +18,7 @@ struct PlainBoard : SyncedBoard {
 
 }  // namespace
 
-TEST_CASE("begin opens the port at SERIAL_8E2; frames are read byte by byte, none missed, and no byte that is not there") {
+TEST_CASE("begin opens the port at SERIAL_8E2; frames are read byte by byte, none is missed, and no byte read before it is there") {
   PlainBoard board;
   CHECK(board.port.openings.back().baud == 100000);
   CHECK(board.port.openings.back().config == SERIAL_8E2);

@@ -1,8 +1,6 @@
-// parseSBusFrame() at PendSV level while loop() reads: every reader, interrupted after every one of its instructions.
-//
-// On an x86-64 Linux the trap flag makes the processor stop after each instruction of the reader. The n-th stop is the
-// interrupt: it takes in whole frames, as Serial1.onReceive() would, and lets the reader go on. For every n, until the
-// reader is through without having met it. The library is compiled here as for the board: -Os, no sanitizers.
+// parseSBusFrame() at PendSV level while loop() reads: every reader, interrupted after each of its instructions
+// (support/SingleStep.h). The interrupt takes in whole frames, as Serial1.onReceive() would. The library is compiled here
+// as for the board: -Os, no sanitizers.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -10,48 +8,13 @@
 
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
+#include "support/SingleStep.h"
 
 #include "support/FakeBoard.h"
 
-#if defined(__x86_64__) && defined(__linux__)
-
-#include <signal.h>
-#include <ucontext.h>
+#if defined(SINGLE_STEP)
 
 namespace {
-
-constexpr greg_t TrapFlag = 0x100;
-
-void (*interrupt)();             // what interrupts the reader
-unsigned long instructionsLeft;  // until it does; 0: it has
-
-void onTrap(int, siginfo_t *, void *context) {
-  if (instructionsLeft == 0 || --instructionsLeft > 0) {
-    return;
-  }
-  interrupt();
-  static_cast<ucontext_t *>(context)->uc_mcontext.gregs[REG_EFL] &= ~TrapFlag;  // the rest at full speed
-}
-
-void listen() {
-  struct sigaction action = {};
-  action.sa_sigaction = onTrap;
-  action.sa_flags = SA_SIGINFO;
-  REQUIRE(sigaction(SIGTRAP, &action, nullptr) == 0);
-}
-
-// Runs `reader`, interrupted after its instruction number `instruction` (from 1). False if it has not that many.
-template <typename Reader>
-__attribute__((noinline)) bool interrupted(unsigned long instruction, const Reader &reader) {
-  instructionsLeft = instruction;
-  // 128 bytes below the stack pointer may be in use: the red zone.
-  asm volatile("sub $128, %%rsp\n pushfq\n orq $0x100, (%%rsp)\n popfq\n add $128, %%rsp" ::: "memory", "cc");
-  reader();
-  asm volatile("sub $128, %%rsp\n pushfq\n andq $~0x100, (%%rsp)\n popfq\n add $128, %%rsp" ::: "memory", "cc");
-  const bool happened = instructionsLeft == 0;
-  instructionsLeft = 0;
-  return happened;
-}
 
 // Frame `number`: every channel and every flag tells which frame it is from.
 constexpr unsigned FrameKinds = 16;
@@ -80,8 +43,8 @@ struct Situation {
   unsigned framesBefore;   // have come when the reader begins
   uint32_t ageMs;          // of the newest of them
   unsigned framesDuring;   // come in during the interrupt
-  uint32_t interruptMs;    // how long that takes, after the frames
-  bool stale;              // the link, without the interrupt
+  uint32_t interruptMs;    // how long the interrupt lasts after these frames
+  bool stale;              // the link would be, without the interrupt
 };
 
 using Situations = std::vector<Situation>;
@@ -98,11 +61,11 @@ const Situations All = {
     {"the first three frames come", 0, 150, 3, 7, true},
 };
 
-// So long that all frames are old after it.
+// After these interrupts all frames are stale.
 const Situations Long = {{"two frames come, then 200 ms", 3, 9, 2, 200, false},
                          {"one frame comes, then 200 ms", 3, 9, 1, 200, false}};
 
-// What the readers run on, made again for each instruction.
+// The board that a reader reads, made again for each instruction.
 struct Scene {
   OpenBoard board;
   unsigned next = 0;  // frame
@@ -130,35 +93,31 @@ void framesComeIn() {
   fakeMicros += situation->interruptMs * Ms;
 }
 
-// For every instruction of `reader(board)`, in every situation: `check(scene)` after it. Says how many there were.
+// Interrupts `reader(board)` after each of its instructions, in each situation; then calls `check(scene, happened)`.
 template <typename Reader, typename Check>
 void everyInstruction(const Reader &reader, const Check &check, const Situations &situations = All) {
-  listen();
   interrupt = framesComeIn;
   for (const Situation &row : situations) {
     CAPTURE(row.what);
     situation = &row;
-    unsigned long instruction = 0;
-    bool happened = true;
-    while (happened) {
-      instruction++;
-      CAPTURE(instruction);
+    forEveryInstruction([&](unsigned long instruction) {
       fakeMicros = 1000000 + instruction * 131;  // at any time within a millisecond
       Scene now(row);
       scene = &now;
-      happened = interrupted(instruction, [&] { reader(now.board); });
+      const bool happened = interrupted(instruction, [&] { reader(now.board); });
       if (!happened) {
-        CHECK(instruction > 3);  // or nothing was proved
+        CHECK(instruction > 3);  // otherwise nothing was proved
         framesComeIn();
       }
       check(now, happened);
-    }
+      return happened;
+    });
   }
 }
 
 }  // namespace
 
-TEST_CASE("decodeSBusFrame gives one frame, its own flags, or none if it is stale; newFrame tells if it was the newest") {
+TEST_CASE("decodeSBusFrame returns one frame with its own flags, or none if it is stale; newFrame tells if it was the newest") {
   Decoded decoded;
   everyInstruction(
       [&](FakeBoard &board) { decoded = board.decode(); },
@@ -246,7 +205,7 @@ TEST_CASE("newFrame and counters count the frames before, those during the inter
       });
 }
 
-TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array alone if the newest is stale") {
+TEST_CASE("decodeExtraChannels writes one 2F frame, or leaves the array alone if the newest is stale") {
   using Extra = std::array<uint16_t, 16>;
   const Extra nothing = {4711};
   static OpenBoard *board;
@@ -259,7 +218,6 @@ TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array 
     board->frame(frameOf(0));
   };
   const auto extra = [](unsigned number) { return readPayload<16>(frameOf(number)); };
-  listen();
   interrupt = [] {
     for (unsigned i = 0; i < during; i++) {
       receive();
@@ -271,7 +229,7 @@ TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array 
     uint64_t ageMs;
     unsigned during;
     uint64_t interruptMs;
-    bool stale;  // without the interrupt
+    bool stale;  // they would be, without the interrupt
   } rows[] = {{"one comes", 9, 1, 0, false},
               {"two come", 9, 2, 0, false},
               {"one comes, then 200 ms", 9, 1, 200, false},
@@ -283,11 +241,7 @@ TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array 
     CAPTURE(row.what);
     during = row.during;
     interruptMs = row.interruptMs;
-    unsigned long instruction = 0;
-    bool happened = true;
-    while (happened) {
-      instruction++;
-      CAPTURE(instruction);
+    forEveryInstruction([&](unsigned long instruction) {
       fakeMicros = 1000000 + instruction * 131;
       OpenBoard now;
       board = &now;
@@ -295,13 +249,13 @@ TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array 
         receive();
       }
       uint64_t us = row.ageMs * Ms - 1 * Ms - FakeBoard::FrameUs;
-      for (; us >= 9 * Ms; us -= 9 * Ms) {  // silence of more than 50 ms would put the place of a 2F frame in doubt
+      for (; us >= 9 * Ms; us -= 9 * Ms) {  // after more than 50 ms of silence a 2F frame is not aligned
         now.nextFrame(frameOf(0));
       }
       now.wait(us);
       Extra channels = nothing;
       bool decoded = false;
-      happened = interrupted(instruction, [&] { decoded = now.sbus.decodeExtraChannels(channels.data()); });
+      const bool happened = interrupted(instruction, [&] { decoded = now.sbus.decodeExtraChannels(channels.data()); });
       if (!happened) {
         CHECK(instruction > 3);
         CHECK(decoded == !row.stale);
@@ -315,29 +269,27 @@ TEST_CASE("decodeExtraChannels gives one 2F frame, or none and leaves the array 
       channels = nothing;
       REQUIRE(now.sbus.decodeExtraChannels(channels.data()) == (row.interruptMs == 0));
       REQUIRE(channels == (row.interruptMs == 0 ? extra(next - 1) : nothing));
-    }
+      return happened;
+    });
   }
 }
 
 TEST_CASE("this proof finds the fault of a reader that does not read again") {
   static Feeder *line;
-  listen();
   interrupt = [] {
     line->feed(bytesOf(frameOf(1)), 25);
     line->feed(bytesOf(frameOf(2)), 25);
   };
   unsigned mixtures = 0;
-  unsigned long instruction = 0;
-  bool happened = true;
-  while (happened) {
-    instruction++;
+  forEveryInstruction([&](unsigned long instruction) {
     Feeder now;
     line = &now.lock();
     REQUIRE(now.feed(bytesOf(frameOf(0)), 25).size() == 1);
     Channels channels;
-    happened = interrupted(instruction, [&] { sbus::unpack(now.finder.frame(), channels.data()); });
+    const bool happened = interrupted(instruction, [&] { sbus::unpack(now.finder.frame(), channels.data()); });
     mixtures += channels != channelsOf(0) && channels != channelsOf(1) && channels != channelsOf(2);
-  }
+    return happened;
+  });
   CHECK(mixtures > 20);
 }
 

@@ -1,5 +1,5 @@
-// What holds for whatever comes: RapidCheck's random values against the second readings of test/support. More of them,
-// for the calibration, are in fuzz/Calibration.cpp.
+// Properties of all input: RapidCheck's random values, against the plain implementations of test/support. Those of the
+// calibration are in fuzz/Calibration.cpp.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -25,7 +25,7 @@ Frame anyFrame() {
   return frame;
 }
 
-// Bytes as a bad line gives them: more than half of them mean something to a receiver.
+// Bytes of a bad line: more than half of them mean something to a receiver.
 Bytes anyBytes() {
   return *rc::gen::container<Bytes>(
       rc::gen::oneOf(rc::gen::element<uint8_t>(0x0F, 0x00, 0x04, 0x08, 0x7C), rc::gen::arbitrary<uint8_t>()));
@@ -45,7 +45,7 @@ CalibratedChannel anyPossible() {
 
 }  // namespace
 
-TEST_CASE("whatever comes, only pieces of it that are frames are delivered, in order and without overlap") {
+TEST_CASE("whatever bytes come, only frames among them are delivered, in order and without overlap") {
   CHECK(rc::check("delivered frames stand in the stream", [] {
     const Bytes bytes = anyBytes() + bytesOf(PaperLow.bytes) + anyBytes() + bytesOf(PaperHigh.bytes) + anyBytes();
     const auto burst = *rc::gen::inRange<size_t>(1, 70);
@@ -76,7 +76,7 @@ TEST_CASE("all frames of a receiver are delivered, each by the poll that finds i
   }));
 }
 
-TEST_CASE("what can be is good, exact at the three points, and on the lines between them") {
+TEST_CASE("every possible calibration is good, exact at the three points, and on the lines between them") {
   CHECK(rc::check("any possible channel", [] {
     Calibration calibration;
     for (CalibratedChannel &channel : calibration.channels) {
@@ -91,7 +91,7 @@ TEST_CASE("what can be is good, exact at the three points, and on the lines betw
   }));
 }
 
-TEST_CASE("whatever stick a radio has, it is found: exact at its three points, centred within its jitter") {
+TEST_CASE("every stick that a radio may have is measured: exact at its three points, centred within its jitter") {
   CHECK(rc::check("calibrated == what the stick is", [] {
     const auto low = *rc::gen::inRange<int>(0, 1648);
     const auto high = *rc::gen::inRange<int>(low + 400, 2048);

@@ -1,7 +1,6 @@
 // Raw values to microseconds and to parts of the stick's travel, and back: exact, over all 2048 values.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -20,7 +19,7 @@ constexpr struct {
     {"FrSky", sbus::FrSky, true},
     {"Futaba", sbus::Futaba, true},
     {"Futaba, +-140 %", {78, 1024, 1964}, true},
-    {"the whole of it", {0, 1024, 2047}, false},
+    {"the whole range", {0, 1024, 2047}, false},
     {"backwards", {1811, 992, 172}, true},
     {"one side short", {900, 1000, 2000}, true},
     {"as short as can be", {1000, 1001, 1002}, true},
@@ -64,7 +63,7 @@ TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped
   }
 }
 
-TEST_CASE("what no raw value means becomes the nearest that there is") {
+TEST_CASE("a value that no raw value stands for becomes the nearest raw value") {
   const struct {
     int16_t us, thousandths;
     uint16_t raw;
@@ -86,7 +85,7 @@ TEST_CASE("a side without length is the centre, and divides nothing by 0") {
   CHECK(sbus::toUnit(5, {7, 7, 7}) == 0);
 }
 
-TEST_CASE("limited() keeps what is within, and its ends") {
+TEST_CASE("limited() keeps values within its limits, and the limits") {
   const struct {
     int16_t value, limited;
   } rows[] = {{-1001, -1000}, {-1000, -1000}, {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}, {INT16_MAX, 1000}};

@@ -80,7 +80,7 @@ TEST_CASE("the characters between two frames are slots of the announced group, o
     Bytes characters;
     const char *slots;
   } rows[] = {
-      {"nobody answers", 0x14, {}, ""},
+      {"no sensor answers", 0x14, {}, ""},
       {"the receiver, PX4's capture", 0x04, {0x03, 0xC0, 0x2E}, "0:C02E"},
       {"an SBS-01V in slots 1 and 2, msrc#173",
        0x04,

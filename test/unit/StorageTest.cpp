@@ -1,4 +1,4 @@
-// What the example Calibrate keeps, on cores whose EEPROM is one, and on those that have flash in its place.
+// What the example Calibrate stores, on cores with an EEPROM, and on those with flash in its place.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -81,14 +81,14 @@ void check(bool broken) {
 
 }  // namespace
 
-TEST_CASE("What was stored is there again; what was not is not said to be") {
+TEST_CASE("a stored value is read back; one that was not stored is reported as not stored") {
   check<Plain>(false);
   check<Plain>(true);
   check<InFlash>(false);
   check<InFlash>(true);
 }
 
-TEST_CASE("It is in the flash, not only in the copy of it") {
+TEST_CASE("the value is in the flash, not only in its copy") {
   InFlash eeprom;
   uint32_t value = 1;
   load(eeprom, value);

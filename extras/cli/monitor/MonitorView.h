@@ -1,7 +1,6 @@
 // What `sbus monitor` shows at a moment: of S.Bus, or of a sketch's rows.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

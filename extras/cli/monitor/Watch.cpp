@@ -15,7 +15,7 @@ namespace {
 constexpr uint64_t SecondUs = 1000000;
 constexpr uint64_t IndicatorUs = 300000;  // how long a frame's flag is shown
 constexpr uint64_t NewsUs = 5 * SecondUs;
-constexpr uint64_t StaleRowUs = SecondUs;  // a sketch prints a row every 200 ms
+constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
 constexpr size_t AllColumns = 18;          // examples/AllChannels
 

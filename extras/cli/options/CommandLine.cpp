@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <memory>
-#include <numeric>
 #include <sstream>
 
 #include "cli/Output.h"

@@ -1,6 +1,5 @@
 #include "line/capture/SigrokTextReader.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "line/capture/Text.h"

@@ -1,7 +1,6 @@
 // Turns a wire's voltages into levels.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 namespace line {

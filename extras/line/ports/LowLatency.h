@@ -1,7 +1,6 @@
 // Asks a port to hand its bytes over at once, and restores the setting at its end.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 

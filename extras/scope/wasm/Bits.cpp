@@ -1,4 +1,4 @@
-// Which channel a bit of a frame belongs to: whichever sbus::unpack() finds it in.
+// Which channel a bit of a frame belongs to: the one in which sbus::unpack() finds it.
 #include "Scope.h"
 
 using namespace scope;
@@ -16,7 +16,7 @@ uint8_t weight(unsigned value) {
 
 }  // namespace
 
-// Channel (from 0 on) and 256 times the bit of it; -1 if it belongs to no channel.
+// Returns the channel, from 0 on, plus 256 times the bit in the channel; -1 if the bit belongs to no channel.
 EXPORT(ownerOfBit)(unsigned size, unsigned byte, unsigned bit)->int {
   const bool is24 = size == sbus::FrameSize24;
   if (byte >= size) {

@@ -13,14 +13,14 @@ class BoardRows : public line::Arrivals {
  public:
   BoardRows();
 
-  // True if it has completed a row: row() is it.
+  // Takes a character. Returns true if it has completed row().
   bool put(uint8_t byte, uint64_t nowUs);
 
   bool put(const line::Character &character) {
     return put(character.bad ? uint8_t{0} : character.value, character.endUs);
   }
 
-  // A board's numbers come; nothing else since.
+  // Returns true if a board's numbers come, and nothing else since.
   bool recognised() const { return _rows.recognised(); }
 
   const line::CsvRow &row() const { return _rows.row(); }
@@ -31,7 +31,7 @@ class BoardRows : public line::Arrivals {
   unsigned otherLines() const { return _otherLines; }
   unsigned garbled() const { return _rows.garbled(); }
 
-  // Least and most of a channel, from 0 on, in rows without a flag; nullptr before the first.
+  // Returns the least and greatest value of a channel, from 0 on, in rows without a flag; nullptr before the first.
   struct Travel {
     double low;
     double high;

@@ -1,5 +1,4 @@
-// A recording, of which one part after the other is handed over: so a decoder's memory stays small, and can be kept and
-// put back.
+// A recording that is handed over part by part, so that a decoder's memory stays small, and can be kept and restored.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@ class FedLine : public line::Line {
  public:
   static constexpr size_t PartMax = 256;  // characters
 
-  // The next characters, PartMax at most. Only called when needsMore() is true.
+  // Takes the next characters, PartMax at most. Call it only when needsMore() is true.
   void feed(const line::Character *characters, size_t count, bool areLast) {
     std::copy_n(characters, count, _part);
     _at = 0;
@@ -21,7 +20,7 @@ class FedLine : public line::Line {
     _areLast = areLast;
   }
 
-  // True if it cannot tell what comes next.
+  // Returns true if it needs the next part.
   bool needsMore() const { return _at == _count && !_areLast; }
 
   bool next(uint64_t nowUs, line::Character &character) override {

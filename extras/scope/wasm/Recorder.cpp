@@ -12,7 +12,7 @@ void Recorder::begin(const line::LineSettings &settings, uint64_t nowUs) {
   _writer.opened(settings);
 }
 
-// What a read brings may have been on the line a little before.
+// The characters of a read may have been on the line a little before.
 void Recorder::put(line::Character character) {
   if (_on) {
     character.endUs = std::max(character.endUs, _zeroUs + _characterUs) - _zeroUs;

@@ -15,7 +15,7 @@ class Recorder {
   void put(line::Character character);
   void end();
 
-  // Whole lines, since it was last asked.
+  // Returns the whole lines since the last call.
   std::string take() { return _writer.take(); }
 
  private:

@@ -1,4 +1,4 @@
-// What a raw value means, on a FrSky, a Futaba, or a radio that was calibrated here; and the calibration.
+// Scales raw values of a FrSky, a Futaba, or a radio that was calibrated here; and calibrates.
 #include <cstring>
 
 #include "Scope.h"
@@ -30,7 +30,7 @@ sbus::CalibratedChannel of(unsigned channel) {
 EXPORT(setScale)(int chosen)->void {
   scale = static_cast<Scale>(chosen);
 }
-// Of a Futaba 1100, 1520 and 1940 us: either make's receivers turn a raw value into the same pulse, 5 * raw / 8 + 880.
+// Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: a Futaba's into 1100, 1520 and 1940.
 EXPORT(microseconds)(unsigned channel, double raw)->int {
   const sbus::CalibratedChannel scaled = scale == Scale::Futaba ? sbus::CalibratedChannel{sbus::FrSky, 0} : of(channel);
   return scaled.toMicroseconds(static_cast<uint16_t>(raw));
@@ -59,7 +59,7 @@ EXPORT(calibrate)(int step)->void {
   }
 }
 
-// A frame: its raw values are in the buffer, 16 bits each.
+// Takes a frame: its raw values are in the buffer, 16 bits each.
 EXPORT(feedCalibrator)(int failsafe, int lostFrame)->void {
   uint16_t raw[sbus::ProportionalCount];
   std::memcpy(raw, transfer, sizeof raw);
@@ -71,7 +71,7 @@ EXPORT(calibrationErrorOf)(unsigned channel)->int {
   sbus::CalibratedChannel found;
   return static_cast<int>(calibrator.result(static_cast<uint8_t>(channel), found));
 }
-// Returns its words, to follow the channel's name.
+// Returns the error's text, to follow the channel's name.
 EXPORT(calibrationErrorText)(int error)->const char * {
   return sbus::text(static_cast<sbus::CalibrationError>(error));
 }
@@ -94,7 +94,7 @@ EXPORT(calibrationSize)()->unsigned {
   return sizeof calibration;
 }
 
-// Asked after they were put back. If not, there is none.
+// Returns true if the calibration that was put back is good; otherwise there is none.
 EXPORT(calibrationIsGood)()->int {
   const bool good = sbus::stateOf(calibration) == sbus::StoredState::Good;
   if (!good) {

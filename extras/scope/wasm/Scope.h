@@ -1,4 +1,4 @@
-// What the page is about: one line, and what a decoder makes of it.
+// The line that the page shows, and its decoder.
 #pragma once
 
 #include <deque>
@@ -22,7 +22,7 @@ namespace scope {
 
 constexpr size_t TransferSize = size_t{1} << 16;  // bytes that the page can hand over at once
 
-// Where it hands them over: bytes of a port, text of a recording.
+// The buffer for them: bytes of a port, text of a recording.
 alignas(8) extern uint8_t transfer[TransferSize];
 inline std::string_view transferred(size_t count) {
   return {reinterpret_cast<const char *>(transfer), count};
@@ -58,13 +58,13 @@ class Scope {
   void reset(uint64_t nowUs, const line::LineSettings &settings);
   void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
   void receivedBad(uint64_t nowUs);
-  // All that was through by then; less if there are records enough, or if the recording needs its next part.
+  // Takes all characters complete by `nowUs`; fewer if there are enough records, or if the recording needs its next part.
   void advance(uint64_t nowUs);
-  // The line's time, as it was told last: it stands still while a recording does.
+  // Returns the line's newest time: it stands still while a recording does.
   uint64_t nowUs() const { return _turnUs; }
-  // Forgets what was found: what comes from now on counts.
+  // Forgets what was found: only what comes from now on counts.
   void mark();
-  // When the newest character was through; 0 before the first.
+  // Returns when the newest character was complete; 0 before the first.
   uint64_t characterUs() const { return _characterUs; }
   // Hands over once more what the page shows of the line: the newest records, and the newest that is a frame or a row.
   void recall();
@@ -77,7 +77,7 @@ class Scope {
   Watch watch;
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
-  std::unique_ptr<SimulatedLine> simulated;  // one of the two, or neither for a port, which the browser reads
+  std::unique_ptr<SimulatedLine> simulated;  // at most one of the two; none for a port, which the browser reads
   std::unique_ptr<FedLine> played;
   std::vector<Record> records;
   Recorder recorder;

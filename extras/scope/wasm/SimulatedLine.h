@@ -28,7 +28,7 @@ class SimulatedLine : public line::Line {
   std::unique_ptr<line::Line> _line;
   line::UartSampler _sampler;
   bool _cut = false;
-  uint64_t _knownUs = 0;  // all that was through by then has been put
+  uint64_t _knownUs = 0;  // all characters complete by then have been put
 };
 
 }  // namespace scope

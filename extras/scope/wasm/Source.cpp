@@ -1,4 +1,4 @@
-// Which line the page looks at, and what it brings.
+// Chooses the line that the page shows, and reads it.
 #include <algorithm>
 #include <cstring>
 
@@ -112,7 +112,7 @@ EXPORT(record)(int on)->void {
   theScope.record(on != 0);
 }
 
-// What was recorded since this was last asked.
+// Returns what was recorded since the last call.
 EXPORT(takeRecorded)()->const char * {
   words = theScope.recorder.take();
   return words.c_str();

@@ -56,7 +56,7 @@ EXPORT(status)(double now)->const Status * {
   return &answer;
 }
 
-// What sensors have measured, and which slots came, within the last second, a line each; "" without telemetry.
+// Returns what sensors have measured, after the slots that came, within the last second, a line each; "" without telemetry.
 EXPORT(telemetry)(double now)->const char * {
   static std::string lines;
   const auto nowUs = static_cast<uint64_t>(now);
@@ -68,7 +68,7 @@ EXPORT(telemetry)(double now)->const char * {
   return lines.c_str();
 }
 
-// Least and most of a channel, from 0 on; nullptr if there is none yet.
+// Returns the least and greatest value of a channel, from 0 on; nullptr before the first.
 EXPORT(travel)(unsigned channel)->const double * {
   if (theScope.rows.recognised()) {
     const BoardRows::Travel *const travel = theScope.rows.travel(channel);

@@ -1,4 +1,4 @@
-// What the page says of the line as a whole.
+// The figures of the whole line.
 #pragma once
 
 namespace scope {

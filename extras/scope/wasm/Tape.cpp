@@ -25,7 +25,7 @@ line::Recording tape;
 std::string partOfLine;
 std::string words;
 
-// An oscilloscope's columns may be a sketch's rows; rows with times are no capture.
+// A sketch's rows may look like an oscilloscope's columns; rows with times are no capture.
 bool isCapture(std::string_view head, bool isCsv) {
   if (head.substr(0, 8) == "<SALEAE>") {
     return true;  // which is told so
@@ -152,12 +152,12 @@ EXPORT(recordingSize)()->unsigned {
   return static_cast<unsigned>(tape.characters.size());
 }
 
-// When a character was complete.
+// Returns when a character was complete.
 EXPORT(recordingUs)(unsigned index)->double {
   return static_cast<double>(tape.characters[index].endUs);
 }
 
-// Writes how the line was set into the buffer. Returns the bytes.
+// Writes the line's settings into the buffer. Returns their bytes.
 EXPORT(recordingSettings)()->unsigned {
   std::memcpy(transfer, &settings, sizeof settings);
   return sizeof settings;

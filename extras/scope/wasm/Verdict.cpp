@@ -9,12 +9,12 @@ sbus::Diagnosis trials;
 
 }  // namespace
 
-// A round begins: every setting of the port is tried once, the one that is meant first.
+// Begins a round: each setting of the port is tried once, the expected one first.
 EXPORT(beginRound)()->void {
   trials.begin();
 }
 
-// What came since the port was opened, with the setting that it has.
+// Takes what came since the port was opened with its present setting.
 EXPORT(addTrial)()->void {
   trials.add(theScope.examination.trial(theScope.observer, theScope.settings, theScope.nowUs()));
 }
@@ -26,7 +26,7 @@ EXPORT(roundBest)()->int {
   return trials.best();
 }
 
-// What has come before is forgotten.
+// Forgets what has come before.
 EXPORT(mark)()->void {
   theScope.mark();
 }

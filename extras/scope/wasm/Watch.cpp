@@ -10,7 +10,7 @@ void Watch::begin(const line::Observer &observer, uint64_t nowUs) {
   _second.begin(observer, nowUs);
 }
 
-// What has come belongs to the first second that is over; in those after it the line was silent.
+// What has come belongs to the first second that is over; in the seconds after it the line was silent.
 void Watch::judge(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs) {
   const uint64_t seconds = (nowUs - _beganUs) / SecondUs;
   sbus::Diagnosis diagnosis;

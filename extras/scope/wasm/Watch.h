@@ -9,17 +9,17 @@ namespace scope {
 
 class Watch {
  public:
-  // The first second begins.
+  // Begins the first second.
   void begin(const line::Observer &observer, uint64_t nowUs);
 
-  // All that was through by then has come to a port that is set so: judges each second that is over.
+  // Judges each second that is over by `nowUs`: all characters complete by then have come to a port with these settings.
   void until(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs) {
     if (nowUs >= _beganUs + SecondUs) {
       judge(observer, port, nowUs);
     }
   }
 
-  // Returns what was found in the last whole second; nothing before the first is over.
+  // Returns the finding of the last whole second; none before the first is over.
   std::optional<sbus::Finding> finding() const { return _finding; }
 
  private:

@@ -41,7 +41,7 @@ constexpr unsigned MostBurst = 16;
 #endif
 constexpr uint32_t Uninverted = static_cast<uint32_t>(sbus::EvenConfig);
 
-// The board, switched on.
+// Switches the board on.
 inline void switchOn() {
   const uint64_t now = world.nowUs;
   world = sim::World();
@@ -50,7 +50,7 @@ inline void switchOn() {
   new (&SBUS_PORT) Port();
 }
 
-// CH1, CH3 and CH16 count: no two halves of two frames are a third.
+// CH1, CH3 and CH16 count: no parts of two frames make a third.
 inline Channels channelsOf(unsigned number) {
   Channels channels;
   channels.fill(992);

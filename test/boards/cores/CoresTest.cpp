@@ -143,7 +143,7 @@ TEST_CASE("every frame is delivered, in order, and nothing overflows") {
   }
 }
 
-TEST_CASE("nothing is delivered of a line of the other polarity") {
+TEST_CASE("nothing is delivered from a line of the other polarity") {
   for (const Opening &opening : Openings) {
     INFO(opening.name);
     switchOn();
@@ -156,7 +156,7 @@ TEST_CASE("nothing is delivered of a line of the other polarity") {
   }
 }
 
-TEST_CASE("blocked for up to 100 ms now and then, no frame is wrong, and only those are lost that do not fit the port") {
+TEST_CASE("with a loop() blocked for up to 100 ms no frame is wrong, and only frames that do not fit the port are lost") {
   constexpr unsigned Frames = 150;
   for (const unsigned periodUs : {7000u, 9000u, 14000u}) {
     for (const unsigned loopUs : {50u, 1000u, 3000u}) {
@@ -170,13 +170,13 @@ TEST_CASE("blocked for up to 100 ms now and then, no frame is wrong, and only th
           DecodeSBus dSBus(SBUS_PORT);
           const Opening *const opening = byHand ? std::end(Openings) - 1 : Openings;
           byHand ? opening->open(dSBus) : open(dSBus);
-          dSBus.setTimeout(0);  // what waited meanwhile counts, however old it may be
+          dSBus.setTimeout(0);  // frames that waited meanwhile count, however old they are
           putOnLine(Frames, 100000, opening->inverted, periodUs);
           Delivered delivered;
           delivered.loop(dSBus, loopUs, blockedUs);
           CHECK(delivered.wrong == 0);
-          // A loss tears a frame before it and one after it. What waits behind the buffer is not read: it may stand
-          // before the loss or after it.
+          // A loss tears a frame before it and a frame after it. Bytes that wait behind the buffer are not read: they may
+          // stand before the loss or after it.
           const unsigned tornEach = 2 + SBUS_PORT.uart.behind() / 25;
           CHECK(Frames - delivered.numbers.size() <= world.dropped / 25 + tornEach * dSBus.counters().overflows);
           CHECK(dSBus.counters().overflows >= delivered.lossyPolls);
@@ -187,7 +187,7 @@ TEST_CASE("blocked for up to 100 ms now and then, no frame is wrong, and only th
   }
 }
 
-TEST_CASE("a buffer that has run over in mid-frame puts no two halves together, however many bytes it has lost") {
+TEST_CASE("a buffer that overflows within a frame joins no parts of two frames, however many bytes it has lost") {
   constexpr unsigned Frames = 40, InSync = 5;
   unsigned delivered = 0, wrong = 0;
   for (unsigned cut = 1; cut < 25; cut++) {
@@ -234,11 +234,11 @@ TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin()
   }
 }
 
-TEST_CASE("inverts() says what the port can do") {
+TEST_CASE("inverts() returns what the port can do") {
   CHECK(sbus::inverts(SBUS_PORT) == Core.inverts);
 }
 
-TEST_CASE("a character with an error: of a core that discards it the frame is missing, of others it is wrong") {
+TEST_CASE("a bad character: on a core that discards it the frame is missing, on others the frame is wrong") {
   constexpr unsigned Frames = 60;
   for (const unsigned error : {sim::Parity, sim::Framing}) {
     for (const unsigned loopUs : {50u, 1000u, 3000u}) {
@@ -342,7 +342,7 @@ TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") 
   }
 }
 
-TEST_CASE("a Stream with room for less than a frame is also given whole frames") {
+TEST_CASE("a Stream with room for less than a frame also gets whole frames") {
   switchOn();
   Software software(15);
   EncodeSBus eSBus(software);

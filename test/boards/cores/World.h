@@ -29,8 +29,8 @@ struct World {
   bool inverted = true;
   int pin = CorePin;
   unsigned error = Parity;  // what is wrong with characters that are bad
-  unsigned tickUs = 0;      // so long a look at the clock takes
-  unsigned lateUs = 0;      // so long an interrupt holds up the next read()
+  unsigned tickUs = 0;      // how long reading the clock takes
+  unsigned lateUs = 0;      // how long an interrupt holds up the next read()
   bool looped = false;  // what was sent comes back, whatever its polarity
   std::vector<line::Character> line;
   size_t next = 0;  // of `line`, or of `sent`

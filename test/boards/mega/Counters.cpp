@@ -1,6 +1,6 @@
 // A sketch that tells what has come over Serial1. It is no .ino, because the tools that look for sketches are to find
 // the examples only. Sends every second
-//   frames,skipped    seen since the beginning: frames, and bytes that belong to none
+//   frames,discarded  since the beginning: frames, and bytes that belong to none
 // and when SBusFrameOk() changes
 //   ok,0 or 1,us      and the time, as micros() has it
 

@@ -43,7 +43,7 @@ Numbers counters(const SeenFrame &frame);
 // The channels, then what else there is in the bytes 23, 0 and 24.
 Numbers numbersOf(const Frame &frame);
 
-// "172,992", without end; empty: it is something else.
+// "172,992", without its end; empty for any other text.
 Numbers numbersIn(const std::string &row);
 
 // What the line of a run demands.
@@ -51,10 +51,10 @@ class Expected {
  public:
   explicit Expected(const std::vector<line::Character> &characters);
 
-  // Of `found`, made at `us`: empty if it is what one of the two frames demands; else what is wrong.
+  // Returns what is wrong with `found`, made at `us`; empty if it is what one of the two frames demands.
   std::string wrong(uint64_t us, const Numbers &found, const Rule &rule, double tolerance) const;
 
-  // The frames that began at `fromUs` or later, and were through by `toUs`.
+  // Returns the number of frames that began at `fromUs` or later, and were complete by `toUs`.
   unsigned count(uint64_t fromUs, uint64_t toUs) const;
   uint64_t lastUs() const { return _frames.back().us; }
 

@@ -8,7 +8,6 @@
 #include <simavr/sim_regbit.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -30,7 +29,7 @@ constexpr struct {
   int bit;
 } Pins[] = {{'E', 4}, {'E', 5}, {'G', 5}, {'E', 3}};  // the pins 2..5
 
-// What Serial has to be set to: 115200 baud, as near as 16 MHz come to it (2.1 %), 8N1.
+// The expected settings of Serial: 115200 baud, as near as 16 MHz come to it (2.1 %), 8N1.
 bool isSerial(const line::LineSettings &settings) {
   return std::labs(static_cast<long>(settings.baud) - 115200) <= 115200 / 40 &&
          settings.format == line::Format{8, line::Parity::None, 1};
@@ -42,10 +41,10 @@ Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uin
     : _avr(avr_make_mcu_by_name("atmega2560")), _line(std::move(line)) {
   avr_global_logger_set([](avr_t *, int, const char *, va_list) {});
   avr_init(_avr);
-  _avr->sleep = [](avr_t *, avr_cycle_count_t) {};  // else a sketch that waits for an interrupt waits in real time
+  _avr->sleep = [](avr_t *, avr_cycle_count_t) {};  // otherwise waiting for an interrupt takes real time
   _avr->run_cycle_limit = UINT32_MAX;               // instructions run in one go, up to the next event
   for (uint8_t number = 0; number < ExternalInterrupts; number++) {
-    avr_extint_set_strict_lvl_trig(_avr, number, 0);  // else such a pin is polled in every cycle
+    avr_extint_set_strict_lvl_trig(_avr, number, 0);  // otherwise such a pin is polled in every cycle
   }
   load(sketch);
   findUsarts();

@@ -41,8 +41,8 @@ struct Pulse {
 
 class Mega {
  public:
-  // Runs the sketch for so long. The EEPROM begins with these bytes. Throws
-  // std::runtime_error if the sketch has not been built, or crashes.
+  // Runs the sketch for `seconds`. The EEPROM begins with `eeprom`. Throws std::runtime_error if the sketch has not been
+  // built, or crashes.
   Mega(const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom = {});
   ~Mega();
   Mega(const Mega &) = delete;  // libsimavr has been given its address

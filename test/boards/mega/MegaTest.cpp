@@ -27,7 +27,7 @@ constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
 
 // "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "silent"; "wire": from
-// TX1; else a recording.
+// TX1; otherwise a recording.
 Line lineOf(const std::string &name) {
   line::Source source;
   source.silent = name == "silent";
@@ -50,7 +50,7 @@ std::string textOf(const Mega &mega) {
   return text;
 }
 
-// The same, but for what Counters says of SBusFrameOk().
+// All that it prints, but for what Counters prints of SBusFrameOk().
 std::vector<Printed> rowsOf(const Mega &mega) {
   std::vector<Printed> rows;
   std::copy_if(mega.printed().begin(), mega.printed().end(), std::back_inserter(rows),
@@ -98,7 +98,7 @@ std::string wrongPulse(const Expected &expected, const std::vector<mega::Pulse> 
 
 }  // namespace
 
-TEST_CASE("What the examples print, send and do at their pins is what stands on the line, and comes in time") {
+TEST_CASE("the examples print, send and do at their pins what stands on the line, and in time") {
   struct Run {
     std::string sketch;
     std::string line;
@@ -154,7 +154,7 @@ TEST_CASE("What the examples print, send and do at their pins is what stands on 
   }
 }
 
-TEST_CASE("A character with a wrong parity is lost, and one frame: 24 bytes are left over") {
+TEST_CASE("a character with a parity error is lost, and one frame with it: 24 bytes are discarded") {
   for (const size_t character : {500u, 501u, 523u, 524u}) {  // of the 20th frame
     CAPTURE(character);
     Line line = lineOf("flight");
@@ -199,7 +199,7 @@ TEST_CASE("Loopback says whether what it sends comes back, once a second") {
   }
 }
 
-TEST_CASE("Diagnose says what came in each setting, and what to do") {
+TEST_CASE("Diagnose prints what came with each setting, and what to do") {
   const std::pair<std::string, std::string> runs[] = {
       {"frsky-neutral",
        "begin(100000): 3 frames, 15 bytes of no frame\n"

@@ -1,0 +1,54 @@
+// Characters for the rules of FrameRules.h, and the verdict on them as a text.
+#pragma once
+
+#include <string>
+
+#include "Bytes.h"
+#include "KnownFrames.h"
+#include "sbus/FrameRules.h"
+
+constexpr int Far = 255;  // Case::gapAt without a gap
+
+// A frame and what follows it. By default it stands where a frame is expected, on a line of its variant.
+struct Case {
+  Bytes bytes;
+  int gapAt = Far;
+  int offBy = 0;
+  bool isInSync = true;
+  bool isLines = true;
+  bool isGapCertain = true;
+
+  sbus::Candidate<sbus::Frame16> candidate() const {
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, sbus::variantOfEnd(bytes[24]),
+            isLines ? sbus::variantOfEnd(bytes[24]) : sbus::UnknownVariant, offBy, isInSync && offBy == 0};
+  }
+};
+
+inline const Bytes Plain = bytesOf(plainFrame(1));
+inline const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at 23
+
+// A line of which nothing has been seen.
+inline sbus::Acquisition<sbus::Frame16> noneSeen() {
+  sbus::Acquisition<sbus::Frame16> acquisition;
+  acquisition.reset();
+  return acquisition;
+}
+
+// A line on which two gaps have been seen, `run` characters apart.
+inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
+  sbus::Acquisition<sbus::Frame16> acquisition = noneSeen();
+  acquisition.gap(0, true);
+  acquisition.characters(run);
+  acquisition.gap(static_cast<int>(run), true);
+  return acquisition;
+}
+
+// Returns "accept", "aligned", "wait", or why it is rejected and how many characters further on the search goes on.
+inline std::string judged(const Case &c, sbus::Acquisition<sbus::Frame16> acquisition = noneSeen()) {
+  static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
+  const sbus::Verdict verdict = sbus::rules::judge(c.candidate(), acquisition);
+  return verdict.isAligned() ? "aligned"
+         : verdict.isAccepted() ? "accept"
+         : verdict.isOpen()     ? "wait"
+                                : names[static_cast<unsigned>(verdict.why())] + (" " + std::to_string(verdict.next()));
+}
