@@ -61,3 +61,8 @@ x=SBS-01V|is no slot and name
 6=F1678|F1678 has 3 slots, which do not fit into the group of slots 0 to 7 from slot 6 on
 9=F1675|F1675 has 8 slots
 END
+
+"$SBUS" telemetry sim --sbus2 --simulated-time --seconds 0.1 --sensor 1=SBS-01V | cut -d, -f2,5-7 | tail -n +2 | tr '\n' ';' >"$work/sim"
+echo "0,receiver voltage,4.6,V;1,battery voltage,5.6,V;2,external voltage,12.5,V;0,external voltage,24.1,V;\
+1,battery voltage,5.6,V;2,external voltage,12.5,V;" | tr -d '\n' | diff - "$work/sim"
+verdict $? "telemetry: the built-in receiver with --sbus2, and its sensor"
