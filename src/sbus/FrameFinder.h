@@ -114,6 +114,15 @@ class FrameFinderOf : private Events {
   /// Returns the frameTime() of extra().
   uint32_t extraTime() const { return _extraTime; }
 
+  /// Returns how many bytes the newest poll() has found.
+  unsigned found() const { return _found; }
+
+  /// Returns the time of the poll before it, us: those bytes were not there then.
+  uint32_t pollBefore() const { return _timing.pollBefore(); }
+
+  /// Returns true if no byte is left that may begin a frame.
+  bool isEmpty() const { return _buffer.filled() == 0; }
+
   /// Returns what was counted since reset(); all 0 before the first byte.
   const Counters &counters() const { return _counters; }
 

@@ -34,6 +34,11 @@ class Telemetry {
   void rejected(int, Rejection) {}                      ///< see NoEvents
   static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
 
+ protected:
+  /// Forgets what slot `slot` has brought between the two newest frames, and copies it to `data`. Returns false if it has
+  /// brought nothing.
+  bool forget(uint8_t slot, SlotData &data);
+
  private:
   SlotData _data[SlotCount];
   uint8_t _misses[SlotCount];  // rounds since the slot came; above MissesMax: no data
