@@ -6,9 +6,29 @@
 SBUS_COMPILE_FINDER(sbus::Frame16, sbus::Answers)
 SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
+void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
+  Decoder::begin(baud, config);
+  _isPrompt = _start(_stream, this);
+}
+
+void SBus2Sensor::listen(unsigned long baud) {
+  Decoder::listen(baud);
+  _isPrompt = _start(_stream, this);
+}
+
+void SBus2Sensor::end() {
+  sbus::SlotTimer::stop(this);
+  _isPrompt = false;
+  _finder.events().skip();
+  Decoder::end();
+}
+
 // A poll shortly before a slot waits for its start: delayMicroseconds() is exact to some us, the next poll is not.
 void SBus2Sensor::parseSBusFrame() {
   constexpr int32_t LongestWait = 100;  // us
+  if (_isPrompt) {
+    return;  // the port calls received() itself
+  }
   receive();
   if (!_finder.events().isPlanned()) {
     return;
@@ -34,17 +54,48 @@ void SBus2Sensor::receive() {
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
-  uint32_t after = by - UINT16_MAX;
-  if (_handOver != sbus::HandOver::Unknown && waiting > 0 && _finder.found() == static_cast<unsigned>(waiting)) {
-    after = _finder.pollBefore();
+  const unsigned found = static_cast<unsigned>(waiting);
+  const bool isKnown = waiting > 0 && _finder.found() == found;
+  const sbus::HandOver handOver = isKnown ? _handOver : sbus::HandOver::Unknown;
+  const sbus::End end = (_isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, found, _finder.pollBefore(), by);
+  answers.plan(end.earliest, end.latest);
+}
+
+// From the end of the timer's time until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
+static constexpr uint32_t Lead = 35;
+
+// At PendSV level, above loop().
+void SBus2Sensor::received(void *sensor) {
+  SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
+  self.receive();
+  self.armTimer();
+}
+
+// In the timer's interrupt. Before its time: the timer was too fast.
+void SBus2Sensor::due(void *sensor) {
+  SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
+  constexpr int32_t Close = 10;  // us
+  const uint32_t start = micros() + Lead;
+  if (static_cast<int32_t>(self._finder.events().due() - start) <= Close) {
+    self.answer(start);
   }
-  const sbus::Lag lag = sbus::lagOf(_handOver, static_cast<unsigned>(waiting));
-  answers.plan(after - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least));
+  self.armTimer();
+}
+
+void SBus2Sensor::armTimer() {
+  if (_finder.events().isPlanned()) {
+    const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - Lead);
+    sbus::SlotTimer::at(until > 0 ? static_cast<uint32_t>(until) : 0);
+  }
 }
 
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
   if (_finder.events().start(now, characters)) {
-    _port.write(characters, sizeof characters);
+    if (_isPrompt) {
+      sbus::SlotTimer::send(characters, sizeof characters);
+    } else {
+      _port.write(characters, sizeof characters);
+    }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "DecodeSBus2.h"
 #include "port/HandOver.h"
+#include "port/SlotTimer.h"
 #include "sbus/Answers.h"
 
 /// Decodes an S.BUS2 line as DecodeSBus2 does, and answers as a sensor on the same port:
@@ -28,17 +29,31 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
  public:
   /// See DecodeSBusOf().
   template <typename Port>
-  explicit SBus2Sensor(Port &port) : Decoder(port), _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+  explicit SBus2Sensor(Port &port)
+      : Decoder(port), _stream(port), _start(start<Port>), _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
   SBus2Sensor(Port &port, int8_t rx, int8_t tx)
-      : Decoder(port, rx, tx), _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+      : Decoder(port, rx, tx),
+        _stream(port),
+        _start(start<Port>),
+        _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+
+  /// Opens the port, as DecodeSBusOf::begin() does.
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
+
+  /// Starts on a port that the sketch has opened, as DecodeSBusOf::listen() does.
+  void listen(unsigned long baud = sbus::Baud);
+
+  /// Answers no more, and closes the port, as DecodeSBusOf::end() does.
+  void end();
 
   /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
   ///
-  /// Call it at least every 75 us: a poll that comes later does not know when the frame ended, and skips its answers. Up to
-  /// 100 us before a slot it waits for its start. Do not call it from an interrupt.
+  /// On a Grasshopper the port and a timer do all that by interrupts, and this does nothing: call it, or do not. On all
+  /// other boards call it at least every 75 us: a poll that comes later does not know when the frame ended, and skips its
+  /// answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
   void parseSBusFrame();
 
   /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor(). All
@@ -65,8 +80,19 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   uint32_t collisions() const { return _finder.events().collisions(); }
 
  private:
+  template <typename Port>
+  static bool start(Stream &stream, SBus2Sensor *sensor) {
+    return sbus::SlotTimer::start(static_cast<Port &>(stream), received, due, sensor);
+  }
+
+  static void received(void *sensor);
+  static void due(void *sensor);
   void receive();
   void answer(uint32_t now);
+  void armTimer();
 
+  Stream &_stream;
+  bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
+  bool _isPrompt = false;  // the port calls received(), and a timer calls due()
   const sbus::HandOver _handOver;
 };

@@ -33,6 +33,34 @@ inline Lag lagOf(HandOver handOver, unsigned found) {
   return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(idle + Late)};
 }
 
+// When a frame ended, us: within these bounds.
+struct End {
+  uint32_t earliest, latest;
+};
+
+// For a poll at `by` that found the frame's end among `found` characters, where one at `before` did not.
+inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+  if (handOver == HandOver::Unknown) {
+    return {by - UINT16_MAX, by};
+  }
+  const Lag lag = lagOf(handOver, found);
+  return {before - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least)};
+}
+
+// For a port that calls back at once, at `before` and at `by`, where `found` characters lay between both. A callback may be
+// held up by other interrupts; so both must agree on the end, and it is no later than the earlier of the two says.
+inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+  constexpr int32_t MostHeldUp = 40;  // us
+  const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);
+  const uint32_t same = before + found * CharacterTime;
+  const int32_t heldUp = static_cast<int32_t>(end - same);
+  if (handOver == HandOver::Unknown || heldUp > MostHeldUp || heldUp < -MostHeldUp) {
+    return {by - UINT16_MAX, by};
+  }
+  const uint32_t latest = heldUp > 0 ? same : end;
+  return {latest - MostHeldUp, latest};
+}
+
 #if defined(SERIAL_SBUS)  // stm32l0_uart.c:53, 280, 653
 template <typename Port>
 auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->onReceive(nullptr), HandOver()) {
