@@ -44,20 +44,15 @@ void SBus2Sensor::parseSBusFrame() {
   answer(until > 0 ? _finder.events().due() : now);
 }
 
-// The port is asked first, and the time read then: what it has found was there by then. What comes while it is read may be
-// the frame's end, at a time that nobody knows.
 void SBus2Sensor::receive() {
-  const int waiting = _port.available();
-  const uint32_t by = micros();
   Decoder::parseSBusFrame();
   sbus::Answers &answers = _finder.events();
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
-  const unsigned found = static_cast<unsigned>(waiting);
-  const bool isKnown = waiting > 0 && _finder.found() == found;
-  const sbus::HandOver handOver = isKnown ? _handOver : sbus::HandOver::Unknown;
-  const sbus::End end = (_isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, found, _finder.pollBefore(), by);
+  const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
+  const sbus::End end =
+      (_isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
   answers.plan(end.earliest, end.latest);
 }
 

@@ -22,12 +22,20 @@
 
 SBus2Sensor dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
 
+const uint8_t PIN_VOLTAGE = A0;
+#if defined(ESP8266)
+const uint8_t PIN_CURRENT = A0;  // it has no other
+#else
+const uint8_t PIN_CURRENT = A1;
+#endif
+
 const uint8_t SLOT_VOLTAGE = 6;
 const uint8_t SLOT_CURRENT = 24;
 
-const uint32_t REFERENCE = 3300;      // mV, what analogRead() takes for 1023
-const uint32_t DIVIDER = 11;          // of the battery's voltage
-const uint32_t MV_PER_AMPERE = 100;
+const uint32_t REFERENCE = 3300;     // mV, what analogRead() takes for FULL_SCALE
+const uint32_t FULL_SCALE = 1023;    // ESP32: 4095
+const uint32_t DIVIDER = 11;         // of the battery's voltage
+const uint32_t MV_PER_AMPERE = 100;  // of the current sensor
 
 const unsigned long PERIOD_MEASURE = 100;   // ms
 const unsigned long PERIOD_DISPLAY = 1000;  // ms
@@ -39,12 +47,12 @@ uint32_t charge = 0;  // mA * 100 ms
 
 // Returns the voltage at `pin`, mV.
 uint32_t millivolts(uint8_t pin) {
-  return static_cast<uint32_t>(analogRead(pin)) * REFERENCE / 1023;
+  return static_cast<uint32_t>(analogRead(pin)) * REFERENCE / FULL_SCALE;
 }
 
 void measure() {
-  const uint32_t battery = millivolts(A0) * DIVIDER;                     // mV
-  const uint32_t current = millivolts(A1) * 1000 / MV_PER_AMPERE;       // mA
+  const uint32_t battery = millivolts(PIN_VOLTAGE) * DIVIDER;               // mV
+  const uint32_t current = millivolts(PIN_CURRENT) * 1000 / MV_PER_AMPERE;  // mA
   charge += current;
 
   sbus::VoltageSbs01V volts;

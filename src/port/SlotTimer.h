@@ -5,9 +5,7 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#if defined(SERIAL_SBUS)
-#include <stm32l0xx.h>
-#endif
+#include "Format.h"  // brings the STM32L0's registers
 
 #if defined(SERIAL_SBUS) && defined(TIM7)
 #include "SlotTimerStm32L0.h"

@@ -63,6 +63,15 @@ class Answers : public Telemetry {
   void extra();                                     ///< see NoEvents
   void lost();                                      ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);  ///< see NoEvents
+  static constexpr bool wantsTimes() { return true; }  ///< see NoEvents
+  /// See NoEvents.
+  void asked(int found, uint32_t by) {
+    _found = static_cast<uint16_t>(found > 0 ? found : 0);
+    _by = by;
+  }
+
+  uint16_t found() const { return _found; }  ///< Returns how many bytes the newest poll has found.
+  uint32_t by() const { return _by; }        ///< Returns a time, us, shortly after it asked for them.
 
  private:
   void compareEcho(bool isWrong);
@@ -80,6 +89,8 @@ class Answers : public Telemetry {
   uint8_t _slack = 0;          // us: how late a slot may start
   uint8_t _at = 0;             // the next planned slot, from _group
   SlotData _planned[SlotsOfGroup];  // of the moment of the plan
+  uint16_t _found = 0;
+  uint32_t _by = 0;
   bool _hasEcho = false;  // RX has heard TX
   uint32_t _due = 0;
   uint32_t _sent = 0;

@@ -33,6 +33,8 @@ class Telemetry {
   void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
   void rejected(int, Rejection) {}                      ///< see NoEvents
   static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
+  static constexpr bool wantsTimes() { return false; }  ///< see NoEvents
+  void asked(int, uint32_t) {}                          ///< see NoEvents
 
  protected:
   /// Forgets what slot `slot` has brought between the two newest frames, and copies it to `data`. Returns false if it has
