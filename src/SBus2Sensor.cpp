@@ -6,6 +6,20 @@
 SBUS_COMPILE_FINDER(sbus::Frame16, sbus::Answers)
 SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
+namespace {
+
+// From the end of the wait in loop() until the start bit: 320 cycles of an AVR, few us on others.
+#if defined(F_CPU)
+constexpr uint32_t PollLead = F_CPU < 64000000 ? 320 / (F_CPU / 1000000) : 5;
+#else
+constexpr uint32_t PollLead = 5;
+#endif
+
+// From the end of the timer's time until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
+constexpr uint32_t TimerLead = 35;
+
+}  // namespace
+
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
   Decoder::begin(baud, config);
   _isPrompt = _start(_stream, this);
@@ -33,7 +47,7 @@ void SBus2Sensor::parseSBusFrame() {
   if (!_finder.events().isPlanned()) {
     return;
   }
-  const uint32_t now = micros();
+  const uint32_t now = micros() + PollLead;
   const int32_t until = static_cast<int32_t>(_finder.events().due() - now);
   if (until > LongestWait) {
     return;
@@ -56,9 +70,6 @@ void SBus2Sensor::receive() {
   answers.plan(end.earliest, end.latest);
 }
 
-// From the end of the timer's time until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
-static constexpr uint32_t Lead = 35;
-
 // At PendSV level, above loop().
 void SBus2Sensor::received(void *sensor) {
   SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
@@ -70,7 +81,7 @@ void SBus2Sensor::received(void *sensor) {
 void SBus2Sensor::due(void *sensor) {
   SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
   constexpr int32_t Close = 10;  // us
-  const uint32_t start = micros() + Lead;
+  const uint32_t start = micros() + TimerLead;
   if (static_cast<int32_t>(self._finder.events().due() - start) <= Close) {
     self.answer(start);
   }
@@ -79,7 +90,7 @@ void SBus2Sensor::due(void *sensor) {
 
 void SBus2Sensor::armTimer() {
   if (_finder.events().isPlanned()) {
-    const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - Lead);
+    const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - TimerLead);
     sbus::SlotTimer::at(until > 0 ? static_cast<uint32_t>(until) : 0);
   }
 }

@@ -22,7 +22,7 @@
 /// write to the port.
 ///
 /// A port that does not tell when a frame ended gets no answers, and skipped() counts: any Stream that is no hardware
-/// serial port, and cores that extras/docs/boards.md names.
+/// serial port, and the ports of some cores (extras/docs/telemetry.md).
 class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   using Decoder = DecodeSBus2Of<sbus::Answers>;
 
