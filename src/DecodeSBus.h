@@ -108,7 +108,9 @@ class DecodeSBusOf {
 
  private:
   friend class DecodeSBus;   // for the extra channels
-  friend class DecodeSBus2;  // for the telemetry
+  template <typename>
+  friend class DecodeSBus2Of;  // for the telemetry
+  friend class SBus2Sensor;    // for the answers
 
   sbus::FrameFinderOf<typename Format::Line, Events>
       _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less

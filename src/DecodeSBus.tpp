@@ -40,6 +40,9 @@ template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::parseSBusFrame() {
   const uint32_t now = micros();
   const int found = _port.available();
+  if (Events::wantsTimes()) {
+    _finder.events().asked(found, micros());
+  }
   if (found <= 0) {
     if (const uint8_t *const frame = _finder.idle(now)) {
       _link.frame(Format::flags(frame));

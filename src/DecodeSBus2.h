@@ -14,15 +14,18 @@
 ///
 /// A slot does not say which sensor fills it: read it as the type that the radio has for this slot. There is no
 /// checksum: if a wrong value would do harm, believe a value when it has come twice.
-class DecodeSBus2 : public DecodeSBusOf<sbus::Frame16, sbus::Telemetry> {
+template <typename Events>
+class DecodeSBus2Of : public DecodeSBusOf<sbus::Frame16, Events> {
+  using Decoder = DecodeSBusOf<sbus::Frame16, Events>;
+
  public:
   /// See DecodeSBusOf().
   template <typename Port>
-  explicit DecodeSBus2(Port &port) : DecodeSBusOf(port) {}
+  explicit DecodeSBus2Of(Port &port) : Decoder(port) {}
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
-  DecodeSBus2(Port &port, int8_t rx, int8_t tx) : DecodeSBusOf(port, rx, tx) {}
+  DecodeSBus2Of(Port &port, int8_t rx, int8_t tx) : Decoder(port, rx, tx) {}
 
   /// Reads the sensor whose first slot is `slot`, 0..31, to `sensor`, a type of sbus/Sensors.h, or one of your own with
   /// `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the sensor's
@@ -31,7 +34,7 @@ class DecodeSBus2 : public DecodeSBusOf<sbus::Frame16, sbus::Telemetry> {
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
-    if (!SBusFrameOk() || !_finder.events().read(slot, Sensor::Slots, data)) {
+    if (!this->SBusFrameOk() || !this->_finder.events().read(slot, Sensor::Slots, data)) {
       return false;
     }
     sensor.decode(data);
@@ -40,5 +43,8 @@ class DecodeSBus2 : public DecodeSBusOf<sbus::Frame16, sbus::Telemetry> {
 
   /// Returns how many times the bytes between two frames were not just slots of the announced group, since begin(): a
   /// disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
-  uint32_t rejectedGroups() const { return _finder.events().rejectedGroups(); }
+  uint32_t rejectedGroups() const { return this->_finder.events().rejectedGroups(); }
 };
+
+/// Decodes a line of S.BUS2, and only listens; SBus2Sensor answers as well.
+using DecodeSBus2 = DecodeSBus2Of<sbus::Telemetry>;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "line/simulation/LineSettings.h"
 #include "sbus/Frame.h"
 
 namespace line {
@@ -43,6 +44,15 @@ class Line {
 
   // Returns what has happened to the port since the last call: it has gone, or is back. Mostly empty.
   virtual std::string news() { return {}; }
+
+  // A board's TX shares the wire, and was opened with these settings. Most lines have a wire of their own.
+  virtual void share(const LineSettings & /*tx*/) {}
+
+  // That board has begun to send this character.
+  virtual void hear(const Character & /*character*/) {}
+
+  // Returns how the board has behaved on a wire that it shares; mostly nothing.
+  virtual std::string report() const { return {}; }
 
   // Returns a line that says why its times are not exact, and what to do; mostly empty.
   virtual std::string note() const { return {}; }

@@ -17,6 +17,7 @@ struct Source {
   // Of the simulated receiver.
   Sticks sticks = Sticks::Flight;
   Channels channels = Channels::Sixteen;
+  bool sbus2 = false;  // a Futaba with S.BUS2, a sensor in slots 1 and 2; TX shares the wire
   unsigned noise = 0;  // disturbances per second
   LineSettings settings;
   // A recording begins a moment after the port is opened; that of a late port gets its gaps back.

@@ -25,6 +25,9 @@ struct NoEvents {
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
   /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two prove nothing.
   static constexpr bool seesEachGap() { return true; }
+  /// Returns true if a DecodeSBus calls asked() in each poll.
+  static constexpr bool wantsTimes() { return false; }
+  void asked(int, uint32_t) {}  ///< so many bytes wait on the port, and did so by this time, us
 };
 
 /// Finds frames. The bytes are read directly into the incoming frame:
@@ -112,6 +115,12 @@ class FrameFinderOf : private Events {
 
   /// Returns the frameTime() of extra().
   uint32_t extraTime() const { return _extraTime; }
+
+  /// Returns the time of the poll before the newest poll(), us: what that has found was not there then.
+  uint32_t pollBefore() const { return _timing.pollBefore(); }
+
+  /// Returns true if no byte is left that may begin a frame.
+  bool isEmpty() const { return _buffer.filled() == 0; }
 
   /// Returns the counters since reset(); all are 0 before the first byte.
   const Counters &counters() const { return _counters; }

@@ -77,6 +77,9 @@ class LineTiming {
     return silence < LongSilence ? Silence::Gap : Silence::Long;
   }
 
+  /// Returns the time of the poll before the newest one that found bytes.
+  uint32_t pollBefore() const { return _pollBefore; }
+
   /// Returns true if the empty poll just taken proves a gap after the last byte.
   template <typename Format>
   bool isSilent() const {

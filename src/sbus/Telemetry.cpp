@@ -32,6 +32,15 @@ bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) const {
   return true;
 }
 
+bool Telemetry::forget(uint8_t slot, SlotData &data) {
+  if (_misses[slot] != 0) {
+    return false;
+  }
+  data = _data[slot];
+  _misses[slot] = MissesMax + 1;
+  return true;
+}
+
 void Telemetry::discarded(const uint8_t *bytes, int count) {
   if (count > GroupSizeMax - _count) {
     lost();

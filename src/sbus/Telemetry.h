@@ -33,6 +33,13 @@ class Telemetry {
   void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
   void rejected(int, Rejection) {}                      ///< see NoEvents
   static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
+  static constexpr bool wantsTimes() { return false; }  ///< see NoEvents
+  void asked(int, uint32_t) {}                          ///< see NoEvents
+
+ protected:
+  /// Forgets what slot `slot` has brought between the two newest frames, and copies it to `data`. Returns false if it has
+  /// brought nothing.
+  bool forget(uint8_t slot, SlotData &data);
 
  private:
   SlotData _data[SlotCount];

@@ -12,4 +12,8 @@ uint32_t micros() {
   return static_cast<uint32_t>(fakeMicros);
 }
 
+void delayMicroseconds(unsigned us) {
+  fakeMicros += us;
+}
+
 void yield() {}

@@ -76,3 +76,8 @@ grep -qF 'bytes discarded 30, ' "$work/out" &&
   grep -qF 'receiver voltage 4.6 V, current 23.45 A, voltage 12.34 V, charge 1500 mAh, slots 0, 1, 2, 24, 25, 26' "$work/out" &&
   tail -n 1 "$work/out" | grep -qE ', no telemetry( |$)'
 verdict $? "telemetry: monitor shows it, and no longer once it is a second old"
+
+"$SBUS" telemetry sim --sbus2 --simulated-time --seconds 0.1 --sensor 1=SBS-01V | cut -d, -f2,5-7 | tail -n +2 | tr '\n' ';' >"$work/sim"
+echo "0,receiver voltage,4.6,V;1,battery voltage,5.6,V;2,external voltage,12.5,V;0,external voltage,24.1,V;\
+1,battery voltage,5.6,V;2,external voltage,12.5,V;" | tr -d '\n' | diff - "$work/sim"
+verdict $? "telemetry: the built-in receiver with --sbus2, and its sensor"

@@ -19,9 +19,10 @@ void reject(const std::vector<Option> &options, const std::string &reason) {
 }  // namespace
 
 LineOptions::LineOptions(Subcommand &subcommand) {
-  subcommand.option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
-      .oneOf({100000, 200000})
-      .type("100000|200000");
+  const Option baud =
+      subcommand.option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
+          .oneOf({100000, 200000})
+          .type("100000|200000");
   const Option channels = subcommand.option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
                               .oneOf({16, 24, 32})
                               .type("16|24|32");
@@ -29,11 +30,15 @@ LineOptions::LineOptions(Subcommand &subcommand) {
                             .oneOf({"flight", "calibration"})
                             .type("flight|calibration");
   _silent = subcommand.flag("--silent", "nothing comes from sim");
+  _sbus2 = subcommand.flag("--sbus2", "sim speaks S.BUS2: 16 channels, its own voltages, a sensor in slots 1 and 2")
+               .excludes(baud)
+               .excludes(channels)
+               .excludes(_silent);
   const Option noise = subcommand.option("--noise", _noise, "disturbances a second, on sim or a recording")
                            .between(1, 100000)
                            .type("N");
   _uninverted = subcommand.flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
-  _simulated = {channels, sticks, _silent};
+  _simulated = {channels, sticks, _silent, _sbus2};
   _disturbing = {noise, _uninverted};
 }
 
@@ -54,6 +59,7 @@ line::LineSettings LineOptions::settings() const {
 line::Source LineOptions::source(const line::LineSettings &settings) const {
   line::Source source;
   source.silent = _silent.given();
+  source.sbus2 = _sbus2.given();
   source.sticks = _sticks == "flight" ? line::Sticks::Flight : line::Sticks::Calibration;
   source.channels = _channels == 24   ? line::Channels::TwentyFour
                     : _channels == 32 ? line::Channels::ThirtyTwo

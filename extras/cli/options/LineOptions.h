@@ -37,6 +37,7 @@ class LineOptions {
   std::vector<Option> _simulated;
   std::vector<Option> _disturbing;
   Option _silent;
+  Option _sbus2;
   Option _uninverted;
 };
 

@@ -38,7 +38,7 @@ void noInterrupts();
 void interrupts();
 
 // Pins. Only those of the serial ports lead anywhere, and Servo's are looked at: here writing does nothing, reading
-// finds LOW.
+// finds LOW, or half of the reference.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0
@@ -50,6 +50,11 @@ inline void pinMode(uint32_t, uint32_t) {}
 inline void digitalWrite(uint32_t, uint32_t) {}
 inline int digitalRead(uint32_t) {
   return LOW;
+}
+static const uint8_t A0 = 14;
+static const uint8_t A1 = 15;
+inline int analogRead(uint32_t) {
+  return 512;
 }
 
 #define PI 3.14159265358979323846

@@ -40,7 +40,9 @@ void Board::spend(uint64_t us) {
 void Board::step(uint64_t us) {
   _clock.spend(us);
   for (int number = 1; number <= PortCount; number++) {
+    share(number);
     send(number);
+    share(number);  // a packet may follow the one that is through
   }
   for (Port &port : _ports) {
     port.receive(_clock.nowUs());
@@ -55,6 +57,14 @@ void Board::step(uint64_t us) {
   }
   if (_onTime) {
     _onTime(_clock.nowUs());
+  }
+}
+
+// What shares the wire with the line hears each character from its start on.
+void Board::share(int number) {
+  line::Character character;
+  while (port(number).sender().begun(_clock.nowUs(), character)) {
+    port(number).shareWire(character);
   }
 }
 

@@ -57,6 +57,7 @@ class Board {
   };
 
   void step(uint64_t us);
+  void share(int number);
   void send(int number);
 
   Clock _clock;

@@ -22,6 +22,7 @@ void BoardTransmitter::close() {
   _count = 0;
   _packet = 0;
   _sent = 0;
+  _begun = 0;
 }
 
 size_t BoardTransmitter::write(uint64_t nowUs, const uint8_t *bytes, size_t size) {
@@ -56,9 +57,21 @@ bool BoardTransmitter::next(uint64_t nowUs, line::Character &character) {
   return true;
 }
 
+bool BoardTransmitter::begun(uint64_t nowUs, line::Character &character) {
+  if (_begun >= _packet || _packetNs + _begun * _characterNs > nowUs * NsPerUs) {
+    return false;
+  }
+  character = line::Character();
+  character.endUs = endUs(_begun + 1);
+  character.value = _ring[(_first + _begun) % RingSize];
+  _begun++;
+  return true;
+}
+
 void BoardTransmitter::beginPacket(uint64_t fromNs) {
   _packet = std::min({_count, _packetSize, RingSize - _first});
   _sent = 0;
+  _begun = 0;
   _packetNs = fromNs;
 }
 

@@ -35,6 +35,9 @@ class BoardTransmitter {
   // Takes the oldest character that was through by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
+  // Takes the oldest character that has begun by `nowUs` and has not been taken here; returns false without one.
+  bool begun(uint64_t nowUs, line::Character &character);
+
   // What the sketch is told: free places, 0 if closed.
   int availableForWrite() const { return _open ? static_cast<int>(_places - _count) : 0; }
 
@@ -58,6 +61,7 @@ class BoardTransmitter {
   size_t _count = 0;       // places taken
   size_t _packet = 0;      // characters of the packet under way,
   size_t _sent = 0;        // those of them that are through,
+  size_t _begun = 0;       // those that begun() has handed out,
   uint64_t _packetNs = 0;  // and when its first one began
   uint64_t _freeNs = 0;    // until when the wire is taken
 };

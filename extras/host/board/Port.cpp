@@ -30,6 +30,9 @@ void Port::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, s
     _uart.open(nowUs, buffer, size, settings.rx.characterUs());
   }
   listen(nowUs);
+  if (_line != nullptr) {
+    _line->share(settings.tx);
+  }
   if (_uart.isOpen()) {
     _sender.open(nowUs, settings);
   } else {
@@ -102,6 +105,12 @@ void Port::take(const line::Character &character) {
   Reception &reception = _receptions[_reception];
   (character.bad ? reception.bad : reception.good)++;
   _uart.receive(character);
+}
+
+void Port::shareWire(const line::Character &character) {
+  if (_line != nullptr) {
+    _line->hear(character);
+  }
 }
 
 void Port::callBack() {

@@ -38,6 +38,9 @@ class Port {
   // Takes in what has come over the line by `nowUs`.
   void receive(uint64_t nowUs);
 
+  // The line hears it, if TX shares its wire.
+  void shareWire(const line::Character &character);
+
   // Calls the sketch's onReceive() callback if bytes have been handed over since.
   void callBack();
 

@@ -44,6 +44,12 @@ void Sender::open(uint64_t nowUs, const PortSettings &settings) {
   }
 }
 
+bool Sender::begun(uint64_t nowUs, line::Character &character) {
+  const bool any = _transmitter.begun(nowUs, character);
+  character.value &= _dataMask;
+  return any;
+}
+
 bool Sender::next(uint64_t nowUs, line::Character &character) {
   if (!_transmitter.next(nowUs, character)) {
     return false;

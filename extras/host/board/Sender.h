@@ -31,6 +31,9 @@ class Sender {
   // Takes the next character that was through by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
+  // Takes the next character that has begun by `nowUs`.
+  bool begun(uint64_t nowUs, line::Character &character);
+
   BoardTransmitter &transmitter() { return _transmitter; }
 
   // For the report.

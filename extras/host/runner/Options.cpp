@@ -122,6 +122,9 @@ Options parseOptions(int argc, char **argv) {
       ->excludes(port)
       ->excludes(recording)
       ->excludes(silent);
+  auto *sbus2 = app.add_flag("--sbus2", options.source.sbus2,
+                             "the simulated receiver speaks S.BUS2: a sensor answers it, and TX shares the wire");
+  sbus2->excludes(port)->excludes(recording)->excludes(silent)->excludes(channelsOption)->excludes(lineBaud);
   auto *on = app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)");
   on->check(CLI::Range(1, 3).description(""))->type_name("1|2|3");
   app.add_option("--wire", wires, "a wire from TX of one port to RX of another or the same; may be given several times")
@@ -155,7 +158,7 @@ Options parseOptions(int argc, char **argv) {
                                                                  : line::Polarity::Inverted;
     addWires(wires, options);
     addSent(sent, options);
-    settleLine({recording, port, lineBaud, uninverted, noise, silent, sticksOption, channelsOption, on}, options);
+    settleLine({recording, port, lineBaud, uninverted, noise, silent, sticksOption, channelsOption, sbus2, on}, options);
   } catch (const CLI::ParseError &error) {
     std::exit(app.exit(error));
   }

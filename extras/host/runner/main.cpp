@@ -66,6 +66,10 @@ class Ending {
     Board &board = Board::instance();
     board.output().flush();
     printReport(board, _options);
+    const std::string shared = _line.report();
+    if (!shared.empty()) {
+      std::fprintf(stderr, "%s\n", shared.c_str());
+    }
     bool failed = complain(_line.failure());
     for (const SentOption &sent : _options.sent) {
       failed = complain(board.port(sent.port).sender().finish()) || failed;

@@ -20,6 +20,9 @@ class NoisyLine : public Line {
   void opened(uint64_t nowUs) override { _line->opened(nowUs); }
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
+  void share(const LineSettings &tx) override { _line->share(tx); }
+  void hear(const Character &character) override { _line->hear(character); }
+  std::string report() const override { return _line->report(); }
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
 
  private:

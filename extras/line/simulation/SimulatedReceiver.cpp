@@ -9,8 +9,8 @@ namespace line {
 
 namespace {
 
-constexpr uint32_t FrameMs = 9;     // T of the paper's R-XSR
-constexpr uint32_t PairMs = 18;     // from 2F to 2F: 18..20 ms, says INAV's pull request 10270
+constexpr uint32_t FrameUs = 9000;  // T of the paper's R-XSR
+constexpr uint32_t PairUs = 18000;  // from 2F to 2F: 18..20 ms, says INAV's pull request 10270
 constexpr uint32_t GapUs = 1000;    // between the two; not known
 constexpr uint64_t FirstUs = 5000;  // the first frame begins 5 ms after the program
 
@@ -19,16 +19,19 @@ constexpr size_t HandCount = 6;  // CH1..CH6 are the choreography's on every lin
 
 }  // namespace
 
-SimulatedReceiver::SimulatedReceiver(const Choreography &choreography, uint32_t characterUs, Channels channels)
+SimulatedReceiver::SimulatedReceiver(const Choreography &choreography, uint32_t characterUs, Channels channels,
+                                     uint32_t periodUs)
     : _choreography(choreography),
       _characterUs(characterUs),
       _kind(channels),
-      _periodMs(channels == Channels::ThirtyTwo ? PairMs : FrameMs) {
+      _periodUs(periodUs != 0                     ? periodUs
+                : channels == Channels::ThirtyTwo ? PairUs
+                                                  : FrameUs) {
   makeFrame();
 }
 
 bool SimulatedReceiver::next(uint64_t nowUs, Character &character) {
-  const uint64_t beginUs = FirstUs + uint64_t{_frameNumber} * _periodMs * 1000;
+  const uint64_t beginUs = FirstUs + uint64_t{_frameNumber} * _periodUs;
   const bool second = _kind == Channels::ThirtyTwo && _index >= sbus::FrameSize;
   const uint64_t endUs = beginUs + (_index + 1u) * _characterUs + (second ? GapUs : 0);
   if (endUs > nowUs) {
@@ -59,7 +62,7 @@ void SimulatedReceiver::move(uint32_t ms) {
 }
 
 void SimulatedReceiver::makeFrame() {
-  const uint32_t ms = static_cast<uint32_t>(uint64_t{_frameNumber} * _periodMs % _choreography.periodMs);
+  const uint32_t ms = static_cast<uint32_t>(uint64_t{_frameNumber} * _periodUs / 1000 % _choreography.periodMs);
   const Radio radio = _choreography.radio(_frameNumber, ms);
   if (radio == Radio::GivenUp) {
     std::fill_n(_channels, MostChannels, Centre);

@@ -17,8 +17,9 @@ enum class Channels : uint8_t {
 
 class SimulatedReceiver : public Line {
  public:
+  // `periodUs`: of its frames; 0: as such receivers have it.
   explicit SimulatedReceiver(const Choreography &choreography = Flight, uint32_t characterUs = CharacterUs,
-                             Channels channels = Channels::Sixteen);
+                             Channels channels = Channels::Sixteen, uint32_t periodUs = 0);
   bool next(uint64_t nowUs, Character &character) override;
 
  private:
@@ -31,7 +32,7 @@ class SimulatedReceiver : public Line {
   const Choreography &_choreography;
   const uint32_t _characterUs;
   const Channels _kind;
-  const uint32_t _periodMs;
+  const uint32_t _periodUs;
   uint32_t _frameNumber = 0;
   uint8_t _index = 0;  // of the next character in `_frames`
   uint8_t _size = 0;   // characters in `_frames`

@@ -18,6 +18,7 @@ namespace {
 
 constexpr uint32_t CyclesPerUs = 16;
 constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;  // of a line with nothing on it
+constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of one that hands characters over at their end
 constexpr uint8_t ExternalInterrupts = 8;                   // INT0..INT7
 constexpr avr_io_addr_t TimerControl = 0x45;                // TCCR0B
 constexpr uint32_t TimerClocked = 0x07;                     // CS02:CS00, 0 while it stands still
@@ -171,6 +172,7 @@ void Mega::open() {
   if (_opened.empty()) {
     if (_line.source) {
       _line.source->opened(us);
+      _line.source->share({});
     }
     avr_cycle_timer_register(_avr, 1, characterThrough, this);
   }
@@ -179,7 +181,7 @@ void Mega::open() {
 
 bool Mega::next(line::Character &character) {
   if (_line.source) {
-    return _line.source->next(_line.cutUs, character);
+    return _line.source->next(std::min(_line.cutUs, clockUs(_avr->cycle) + line::CharacterUs), character);
   }
   if (_wire.empty()) {
     return false;
@@ -199,7 +201,8 @@ avr_cycle_count_t Mega::characterThrough(avr_t *, avr_cycle_count_t when, void *
   do {
     self._isComing = self.next(self._next);
   } while (self._isComing && self._next.endUs <= self._opened[0]);
-  return self._isComing ? self._clockZero + self._next.endUs * CyclesPerUs : when + PollCycles;
+  const avr_cycle_count_t poll = when + (self._line.isShared ? SharedPollCycles : PollCycles);
+  return self._isComing ? std::max(self._clockZero + self._next.endUs * CyclesPerUs, when + 1) : poll;
 }
 
 void Mega::receive(const line::Character &character) {
@@ -259,6 +262,9 @@ void Mega::send(size_t number, uint8_t byte) {
     character.endUs = _wireUs;
     character.value = byte;
     _wire.push_back(character);
+    if (_line.isShared) {
+      _line.source->hear(character);
+    }
   } else {
     if (_row.text.empty()) {
       _row.us = us;

@@ -23,6 +23,7 @@ struct Line {
   std::unique_ptr<line::Line> source;  // null: a wire from TX of Serial1
   uint64_t cutUs = UINT64_MAX;         // here it falls silent
   size_t bad = SIZE_MAX;               // the character, counted from 0, that has a wrong parity bit
+  bool isShared = false;               // TX of Serial1 is at the same wire, through a diode behind the inverter
 };
 
 // All times in us, as the sketch's micros() counts.
@@ -54,6 +55,9 @@ class Mega {
   const std::vector<Sent> &sent() const { return _sent; }                         // on Serial1 and Serial2
   const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }     // 0..3: the pins 2..5
   std::vector<uint8_t> eeprom() const;
+
+  // What the line says of a board that shares it.
+  std::string report() const { return _line.source->report(); }
 
   // What was wrong with the ports: "Serial1: baud rate, format"; empty if all went well.
   std::string mistakes() const;

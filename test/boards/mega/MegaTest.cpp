@@ -27,17 +27,19 @@ constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
 
 // "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "silent"; "wire": from
-// TX1; otherwise a recording.
+// TX1; "bus": S.BUS2, which TX1 shares; otherwise a recording.
 Line lineOf(const std::string &name) {
   line::Source source;
   source.silent = name == "silent";
+  source.sbus2 = name == "bus";
   source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
-  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
+  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire" && name != "bus") {
     source.recording = "../../recordings/" + name + ".txt";
   }
   Line line;
   line.source = name == "wire" ? nullptr : source.open();
   line.cutUs = name == "cut" ? 2000000 : line.cutUs;
+  line.isShared = name == "bus";
   return line;
 }
 
@@ -302,4 +304,20 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints
   std::vector<uint8_t> changed = eeprom;
   changed[50] = 1;  // of CH7, was 0: begins again
   CHECK(textOf(Mega("Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
+}
+
+// Five slots in a round of four frames. An answer that is wrong in any way makes the report longer.
+TEST_CASE("Sensor answers on an S.BUS2 line, in its slots, from loop() alone") {
+  constexpr double Seconds = 12;
+  constexpr unsigned Rounds = 12000 / 60;
+  const Mega mega("Sensor", lineOf("bus"), Seconds);
+  const std::string report = mega.report();
+  MESSAGE(report);
+  std::smatch right;
+  REQUIRE(std::regex_match(report, right, std::regex("on the S.BUS2 wire: ([0-9]+) answers in their slots, .* us off")));
+  CHECK(std::stoul(right[1]) > Rounds * 5 * 9 / 10);
+  CHECK(mega.sent().size() / 3 <= std::stoul(right[1]) + 1);  // the last one may be under way
+  CHECK(mega.printed().size() == 11);
+  CHECK(mega.printed().back().text.find("collisions:0") != std::string::npos);
+  CHECK(mega.mistakes() == "");
 }

@@ -1,0 +1,74 @@
+// Judges what a board sends on an S.BUS2 wire: right slot, right time, and never a character that is not asked for.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "line/Line.h"
+#include "sbus/Slots.h"
+
+namespace line {
+
+// When slots stand, counted from the end of the frame's last stop bit: measured on a Futaba R7008SB (PX4-Autopilot,
+// test_data/sbus2_r7008SB.txt, eight of eight) and on a line with eight occupied slots (mstrens/oXs_on_RP2040).
+constexpr uint32_t FirstSlotUs = 2030;
+constexpr uint32_t SlotPitchUs = 660;
+constexpr int64_t SlotToleranceUs = 50;
+
+class BusJudge {
+ public:
+  // An answer is a run of characters without a gap.
+  struct Counts {
+    unsigned long right = 0;        // a slot of the announced group, within the tolerance
+    unsigned long early = 0;        // the same, but too early
+    unsigned long late = 0;         // or too late
+    unsigned long receivers = 0;    // in slot 0, which is the receiver's
+    unsigned long unannounced = 0;  // a slot of another group, or after an end byte that announces none
+    unsigned long torn = 0;         // not three characters that begin with a slot's ID
+    unsigned long collided = 0;     // on the wire at the same time as something else
+    unsigned long held = 0;         // TX held the wire HIGH at rest: every character is destroyed
+
+    unsigned long wrong() const { return early + late + receivers + unannounced + torn + collided + held; }
+  };
+
+  // A frame of the receiver with this end byte has ended.
+  void frame(uint64_t endUs, uint8_t end);
+
+  // The board has sent a character, or begun to.
+  void heard(const Character &character, uint32_t characterUs, bool isCollided);
+
+  // The wire was at rest until `nowUs`.
+  void restedUntil(uint64_t nowUs);
+
+  // The board's TX holds the wire.
+  void held() { _counts.held++; }
+
+  const Counts &counts() const { return _counts; }
+
+  // How far the starts of right answers were off their slots' times, us; 0 before the first.
+  int64_t earliestUs() const { return _earliestUs; }
+  int64_t latestUs() const { return _latestUs; }
+
+  // "12 answers in their slots, -3..7 us off; 1 late, 2 in slot 0"
+  std::string text() const;
+
+ private:
+  static constexpr uint32_t GapUs = 30;  // two characters that are further apart are of two answers
+
+  void close();
+
+  uint64_t _frameEndUs = 0;
+  uint8_t _end = 0;
+  bool _hasFrame = false;
+  // The answer that is being heard, if it has characters.
+  uint64_t _startUs = 0;
+  uint64_t _lastUs = 0;  // end of its last character
+  unsigned _characters = 0;
+  uint8_t _id = 0;
+  bool _isCollided = false;
+  Counts _counts;
+  int64_t _earliestUs = 0;
+  int64_t _latestUs = 0;
+};
+
+}  // namespace line

@@ -1,0 +1,68 @@
+// An S.BUS2 wire: a Futaba receiver, sensors that answer it, and a board that may answer as well.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "line/Line.h"
+#include "line/simulation/BusJudge.h"
+#include "line/simulation/SimulatedReceiver.h"
+#include "sbus/Slots.h"
+
+namespace line {
+
+// The receiver's mode.
+enum class BusMode : uint8_t {
+  Slots,       // FASSTest 14CH: a frame every 15 ms, end bytes 04 14 24 34 in turn, 32 slots
+  OnlySlot0,   // FASSTest 12CH: every 6.3 ms, end byte 08; slot 0 follows after 310 us, no sensor may answer
+  NoTelemetry  // end byte 00
+};
+
+// A sensor in one slot.
+struct BusSensor {
+  uint8_t slot;
+  sbus::SlotData data;
+  int32_t offUs = 0;  // it answers so much late, or early
+};
+
+// Two that send at once destroy each other's characters: the wire carries HIGH if either does, and parity fails.
+class SimulatedBus : public Line {
+ public:
+  explicit SimulatedBus(const Choreography &choreography = Flight, BusMode mode = BusMode::Slots);
+
+  // Adds a sensor; two in the same slot collide.
+  void add(const BusSensor &sensor) { _sensors.push_back(sensor); }
+
+  // Delivers a character once it has ended, so never one that a board may still destroy: an UART asks a character ahead.
+  bool next(uint64_t nowUs, Character &character) override;
+
+  // A board has its TX at the wire, through a diode.
+  void share(const LineSettings &tx) override;
+  void hear(const Character &character) override;
+  std::string report() const override;
+
+  const BusJudge &judge() const { return _judge; }
+
+ private:
+  struct Sent : Character {
+    bool isFramesEnd = false;
+  };
+
+  void makeCycle();
+  void send(uint64_t startUs, const uint8_t *bytes, size_t size);
+  void put(const Sent &sent);
+
+  const BusMode _mode;
+  SimulatedReceiver _receiver;
+  std::vector<BusSensor> _sensors;
+  uint32_t _cycles = 0;
+  uint64_t _madeUs = 0;     // all before is in `_wire`
+  std::deque<Sent> _wire;  // in the order of their ends
+  LineSettings _tx;
+  bool _isHeld = false;
+  bool _isShared = false;
+  BusJudge _judge;
+};
+
+}  // namespace line

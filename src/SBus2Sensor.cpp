@@ -1,0 +1,107 @@
+#include "SBus2Sensor.h"
+
+#include "DecodeSBus.tpp"
+#include "sbus/FrameFinder.tpp"
+
+SBUS_COMPILE_FINDER(sbus::Frame16, sbus::Answers)
+SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
+
+namespace {
+
+// From the end of the wait in loop() until the start bit: 320 cycles of an AVR, few us on others.
+#if defined(F_CPU)
+constexpr uint32_t PollLead = F_CPU < 64000000 ? 320 / (F_CPU / 1000000) : 5;
+#else
+constexpr uint32_t PollLead = 5;
+#endif
+
+// From the end of the timer's time until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
+constexpr uint32_t TimerLead = 35;
+
+}  // namespace
+
+void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
+  Decoder::begin(baud, config);
+  _isPrompt = _start(_stream, this);
+}
+
+void SBus2Sensor::listen(unsigned long baud) {
+  Decoder::listen(baud);
+  _isPrompt = _start(_stream, this);
+}
+
+void SBus2Sensor::end() {
+  sbus::SlotTimer::stop(this);
+  _isPrompt = false;
+  _finder.events().skip();
+  Decoder::end();
+}
+
+// A poll shortly before a slot waits for its start: delayMicroseconds() is exact to some us, the next poll is not.
+void SBus2Sensor::parseSBusFrame() {
+  constexpr int32_t LongestWait = 100;  // us
+  if (_isPrompt) {
+    return;  // the port calls received() itself
+  }
+  receive();
+  if (!_finder.events().isPlanned()) {
+    return;
+  }
+  const uint32_t now = micros() + PollLead;
+  const int32_t until = static_cast<int32_t>(_finder.events().due() - now);
+  if (until > LongestWait) {
+    return;
+  }
+  if (until > 0) {
+    delayMicroseconds(static_cast<unsigned>(until));
+  }
+  answer(until > 0 ? _finder.events().due() : now);
+}
+
+void SBus2Sensor::receive() {
+  Decoder::parseSBusFrame();
+  sbus::Answers &answers = _finder.events();
+  if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
+    return;
+  }
+  const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
+  const sbus::End end =
+      (_isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
+  answers.plan(end.earliest, end.latest);
+}
+
+// At PendSV level, above loop().
+void SBus2Sensor::received(void *sensor) {
+  SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
+  self.receive();
+  self.armTimer();
+}
+
+// In the timer's interrupt. Before its time: the timer was too fast.
+void SBus2Sensor::due(void *sensor) {
+  SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
+  constexpr int32_t Close = 10;  // us
+  const uint32_t start = micros() + TimerLead;
+  if (static_cast<int32_t>(self._finder.events().due() - start) <= Close) {
+    self.answer(start);
+  }
+  self.armTimer();
+}
+
+void SBus2Sensor::armTimer() {
+  if (_finder.events().isPlanned()) {
+    const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - TimerLead);
+    sbus::SlotTimer::at(until > 0 ? static_cast<uint32_t>(until) : 0);
+  }
+}
+
+void SBus2Sensor::answer(uint32_t now) {
+  uint8_t characters[sbus::SlotSize];
+  if (_finder.events().start(now, characters)) {
+    if (_isPrompt) {
+      sbus::SlotTimer::send(characters, sizeof characters);
+    } else {
+      _port.write(characters, sizeof characters);
+    }
+  }
+}

@@ -1,0 +1,98 @@
+/// @file
+/// Answers as a sensor on an S.BUS2 line, and decodes the line.
+#pragma once
+
+#include "DecodeSBus2.h"
+#include "port/HandOver.h"
+#include "port/SlotTimer.h"
+#include "sbus/Answers.h"
+
+/// Decodes an S.BUS2 line as DecodeSBus2 does, and answers as a sensor on the same port:
+///
+///     SBus2Sensor dSBus(Serial1);
+///     void setup() { dSBus.begin(); }
+///     void loop() {
+///       dSBus.parseSBusFrame();
+///       sbus::VoltageSbs01V voltage = {56, 125};  // 5.6 V and 12.5 V
+///       dSBus.writeSensor(6, voltage);
+///     }
+///
+/// TX goes to the line through a diode, anode at TX (extras/docs/telemetry.md). An answer follows only an accepted frame
+/// that announces its group, starts within 100 us of its time or is skipped, and never stands in slot 0. Nothing else may
+/// write to the port.
+///
+/// A port that does not tell when a frame ended gets no answers, and skipped() counts: any Stream that is no hardware
+/// serial port, and the ports of some cores (extras/docs/telemetry.md).
+class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
+  using Decoder = DecodeSBus2Of<sbus::Answers>;
+
+ public:
+  /// See DecodeSBusOf().
+  template <typename Port>
+  explicit SBus2Sensor(Port &port)
+      : Decoder(port), _stream(port), _start(start<Port>), _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+
+  /// See DecodeSBusOf(), with pins.
+  template <typename Port>
+  SBus2Sensor(Port &port, int8_t rx, int8_t tx)
+      : Decoder(port, rx, tx),
+        _stream(port),
+        _start(start<Port>),
+        _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+
+  /// Opens the port, as DecodeSBusOf::begin() does.
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
+
+  /// Starts on a port that the sketch has opened, as DecodeSBusOf::listen() does.
+  void listen(unsigned long baud = sbus::Baud);
+
+  /// Answers no more, and closes the port, as DecodeSBusOf::end() does.
+  void end();
+
+  /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
+  ///
+  /// On a Grasshopper the port and a timer do all that by interrupts, and this does nothing: call it, or do not. On all
+  /// other boards call it at least every 75 us: a poll that comes later does not know when the frame ended, and skips its
+  /// answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
+  void parseSBusFrame();
+
+  /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor(). All
+  /// slots of an answer are of one call. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not
+  /// lie within one group of eight. It may be called at any rate.
+  template <typename Sensor>
+  bool writeSensor(uint8_t slot, const Sensor &sensor) {
+    sbus::SlotData data[Sensor::Slots];
+    sensor.encode(data);
+    return _finder.events().write(slot, Sensor::Slots, data);
+  }
+
+  /// Stops answering in `count` slots from slot `slot` on. The radio then shows that the sensor is gone.
+  void stopSensor(uint8_t slot, uint8_t count) { _finder.events().stop(slot, count); }
+
+  /// Returns how many slots were sent since begin().
+  uint32_t sentSlots() const { return _finder.events().sent(); }
+
+  /// Returns how many slots were skipped since begin(), because their time was not known or had passed.
+  uint32_t skippedSlots() const { return _finder.events().skipped(); }
+
+  /// Returns how often something else than the answers came back since begin(): another sensor has the same slot, or a
+  /// disturbance. If RX does not hear TX, it stays 0.
+  uint32_t collisions() const { return _finder.events().collisions(); }
+
+ private:
+  template <typename Port>
+  static bool start(Stream &stream, SBus2Sensor *sensor) {
+    return sbus::SlotTimer::start(static_cast<Port &>(stream), received, due, sensor);
+  }
+
+  static void received(void *sensor);
+  static void due(void *sensor);
+  void receive();
+  void answer(uint32_t now);
+  void armTimer();
+
+  Stream &_stream;
+  bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
+  bool _isPrompt = false;  // the port calls received(), and a timer calls due()
+  const sbus::HandOver _handOver;
+};

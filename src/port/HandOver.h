@@ -1,0 +1,88 @@
+/// @file
+/// How long after the end of a character a port hands it over: a sensor of S.BUS2 must know when a frame ended.
+#pragma once
+
+#include <Arduino.h>
+#include <stdint.h>
+
+#include "Buffer.h"
+#include "PortKind.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// When a port counts a character among those that wait.
+enum class HandOver : uint8_t {
+  Unknown,        // at some time: a sensor does not answer there
+  EachCharacter,  // by an interrupt for each, in its first stop bit
+  Dma16,          // with the sixteenth since the last time, or when the line was idle for a character
+};
+
+// The time from the end of a character's last stop bit until it waits, us.
+struct Lag {
+  int16_t least, most;
+};
+
+// `found`: how many characters were handed over with it.
+inline Lag lagOf(HandOver handOver, unsigned found) {
+  constexpr int16_t Early = -15;  // the middle of the first of two stop bits
+  constexpr int16_t Late = 10;    // an interrupt comes late by so much while others run
+  constexpr unsigned Half = 16;   // characters, of the STM32L0's ring
+  const int16_t idle = handOver == HandOver::Dma16 && found % Half != 0 ? CharacterTime : 0;
+  return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(idle + Late)};
+}
+
+// When a frame ended, us: within these bounds.
+struct End {
+  uint32_t earliest, latest;
+};
+
+// For a poll at `by` that found the frame's end among `found` characters, where one at `before` did not.
+inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+  if (handOver == HandOver::Unknown) {
+    return {by - UINT16_MAX, by};
+  }
+  const Lag lag = lagOf(handOver, found);
+  return {before - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least)};
+}
+
+// For a port that calls back at once, at `before` and at `by`, where `found` characters lay between both. A callback may be
+// held up by other interrupts; so both must agree on the end, and it is no later than the earlier of the two says.
+inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+  constexpr int32_t MostHeldUp = 40;  // us
+  const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);
+  const uint32_t same = before + found * CharacterTime;
+  const int32_t heldUp = static_cast<int32_t>(end - same);
+  if (handOver == HandOver::Unknown || heldUp > MostHeldUp || heldUp < -MostHeldUp) {
+    return {by - UINT16_MAX, by};
+  }
+  const uint32_t latest = heldUp > 0 ? same : end;
+  return {latest - MostHeldUp, latest};
+}
+
+#if defined(SERIAL_SBUS)  // stm32l0_uart.c:53, 280, 653
+template <typename Port>
+auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->onReceive(nullptr), HandOver()) {
+  return HandOver::Dma16;
+}
+#elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR (HardwareSerial_private.h:101), STM32 (uart.c, HAL_UART_Receive_IT of 1)
+template <typename Port>
+HandOver handOverOf(Port *, HardwareSerial *, Choice<1>) {
+  return HandOver::EachCharacter;
+}
+#else
+// arduino-pico, whose available() looks into the FIFO.
+template <typename Port>
+auto handOverOf(Port *port, HardwareSerial *, Choice<1>) -> decltype(port->setInvertRX(true), HandOver()) {
+  return HandOver::EachCharacter;
+}
+#endif
+template <typename Port>
+HandOver handOverOf(Port *, Stream *, Choice<0>) {
+  return HandOver::Unknown;
+}
+
+/// @endcond
+
+}  // namespace sbus

@@ -1,0 +1,39 @@
+/// @file
+/// What a core has to send a slot on time while loop() is busy: one file for each, and nothing on the others.
+#pragma once
+
+#include <Arduino.h>
+#include <stdint.h>
+
+#include "Format.h"  // brings the STM32L0's registers
+
+#if defined(SERIAL_SBUS) && defined(TIM7)
+#include "SlotTimerStm32L0.h"
+#else
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// Nothing: a sensor is polled from loop().
+class SlotTimer {
+ public:
+  // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns false
+  // if it cannot; then neither is ever called.
+  template <typename Port>
+  static bool start(Port &, void (*)(void *), void (*)(void *), void *) {
+    return false;
+  }
+  // Calls nothing any more.
+  static void stop(void *) {}
+  // Calls due() in `us` from now, or a little later.
+  static void at(uint32_t) {}
+  // Sends at once.
+  static void send(const uint8_t *, size_t) {}
+};
+
+/// @endcond
+
+}  // namespace sbus
+
+#endif

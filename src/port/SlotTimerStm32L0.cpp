@@ -1,0 +1,80 @@
+#include "SlotTimer.h"
+
+#if defined(SERIAL_SBUS) && defined(TIM7)
+
+#include <stm32l0_timer.h>
+#include <string.h>
+
+namespace sbus {
+
+namespace {
+
+constexpr unsigned Priority = 1;  // as the UARTs' interrupts: neither interrupts the other
+constexpr uint32_t LongestUs = 60000;  // the timer has 16 bits
+constexpr size_t Longest = 3;          // characters of a slot
+
+stm32l0_timer_t timer;
+Uart *listener = nullptr;  // null: free
+void *sensor;
+void (*receivedCallback)(void *);
+void (*dueCallback)(void *);
+uint8_t sent[Longest];
+
+// Uart::onReceive() has no context.
+void received() {
+  receivedCallback(sensor);
+}
+
+void elapsed(void *, uint32_t) {
+  dueCallback(sensor);
+}
+
+}  // namespace
+
+// The prescaler counts from the first elapsed period on (stm32l0_timer.c:294 sets no UG): that one is too short, and due()
+// comes too early.
+bool SlotTimer::start(Uart &port, void (*onReceived)(void *), void (*onDue)(void *), void *context) {
+  if (listener != nullptr) {
+    return sensor == context;
+  }
+  if (!stm32l0_timer_create(&timer, STM32L0_TIMER_INSTANCE_TIM7, Priority, 0)) {
+    return false;
+  }
+  if (!stm32l0_timer_enable(&timer, stm32l0_timer_clock(&timer) / 1000000 - 1, 0, elapsed, nullptr,
+                            STM32L0_TIMER_EVENT_PERIOD)) {
+    stm32l0_timer_destroy(&timer);
+    return false;
+  }
+  listener = &port;
+  sensor = context;
+  receivedCallback = onReceived;
+  dueCallback = onDue;
+  port.onReceive(received);
+  return true;
+}
+
+void SlotTimer::stop(void *context) {
+  if (listener == nullptr || sensor != context) {
+    return;
+  }
+  listener->onReceive(Callback());
+  stm32l0_timer_stop(&timer);
+  stm32l0_timer_disable(&timer);
+  stm32l0_timer_destroy(&timer);
+  listener = nullptr;
+}
+
+void SlotTimer::at(uint32_t us) {
+  stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true);
+}
+
+void SlotTimer::send(const uint8_t *characters, size_t size) {
+  if (listener->done()) {
+    memcpy(sent, characters, size < Longest ? size : Longest);
+    listener->write(sent, size, Callback());
+  }
+}
+
+}  // namespace sbus
+
+#endif

@@ -1,0 +1,162 @@
+#include "Answers.h"
+
+#include <string.h>
+
+namespace sbus {
+
+namespace {
+
+// The compiler must not move what is read or written across it: an interrupt may come there.
+inline void barrier() {
+  __asm__ volatile("" ::: "memory");
+}
+
+constexpr uint32_t bits(uint8_t first, uint8_t count) {
+  return (count < SlotCount ? (uint32_t{1} << count) - 1 : ~uint32_t{0}) << first;
+}
+
+uint8_t countOf(uint8_t slots) {
+  uint8_t count = 0;
+  for (; slots != 0; slots = static_cast<uint8_t>(slots & (slots - 1))) {
+    count++;
+  }
+  return count;
+}
+
+}  // namespace
+
+void Answers::begin() {
+  Telemetry::begin();
+  _isFrameEnd = false;
+  _left = 0;
+  _out = 0;
+  _wanted = 0;
+  _hasEcho = false;
+  _sent = 0;
+  _skipped = 0;
+  _collisions = 0;
+}
+
+// A plan that is made meanwhile would hold half of the data: plan() then skips this round, 60 ms.
+bool Answers::write(uint8_t first, uint8_t count, const SlotData *data) {
+  if (first == 0 || count == 0 || first % SlotsOfGroup + count > SlotsOfGroup || first >= SlotCount) {
+    return false;
+  }
+  _isWriting = true;
+  barrier();
+  memcpy(_own + first, data, count * sizeof *data);
+  _slots |= bits(first, count);
+  barrier();
+  _isWriting = false;
+  return true;
+}
+
+void Answers::stop(uint8_t first, uint8_t count) {
+  _isWriting = true;
+  barrier();
+  _slots &= first < SlotCount ? ~bits(first, count) : ~uint32_t{0};
+  barrier();
+  _isWriting = false;
+}
+
+// What is still planned from the frame before is late by far; what was never planned is skipped as well.
+void Answers::taken(const uint8_t *frame) {
+  skip();
+  _skipped += countOf(_wanted);
+  const uint32_t rejected = rejectedGroups();
+  Telemetry::taken(frame);
+  if (_out != 0) {
+    compareEcho(rejectedGroups() != rejected);
+    _out = 0;
+  }
+  _isFrameEnd = true;
+  _endByte = frame[EndIndex];
+  _group = firstSlotOf(_endByte);
+  _wanted = endsVariant(_endByte, SlotsVariant) ? static_cast<uint8_t>(_slots >> _group) : uint8_t{0};
+}
+
+// Of a board whose RX has once heard its TX, an answer that does not come back was destroyed.
+void Answers::compareEcho(bool isWrong) {
+  uint8_t back = 0;
+  for (uint8_t i = 0; i < SlotsOfGroup; i++) {
+    SlotData data;
+    const uint8_t bit = static_cast<uint8_t>(1 << i);
+    if ((_out & bit) != 0 && forget(static_cast<uint8_t>(_group + i), data)) {
+      back = static_cast<uint8_t>(back | bit);
+      isWrong = isWrong || data.data0 != _planned[i].data0 || data.data1 != _planned[i].data1;
+    }
+  }
+  _hasEcho = _hasEcho || back != 0;
+  _collisions += isWrong || (_hasEcho && back != _out);
+}
+
+void Answers::extra() {
+  _isFrameEnd = false;
+  Telemetry::extra();
+}
+
+void Answers::lost() {
+  _isFrameEnd = false;
+  Telemetry::lost();
+}
+
+void Answers::discarded(const uint8_t *bytes, int count) {
+  _isFrameEnd = _isFrameEnd && count == 0;
+  Telemetry::discarded(bytes, count);
+}
+
+bool Answers::takeFrameEnd() {
+  const bool isEnd = _isFrameEnd;
+  _isFrameEnd = false;
+  return isEnd;
+}
+
+void Answers::plan(uint32_t earliest, uint32_t latest) {
+  const uint8_t planned = _wanted;
+  _wanted = 0;
+  const uint32_t apart = latest - earliest;
+  if (apart > MostOff || _isWriting) {
+    _skipped += countOf(planned);
+    return;
+  }
+  memcpy(_planned, _own + _group, sizeof _planned);
+  _slack = static_cast<uint8_t>(MostOff - apart / 2);
+  _due = earliest + apart / 2 + FirstSlotTime;
+  _at = 0;
+  goTo(planned);
+  barrier();
+  _left = planned;  // last: now start() may come
+}
+
+// Moves on to the first of the slots `left` that is not before the present one.
+void Answers::goTo(uint8_t left) {
+  for (; left != 0 && (left >> _at & 1) == 0; _at++) {
+    _due += SlotPitch;
+  }
+}
+
+bool Answers::start(uint32_t now, uint8_t *characters) {
+  if (_left == 0) {
+    return false;
+  }
+  if (static_cast<int32_t>(now - _due) > _slack) {
+    skip();
+    return false;
+  }
+  const uint8_t bit = static_cast<uint8_t>(1 << _at);
+  characters[0] = slotId(static_cast<uint8_t>(_group + _at));
+  characters[1] = _planned[_at].data0;
+  characters[2] = _planned[_at].data1;
+  _out = static_cast<uint8_t>(_out | bit);
+  _left = static_cast<uint8_t>(_left & ~bit);
+  _sent++;
+  goTo(_left);
+  return true;
+}
+
+void Answers::skip() {
+  _skipped += countOf(_left);
+  _left = 0;
+}
+
+}  // namespace sbus

@@ -1,0 +1,101 @@
+/// @file
+/// What a board answers on an S.BUS2 line, and when each slot is due. It knows no clock: times come in.
+#pragma once
+
+#include <stdint.h>
+
+#include "Slots.h"
+#include "Telemetry.h"
+
+namespace sbus {
+
+/// When slots stand, from the end of the frame's last stop bit: measured on a Futaba R7008SB (PX4-Autopilot,
+/// test_data/sbus2_r7008SB.txt) and on a line with eight occupied slots (github.com/mstrens/oXs_on_RP2040).
+constexpr uint16_t FirstSlotTime = 2030;  ///< us, of the first slot of a group
+constexpr uint16_t SlotPitch = 660;       ///< us, from the start of a slot to the next
+
+/// Keeps the data of the slots that a board fills, and plans the answers to each frame that announces their group. The
+/// board hears its own characters: they are no telemetry of a sensor.
+///
+/// No answer starts more than 100 us off: where the end of a frame is known less well, or a slot's time has passed, the
+/// rest of the group is skipped. Nothing is ever sent in slot 0, which is the receiver's.
+///
+/// A context that reads the port calls the events and planned(), and one that sends calls start(); both may interrupt
+/// write().
+class Answers : public Telemetry {
+ public:
+  static constexpr uint8_t MostOff = 100;  ///< us: the most that a slot may start too early or too late
+
+  /// Sets the data of `count` slots from slot `first` on, all of one moment: no answer holds some of these and some of
+  /// the data before. Returns false, and changes nothing, if slot 0 is among them or they do not lie within one group.
+  bool write(uint8_t first, uint8_t count, const SlotData *data);
+
+  /// Stops answering in `count` slots from slot `first` on.
+  void stop(uint8_t first, uint8_t count);
+
+  /// Returns true, once, if the newest byte is the last one of an accepted frame.
+  bool takeFrameEnd();
+
+  /// Plans the answers to the accepted frame, whose end lies within `earliest` and `latest`, us. If both are more than 100
+  /// us apart, the answers are skipped.
+  void plan(uint32_t earliest, uint32_t latest);
+
+  /// Returns true while an answer is planned.
+  bool isPlanned() const { return _left != 0; }
+
+  /// Returns when the next planned answer is due, us.
+  uint32_t due() const { return _due; }
+
+  /// Takes the next planned answer, which starts at `now`, us. Returns false if that would be too late: then the rest of
+  /// the group is skipped. Otherwise writes three characters to `characters`; send them at once.
+  bool start(uint32_t now, uint8_t *characters);
+
+  /// Skips what is planned.
+  void skip();
+
+  uint32_t sent() const { return _sent; }              ///< Returns how many slots were sent since begin().
+  uint32_t skipped() const { return _skipped; }        ///< Returns how many slots were skipped since begin().
+  uint32_t collisions() const { return _collisions; }  ///< Returns how often something else came back than was sent.
+
+  // The events of a FrameFinder.
+  void begin();                                     ///< see NoEvents
+  void taken(const uint8_t *frame);                 ///< see NoEvents
+  void extra();                                     ///< see NoEvents
+  void lost();                                      ///< see NoEvents
+  void discarded(const uint8_t *bytes, int count);  ///< see NoEvents
+  static constexpr bool wantsTimes() { return true; }  ///< see NoEvents
+  /// See NoEvents.
+  void asked(int found, uint32_t by) {
+    _found = static_cast<uint16_t>(found > 0 ? found : 0);
+    _by = by;
+  }
+
+  uint16_t found() const { return _found; }  ///< Returns how many bytes the newest poll has found.
+  uint32_t by() const { return _by; }        ///< Returns a time, us, shortly after it asked for them.
+
+ private:
+  void compareEcho(bool isWrong);
+  void goTo(uint8_t left);
+
+  uint32_t _slots = 0;         // bit k: the board fills slot k
+  SlotData _own[SlotCount];    // of these
+  volatile bool _isWriting = false;
+  bool _isFrameEnd = false;    // the newest byte is the last one of an accepted frame
+  uint8_t _endByte = 0;        // of that frame
+  uint8_t _group = 0;          // first slot of the announced group
+  uint8_t _wanted = 0;         // bit k: slot _group + k is announced, and not yet planned or skipped
+  uint8_t _left = 0;           // bit k: slot _group + k is planned
+  uint8_t _out = 0;            // bit k: it was sent after the newest frame
+  uint8_t _slack = 0;          // us: how late a slot may start
+  uint8_t _at = 0;             // the next planned slot, from _group
+  SlotData _planned[SlotsOfGroup];  // of the moment of the plan
+  uint16_t _found = 0;
+  uint32_t _by = 0;
+  bool _hasEcho = false;  // RX has heard TX
+  uint32_t _due = 0;
+  uint32_t _sent = 0;
+  uint32_t _skipped = 0;
+  uint32_t _collisions = 0;
+};
+
+}  // namespace sbus

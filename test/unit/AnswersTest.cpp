@@ -1,0 +1,216 @@
+// The answers of a sensor: which slot, when, and what is skipped.
+#include "sbus/Answers.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
+
+namespace {
+
+using sbus::Answers;
+using sbus::SlotData;
+
+// Data of slot k: k and `round`.
+std::vector<SlotData> dataFrom(uint8_t first, uint8_t count, uint8_t round = 0) {
+  std::vector<SlotData> data;
+  for (uint8_t i = 0; i < count; i++) {
+    data.push_back({static_cast<uint8_t>(first + i), round});
+  }
+  return data;
+}
+
+void write(Answers &answers, uint8_t first, uint8_t count, uint8_t round = 0) {
+  CHECK(answers.write(first, count, dataFrom(first, count, round).data()));
+}
+
+void take(Answers &answers, uint8_t end) {
+  answers.taken(plainFrame(0, end).data());
+}
+
+// A frame with this end byte ended within these times.
+void frame(Answers &answers, uint8_t end, uint32_t earliest, uint32_t latest) {
+  take(answers, end);
+  CHECK(answers.takeFrameEnd());
+  answers.plan(earliest, latest);
+}
+
+// "slot@start: data" of each answer, each `lateUs` after it is due.
+std::string sent(Answers &answers, uint32_t lateUs = 0) {
+  std::string text;
+  while (answers.isPlanned()) {
+    const uint32_t due = answers.due();
+    uint8_t characters[sbus::SlotSize];
+    if (answers.start(due + lateUs, characters)) {
+      CHECK(sbus::isSlotId(characters[0]));
+      text += std::to_string(sbus::slotOfId(characters[0])) + "@" + std::to_string(due) + ":" +
+              std::to_string(characters[1]) + "," + std::to_string(characters[2]) + " ";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("an answer stands in its slot, counted from the middle of the time within which the frame ended") {
+  const struct {
+    uint8_t end;
+    uint32_t earliest, latest;
+    const char *sent;
+  } rows[] = {
+      {0x04, 10000, 10000, "1@12690:1,0 7@16650:7,0 "},
+      {0x04, 10000, 10100, "1@12740:1,0 7@16700:7,0 "},
+      {0x14, 10000, 10020, "8@12040:8,0 9@12700:9,0 "},
+      {0x24, 10000, 10020, ""},
+      {0x34, 0xFFFFFFF0, 0x10, "24@2030:24,0 31@6650:31,0 "},  // the clock wraps
+      {0x00, 10000, 10000, ""},
+      {0x08, 10000, 10000, ""},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(int{row.end});
+    Answers answers;
+    answers.begin();
+    for (const uint8_t slot : Bytes{1, 7, 24, 31}) {
+      write(answers, slot, 1);
+    }
+    write(answers, 8, 2);
+    frame(answers, row.end, row.earliest, row.latest);
+    CHECK(sent(answers) == row.sent);
+    CHECK(answers.skipped() == 0);
+  }
+}
+
+TEST_CASE("slot 0 is never written, nor a sensor across the border of a group") {
+  const struct {
+    uint8_t first, count;
+    bool isTaken;
+  } rows[] = {{0, 1, false}, {0, 8, false}, {1, 7, true},  {1, 8, false}, {8, 8, true},  {9, 8, false},
+              {7, 2, false}, {31, 1, true}, {32, 1, false}, {24, 8, true}, {5, 0, false}, {255, 1, false}};
+  for (const auto &row : rows) {
+    CAPTURE(int{row.first});
+    CAPTURE(int{row.count});
+    Answers answers;
+    answers.begin();
+    CHECK(answers.write(row.first, row.count, dataFrom(row.first, row.count).data()) == row.isTaken);
+    for (const uint8_t end : Bytes{0x04, 0x14, 0x24, 0x34}) {
+      frame(answers, end, 0, 0);
+      CHECK(answers.isPlanned() == (row.isTaken && end >> 4 == row.first / 8));
+    }
+  }
+}
+
+TEST_CASE("where the frame's end is known to more than 100 us only, all of the group is skipped and counted") {
+  for (const uint32_t apart : {100u, 101u, 3000u, 65535u, 0x80000000u}) {
+    CAPTURE(apart);
+    Answers answers;
+    answers.begin();
+    write(answers, 2, 3);
+    frame(answers, 0x04, 1000, 1000 + apart);
+    CHECK(answers.isPlanned() == (apart == 100));
+    CHECK(answers.skipped() == (apart == 100 ? 0 : 3));
+  }
+}
+
+TEST_CASE("a start that could be more than 100 us late is skipped, and the rest of the group with it") {
+  const struct {
+    uint32_t apart, lateUs;
+    unsigned sent, skipped;
+  } rows[] = {{0, 100, 3, 0}, {0, 101, 0, 3}, {40, 80, 3, 0}, {40, 81, 0, 3}, {100, 50, 3, 0}, {100, 51, 0, 3}};
+  for (const auto &row : rows) {
+    CAPTURE(row.apart);
+    CAPTURE(row.lateUs);
+    Answers answers;
+    answers.begin();
+    write(answers, 2, 3);
+    frame(answers, 0x04, 1000, 1000 + row.apart);
+    sent(answers, row.lateUs);
+    CHECK(answers.sent() == row.sent);
+    CHECK(answers.skipped() == row.skipped);
+  }
+}
+
+TEST_CASE("what was not sent before the next frame is skipped: nothing is sent twice, or in the next frame") {
+  Answers answers;
+  answers.begin();
+  write(answers, 2, 3);
+  frame(answers, 0x04, 1000, 1000);
+  uint8_t characters[sbus::SlotSize];
+  CHECK(answers.start(answers.due(), characters));
+  take(answers, 0x14);
+  CHECK(!answers.isPlanned());
+  CHECK(!answers.start(answers.due(), characters));
+  CHECK(answers.sent() == 1);
+  CHECK(answers.skipped() == 2);
+}
+
+TEST_CASE("an answer holds the data of one moment, that of the frame's end, also if new data come meanwhile") {
+  Answers answers;
+  answers.begin();
+  write(answers, 8, 3, 1);
+  frame(answers, 0x14, 0, 0);
+  write(answers, 8, 3, 2);
+  CHECK(sent(answers) == "8@2030:8,1 9@2690:9,1 10@3350:10,1 ");
+  frame(answers, 0x14, 0, 0);
+  CHECK(sent(answers) == "8@2030:8,2 9@2690:9,2 10@3350:10,2 ");
+  answers.stop(9, 2);
+  frame(answers, 0x14, 0, 0);
+  CHECK(sent(answers) == "8@2030:8,2 ");
+}
+
+TEST_CASE("only a frame's last byte tells its end: not one that other bytes follow") {
+  const uint8_t bytes[] = {0x03, 0xC0, 0x2E};
+  Answers answers;
+  answers.begin();
+  CHECK(!answers.takeFrameEnd());
+  take(answers, 0x04);
+  CHECK(answers.takeFrameEnd());
+  CHECK(!answers.takeFrameEnd());
+  take(answers, 0x04);
+  answers.discarded(bytes, 3);
+  CHECK(!answers.takeFrameEnd());
+  take(answers, 0x04);
+  answers.extra();
+  CHECK(!answers.takeFrameEnd());
+  take(answers, 0x04);
+  answers.lost();
+  CHECK(!answers.takeFrameEnd());
+}
+
+TEST_CASE("its own characters are no sensor's; others in their place are a collision, and are none either") {
+  const uint8_t own[] = {sbus::slotId(2), 2, 0};
+  const uint8_t torn[] = {sbus::slotId(2), 2};
+  const uint8_t others[] = {sbus::slotId(2), 2, 1};
+  const uint8_t both[] = {sbus::slotId(1), 7, 7, sbus::slotId(2), 2, 0};
+  const struct {
+    const char *what;
+    std::vector<uint8_t> back;
+    unsigned collisions;
+    bool hasSlot1;
+  } rows[] = {
+      {"its own", {own, own + 3}, 0, false},
+      {"nothing: RX does not hear TX", {}, 0, false},
+      {"other data", {others, others + 3}, 1, false},
+      {"less", {torn, torn + 2}, 1, false},
+      {"a sensor's and its own", {both, both + 6}, 0, true},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    Answers answers;
+    answers.begin();
+    write(answers, 2, 1);
+    frame(answers, 0x04, 0, 0);
+    sent(answers);
+    if (!row.back.empty()) {
+      answers.discarded(row.back.data(), static_cast<int>(row.back.size()));
+    }
+    take(answers, 0x14);
+    CHECK(answers.collisions() == row.collisions);
+    SlotData data;
+    CHECK(!answers.read(2, 1, &data));
+    CHECK(answers.read(1, 1, &data) == row.hasSlot1);
+  }
+}

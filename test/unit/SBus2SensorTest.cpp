@@ -1,0 +1,165 @@
+// SBus2Sensor on a simulated S.BUS2 wire: its answers stand in their slots as long as loop() is quick, and otherwise are
+// skipped; frames and other sensors are read meanwhile.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+
+#include "line/simulation/SimulatedBus.h"
+#include "support/FakeClock.h"
+#include "support/UartPort.h"
+
+// After Arduino.h.
+#include <SBus2Sensor.h>
+
+namespace {
+
+// The board's port, with TX at the wire through a diode.
+class BusPort : public BoardsPort {
+ public:
+  explicit BusPort(line::SimulatedBus &bus) : _bus(bus) { _bus.share(line::LineSettings()); }
+
+  using UartPort::begin;
+  size_t write(uint8_t value) override {
+    line::Character character;
+    _freeUs = std::max(_freeUs, fakeMicros) + line::CharacterUs;
+    character.endUs = _freeUs;
+    character.value = value;
+    _bus.hear(character);
+    return 1;
+  }
+  using Print::write;
+
+ private:
+  line::SimulatedBus &_bus;
+  uint64_t _freeUs = 0;
+};
+
+struct Sketch {
+  line::SimulatedBus bus;
+  BusPort port{bus};
+  SBus2Sensor sensor{port};
+  uint64_t loops = 0;
+
+  explicit Sketch(line::BusMode mode = line::BusMode::Slots) : bus(line::Flight, mode) {
+    fakeMicros = 0;
+    sensor.begin();
+  }
+
+  // loop() takes loopUs(number of its call).
+  template <typename LoopUs>
+  void run(uint64_t untilUs, LoopUs loopUs) {
+    while (fakeMicros < untilUs) {
+      fakeMicros += loopUs(loops++);
+      line::Character character;
+      while (bus.next(fakeMicros + line::CharacterUs, character)) {
+        port.receive(character);
+      }
+      port.advance(fakeMicros);
+      sensor.parseSBusFrame();
+    }
+  }
+  void run(uint64_t untilUs, uint32_t loopUs) {
+    run(untilUs, [=](uint64_t) { return loopUs; });
+  }
+
+  const line::BusJudge::Counts &counts() const { return bus.judge().counts(); }
+};
+
+constexpr uint64_t Second = 1000000;
+constexpr uint64_t Rounds = 100 * Second / 60000;  // of 60 ms each, within the seconds that the tests take
+
+constexpr sbus::VoltageSbs01V Voltage = {56, 125};
+constexpr sbus::CurrentF1678 Current = {2345, 1234, 1500};
+
+}  // namespace
+
+TEST_CASE("a loop() of up to 75 us: nearly every slot is answered, within 50 us of its time, and no frame is lost") {
+  for (const uint32_t loopUs : {10u, 37u, 50u, 75u}) {
+    CAPTURE(loopUs);
+    Sketch sketch;
+    sketch.bus.add({3, {1, 2}});
+    CHECK(sketch.sensor.writeSensor(6, Voltage));
+    CHECK(sketch.sensor.writeSensor(24, Current));
+    sketch.run(100 * Second, loopUs);
+    MESSAGE(loopUs, " us: ", sketch.bus.judge().text());
+    CHECK(sketch.counts().right >= (Rounds - 2) * 5);
+    CHECK(sketch.counts().right == sketch.sensor.sentSlots());
+    CHECK(sketch.counts().wrong() == 0);
+    CHECK(sketch.sensor.collisions() == 0);
+    CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 1);
+    sbus::ReceiverVoltage voltage;
+    CHECK(sketch.sensor.readSensor(0, voltage));
+    sbus::TemperatureF1713 other;
+    CHECK(sketch.sensor.readSensor(3, other));
+    sbus::VoltageSbs01V own;
+    CHECK(!sketch.sensor.readSensor(6, own));
+    CHECK(sketch.sensor.rejectedGroups() == 0);
+  }
+}
+
+TEST_CASE("a slower loop() skips and counts; what it sends is never more than 100 us off") {
+  for (const uint32_t loopUs : {76u, 100u, 150u, 500u, 1000u, 3000u, 7000u}) {
+    CAPTURE(loopUs);
+    Sketch sketch;
+    CHECK(sketch.sensor.writeSensor(1, Voltage));
+    CHECK(sketch.sensor.writeSensor(16, Current));
+    sketch.run(100 * Second, loopUs);
+    MESSAGE(loopUs, " us: ", sketch.bus.judge().text(), "; skipped ", sketch.sensor.skippedSlots());
+    CHECK(sketch.counts().wrong() == 0);
+    CHECK(sketch.sensor.sentSlots() == sketch.counts().right);
+    CHECK(sketch.sensor.sentSlots() + sketch.sensor.skippedSlots() >= (Rounds - 3) * 5);
+    CHECK(sketch.sensor.skippedSlots() > 0);
+  }
+}
+
+TEST_CASE("a loop() that is blocked now and then skips only the slots that it has missed") {
+  Sketch sketch;
+  CHECK(sketch.sensor.writeSensor(1, Voltage));
+  sketch.run(100 * Second, [](uint64_t number) { return number % 997 == 0 ? 3000u : 40u; });
+  MESSAGE(sketch.bus.judge().text(), "; skipped ", sketch.sensor.skippedSlots());
+  CHECK(sketch.counts().wrong() == 0);
+  CHECK(sketch.counts().right >= Rounds);
+  CHECK(sketch.sensor.skippedSlots() > 0);
+}
+
+TEST_CASE("no answer to a receiver that announces no slots") {
+  for (const auto mode : {line::BusMode::NoTelemetry, line::BusMode::OnlySlot0}) {
+    Sketch sketch(mode);
+    CHECK(sketch.sensor.writeSensor(1, Voltage));
+    sketch.run(10 * Second, 50u);
+    CHECK(sketch.sensor.counters().frames > 600);
+    CHECK(sketch.counts().right + sketch.counts().wrong() == 0);
+    CHECK(sketch.sensor.skippedSlots() == 0);
+  }
+}
+
+TEST_CASE("two sensors in one slot: both see it") {
+  Sketch sketch;
+  sketch.bus.add({1, {1, 2}});
+  CHECK(sketch.sensor.writeSensor(1, Voltage));
+  sketch.run(10 * Second, 50u);
+  CHECK(sketch.counts().collided >= 150);
+  CHECK(sketch.counts().right >= 150);  // slot 2
+  CHECK(sketch.sensor.collisions() >= 150);
+}
+
+TEST_CASE("a port that does not tell when a frame ended gets no answer") {
+  line::SimulatedBus bus;
+  UartPort port;
+  SBus2Sensor sensor(port);
+  fakeMicros = 0;
+  sensor.begin();
+  CHECK(sensor.writeSensor(1, Voltage));
+  while (fakeMicros < Second) {
+    fakeMicros += 20;
+    line::Character character;
+    while (bus.next(fakeMicros + line::CharacterUs, character)) {
+      port.receive(character);
+    }
+    port.advance(fakeMicros);
+    sensor.parseSBusFrame();
+  }
+  CHECK(sensor.counters().frames > 60);
+  CHECK(sensor.sentSlots() == 0);
+  CHECK(sensor.skippedSlots() >= 30);
+}
