@@ -42,7 +42,7 @@ inline Attack inSync(const Frame &frame) {
   return attack;
 }
 
-// What the last call costs.
+// Returns the cost of the last call.
 template <typename Receiver>
 Cost costOf(const Attack &attack) {
   fakeMicros = 0;

@@ -32,7 +32,7 @@ struct Tally {
 // follows.
 class Judge {
  public:
-  // Of frames of `size` bytes; others are damaged. Of the flags only those of `flagsMask` are given to the sketch.
+  // Judges frames of `size` bytes; others are damaged. Only the flags of `flagsMask` are given to the sketch.
   Judge(uint64_t learning, unsigned size, unsigned flagsMask)
       : _learning(learning), _size(size), _flagsMask(flagsMask) {}
 
