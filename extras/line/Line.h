@@ -12,7 +12,7 @@ namespace line {
 constexpr uint32_t CharacterUs = sbus::CharacterTime;  // at 100000 baud; see LineSettings
 
 struct Character {
-  uint64_t endUs = 0;  // when its last bit was through, in microseconds since the program's start
+  uint64_t endUs = 0;  // when its last bit was complete, in microseconds since the program's start
   uint8_t value = 0;
   bool bad = false;          // its parity or a stop bit was wrong
   uint32_t lateUs = 0;       // a port held it back: it ended at most this much earlier

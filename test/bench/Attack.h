@@ -28,7 +28,7 @@ struct Attack {
   }
 };
 
-// As text: a call a line, "+GAP_US HEX HEX ...", the first one so long after begin().
+// Convert an attack to a text and back: a call a line, "+US HEX HEX ...", the time since the call before, or begin().
 std::string textOf(const Attack &attack);
 Attack attackOf(const char *text);
 
@@ -42,7 +42,7 @@ inline Attack inSync(const Frame &frame) {
   return attack;
 }
 
-// What the last call costs.
+// Returns the cost of the last call.
 template <typename Receiver>
 Cost costOf(const Attack &attack) {
   fakeMicros = 0;

@@ -59,7 +59,7 @@ TEST_CASE("the reason names its cause, and its header's place") {
       {"no gap",
        {noise, noise + good + good, good},
        "no header | not at a gap (byte 2) | no header | frame | frame"},
-      {"halves",
+      {"a false sync",
        {Bytes(40, 0x55) + part(failsafe, 8) + failsafe, good},
        "no header | no end byte (byte 15) | may be a false sync (byte 5) | frame | frame"},
       {"neither", {good, noise + failsafe, good}, "frame | no header | frame | frame"},

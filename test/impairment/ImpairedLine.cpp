@@ -235,7 +235,7 @@ void ImpairedLine::sendStray(int stray) {
   _straight = false;
 }
 
-// True for a character of the frame that is being sent.
+// Returns true if this character of the present frame is cut off.
 bool ImpairedLine::isCut(unsigned character) const {
   const Cut &cut = _transmission.cut;
   const uint64_t frame = cut.every != 0 ? _number % cut.every : _number;

@@ -45,5 +45,5 @@ struct JoinTally {
 JoinTally impairment(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
                   uint64_t seed);
 
-// Of lines with this number of frames a case.
+// Returns the stride for lines with this number of frames a case.
 unsigned joinStride(uint64_t frames);

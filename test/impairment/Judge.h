@@ -32,7 +32,7 @@ struct Tally {
 // follows.
 class Judge {
  public:
-  // Of frames of `size` bytes; others are damaged. Of the flags only those of `flagsMask` are given to the sketch.
+  // Judges frames of `size` bytes; others are damaged. Only the flags of `flagsMask` are given to the sketch.
   Judge(uint64_t learning, unsigned size, unsigned flagsMask)
       : _learning(learning), _size(size), _flagsMask(flagsMask) {}
 
@@ -48,17 +48,17 @@ class Judge {
   // Frames that have begun before are not counted as joined.
   void countJoinedFrom(uint64_t number) { _joinedFrom = number; }
 
-  // A gap that a receiver can see has been on the line since it was joined.
+  // Notes that a gap which a receiver can see has been on the line since it was joined.
   void gap() { _gap = true; }
 
-  // A poll begins, and has all characters before `position`.
+  // Takes a poll, which has all characters before `position`.
   void poll(uint64_t position);
 
-  // The sketch has been given `frame` when it had read all characters before `position`. By the age that it was told,
-  // the frame's last character was through after `sinceUs`. Header and end byte are not looked at.
+  // Takes the `frame` that the sketch was given when it had read all characters before `position`. By its age the frame's
+  // last character was complete after `sinceUs`. Header and end byte are not compared.
   void given(const uint8_t *frame, uint64_t position, uint64_t sinceUs = 0);
 
-  // The sum.
+  // Returns the tally.
   Tally finish();
 
  private:

@@ -43,7 +43,7 @@ inline Run stopping() {
   run.line.stopEvery = 20;
   return run;
 }
-// Of this number of frames each.
+// Lines with this number of frames each.
 inline Run lines(uint64_t frames, Run run) {
   run.line.frames = frames;
   return run;

@@ -108,9 +108,9 @@ class Simulation {
     }
   }
 
-  // What the bytes that now wait are sure to have before them: silence from the last call that found some to the last that
-  // found none, less what a driver may hold back. More than two characters of it are a gap, up to a silence that is longer
-  // than any frame period. It lies between characters if some were found since the line was joined.
+  // Returns true if a certain gap stands before the bytes that wait: the silence from the last call that found bytes to the
+  // last empty call, less what a driver may hold back, is longer than two characters, and no longer than any frame period.
+  // It lies between characters if some were found since the line was joined.
   bool isGap() {
     const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
     const auto found = static_cast<uint64_t>(_port.available());
@@ -131,7 +131,7 @@ class Simulation {
     if (_receiver.breaks() != breaks) {
       _judge.broken();
     }
-    // What the full buffer had no place for stood after all that was in it, and has been read now.
+    // Bytes that the full buffer had no place for stood after those in it, which have been read now.
     lose(_port.droppedFull() - _droppedFull);
     _droppedFull = _port.droppedFull();
   }

@@ -53,7 +53,7 @@ struct Decoded {
     }
   }
 
-  // Of a session, unpacked; the samples in pieces.
+  // Decodes a session that is unpacked, with its samples in pieces.
   Decoded(const std::string &metadata, const std::string &samples, size_t piece) {
     line::WireDecoder decoder(
         {}, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
@@ -95,7 +95,7 @@ inline TestWire wireOf(double bitNs = 10000, bool inverted = true) {
   return wire;
 }
 
-// As a logic analyser samples it.
+// Returns the wire as a logic analyser samples it.
 inline std::string sampled(const TestWire &wire, double periodNs) {
   std::string text = printed("; Samplerate: %.6f Hz\nlogic\n", 1e9 / periodNs);
   size_t edge = 0;

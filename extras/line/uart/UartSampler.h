@@ -8,21 +8,19 @@
 
 namespace line {
 
-// Characters go in as they are on the wire, in its format, and become levels. Out come the characters that a port with
-// other settings takes these for. A port of the wrong polarity sees active what is idle, and finds its edges inside
-// characters.
-//
-// Where port and wire agree, the same characters come out as went in.
+// Turns characters of a wire into its levels, and these into the characters that a port with other settings receives. To
+// a port of the wrong polarity the idle wire is active, and it finds its edges inside characters. If port and wire agree,
+// the characters come out unchanged.
 class UartSampler {
  public:
-  // The port was opened at `nowUs` with these settings: what was on the wire before is forgotten.
+  // Opens the port at `nowUs` with these settings, and forgets what was on the wire before.
   void open(uint64_t nowUs, const LineSettings &port, const LineSettings &line);
 
-  // A character has gone over the wire. One that had begun before open() is ignored.
+  // Takes a character of the wire. One that had begun before open() is ignored.
   void put(const Character &character);
 
-  // Takes the next character that the port has seen, with its end as the port sees it; false without one. `nowUs`: every
-  // character that was through by then has been put.
+  // Takes the next character that the port has seen, with its end as the port sees it; returns false without one.
+  // `nowUs`: all characters complete by then have been put.
   bool next(uint64_t nowUs, Character &character);
 
  private:

@@ -12,7 +12,7 @@ namespace mega {
 namespace {
 
 constexpr uint64_t TimeoutUs = 100000;
-constexpr uint64_t BusyUs = 2000;  // a loop() that prints takes so long at most
+constexpr uint64_t BusyUs = 2000;  // the longest loop() that prints
 constexpr uint64_t FrameUs = sbus::FrameSize * line::CharacterUs;
 
 bool isUsable(const SeenFrame &frame) {
