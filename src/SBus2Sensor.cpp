@@ -8,9 +8,9 @@ SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
 namespace {
 
-// From the end of the wait in loop() until the start bit: 320 cycles of an AVR, few us on others.
+// From the end of the wait in loop() until the start bit: 480 cycles of an AVR (simavr), few us on others.
 #if defined(F_CPU)
-constexpr uint32_t PollLead = F_CPU < 64000000 ? 320 / (F_CPU / 1000000) : 5;
+constexpr uint32_t PollLead = F_CPU < 64000000 ? 480 / (F_CPU / 1000000) : 5;
 #else
 constexpr uint32_t PollLead = 5;
 #endif
@@ -22,17 +22,17 @@ constexpr uint32_t TimerLead = 35;
 
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
   Decoder::begin(baud, config);
-  _isPrompt = _start(_stream, this);
+  _isTimed = _start(_stream, this);
 }
 
 void SBus2Sensor::listen(unsigned long baud) {
   Decoder::listen(baud);
-  _isPrompt = _start(_stream, this);
+  _isTimed = _start(_stream, this);
 }
 
 void SBus2Sensor::end() {
   sbus::SlotTimer::stop(this);
-  _isPrompt = false;
+  _isTimed = false;
   _finder.events().skip();
   Decoder::end();
 }
@@ -40,16 +40,20 @@ void SBus2Sensor::end() {
 // A poll shortly before a slot waits for its start: delayMicroseconds() is exact to some us, the next poll is not.
 void SBus2Sensor::parseSBusFrame() {
   constexpr int32_t LongestWait = 100;  // us
-  if (_isPrompt) {
-    return;  // the port calls received() itself
+  if (_isTimed) {
+    return;  // due() does all that
   }
   receive();
+  answerWithin(LongestWait);
+}
+
+void SBus2Sensor::answerWithin(int32_t wait) {
   if (!_finder.events().isPlanned()) {
     return;
   }
   const uint32_t now = micros() + PollLead;
   const int32_t until = static_cast<int32_t>(_finder.events().due() - now);
-  if (until > LongestWait) {
+  if (until > wait) {
     return;
   }
   if (until > 0) {
@@ -66,7 +70,7 @@ void SBus2Sensor::receive() {
   }
   const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
   const sbus::End end =
-      (_isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
+      (_isTimed && sbus::SlotTimer::HasCallback ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
   answers.plan(end.earliest, end.latest);
 }
 
@@ -80,12 +84,46 @@ void SBus2Sensor::received(void *sensor) {
 // In the timer's interrupt. Before its time: the timer was too fast.
 void SBus2Sensor::due(void *sensor) {
   SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
+  if (!sbus::SlotTimer::HasCallback) {
+    self.tick();
+    return;
+  }
   constexpr int32_t Close = 10;  // us
   const uint32_t start = micros() + TimerLead;
   if (static_cast<int32_t>(self._finder.events().due() - start) <= Close) {
     self.answer(start);
   }
   self.armTimer();
+}
+
+// How long it takes until the next slot is due, but for what answerWithin() waits, us.
+int32_t SBus2Sensor::untilDue() const {
+  constexpr uint32_t Sooner = 20;
+  return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);
+}
+
+// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. While a frame's end is
+// expected it does not go back to loop(), or polls would be too far apart.
+void SBus2Sensor::tick() {
+  constexpr int32_t LongestWait = 40;   // us
+  constexpr int32_t ReadingTime = 400;  // us
+  const sbus::Answers &answers = _finder.events();
+  uint32_t poll = 0;
+  answerWithin(LongestWait);
+  if (!answers.isPlanned() || untilDue() > ReadingTime) {
+    do {
+      if (sbus::SlotTimer::isHeld()) {
+        sbus::SlotTimer::at(0);
+        return;
+      }
+      receive();
+      poll = answers.nextPoll(micros());
+    } while (poll == 0);
+  }
+  const int32_t until = untilDue();
+  sbus::SlotTimer::at(!answers.isPlanned() || (poll != 0 && until > static_cast<int32_t>(poll)) ? poll
+                      : until > 0                                                           ? static_cast<uint32_t>(until)
+                                                                                              : 0);
 }
 
 void SBus2Sensor::armTimer() {
@@ -98,7 +136,7 @@ void SBus2Sensor::armTimer() {
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
   if (_finder.events().start(now, characters)) {
-    if (_isPrompt) {
+    if (_isTimed) {
       sbus::SlotTimer::send(characters, sizeof characters);
     } else {
       _port.write(characters, sizeof characters);

@@ -25,6 +25,7 @@
 /// serial port, and the ports of some cores (extras/docs/telemetry.md).
 class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   using Decoder = DecodeSBus2Of<sbus::Answers>;
+  using Hold = sbus::SlotTimer::Hold;
 
  public:
   /// See DecodeSBusOf().
@@ -51,10 +52,56 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
 
   /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
   ///
-  /// On a Grasshopper the port and a timer do all that by interrupts, and this does nothing: call it, or do not. On all
+  /// On a Grasshopper and on an AVR with a timer 2 interrupts do all that, and this does nothing: call it, or do not. On all
   /// other boards call it at least every 75 us: a poll that comes later does not know when the frame ended, and skips its
   /// answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
   void parseSBusFrame();
+
+  // ---- What DecodeSBus2 has; an interrupt must not read the port meanwhile on boards where it does
+
+  /// See DecodeSBusOf.
+  bool SBusFrameOk() {
+    const Hold hold;
+    return Decoder::SBusFrameOk();
+  }
+  /// See DecodeSBusOf.
+  void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
+    const Hold hold;
+    Decoder::decodeSBusFrame(channels, failsafe, lostFrame);
+  }
+  /// See DecodeSBusOf.
+  bool newFrame() {
+    const Hold hold;
+    return Decoder::newFrame();
+  }
+  /// See DecodeSBusOf.
+  sbus::LinkState linkState() {
+    const Hold hold;
+    return Decoder::linkState();
+  }
+  /// See DecodeSBusOf.
+  unsigned long frameAge() {
+    const Hold hold;
+    return Decoder::frameAge();
+  }
+  /// See DecodeSBusOf.
+  sbus::Counters counters() const {
+    const Hold hold;
+    return Decoder::counters();
+  }
+  /// See DecodeSBus2Of.
+  template <typename Sensor>
+  bool readSensor(uint8_t slot, Sensor &sensor) {
+    const Hold hold;
+    return Decoder::readSensor(slot, sensor);
+  }
+  /// See DecodeSBus2Of.
+  uint32_t rejectedGroups() const {
+    const Hold hold;
+    return Decoder::rejectedGroups();
+  }
+
+  // ---- Answering
 
   /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor(). All
   /// slots of an answer are of one call. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not
@@ -90,9 +137,12 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   void receive();
   void answer(uint32_t now);
   void armTimer();
+  void answerWithin(int32_t wait);
+  void tick();
+  int32_t untilDue() const;
 
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
-  bool _isPrompt = false;  // the port calls received(), and a timer calls due()
+  bool _isTimed = false;  // a timer calls due(), and perhaps the port received()
   const sbus::HandOver _handOver;
 };

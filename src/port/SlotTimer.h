@@ -9,6 +9,8 @@
 
 #if defined(SERIAL_SBUS) && defined(TIM7)
 #include "SlotTimerStm32L0.h"
+#elif defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+#include "SlotTimerAvr.h"
 #else
 
 namespace sbus {
@@ -18,6 +20,14 @@ namespace sbus {
 // Nothing: a sensor is polled from loop().
 class SlotTimer {
  public:
+  // The port calls back; otherwise due() polls it.
+  static constexpr bool HasCallback = false;
+
+  // Keeps due() from reading the port, while this exists.
+  struct Hold {
+    Hold() {}
+  };
+
   // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns false
   // if it cannot; then neither is ever called.
   template <typename Port>
@@ -30,6 +40,7 @@ class SlotTimer {
   static void at(uint32_t) {}
   // Sends at once.
   static void send(const uint8_t *, size_t) {}
+  static bool isHeld() { return false; }
 };
 
 /// @endcond

@@ -13,6 +13,12 @@ namespace sbus {
 // There is one: a second sensor is polled from loop().
 class SlotTimer {
  public:
+  static constexpr bool HasCallback = true;
+  struct Hold {
+    Hold() {}
+  };
+  static bool isHeld() { return false; }
+
   static bool start(Uart &port, void (*received)(void *), void (*due)(void *), void *context);
   template <typename Port>
   static bool start(Port &, void (*)(void *), void (*)(void *), void *) {

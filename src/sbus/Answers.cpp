@@ -32,6 +32,7 @@ void Answers::begin() {
   _out = 0;
   _wanted = 0;
   _hasEcho = false;
+  _spread = Unsure;
   _sent = 0;
   _skipped = 0;
   _collisions = 0;
@@ -75,6 +76,16 @@ void Answers::taken(const uint8_t *frame) {
   _wanted = endsVariant(_endByte, SlotsVariant) ? static_cast<uint8_t>(_slots >> _group) : uint8_t{0};
 }
 
+// An interrupt may count meanwhile, and an AVR reads byte by byte.
+uint32_t Answers::steady(const uint32_t &counter) {
+  uint32_t read;
+  do {
+    read = counter;
+    barrier();
+  } while (read != counter);
+  return read;
+}
+
 // Of a board whose RX has once heard its TX, an answer that does not come back was destroyed.
 void Answers::compareEcho(bool isWrong) {
   uint8_t back = 0;
@@ -115,6 +126,8 @@ void Answers::plan(uint32_t earliest, uint32_t latest) {
   const uint8_t planned = _wanted;
   _wanted = 0;
   const uint32_t apart = latest - earliest;
+  _end = earliest + apart / 2;
+  _spread = static_cast<uint16_t>(apart / 2 < Unsure ? apart / 2 : Unsure);
   if (apart > MostOff || _isWriting) {
     _skipped += countOf(planned);
     return;
@@ -126,6 +139,24 @@ void Answers::plan(uint32_t earliest, uint32_t latest) {
   goTo(planned);
   barrier();
   _left = planned;  // last: now start() may come
+}
+
+// A clock without a crystal is 0.5 % off, 75 us in a period. Frames may be missing.
+uint16_t Answers::nextPoll(uint32_t now) const {
+  constexpr uint16_t Period = 15000;  // us, of S.BUS2
+  constexpr uint16_t Margin = 150;
+  constexpr uint16_t Seldom = 500;
+  constexpr uint8_t MostMissed = 3;
+  const uint32_t before = uint32_t{_spread} + Margin;
+  uint32_t since = now - _end;
+  for (uint8_t i = 0; i < MostMissed && since > Period + before; i++) {
+    since -= Period;
+  }
+  if (before > Period / 2 || since > Period + before) {
+    return Seldom;
+  }
+  const uint32_t from = Period - before;
+  return static_cast<uint16_t>(since >= from ? 0 : from - since < Seldom ? from - since : Seldom);
 }
 
 // Moves on to the first of the slots `left` that is not before the present one.

@@ -40,6 +40,10 @@ class Answers : public Telemetry {
   /// us apart, the answers are skipped.
   void plan(uint32_t earliest, uint32_t latest);
 
+  /// Returns in how many us the next poll of the port must come, 0..500, for one that is polled by a timer: 0 while the
+  /// end of a frame is expected.
+  uint16_t nextPoll(uint32_t now) const;
+
   /// Returns true while an answer is planned.
   bool isPlanned() const { return _left != 0; }
 
@@ -53,9 +57,9 @@ class Answers : public Telemetry {
   /// Skips what is planned.
   void skip();
 
-  uint32_t sent() const { return _sent; }              ///< Returns how many slots were sent since begin().
-  uint32_t skipped() const { return _skipped; }        ///< Returns how many slots were skipped since begin().
-  uint32_t collisions() const { return _collisions; }  ///< Returns how often something else came back than was sent.
+  uint32_t sent() const { return steady(_sent); }              ///< Returns how many slots were sent since begin().
+  uint32_t skipped() const { return steady(_skipped); }        ///< Returns how many slots were skipped since begin().
+  uint32_t collisions() const { return steady(_collisions); }  ///< Returns how often something else came back.
 
   // The events of a FrameFinder.
   void begin();                                     ///< see NoEvents
@@ -74,6 +78,9 @@ class Answers : public Telemetry {
   uint32_t by() const { return _by; }        ///< Returns a time, us, shortly after it asked for them.
 
  private:
+  static constexpr uint16_t Unsure = UINT16_MAX;
+
+  static uint32_t steady(const uint32_t &counter);
   void compareEcho(bool isWrong);
   void goTo(uint8_t left);
 
@@ -89,6 +96,8 @@ class Answers : public Telemetry {
   uint8_t _slack = 0;          // us: how late a slot may start
   uint8_t _at = 0;             // the next planned slot, from _group
   SlotData _planned[SlotsOfGroup];  // of the moment of the plan
+  uint32_t _end = 0;          // us: when the newest frame ended,
+  uint16_t _spread = Unsure;  // give or take
   uint16_t _found = 0;
   uint32_t _by = 0;
   bool _hasEcho = false;  // RX has heard TX

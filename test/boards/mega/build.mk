@@ -1,5 +1,5 @@
 # Builds for an Arduino Mega, and what runs it, into the folder OUT (absolute)
-#   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketch Counters
+#   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketches Counters and Busy
 #   OUT/*.rejected   what the compiler says to the examples that are not for this board
 #   OUT/MegaTest    the program that runs the sketches
 # `make list` names all of these.
@@ -13,7 +13,7 @@ ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
 REJECTED := Background
 EXAMPLES := $(filter-out $(REJECTED),$(notdir $(wildcard $(ROOT)/examples/*)))
-SKETCHES := $(EXAMPLES) Counters
+SKETCHES := $(EXAMPLES) Counters Busy
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
 ALL := $(ELVES) $(REJECTED:%=$(OUT)/%.rejected) $(OUT)/MegaTest
 
@@ -40,10 +40,11 @@ CORE_SOURCES := $(notdir $(filter-out %/WString.cpp,$(wildcard $(ARDUINO)/cores/
   $(ARDUINO)/cores/arduino/*.cpp $(ARDUINO)/cores/arduino/*.S)))
 LIBRARY := $(patsubst $(ROOT)/src/%,%,$(wildcard $(ROOT)/src/*.cpp $(ROOT)/src/*/*.cpp))
 
-$(OUT)/%.elf: $(OUT)/sketch/%.o $(LIBRARY:%=$(OUT)/library/%.o) $(OUT)/core.a
+# An archive, as library.properties says: the interrupt of SBus2Sensor is only in sketches that have one.
+$(OUT)/%.elf: $(OUT)/sketch/%.o $(OUT)/library.a $(OUT)/core.a
 	avr-gcc $(AVR) -Wl,--gc-sections $^ -lm -o $@
 
-$(OUT)/sketch/Counters.o: $(HERE)/Counters.cpp $(HERE)/build.mk
+$(OUT)/sketch/Counters.o $(OUT)/sketch/Busy.o: $(OUT)/sketch/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(AVR_CXX) $(WARNINGS) $(DEPENDENCIES) $(OURS) -c $< -o $@
 
@@ -66,6 +67,10 @@ $(OUT)/library/%.cpp.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(AVR_CXX) $(WARNINGS) $(DEPENDENCIES) $(OURS) -c $< -o $@
 
+$(OUT)/library.a: $(LIBRARY:%=$(OUT)/library/%.o)
+	@rm -f $@
+	avr-ar rcs $@ $^
+
 # Other people's sources are not ours to warn about.
 $(OUT)/core/%.c.o: $(ARDUINO)/cores/arduino/%.c $(HERE)/build.mk
 	@mkdir -p $(@D)
@@ -81,7 +86,7 @@ $(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o)
 	avr-ar rcs $@ $^
 
 # With the host's lines, and what of the core they and the expectations need.
-TEST := $(filter-out %/Counters.cpp,$(wildcard $(HERE)/*.cpp)) \
+TEST := $(filter-out %/Counters.cpp %/Busy.cpp,$(wildcard $(HERE)/*.cpp)) \
   $(wildcard $(ROOT)/extras/line/*.cpp $(addprefix $(ROOT)/extras/line/,simulation/*.cpp recording/*.cpp uart/*.cpp telemetry/*.cpp)) $(wildcard $(ROOT)/src/sbus/*.cpp)
 $(OUT)/MegaTest: $(TEST:$(ROOT)/%.cpp=$(OUT)/pc/%.o)
 	$(CXX) $^ -lsimavr -o $@

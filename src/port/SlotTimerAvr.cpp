@@ -1,0 +1,70 @@
+#include "SlotTimer.h"
+
+#if defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+
+namespace sbus {
+
+namespace {
+
+constexpr uint8_t Tick = 64 / (F_CPU / 1000000);  // us: the clock is divided by 64
+constexpr uint8_t Soonest = 3;                    // ticks
+constexpr uint8_t Latest = 240;
+
+HardwareSerial *sender = nullptr;  // null: free
+void *sensor;
+void (*dueCallback)(void *);
+uint8_t ticks;  // until the next call
+
+}  // namespace
+
+volatile bool SlotTimer::_held = false;
+
+bool SlotTimer::start(HardwareSerial &port, void (*)(void *), void (*due)(void *), void *context) {
+  if (sender != nullptr && sensor != context) {
+    return false;
+  }
+  sender = &port;
+  sensor = context;
+  dueCallback = due;
+  TCCR2A = 0;
+  TCCR2B = _BV(CS22);
+  TIMSK2 |= _BV(OCIE2B);
+  return true;
+}
+
+void SlotTimer::stop(void *context) {
+  if (sensor == context) {
+    TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
+    sender = nullptr;
+  }
+}
+
+// Called by due() only, in the interrupt.
+void SlotTimer::at(uint32_t us) {
+  const uint32_t wanted = us / Tick;
+  ticks = static_cast<uint8_t>(wanted < Soonest ? Soonest : wanted > Latest ? Latest : wanted);
+}
+
+void SlotTimer::send(const uint8_t *characters, size_t size) {
+  sender->write(characters, size);
+}
+
+// Others may interrupt it, since characters come every 120 us; it does not interrupt itself.
+static void tick() {
+  TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
+  sei();
+  dueCallback(sensor);
+  cli();
+  OCR2B = static_cast<uint8_t>(TCNT2 + ticks);
+  TIFR2 = _BV(OCF2B);
+  TIMSK2 |= _BV(OCIE2B);
+}
+
+}  // namespace sbus
+
+// With `dot_a_linkage` it is linked only into sketches that have an SBus2Sensor.
+ISR(TIMER2_COMPB_vect) {
+  sbus::tick();
+}
+
+#endif

@@ -1,0 +1,45 @@
+// A sketch that answers in eleven slots while loop() is busy. (No .ino, as Counters.cpp.) Sends every second
+//   frames,resyncs,rejected,collisions,skipped,decivolts    all but the last since the beginning
+
+#include <Arduino.h>
+#include <SBus2Sensor.h>
+#include <elapsedMillis.h>
+
+namespace {
+
+const unsigned long PERIOD_DISPLAY = 1000;  // ms
+const unsigned long WORK = 3;               // ms
+
+elapsedMillis timerDisplay;
+SBus2Sensor dSBus(Serial1);
+
+}  // namespace
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+  const sbus::GpsF1675 gps = {50, true, 100, 45296, 25, 31512499, 8045658};
+  dSBus.writeSensor(8, gps);
+  const sbus::CurrentF1678 current = {2345, 1234, 1500};
+  dSBus.writeSensor(24, current);
+}
+
+void loop() {
+  delay(WORK);
+  uint16_t channels[18];
+  bool failsafe, lostFrame;
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
+  if (timerDisplay >= PERIOD_DISPLAY) {
+    timerDisplay = 0;
+    const sbus::Counters counters = dSBus.counters();
+    sbus::ReceiverVoltage voltage = {};
+    dSBus.readSensor(0, voltage);
+    const uint32_t numbers[] = {counters.frames, counters.resyncs, dSBus.rejectedGroups(), dSBus.collisions(),
+                                dSBus.skippedSlots()};
+    for (const uint32_t number : numbers) {
+      Serial.print(number);
+      Serial.print(',');
+    }
+    Serial.println(voltage.decivolts);
+  }
+}
