@@ -15,7 +15,7 @@ printf '\nuses: every public function is used by a sketch; keywords\n'
 cd src || exit 1
 functions=$(sed -nE '/@cond/,/@endcond/d; /^ (protected|private):/,/^};/d; /^ *(return|friend|explicit) /d
   s,^ {0\,2}[A-Za-z][A-Za-z0-9_: ]* [*&]?([a-zA-Z]+)\(.*,\1,p' \
-  DecodeSBus.h DecodeSBus2.h SBus2Sensor.h EncodeSBus.h SBusPort.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/Scaling.h | sort -u)
+  DecodeSBus.h DecodeSBus2.h SBus2Sensor.h EncodeSBus.h SBusPort.h sbus/Calibration.h sbus/Calibrator.h sbus/Diagnosis.h sbus/LinkQuality.h sbus/Scaling.h | sort -u)
 for name in $functions; do
   if echo "$code" | grep -qE "\b$name\("; then
     echo "ok uses: $name()"
@@ -25,7 +25,7 @@ for name in $functions; do
 done
 
 # Two words joined are special enough; begin, high or None are not.
-special='[a-z][A-Z]'
+special='[a-z][0-9]*[A-Z]'
 while IFS='	' read -r name kind; do
   case $kind in KEYWORD2) place="\b$name\(" ;; *) place="\b$name\b" ;; esac
   if ! echo "$name" | grep -q "$special"; then

@@ -1,0 +1,46 @@
+/// @file
+/// Link quality: the percentage of the expected frames that came and were not lost.
+#pragma once
+
+#include <stdint.h>
+
+#include "Counters.h"
+#include "Link.h"
+
+namespace sbus {
+
+/// Measures the link quality over the last second, from what a decoder counts anyway:
+///
+///     sbus::LinkQuality quality;
+///     uint8_t percent = quality.update(dSBus.counters(), dSBus.linkState(), micros());
+///
+/// 100 means that every expected frame came, without the lost-frame or failsafe flag. Betaflight computes the link
+/// quality of S.Bus likewise (src/main/rx/rx.c, setLinkQuality()); the number of ExpressLRS counts radio packets, not
+/// frames (extras/docs/link-quality.md).
+///
+/// How often a receiver sends is not known: the highest rate that has come is expected, and after a rate that is too
+/// high one frame a second less every ten seconds.
+class LinkQuality {
+ public:
+  /// Returns the link quality at `now`, us, 0..100; 0 before the first frame and while the link is stale. Call it every
+  /// 250 ms or more often, from one context. Less than a second after the link came back, and if the last call is
+  /// more than a second ago, it knows no rate: then it returns how many of the frames that came were not lost.
+  uint8_t update(const Counters &counters, LinkState state, uint32_t now);
+
+ private:
+  static constexpr uint8_t MarkCount = 4;
+  static constexpr uint16_t MarkTime = 250;  // ms
+  static constexpr uint16_t LongestTime = 2 * MarkCount * MarkTime;
+
+  struct Mark {
+    uint32_t time;  // us
+    uint32_t frames, lost, failsafe;
+  };
+
+  Mark _marks[MarkCount];  // 250 ms apart
+  uint8_t _count = 0;      // of them
+  uint8_t _next = 0;       // where the next one stands; the oldest, if there are four
+  uint16_t _rate = 0;      // 1/256 frames a second
+};
+
+}  // namespace sbus

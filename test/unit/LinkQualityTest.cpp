@@ -1,0 +1,164 @@
+// The link quality of lines with lost, failsafe and missing frames, asked at the rates of loops.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "sbus/LinkQuality.h"
+
+namespace {
+
+constexpr uint32_t StaleUs = 100000;
+
+enum class Came { Good, Lost, Failsafe, Both, Not };
+
+struct Extent {
+  int low = 101;
+  int high = -1;
+  bool operator==(const Extent &other) const { return low == other.low && high == other.high; }
+};
+
+doctest::String toString(const Extent &extent) {
+  return doctest::String((std::to_string(extent.low) + ".." + std::to_string(extent.high)).c_str());
+}
+
+// A decoder's counters on a line, and a loop that asks.
+class Line {
+ public:
+  Line(uint32_t periodUs, uint32_t loopUs, uint32_t startUs = 0)
+      : _periodUs(periodUs), _loopUs(loopUs), _us(startUs), _frameUs(startUs) {}
+
+  // Returns the lowest and the highest quality in these seconds.
+  Extent run(double seconds, const std::function<Came(unsigned)> &came) {
+    Extent extent;
+    for (double left = seconds * 1e6; left > 0; left -= _loopUs) {
+      block(_loopUs, came);
+      const int percent = _quality.update(_counters, _state, _us);
+      extent.low = std::min(extent.low, percent);
+      extent.high = std::max(extent.high, percent);
+    }
+    return extent;
+  }
+
+  // Time goes on without a call.
+  void block(uint32_t us, const std::function<Came(unsigned)> &came) {
+    _us += us;
+    while (static_cast<int32_t>(_us - _frameUs) >= static_cast<int32_t>(_periodUs)) {
+      _frameUs += _periodUs;
+      take(came(_number++));
+    }
+    _state = _counters.frames == 0        ? sbus::LinkState::NeverSeen
+             : _us - _newestUs >= StaleUs ? sbus::LinkState::Stale
+                                          : _state;
+  }
+
+ private:
+  void take(Came came) {
+    if (came == Came::Not) {
+      return;
+    }
+    _newestUs = _frameUs;
+    _counters.frames++;
+    _counters.lostFrames += came == Came::Lost || came == Came::Both;
+    _counters.failsafeFrames += came == Came::Failsafe || came == Came::Both;
+    _state = came == Came::Good   ? sbus::LinkState::Ok
+             : came == Came::Lost ? sbus::LinkState::Lossy
+                                  : sbus::LinkState::Failsafe;
+  }
+
+  const uint32_t _periodUs;
+  const uint32_t _loopUs;
+  uint32_t _us;
+  uint32_t _frameUs;
+  uint32_t _newestUs = 0;
+  unsigned _number = 0;
+  sbus::Counters _counters{};
+  sbus::LinkState _state = sbus::LinkState::NeverSeen;
+  sbus::LinkQuality _quality;
+};
+
+Came good(unsigned) {
+  return Came::Good;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the quality is the share of the expected frames that came without a flag, whatever the period and the loop") {
+  const struct {
+    const char *what;
+    std::function<Came(unsigned)> came;
+    Extent quality;  // between 2 and 12 s after such frames began
+  } rows[] = {
+      {"all good", good, {100, 100}},
+      {"every tenth lost", [](unsigned i) { return i % 10 == 3 ? Came::Lost : Came::Good; }, {88, 92}},
+      {"every fourth missing", [](unsigned i) { return i % 4 == 3 ? Came::Not : Came::Good; }, {72, 82}},
+      {"a fourth missing, a fourth lost",
+       [](unsigned i) { return i % 4 == 3   ? Came::Not
+                               : i % 4 == 1 ? Came::Lost
+                                            : Came::Good; },
+       {47, 55}},
+      {"all lost", [](unsigned) { return Came::Lost; }, {0, 0}},
+      {"failsafe without the lost-frame flag", [](unsigned) { return Came::Failsafe; }, {0, 0}},
+      {"both flags", [](unsigned) { return Came::Both; }, {0, 0}},
+      {"nothing", [](unsigned) { return Came::Not; }, {0, 0}},
+  };
+  for (const auto &row : rows) {
+    for (const uint32_t periodUs : {4000u, 6300u, 9000u, 15000u}) {
+      for (const uint32_t loopUs : {500u, 3000u, 20000u, 200000u}) {
+        CAPTURE(row.what);
+        CAPTURE(periodUs);
+        CAPTURE(loopUs);
+        Line line(periodUs, loopUs, UINT32_MAX - 3000000);  // the clock wraps on the way
+        line.run(5, good);
+        line.run(2, row.came);
+        const Extent quality = line.run(10, row.came);
+        CHECK(quality.low >= row.quality.low);
+        CHECK(quality.high <= row.quality.high);
+      }
+    }
+  }
+}
+
+TEST_CASE("before the first frame and while the link is stale it is 0; then it is back at once") {
+  Line line(9000, 3000);
+  CHECK(line.run(1, [](unsigned) { return Came::Not; }) == Extent{0, 0});
+  line.run(0.02, good);
+  CHECK(line.run(3, good) == Extent{100, 100});
+  CHECK(line.run(0.09, [](unsigned) { return Came::Not; }).high >= 90);
+  line.run(0.02, [](unsigned) { return Came::Not; });
+  CHECK(line.run(5, [](unsigned) { return Came::Not; }) == Extent{0, 0});
+  line.run(0.02, good);
+  CHECK(line.run(3, good) == Extent{100, 100});
+}
+
+TEST_CASE("in the first second it is the share of the frames that came") {
+  Line line(9000, 3000);
+  line.run(0.05, good);
+  const Extent quality = line.run(0.6, [](unsigned i) { return i % 2 == 0 ? Came::Lost : Came::Good; });
+  CHECK(quality.high <= 100);
+  CHECK(quality.low >= 45);
+  CHECK(quality.low <= 55);
+}
+
+TEST_CASE("a loop that was blocked costs some percent, for half a minute") {
+  Line line(9000, 3000);
+  line.run(5, good);
+  line.block(60000, good);
+  CHECK(line.run(2, good).low >= 92);
+  line.run(60, good);
+  CHECK(line.run(5, good) == Extent{100, 100});
+}
+
+TEST_CASE(
+    "missing frames are still missed after a minute, and a receiver that is slower for good is expected to be so") {
+  Line line(9000, 3000);
+  const auto half = [](unsigned i) { return i % 2 == 0 ? Came::Not : Came::Good; };
+  line.run(5, good);
+  line.run(60, half);
+  CHECK(line.run(1, half).high < 60);
+  line.run(600, half);
+  CHECK(line.run(5, half) == Extent{100, 100});
+}
