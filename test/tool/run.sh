@@ -11,6 +11,7 @@
 #   tool/send.sh               what `sbus send` sends
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/telemetry.sh          `sbus telemetry`
+#   tool/languages.sh         README's programs for Python and Node
 #   tool/json.sh               JSON lines, held against the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
@@ -301,6 +302,7 @@ SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/telemetry.sh
+SBUS=$sbus WORK=$work tool/languages.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh
