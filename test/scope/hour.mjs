@@ -56,6 +56,8 @@ export default async function () {
     write(file, count);
     await page.evaluate(() => {
       fake.longestMs = 0;
+      fake.busyMs = 0;
+      new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => (fake.busyMs = Math.max(fake.busyMs, duration)))).observe({ entryTypes: ['longtask'] });
       let before = fake.realNow();
       const draw = () => {
         fake.longestMs = Math.max(fake.longestMs, fake.realNow() - before);
@@ -92,10 +94,10 @@ export default async function () {
     }
     times.sort((a, b) => a - b);
     const bytes = await page.workers()[0].evaluate(() => memories.reduce((sum, memory) => sum + (memory.deref()?.buffer.byteLength ?? 0), 0));
-    const longest = await page.evaluate(() => fake.longestMs);
+    const [longest, busy] = await page.evaluate(() => [fake.longestMs, fake.busyMs]);
     console.log(`   ${mb} MB, ${count} frames: open after ${openMs.toFixed(0)} ms, at its end ${first.toFixed(0)} ms later; ` +
       `seeks ${times[times.length >> 1].toFixed(0)} ms, at most ${times.at(-1).toFixed(0)} ms; ` +
-      `from one picture to the next at most ${opening.toFixed(0)} ms while it opened, ${longest.toFixed(0)} ms in all; WebAssembly ${bytes} bytes`);
+      `from one picture to the next at most ${opening.toFixed(0)} ms while it opened, ${longest.toFixed(0)} ms in all, the longest script ${busy} ms; WebAssembly ${bytes} bytes`);
     assert.ok(bytes < 1.1 * 8 * 25 * count + 4e6, `${bytes} bytes`);
     await toEnd(page);
     await counts(page, 'frames', count.toLocaleString('en').replaceAll(',', '\u202f'));

@@ -82,7 +82,7 @@ export default async function () {
           name === 'no frames' ? document.querySelector('#state').textContent === 'Stale' :
             document.querySelector('#lines li:first-child').className === 'none' || document.querySelector('#lines li:nth-child(2)').className === 'none',
       [indicator, fault[0]]));
-      assert.match(await page.getAttribute('#position', 'aria-valuetext'), new RegExp(`of 1:00\\.0, (.*, )?${fault[0]}`));
+      await until('it is not told', async () => new RegExp(`of 1:00\\.0, (.*, )?${fault[0]}`).test(await page.getAttribute('#position', 'aria-valuetext')));
     }
     await page.keyboard.press('n');
     await reads(page, '#fault-text', 'There is no other fault that way.');
@@ -95,6 +95,7 @@ export default async function () {
 
   await check('from any place the next fault is the first after it, and the one before begins before it', async (page) => {
     await play(page, file);
+    await page.click('#play');
     await decoded(page);
     for (const [ms, next, before] of [[7000, 1, 0], [21000, 3, 2], [30050, 4, 3], [49999, 6, 5]]) {
       await seek(page, ms);
@@ -153,7 +154,7 @@ export default async function () {
       await page.keyboard.press(key);
       await until(async () => `${key}: ${await positionMs(page)} ms, not ${ms}`, async () => Math.abs((await positionMs(page)) - ms) <= 2);
     }
-    assert.equal(await page.getAttribute('#position', 'aria-valuetext'), '1:00.0 of 1:00.0');
+    await until('its text is not told', async () => (await page.getAttribute('#position', 'aria-valuetext')) === '1:00.0 of 1:00.0');
     await page.keyboard.press('p');
     await reads(page, '#fault-text', told(expected[6], 6));
   });
@@ -172,6 +173,8 @@ export default async function () {
 
   await check('another place, and playing on, leave the fault; N where a speed is chosen is a letter', async (page) => {
     await play(page, file);
+    await page.click('#play');
+    await seek(page, 0);
     await page.click('#fault-next');
     await reads(page, '#fault-text', told(expected[0], 0));
     await page.click('#play');
@@ -184,6 +187,22 @@ export default async function () {
     await page.waitForTimeout(300);
     assert.equal(await positionMs(page), before);
   });
+
+  // Frames 10 ms apart, then this.
+  for (const [what, last, expectedText] of [
+    ['half a frame', '0F E8 03', 'no faults'],
+    ['a frame whose flags are none', '0F E8 03 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 10 00', 'damaged bytes: 1 ×'],
+    ['a frame without its header', 'E8 03 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00 00', 'damaged bytes: 1 ×'],
+    ['a parity error', '0F E8!', 'damaged bytes: 1 ×'],
+  ]) {
+    await check(`a recording that ends with ${what}: ${expectedText}`, async (page) => {
+      const ends = path.join(build, 'ends.txt');
+      writeFileSync(ends, Array.from({ length: 20 }, (_, i) => recorded(10000 * (i + 1), frame([1000]))).join('') + `210000 ${last}\n`);
+      await play(page, ends);
+      await decoded(page);
+      assert.deepEqual(await page.$$eval('#fault-counts li', (items) => items.filter(({ hidden }) => !hidden).map(({ textContent }) => textContent)), [expectedText]);
+    });
+  }
 
   await check('telemetry of S.BUS2 is no fault', async (page) => {
     // Slots 0 to 7: sbus/Slots.h. Their data are headers, which no frame begins with.

@@ -16,7 +16,7 @@ export const binCount = 512; // of a recording, whatever its length
 
 // What of a stretch tells a fault.
 export interface Sample extends Pick<Stretch, 'endUs' | 'kind' | 'flags'> {
-  damagedUs: number; // of a frame: since when bytes before it were damaged; 0: they were not
+  damagedUs: number; // since when bytes were damaged that came since the last frame; 0: none
 }
 
 // From where to where a fault is, or comes and goes.

@@ -1,7 +1,5 @@
 #include "Damage.h"
 
-#include <algorithm>
-
 #include "sbus/FrameRules.h"
 
 namespace scope {
@@ -10,19 +8,22 @@ namespace scope {
 uint64_t Damage::take(const line::Stretch &stretch, bool followsSlots) {
   constexpr size_t FrameMin = sbus::FrameSize - sbus::rules::MostNoise;
   if (stretch.isFrame()) {
-    const bool isDamaged = _seen && !followsSlots && (_isOdd || _count >= FrameMin);
+    const bool isDamaged = _seen && !followsSlots && (_hasBad || _hasHeader || _count >= FrameMin);
     const uint64_t sinceUs = isDamaged ? _sinceUs : 0;
     _seen = true;
-    _isOdd = false;
+    _mostOfNone = sbus::announcesSlots(stretch.characters.back().value) ? size_t{sbus::GroupSizeMax} : FrameMin - 1;
+    _hasBad = _hasHeader = false;
     _count = 0;
     return sinceUs;
   }
   _sinceUs = _count == 0 ? stretch.endUs() : _sinceUs;
   _count += stretch.characters.size();
-  _isOdd = _isOdd || std::any_of(stretch.characters.begin(), stretch.characters.end(), [](const line::Character &each) {
-             return each.bad || each.value == sbus::HeaderByte;
-           });
-  return 0;
+  for (const line::Character &each : stretch.characters) {
+    _hasBad = _hasBad || each.bad;
+    _hasHeader = _hasHeader || each.value == sbus::HeaderByte;
+  }
+  // At a recording's end no frame follows, and half of one may be there.
+  return _seen && (_hasBad || _count > _mostOfNone) ? _sinceUs : 0;
 }
 
 }  // namespace scope

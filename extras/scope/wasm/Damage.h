@@ -7,16 +7,18 @@ namespace scope {
 
 class Damage {
  public:
-  // Takes the next stretch; `followsSlots`: it is a frame, and proves that what was before it is telemetry. Returns
-  // when the first damaged bytes since the last frame had come, in us, once the next frame is there; otherwise 0. What
-  // comes before the first frame is half of one.
+  // Takes the next stretch; `followsSlots`: it is a frame, and proves that what was before it is telemetry. Returns when
+  // the first damaged bytes since the last frame had come, in us, as soon as it is certain that they are; otherwise 0.
+  // What comes before the first frame is half of one.
   uint64_t take(const line::Stretch &stretch, bool followsSlots);
 
  private:
-  bool _seen = false;     // a frame
-  bool _isOdd = false;    // a bad character, or a header, came since the newest frame
-  size_t _count = 0;      // characters since then
-  uint64_t _sinceUs = 0;  // when the first of them had come
+  bool _seen = false;      // a frame
+  bool _hasBad = false;    // a bad character came since the newest frame
+  bool _hasHeader = false;
+  size_t _mostOfNone = 0;  // characters after the newest frame that may be no part of one
+  size_t _count = 0;       // characters since then
+  uint64_t _sinceUs = 0;   // when the first of them had come
 };
 
 }  // namespace scope

@@ -38,7 +38,7 @@ struct Record {
   static constexpr uint8_t RowKind = 4;
 
   double endUs;
-  double damagedUs;              // of a frame: since when bytes before it were damaged (Damage.h); 0: they were not
+  double damagedUs;              // since when bytes were damaged that came since the last frame (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest of all
   uint8_t kind;                  // line::Stretch::Kind, or RowKind
   uint8_t flags;                 // as in a frame's flags byte

@@ -159,15 +159,16 @@ class Playing {
   private seek(id: number, us: number, found?: Found): void {
     this.wanted = undefined;
     const { player, index } = this;
-    const image = index.before(Math.max(us - shownUs, 0));
-    player.restore(image);
+    const fromUs = Math.max(us - shownUs, 0);
+    player.restore(index.before(fromUs));
+    player.advance(fromUs);
     const records = [player.reader.recalled()];
     player.advance(us, (part) => records.push(part));
     if (found) {
       this.advanceTo(found, records);
     }
     this.show(id, true, records, found);
-    this.past = image.us > 0 ? new Past(id, this.module, this.tape, index, image.us) : undefined;
+    this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
   }
 
   private toFault({ id, us, at, back }: Extract<Request, { kind: 'fault' }>): void {
