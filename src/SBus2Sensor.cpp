@@ -8,9 +8,9 @@ SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
 namespace {
 
-// From the end of the wait in loop() until the start bit: 480 cycles of an AVR (simavr), few us on others.
-#if defined(F_CPU)
-constexpr uint32_t PollLead = F_CPU < 64000000 ? 480 / (F_CPU / 1000000) : 5;
+// From the end of the wait until the start bit: 480 cycles of an AVR (simavr), few us of others.
+#if defined(__AVR__)
+constexpr uint32_t PollLead = 480 / (F_CPU / 1000000);
 #else
 constexpr uint32_t PollLead = 5;
 #endif
