@@ -20,12 +20,15 @@ constexpr uint32_t TimerLead = 35;
 
 }  // namespace
 
+// No interrupt comes while all is forgotten.
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
+  sbus::SlotTimer::stop(this);
   Decoder::begin(baud, config);
   _isTimed = _start(_stream, this);
 }
 
 void SBus2Sensor::listen(unsigned long baud) {
+  sbus::SlotTimer::stop(this);
   Decoder::listen(baud);
   _isTimed = _start(_stream, this);
 }
@@ -69,8 +72,9 @@ void SBus2Sensor::receive() {
     return;
   }
   const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
+  const bool isPrompt = _isTimed && sbus::SlotTimer::HasCallback;
   const sbus::End end =
-      (_isTimed && sbus::SlotTimer::HasCallback ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
+      (isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
   answers.plan(end.earliest, end.latest);
 }
 
@@ -120,10 +124,9 @@ void SBus2Sensor::tick() {
       poll = answers.nextPoll(micros());
     } while (poll == 0);
   }
-  const int32_t until = untilDue();
-  sbus::SlotTimer::at(!answers.isPlanned() || (poll != 0 && until > static_cast<int32_t>(poll)) ? poll
-                      : until > 0                                                           ? static_cast<uint32_t>(until)
-                                                                                              : 0);
+  const int32_t until = answers.isPlanned() ? untilDue() : INT32_MAX;
+  const bool isSooner = poll == 0 || until < static_cast<int32_t>(poll);
+  sbus::SlotTimer::at(!isSooner ? poll : until > 0 ? static_cast<uint32_t>(until) : 0);
 }
 
 void SBus2Sensor::armTimer() {
