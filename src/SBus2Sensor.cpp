@@ -106,8 +106,8 @@ int32_t SBus2Sensor::untilDue() const {
   return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);
 }
 
-// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. While a frame's end is
-// expected it does not go back to loop(), or polls would be too far apart.
+// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. While a frame's end
+// is expected it does not go back to loop(), or polls would be too far apart.
 void SBus2Sensor::tick() {
   constexpr int32_t LongestWait = 40;   // us
   constexpr int32_t ReadingTime = 400;  // us

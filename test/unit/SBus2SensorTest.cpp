@@ -1,5 +1,5 @@
-// SBus2Sensor on a simulated S.BUS2 wire: its answers stand in their slots as long as loop() is quick, and otherwise are
-// skipped; frames and other sensors are read meanwhile.
+// SBus2Sensor on a simulated S.BUS2 wire: its answers stand in their slots as long as loop() is quick, and otherwise
+// are skipped; frames and other sensors are read meanwhile.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -194,11 +194,11 @@ TEST_CASE("of two callbacks that disagree on a frame's end one was held up: noth
     int32_t heldUp;
     bool isKnown;
     uint32_t latest;
-  } rows[] = {{0, true, 11080}, {40, true, 11080}, {41, false, 0}, {-40, true, 11040}, {-41, false, 0}, {3000, false, 0}};
+  } rows[] = {{0, true, 11080},   {40, true, 11080}, {41, false, 0},
+              {-40, true, 11040}, {-41, false, 0},   {3000, false, 0}};
   for (const auto &row : rows) {
     CAPTURE(row.heldUp);
-    const sbus::End end =
-        sbus::promptEndOf(HandOver::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
+    const sbus::End end = sbus::promptEndOf(HandOver::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
     CHECK((end.latest - end.earliest <= sbus::Answers::MostOff) == row.isKnown);
     if (row.isKnown) {
       CHECK(end.latest == row.latest);
