@@ -8,9 +8,9 @@ SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
 namespace {
 
-// From the end of the wait in loop() until the start bit: 480 cycles of an AVR (simavr), few us on others.
-#if defined(F_CPU)
-constexpr uint32_t PollLead = F_CPU < 64000000 ? 480 / (F_CPU / 1000000) : 5;
+// From the end of the wait until the start bit: 480 cycles of an AVR (simavr), few us of others.
+#if defined(__AVR__)
+constexpr uint32_t PollLead = 480 / (F_CPU / 1000000);
 #else
 constexpr uint32_t PollLead = 5;
 #endif
@@ -20,12 +20,15 @@ constexpr uint32_t TimerLead = 35;
 
 }  // namespace
 
+// No interrupt comes while all is forgotten.
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
+  sbus::SlotTimer::stop(this);
   Decoder::begin(baud, config);
   _isTimed = _start(_stream, this);
 }
 
 void SBus2Sensor::listen(unsigned long baud) {
+  sbus::SlotTimer::stop(this);
   Decoder::listen(baud);
   _isTimed = _start(_stream, this);
 }
@@ -69,8 +72,9 @@ void SBus2Sensor::receive() {
     return;
   }
   const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
+  const bool isPrompt = _isTimed && sbus::SlotTimer::HasCallback;
   const sbus::End end =
-      (_isTimed && sbus::SlotTimer::HasCallback ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
+      (isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
   answers.plan(end.earliest, end.latest);
 }
 
@@ -102,8 +106,8 @@ int32_t SBus2Sensor::untilDue() const {
   return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);
 }
 
-// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. While a frame's end is
-// expected it does not go back to loop(), or polls would be too far apart.
+// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. While a frame's end
+// is expected it does not go back to loop(), or polls would be too far apart.
 void SBus2Sensor::tick() {
   constexpr int32_t LongestWait = 40;   // us
   constexpr int32_t ReadingTime = 400;  // us
@@ -120,10 +124,9 @@ void SBus2Sensor::tick() {
       poll = answers.nextPoll(micros());
     } while (poll == 0);
   }
-  const int32_t until = untilDue();
-  sbus::SlotTimer::at(!answers.isPlanned() || (poll != 0 && until > static_cast<int32_t>(poll)) ? poll
-                      : until > 0                                                           ? static_cast<uint32_t>(until)
-                                                                                              : 0);
+  const int32_t until = answers.isPlanned() ? untilDue() : INT32_MAX;
+  const bool isSooner = poll == 0 || until < static_cast<int32_t>(poll);
+  sbus::SlotTimer::at(!isSooner ? poll : until > 0 ? static_cast<uint32_t>(until) : 0);
 }
 
 void SBus2Sensor::armTimer() {

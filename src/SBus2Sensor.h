@@ -17,9 +17,9 @@
 ///       dSBus.writeSensor(6, voltage);
 ///     }
 ///
-/// TX goes to the line through a diode, anode at TX (extras/docs/telemetry.md). An answer follows only an accepted frame
-/// that announces its group, starts within 100 us of its time or is skipped, and never stands in slot 0. Nothing else may
-/// write to the port.
+/// TX goes to the line through a diode, anode at TX (extras/docs/telemetry.md). An answer follows only an accepted
+/// frame that announces its group, starts within 100 us of its time or is skipped, and never stands in slot 0. Nothing
+/// else may write to the port.
 ///
 /// A port that does not tell when a frame ended gets no answers, and skipped() counts: any Stream that is no hardware
 /// serial port, and the ports of some cores (extras/docs/telemetry.md).
@@ -31,7 +31,10 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   /// See DecodeSBusOf().
   template <typename Port>
   explicit SBus2Sensor(Port &port)
-      : Decoder(port), _stream(port), _start(start<Port>), _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+      : Decoder(port),
+        _stream(port),
+        _start(start<Port>),
+        _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
 
   /// See DecodeSBusOf(), with pins.
   template <typename Port>
@@ -52,9 +55,9 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
 
   /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
   ///
-  /// On a Grasshopper and on an AVR with a timer 2 interrupts do all that, and this does nothing: call it, or do not. On all
-  /// other boards call it at least every 75 us: a poll that comes later does not know when the frame ended, and skips its
-  /// answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
+  /// On a Grasshopper and on an AVR with a timer 2 interrupts do all that, and this does nothing: call it, or do not.
+  /// On all other boards call it at least every 75 us: a poll that comes later does not know when the frame ended, and
+  /// skips its answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
   void parseSBusFrame();
 
   // ---- What DecodeSBus2 has; an interrupt must not read the port meanwhile on boards where it does
@@ -103,9 +106,9 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
 
   // ---- Answering
 
-  /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor(). All
-  /// slots of an answer are of one call. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not
-  /// lie within one group of eight. It may be called at any rate.
+  /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().
+  /// All slots of an answer are of one call. Returns false, and changes nothing, for slot 0, and if the sensor's slots
+  /// do not lie within one group of eight. It may be called at any rate.
   template <typename Sensor>
   bool writeSensor(uint8_t slot, const Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];

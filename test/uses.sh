@@ -25,7 +25,7 @@ for name in $functions; do
 done
 
 # Two words joined are special enough; begin, high or None are not.
-special='[a-z][0-9]*[A-Z]'
+special='[a-z0-9][A-Z]'
 while IFS='	' read -r name kind; do
   case $kind in KEYWORD2) place="\b$name\(" ;; *) place="\b$name\b" ;; esac
   if ! echo "$name" | grep -q "$special"; then

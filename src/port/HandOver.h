@@ -47,8 +47,9 @@ inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by
   return {before - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least)};
 }
 
-// For a port that calls back at once, at `before` and at `by`, where `found` characters lay between both. A callback may be
-// held up by other interrupts; so both must agree on the end, and it is no later than the earlier of the two says.
+// For a port that calls back at once, at `before` and at `by`, where `found` characters lay between both. A callback
+// may be held up by other interrupts; so both must agree on the end, and it is no later than the earlier of the two
+// says.
 inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t MostHeldUp = 40;  // us
   const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);

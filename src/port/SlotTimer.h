@@ -28,8 +28,8 @@ class SlotTimer {
     Hold() {}
   };
 
-  // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns false
-  // if it cannot; then neither is ever called.
+  // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
+  // false if it cannot; then neither is ever called.
   template <typename Port>
   static bool start(Port &, void (*)(void *), void (*)(void *), void *) {
     return false;

@@ -1,6 +1,6 @@
 /// @file
-/// The STM32L0's: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in the core uses, calls
-/// back when a slot is due.
+/// The STM32L0's: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in the core uses,
+/// calls back when a slot is due.
 #pragma once
 
 #include <Arduino.h>
@@ -28,7 +28,8 @@ class SlotTimer {
 
   static void at(uint32_t us);
 
-  // From its own buffer: what Uart::write(buffer, size) takes is cut in two with a pause where its ring ends (Uart.cpp:207).
+  // From its own buffer: what Uart::write(buffer, size) takes is cut in two with a pause where its ring ends
+  // (Uart.cpp:207).
   static void send(const uint8_t *characters, size_t size);
 };
 

@@ -36,8 +36,8 @@ class Answers : public Telemetry {
   /// Returns true, once, if the newest byte is the last one of an accepted frame.
   bool takeFrameEnd();
 
-  /// Plans the answers to the accepted frame, whose end lies within `earliest` and `latest`, us. If both are more than 100
-  /// us apart, the answers are skipped.
+  /// Plans the answers to the accepted frame, whose end lies within `earliest` and `latest`, us. If both are more than
+  /// 100 us apart, the answers are skipped.
   void plan(uint32_t earliest, uint32_t latest);
 
   /// Returns in how many us the next poll of the port must come, 0..500, for one that is polled by a timer: 0 while the
@@ -50,8 +50,8 @@ class Answers : public Telemetry {
   /// Returns when the next planned answer is due, us.
   uint32_t due() const { return _due; }
 
-  /// Takes the next planned answer, which starts at `now`, us. Returns false if that would be too late: then the rest of
-  /// the group is skipped. Otherwise writes three characters to `characters`; send them at once.
+  /// Takes the next planned answer, which starts at `now`, us. Returns false if that would be too late: then the rest
+  /// of the group is skipped. Otherwise writes three characters to `characters`; send them at once.
   bool start(uint32_t now, uint8_t *characters);
 
   /// Skips what is planned.
@@ -62,11 +62,11 @@ class Answers : public Telemetry {
   uint32_t collisions() const { return steady(_collisions); }  ///< Returns how often something else came back.
 
   // The events of a FrameFinder.
-  void begin();                                     ///< see NoEvents
-  void taken(const uint8_t *frame);                 ///< see NoEvents
-  void extra();                                     ///< see NoEvents
-  void lost();                                      ///< see NoEvents
-  void discarded(const uint8_t *bytes, int count);  ///< see NoEvents
+  void begin();                                        ///< see NoEvents
+  void taken(const uint8_t *frame);                    ///< see NoEvents
+  void extra();                                        ///< see NoEvents
+  void lost();                                         ///< see NoEvents
+  void discarded(const uint8_t *bytes, int count);     ///< see NoEvents
   static constexpr bool wantsTimes() { return true; }  ///< see NoEvents
   /// See NoEvents.
   void asked(int found, uint32_t by) {
@@ -84,20 +84,20 @@ class Answers : public Telemetry {
   void compareEcho(bool isWrong);
   void goTo(uint8_t left);
 
-  uint32_t _slots = 0;         // bit k: the board fills slot k
-  SlotData _own[SlotCount];    // of these
+  uint32_t _slots = 0;       // bit k: the board fills slot k
+  SlotData _own[SlotCount];  // of these
   volatile bool _isWriting = false;
-  bool _isFrameEnd = false;    // the newest byte is the last one of an accepted frame
-  uint8_t _endByte = 0;        // of that frame
-  uint8_t _group = 0;          // first slot of the announced group
-  uint8_t _wanted = 0;         // bit k: slot _group + k is announced, and not yet planned or skipped
-  uint8_t _left = 0;           // bit k: slot _group + k is planned
-  uint8_t _out = 0;            // bit k: it was sent after the newest frame
-  uint8_t _slack = 0;          // us: how late a slot may start
-  uint8_t _at = 0;             // the next planned slot, from _group
+  bool _isFrameEnd = false;         // the newest byte is the last one of an accepted frame
+  uint8_t _endByte = 0;             // of that frame
+  uint8_t _group = 0;               // first slot of the announced group
+  uint8_t _wanted = 0;              // bit k: slot _group + k is announced, and not yet planned or skipped
+  uint8_t _left = 0;                // bit k: slot _group + k is planned
+  uint8_t _out = 0;                 // bit k: it was sent after the newest frame
+  uint8_t _slack = 0;               // us: how late a slot may start
+  uint8_t _at = 0;                  // the next planned slot, from _group
   SlotData _planned[SlotsOfGroup];  // of the moment of the plan
-  uint32_t _end = 0;          // us: when the newest frame ended,
-  uint16_t _spread = Unsure;  // give or take
+  uint32_t _end = 0;                // us: when the newest frame ended,
+  uint16_t _spread = Unsure;        // give or take
   uint16_t _found = 0;
   uint32_t _by = 0;
   bool _hasEcho = false;  // RX has heard TX

@@ -1,5 +1,5 @@
-// The simulated S.BUS2 wire: what its receiver and sensors send and when, what becomes of characters that collide, and how
-// it judges a board that sends.
+// The simulated S.BUS2 wire: what its receiver and sensors send and when, what becomes of characters that collide, and
+// how it judges a board that sends.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -169,7 +169,8 @@ TEST_CASE("a board that sends is judged: slot, time, and what the frame before h
       {"over the receiver", judged(BusMode::Slots, 0, Due - 500, slot1), "0 answers in their slots; 1 collided"},
       {"over a sensor", judged(BusMode::Slots, 0, Due, slot1, {{1, {1, 2}}}), "0 answers in their slots; 1 collided"},
       {"over a frame", judged(BusMode::Slots, 0, -500, slot1), "0 answers in their slots; 1 collided"},
-      {"held", judged(BusMode::Slots, 0, Due, {}, {}, uninverted), "0 answers in their slots; 1 while TX held the wire"},
+      {"held", judged(BusMode::Slots, 0, Due, {}, {}, uninverted),
+       "0 answers in their slots; 1 while TX held the wire"},
       {"slow", judged(BusMode::Slots, 0, Due, slot1, {}, slow), "0 answers in their slots; 1 collided"},
   };
   for (const auto &row : rows) {

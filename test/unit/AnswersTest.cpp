@@ -1,12 +1,11 @@
 // The answers of a sensor: which slot, when, and what is skipped.
-#include "sbus/Answers.h"
-
 #include <doctest/doctest.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "sbus/Answers.h"
 #include "support/Bytes.h"
 #include "support/KnownFrames.h"
 
@@ -88,7 +87,7 @@ TEST_CASE("slot 0 is never written, nor a sensor across the border of a group") 
   const struct {
     uint8_t first, count;
     bool isTaken;
-  } rows[] = {{0, 1, false}, {0, 8, false}, {1, 7, true},  {1, 8, false}, {8, 8, true},  {9, 8, false},
+  } rows[] = {{0, 1, false}, {0, 8, false}, {1, 7, true},   {1, 8, false}, {8, 8, true},  {9, 8, false},
               {7, 2, false}, {31, 1, true}, {32, 1, false}, {24, 8, true}, {5, 0, false}, {255, 1, false}};
   for (const auto &row : rows) {
     CAPTURE(int{row.first});
@@ -213,4 +212,22 @@ TEST_CASE("its own characters are no sensor's; others in their place are a colli
     CHECK(!answers.read(2, 1, &data));
     CHECK(answers.read(1, 1, &data) == row.hasSlot1);
   }
+}
+
+TEST_CASE("one that a timer polls is polled all the time while a frame's end is expected, and otherwise seldom") {
+  Answers answers;
+  answers.begin();
+  CHECK(answers.nextPoll(12345) == 500);
+  frame(answers, 0x04, 100000, 100040);  // 100020, give or take 20; 150 us more for clocks that differ
+  const struct {
+    uint32_t now;
+    uint16_t poll;
+  } rows[] = {{100100, 500}, {114000, 500}, {114400, 450}, {114849, 1},   {114850, 0}, {115020, 0},  {115190, 0},
+              {115191, 500}, {129850, 0},   {130190, 0},   {130191, 500}, {159850, 0}, {174850, 500}};
+  for (const auto &row : rows) {
+    CAPTURE(row.now);
+    CHECK(answers.nextPoll(row.now) == row.poll);
+  }
+  frame(answers, 0x14, 200000, 215000);  // nothing is known
+  CHECK(answers.nextPoll(222500) == 500);
 }

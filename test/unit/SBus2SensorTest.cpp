@@ -1,5 +1,5 @@
-// SBus2Sensor on a simulated S.BUS2 wire: its answers stand in their slots as long as loop() is quick, and otherwise are
-// skipped; frames and other sensors are read meanwhile.
+// SBus2Sensor on a simulated S.BUS2 wire: its answers stand in their slots as long as loop() is quick, and otherwise
+// are skipped; frames and other sensors are read meanwhile.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -162,4 +162,47 @@ TEST_CASE("a port that does not tell when a frame ended gets no answer") {
   CHECK(sensor.counters().frames > 60);
   CHECK(sensor.sentSlots() == 0);
   CHECK(sensor.skippedSlots() >= 30);
+}
+
+TEST_CASE("a frame's end lies between two polls, and earlier by what the port needs to hand it over") {
+  using sbus::HandOver;
+  constexpr uint32_t Before = 10000, By = 10050;
+  const struct {
+    HandOver handOver;
+    unsigned found;
+    uint32_t earliest, latest;
+  } rows[] = {
+      {HandOver::EachCharacter, 1, 9990, 10065}, {HandOver::EachCharacter, 16, 9990, 10065},
+      {HandOver::Dma16, 16, 9990, 10065},        {HandOver::Dma16, 9, 9870, 9945},
+      {HandOver::Dma16, 25, 9870, 9945},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.found);
+    const sbus::End end = sbus::endOf(row.handOver, row.found, Before, By);
+    CHECK(end.earliest == row.earliest);
+    CHECK(end.latest == row.latest);
+  }
+  const sbus::End unknown = sbus::endOf(HandOver::Unknown, 1, Before, By);
+  CHECK(unknown.latest - unknown.earliest > sbus::Answers::MostOff);
+}
+
+TEST_CASE("of two callbacks that disagree on a frame's end one was held up: nothing is known") {
+  using sbus::HandOver;
+  constexpr uint32_t Before = 10000;  // 9 characters follow, and the callback comes when the line was idle for one
+  constexpr uint32_t Prompt = Before + 10 * 120;
+  const struct {
+    int32_t heldUp;
+    bool isKnown;
+    uint32_t latest;
+  } rows[] = {{0, true, 11080},   {40, true, 11080}, {41, false, 0},
+              {-40, true, 11040}, {-41, false, 0},   {3000, false, 0}};
+  for (const auto &row : rows) {
+    CAPTURE(row.heldUp);
+    const sbus::End end = sbus::promptEndOf(HandOver::Dma16, 9, Before, Prompt + static_cast<uint32_t>(row.heldUp));
+    CHECK((end.latest - end.earliest <= sbus::Answers::MostOff) == row.isKnown);
+    if (row.isKnown) {
+      CHECK(end.latest == row.latest);
+      CHECK(end.latest - end.earliest == 40);
+    }
+  }
 }

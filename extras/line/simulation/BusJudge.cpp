@@ -65,9 +65,12 @@ std::string BusJudge::text() const {
   const struct {
     unsigned long count;
     const char *what;
-  } faults[] = {{_counts.early, "early"},       {_counts.late, "late"},
-                {_counts.receivers, "in slot 0"}, {_counts.unannounced, "not announced"},
-                {_counts.torn, "torn"},         {_counts.collided, "collided"},
+  } faults[] = {{_counts.early, "early"},
+                {_counts.late, "late"},
+                {_counts.receivers, "in slot 0"},
+                {_counts.unannounced, "not announced"},
+                {_counts.torn, "torn"},
+                {_counts.collided, "collided"},
                 {_counts.held, "while TX held the wire"}};
   const char *separator = "; ";
   for (const auto &fault : faults) {

@@ -8,11 +8,11 @@ namespace line {
 
 namespace {
 
-constexpr uint32_t SlotsPeriodUs = 15000;       // PX4-Autopilot's capture: 15.00 to 15.01 ms
-constexpr uint32_t OnlySlot0PeriodUs = 6300;    // mstrens/oXs_on_RP2040, doc/FUTABA SBUS (1).docx, images 12 and 13
-constexpr uint32_t OnlySlot0Us = 310;           // the same
-constexpr uint16_t SupplyDecivolts = 46;        // 4.6 V, as in PX4-Autopilot's capture
-constexpr uint16_t ExternalDecivolts = 241;     // 24.1 V, takarakasai/sbus, doc/spec.md
+constexpr uint32_t SlotsPeriodUs = 15000;     // PX4-Autopilot's capture: 15.00 to 15.01 ms
+constexpr uint32_t OnlySlot0PeriodUs = 6300;  // mstrens/oXs_on_RP2040, doc/FUTABA SBUS (1).docx, images 12 and 13
+constexpr uint32_t OnlySlot0Us = 310;         // the same
+constexpr uint16_t SupplyDecivolts = 46;      // 4.6 V, as in PX4-Autopilot's capture
+constexpr uint16_t ExternalDecivolts = 241;   // 24.1 V, takarakasai/sbus, doc/spec.md
 constexpr uint8_t OnlySlot0End = 0x08;
 
 constexpr uint32_t periodUs(BusMode mode) {
@@ -22,7 +22,8 @@ constexpr uint32_t periodUs(BusMode mode) {
 }  // namespace
 
 SimulatedBus::SimulatedBus(const Choreography &choreography, BusMode mode)
-    : _mode(mode), _receiver(choreography, CharacterUs, Channels::Sixteen, periodUs(mode)) {}
+    : _mode(mode), _receiver(choreography, CharacterUs, Channels::Sixteen, periodUs(mode)) {
+}
 
 bool SimulatedBus::next(uint64_t nowUs, Character &character) {
   if (nowUs < CharacterUs) {

@@ -34,7 +34,8 @@ class SimulatedBus : public Line {
   // Adds a sensor; two in the same slot collide.
   void add(const BusSensor &sensor) { _sensors.push_back(sensor); }
 
-  // Delivers a character once it has ended, so never one that a board may still destroy: an UART asks a character ahead.
+  // Delivers a character once it has ended, so never one that a board may still destroy: an UART asks a character
+  // ahead.
   bool next(uint64_t nowUs, Character &character) override;
 
   // A board has its TX at the wire, through a diode.
@@ -57,7 +58,7 @@ class SimulatedBus : public Line {
   SimulatedReceiver _receiver;
   std::vector<BusSensor> _sensors;
   uint32_t _cycles = 0;
-  uint64_t _madeUs = 0;     // all before is in `_wire`
+  uint64_t _madeUs = 0;    // all before is in `_wire`
   std::deque<Sent> _wire;  // in the order of their ends
   LineSettings _tx;
   bool _isHeld = false;

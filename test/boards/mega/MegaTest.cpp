@@ -23,24 +23,21 @@ using mega::Mega;
 using mega::Printed;
 using mega::Rule;
 
-constexpr unsigned BusySeconds = 12;
 constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
 
 // "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "silent"; "wire": from
-// TX1; "bus": S.BUS2, which TX1 shares; otherwise a recording.
+// TX1; otherwise a recording.
 Line lineOf(const std::string &name) {
   line::Source source;
   source.silent = name == "silent";
-  source.sbus2 = name == "bus";
   source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
-  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire" && name != "bus") {
+  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
     source.recording = "../../recordings/" + name + ".txt";
   }
   Line line;
   line.source = name == "wire" ? nullptr : source.open();
   line.cutUs = name == "cut" ? 2000000 : line.cutUs;
-  line.isShared = name == "bus";
   return line;
 }
 
@@ -305,37 +302,4 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints
   std::vector<uint8_t> changed = eeprom;
   changed[50] = 1;  // of CH7, was 0: begins again
   CHECK(textOf(Mega("Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
-}
-
-// An answer that is wrong in any way makes the report longer.
-unsigned long answers(const Mega &mega) {
-  const std::string report = mega.report();
-  MESSAGE(report);
-  std::smatch right;
-  const std::regex all("on the S.BUS2 wire: ([0-9]+) answers in their slots, .* us off");
-  return std::regex_match(report, right, all) ? std::stoul(right[1]) : 0;
-}
-
-TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
-  const Mega mega("Sensor", lineOf("bus"), 12);
-  CHECK(answers(mega) >= 12000 / 60 * 5 * 9 / 10);
-  CHECK(mega.sent().size() / 3 <= answers(mega) + 1);  // the last one may be under way
-  CHECK(mega.printed().size() == 11);
-  CHECK(mega.printed().back().text.find("collisions:0") != std::string::npos);
-  CHECK(mega.mistakes() == "");
-}
-
-TEST_CASE("While loop() is busy for 3 ms, eleven slots are answered, and no frame is lost") {
-  const Mega mega("Busy", lineOf("bus"), BusySeconds);
-  CHECK(answers(mega) >= BusySeconds * 1000 / 60 * 11 * 9 / 10);
-  CHECK(mega.mistakes() == "");
-  const mega::Numbers last = mega::numbersIn(mega.printed().back().text);
-  REQUIRE(last.size() == 6);
-  MESSAGE(mega.printed().back().text);
-  CHECK(last[0] >= static_cast<double>(mega.printed().back().us) / 15000 - 3);  // the first one begins at 5 ms
-  CHECK(last[1] == 0);
-  CHECK(last[2] == 0);
-  CHECK(last[3] == 0);
-  CHECK(last[4] < BusySeconds * 10);
-  CHECK((last[5] == 46 || last[5] == 241));
 }

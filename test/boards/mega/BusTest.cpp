@@ -1,0 +1,59 @@
+// Runs sketches that answer on an S.BUS2 line, on a simulated Arduino Mega.
+#include <doctest/doctest.h>
+
+#include <regex>
+#include <string>
+
+#include "Expected.h"
+#include "Mega.h"
+#include "line/Source.h"
+
+namespace {
+
+using mega::Mega;
+
+constexpr unsigned BusySeconds = 12;  // 60 for ten thousand answers
+
+mega::Line bus() {
+  line::Source source;
+  source.sbus2 = true;
+  mega::Line line;
+  line.source = source.open();
+  line.isShared = true;
+  return line;
+}
+
+// An answer that is wrong in any way makes the report longer.
+unsigned long answers(const Mega &mega) {
+  const std::string report = mega.report();
+  MESSAGE(report);
+  std::smatch right;
+  const std::regex all("on the S.BUS2 wire: ([0-9]+) answers in their slots, .* us off");
+  return std::regex_match(report, right, all) ? std::stoul(right[1]) : 0;
+}
+
+}  // namespace
+
+TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
+  const Mega mega("Sensor", bus(), 12);
+  CHECK(answers(mega) >= 12000 / 60 * 5 * 9 / 10);
+  CHECK(mega.sent().size() / 3 <= answers(mega) + 1);  // the last one may be under way
+  CHECK(mega.printed().size() == 11);
+  CHECK(mega.printed().back().text.find("collisions:0") != std::string::npos);
+  CHECK(mega.mistakes() == "");
+}
+
+TEST_CASE("While loop() is busy for 3 ms, eleven slots are answered, and no frame is lost") {
+  const Mega mega("Busy", bus(), BusySeconds);
+  CHECK(answers(mega) >= BusySeconds * 1000 / 60 * 11 * 9 / 10);
+  CHECK(mega.mistakes() == "");
+  const mega::Numbers last = mega::numbersIn(mega.printed().back().text);
+  REQUIRE(last.size() == 6);
+  MESSAGE(mega.printed().back().text);
+  CHECK(last[0] >= static_cast<double>(mega.printed().back().us) / 15000 - 3);  // the first one begins at 5 ms
+  CHECK(last[1] == 0);
+  CHECK(last[2] == 0);
+  CHECK(last[3] == 0);
+  CHECK(last[4] < BusySeconds * 10);
+  CHECK((last[5] == 46 || last[5] == 241));
+}
