@@ -64,7 +64,7 @@ export default async function () {
     await reads(page, '#pause', 'Go on');
   });
 
-  await check('what has moved by less than a pixel is not drawn anew: four minutes a few times a second, a pause never', async (page) => {
+  await check('what has moved by less than a pixel is not drawn again: four minutes a few times a second, a pause never', async (page) => {
     await page.addInitScript(() => {
       const clear = CanvasRenderingContext2D.prototype.clearRect;
       globalThis.drawn = 0;
@@ -78,7 +78,7 @@ export default async function () {
     // Pictures drawn, and frames that came, at one moment.
     const both = () => page.evaluate(() => [globalThis.drawn, Number(document.querySelector('[data-counter="frames"]').textContent.replace(/\D/g, ''))]);
     const all = async () => (await both())[0];
-    // Pictures in each 100 frames, while so many come or, on a busy PC, more.
+    // Pictures in each 100 frames, while 100 come or, on a busy PC, more.
     const drawn = async (frames) => {
       const [picture, frame] = await both();
       let now;

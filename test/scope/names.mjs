@@ -35,7 +35,7 @@ export default async function () {
     assert.equal(await page.evaluate(() => localStorage.getItem('sbus-scope-channels')), null);
   });
 
-  await check('hidden channels have no bar and no curve, and it says so; the next time, too', async (page) => {
+  await check('hidden channels have no bar and no curve, and it says so, also the next time', async (page) => {
     await page.click('#names-open');
     for (const channel of [2, 16]) await page.uncheck(`#names-list [aria-label="Show CH${channel}"]`);
     await page.keyboard.press('Escape');

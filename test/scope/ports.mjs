@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { bytesOf, check, codes, connect, counter, counts, frame, lit, opensWith, raw, reads, until } from './support.mjs';
 
-// The port brings `bytes` again and again: a frame every 9 ms, whenever it is opened so.
+// The port repeats `bytes`, a frame every 9 ms, whenever it is opened so.
 const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
   page.evaluate(([frameBytes, wanted, ms, latency]) => {
     fake.port.onOpen = ({ baudRate }) => {
@@ -52,7 +52,7 @@ export default async function () {
     await raw(page, 3, '172');
   });
 
-  await check('lost frames for too long are a failsafe, too: no radio', async (page) => {
+  await check('lost frames for too long are also a failsafe: no radio', async (page) => {
     await brings(page, frame([992], { flags: 0x04 }));
     await connect(page);
     await reads(page, '#state', 'Failsafe');
@@ -216,7 +216,7 @@ export default async function () {
     await connect(page);
     await reads(page, '#verdict-text', 'No signal: not a byte with any setting.');
     const opened = () => page.evaluate(() => String(fake.port.opened.map(({ baudRate }) => baudRate)));
-    await until('it is not opened anew', async () => (await opened()).startsWith('100000,200000,100000'));
+    await until('it is not opened again', async () => (await opened()).startsWith('100000,200000,100000'));
   });
 
   await check('Fast S.Bus: 200000 baud are found', async (page) => {

@@ -90,7 +90,7 @@ export default async function () {
     await raw(page, 3, '1811');
   });
 
-  await check('time line: to any place and back, at another speed, again and again', async (page) => {
+  await check('time line: to any place and back, at another speed, repeated', async (page) => {
     await play(page, path.join(recordings, 'sbus2.txt'));
     await toEnd(page);
     const all = 14;

@@ -72,7 +72,7 @@ class Visit {
   watched(port) {
     const open = port.open;
     port.open = (options) => {
-      this.wrong ??= this.choice.current?.port === port ? undefined : 'opened for nobody';
+      this.wrong ??= this.choice.current?.port === port ? undefined : 'opened, and no source has it';
       return open.call(port, options).catch((error) => {
         this.wrong ??= error.name === 'InvalidStateError' ? error : undefined;
         throw error;
@@ -111,7 +111,7 @@ class Visit {
       });
     } catch (error) {
       assert.equal(error.message, 'no recording');
-      assert.equal(this.decided.at(-1), decided, 'a file that nobody waits for is complained of');
+      assert.equal(this.decided.at(-1), decided, 'a notice for a file that is no longer awaited');
     }
   }
 
@@ -186,7 +186,7 @@ class Visit {
     }
   }
 
-  // All is plugged in, and nobody touches it for ten seconds.
+  // All is plugged in, and nothing is clicked for ten seconds.
   async rest() {
     this.ports.forEach((port, i) => {
       port.busy = false;
@@ -227,7 +227,7 @@ class Visit {
 
 const sentence = `${seeds * clicks} random clicks from seed ${firstSeed} on: never stuck, always the source that was chosen last, no port left open`;
 process.on('unhandledRejection', (error) => {
-  console.log(`FAILED scope: ${sentence}: nobody catches ${error?.stack ?? JSON.stringify(error)}`);
+  console.log(`FAILED scope: ${sentence}: not caught: ${error?.stack ?? JSON.stringify(error)}`);
   process.exit(1);
 });
 let onPorts = 0;

@@ -79,7 +79,7 @@ export default async function () {
     assert.equal(await page.locator('.indicator:visible').count(), 2);
   });
 
-  await check('32 channels: those of the frames with header 2F, too', async (page) => {
+  await check('32 channels: also those of the frames with header 2F', async (page) => {
     await page.selectOption('#receiver', '32');
     await raw(page, 32, /^1[67]\d\d$/);
     await counts(page, 'extraFrames', /^[1-9]/);

@@ -39,7 +39,7 @@ export default async function () {
     await stand(page, '30,10', '50,90');
   });
 
-  await check('a mode that was kept and is none is not used', async (page) => {
+  await check('a mode that was kept and does not exist is not used', async (page) => {
     for (const bad of ['5', '', 'toString']) {
       await page.evaluate((value) => localStorage.setItem('sbus-scope-stick-mode', value), bad);
       await page.reload();

@@ -1,4 +1,4 @@
-// What the page finds on each line of verdicts/LINES, where `sbus doctor` and the sketch Diagnose are asked, too. The
+// What the page finds on each line of verdicts/LINES, where `sbus doctor` and the sketch Diagnose are also asked. The
 // library itself is asked, as src/doctor.ts does it: the settings of a port one after the other, unless frames come.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -66,7 +66,7 @@ export class Channels {
     keep(key);
   }
 
-  // Of so many channels, in their order.
+  // Returns those of the first `count` channels, in their order.
   drawn(count: number): number[] {
     return [...this.curves].filter((channel) => channel < count && !this.isHidden(channel)).sort((a, b) => a - b);
   }

@@ -220,7 +220,7 @@ export class Core implements Line {
     return this.calibrationBytes().slice();
   }
 
-  // False if it is none, or damaged.
+  // Returns false if it is no calibration, or damaged.
   restoreCalibration(bytes: Uint8Array): boolean {
     const place = this.calibrationBytes();
     if (bytes.length !== place.length) {

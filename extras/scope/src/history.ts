@@ -89,7 +89,7 @@ export class History implements Samples {
     return low;
   }
 
-  // The sample next to that time; begin if there is none.
+  // Returns the sample next to that time; begin if there are no samples.
   nearest(seconds: number): number {
     const after = Math.min(this.find(seconds), Math.max(this.end - 1, this.begin));
     return after > this.begin && seconds - this.time(after - 1) < this.time(after) - seconds ? after - 1 : after;

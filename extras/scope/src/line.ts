@@ -25,7 +25,7 @@ export enum Flag {
   Failsafe = 8,
 }
 
-// A piece of the line: a frame, or what is none.
+// A piece of the line: a frame, or the bytes between two.
 export interface Stretch {
   endUs: number;
   kind: Kind;
@@ -49,7 +49,7 @@ export type Status = Record<(typeof statusNames)[number], number>;
 // What takes a line in.
 export interface Sink {
   take(stretch: Stretch): void;
-  // All that was taken is of another place of the line. These are the newest ones before it.
+  // All that was taken belongs to another place of the line. These are the newest ones before it.
   jump(recalled: readonly Stretch[]): void;
   // The history before a place that was jumped to.
   precede(samples: Samples): void;
@@ -62,7 +62,7 @@ export interface Line {
   // What sensors have measured within the last second ("receiver voltage 4.6 V"), after the slots that came ("slots 0, 1"); none
   // without telemetry.
   telemetry(nowUs: number): readonly string[];
-  // Least and most of a channel, from 0 on; undefined if there is none yet.
+  // Returns the least and the most of a channel, from 0 on; undefined before the first value.
   travel(channel: number): [number, number] | undefined;
   resetMarks(): void;
 

@@ -9,7 +9,7 @@ export function keep(key: string, value?: string): void {
   attempt(() => (value === undefined ? localStorage.removeItem(`sbus-scope-${key}`) : localStorage.setItem(`sbus-scope-${key}`, value)));
 }
 
-// As JSON. What is damaged, or no object, is none.
+// Returns the object that is kept as JSON; {} if it is damaged or no object.
 export function recallObject(key: string): Record<string, unknown> {
   const value: unknown = attempt(() => JSON.parse(recall(key) ?? ''));
   return typeof value === 'object' && value !== null ? (value as Record<string, unknown>) : {};

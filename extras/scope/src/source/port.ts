@@ -151,7 +151,7 @@ const noWebSerial: Problem = {
   remedy: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
 };
 
-// The port that the user picks. Throws a Problem if there is none.
+// Returns the port that the user picks. Throws a Problem without one.
 export async function pickPort(kind: PortKind): Promise<SerialPort> {
   if (!navigator.serial) {
     throw noWebSerial;

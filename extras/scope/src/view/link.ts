@@ -48,9 +48,9 @@ export class LinkView {
     root.append(
       this.stateTile,
       indicators,
-      tile('Age of the newest', this.age),
+      tile('Newest frame', this.age),
       tile('Rate', this.rate, this.rateUnit),
-      tile('From one to the next', this.gap, this.gapEnds),
+      tile('Frame interval', this.gap, this.gapEnds),
     );
   }
 

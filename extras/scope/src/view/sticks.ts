@@ -67,7 +67,7 @@ export class SticksView {
     });
   }
 
-  // Numbers of which nobody knows what they are have none.
+  // Numbers whose unit is not known have no sticks.
   private percent(newest: Stretch | undefined, unit: Unit, channel: number): number | undefined {
     const value = newest?.channels[channel];
     if (value === undefined) {

@@ -26,7 +26,7 @@ export interface Picture {
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
   faults: number; // there: 1 << Fault
-  found?: Found | null; // the fault that was gone to; null: there is none
+  found?: Found | null; // the fault that was gone to; null: no fault that way
 }
 
 export type Answer =
