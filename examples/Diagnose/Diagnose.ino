@@ -49,7 +49,7 @@ void tryOut(const Setting &setting) {
   diagnosis.add({setting.baud, setting.config == sbus::PortConfig, TRIAL, counters});
   Serial.print(setting.text);
   print(counters.frames, " frames, ");
-  print(counters.discardedBytes, " bytes of no frame\r\n");
+  print(counters.discardedBytes, " discarded bytes\r\n");
 }
 
 // The numbers are those of the setting with the most frames.

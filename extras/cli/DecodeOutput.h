@@ -13,7 +13,7 @@ enum class Form { Table, Csv, Json };
 
 class DecodeOutput {
  public:
-  // `characters`: shows each character; otherwise frames, and the bytes of no frame.
+  // `characters`: shows each character; otherwise frames, and the discarded bytes.
   DecodeOutput(Form form, bool characters) : _form(form), _showsCharacters(characters) {}
 
   // Takes the wire, once it is found.

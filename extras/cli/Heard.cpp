@@ -58,7 +58,7 @@ std::string Heard::text() const {
          (_isCsv ? "rows of CSV"
                  : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
                        (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
-                       std::to_string(discarded) + (discarded == 1 ? " byte of no frame" : " bytes of no frame")) +
+                       std::to_string(discarded) + (discarded == 1 ? " discarded byte" : " discarded bytes")) +
          (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") + "\n";
 }
 

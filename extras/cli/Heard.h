@@ -33,7 +33,7 @@ class Heard {
   // Returns "S.BUS", "S.BUS2" ...; empty without frames.
   std::string variant() const { return _variant.text(); }
 
-  // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 bytes of no frame".
+  // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 discarded bytes".
   std::string text() const;
 
   Json json() const;

@@ -106,7 +106,7 @@ class BitWriter {
 
 }  // namespace
 
-// Of data0 the upper three bits are 110, 111 or 000: nobody knows why.
+// Of data0 the upper three bits are 110, 111 or 000: why is not known.
 void ReceiverVoltage::decode(const SlotData *slots) {
   decivolts = wordOf(slots[0]) & 0x3FF;
   isExternal = (slots[0].data0 & 0x04) != 0;

@@ -2,7 +2,7 @@
 /// The telemetry slots of an S.BUS2 line: what receiver and sensors send between two frames. Sensors.h says what their
 /// data mean.
 ///
-/// Sources: nobody at Futaba has published it. github.com/BrushlessPower/SBUS2-Telemetry, github.com/dgatf/msrc and
+/// Sources: Futaba has not published it. github.com/BrushlessPower/SBUS2-Telemetry, github.com/dgatf/msrc and
 /// github.com/delamonpansie/jitel agree in all that is here; PX4-Autopilot's test_data/sbus2_r7008SB.txt shows slot 0.
 ///
 /// All functions may be called from any context.

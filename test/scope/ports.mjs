@@ -222,7 +222,7 @@ export default async function () {
   await check('Fast S.Bus: 200000 baud are found', async (page) => {
     await brings(page, frame([1300]), 200000);
     await connect(page);
-    await reads(page, '#verdict-note', /^Wrong baud rate: frames come only with the other one\. .* Done: 200000 baud/);
+    await reads(page, '#verdict-note', /^Wrong baud rate: frames come only with the other baud rate\. .* Done: 200000 baud/);
     await raw(page, 1, '1300');
     await reads(page, '#state', 'Fine');
   });
@@ -282,7 +282,7 @@ export default async function () {
       const shown = { 18: 16, 6: 4 }[columns] ?? columns;
       assert.equal(await page.locator('#bars li:visible').count(), shown);
       assert.equal(await page.locator('#lines li:visible').count(), 0);
-      await until('text is counted as bytes of no frame', async () => !(await page.isVisible('[data-counter="discardedBytes"]')));
+      await until('text is counted as discarded bytes', async () => !(await page.isVisible('[data-counter="discardedBytes"]')));
       assert.deepEqual((await page.evaluate(() => fake.port.opened))[0], { baudRate: 115200, bufferSize: 4096 });
     });
   }

@@ -24,7 +24,7 @@ relative() { awk -v zero="$1" '{ while (match($0, / [0-9]+\.[0-9]+ s to +[0-9.]+
 zero=$("$SBUS" hex "$work/flight.txt" | awk '{ print $1; exit }')
 "$SBUS" summary "$work/flight.txt" | sed 's/^[^:]*flight.txt/FILE/' | relative "$zero" >"$work/text"
 cat >"$work/wanted" <<'END'
-FILE: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 bytes of no frame, 0 bad characters
+FILE: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 bad characters
 frames 0 to 1394 ms
 failsafe 3 times, 0.189 s in all
  540 to 720 ms 0.180 s
@@ -61,7 +61,7 @@ verdict $? "summary --json of a flight"
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
 verdict $? "summary lists the twenty longest losses"
 cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
-[ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 bytes of no frame, 0 bad characters" ]
+[ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 bad characters" ]
 verdict $? "summary of bytes without times has no times"
 "$SBUS" summary sim --silent --simulated-time --seconds 1 2>"$work/err"
 [ $? -eq 1 ] && grep -qx 'sbus summary: sim: no frames came; sbus doctor says why' "$work/err"

@@ -55,7 +55,7 @@ TEST_CASE("two buffers take turns, a frame stays where it came in, its payload a
   }
 }
 
-TEST_CASE("each cause of rejection has its counter, and bytes of no frame are counted one by one") {
+TEST_CASE("each cause of rejection has its counter, and discarded bytes are counted one by one") {
   const struct {
     doctest::String what;
     Bytes bytes;

@@ -244,7 +244,7 @@ void addHex(CLI::App &app) {
   const Option values = subcommand.flag("--values", options->values, "the raw values of a frame's channels beside it");
   const Option delta =
       subcommand.flag("--delta", options->delta, "the time since the line before, not since the beginning");
-  subcommand.flag("--json", options->json, "JSON lines: the frames, and the bytes of no frame")
+  subcommand.flag("--json", options->json, "JSON lines: the frames, and the discarded bytes")
       .excludes(values)
       .excludes(delta);
   subcommand

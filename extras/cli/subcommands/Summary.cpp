@@ -85,7 +85,7 @@ class Summary {
     const sbus::Counters &counters = _observer.counters();
     const std::string counts =
         name + ": " + _variant.text() + ", " +
-        format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu bytes of no frame, %lu bad characters\n",
+        format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu bad characters\n",
                static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
                static_cast<unsigned long>(counters.failsafeFrames), _observer.discardedBytes(),
                _observer.badCharacters());

@@ -29,8 +29,8 @@ class Port {
   // From now on the other end of the line sends in another way.
   void rewire(uint64_t nowUs, const line::LineSettings &wire);
 
-  // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. Whoever wants
-  // the transmit buffer to be sent first waits for that.
+  // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. To have
+  // the transmit buffer sent first, wait for that.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
   void close();
   void onReceive(void (*callback)()) { _callback = callback; }

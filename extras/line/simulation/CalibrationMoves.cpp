@@ -50,7 +50,7 @@ void flyGently(uint32_t, uint32_t ms, uint16_t *channels) {
   putSwitchesBack(channels);
 }
 
-// From one to the next, hands glide there.
+// From one section to the next the hands glide.
 struct Section {
   uint32_t fromMs;
   uint32_t untilMs;

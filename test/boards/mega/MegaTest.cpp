@@ -202,29 +202,29 @@ TEST_CASE("Loopback says whether what it sends comes back, once a second") {
 TEST_CASE("Diagnose prints what came with each setting, and what to do") {
   const std::pair<std::string, std::string> runs[] = {
       {"frsky-neutral",
-       "begin(100000): 3 frames, 15 bytes of no frame\n"
-       "begin(200000): 0 frames, 0 bytes of no frame\n"
+       "begin(100000): 3 frames, 15 discarded bytes\n"
+       "begin(200000): 0 frames, 0 discarded bytes\n"
        "No frames: bytes come, but few frames or none.\n"
        "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.\n"
        "dSBus.begin(100000): 6 frames a second and 0 damaged, frame interval some us; "
        "0 % with the lost-frame flag\n"},
       {"paper",
-       "begin(100000): 6 frames, 0 bytes of no frame\n"
-       "begin(200000): 0 frames, 0 bytes of no frame\n"
+       "begin(100000): 6 frames, 0 discarded bytes\n"
+       "begin(200000): 0 frames, 0 discarded bytes\n"
        "All well.\n"
        "Nothing to do.\n"
        "dSBus.begin(100000): 12 frames a second and 0 damaged, frame interval some us; "
        "0 % with the lost-frame flag\n"},
       {"sbus2",
-       "begin(100000): 7 frames, 3 bytes of no frame\n"
-       "begin(200000): 0 frames, 99 bytes of no frame\n"
+       "begin(100000): 7 frames, 3 discarded bytes\n"
+       "begin(200000): 0 frames, 99 discarded bytes\n"
        "All well.\n"
        "Nothing to do.\n"
        "dSBus.begin(100000): 14 frames a second and 0 damaged, frame interval some us; "
        "0 % with the lost-frame flag\n"},
       {"silent",
-       "begin(100000): 0 frames, 0 bytes of no frame\n"
-       "begin(200000): 0 frames, 0 bytes of no frame\n"
+       "begin(100000): 0 frames, 0 discarded bytes\n"
+       "begin(200000): 0 frames, 0 discarded bytes\n"
        "No signal: not a byte with any setting.\n"
        "Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?\n"},
   };
