@@ -1,7 +1,7 @@
 /// @file
 /// What the slots of Futaba's sensors mean, both ways, with integers only. Slots.h finds slots on a line.
 ///
-/// Each type has its number of `Slots`, which follow one another within a group; `decode()` reads so many, `encode()`
+/// Each type has its number of `Slots`, which follow one another within a group; `decode()` reads them, `encode()`
 /// writes them: `decode()` of what `encode()` has written gives the same values, within the ranges given. A slot does
 /// not say which sensor fills it; decode it as the type that the radio has for this slot.
 ///
@@ -20,7 +20,7 @@ namespace sbus {
 
 /// The receiver's own voltage, in slot 0: its supply and an external one in turn, each every 120 ms. Never send it.
 struct ReceiverVoltage {
-  static constexpr uint8_t Slots = 1;  ///< so many
+  static constexpr uint8_t Slots = 1;  ///< how many slots
   uint16_t decivolts;                  ///< 0.1 V, 0..1023
   bool isExternal;                     ///< the external input's; otherwise the receiver's supply
   void decode(const SlotData *slots);  ///< reads them
@@ -29,7 +29,7 @@ struct ReceiverVoltage {
 
 /// Temperature: SBS-01T, P-SBS/01T.
 struct TemperatureSbs01T {
-  static constexpr uint8_t Slots = 1;  ///< so many
+  static constexpr uint8_t Slots = 1;  ///< how many slots
   int16_t degrees;                     ///< degrees Celsius, -100..32667
   void decode(const SlotData *slots);  ///< reads them
   void encode(SlotData *slots) const;  ///< writes them
@@ -37,7 +37,7 @@ struct TemperatureSbs01T {
 
 /// Temperature: TEMP-F1713, "Temp125".
 struct TemperatureF1713 {
-  static constexpr uint8_t Slots = 1;  ///< so many
+  static constexpr uint8_t Slots = 1;  ///< how many slots
   int16_t degrees;                     ///< degrees Celsius, -16384..16383
   void decode(const SlotData *slots);  ///< reads them
   void encode(SlotData *slots) const;  ///< writes them
@@ -45,7 +45,7 @@ struct TemperatureF1713 {
 
 /// Speed of rotation: SBS-01RM, SBS-01RO, SBS-01RB; the radio is set to "magnet" and a ratio of 1.00.
 struct RotationSbs01R {
-  static constexpr uint8_t Slots = 1;  ///< so many
+  static constexpr uint8_t Slots = 1;  ///< how many slots
   uint32_t rpm;                        ///< 1/min, 0..393210, in steps of 6
   void decode(const SlotData *slots);  ///< reads them
   void encode(SlotData *slots) const;  ///< writes them
@@ -53,7 +53,7 @@ struct RotationSbs01R {
 
 /// Voltages: SBS-01V.
 struct VoltageSbs01V {
-  static constexpr uint8_t Slots = 2;  ///< so many
+  static constexpr uint8_t Slots = 2;  ///< how many slots
   uint16_t batteryDecivolts;           ///< 0.1 V, 0..8191
   uint16_t externalDecivolts;          ///< 0.1 V, 0..8191
   void decode(const SlotData *slots);  ///< reads them
@@ -62,7 +62,7 @@ struct VoltageSbs01V {
 
 /// Current, voltage and charge: CURR-F1678 and SBS-01C. A real SBS-01C counts in steps of 0.08 V and 0.64 A.
 struct CurrentF1678 {
-  static constexpr uint8_t Slots = 3;  ///< so many
+  static constexpr uint8_t Slots = 3;  ///< how many slots
   int16_t centiamperes;                ///< 0.01 A, -16384..16383
   uint16_t centivolts;                 ///< 0.01 V
   uint16_t milliampereHours;           ///< mAh
@@ -72,7 +72,7 @@ struct CurrentF1678 {
 
 /// Climb and altitude: VARIO-F1672. A radio takes the first altitude for its zero.
 struct VarioF1672 {
-  static constexpr uint8_t Slots = 2;  ///< so many
+  static constexpr uint8_t Slots = 2;  ///< how many slots
   int16_t centimetresPerSecond;        ///< 0.01 m/s
   int16_t metres;                      ///< m, -16384..16383
   void decode(const SlotData *slots);  ///< reads them
@@ -81,7 +81,7 @@ struct VarioF1672 {
 
 /// Climb and altitude: VARIO-F1712.
 struct VarioF1712 {
-  static constexpr uint8_t Slots = 2;  ///< so many
+  static constexpr uint8_t Slots = 2;  ///< how many slots
   int16_t decimetresPerSecond;         ///< 0.1 m/s
   int16_t metres;                      ///< m, -16384..16383
   void decode(const SlotData *slots);  ///< reads them
@@ -90,7 +90,7 @@ struct VarioF1712 {
 
 /// Air speed: SBS-01TAS.
 struct AirSpeedSbs01Tas {
-  static constexpr uint8_t Slots = 1;  ///< so many
+  static constexpr uint8_t Slots = 1;  ///< how many slots
   uint16_t kilometresPerHour;          ///< km/h, 0..16383
   void decode(const SlotData *slots);  ///< reads them
   void encode(SlotData *slots) const;  ///< writes them
@@ -98,7 +98,7 @@ struct AirSpeedSbs01Tas {
 
 /// Position and speed: GPS-F1675, from slot 8, 16 or 24.
 struct GpsF1675 {
-  static constexpr uint8_t Slots = 8;  ///< so many
+  static constexpr uint8_t Slots = 8;  ///< how many slots
   uint16_t kilometresPerHour;          ///< km/h, 0..16383
   bool hasFix;                         ///< position and speed are valid
   int16_t metres;                      ///< altitude, m, -16384..16383
@@ -113,7 +113,7 @@ struct GpsF1675 {
 /// Position, speed and air pressure: SBS-01G and SBS-02G, from slot 8, 16 or 24. The offset of `decimetres` is
 /// disputed: sources have 820 m, 1500 m and 1638.3 m; 820 m, which is here, fits a real sensor's pressure best.
 struct GpsSbs01G {
-  static constexpr uint8_t Slots = 8;  ///< so many
+  static constexpr uint8_t Slots = 8;  ///< how many slots
   uint32_t secondsOfDay;               ///< UTC, s, 0..131071
   int32_t latitude;                    ///< 1/600000 degree, north is positive
   int32_t longitude;                   ///< 1/600000 degree, east is positive
