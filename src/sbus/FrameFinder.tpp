@@ -111,11 +111,13 @@ template <typename Format, typename Events>
 inline bool FrameFinderOf<Format, Events>::find() {
   while (Format::HasExtra && _variant == SlotsVariant && _expectedAt == 0 && isSlotId(_buffer[0]) &&
          holds(Rule::slots)) {
-    // A sensor's answer: the next frame is expected behind it.
-    if (_buffer.filled() < SlotSize) {
+    // A sensor's answer: the next frame is expected behind it, and behind a gap where the answer lacks a character.
+    const int gapAt = _buffer.gapAt();
+    const bool isCut = gapAt > 0 && gapAt < SlotSize && _buffer.isGapCertain();
+    if (!isCut && _buffer.filled() < SlotSize) {
       return false;
     }
-    discard(SlotSize);
+    discard(isCut ? gapAt : int{SlotSize});
     _expectedAt = 0;
   }
   discard(firstHeader(0));

@@ -12,13 +12,18 @@ uint32_t badOf(uint32_t lost, uint32_t failsafe) {
   return lost > failsafe ? lost : failsafe;
 }
 
+// After begin() the counters are 0 again.
+bool isBelow(uint32_t frames, uint32_t before) {
+  return static_cast<int32_t>(frames - before) < 0;
+}
+
 }  // namespace
 
 uint8_t LinkQuality::update(const Counters &counters, LinkState state, uint32_t now) {
   const Mark mark = {now, counters.frames, counters.lostFrames, counters.failsafeFrames};
   const Mark &oldest = _marks[_count < MarkCount ? 0 : _next];
   if (state == LinkState::NeverSeen || state == LinkState::Stale || _count == 0 ||
-      now - oldest.time > uint32_t{LongestTime} * 1000) {
+      now - oldest.time > uint32_t{LongestTime} * 1000 || isBelow(mark.frames, oldest.frames)) {
     _marks[0] = mark;
     _count = 1;
     _next = 1;
@@ -44,7 +49,11 @@ uint8_t LinkQuality::update(const Counters &counters, LinkState state, uint32_t 
   const uint32_t expected = _rate * ms / (uint32_t{RateUnit} * 1000);
   const uint32_t least = expected > 1 ? expected - 1 : 0;
   const uint32_t all = came > least ? came : least;
-  return all == 0 ? static_cast<uint8_t>(state == LinkState::Ok ? 100 : 0) : static_cast<uint8_t>(good * 100 / all);
+  if (all == 0) {
+    // A second has just begun, or a line without a timeout has long been silent.
+    return _count < MarkCount && state == LinkState::Ok ? 100 : 0;
+  }
+  return static_cast<uint8_t>(good * 100 / all);
 }
 
 }  // namespace sbus

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "sbus/FrameFinder.h"
+#include "sbus/Slots.h"
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
 
@@ -179,6 +180,34 @@ TEST_CASE("all frames of every make are delivered, with flags, telemetry and tai
           CHECK(line.frames(loopUs) == sent);
         }
       }
+    }
+  }
+}
+
+// A driver drops a character with a wrong parity: STM32L0 (stm32l0_uart.c), AVR.
+TEST_CASE("a slot that lacks a character, before a gap that the polls reveal, costs no frame") {
+  const Bytes slot = {sbus::slotId(0), 0xC0, 0x2E};
+  const struct {
+    doctest::String what;
+    Bytes between;
+  } rows[] = {
+      {"whole", slot},
+      {"its ID only", part(slot, 0, 1)},
+      {"two of its three", part(slot, 0, 2)},
+      {"a whole one, then two of three", slot + Bytes{sbus::slotId(1), 0x80}},
+  };
+  for (const auto &row : rows) {
+    for (const size_t burst : {1, 3, 25}) {
+      CAPTURE(row.what);
+      CAPTURE(burst);
+      Feeder line;
+      line.lock(0x04);
+      for (unsigned number = 3; number < 8; number++) {
+        line.wait(2000).feed(row.between, burst);
+        line.wait(Feeder::GapUs);
+        CHECK(line.feed(bytesOf(plainFrame(number, 0x04)), burst) == Feeder::Frames{plainFrame(number, 0x04)});
+      }
+      CHECK(line.counted().discardedBytes == 5 * row.between.size());
     }
   }
 }

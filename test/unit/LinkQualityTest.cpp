@@ -42,6 +42,12 @@ class Line {
     return extent;
   }
 
+  // The sketch calls begin() again: the counters are 0.
+  void begin() { _counters = {}; }
+
+  // The sketch calls setTimeout(0): the link is never stale.
+  void disableTimeout() { _staleUs = UINT32_MAX; }
+
   // Time goes on without a call.
   void block(uint32_t us, const std::function<Came(unsigned)> &came) {
     _us += us;
@@ -50,7 +56,7 @@ class Line {
       take(came(_number++));
     }
     _state = _counters.frames == 0        ? sbus::LinkState::NeverSeen
-             : _us - _newestUs >= StaleUs ? sbus::LinkState::Stale
+             : _us - _newestUs >= _staleUs ? sbus::LinkState::Stale
                                           : _state;
   }
 
@@ -73,6 +79,7 @@ class Line {
   uint32_t _us;
   uint32_t _frameUs;
   uint32_t _newestUs = 0;
+  uint32_t _staleUs = StaleUs;
   unsigned _number = 0;
   sbus::Counters _counters{};
   sbus::LinkState _state = sbus::LinkState::NeverSeen;
@@ -161,4 +168,25 @@ TEST_CASE(
   CHECK(line.run(1, half).high < 60);
   line.run(600, half);
   CHECK(line.run(5, half) == Extent{100, 100});
+}
+
+TEST_CASE("begin() again, while a loop asks every 250 ms and so meets no state but Ok, starts the measurement anew") {
+  for (const uint32_t loopUs : {3000u, 250000u}) {
+    CAPTURE(loopUs);
+    Line line(9000, loopUs);
+    line.run(5, good);
+    line.begin();
+    CHECK(line.run(5, good) == Extent{100, 100});
+  }
+}
+
+TEST_CASE("a silent line has the quality 0 without a timeout, even when no rate is expected any more") {
+  Line line(15000, 3000);
+  line.disableTimeout();
+  line.run(5, good);
+  const auto nothing = [](unsigned) { return Came::Not; };
+  line.run(2, nothing);
+  CHECK(line.run(1800, nothing) == Extent{0, 0});
+  line.run(2, good);
+  CHECK(line.run(5, good) == Extent{100, 100});
 }
