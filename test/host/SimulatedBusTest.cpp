@@ -9,7 +9,6 @@
 #include "line/Observer.h"
 #include "line/simulation/SimulatedBus.h"
 #include "line/telemetry/Sensors.h"
-#include "line/telemetry/TelemetrySlots.h"
 
 namespace {
 
@@ -87,7 +86,6 @@ std::string judged(BusMode mode, unsigned frame, int64_t afterUs, const std::vec
 TEST_CASE("the receiver: a frame every 15 ms, end bytes 04 14 24 34 in turn, slot 0 with both voltages in turn") {
   SimulatedBus bus;
   line::Observer observer;
-  line::TelemetrySlots slots;
   std::string ends, voltages;
   observer.reset(0, line::CharacterUs);
   observer.listen([&](const line::Stretch &stretch) {
@@ -95,7 +93,7 @@ TEST_CASE("the receiver: a frame every 15 ms, end bytes 04 14 24 34 in turn, slo
       ends += std::to_string(stretch.characters.back().value >> 4);
       CHECK((stretch.characters.back().value & 0x0F) == 4);
     }
-    for (const line::TelemetrySlots::Slot &slot : slots.put(stretch)) {
+    for (const line::TelemetrySlots::Slot &slot : observer.telemetry().proved()) {
       const line::Quantity quantity = line::sensorOf("receiver")->quantities(&slot.data)[0];
       voltages += std::string(quantity.name) + " " + quantity.value + " at " + std::to_string(slot.endUs) + "; ";
     }
@@ -107,7 +105,7 @@ TEST_CASE("the receiver: a frame every 15 ms, end bytes 04 14 24 34 in turn, slo
   CHECK(ends.substr(0, 8) == "01230123");
   // The first frame ends at 8000 us.
   CHECK(voltages == "receiver voltage 4.6 at 10390; external voltage 24.1 at 70390; ");
-  CHECK(slots.rejectedGroups() == 0);
+  CHECK(observer.telemetry().rejectedGroups() == 0);
   CHECK(bus.report().empty());
 }
 

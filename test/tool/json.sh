@@ -46,7 +46,7 @@ def check(line):
     states.add(object.get("state"))
     for name, value in object.items():
         expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind") else
-                    list if name in ("channels", "values", "intervals") else
+                    list if name in ("channels", "values", "intervals", "slots") else
                     bool if name in ("ch17", "ch18", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "has_24_channels", "rows_of_csv", "well", "permission") else
                     (int, float))
         if not isinstance(value, expected) or (expected != bool and isinstance(value, bool)):
