@@ -112,12 +112,12 @@ inline bool FrameFinderOf<Format, Events>::find() {
   while (Format::HasExtra && _variant == SlotsVariant && _expectedAt == 0 && isSlotId(_buffer[0]) &&
          holds(Rule::slots)) {
     // A sensor's answer: the next frame is expected behind it, and behind a gap where the answer lacks a character.
-    const int gapAt = _buffer.gapAt();
-    const bool isCut = gapAt > 0 && gapAt < SlotSize && _buffer.isGapCertain();
-    if (!isCut && _buffer.filled() < SlotSize) {
+    const unsigned gapAt = static_cast<unsigned>(_buffer.gapAt());
+    const int size = gapAt - 1 < SlotSize - 1u && _buffer.isGapCertain() ? static_cast<int>(gapAt) : int{SlotSize};
+    if (_buffer.filled() < size) {
       return false;
     }
-    discard(isCut ? gapAt : int{SlotSize});
+    discard(size);
     _expectedAt = 0;
   }
   discard(firstHeader(0));
