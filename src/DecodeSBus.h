@@ -107,12 +107,12 @@ class DecodeSBusOf {
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
  private:
-  friend class DecodeSBus;   // for the extra channels
+  friend class DecodeSBus;  // for the extra channels
   template <typename>
   friend class DecodeSBus2Of;  // for the telemetry
   friend class SBus2Sensor;    // for the answers
 
-  sbus::FrameFinderOf<typename Format::Line, Events>
+  sbus::FrameFinderOf<Format, Events>
       _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
   sbus::Port _port;
   sbus::Link _link;
@@ -142,7 +142,7 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
 /// delivers no frame, and counters().otherSizeFrames counts; so does a DecodeSBus on a line of 24 channels.
 using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 
-/// A DecodeSBus, without extra channels, that takes a frame whose channels are all 0 for a lost one, and does not hand
-/// its channels out. A FrSky receiver that is set to "No pulses" may send such frames, and not always sets a flag in
-/// them.
+/// A DecodeSBus, without extra channels, that takes a frame whose channels are all 0 for a lost one: it counts in
+/// counters().lostFrames, and its channels are not handed out; before any other frame they are as the sketch
+/// has set them. A FrSky receiver that is set to "No pulses" may send such frames, and not always sets a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;

@@ -135,7 +135,6 @@ void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFr
 
 /// The format of a frame of 16 channels, for templates.
 struct Frame16 {
-  using Line = Frame16;                                ///< the format that is searched for
   static constexpr uint8_t Size = FrameSize;           ///< bytes, the flags and the end byte last
   static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
   static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
@@ -156,7 +155,6 @@ struct Frame16 {
 
 /// The format of a frame of 24 channels.
 struct Frame24 {
-  using Line = Frame24;                                ///< the format that is searched for
   static constexpr uint8_t Size = FrameSize24;         ///< bytes
   static constexpr uint8_t Channels = ChannelCount24;  ///< values that unpack() writes
   static constexpr uint8_t Variants = 1;               ///< end byte 00 only

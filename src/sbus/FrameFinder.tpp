@@ -206,7 +206,7 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   }
   _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
   _onlyNoise = true;
-  _counters.count(frame[FlagsAt], _completeAfter - _frameTime);
+  _counters.count(Format::flags(frame), _completeAfter - _frameTime);
   _frameTime = _completeAfter;
   Events::taken(frame);
   return frame;

@@ -55,9 +55,9 @@ class Line {
       _frameUs += _periodUs;
       take(came(_number++));
     }
-    _state = _counters.frames == 0        ? sbus::LinkState::NeverSeen
+    _state = _counters.frames == 0         ? sbus::LinkState::NeverSeen
              : _us - _newestUs >= _staleUs ? sbus::LinkState::Stale
-                                          : _state;
+                                           : _state;
   }
 
  private:

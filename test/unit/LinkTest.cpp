@@ -272,5 +272,7 @@ TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost 
     next(frame);
     CHECK(board.sbus.linkState() == row.afterThree);
     CHECK(board.decode().failsafe == (row.afterThree == LinkState::Failsafe));
+    CHECK(board.sbus.counters().lostFrames == (isZero ? 3 : 0));  // for sbus::LinkQuality
+    CHECK(plain.sbus.counters().lostFrames == 0);
   }
 }
