@@ -112,8 +112,8 @@ class DecodeSBusOf {
   friend class DecodeSBus2Of;  // for the telemetry
   friend class SBus2Sensor;    // for the answers
 
-  sbus::FrameFinderOf<Format, Events>
-      _finder;  // first: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less
+  // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
+  sbus::FrameFinderOf<Format, Events> _finder;
   sbus::Port _port;
   sbus::Link _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last

@@ -18,6 +18,8 @@ constexpr uint32_t PollLead = 5;
 // From the end of the timer's time until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
 constexpr uint32_t TimerLead = 35;
 
+constexpr uint32_t FrameTime = sbus::FrameSize * uint32_t{sbus::CharacterTime};  // us
+
 }  // namespace
 
 // No interrupt comes while all is forgotten.
@@ -75,7 +77,8 @@ void SBus2Sensor::receive() {
   const bool isPrompt = _isTimed && sbus::SlotTimer::HasCallback;
   const sbus::End end =
       (isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
-  answers.plan(end.earliest, end.latest);
+  const uint32_t period = _finder.counters().period;  // 0 before the second frame
+  answers.plan(end.earliest, end.latest, period > FrameTime ? period - FrameTime : 0);
 }
 
 // At PendSV level, above loop().

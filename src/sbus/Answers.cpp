@@ -15,6 +15,17 @@ constexpr uint32_t bits(uint8_t first, uint8_t count) {
   return (count < SlotCount ? (uint32_t{1} << count) - 1 : ~uint32_t{0}) << first;
 }
 
+// Returns a group's slots that are through `gap` us after the frame's end, though they start as late as is allowed.
+uint8_t throughBy(uint32_t gap) {
+  uint8_t slots = 0;
+  uint32_t end = FirstSlotTime + Answers::MostOff + SlotTime;
+  for (uint8_t bit = 1; bit != 0 && end < gap; bit = static_cast<uint8_t>(bit << 1)) {
+    slots = static_cast<uint8_t>(slots | bit);
+    end += SlotPitch;
+  }
+  return slots;
+}
+
 uint8_t countOf(uint8_t slots) {
   uint8_t count = 0;
   for (; slots != 0; slots = static_cast<uint8_t>(slots & (slots - 1))) {
@@ -38,26 +49,33 @@ void Answers::begin() {
   _collisions = 0;
 }
 
-// A plan that is made meanwhile would hold half of the data: plan() then skips this round, 60 ms.
+// plan() may come meanwhile: it takes the data before, or those after.
+Answers::Own &Answers::change() {
+  Own &back = _own[_front ^ 1];
+  back = _own[_front];
+  return back;
+}
+
+void Answers::changed() {
+  barrier();
+  _front = _front ^ 1;
+}
+
 bool Answers::write(uint8_t first, uint8_t count, const SlotData *data) {
   if (first == 0 || count == 0 || first % SlotsOfGroup + count > SlotsOfGroup || first >= SlotCount) {
     return false;
   }
-  _isWriting = true;
-  barrier();
-  memcpy(_own + first, data, count * sizeof *data);
-  _slots |= bits(first, count);
-  barrier();
-  _isWriting = false;
+  Own &own = change();
+  memcpy(own.data + first, data, count * sizeof *data);
+  own.slots |= bits(first, count);
+  changed();
   return true;
 }
 
 void Answers::stop(uint8_t first, uint8_t count) {
-  _isWriting = true;
-  barrier();
-  _slots &= first < SlotCount ? ~bits(first, count) : ~uint32_t{0};
-  barrier();
-  _isWriting = false;
+  Own &own = change();
+  own.slots &= first < SlotCount ? ~bits(first, count) : ~uint32_t{0};
+  changed();
 }
 
 // What is still planned from the frame before is late by far; what was never planned is skipped as well.
@@ -73,7 +91,7 @@ void Answers::taken(const uint8_t *frame) {
   _isFrameEnd = true;
   _endByte = frame[EndIndex];
   _group = firstSlotOf(_endByte);
-  _wanted = endsVariant(_endByte, SlotsVariant) ? static_cast<uint8_t>(_slots >> _group) : uint8_t{0};
+  _wanted = endsVariant(_endByte, SlotsVariant) ? static_cast<uint8_t>(_own[_front].slots >> _group) : uint8_t{0};
 }
 
 // An interrupt may count meanwhile, and an AVR reads byte by byte.
@@ -122,17 +140,18 @@ bool Answers::takeFrameEnd() {
   return isEnd;
 }
 
-void Answers::plan(uint32_t earliest, uint32_t latest) {
-  const uint8_t planned = _wanted;
+void Answers::plan(uint32_t earliest, uint32_t latest, uint32_t gap) {
+  const uint8_t wanted = _wanted;
   _wanted = 0;
   const uint32_t apart = latest - earliest;
   _end = earliest + apart / 2;
   _spread = static_cast<uint16_t>(apart / 2 < Unsure ? apart / 2 : Unsure);
-  if (apart > MostOff || _isWriting) {
-    _skipped += countOf(planned);
+  const uint8_t planned = apart <= MostOff ? static_cast<uint8_t>(wanted & throughBy(gap)) : uint8_t{0};
+  _skipped += countOf(static_cast<uint8_t>(wanted & ~planned));
+  if (planned == 0) {
     return;
   }
-  memcpy(_planned, _own + _group, sizeof _planned);
+  memcpy(_planned, _own[_front].data + _group, sizeof _planned);
   _slack = static_cast<uint8_t>(MostOff - apart / 2);
   _due = earliest + apart / 2 + FirstSlotTime;
   _at = 0;

@@ -13,6 +13,7 @@ namespace sbus {
 /// test_data/sbus2_r7008SB.txt) and on a line with eight occupied slots (github.com/mstrens/oXs_on_RP2040).
 constexpr uint16_t FirstSlotTime = 2030;  ///< us, of the first slot of a group
 constexpr uint16_t SlotPitch = 660;       ///< us, from the start of a slot to the next
+constexpr uint16_t SlotTime = 360;        ///< us, of its three characters
 
 /// Keeps the data of the slots that a board fills, and plans the answers to each frame that announces their group. The
 /// board hears its own characters: they are no telemetry of a sensor.
@@ -37,8 +38,9 @@ class Answers : public Telemetry {
   bool takeFrameEnd();
 
   /// Plans the answers to the accepted frame, whose end lies within `earliest` and `latest`, us. If both are more than
-  /// 100 us apart, the answers are skipped.
-  void plan(uint32_t earliest, uint32_t latest);
+  /// 100 us apart, the answers are skipped. So are those that might not be through before the next frame, which begins
+  /// `gap` us after the end.
+  void plan(uint32_t earliest, uint32_t latest, uint32_t gap);
 
   /// Returns in how many us the next poll of the port must come, 0..500, for one that is polled by a timer: 0 while the
   /// end of a frame is expected.
@@ -84,9 +86,17 @@ class Answers : public Telemetry {
   void compareEcho(bool isWrong);
   void goTo(uint8_t left);
 
-  uint32_t _slots = 0;       // bit k: the board fills slot k
-  SlotData _own[SlotCount];  // of these
-  volatile bool _isWriting = false;
+  // What the board fills its slots with.
+  struct Own {
+    uint32_t slots;  // bit k: it fills slot k
+    SlotData data[SlotCount];
+  };
+
+  Own &change();
+  void changed();
+
+  Own _own[2] = {};
+  volatile uint8_t _front = 0;      // the one of them that is planned from; write() changes the other
   bool _isFrameEnd = false;         // the newest byte is the last one of an accepted frame
   uint8_t _endByte = 0;             // of that frame
   uint8_t _group = 0;               // first slot of the announced group

@@ -32,10 +32,10 @@ void take(Answers &answers, uint8_t end) {
 }
 
 // A frame with this end byte ended within these times.
-void frame(Answers &answers, uint8_t end, uint32_t earliest, uint32_t latest) {
+void frame(Answers &answers, uint8_t end, uint32_t earliest, uint32_t latest, uint32_t gap = 12000) {
   take(answers, end);
   CHECK(answers.takeFrameEnd());
-  answers.plan(earliest, latest);
+  answers.plan(earliest, latest, gap);
 }
 
 // "slot@start: data" of each answer, each `lateUs` after it is due.
@@ -230,4 +230,30 @@ TEST_CASE("one that a timer polls is polled all the time while a frame's end is 
   }
   frame(answers, 0x14, 200000, 215000);  // nothing is known
   CHECK(answers.nextPoll(222500) == 500);
+}
+
+TEST_CASE("no answer is planned that might run into the next frame, however early that comes") {
+  const struct {
+    uint32_t gap;  // us, until the next frame
+    const char *slots;
+  } rows[] = {
+      {12000, "8 9 10 11 12 13 14 15 "}, {7111, "8 9 10 11 12 13 14 15 "}, {7110, "8 9 10 11 12 13 14 "},
+      {4000, "8 9 10 "},                 {2491, "8 "},                     {2490, ""},
+      {0, ""},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.gap);
+    Answers answers;
+    answers.begin();
+    write(answers, 8, 8);
+    frame(answers, 0x14, 1000, 1000, row.gap);
+    std::string slots;
+    while (answers.isPlanned()) {
+      uint8_t characters[sbus::SlotSize];
+      CHECK(answers.start(answers.due(), characters));
+      slots += std::to_string(sbus::slotOfId(characters[0])) + " ";
+    }
+    CHECK(slots == row.slots);
+    CHECK(answers.sent() + answers.skipped() == 8);
+  }
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <string>
 
 #include "sbus/LinkQuality.h"
 
@@ -19,10 +18,6 @@ struct Extent {
   int high = -1;
   bool operator==(const Extent &other) const { return low == other.low && high == other.high; }
 };
-
-doctest::String toString(const Extent &extent) {
-  return doctest::String((std::to_string(extent.low) + ".." + std::to_string(extent.high)).c_str());
-}
 
 // A decoder's counters on a line, and a loop that asks.
 class Line {
