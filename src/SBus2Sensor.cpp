@@ -62,9 +62,10 @@ void SBus2Sensor::answerWithin(int32_t wait) {
     return;
   }
   if (until > 0) {
-    delayMicroseconds(static_cast<unsigned>(until));
+    sbus::SlotTimer::wait(static_cast<uint32_t>(until));
   }
-  answer(until > 0 ? _finder.events().due() : now);
+  const sbus::SlotTimer::Alone alone;
+  answer(alone.start(until > 0 ? _finder.events().due() : now));
 }
 
 void SBus2Sensor::receive() {

@@ -55,9 +55,9 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
 
   /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
   ///
-  /// On a Grasshopper and on an AVR with a timer 2 interrupts do all that, and this does nothing: call it, or do not.
-  /// On all other boards call it at least every 75 us: a poll that comes later does not know when the frame ended, and
-  /// skips its answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
+  /// On a Grasshopper, on a Pico and on an AVR with a timer 2 interrupts do all that, and this does nothing: call it,
+  /// or do not. On all other boards call it at least every 75 us: a poll that comes later does not know when the frame
+  /// ended, and skips its answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
   void parseSBusFrame();
 
   // ---- What DecodeSBus2 has; an interrupt must not read the port meanwhile on boards where it does

@@ -11,6 +11,9 @@
 #include "SlotTimerStm32L0.h"
 #elif defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
 #include "SlotTimerAvr.h"
+#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
+#define SBUS_SLOT_TIMER_RP2040  // arduino-pico from 4.0 on; with FreeRTOS loop() is a task that may change its core
+#include "SlotTimerRp2040.h"
 #else
 
 namespace sbus {
@@ -28,6 +31,13 @@ class SlotTimer {
     Hold() {}
   };
 
+  // From a look at the clock until the start bit, where other interrupts could come in between.
+  struct Alone {
+    Alone() {}
+    // Returns when that is: `planned`, or later.
+    uint32_t start(uint32_t planned) const { return planned; }
+  };
+
   // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
   // false if it cannot; then neither is ever called.
   template <typename Port>
@@ -38,6 +48,8 @@ class SlotTimer {
   static void stop(void *) {}
   // Calls due() in `us` from now, or a little later.
   static void at(uint32_t) {}
+  // Waits, in loop() or in due().
+  static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
   // Sends at once.
   static void send(const uint8_t *, size_t) {}
   static bool isHeld() { return false; }

@@ -26,10 +26,16 @@ class SlotTimer {
   };
   static bool isHeld() { return _held; }
 
+  struct Alone {
+    Alone() {}
+    uint32_t start(uint32_t planned) const { return planned; }
+  };
+
   static bool start(HardwareSerial &port, void (*received)(void *), void (*due)(void *), void *context);
   static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
   static void stop(void *context);
   static void at(uint32_t us);
+  static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
   static void send(const uint8_t *characters, size_t size);
 
  private:

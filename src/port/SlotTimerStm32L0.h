@@ -19,6 +19,11 @@ class SlotTimer {
   };
   static bool isHeld() { return false; }
 
+  struct Alone {
+    Alone() {}
+    uint32_t start(uint32_t planned) const { return planned; }
+  };
+
   static bool start(Uart &port, void (*received)(void *), void (*due)(void *), void *context);
   template <typename Port>
   static bool start(Port &, void (*)(void *), void (*)(void *), void *) {
@@ -27,6 +32,7 @@ class SlotTimer {
   static void stop(void *context);
 
   static void at(uint32_t us);
+  static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
 
   // From its own buffer: what Uart::write(buffer, size) takes is cut in two with a pause where its ring ends
   // (Uart.cpp:207).

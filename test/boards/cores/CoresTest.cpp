@@ -5,6 +5,7 @@
 #include <string>
 
 #include "Cores.h"
+#include "port/HandOver.h"
 
 #if defined(ESP8266)
 HardwareSerial Serial, Serial1(1);
@@ -237,6 +238,12 @@ TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin()
 TEST_CASE("inverts() returns what the port can do") {
   CHECK(sbus::inverts(SBUS_PORT) == Core.inverts);
 }
+
+#if defined(ESP32)
+TEST_CASE("the port does not tell when a frame ended: a sensor does not answer there") {
+  CHECK(sbus::handOverOf(&SBUS_PORT, &SBUS_PORT, sbus::Choice<2>()) == sbus::HandOver::Unknown);
+}
+#endif
 
 TEST_CASE("a bad character: on a core that discards it the frame is missing, on others the frame is wrong") {
   constexpr unsigned Frames = 60;

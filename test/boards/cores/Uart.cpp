@@ -8,6 +8,34 @@ namespace sim {
 
 World world;
 
+void World::pass(uint64_t us) {
+  uint64_t left = us;
+  for (;;) {
+    const uint64_t others = othersUs != 0 && masked == 0 ? std::max(othersAtUs, nowUs) : Never;
+    const uint64_t own = masked == 0 && !inAlarm && alarmAtUs != Never ? std::max(alarmAtUs, nowUs) : Never;
+    const uint64_t first = std::min(others, own);
+    if (first == Never || first - nowUs > left) {
+      nowUs += left;
+      return;
+    }
+    left -= first - nowUs;
+    nowUs = first;
+    if (others <= own) {
+      othersAtUs = nowUs + 997;
+      nowUs += othersUs;
+    } else {
+      alarmAtUs = Never;
+      inAlarm = true;
+      alarm();
+      inAlarm = false;
+    }
+  }
+}
+
+void inPort() {
+  world.pass(world.portUs);
+}
+
 void print(char c) {
   world.printed += c;
 }
@@ -93,6 +121,9 @@ void Uart::handOver() {
 void Uart::receive() {
   if (!_wired || !_open) {
     return;
+  }
+  if (world.wire != nullptr) {
+    world.wire->until(world.nowUs);
   }
   const uint64_t characterUs = 12 * 1000000 / world.baud;
   const auto idleUntil = [&](uint64_t us) {
@@ -184,6 +215,9 @@ size_t Uart::write(uint8_t byte) {
   const uint64_t beginNs = std::max(world.nowUs * 1000, _freeNs);
   _freeNs = beginNs + characterNs;
   world.sent.push_back({beginNs / 1000, (_freeNs + 999) / 1000, byte, _settings});
+  if (world.wire != nullptr) {
+    world.wire->sent(world.sent.back());
+  }
   if (_facts.transmitter == 0) {
     flush();
   }
@@ -206,18 +240,18 @@ void delayMicroseconds(unsigned us);
 void yield();
 
 uint32_t micros() {
-  sim::world.nowUs += sim::world.tickUs;
+  sim::world.pass(sim::world.tickUs);
   return static_cast<uint32_t>(sim::world.nowUs);
 }
 uint32_t millis() {
-  sim::world.nowUs += sim::world.tickUs;
+  sim::world.pass(sim::world.tickUs);
   return static_cast<uint32_t>(sim::world.nowUs / 1000);
 }
 void delay(unsigned long ms) {
-  sim::world.nowUs += ms * 1000;
+  sim::world.pass(ms * 1000);
 }
 void delayMicroseconds(unsigned us) {
-  sim::world.nowUs += us;
+  sim::world.pass(us);
 }
 void yield() {
 }

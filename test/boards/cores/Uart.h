@@ -90,6 +90,7 @@ class Uart {
 };
 
 void print(char c);  // what a sketch says over USB
+void inPort();       // takes as long as a method of the port, where a core locks it
 
 // What the tests expect of a core.
 struct Known {

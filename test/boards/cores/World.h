@@ -21,8 +21,25 @@ class Reader {
   virtual void beforeRead() = 0;
 };
 
+// The other end of the wire, if it answers to what the board sends.
+class Wire {
+ public:
+  virtual void until(uint64_t us) = 0;  // puts on the line what ends until then
+  virtual void sent(const Sent &sent) = 0;
+};
+
 struct World {
+  static constexpr uint64_t Never = UINT64_MAX;
   uint64_t nowUs = 1000000;
+
+  // Time passes, with the interrupts that come meanwhile. The alarm has the lowest priority.
+  void pass(uint64_t us);
+  unsigned masked = 0;      // no interrupts
+  unsigned othersUs = 0;    // how long other interrupts take, every 997 us
+  uint64_t othersAtUs = 0;  // the next of them
+  uint64_t alarmAtUs = Never;
+  bool inAlarm = false;
+  void (*alarm)() = nullptr;
 
   // What comes in: characters of even parity, at the pin.
   unsigned long baud = sbus::Baud;
@@ -32,6 +49,8 @@ struct World {
   unsigned tickUs = 0;      // how long reading the clock takes
   unsigned lateUs = 0;      // how long an interrupt holds up the next read()
   bool looped = false;  // what was sent comes back, whatever its polarity
+  unsigned portUs = 0;  // how long a method of the port takes, where a core locks it
+  Wire *wire = nullptr;
   std::vector<line::Character> line;
   size_t next = 0;  // of `line`, or of `sent`
 

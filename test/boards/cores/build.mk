@@ -1,6 +1,7 @@
 # Builds the library, the examples and README.md's sketch against the stand-ins of the cores' ports, into the folder OUT
 # (absolute)
 #   OUT/CORE/CoresTest     the program that runs frames through them, both ways, and Diagnose on them
+#   OUT/CORE/SensorTest    an S.BUS2 sensor on them, where the core times it
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core
 # `make list` names all of these.
@@ -38,7 +39,7 @@ EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
 compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
-ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
+ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico,$(core)),$(OUT)/$(core)/SensorTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core))))
 
 all: $(ALL)
@@ -53,17 +54,25 @@ FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
 TEST := -std=gnu++14 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
 
+SIMULATION := SimulatedBus SimulatedReceiver BusJudge Flight LineSettings
+
 # On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
 with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g',cat)
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino)
+$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
+$(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/PicoAlarms.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o \
+  $(OUT)/$1/port/SlotTimerRp2040.o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/PicoAlarms.o: $(HERE)/PicoAlarms.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
@@ -96,6 +105,9 @@ $(OUT)/README.cpp: $(ROOT)/README.md $(HERE)/build.mk
 $(OUT)/Uart.o: $(HERE)/Uart.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(TEST) -O1 $(DEPENDENCIES) -c $< -o $@
+$(SIMULATION:%=$(OUT)/%.o): $(OUT)/%.o: $(ROOT)/extras/line/simulation/%.cpp $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(FLAGS) -I$(ROOT)/extras -O1 $(DEPENDENCIES) -c $< -o $@
 $(OUT)/Main.o: $(ROOT)/test/support/Main.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(DEPENDENCIES) -c $< -o $@

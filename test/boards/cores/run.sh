@@ -1,7 +1,7 @@
 #!/bin/sh
 # Compiles the library and the examples, as they stand, against stand-ins of the cores that people own, and says "ok cores:
-# ..." or "FAILED cores: ..." of each; then runs frames through each core's ports, CoresTest.cpp. BUILD is the folder for
-# what is built, absolute; CXX a compiler for this PC.
+# ..." or "FAILED cores: ..." of each; then runs frames through each core's ports, CoresTest.cpp, and an S.BUS2 sensor on
+# those that time it, SensorTest.cpp. BUILD is the folder for what is built, absolute; CXX a compiler for this PC.
 set -u
 cd "$(dirname "$0")" || exit 1
 out="${BUILD:-$(cd ../../.. && pwd)/build/test}/cores"
@@ -21,16 +21,16 @@ for target in $targets; do
   case $name in
     *.ok) what="${name%.ok} compiles without a warning" ;;
     *.rejected) what="${name%.rejected} does not compile, and says that only the STM32L0 core has what it needs" ;;
-    *) what="CoresTest is built" ;;
+    *) what="$name is built" ;;
   esac
   # The others are removed before they are made.
-  if [ -e "$target" ] && { [ "$name" != CoresTest ] || build -q "$target" >/dev/null 2>&1; }; then echo "ok cores: $core: $what"; else echo "FAILED cores: $core: $what"; fi
-  if [ "$name" = CoresTest ]; then
+  if [ -e "$target" ] && { [ "$name" = "${name%Test}" ] || build -q "$target" >/dev/null 2>&1; }; then echo "ok cores: $core: $what"; else echo "FAILED cores: $core: $what"; fi
+  if [ "$name" != "${name%Test}" ]; then
     printf '%s:\n' "$core"
     timeout 300 "$target" --no-version --no-intro >"$target.log" 2>&1
     status=$?
     cat "$target.log"
     [ "$status" -eq 0 ] || grep -q '^\[doctest\] test cases:.*[1-9][0-9]* failed' "$target.log" ||
-      echo "FAILED cores: $core: CoresTest ended with status $status before its end"
+      echo "FAILED cores: $core: $name ended with status $status before its end"
   fi
 done

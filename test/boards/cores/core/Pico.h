@@ -1,11 +1,13 @@
 // github.com/earlephilhower/arduino-pico 6.0.0 (387294c): cores/rp2040/SerialUART.h and .cpp, LocklessQueue.h.
 // Bad characters are discarded (.cpp:532). begin() ends an open port (219). While it is open its settings stand (163), and
-// another pin stops the board (61). end() keeps pins and settings (303).
+// another pin stops the board (61). end() keeps pins and settings (303). A method that is interrupted holds a mutex: to the
+// interrupt all of them return 0 (CoreMutex.cpp:47).
 #pragma once
 
 #include "Api.h"
 
 #define ARDUINO_ARCH_RP2040
+#define PICO_SDK_VERSION_MAJOR 2
 #define EEPROM_EMULATED
 
 class SerialUART : public Simulated<HardwareSerial> {
@@ -26,15 +28,36 @@ class SerialUART : public Simulated<HardwareSerial> {
     uart.open(apiSettings(baud, config, _invertRx, _invertTx));
   }
   void end() override { uart.close(); }
-  int availableForWrite() override { return uart.room() > 0 ? 1 : 0; }  // that is all it says
+  int available() override { return locked([&] { return uart.available(); }); }
+  int peek() override { return _isLocked ? -1 : locked([&] { return uart.peek(); }); }
+  int read() override { return _isLocked ? -1 : locked([&] { return uart.read(); }); }
+  int availableForWrite() override {  // that is all it says
+    return locked([&] { return uart.room() > 0 ? 1 : 0; });
+  }
+  size_t write(const uint8_t *bytes, size_t size) override {
+    return static_cast<size_t>(locked([&] { return static_cast<int>(Print::write(bytes, size)); }));
+  }
+  using Simulated<HardwareSerial>::write;
   operator bool() override { return uart.isOpen(); }
 
  private:
+  template <typename Method>
+  int locked(Method method) {
+    if (_isLocked) {
+      return 0;
+    }
+    _isLocked = true;
+    sim::inPort();
+    const int result = method();
+    _isLocked = false;
+    return result;
+  }
   bool set(bool &setting, bool value) {
     setting = uart.isOpen() ? setting : value;
     return !uart.isOpen();
   }
   bool _invertRx = false, _invertTx = false;
+  bool _isLocked = false;
 };
 extern SerialUART Serial1, Serial2;
 

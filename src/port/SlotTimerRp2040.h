@@ -1,0 +1,66 @@
+/// @file
+/// The RP2040's and RP2350's, of arduino-pico: an alarm of the microsecond timer that nothing else has. It polls the
+/// port, often while a frame's end is expected, at the lowest priority: other interrupts come first.
+#pragma once
+
+#include <Arduino.h>
+#include <hardware/sync.h>
+#include <hardware/timer.h>
+#include <stdint.h>
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// There is one: a second sensor is polled from loop(). Its interrupt comes to the core that has called begin().
+class SlotTimer {
+ public:
+  static constexpr bool HasCallback = false;
+
+  // While loop() reads, the interrupt sends what is due, but does not read the port.
+  class Hold {
+   public:
+    Hold() {
+      _held = true;
+      __asm volatile("" ::: "memory");
+    }
+    ~Hold() {
+      __asm volatile("" ::: "memory");
+      _held = false;
+    }
+    Hold(const Hold &) = delete;
+    Hold &operator=(const Hold &) = delete;
+  };
+  static bool isHeld() { return _held; }
+
+  // No interrupt comes between a look at the clock and the start bit.
+  class Alone {
+   public:
+    Alone() : _interrupts(save_and_disable_interrupts()) {}
+    ~Alone() { restore_interrupts(_interrupts); }
+    Alone(const Alone &) = delete;
+    Alone &operator=(const Alone &) = delete;
+    uint32_t start(uint32_t planned) const {
+      const uint32_t now = time_us_32();
+      return static_cast<int32_t>(now - planned) > 0 ? now : planned;
+    }
+
+   private:
+    const uint32_t _interrupts;
+  };
+
+  static bool start(SerialUART &port, void (*received)(void *), void (*due)(void *), void *context);
+  static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
+  static void stop(void *context);
+  static void at(uint32_t us);
+  // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).
+  static void wait(uint32_t us) { busy_wait_us_32(us); }
+  static void send(const uint8_t *characters, size_t size);
+
+ private:
+  static volatile bool _held;
+};
+
+/// @endcond
+
+}  // namespace sbus

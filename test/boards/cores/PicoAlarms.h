@@ -1,0 +1,14 @@
+// The alarms of the pico-sdk's microsecond timer.
+#pragma once
+
+namespace sim {
+
+struct Alarms {
+  static constexpr unsigned Count = 4;
+  unsigned claimed = 8;                                 // bits; 3 is the default pool's (pico_time/time.c:84)
+  unsigned priority[Count] = {0x80, 0x80, 0x80, 0x80};  // of their interrupts
+  void (*callback[Count])(unsigned) = {};
+};
+extern Alarms alarms;
+
+}  // namespace sim

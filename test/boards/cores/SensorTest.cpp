@@ -1,0 +1,205 @@
+// SBus2Sensor on the ports of one core, CORE, which times its slots: right while loop() does other things, and never
+// late.
+#include <SBus2Sensor.h>
+
+#include "Cores.h"
+#include "PicoAlarms.h"
+#include "line/simulation/SimulatedBus.h"
+
+decltype(Serial1) Serial1, Serial2;
+
+using sim::world;
+
+namespace {
+
+constexpr uint64_t Second = 1000000;
+constexpr uint64_t Seconds = 100;
+constexpr unsigned Rounds = static_cast<unsigned>(Seconds * Second / 60000);
+constexpr unsigned Slots = 5;  // that the board fills
+
+// An S.BUS2 wire at Serial1. It measures how far off their times answers start, which the judge does for right ones
+// only.
+struct Bus : sim::Wire {
+  line::SimulatedBus bus;
+  const uint64_t startUs = world.nowUs;
+  uint64_t lastUs = 0, frameEndUs = 0;
+  unsigned row = 0;  // characters without a gap
+  int64_t mostOffUs = 0;
+
+  void until(uint64_t us) override {
+    line::Character character;
+    while (bus.next(us - startUs + line::CharacterUs, character)) {
+      row = character.endUs == lastUs + line::CharacterUs ? row + 1 : 1;
+      lastUs = character.endUs;
+      frameEndUs = row == sbus::FrameSize ? lastUs : frameEndUs;
+      character.endUs += startUs;
+      world.line.push_back(character);
+    }
+  }
+
+  void sent(const sim::Sent &sent) override {
+    line::Character character;
+    character.endUs = sent.beginUs - startUs + line::CharacterUs;
+    character.value = sent.value;
+    bus.hear(character);
+    if (world.sent.size() % sbus::SlotSize == 1) {
+      const int64_t after = static_cast<int64_t>(sent.beginUs - startUs - frameEndUs) - line::FirstSlotUs;
+      const int64_t pitch = line::SlotPitchUs;
+      const int64_t off = (after + pitch / 2 + pitch) % pitch - pitch / 2;
+      mostOffUs = std::max(mostOffUs, off < 0 ? -off : off);
+    }
+  }
+
+  const line::BusJudge::Counts &counts() const { return bus.judge().counts(); }
+};
+
+// While loop() reads, nothing else may.
+struct Unheld : sim::Reader {
+  void beforeRead() override { world.crashes += sbus::SlotTimer::isHeld(); }
+};
+
+struct Sketch {
+  Bus wire;
+  Unheld unheld;
+  SBus2Sensor sensor{Serial1};
+
+  Sketch() {
+    cores::switchOn();
+    sim::alarms = sim::Alarms();
+    world.tickUs = 1;
+    world.wire = &wire;
+    world.reader = &unheld;
+    wire.bus.share(line::LineSettings());
+    sensor.begin();
+    CHECK(sensor.writeSensor(6, sbus::VoltageSbs01V{56, 125}));
+    CHECK(sensor.writeSensor(24, sbus::CurrentF1678{2345, 1234, 1500}));
+  }
+  ~Sketch() { sensor.end(); }
+
+  template <typename Loop>
+  void run(Loop loop, uint64_t seconds = Seconds) {
+    for (const uint64_t endUs = world.nowUs + seconds * Second; world.nowUs < endUs;) {
+      loop();
+    }
+    MESSAGE(wire.bus.judge().text(), "; most off: ", wire.mostOffUs, " us; skipped ", sensor.skippedSlots());
+    CHECK(world.crashes == 0);
+    CHECK(wire.mostOffUs <= +sbus::Answers::MostOff);
+    CHECK(wire.counts().wrong() - wire.counts().late == 0);
+    CHECK(sensor.sentSlots() == wire.counts().right + wire.counts().late);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("While loop() is in delay(3), nearly every slot is answered within 50 us of its time, and no frame is lost") {
+  Sketch sketch;
+  sketch.wire.bus.add({3, {1, 2}});
+  sketch.run([&] {
+    delay(3);
+    sketch.sensor.parseSBusFrame();
+  });
+  CHECK(sketch.wire.counts().right >= (Rounds - 2) * Slots);
+  CHECK(sketch.wire.counts().late == 0);
+  CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
+  CHECK(sketch.sensor.collisions() == 0);
+  CHECK(sketch.sensor.rejectedGroups() == 0);
+  sbus::TemperatureF1713 other;
+  CHECK(sketch.sensor.readSensor(3, other));
+}
+
+TEST_CASE("while loop() reads channels and writes sensors all the time, frames and answers go on") {
+  Sketch sketch;
+  sketch.run([&] {
+    uint16_t channels[18];
+    bool failsafe, lostFrame;
+    sketch.sensor.decodeSBusFrame(channels, failsafe, lostFrame);
+    sketch.sensor.writeSensor(6, sbus::VoltageSbs01V{56, 125});
+    delayMicroseconds(3);
+  });
+  CHECK(sketch.wire.counts().right >= Rounds * Slots * 9 / 10);
+  CHECK(sketch.wire.counts().late == 0);
+  CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
+}
+
+TEST_CASE("other interrupts of up to 1 ms: what would be late is skipped") {
+  for (const unsigned othersUs : {20u, 60u, 150u, 400u, 900u}) {
+    CAPTURE(othersUs);
+    Sketch sketch;
+    world.othersUs = othersUs;
+    world.portUs = 1;
+    sketch.run([&] { delay(3); });
+    CHECK((othersUs > 60 || sketch.wire.counts().right >= Rounds * Slots * 2 / 3));
+    CHECK((othersUs < 150 || sketch.sensor.skippedSlots() > 0));
+  }
+}
+
+TEST_CASE("a loop() without interrupts: what would be late is skipped") {
+  for (const unsigned maskedUs : {30u, 90u, 200u, 3000u}) {
+    CAPTURE(maskedUs);
+    Sketch sketch;
+    sketch.run([&] {
+      delayMicroseconds(777);
+      world.masked++;
+      delayMicroseconds(maskedUs);
+      world.masked--;
+    });
+    CHECK((maskedUs > 90 || sketch.wire.counts().right >= Rounds * Slots / 3));
+    CHECK((maskedUs < 200 || sketch.sensor.skippedSlots() > 0));
+  }
+}
+
+TEST_CASE("a loop() that asks the port itself: no answer is wrong, and nearly all are sent") {
+  for (const unsigned portUs : {1u, 2u, 5u}) {
+    CAPTURE(portUs);
+    Sketch sketch;
+    world.portUs = portUs;
+    sketch.run([&] {
+      Serial1.peek();
+      delayMicroseconds(7);
+    });
+    CHECK(sketch.wire.counts().right >= Rounds * Slots * 9 / 10);
+  }
+}
+
+TEST_CASE("after end() nothing is sent, and its alarm is free; after begin() answers go on") {
+  Sketch sketch;
+  CHECK(sim::alarms.claimed == (8 | 1));
+  sketch.run([] { delay(1); }, 10);
+  sketch.sensor.end();
+  CHECK(sim::alarms.claimed == 8);
+  CHECK(sim::alarms.priority[0] == 0x80);
+  CHECK(world.alarmAtUs == +sim::World::Never);
+  const size_t sent = world.sent.size();
+  CHECK(sent >= 9 * Second / 60000 * Slots * 3);
+  sketch.run([] { delay(1); }, 10);
+  CHECK(world.sent.size() == sent);
+  const unsigned long right = sketch.wire.counts().right;
+  sketch.sensor.begin();
+  for (const uint64_t endUs = world.nowUs + 10 * Second; world.nowUs < endUs;) {
+    delay(1);
+  }
+  CHECK(sketch.wire.counts().right >= right + 9 * Second / 60000 * Slots);
+}
+
+TEST_CASE("without a free alarm parseSBusFrame() answers") {
+  Sketch sketch;
+  sketch.sensor.end();
+  sim::alarms.claimed = 15;
+  sketch.sensor.begin();
+  sketch.run([&] {
+    delayMicroseconds(40);
+    sketch.sensor.parseSBusFrame();
+  });
+  CHECK(sketch.wire.counts().right >= (Rounds - 2) * Slots);
+  CHECK(sketch.wire.counts().late == 0);
+  CHECK(sim::alarms.claimed == 15);
+}
+
+TEST_CASE("a second sensor is polled, and its end() leaves the first one its alarm") {
+  Sketch sketch;
+  SBus2Sensor second(Serial2);
+  second.begin();
+  second.end();
+  sketch.run([] { delay(3); }, 10);
+  CHECK(sketch.wire.counts().right >= 9 * Second / 60000 * Slots);
+}
