@@ -13,7 +13,8 @@ constexpr uint8_t Latest = 240;
 HardwareSerial *sender = nullptr;  // null: free
 void *sensor;
 void (*dueCallback)(void *);
-uint8_t ticks;  // until the next call
+uint8_t ticks;         // until the next call
+uint8_t modeA, modeB;  // what the core had set: the PWM of analogWrite()
 
 }  // namespace
 
@@ -22,6 +23,10 @@ volatile bool SlotTimer::_held = false;
 bool SlotTimer::start(HardwareSerial &port, void (*)(void *), void (*due)(void *), void *context) {
   if (sender != nullptr && sensor != context) {
     return false;
+  }
+  if (sender == nullptr) {
+    modeA = TCCR2A;
+    modeB = TCCR2B;
   }
   sender = &port;
   sensor = context;
@@ -33,8 +38,10 @@ bool SlotTimer::start(HardwareSerial &port, void (*)(void *), void (*due)(void *
 }
 
 void SlotTimer::stop(void *context) {
-  if (sensor == context) {
+  if (sender != nullptr && sensor == context) {
     TIMSK2 &= static_cast<uint8_t>(~_BV(OCIE2B));
+    TCCR2A = modeA;
+    TCCR2B = modeB;
     sender = nullptr;
   }
 }

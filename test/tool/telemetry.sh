@@ -60,6 +60,7 @@ SBS-01V|is no slot and name, such as 1=SBS-01V
 x=SBS-01V|is no slot and name
 6=F1678|F1678 has 3 slots, which do not fit into the group of slots 0 to 7 from slot 6 on
 9=F1675|F1675 has 8 slots
+0=SBS-01V|slot 0 is a slot of receiver
 END
 
 "$SBUS" hex "$work/line.txt" | awk '/83 80/ { sub(/^.*- /, ""); print }' >"$work/out"

@@ -1,5 +1,7 @@
 #include "cli/options/SensorOption.h"
 
+#include <algorithm>
+
 #include "cli/Format.h"
 #include "cli/Output.h"
 
@@ -33,6 +35,13 @@ void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
     rejectCommandLine(
         format("--sensor: %s has %u slots, which do not fit into the group of slots %u to %u from slot %u on",
                sensor->name, sensor->slots, slot / 8 * 8, slot / 8 * 8 + 7, slot));
+  }
+  for (const auto &[first, other] : sensors) {
+    const bool isSame = first == slot && other == sensor;
+    if (!isSame && slot < first + other->slots && first < slot + sensor->slots) {
+      rejectCommandLine(
+          format("--sensor: %s: slot %u is a slot of %s", text.c_str(), std::max<unsigned>(slot, first), other->name));
+    }
   }
   sensors[slot] = sensor;
 }
