@@ -197,7 +197,7 @@ TEST_CASE("a slot that lacks a character, before a gap that the polls reveal, co
       {"a whole one, then two of three", slot + Bytes{sbus::slotId(1), 0x80}},
   };
   for (const auto &row : rows) {
-    for (const size_t burst : {1, 3, 25}) {
+    for (const size_t burst : {size_t{1}, size_t{3}, size_t{25}}) {
       CAPTURE(row.what);
       CAPTURE(burst);
       Feeder line;
