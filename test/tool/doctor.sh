@@ -14,16 +14,28 @@ agree() {
   }' "$1"
 }
 
-# asked STATUS FINDING FIGURES ARGUMENTS...: three lines say the finding, the remedy and the figures
-asked() {
+# heard STATUS FINDING FIGURES ARGUMENTS...: three lines say the finding, the remedy and the figures
+heard() {
   wanted=$1 finding=$2 figures=$3
   shift 3
   timeout 60 "$SBUS" doctor "$@" >"$WORK/doctor.out" 2>"$WORK/doctor.err" </dev/null
   [ $? -eq "$wanted" ] && [ ! -s "$WORK/doctor.err" ] && grep -A 1 "^$finding" "$WORK/doctor.out" | sed -n '2s/./&/p' | grep -q . &&
     if [ "$figures" = - ]; then ! grep -q 'frames a second' "$WORK/doctor.out"; else grep -q "^$figures" "$WORK/doctor.out"; fi && agree "$WORK/doctor.out"
+}
+
+asked() {
+  heard "$@"
   status=$?
   [ $status -eq 0 ] || cat "$WORK/doctor.out" "$WORK/doctor.err"
+  shift 3
   verdict $status "doctor $*: $finding"
+}
+
+# At a port a busy PC may hold the player up, and the line is silent then: one of three times it does not.
+asked_live() {
+  heard "$@" || heard "$@" || { asked "$@"; return; }
+  shift 3
+  verdict 0 "doctor $*: $finding"
 }
 
 verdicts/lines.sh "$WORK"
@@ -50,7 +62,7 @@ player() {
 }
 
 player simulate
-asked 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
+asked_live 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
 kill $player
 player simulate --silent
 asked 1 'No signal:' - "$terminal"
@@ -76,7 +88,7 @@ adapter() {  # LINE PERIOD_MS LATENCY_MS FRAMES
 note='This port does not tell how long it keeps bytes back: gaps shorter than 19 ms are not seen.'
 while read -r line period latency status finding; do
   adapter "$line" "$period" "$latency" 1000
-  asked "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"
+  asked_live "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"
   grep -qxF "$note" "$WORK/doctor.out"
   verdict $? "doctor names the gaps that are not seen: $line, $latency ms"
   kill $player
