@@ -6,3 +6,16 @@ verdict() {  # STATUS WHAT
 
 # The bytes of a recording, one a line, without the marks of those that have errors.
 bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n' | grep .; }
+
+# player SUBCOMMAND ARGUMENTS...: starts one on a pseudo-terminal; sets `player` to its process, `terminal` to its name.
+# SBUS: the program; WORK: a folder.
+player() {
+  rm -f "$WORK/terminal"
+  "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
+  player=$!
+  tries=0
+  until { read -r terminal <"$WORK/terminal"; } 2>/dev/null || [ $tries -ge 600 ]; do  # a whole line
+    sleep 0.1
+    tries=$((tries + 1))
+  done
+}

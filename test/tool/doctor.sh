@@ -48,19 +48,6 @@ while IFS='|' read -r finding well figures by arguments; do
   asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
 done <"$WORK/lines"
 
-# player SUBCOMMAND ARGUMENTS...: on a pseudo-terminal, `terminal`
-player() {
-  rm -f "$WORK/terminal"
-  "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
-  player=$!
-  tries=0
-  until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-  done
-  terminal=$(cat "$WORK/terminal")
-}
-
 player simulate
 asked_live 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
 kill $player

@@ -18,14 +18,7 @@ fence js >"$work/sticks.mjs"
 
 "$SBUS" csv recordings/paper.txt --every-frame --columns time,ch1-ch4,failsafe,lostframe | tr -d '\r' |
   awk -F, '{ print $2, $3, $4, $5, $6 || $7 ? "lost" : "live" }' >"$work/wanted"
-"$SBUS" simulate >"$work/terminal" 2>"$work/err" &
-receiver=$!
-tries=0
-until [ -s "$work/terminal" ] || [ $tries -ge 600 ]; do
-  sleep 0.1
-  tries=$((tries + 1))
-done
-terminal=$(cat "$work/terminal")
+player simulate
 for language in 'python3 sticks.py' 'node sticks.mjs'; do
   program=${language%% *}
   if ! command -v "$program" >/dev/null; then
@@ -40,5 +33,5 @@ for language in 'python3 sticks.py' 'node sticks.mjs'; do
   grep -q live "$work/live"
   verdict $? "README's program for $program prints the frames of a port"
 done
-kill $receiver
-wait $receiver 2>/dev/null
+kill $player
+wait $player 2>/dev/null

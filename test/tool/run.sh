@@ -23,6 +23,7 @@ cd "$(dirname "$0")/.." || exit 1
 out="${BUILD:-$PWD/../build/test}/tool"
 sbus=$out/sbus
 work=$out/work
+SBUS=$sbus WORK=$work  # as the other scripts have them
 flags="-O0 -g -fsanitize=address"  # CLI11 compiles twice as long with more
 update="${1:-}"
 
@@ -39,15 +40,6 @@ until_true() {
 }
 
 has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
-
-# player SUBCOMMAND ARGUMENTS...: starts one on a pseudo-terminal; sets `player` to its process, `terminal` to its name
-player() {
-  rm -f "$work/terminal"
-  "$sbus" "$@" >"$work/terminal" 2>"$work/player.err" &
-  player=$!
-  until_true has_lines 1 "$work/terminal"
-  terminal=$(cat "$work/terminal")
-}
 
 # The bytes of a recording with the marks of errors, one a line: times differ from run to run.
 marked() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
