@@ -67,7 +67,7 @@ class CaptureReader {
   double _periodNs = 0;
 };
 
-// The reader of a capture, or why there is none.
+// The reader of a capture, or why it cannot be read.
 struct OpenedCapture {
   std::unique_ptr<CaptureReader> reader;
   std::string error;

@@ -25,11 +25,11 @@ inline std::string_view trimmed(std::string_view text) {
 // Takes a decimal number ("-1.25e-03") off the front; returns false without one. `mark` is allowed as decimal point.
 bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');
 
-// Reads a number. Returns false if `word` is none.
+// Reads a number. Returns false if `word` is not a number.
 bool parseNumber(std::string_view word, double &value, char mark = '.');
 
 // Reads an ISO 8601 time ("2021-05-11T18:12:30.213141000+00:00"). `ns`: since 1970, in local time. Returns false if
-// `word` is none.
+// `word` is not a time.
 bool parseTimestamp(std::string_view word, int64_t &ns);
 
 // Returns the period of "1 MHz" or "1000000" in ns; 0 if it is no rate.

@@ -94,7 +94,7 @@ EXPORT(calibrationSize)()->unsigned {
   return sizeof calibration;
 }
 
-// Returns true if the calibration that was put back is good; otherwise there is none.
+// Returns true if the calibration that was put back is good. A damaged one is dropped.
 EXPORT(calibrationIsGood)()->int {
   const bool good = sbus::stateOf(calibration) == sbus::StoredState::Good;
   if (!good) {

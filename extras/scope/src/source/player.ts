@@ -73,8 +73,8 @@ export class Player implements Line {
     this.ask({ kind: 'seek', id: this.id, us });
   }
 
-  // Goes to the next fault after `us`, or after the fault that is there; or back. `tell`: gets the place and the fault, or null if
-  // there is none. Not called if another place is sought meanwhile.
+  // Goes to the next fault after `us`, or after the fault that is there; or back. `tell`: gets the place and the fault, or null without
+  // another one. Not called if another place is sought meanwhile.
   seekFault(us: number, at: Span | undefined, back: boolean, tell: (us: number, found: Found | null) => void): void {
     this.looking = { id: ++this.id, tell };
     this.ask({ kind: 'fault', id: this.id, us, at, back });
