@@ -24,6 +24,8 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _silenceUs = 0;
   _waits = false;
   _badCharacters = 0;
+  _quality = sbus::LinkQuality();
+  _percent = 0;
   _saidUs = 0;
   _first.reset();
   _joinedAtExtra = false;
@@ -42,6 +44,10 @@ sbus::Counters Observer::counters() const {
 unsigned long Observer::discardedBytes() const {
   const unsigned long all = counters().discardedBytes;
   return all - std::min(all, _telemetry.characters());
+}
+
+unsigned Observer::linkQuality(uint64_t nowUs) {
+  return state(nowUs) == sbus::LinkState::Stale ? 0 : _percent;
 }
 
 void Observer::put(const Character &character) {
@@ -119,6 +125,7 @@ void Observer::say(Stretch &stretch) {
   _saidUs = stretch.endUs();
   if (stretch.isFrame()) {
     add(stretch);
+    _percent = _quality.update(counters(), state(stretch.endUs()), static_cast<uint32_t>(stretch.endUs()));
   } else {
     for (const Rejected &rejected : _decoders.places().rejections) {
       if (rejected.at >= stretch.at && rejected.at < stretch.at + stretch.characters.size()) {

@@ -17,6 +17,7 @@
 #include "line/Segments.h"
 #include "line/Statistics.h"
 #include "line/telemetry/TelemetrySlots.h"
+#include "sbus/LinkQuality.h"
 
 namespace line {
 
@@ -47,6 +48,8 @@ class Observer : public Statistics {
   unsigned long badCharacters() const { return _badCharacters; }
   // Returns true if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
+  // Returns the link quality of the last second, 0..100, as sbus::LinkQuality has it.
+  unsigned linkQuality(uint64_t nowUs);
   // Returns how many bytes belong neither to a frame nor to telemetry.
   unsigned long discardedBytes() const;
 
@@ -75,6 +78,8 @@ class Observer : public Statistics {
   uint64_t _silenceUs;  // the certain silence since then
   bool _waits;          // _last has not been handed over
   unsigned long _badCharacters;
+  sbus::LinkQuality _quality;
+  uint8_t _percent;               // the link quality when the newest frame was complete
   uint64_t _saidUs;               // the end of the last stretch
   std::optional<Stretch> _first;  // may be the frame with header 2F that comes before the first frame
   bool _joinedAtExtra;            // it was such a frame

@@ -68,6 +68,38 @@ TEST_CASE("the link: its state, and the flags of frames that are shown but leave
   CHECK(line.observer.ageUs(line.observer.newest().endUs + 5000000000) == 5000000000);
 }
 
+TEST_CASE("the link quality: the share of the frames of a second that came and were not lost, asked rarely or often") {
+  const struct {
+    const char *what;
+    unsigned lostOf, missingOf;  // of so many frames one; 0: none
+    unsigned least, most;        // percent
+  } rows[] = {{"all good", 0, 0, 100, 100},
+              {"one of ten lost", 10, 0, 88, 92},
+              {"one of four missing", 0, 4, 72, 82},
+              {"all lost", 1, 0, 0, 0}};
+  for (const auto &row : rows) {
+    for (const unsigned every : {1u, 100u}) {  // frames between two questions
+      INFO(std::string(row.what));
+      CAPTURE(every);
+      Watched line;
+      CHECK(line.observer.linkQuality(0) == 0);
+      for (unsigned number = 0; number < 1500; number++) {
+        const bool faults = number >= 600;
+        if (faults && row.missingOf > 0 && number % row.missingOf == 3) {
+          line.gap(PeriodUs);
+        } else {
+          line.frame(992, false, faults && row.lostOf > 0 && number % row.lostOf == 0);
+        }
+        if (number % every == 0 && (number < 600 || number >= 800)) {
+          CHECK(line.observer.linkQuality(line.us) >= (faults ? row.least : 100));
+          CHECK(line.observer.linkQuality(line.us) <= (faults ? row.most : 100));
+        }
+      }
+      CHECK(line.observer.linkQuality(line.observer.newest().endUs + 100000) == 0);
+    }
+  }
+}
+
 TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined counts, and so does the last one") {
   Bytes extra = Watched::frameOf(500);
   extra[0] = sbus::ExtraHeader;

@@ -120,7 +120,7 @@ export default async function () {
     const { text: before } = await downloaded(page, '#csv');
     await drop(page, 'bad.txt', 10000, '!');
     await reads(page, '#notice-text', /bad\.txt: line \d+: .* is not a time/);
-    assert.equal(await page.textContent('#title'), 'Recording seek.txt');
+    await reads(page, '#title', 'Recording seek.txt');
     assert.match(await page.textContent('#position-text'), /^5:50\.0 /);
     assert.equal((await downloaded(page, '#csv')).text, before);
     assert.equal(page.workers().length, 1);

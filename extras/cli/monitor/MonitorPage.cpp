@@ -125,6 +125,9 @@ class Layout {
       row.push_back({std::string(static_cast<size_t>(gap), ' '), Style::Plain});
       left -= gap;
     }
+    if (widthOf(_view.quality) <= left) {
+      row.push_back({_view.quality, Style::Plain});
+    }
     _page.push_back(row);
   }
 

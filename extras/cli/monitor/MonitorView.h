@@ -40,6 +40,7 @@ struct MonitorView {
   sbus::Range pulses{};  // of 988, 1500 and 2012 us
   std::vector<Channel> channels;
   std::vector<Indicator> indicators;
+  std::string quality;  // "quality 98 %", of the link; of rows empty
   std::vector<Group> groups;
   std::string plain;  // the counters and times in one line, for a pipe
 };

@@ -117,6 +117,7 @@ MonitorView Watch::view(uint64_t nowUs) {
     view.banner = _news;
     view.bannerMood = view.old ? Mood::Bad : Mood::Warn;
   }
+  view.plain = view.quality;
   for (const MonitorView::Group &group : view.groups) {
     for (const std::string &fact : group.facts) {
       view.plain += (view.plain.empty() ? "" : ", ") + fact;
@@ -147,6 +148,7 @@ std::string Watch::json(uint64_t nowUs) {
     json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
   }
   return json.number("frames_per_second", _observer.perSecond(nowUs))
+      .number("link_quality", _observer.linkQuality(nowUs))
       .counts(now)
       .number("discarded_bytes", _observer.discardedBytes())
       .number("bad_characters", _observer.badCharacters())
@@ -177,6 +179,7 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
   const bool lost = values.lostFrame || (_lostUs > 0 && nowUs < _lostUs + IndicatorUs);
   view.indicators.push_back({"Frame lost", lost, Mood::Warn});
   view.indicators.push_back({"Failsafe", values.failsafe, Mood::Bad});
+  view.quality = format("quality %u %%", _observer.linkQuality(nowUs));
   view.groups = groups(nowUs, seen);
   if (_observer.telemetry().count() > 0) {
     view.groups.push_back(telemetry(nowUs));

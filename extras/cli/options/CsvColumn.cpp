@@ -21,7 +21,8 @@ constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe},
                           {"lostframe", CsvColumn::Kind::LostFrame},
                           {"time", CsvColumn::Kind::Time},
                           {"state", CsvColumn::Kind::State},
-                          {"age", CsvColumn::Kind::Age}};
+                          {"age", CsvColumn::Kind::Age},
+                          {"quality", CsvColumn::Kind::Quality}};
 
 // Returns 7 for "ch7"; 0 if the text is no channel.
 unsigned channelOf(const std::string &text) {
@@ -70,7 +71,7 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
     const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
     if (!append(word, columns)) {
       rejectCommandLine("--columns: \"" + word +
-                        "\" is no column; ch1 to ch32, spans as ch1-ch4, failsafe, lostframe, time, state and age are");
+                        "\" is no column; ch1 to ch32, spans as ch1-ch4, failsafe, lostframe, time, state, age and quality are");
     }
     begin = comma == std::string::npos ? comma : comma + 1;
   }
@@ -133,6 +134,9 @@ std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer,
         break;
       case CsvColumn::Kind::Age:
         line += seconds(observer.ageUs(nowUs));
+        break;
+      case CsvColumn::Kind::Quality:
+        line += std::to_string(observer.linkQuality(nowUs));
         break;
     }
   }

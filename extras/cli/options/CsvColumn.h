@@ -9,7 +9,7 @@
 namespace tool {
 
 struct CsvColumn {
-  enum class Kind { Channel, Failsafe, LostFrame, Time, State, Age };
+  enum class Kind { Channel, Failsafe, LostFrame, Time, State, Age, Quality };
 
   Kind kind;
   unsigned channel;  // counted from 1

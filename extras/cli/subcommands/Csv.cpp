@@ -115,7 +115,7 @@ void addCsv(CLI::App &app) {
   const auto options = std::make_shared<CsvOptions>();
   subcommand
       .option("--columns", options->columns,
-              "ch1 to ch32, spans, failsafe, lostframe, time, state, age (ch1-ch4,failsafe,lostframe)")
+              "ch1 to ch32, spans, failsafe, lostframe, time, state, age, quality (ch1-ch4,failsafe,lostframe)")
       .type("LIST");
   subcommand.option("--rate", options->rate, "rows a second (5)").between(0.01, 1000).type("N");
   options->everyFrame = subcommand.flag("--every-frame", "a row for each frame, whatever the rate");

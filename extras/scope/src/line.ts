@@ -37,7 +37,9 @@ export interface Stretch {
 }
 
 export const statusNames = [
-  'state', 'ageUs', 'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
+  'state', 'ageUs',
+  'linkQuality', // percent; of rows none
+  'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
   'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
   'extraFrames', 'rows', 'otherLines', 'garbled',
   'quietUs', // since the newest character

@@ -31,6 +31,7 @@ EXPORT(status)(double now)->const Status * {
   const auto d = [](uint64_t value) { return static_cast<double>(value); };
   answer.state = d(static_cast<uint64_t>(text ? rows.state(nowUs) : observer.state(nowUs)));
   answer.ageUs = d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs));
+  answer.linkQuality = d(observer.linkQuality(nowUs));
   answer.framesPerSecond = d(text ? rows.perSecond(nowUs) : observer.perSecond(nowUs));
   answer.gapMinUs = d(gaps.low);
   answer.gapMeanUs = d(gaps.mean());

@@ -1,4 +1,4 @@
-// The link at a glance: its state, the flags, age, rate and gaps.
+// The link at a glance: its state, the flags, age, quality, rate and gaps.
 
 import { make, setAttribute, setText } from '../dom';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
@@ -20,6 +20,7 @@ function ageText(us: number): string {
 export class LinkView {
   private readonly state = make('strong', { id: 'state' });
   private readonly age = make('strong', { id: 'age' });
+  private readonly quality = make('small', { id: 'quality' });
   private readonly rate = make('strong', { id: 'rate' });
   private readonly gap = make('strong', { id: 'gap' });
   private readonly gapEnds = make('small', { id: 'gap-ends' });
@@ -31,7 +32,7 @@ export class LinkView {
   constructor(root: HTMLElement) {
     const tile = (label: string, ...content: HTMLElement[]): HTMLElement =>
       make('div', { class: 'tile' }, make('span', { class: 'label' }, label), make('div', {}, ...content));
-    this.stateTile = tile('Link', this.state);
+    this.stateTile = tile('Link', this.state, this.quality);
     this.stateTile.classList.add('state');
     const indicators = make('div', { class: 'indicators' });
     for (const [flag, name, color] of [
@@ -81,6 +82,7 @@ export class LinkView {
     }
     this.textAt = now;
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
+    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality ${status.linkQuality} %`);
     setText(this.rate, String(status.framesPerSecond));
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
     setText(this.gap, status.gapMeanUs > 0 ? `${ms(status.gapMeanUs)} ms` : '–');
