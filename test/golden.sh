@@ -43,8 +43,8 @@ golden() {
 
 # program SKETCH: builds it
 program() {
-  rm -f "$build/$(basename "$1")"
-  "${MAKE:-make}" --no-print-directory -C ../extras/host SKETCH="$1" BUILD="$build" CXX="$compiler" CXXFLAGS="$sanitize"
+  "${MAKE:-make}" --no-print-directory -C ../extras/host SKETCH="$1" BUILD="$build" CXX="$compiler" CXXFLAGS="$sanitize" ||
+    { rm -f "$build/$(basename "$1")"; false; }
 }
 
 bad_recording() {  # PROGRAM MESSAGE

@@ -77,7 +77,7 @@ step_lines() {
 }
 
 step_table() {
-  if build g++ "$BUILD/g++/impairment-sanitized/Impairment" && FRAMES=200 timeout 900 "$BUILD/g++/impairment-sanitized/Impairment"; then
+  if build g++ "$BUILD/g++/impairment-sanitized/Impairment" && FRAMES=50 timeout 900 "$BUILD/g++/impairment-sanitized/Impairment"; then
     echo "ok impairment/Impairment under the sanitizers"
   else
     echo "FAILED impairment/Impairment under the sanitizers"

@@ -40,12 +40,16 @@ void Board::spend(uint64_t us) {
 void Board::step(uint64_t us) {
   _clock.spend(us);
   for (int number = 1; number <= PortCount; number++) {
-    share(number);
-    send(number);
-    share(number);  // a packet may follow the one that is through
+    if (port(number).isUsed()) {
+      share(number);
+      send(number);
+      share(number);  // a packet may follow the one that is through
+    }
   }
   for (Port &port : _ports) {
-    port.receive(_clock.nowUs());
+    if (port.isUsed()) {
+      port.receive(_clock.nowUs());
+    }
   }
   // A callback may poll a port or read the clock, and so come here again: it does not interrupt itself.
   if (_interruptsEnabled && !_inCallback) {

@@ -35,6 +35,9 @@ class Port {
   void close();
   void onReceive(void (*callback)()) { _callback = callback; }
 
+  // False until a line is attached, or the sketch opens it: nothing can happen here.
+  bool isUsed() const { return _line != nullptr || _everOpened; }
+
   // Takes in what has come over the line by `nowUs`.
   void receive(uint64_t nowUs);
 
