@@ -29,6 +29,17 @@ inline void pinMode(uint32_t, uint32_t) {
 }
 inline void digitalWrite(uint32_t, uint32_t) {
 }
+inline int digitalRead(uint32_t) {
+  return LOW;
+}
+#define CHANGE 2
+#define digitalPinToInterrupt(pin) (pin)
+inline void attachInterrupt(uint32_t, void (*)(), int) {
+}
+inline void noInterrupts() {
+}
+inline void interrupts() {
+}
 static const uint8_t A0 = 14, A1 = 15;
 inline int analogRead(uint32_t) {
   return 512;
