@@ -29,7 +29,7 @@ struct Frame {
   bool failsafe;
 };
 
-// Called with each frame, and with nullptr if none came in time.
+// Called with the newest frame, or with nullptr if none came in time.
 void steer(const Frame *frame) {
   const bool failsafe = frame == nullptr || frame->failsafe;
   const uint16_t throttle = failsafe ? CLOSED : frame->channels[THROTTLE];
@@ -95,9 +95,10 @@ void loop() {
 
 #else
 
+Frame newest;
+
 void received(const uint16_t channels[], bool failsafe, bool) {
-  const Frame frame = frameOf(channels, failsafe);
-  steer(&frame);
+  newest = frameOf(channels, failsafe);
 }
 
 void setup() {
@@ -108,9 +109,7 @@ void setup() {
 
 void loop() {
   dSBus.parseSBusFrame();
-  if (!dSBus.SBusFrameOk()) {
-    steer(nullptr);
-  }
+  steer(dSBus.SBusFrameOk() ? &newest : nullptr);
 }
 
 #endif
