@@ -109,7 +109,9 @@ inline uint32_t step() {
 #if defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED)
 
 inline void elapsed(unsigned alarm) {
-  hardware_alarm_set_target(alarm, from_us_since_boot(time_us_64() + step()));
+  const uint32_t us = step();
+  while (hardware_alarm_set_target(alarm, from_us_since_boot(time_us_64() + us))) {  // one that has passed is not set
+  }
 }
 
 inline void startTimer() {

@@ -27,8 +27,7 @@ void yield();
 #define LED_BUILTIN 13
 inline void pinMode(uint32_t, uint32_t) {
 }
-inline void digitalWrite(uint32_t, uint32_t) {
-}
+void digitalWrite(uint32_t pin, uint32_t level);
 inline int digitalRead(uint32_t) {
   return LOW;
 }
