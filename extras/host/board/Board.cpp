@@ -33,10 +33,13 @@ void Board::open(int number, const PortSettings &settings, uint8_t *buffer, size
 }
 
 void Board::spend(uint64_t us) {
-  for (const uint64_t endUs = _clock.nowUs() + us; _clock.nowUs() < endUs;) {
+  uint64_t left = us;
+  do {
     const uint64_t nowUs = _clock.nowUs();
-    step(std::min({endUs - nowUs, StepUs, std::max(_pulsePins.nextUs(), nowUs + 1) - nowUs}));
-  }
+    const uint64_t now = std::min({left, StepUs, std::max(_pulsePins.nextUs(), nowUs + 1) - nowUs});
+    step(now);
+    left -= now;
+  } while (left > 0);
 }
 
 void Board::step(uint64_t us) {
