@@ -37,8 +37,8 @@ void yield();
 void noInterrupts();
 void interrupts();
 
-// Pins. Only those of the serial ports lead anywhere, Servo's are looked at, and with --pulses servo pulses come to 2..5.
-// Otherwise writing does nothing, reading finds LOW, or half of the reference.
+// Pins. Only those of the serial ports lead anywhere, Servo's are looked at, and with --pulses servo pulses come to
+// 2..5. Otherwise writing does nothing, reading finds LOW, or half of the reference.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0
