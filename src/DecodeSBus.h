@@ -146,3 +146,48 @@ using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 /// counters().lostFrames, and its channels are not handed out; before any other frame they are as the sketch
 /// has set them. A FrSky receiver that is set to "No pulses" may send such frames, and not always sets a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;
+
+/// A decoder that calls a function with each new frame, for a sketch with an RTOS task, or with little in its loop():
+///
+///     DecodeSBusCallback dSBus(Serial1);
+///     void received(const uint16_t channels[], bool failsafe, bool lostFrame) { ... }
+///     void setup() { dSBus.onFrame(received); dSBus.begin(); }
+///     void loop() { dSBus.parseSBusFrame(); }
+///
+/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBus2.
+template <typename Decoder>
+class DecodeSBusCallbackOf : public Decoder {
+ public:
+  /// Constructs a `Decoder`.
+  using Decoder::Decoder;
+
+  /// Takes the frame as decodeSBusFrame() writes it: 18 values, DecodeSBus24 24, which change with the next frame.
+  using Function = void (*)(const uint16_t channels[], bool failsafe, bool lostFrame);
+
+  /// Sets the function that parseSBusFrame() calls; nullptr, the default, is none. begin() keeps it.
+  ///
+  /// - Where: in the context that calls parseSBusFrame(), be it loop(), serialEvent1(), a task or onReceive()
+  ///   (extras/docs/interrupts.md). It returns before the next poll is due: within 5 ms.
+  /// - Which: frames with either flag as well, so ask them first. If two have come since the last call, the newer one.
+  /// - When not: once frames stop. Another place has to notice that: linkState(), or the time-out of a queue.
+  /// - Within it linkState(), frameAge() and decodeSBusFrame() tell of this frame, and newFrame() is false. It must not
+  ///   call parseSBusFrame(), begin(), listen() or end().
+  void onFrame(Function function) { _function = function; }
+
+  /// Reads the bytes that wait, as DecodeSBus::parseSBusFrame() does, and calls the function if a frame is new.
+  void parseSBusFrame() {
+    Decoder::parseSBusFrame();
+    if (_function != nullptr && this->newFrame()) {
+      bool failsafe, lostFrame;
+      this->decodeSBusFrame(_channels, failsafe, lostFrame);
+      _function(_channels, failsafe, lostFrame);
+    }
+  }
+
+ private:
+  Function _function = nullptr;
+  uint16_t _channels[sbus::ChannelCount24] = {};  // kept: not every frame has channels (Frame16NoPulses)
+};
+
+/// A DecodeSBus that calls a function with each new frame.
+using DecodeSBusCallback = DecodeSBusCallbackOf<DecodeSBus>;

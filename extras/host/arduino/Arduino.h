@@ -33,12 +33,12 @@ void delay(unsigned long ms);
 void delayMicroseconds(unsigned int us);
 void yield();
 
-// Holds back, and lets through again, the callbacks of Uart::onReceive().
+// Holds back, and lets through again, the callbacks of Uart::onReceive() and attachInterrupt().
 void noInterrupts();
 void interrupts();
 
-// Pins. Only those of the serial ports lead anywhere, and Servo's are looked at: here writing does nothing, reading
-// finds LOW, or half of the reference.
+// Pins. Only those of the serial ports lead anywhere, Servo's are looked at, and with --pulses servo pulses come to
+// 2..5. Otherwise writing does nothing, reading finds LOW, or half of the reference.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0
@@ -48,9 +48,10 @@ void interrupts();
 #define LED_BUILTIN 13
 inline void pinMode(uint32_t, uint32_t) {}
 inline void digitalWrite(uint32_t, uint32_t) {}
-inline int digitalRead(uint32_t) {
-  return LOW;
-}
+int digitalRead(uint32_t pin);
+#define CHANGE 0x2
+#define digitalPinToInterrupt(pin) (pin)
+void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode);
 static const uint8_t A0 = 14;
 static const uint8_t A1 = 15;
 inline int analogRead(uint32_t) {

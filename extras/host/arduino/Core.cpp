@@ -19,6 +19,8 @@ void delayMicroseconds(unsigned int us);
 void yield();
 void noInterrupts();
 void interrupts();
+int digitalRead(uint32_t pin);
+void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode);
 
 namespace {
 
@@ -63,6 +65,14 @@ void noInterrupts() {
 
 void interrupts() {
   Board::instance().enableInterrupts(true);
+}
+
+int digitalRead(uint32_t pin) {
+  return Board::instance().pulsePins().isHigh(pin) ? 1 : 0;
+}
+
+void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t) {
+  Board::instance().pulsePins().onChange(pin, callback);
 }
 
 Uart Serial1(1);

@@ -1,5 +1,7 @@
 #include "Board.h"
 
+#include <algorithm>
+
 namespace host {
 
 namespace {
@@ -31,10 +33,13 @@ void Board::open(int number, const PortSettings &settings, uint8_t *buffer, size
 }
 
 void Board::spend(uint64_t us) {
-  for (; us > StepUs; us -= StepUs) {
-    step(StepUs);
-  }
-  step(us);
+  uint64_t left = us;
+  do {
+    const uint64_t nowUs = _clock.nowUs();
+    const uint64_t now = std::min({left, StepUs, std::max(_pulsePins.nextUs(), nowUs + 1) - nowUs});
+    step(now);
+    left -= now;
+  } while (left > 0);
 }
 
 void Board::step(uint64_t us) {
@@ -51,9 +56,11 @@ void Board::step(uint64_t us) {
       port.receive(_clock.nowUs());
     }
   }
+  _pulsePins.advance(_clock.nowUs());
   // A callback may poll a port or read the clock, and so come here again: it does not interrupt itself.
   if (_interruptsEnabled && !_inCallback) {
     _inCallback = true;
+    _pulsePins.callBack();
     for (Port &port : _ports) {
       port.callBack();
     }

@@ -9,6 +9,7 @@
 #include "Eeprom.h"
 #include "JumperWire.h"
 #include "Port.h"
+#include "PulsePins.h"
 #include "ServoPins.h"
 #include "SketchInput.h"
 #include "SketchOutput.h"
@@ -31,6 +32,7 @@ class Board {
   SketchInput &input() { return _input; }
   Eeprom &eeprom() { return _eeprom; }
   ServoPins &servoPins() { return _servoPins; }
+  PulsePins &pulsePins() { return _pulsePins; }
 
   // Puts a wire from the TX pin of port `from` to the RX pin of port `to`.
   void connect(int from, int to);
@@ -67,6 +69,7 @@ class Board {
   SketchInput _input;
   Eeprom _eeprom;
   ServoPins _servoPins;
+  PulsePins _pulsePins;
   std::function<void(uint64_t)> _onTime;
   bool _interruptsEnabled = true;
   bool _inCallback = false;

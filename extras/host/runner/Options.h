@@ -27,6 +27,7 @@ struct Options {
   int on = 1;        // 0: there is no line, a wire has replaced it
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;
+  bool pulses = false;  // a receiver without S.Bus is connected to the pins 2..5
   std::string eeprom;  // a file's name, or empty
   double seconds = 0;  // 0: as long as there is something to come
   bool simulatedTime = false;

@@ -158,6 +158,10 @@ void connectWires(Board &board, const Options &options) {
   prepareFiles(board, options);
   const std::unique_ptr<line::Line> line = makeLine(options);
   connectWires(board, options);
+  if (options.pulses) {
+    board.pulsePins().connect();
+    std::fprintf(stderr, "pins 2..5: servo pulses of CH1..CH4, none while the radio is off\n");
+  }
   prepareUsb(board, options);
   if (options.on != 0) {
     board.port(options.on).attach(*line, options.source.settings);

@@ -27,7 +27,17 @@ void yield();
 #define LED_BUILTIN 13
 inline void pinMode(uint32_t, uint32_t) {
 }
-inline void digitalWrite(uint32_t, uint32_t) {
+void digitalWrite(uint32_t pin, uint32_t level);
+inline int digitalRead(uint32_t) {
+  return LOW;
+}
+#define CHANGE 2
+#define digitalPinToInterrupt(pin) (pin)
+inline void attachInterrupt(uint32_t, void (*)(), int) {
+}
+inline void noInterrupts() {
+}
+inline void interrupts() {
 }
 static const uint8_t A0 = 14, A1 = 15;
 inline int analogRead(uint32_t) {

@@ -238,6 +238,7 @@ uint32_t millis();
 void delay(unsigned long ms);
 void delayMicroseconds(unsigned us);
 void yield();
+void digitalWrite(uint32_t pin, uint32_t level);
 
 uint32_t micros() {
   sim::world.pass(sim::world.tickUs);
@@ -254,4 +255,7 @@ void delayMicroseconds(unsigned us) {
   sim::world.pass(us);
 }
 void yield() {
+}
+void digitalWrite(uint32_t, uint32_t level) {
+  sim::world.levels.push_back({sim::world.nowUs, level != 0});
 }

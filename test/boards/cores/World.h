@@ -15,6 +15,11 @@ struct Sent {
   Settings settings;
 };
 
+struct Level {
+  uint64_t us;
+  bool isHigh;
+};
+
 // A library that takes in two frames in one call has finished with the first before it reads the second.
 class Reader {
  public:
@@ -55,6 +60,7 @@ struct World {
   size_t next = 0;  // of `line`, or of `sent`
 
   std::vector<Sent> sent;
+  std::vector<Level> levels;  // that the sketch has given to pins
   std::string printed;
   unsigned crashes = 0;
   Reader *reader = nullptr;

@@ -2,6 +2,8 @@
 # (absolute)
 #   OUT/CORE/CoresTest     the program that runs frames through them, both ways, and Diagnose on them
 #   OUT/CORE/SensorTest    an S.BUS2 sensor on them, where the core times it
+#   OUT/CORE/TasksTest     the example Tasks on FreeRTOS, where the core has it
+#   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core
 # `make list` names all of these.
@@ -39,7 +41,8 @@ EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
 compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
-ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico,$(core)),$(OUT)/$(core)/SensorTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
+ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico,$(core)),$(OUT)/$(core)/SensorTest) \
+  $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core))))
 
 all: $(ALL)
@@ -70,7 +73,17 @@ $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/onCo
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/PicoAlarms.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o \
   $(OUT)/$1/port/SlotTimerRp2040.o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/PicoAlarms.o: $(HERE)/PicoAlarms.cpp $(HERE)/build.mk
+# The clock comes first: the sketch's objects read it before main().
+$(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
+  $(OUT)/$1/DecodeSBus.o $(OUT)/Main.o $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/PpmOutTest: $(OUT)/Uart.o $(OUT)/$1/PpmOutTest.o $(if $(filter pico,$1),$(OUT)/$1/PicoAlarms.o) \
+  $(OUT)/$1/PpmOutSketch.o $(OUT)/$1/DecodeSBus.o $(OUT)/Main.o $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/TasksSketch.o $(OUT)/$1/PpmOutSketch.o: $(OUT)/$1/%Sketch.o: $(ROOT)/examples/%/ $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c $(ROOT)/examples/$$*/$$*.ino -o $$@
+$(OUT)/$1/PicoAlarms.o $(OUT)/$1/Tasks.o: $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk

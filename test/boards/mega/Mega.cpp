@@ -3,6 +3,7 @@
 #include <simavr/avr_eeprom.h>
 #include <simavr/avr_extint.h>
 #include <simavr/avr_ioport.h>
+#include <simavr/avr_timer.h>
 #include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
 #include <simavr/sim_regbit.h>
@@ -17,18 +18,22 @@ namespace mega {
 namespace {
 
 constexpr uint32_t CyclesPerUs = 16;
-constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;  // of a line with nothing on it
+constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;       // of a line with nothing on it
 constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of one that hands characters over at their end
-constexpr uint8_t ExternalInterrupts = 8;                   // INT0..INT7
-constexpr avr_io_addr_t TimerControl = 0x45;                // TCCR0B
-constexpr uint32_t TimerClocked = 0x07;                     // CS02:CS00, 0 while it stands still
-constexpr uint32_t ReceiverOn = 0x10;                       // RXENn of UCSRnB
-constexpr uint32_t TransmitterOn = 0x08;                    // TXENn
+constexpr uint8_t ExternalInterrupts = 8;                        // INT0..INT7
+constexpr avr_io_addr_t TimerControl = 0x45;                     // TCCR0B
+constexpr uint32_t TimerClocked = 0x07;                          // CS02:CS00, 0 while it stands still
+constexpr uint32_t ReceiverOn = 0x10;                            // RXENn of UCSRnB
+constexpr uint32_t TransmitterOn = 0x08;                         // TXENn
+constexpr avr_io_addr_t CompareFlags = 0x36;                     // TIFR1,
+constexpr avr_io_addr_t CompareInterrupts = 0x6F;                // TIMSK1,
+constexpr uint32_t CompareMatch = 0x02;                          // and their bits OCF1A, OCIE1A
 constexpr size_t HardwareBuffer = 3;  // characters that the USART holds: two, and one in its shift register
 constexpr struct {
   uint32_t port;
   int bit;
-} Pins[] = {{'E', 4}, {'E', 5}, {'G', 5}, {'E', 3}};  // the pins 2..5
+} Pins[] = {{'E', 4}, {'E', 5}, {'G', 5}, {'E', 3}},      // the pins 2..5
+    Inputs[] = {{'E', 4}, {'E', 5}, {'D', 1}, {'D', 0}};  // the pins 2, 3, 20, 21
 
 // The expected settings of Serial: 115200 baud, as near as 16 MHz come to it (2.1 %), 8N1.
 bool isSerial(const line::LineSettings &settings) {
@@ -62,6 +67,16 @@ Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uin
   for (size_t pin = 0; pin < 4; pin++) {
     on(avr_io_getirq(_avr, AVR_IOCTL_IOPORT_GETIRQ(Pins[pin].port), Pins[pin].bit),
        [this, pin](uint32_t value) { edge(pin, (value & 1) != 0); });
+  }
+  // The compare unit moves pin 11 at a match, which raises OCF1A first. Libsimavr 1.6 also moves it when OCR1A is
+  // written (avr_timer.c, avr_timer_comp_on_tov()), as only the overflow of a PWM does.
+  on(avr_io_getirq(_avr, AVR_IOCTL_TIMER_GETIRQ('1'), TIMER_IRQ_OUT_COMP), [this](uint32_t value) {
+    if ((_avr->data[CompareFlags] & _avr->data[CompareInterrupts] & CompareMatch) != 0) {
+      edge(4, (value & 1) != 0);
+    }
+  });
+  if (!_line.levels.empty()) {
+    avr_cycle_timer_register(_avr, 1, levelChanges, this);
   }
   avr_eeprom_desc_t description = {eeprom.data(), 0, static_cast<uint32_t>(eeprom.size())};
   avr_ioctl(_avr, AVR_IOCTL_EEPROM_SET, &description);
@@ -205,6 +220,18 @@ avr_cycle_count_t Mega::characterThrough(avr_t *, avr_cycle_count_t when, void *
   return self._isComing ? std::max(self._clockZero + self._next.endUs * CyclesPerUs, when + 1) : poll;
 }
 
+avr_cycle_count_t Mega::levelChanges(avr_t *avr, avr_cycle_count_t when, void *mega) {
+  Mega &self = *static_cast<Mega *>(mega);
+  const std::vector<Level> &levels = self._line.levels;
+  const auto cycleOf = [](const Level &level) { return static_cast<avr_cycle_count_t>(level.us * CyclesPerUs); };
+  while (self._nextLevel < levels.size() && cycleOf(levels[self._nextLevel]) <= when) {
+    const Level &level = levels[self._nextLevel++];
+    avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ(Inputs[level.pin].port), Inputs[level.pin].bit),
+                  level.isHigh ? 1 : 0);
+  }
+  return self._nextLevel < levels.size() ? cycleOf(levels[self._nextLevel]) : 0;
+}
+
 void Mega::receive(const line::Character &character) {
   if (!_isOpen) {
     return;
@@ -283,7 +310,8 @@ void Mega::edge(size_t pin, bool high) {
   if (high && _rose[pin] == 0) {
     _rose[pin] = _avr->cycle;
   } else if (!high && _rose[pin] != 0) {
-    _pulses[pin].push_back({clockUs(_rose[pin]), static_cast<double>(_avr->cycle - _rose[pin]) / CyclesPerUs});
+    _pulses[pin].push_back({clockUs(_rose[pin]), static_cast<double>(_avr->cycle - _rose[pin]) / CyclesPerUs,
+                            static_cast<double>(_rose[pin] - _clockZero) / CyclesPerUs});
     _rose[pin] = 0;
   }
 }

@@ -18,12 +18,20 @@
 
 namespace mega {
 
+// What comes to a pin from outside: 0..3 are the pins 2, 3, 20, 21.
+struct Level {
+  double us;
+  size_t pin;
+  bool isHigh;
+};
+
 // The line at RX of Serial1. In front of the pin, and after each TX pin, there is an inverter.
 struct Line {
   std::unique_ptr<line::Line> source;  // null: a wire from TX of Serial1
   uint64_t cutUs = UINT64_MAX;         // here it falls silent
   size_t bad = SIZE_MAX;               // the character, counted from 0, that has a wrong parity bit
   bool isShared = false;               // TX of Serial1 is at the same wire, through a diode behind the inverter
+  std::vector<Level> levels;           // at other pins, in the order of their times
 };
 
 // All times in us, as the sketch's micros() counts.
@@ -38,12 +46,13 @@ struct Sent {
 struct Pulse {
   uint64_t us;  // it begins
   double widthUs;
+  double exactUs;  // it begins
 };
 
 class Mega {
  public:
-  // Runs the sketch for `seconds`. The EEPROM begins with `eeprom`. Throws std::runtime_error if the sketch has not been
-  // built, or crashes.
+  // Runs the sketch for `seconds`. The EEPROM begins with `eeprom`. Throws std::runtime_error if the sketch has not
+  // been built, or crashes.
   Mega(const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom = {});
   ~Mega();
   Mega(const Mega &) = delete;  // libsimavr has been given its address
@@ -53,7 +62,7 @@ class Mega {
   const std::vector<uint64_t> &opened() const { return _opened; }                 // when Serial1 was
   const std::vector<Printed> &printed() const { return _printed; }                // lines on Serial, without their ends
   const std::vector<Sent> &sent() const { return _sent; }                         // on Serial1 and Serial2
-  const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }     // 0..3: the pins 2..5
+  const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }     // 0..3: the pins 2..5; 4: 11
   std::vector<uint8_t> eeprom() const;
 
   // What the line says of a board that shares it.
@@ -64,6 +73,7 @@ class Mega {
 
  private:
   static uint8_t dataRead(avr_t *avr, avr_io_addr_t address, void *mega);
+  static avr_cycle_count_t levelChanges(avr_t *avr, avr_cycle_count_t when, void *mega);
   static avr_cycle_count_t characterThrough(avr_t *avr, avr_cycle_count_t when, void *mega);
 
   uint64_t clockUs(avr_cycle_count_t cycle) const;
@@ -95,14 +105,15 @@ class Mega {
   std::deque<line::Character> _received;  // and not yet read
   bool _isOpen = false;
   line::LineSettings _settings;  // then
-  avr_cycle_count_t _rose[4] = {};
+  size_t _nextLevel = 0;
+  avr_cycle_count_t _rose[5] = {};
   Printed _row{};  // printed so far
 
   std::vector<line::Character> _characters;
   std::vector<uint64_t> _opened;
   std::vector<Printed> _printed;
   std::vector<Sent> _sent;
-  std::vector<Pulse> _pulses[4];
+  std::vector<Pulse> _pulses[5];
   std::string _mismatch[3];  // of the ports' settings, when characters came or were sent
   size_t _lost = 0;          // characters that were not read in time
 };

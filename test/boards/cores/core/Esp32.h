@@ -8,6 +8,7 @@
 #pragma once
 
 #include "../Stream.h"
+#include "FreeRtos.h"
 
 #define ESP32
 #define ARDUINO_ARCH_ESP32

@@ -1,0 +1,56 @@
+/*
+  PpmOut: eight channels of S.Bus as a PPM sum signal, for the trainer port of a radio or an old flight controller.
+
+  Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
+    D2 (Mega: 11, Uno and Leonardo: 9) -> 1 kOhm -> the PPM input, GND -> its GND
+
+  A frame of CH1..CH8 comes every 22.5 ms: nine pulses of 0.3 ms, 0.8 to 2.2 ms from one to the next, then at least 4.5
+  ms without. In failsafe, and when no frame has come for 100 ms, there are no pulses at all: only by that can what is
+  connected know that the link is lost. Held positions would look like a pilot who does not move, and a receiver's
+  failsafe positions like one who closes the throttle: then no trainer port gives the model back to the teacher. Take
+  the propeller off to try that. Sends the eight channels in us over USB five times a second, 0 without pulses.
+*/
+
+#include <DecodeSBus.h>
+#include <elapsedMillis.h>
+#include <sbus/Scaling.h>
+
+#include "PpmTimer.h"
+
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+Ppm ppm;
+
+const bool INVERTED = false;               // true: HIGH at rest, the pulses are LOW
+const unsigned long PERIOD_DISPLAY = 200;  // ms
+
+elapsedMillis timerDisplay;
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+  ppmTimer::begin(ppm, INVERTED);
+}
+
+void loop() {
+  dSBus.parseSBusFrame();
+  uint16_t channels[18];
+  bool failsafe, lostFrame;
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
+  int16_t pulses[Ppm::Channels] = {};
+  if (failsafe) {
+    ppm.stop();
+  } else {
+    for (uint8_t i = 0; i < Ppm::Channels; i++) {
+      pulses[i] = sbus::toMicroseconds(channels[i], sbus::FrSky);
+    }
+    ppm.write(pulses);
+  }
+  ppmTimer::poll();
+  if (timerDisplay >= PERIOD_DISPLAY) {
+    timerDisplay = 0;
+    for (uint8_t i = 0; i < Ppm::Channels; i++) {
+      Serial.print(pulses[i]);
+      Serial.print(i + 1 < Ppm::Channels ? "," : "\r\n");
+    }
+  }
+}

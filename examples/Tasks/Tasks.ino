@@ -1,0 +1,115 @@
+/*
+  Tasks: one task reads the receiver, another one steers, and neither waits for the other.
+
+  Wiring (ESP32, FrSky R-XSR): S-BUS_OUT -> GPIO16, +5V -> 5V, GND -> GND. Grasshopper: S-BUS_OUT -> D0, +5V -> VIN
+
+  On an ESP32 the reading task hands each frame over through a queue of one place, where a new frame replaces an old
+  one. The steering task waits there for 100 ms at most: if no frame has come, or one says failsafe, it closes the
+  throttle. Other boards have no FreeRTOS: loop() reads and steers in turn. Sends "throttle,failsafe" over USB five
+  times a second, 0..2047 and 0 or 1. The rules: extras/docs/interrupts.md.
+*/
+
+#include <DecodeSBus.h>
+#include <elapsedMillis.h>
+
+#if defined(ESP32)
+DecodeSBusCallback dSBus(Serial1, 16, 17);  // RX, TX
+#else
+DecodeSBusCallback dSBus(Serial1);  // RX: D0 of a Grasshopper; others: extras/docs/boards.md
+#endif
+
+const int THROTTLE = 2;                    // CH3, counted from 0
+const uint16_t CLOSED = 172;               // Futaba: 352
+const unsigned long PERIOD_DISPLAY = 200;  // ms
+
+elapsedMillis timerDisplay;
+
+struct Frame {
+  uint16_t channels[18];
+  bool failsafe;
+};
+
+// Called with the newest frame, or with nullptr if none came in time.
+void steer(const Frame *frame) {
+  const bool failsafe = frame == nullptr || frame->failsafe;
+  const uint16_t throttle = failsafe ? CLOSED : frame->channels[THROTTLE];
+  if (timerDisplay >= PERIOD_DISPLAY) {
+    timerDisplay = 0;
+    Serial.print(throttle);
+    Serial.print(',');
+    Serial.println(failsafe ? 1 : 0);
+  }
+}
+
+Frame frameOf(const uint16_t channels[], bool failsafe) {
+  Frame frame;
+  memcpy(frame.channels, channels, sizeof frame.channels);
+  frame.failsafe = failsafe;
+  return frame;
+}
+
+#if defined(ESP32)
+
+const unsigned long TIMEOUT = 100;        // ms
+const uint32_t STACK = 4096;              // bytes, of each task
+const UBaseType_t READS = 3, STEERS = 2;  // priorities: above loop(), 1, and far below those of Wi-Fi
+
+QueueHandle_t newest;
+
+void received(const uint16_t channels[], bool failsafe, bool) {
+  const Frame frame = frameOf(channels, failsafe);
+  xQueueOverwrite(newest, &frame);
+}
+
+void readTask(void *) {
+  dSBus.onFrame(received);
+  dSBus.begin();  // here: the port's interrupt then runs on this core
+  for (;;) {
+    dSBus.parseSBusFrame();
+    vTaskDelay(1);  // a tick, 1 ms; 0 would never let a task below run
+  }
+}
+
+void steerTask(void *) {
+  for (;;) {
+    Frame frame;
+    const bool came = xQueueReceive(newest, &frame, pdMS_TO_TICKS(TIMEOUT)) == pdTRUE;
+    steer(came ? &frame : nullptr);
+  }
+}
+
+void setup() {
+  Serial.begin(115200);
+  const BaseType_t core = xPortGetCoreID();  // 1, where Wi-Fi is not; 0 if there is only one
+  newest = xQueueCreate(1, sizeof(Frame));
+  if (newest == nullptr ||
+      xTaskCreatePinnedToCore(steerTask, "steer", STACK, nullptr, STEERS, nullptr, core) != pdPASS ||
+      xTaskCreatePinnedToCore(readTask, "read", STACK, nullptr, READS, nullptr, core) != pdPASS) {
+    Serial.println("There is no memory for queue and tasks.");
+  }
+}
+
+void loop() {
+  vTaskDelete(nullptr);  // the tasks do it all
+}
+
+#else
+
+Frame newest;
+
+void received(const uint16_t channels[], bool failsafe, bool) {
+  newest = frameOf(channels, failsafe);
+}
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.onFrame(received);
+  dSBus.begin();
+}
+
+void loop() {
+  dSBus.parseSBusFrame();
+  steer(dSBus.SBusFrameOk() ? &newest : nullptr);
+}
+
+#endif

@@ -1,0 +1,49 @@
+#include "PulsePins.h"
+
+#include "line/simulation/Choreography.h"
+#include "sbus/Frame.h"
+#include "sbus/Scaling.h"
+
+namespace host {
+
+void PulsePins::onChange(uint32_t pin, void (*callback)()) {
+  if (pin - First < Count) {
+    _callbacks[pin - First] = callback;
+  }
+}
+
+bool PulsePins::isHigh(uint32_t pin) const {
+  return pin - First < Count && _isHigh[pin - First];
+}
+
+uint64_t PulsePins::nextUs() const {
+  if (!_isConnected) {
+    return UINT64_MAX;
+  }
+  const uint32_t ms = static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
+  uint16_t channels[sbus::ChannelCount] = {};
+  line::Flight.move(0, ms, channels);
+  const auto widthUs = static_cast<uint64_t>(sbus::toMicroseconds(channels[_edge / 2], sbus::FrSky));
+  return (_frame + 1) * PeriodUs + _edge / 2 * PitchUs + (_edge % 2 == 0 ? 0 : widthUs);
+}
+
+void PulsePins::advance(uint64_t nowUs) {
+  for (; nextUs() <= nowUs; _edge = (_edge + 1) % (2 * Count), _frame += _edge == 0) {
+    const uint32_t pin = _edge / 2;
+    const uint32_t ms = static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
+    const bool isHigh = _edge % 2 == 0 && line::Flight.radio(0, ms) == line::Radio::Heard;
+    _waits[pin] = _waits[pin] || isHigh != _isHigh[pin];
+    _isHigh[pin] = isHigh;
+  }
+}
+
+void PulsePins::callBack() {
+  for (uint32_t pin = 0; pin < Count; pin++) {
+    if (_waits[pin] && _callbacks[pin] != nullptr) {
+      _waits[pin] = false;
+      _callbacks[pin]();
+    }
+  }
+}
+
+}  // namespace host
