@@ -5,7 +5,73 @@
 #include <Arduino.h>
 #include <stdint.h>
 
+#include "../sbus/Barrier.h"
 #include "Format.h"  // brings the STM32L0's registers
+#include "HandOver.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// Nothing: a sensor is polled from loop(). The cores' timers derive from it what they do not have.
+class NoSlotTimer {
+ public:
+  // The port calls back; otherwise due() polls it.
+  static constexpr bool HasCallback = false;
+
+  // Keeps due() from reading the port, while this exists.
+  struct Hold {
+    Hold() {}
+  };
+  static bool isHeld() { return false; }
+
+  // From a look at the clock until the start bit, where other interrupts could come in between.
+  struct Alone {
+    Alone() {}
+    // Returns when that is: `planned`, or later.
+    uint32_t start(uint32_t planned) const { return planned; }
+  };
+
+  // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
+  // false if it cannot; then neither is ever called.
+  static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
+  // Calls nothing any more.
+  static void stop(void *) {}
+  // Calls due() in `us` from now, or a little later.
+  static void at(uint32_t) {}
+  // Waits, in loop() or in due().
+  static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
+  // Sends at once. Returns false if it cannot.
+  static bool send(const uint8_t *, size_t) { return false; }
+
+  // Takes that a poll has found `found` bytes, by `by`, us.
+  static void polled(unsigned, uint32_t) {}
+  // Returns when the last of them came; see sbus::endOf(). `isTimed`: due() has polled, not loop().
+  static End endOf(bool, HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+    return sbus::endOf(handOver, found, before, by);
+  }
+};
+
+// For an interrupt that polls: while loop() reads what it writes, it sends what is due, but does not read the port.
+class HoldByFlag {
+ public:
+  HoldByFlag() {
+    isHeld = true;
+    barrier();
+  }
+  ~HoldByFlag() {
+    barrier();
+    isHeld = false;
+  }
+  HoldByFlag(const HoldByFlag &) = delete;
+  HoldByFlag &operator=(const HoldByFlag &) = delete;
+
+  static volatile bool isHeld;  // defined by the timer that uses it
+};
+
+/// @endcond
+
+}  // namespace sbus
 
 #if defined(SERIAL_SBUS) && defined(TIM7)
 #include "SlotTimerStm32L0.h"
@@ -20,40 +86,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// Nothing: a sensor is polled from loop().
-class SlotTimer {
- public:
-  // The port calls back; otherwise due() polls it.
-  static constexpr bool HasCallback = false;
-
-  // Keeps due() from reading the port, while this exists.
-  struct Hold {
-    Hold() {}
-  };
-
-  // From a look at the clock until the start bit, where other interrupts could come in between.
-  struct Alone {
-    Alone() {}
-    // Returns when that is: `planned`, or later.
-    uint32_t start(uint32_t planned) const { return planned; }
-  };
-
-  // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
-  // false if it cannot; then neither is ever called.
-  template <typename Port>
-  static bool start(Port &, void (*)(void *), void (*)(void *), void *) {
-    return false;
-  }
-  // Calls nothing any more.
-  static void stop(void *) {}
-  // Calls due() in `us` from now, or a little later.
-  static void at(uint32_t) {}
-  // Waits, in loop() or in due().
-  static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
-  // Sends at once.
-  static void send(const uint8_t *, size_t) {}
-  static bool isHeld() { return false; }
-};
+using SlotTimer = NoSlotTimer;
 
 /// @endcond
 
