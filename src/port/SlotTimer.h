@@ -80,6 +80,9 @@ class HoldByFlag {
 #elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
 #define SBUS_SLOT_TIMER_RP2040  // arduino-pico from 4.0 on; with FreeRTOS loop() is a task that may change its core
 #include "SlotTimerRp2040.h"
+#elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)
+#define SBUS_SLOT_TIMER_ESP32  // from 2.0 on
+#include "SlotTimerEsp32.h"
 #else
 
 namespace sbus {

@@ -218,8 +218,8 @@ TEST_CASE("an answer that the port could not send counts as skipped, and nobody 
   Answers answers;
   answers.begin();
   write(answers, 2, 3);
-  for (const uint8_t unsent : {2, 3, 4}) {
-    CAPTURE(int{unsent});
+  for (const unsigned unsent : {2u, 3u, 4u}) {
+    CAPTURE(unsent);
     frame(answers, 0x04, 10000, 10000);
     for (uint8_t slot = 2; slot <= 4; slot++) {
       uint8_t characters[sbus::SlotSize];
@@ -231,8 +231,8 @@ TEST_CASE("an answer that the port could not send counts as skipped, and nobody 
         answers.discarded(characters, sizeof characters);
       }
     }
-    CHECK(answers.sent() == 2u * (unsent - 1u));
-    CHECK(answers.skipped() == unsent - 1u);
+    CHECK(answers.sent() == 2 * (unsent - 1));
+    CHECK(answers.skipped() == unsent - 1);
     take(answers, 0x14);
     CHECK(answers.collisions() == 0);
   }

@@ -29,7 +29,12 @@ inline void pinMode(uint32_t, uint32_t) {
 }
 inline void digitalWrite(uint32_t, uint32_t) {
 }
-static const uint8_t A0 = 14, A1 = 15;
+static const uint8_t A0 = 14;
+#if defined(ESP32)
+static const uint8_t A3 = 39;  // variants/esp32/pins_arduino.h has no A1 and A2
+#else
+static const uint8_t A1 = 15;
+#endif
 inline int analogRead(uint32_t) {
   return 512;
 }
