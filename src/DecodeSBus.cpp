@@ -7,23 +7,23 @@ bool DecodeSBus::decodeExtraChannels(uint16_t channels[]) {
   uint32_t number;
   for (;;) {
     number = _finder.counters().extraFrames;
-    SBUS_BARRIER();
+    sbus::barrier();
     if (number == _staleExtra) {
       return false;
     }
     if (!_link.isStale(micros() - _finder.extraTime())) {
       break;
     }
-    SBUS_BARRIER();
+    sbus::barrier();
     if (number == _finder.counters().extraFrames) {
       _staleExtra = number;
     }
   }
   do {
     number = _finder.counters().extraFrames;
-    SBUS_BARRIER();
+    sbus::barrier();
     sbus::unpackExtra(_finder.extra(), channels);
-    SBUS_BARRIER();
+    sbus::barrier();
   } while (number != _finder.counters().extraFrames);
   return true;
 }

@@ -1,5 +1,6 @@
 // The methods of DecodeSBusOf, for the files that compile one format each: in one file the compiler would inline less.
 #include "DecodeSBus.h"
+#include "sbus/Barrier.h"
 
 namespace {
 
@@ -7,10 +8,6 @@ namespace {
 inline bool isYoung(sbus::LinkState state) {
   return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
 }
-
-// Keeps the compiler from moving reads past it: an interrupt's parseSBusFrame() may change what they read. (clang moves
-// reads past __atomic_signal_fence(). A macro, because -Os calls an inline function.)
-#define SBUS_BARRIER() __asm__ volatile("" ::: "memory")
 
 }  // namespace
 
@@ -82,9 +79,9 @@ template <typename Format, typename Events>
 sbus::LinkState DecodeSBusOf<Format, Events>::linkState() {
   for (;;) {
     const uint32_t time = _finder.frameTime();
-    SBUS_BARRIER();
+    sbus::barrier();
     const sbus::LinkState state = _link.state(time, micros());
-    SBUS_BARRIER();
+    sbus::barrier();
     if (time == _finder.frameTime()) {
       return state;
     }
@@ -112,12 +109,12 @@ void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &fa
   uint32_t number;
   do {
     number = _finder.counters().frames;
-    SBUS_BARRIER();
+    sbus::barrier();
     const uint8_t *const frame = _finder.newest();
     Format::unpack(frame, channels);
     lostFrame = (Format::flags(frame) & sbus::FlagLostFrame) != 0;
     failsafe = _link.isLost();
-    SBUS_BARRIER();
+    sbus::barrier();
   } while (number != _finder.counters().frames);
   _decoded = number;
 }

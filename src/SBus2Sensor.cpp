@@ -71,13 +71,14 @@ void SBus2Sensor::answerWithin(int32_t wait) {
 void SBus2Sensor::receive() {
   Decoder::parseSBusFrame();
   sbus::Answers &answers = _finder.events();
+  if (_isTimed) {
+    sbus::SlotTimer::polled(answers.found(), answers.by());
+  }
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
   const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
-  const bool isPrompt = _isTimed && sbus::SlotTimer::HasCallback;
-  const sbus::End end =
-      (isPrompt ? sbus::promptEndOf : sbus::endOf)(handOver, answers.found(), _finder.pollBefore(), answers.by());
+  const sbus::End end = sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), _finder.pollBefore(), answers.by());
   const uint32_t period = _finder.counters().period;  // 0 before the second frame
   answers.plan(end.earliest, end.latest, period > FrameTime ? period - FrameTime : 0);
 }
@@ -142,11 +143,12 @@ void SBus2Sensor::armTimer() {
 
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
-  if (_finder.events().start(now, characters)) {
-    if (_isTimed) {
-      sbus::SlotTimer::send(characters, sizeof characters);
-    } else {
-      _port.write(characters, sizeof characters);
-    }
+  if (!_finder.events().start(now, characters)) {
+    return;
+  }
+  if (!_isTimed) {
+    _port.write(characters, sizeof characters);
+  } else if (!sbus::SlotTimer::send(characters, sizeof characters)) {
+    _finder.events().unsent();
   }
 }

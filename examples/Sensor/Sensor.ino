@@ -25,6 +25,8 @@ SBus2Sensor dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 1
 const uint8_t PIN_VOLTAGE = A0;
 #if defined(ESP8266)
 const uint8_t PIN_CURRENT = A0;  // it has no other
+#elif defined(ESP32)
+const uint8_t PIN_CURRENT = A3;  // a classic ESP32 has no A1
 #else
 const uint8_t PIN_CURRENT = A1;
 #endif

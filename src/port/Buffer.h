@@ -31,15 +31,18 @@ constexpr unsigned CoreBuffer = SmallestBuffer;
 // The size that begin() asks for where a port lets it: 30 ms of a line without gaps.
 constexpr unsigned WantedBuffer = 256;
 
-// Makes an ESP32 hand over bursts of 8 characters instead of 120, which hide the gaps. With the two idle characters
-// that it waits for, that is less than LineTiming.h assumes. Cores before 2.0.3 cannot.
+// The bursts that an ESP32 is told to hand over, instead of 120 characters, which hide the gaps. With the two idle
+// characters that it waits for, that is less than LineTiming.h assumes.
+constexpr uint8_t WantedBurst = 8;
+
+// Tells an ESP32 how many characters make a burst. Cores before 2.0.3 cannot.
 template <typename Port>
-auto limitBursts(Port &port, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
-  port.setRxFIFOFull(8);
+auto limitBursts(Port &port, uint8_t burst, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
+  port.setRxFIFOFull(burst);
 }
 // Other ports keep their burst.
 template <typename Port>
-void limitBursts(Port &, Choice<0>) {
+void limitBursts(Port &, uint8_t, Choice<0>) {
 }
 
 // Gives arduino-pico's port a queue of WantedBuffer. Returns its size.

@@ -5,8 +5,8 @@
 #include <Arduino.h>
 #include <stdint.h>
 
-#include "Buffer.h"
-#include "PortKind.h"
+#include "../sbus/Frame.h"
+#include "Choice.h"
 
 namespace sbus {
 
@@ -14,7 +14,7 @@ namespace sbus {
 
 // When a port counts a character among those that wait.
 enum class HandOver : uint8_t {
-  Unknown,        // at some time: a sensor does not answer there (ESP32: below)
+  Unknown,        // at some time: a sensor does not answer there (but on an ESP32: below)
   EachCharacter,  // by an interrupt for each, in its first stop bit
   Dma16,          // with the sixteenth since the last time, or when the line was idle for a character
 };
@@ -82,9 +82,9 @@ auto handOverOf(Port *port, HardwareSerial *, Choice<1>) -> decltype(port->setIn
 // Of an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
 // CONFIG_UART_ISR_IN_IRAM: it waits while flash is written, for milliseconds, and for other interrupts, and available()
-// shows nothing meanwhile. onReceive() is called later still, by a task. Core 3: esp-idf 01b912a,
-// components/driver/uart/uart.c:32, arduino-esp32 8edd529, HardwareSerial.cpp:19; core 2: esp-idf 002cd29,
-// components/driver/uart.c:40.
+// shows nothing meanwhile. onReceive() is called later still, by a task. So SlotTimerEsp32.h looks at the FIFO itself
+// (FifoWatch.h). Core 3: esp-idf 01b912a, components/driver/uart/uart.c:32, arduino-esp32 8edd529,
+// HardwareSerial.cpp:19; core 2: esp-idf 002cd29, components/driver/uart.c:40.
 template <typename Port>
 HandOver handOverOf(Port *, Stream *, Choice<0>) {
   return HandOver::Unknown;

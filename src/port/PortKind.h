@@ -121,7 +121,7 @@ struct Esp32 : Kind {
     pins.wasInverted = config.inverted();
     const unsigned size = port.setRxBufferSize(WantedBuffer);
     port.begin(baud, config, pins.rxPin, pins.txPin, config.inverted());
-    limitBursts(port, Choice<1>());
+    limitBursts(port, WantedBurst, Choice<1>());
     return size;
   }
 };

@@ -5,23 +5,16 @@
 #include <Arduino.h>
 #include <stdint.h>
 
+#include "../sbus/Barrier.h"
 #include "Format.h"  // brings the STM32L0's registers
-
-#if defined(SERIAL_SBUS) && defined(TIM7)
-#include "SlotTimerStm32L0.h"
-#elif defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
-#include "SlotTimerAvr.h"
-#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
-#define SBUS_SLOT_TIMER_RP2040  // arduino-pico from 4.0 on; with FreeRTOS loop() is a task that may change its core
-#include "SlotTimerRp2040.h"
-#else
+#include "HandOver.h"
 
 namespace sbus {
 
 /// @cond  Not for sketches.
 
-// Nothing: a sensor is polled from loop().
-class SlotTimer {
+// Nothing: a sensor is polled from loop(). The cores' timers derive from it what they do not have.
+class NoSlotTimer {
  public:
   // The port calls back; otherwise due() polls it.
   static constexpr bool HasCallback = false;
@@ -30,6 +23,7 @@ class SlotTimer {
   struct Hold {
     Hold() {}
   };
+  static bool isHeld() { return false; }
 
   // From a look at the clock until the start bit, where other interrupts could come in between.
   struct Alone {
@@ -40,20 +34,62 @@ class SlotTimer {
 
   // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
   // false if it cannot; then neither is ever called.
-  template <typename Port>
-  static bool start(Port &, void (*)(void *), void (*)(void *), void *) {
-    return false;
-  }
+  static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
   // Calls nothing any more.
   static void stop(void *) {}
   // Calls due() in `us` from now, or a little later.
   static void at(uint32_t) {}
   // Waits, in loop() or in due().
   static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
-  // Sends at once.
-  static void send(const uint8_t *, size_t) {}
-  static bool isHeld() { return false; }
+  // Sends at once. Returns false if it cannot.
+  static bool send(const uint8_t *, size_t) { return false; }
+
+  // Takes that a poll has found `found` bytes, by `by`, us.
+  static void polled(unsigned, uint32_t) {}
+  // Returns when the last of them came; see sbus::endOf(). `isTimed`: due() has polled, not loop().
+  static End endOf(bool, HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
+    return sbus::endOf(handOver, found, before, by);
+  }
 };
+
+// For an interrupt that polls: while loop() reads what it writes, it sends what is due, but does not read the port.
+class HoldByFlag {
+ public:
+  HoldByFlag() {
+    isHeld = true;
+    barrier();
+  }
+  ~HoldByFlag() {
+    barrier();
+    isHeld = false;
+  }
+  HoldByFlag(const HoldByFlag &) = delete;
+  HoldByFlag &operator=(const HoldByFlag &) = delete;
+
+  static volatile bool isHeld;  // defined by the timer that uses it
+};
+
+/// @endcond
+
+}  // namespace sbus
+
+#if defined(SERIAL_SBUS) && defined(TIM7)
+#include "SlotTimerStm32L0.h"
+#elif defined(__AVR__) && defined(TIMER2_COMPB_vect) && defined(OCIE2B)
+#include "SlotTimerAvr.h"
+#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
+#define SBUS_SLOT_TIMER_RP2040  // arduino-pico from 4.0 on; with FreeRTOS loop() is a task that may change its core
+#include "SlotTimerRp2040.h"
+#elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)
+#define SBUS_SLOT_TIMER_ESP32  // from 2.0 on
+#include "SlotTimerEsp32.h"
+#else
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+using SlotTimer = NoSlotTimer;
 
 /// @endcond
 

@@ -18,7 +18,7 @@ uint8_t modeA, modeB;  // what the core had set: the PWM of analogWrite()
 
 }  // namespace
 
-volatile bool SlotTimer::_held = false;
+volatile bool HoldByFlag::isHeld = false;
 
 bool SlotTimer::start(HardwareSerial &port, void (*)(void *), void (*due)(void *), void *context) {
   if (sender != nullptr && sensor != context) {
@@ -52,7 +52,7 @@ void SlotTimer::at(uint32_t us) {
   ticks = static_cast<uint8_t>(wanted < Soonest ? Soonest : wanted > Latest ? Latest : wanted);
 }
 
-void SlotTimer::send(const uint8_t *characters, size_t size) {
+void SlotTimer::write(const uint8_t *characters, size_t size) {
   sender->write(characters, size);
 }
 

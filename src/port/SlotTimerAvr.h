@@ -12,34 +12,22 @@ namespace sbus {
 /// @cond  Not for sketches.
 
 // There is one: a second sensor is polled from loop().
-class SlotTimer {
+class SlotTimer : public NoSlotTimer {
  public:
-  static constexpr bool HasCallback = false;
+  using Hold = HoldByFlag;  // an AVR reads 32 bits one by one
+  static bool isHeld() { return Hold::isHeld; }
 
-  // An AVR reads 32 bits one by one: while loop() does so, the interrupt sends what is due, but does not read the port.
-  class Hold {
-   public:
-    Hold() { _held = true; }
-    ~Hold() { _held = false; }
-    Hold(const Hold &) = delete;
-    Hold &operator=(const Hold &) = delete;
-  };
-  static bool isHeld() { return _held; }
-
-  struct Alone {
-    Alone() {}
-    uint32_t start(uint32_t planned) const { return planned; }
-  };
-
+  using NoSlotTimer::start;
   static bool start(HardwareSerial &port, void (*received)(void *), void (*due)(void *), void *context);
-  static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
   static void stop(void *context);
   static void at(uint32_t us);
-  static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
-  static void send(const uint8_t *characters, size_t size);
+  static bool send(const uint8_t *characters, size_t size) {
+    write(characters, size);
+    return true;
+  }
 
  private:
-  static volatile bool _held;
+  static void write(const uint8_t *characters, size_t size);
 };
 
 /// @endcond

@@ -40,7 +40,7 @@ void elapsed(unsigned) {
 
 }  // namespace
 
-volatile bool SlotTimer::_held = false;
+volatile bool HoldByFlag::isHeld = false;
 
 // Below the UART's interrupt: above it, it would wait forever for the mutex that this one holds (SerialUART.cpp:352 and
 // 518).
@@ -80,8 +80,8 @@ void SlotTimer::at(uint32_t us) {
 }
 
 // The UART's FIFO takes 32.
-void SlotTimer::send(const uint8_t *characters, size_t size) {
-  sender->write(characters, size);
+bool SlotTimer::send(const uint8_t *characters, size_t size) {
+  return sender->write(characters, size) == size;
 }
 
 }  // namespace sbus

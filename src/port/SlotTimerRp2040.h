@@ -13,25 +13,10 @@ namespace sbus {
 /// @cond  Not for sketches.
 
 // There is one: a second sensor is polled from loop(). Its interrupt comes to the core that has called begin().
-class SlotTimer {
+class SlotTimer : public NoSlotTimer {
  public:
-  static constexpr bool HasCallback = false;
-
-  // While loop() reads, the interrupt sends what is due, but does not read the port.
-  class Hold {
-   public:
-    Hold() {
-      _held = true;
-      __asm volatile("" ::: "memory");
-    }
-    ~Hold() {
-      __asm volatile("" ::: "memory");
-      _held = false;
-    }
-    Hold(const Hold &) = delete;
-    Hold &operator=(const Hold &) = delete;
-  };
-  static bool isHeld() { return _held; }
+  using Hold = HoldByFlag;
+  static bool isHeld() { return Hold::isHeld; }
 
   // No interrupt comes between a look at the clock and the start bit.
   class Alone {
@@ -49,16 +34,13 @@ class SlotTimer {
     const uint32_t _interrupts;
   };
 
+  using NoSlotTimer::start;
   static bool start(SerialUART &port, void (*received)(void *), void (*due)(void *), void *context);
-  static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
   static void stop(void *context);
   static void at(uint32_t us);
   // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).
   static void wait(uint32_t us) { busy_wait_us_32(us); }
-  static void send(const uint8_t *characters, size_t size);
-
- private:
-  static volatile bool _held;
+  static bool send(const uint8_t *characters, size_t size);
 };
 
 /// @endcond

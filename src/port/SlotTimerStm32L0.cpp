@@ -68,11 +68,12 @@ void SlotTimer::at(uint32_t us) {
   stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true);
 }
 
-void SlotTimer::send(const uint8_t *characters, size_t size) {
-  if (listener->done()) {
-    memcpy(sent, characters, size < Longest ? size : Longest);
-    listener->write(sent, size, Callback());
+bool SlotTimer::send(const uint8_t *characters, size_t size) {
+  if (!listener->done()) {
+    return false;
   }
+  memcpy(sent, characters, size < Longest ? size : Longest);
+  return listener->write(sent, size, Callback());
 }
 
 }  // namespace sbus

@@ -2,14 +2,11 @@
 
 #include <string.h>
 
+#include "Barrier.h"
+
 namespace sbus {
 
 namespace {
-
-// The compiler must not move what is read or written across it: an interrupt may come there.
-inline void barrier() {
-  __asm__ volatile("" ::: "memory");
-}
 
 constexpr uint32_t bits(uint8_t first, uint8_t count) {
   return (count < SlotCount ? (uint32_t{1} << count) - 1 : ~uint32_t{0}) << first;
@@ -202,6 +199,17 @@ bool Answers::start(uint32_t now, uint8_t *characters) {
   _sent++;
   goTo(_left);
   return true;
+}
+
+// Slots go out in rising order: the newest one is the highest bit.
+void Answers::unsent() {
+  uint8_t last = _out;
+  while ((last & (last - 1)) != 0) {
+    last = static_cast<uint8_t>(last & (last - 1));
+  }
+  _out = static_cast<uint8_t>(_out ^ last);
+  _sent--;
+  _skipped++;
 }
 
 void Answers::skip() {

@@ -56,6 +56,9 @@ class Answers : public Telemetry {
   /// of the group is skipped. Otherwise writes three characters to `characters`; send them at once.
   bool start(uint32_t now, uint8_t *characters);
 
+  /// Takes back the answer that the newest start() has given, because the port could not send it. It counts as skipped.
+  void unsent();
+
   /// Skips what is planned.
   void skip();
 

@@ -214,6 +214,30 @@ TEST_CASE("its own characters are no sensor's; others in their place are a colli
   }
 }
 
+TEST_CASE("an answer that the port could not send counts as skipped, and nobody waits for its echo") {
+  Answers answers;
+  answers.begin();
+  write(answers, 2, 3);
+  for (const unsigned unsent : {2u, 3u, 4u}) {
+    CAPTURE(unsent);
+    frame(answers, 0x04, 10000, 10000);
+    for (uint8_t slot = 2; slot <= 4; slot++) {
+      uint8_t characters[sbus::SlotSize];
+      REQUIRE(answers.start(answers.due(), characters));
+      CHECK(sbus::slotOfId(characters[0]) == slot);
+      if (slot == unsent) {
+        answers.unsent();
+      } else {
+        answers.discarded(characters, sizeof characters);
+      }
+    }
+    CHECK(answers.sent() == 2 * (unsent - 1));
+    CHECK(answers.skipped() == unsent - 1);
+    take(answers, 0x14);
+    CHECK(answers.collisions() == 0);
+  }
+}
+
 TEST_CASE("one that a timer polls is polled all the time while a frame's end is expected, and otherwise seldom") {
   Answers answers;
   answers.begin();

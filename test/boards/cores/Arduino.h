@@ -39,7 +39,12 @@ inline void noInterrupts() {
 }
 inline void interrupts() {
 }
-static const uint8_t A0 = 14, A1 = 15;
+static const uint8_t A0 = 14;
+#if defined(ESP32)
+static const uint8_t A3 = 39;  // variants/esp32/pins_arduino.h has no A1 and A2
+#else
+static const uint8_t A1 = 15;
+#endif
 inline int analogRead(uint32_t) {
   return 512;
 }

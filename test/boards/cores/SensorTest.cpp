@@ -2,8 +2,12 @@
 // late.
 #include <SBus2Sensor.h>
 
+#include <functional>
+
 #include "Cores.h"
+#if defined(ARDUINO_ARCH_RP2040)
 #include "PicoAlarms.h"
+#endif
 #include "line/simulation/SimulatedBus.h"
 
 decltype(Serial1) Serial1, Serial2;
@@ -53,9 +57,15 @@ struct Bus : sim::Wire {
   const line::BusJudge::Counts &counts() const { return bus.judge().counts(); }
 };
 
-// While loop() reads, nothing else may.
+// While loop() reads, nothing else may; the ESP32's task reads with a mutex.
 struct Unheld : sim::Reader {
-  void beforeRead() override { world.crashes += sbus::SlotTimer::isHeld(); }
+  void beforeRead() override {
+#if defined(ESP32)
+    world.crashes += world.locked == 0;
+#else
+    world.crashes += sbus::SlotTimer::isHeld();
+#endif
+  }
 };
 
 struct Sketch {
@@ -65,7 +75,9 @@ struct Sketch {
 
   Sketch() {
     cores::switchOn();
+#if defined(ARDUINO_ARCH_RP2040)
     sim::alarms = sim::Alarms();
+#endif
     world.tickUs = 1;
     world.wire = &wire;
     world.reader = &unheld;
@@ -161,6 +173,8 @@ TEST_CASE("a loop() that asks the port itself: no answer is wrong, and nearly al
   }
 }
 
+#if defined(ARDUINO_ARCH_RP2040)
+
 TEST_CASE("after end() nothing is sent, and its alarm is free; after begin() answers go on") {
   Sketch sketch;
   CHECK(sim::alarms.claimed == (8 | 1));
@@ -203,3 +217,110 @@ TEST_CASE("a second sensor is polled, and its end() leaves the first one its ala
   sketch.run([] { delay(3); }, 10);
   CHECK(sketch.wire.counts().right >= 9 * Second / 60000 * Slots);
 }
+
+#else
+
+TEST_CASE("a driver whose interrupt comes late, at random: of 10000 answers none is late") {
+  constexpr uint64_t Long = 130;
+  for (const unsigned lateUs : {20u, 200u, 1000u, 2000u, 5000u}) {
+    CAPTURE(lateUs);
+    Sketch sketch;
+    world.driverLateUs = lateUs;
+    world.driverUs = 90;
+    world.earlyUs = 15;
+    world.portUs = 3;
+    sketch.run([] { delay(3); }, Long);
+    CHECK(sketch.wire.counts().late + sketch.wire.counts().early == 0);
+    CHECK((lateUs > 1000 || sketch.wire.counts().right >= 10000));
+    CHECK(sketch.wire.counts().right >= 1000);
+  }
+}
+
+TEST_CASE("tasks and writes to flash that stop all else for up to 5 ms, at random: what would be late is skipped") {
+  for (const unsigned randomUs : {50u, 300u, 1000u, 5000u}) {
+    CAPTURE(randomUs);
+    Sketch sketch;
+    world.driverLateUs = 300;
+    world.driverUs = 90;
+    world.earlyUs = 15;
+    world.portUs = 3;
+    world.cacheUs = 40;
+    world.randomUs = randomUs;
+    sketch.run([] { delay(3); }, 130);
+    CHECK(sketch.sensor.skippedSlots() > 0);
+    CHECK(sketch.wire.counts().right >= Rounds * Slots / 2);
+  }
+}
+
+TEST_CASE("code in flash that waits long for the cache: what would be late is not sent, and counts as skipped") {
+  Sketch sketch;
+  world.cacheUs = 1000;
+  sketch.run([] { delay(3); });
+  CHECK(sketch.sensor.skippedSlots() > 0);
+  CHECK(sketch.sensor.collisions() == 0);  // the board hears itself
+}
+
+TEST_CASE("each method of loop() waits for the task, which may be in the middle of a frame") {
+  Sketch sketch;
+  sketch.run([] { delay(3); }, 1);
+  uint16_t channels[18];
+  bool failsafe, lostFrame;
+  sbus::TemperatureF1713 other;
+  const SBus2Sensor &constant = sketch.sensor;
+  const auto locks = [](std::function<void()> method) {
+    const unsigned before = world.locks;
+    method();
+    return world.locks - before;
+  };
+  CHECK(locks([&] { sketch.sensor.SBusFrameOk(); }) == 1);
+  CHECK(locks([&] { sketch.sensor.decodeSBusFrame(channels, failsafe, lostFrame); }) == 1);
+  CHECK(locks([&] { sketch.sensor.newFrame(); }) == 1);
+  CHECK(locks([&] { sketch.sensor.linkState(); }) == 1);
+  CHECK(locks([&] { sketch.sensor.frameAge(); }) == 1);
+  CHECK(locks([&] { constant.counters(); }) == 1);
+  CHECK(locks([&] { sketch.sensor.readSensor(3, other); }) == 1);
+  CHECK(locks([&] { constant.rejectedGroups(); }) == 1);
+  CHECK(locks([&] { sketch.sensor.writeSensor(3, other); }) == 1);
+  CHECK(locks([&] { sketch.sensor.stopSensor(3, 1); }) == 1);
+  CHECK(locks([&] { sketch.sensor.end(); }) == 1);
+}
+
+TEST_CASE("after end() nothing is sent, and after begin() answers go on") {
+  Sketch sketch;
+  sketch.run([] { delay(1); }, 10);
+  const unsigned long right = sketch.wire.counts().right;
+  CHECK(right >= 9 * Second / 60000 * Slots);
+  sketch.sensor.end();
+  sketch.run([] { delay(1); }, 10);
+  CHECK(sketch.wire.counts().right == right);
+  sketch.sensor.begin();
+  for (const uint64_t endUs = world.nowUs + 10 * Second; world.nowUs < endUs;) {
+    delay(1);
+  }
+  CHECK(sketch.wire.counts().right >= right + 9 * Second / 60000 * Slots);
+}
+
+TEST_CASE("while the port sends something else, answers are skipped, and do not queue behind it") {
+  Sketch sketch;
+  sketch.run([] { delay(3); }, 1);
+  struct : sim::Wire {
+    Bus *bus;
+    void until(uint64_t us) override { bus->until(us); }
+    void sent(const sim::Sent &) override {}
+  } deaf;
+  deaf.bus = &sketch.wire;
+  world.wire = &deaf;
+  const uint32_t skipped = sketch.sensor.skippedSlots();
+  const size_t sent = world.sent.size();
+  unsigned others = 0;
+  for (const uint64_t endUs = world.nowUs + 60000; world.nowUs < endUs; delayMicroseconds(100)) {
+    while (Serial1.uart.pending() < 20) {
+      others++;
+      Serial1.write(0);
+    }
+  }
+  CHECK(world.sent.size() == sent + others);
+  CHECK(sketch.sensor.skippedSlots() == skipped + Slots);
+}
+
+#endif

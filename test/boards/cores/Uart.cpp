@@ -11,8 +11,9 @@ World world;
 void World::pass(uint64_t us) {
   uint64_t left = us;
   for (;;) {
-    const uint64_t others = othersUs != 0 && masked == 0 ? std::max(othersAtUs, nowUs) : Never;
-    const uint64_t own = masked == 0 && !inAlarm && alarmAtUs != Never ? std::max(alarmAtUs, nowUs) : Never;
+    const uint64_t others = othersUs + randomUs != 0 && masked == 0 ? std::max(othersAtUs, nowUs) : Never;
+    const bool calls = masked == 0 && locked == 0 && !inAlarm && alarmAtUs != Never;
+    const uint64_t own = calls ? std::max(alarmAtUs, nowUs) : Never;
     const uint64_t first = std::min(others, own);
     if (first == Never || first - nowUs > left) {
       nowUs += left;
@@ -21,8 +22,8 @@ void World::pass(uint64_t us) {
     left -= first - nowUs;
     nowUs = first;
     if (others <= own) {
-      othersAtUs = nowUs + 997;
-      nowUs += othersUs;
+      nowUs += othersUs + upTo(upTo(randomUs));
+      othersAtUs = nowUs - othersUs + (randomUs != 0 ? upTo(2 * 997 + 4 * randomUs) : 997);
     } else {
       alarmAtUs = Never;
       inAlarm = true;
@@ -61,7 +62,8 @@ void Uart::open(const Settings &settings) {
   }
   _open = true;
   _openedUs = _lastUs = world.nowUs;
-  _first = _count = _filled = _stashed = _position = 0;
+  _first = _count = _filled = _stashed = _position = _taken = 0;
+  _takesUs = _countsUs = Never;
   _settings = settings;
   _settings.baud = std::max(settings.baud, 1ul);
 }
@@ -118,6 +120,44 @@ void Uart::handOver() {
   _filled = _stashed = 0;
 }
 
+// An interrupt of the driver is raised. (What follows if the buffer is full, only the prompt driver has.)
+void Uart::raise(uint64_t us) {
+  if (world.driverLateUs == 0) {
+    handOver();
+  } else if (_filled != _taken && _takesUs == Never) {
+    _takesUs = us + world.upTo(world.driverLateUs);
+  }
+}
+
+// All that a late driver does until then: it takes all that is in the FIFO (esp-idf 01b912a, driver/uart/uart.c,
+// uart_rx_intr_handler_default()), and adds to rx_buffered_len at the end.
+void Uart::interrupts(uint64_t us) {
+  while (std::min(_takesUs, _countsUs) <= us) {
+    if (_countsUs == Never) {
+      _taken = _filled;
+      _countsUs = _takesUs + world.upTo(world.driverUs);
+      _takesUs = Never;
+      continue;
+    }
+    if (_countsUs > us) {
+      return;
+    }
+    for (unsigned i = 0; i < _taken; i++) {
+      _buffer[(_first + _count++) % Largest] = _fifo[i];
+    }
+    std::copy(_fifo + _taken, _fifo + _filled, _fifo);
+    _filled -= _taken;
+    _taken = 0;
+    _takesUs = _takesUs != Never ? std::max(_takesUs, _countsUs) : Never;
+    _countsUs = Never;
+  }
+}
+
+unsigned Uart::fifo() {
+  receive();
+  return _filled - _taken;
+}
+
 void Uart::receive() {
   if (!_wired || !_open) {
     return;
@@ -128,8 +168,9 @@ void Uart::receive() {
   const uint64_t characterUs = 12 * 1000000 / world.baud;
   const auto idleUntil = [&](uint64_t us) {
     if (us >= _lastUs + _facts.idle * characterUs) {
-      handOver();
+      raise(_lastUs + _facts.idle * characterUs);
     }
+    interrupts(us);
   };
   const auto take = [&](uint64_t beginUs, uint64_t endUs, uint8_t value, bool heard) {
     world.next++;
@@ -137,11 +178,16 @@ void Uart::receive() {
       return;
     }
     idleUntil(beginUs);
+    interrupts(endUs - world.earlyUs);
     _lastUs = endUs;
+    if (_filled - _taken == FifoSize && _drops == Fifo && world.driverLateUs != 0) {
+      world.dropped += FifoSize;  // the driver resets it
+      _filled = _taken;
+    }
     _fifo[_filled++] = value;
     _position++;
-    if (_facts.ring ? _position % _burst == 0 : _filled >= _burst) {
-      handOver();
+    if (_facts.ring ? _position % _burst == 0 : _filled - _taken >= _burst) {
+      raise(endUs);
     }
   };
   if (world.looped) {
@@ -151,7 +197,7 @@ void Uart::receive() {
       take(sent.beginUs, sent.endUs, sent.value, _settings.evenStops != 0 && same);
     }
   } else {
-    while (world.next < world.line.size() && world.line[world.next].endUs <= world.nowUs) {
+    while (world.next < world.line.size() && world.line[world.next].endUs <= world.nowUs + world.earlyUs) {
       const auto &character = world.line[world.next];
       const bool discarded = character.bad && discards(world.error);
       take(character.endUs - characterUs, character.endUs, character.value, hears() && !discarded);

@@ -64,6 +64,7 @@ class Uart {
   int read();
   int read(uint8_t *buffer, size_t size);
 
+  unsigned fifo();           // characters that the driver has not taken
   unsigned pending() const;  // bytes that have not been sent
   int room();                // free bytes of the transmitter
   size_t write(uint8_t byte);
@@ -72,8 +73,12 @@ class Uart {
  private:
   static constexpr unsigned Largest = 512, FifoSize = 128;
 
+  static constexpr uint64_t Never = UINT64_MAX;
+
   void receive();
   void handOver();
+  void raise(uint64_t us);
+  void interrupts(uint64_t us);
   bool hears() const;
   void fault(unsigned what) const;
 
@@ -87,6 +92,8 @@ class Uart {
   unsigned _size, _burst;
   uint8_t _buffer[Largest] = {}, _fifo[Largest] = {};
   unsigned _first = 0, _count = 0, _filled = 0, _stashed = 0, _position = 0;
+  unsigned _taken = 0;                           // of _filled, by a late driver
+  uint64_t _takesUs = Never, _countsUs = Never;  // when it does so, and when it counts them
 };
 
 void print(char c);  // what a sketch says over USB

@@ -1,6 +1,7 @@
 // What stands around the port: the time, the line, what was sent and printed.
 #pragma once
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,10 @@ struct World {
   // Time passes, with the interrupts that come meanwhile. The alarm has the lowest priority.
   void pass(uint64_t us);
   unsigned masked = 0;      // no interrupts
+  unsigned locked = 0;      // by a mutex, for which the alarm waits
+  unsigned locks = 0;       // how often that was
   unsigned othersUs = 0;    // how long other interrupts take, every 997 us
+  unsigned randomUs = 0;    // the most that they take, at random times instead
   uint64_t othersAtUs = 0;  // the next of them
   uint64_t alarmAtUs = Never;
   bool inAlarm = false;
@@ -55,6 +59,15 @@ struct World {
   unsigned lateUs = 0;      // how long an interrupt holds up the next read()
   bool looped = false;  // what was sent comes back, whatever its polarity
   unsigned portUs = 0;  // how long a method of the port takes, where a core locks it
+
+  // A driver like the ESP32's: its interrupt comes late by up to driverLateUs, then has what it has taken out of the FIFO
+  // for up to driverUs, and then counts it. All at random.
+  unsigned driverLateUs = 0, driverUs = 0;
+  unsigned earlyUs = 0;  // so long before its end a character is in the FIFO
+  unsigned cacheUs = 0;  // the most that code in flash takes for which the cache has no place
+  std::minstd_rand random{20181};
+  unsigned upTo(unsigned most) { return most == 0 ? 0 : static_cast<unsigned>(random() % (most + 1)); }
+
   Wire *wire = nullptr;
   std::vector<line::Character> line;
   size_t next = 0;  // of `line`, or of `sent`

@@ -36,12 +36,15 @@ teensy32 := Teensy32 gnu++17
 teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
+# Those with esp_timer.
+TASKS := esp32-2.0 esp32-3.0 esp32-3.3
+
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
 rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
 compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
-ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico,$(core)),$(OUT)/$(core)/SensorTest) \
+ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core))))
 
@@ -64,14 +67,14 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico)
+$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico) $(if $(filter $(TASKS),$1),-I$(HERE)/esp32)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/PicoAlarms.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o \
-  $(OUT)/$1/port/SlotTimerRp2040.o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+$(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
+  $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
@@ -83,7 +86,7 @@ $(OUT)/$1/PpmOutTest: $(OUT)/Uart.o $(OUT)/$1/PpmOutTest.o $(if $(filter pico,$1
 $(OUT)/$1/TasksSketch.o $(OUT)/$1/PpmOutSketch.o: $(OUT)/$1/%Sketch.o: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c $(ROOT)/examples/$$*/$$*.ino -o $$@
-$(OUT)/$1/PicoAlarms.o $(OUT)/$1/Tasks.o: $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
+$(addprefix $(OUT)/$1/,PicoAlarms.o Tasks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk

@@ -1,5 +1,6 @@
 // A sketch that answers in eleven slots while loop() is busy. (No .ino, as Counters.cpp.) Sends every second
-//   frames,resyncs,rejected,collisions,skipped,decivolts    all but the last since the beginning
+//   frames,resyncs,rejected,collisions,skipped,restored,decivolts
+// The first five since the beginning; restored: 1 if end() has put timer 2 back.
 
 #include <Arduino.h>
 #include <SBus2Sensor.h>
@@ -12,11 +13,21 @@ const unsigned long WORK = 3;               // ms
 
 elapsedMillis timerDisplay;
 SBus2Sensor dSBus(Serial1);
+bool isRestored;
+
+bool endRestoresTimer2() {
+  const uint8_t modeA = TCCR2A, modeB = TCCR2B, mask = TIMSK2;
+  dSBus.begin();
+  const bool isTaken = TCCR2A != modeA && TIMSK2 != mask;
+  dSBus.end();
+  return isTaken && TCCR2A == modeA && TCCR2B == modeB && TIMSK2 == mask;
+}
 
 }  // namespace
 
 void setup() {
   Serial.begin(115200);
+  isRestored = endRestoresTimer2();
   dSBus.begin();
   const sbus::GpsF1675 gps = {50, true, 100, 45296, 25, 31512499, 8045658};
   dSBus.writeSensor(8, gps);
@@ -35,7 +46,7 @@ void loop() {
     sbus::ReceiverVoltage voltage = {};
     dSBus.readSensor(0, voltage);
     const uint32_t numbers[] = {counters.frames, counters.resyncs, dSBus.rejectedGroups(), dSBus.collisions(),
-                                dSBus.skippedSlots()};
+                                dSBus.skippedSlots(), isRestored};
     for (const uint32_t number : numbers) {
       Serial.print(number);
       Serial.print(',');

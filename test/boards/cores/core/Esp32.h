@@ -13,6 +13,9 @@
 #define ESP32
 #define ARDUINO_ARCH_ESP32
 #define EEPROM_EMULATED
+#if ESP32_CORE != 1
+#define ESP_ARDUINO_VERSION_MAJOR (ESP32_CORE == 2 ? 2 : 3)
+#endif
 #if ESP32_CORE < 3
 #define SERIAL_8N1 0x800001c
 #define SERIAL_8E1 0x800001e
@@ -76,6 +79,11 @@ class HardwareSerial : public Simulated<Stream> {
   operator bool() const { return true; }
 #else
   operator bool() const { return uart.isOpen(); }
+  // These take a mutex, which nothing may without interrupts (esp32-hal-uart.c, UART_MUTEX_LOCK()).
+  int available() override { return locked().available(); }
+  int peek() override { return locked().peek(); }
+  int read() override { return locked().read(); }
+  size_t write(uint8_t byte) override { return locked().write(byte); }
   bool setRxFIFOFull(uint8_t characters) {
     if (uart.isOpen()) {
       uart.setBurst(characters);
@@ -92,10 +100,19 @@ class HardwareSerial : public Simulated<Stream> {
 #endif
 
   using Simulated<Stream>::read;
-  size_t read(uint8_t *buffer, size_t size) { return static_cast<size_t>(uart.read(buffer, size)); }
+  using Print::write;
+  size_t read(uint8_t *buffer, size_t size) { return static_cast<size_t>(locked().read(buffer, size)); }
   int availableForWrite() override { return uart.room(); }
 
+ protected:
+  uint8_t _uart_nr = number();
+
  private:
+  uint8_t number() const;
+  sim::Uart &locked() {
+    sim::inPort();
+    return uart;
+  }
   static constexpr int8_t RX1 = sim::CorePin;
   static constexpr unsigned Burst = ESP32_CORE == 1 ? 112 : 120;  // the driver's
   void attach(int8_t rx) {
@@ -105,6 +122,9 @@ class HardwareSerial : public Simulated<Stream> {
   int8_t _rx = -1;
 };
 extern HardwareSerial Serial1, Serial2;
+inline uint8_t HardwareSerial::number() const {
+  return this == &Serial1 ? 1 : 2;
+}
 
 constexpr sim::Known Core = {true, ESP32_CORE != 1, 100000, 2, 0, true, true};
 

@@ -1,0 +1,62 @@
+/// @file
+/// When a frame ended, by the fill of a UART's receive FIFO: for a driver that hands characters over at no known time.
+#pragma once
+
+#include <stdint.h>
+
+#include "HandOver.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// The FIFO counts each character at once, whenever the driver's interrupt takes it out and whoever is held up
+// meanwhile: if it holds one more than at the look before, a character came between both looks. A look that comes late
+// makes the bounds wide, never wrong.
+//
+// That character is the last one handed over if the driver then hands over as many as the FIFO held: nothing lay before
+// them, neither where the sketch reads nor on its way there, since the driver had not been seen to take any for longer
+// than its interrupt lasts.
+class FifoWatch {
+ public:
+  // Takes a poll: by `by` the driver had handed over `found` characters, which were read. Later, at a time between
+  // `from` and `to`, the FIFO held `fill`.
+  void poll(unsigned found, uint32_t by, uint32_t from, unsigned fill, uint32_t to) {
+    if (found != 0) {
+      _end = found == _count && by - _by <= LongestWait ? endOf(HandOver::EachCharacter, 1, _before, _by) : unknown(by);
+      _count = 0;
+    }
+    if (fill < _fill || to - _from > Close) {
+      _since = to;
+    } else if (fill == _fill + 1 && static_cast<int32_t>(_from - _since) >= Interrupt) {
+      _before = _from;
+      _by = to;
+      _count = fill;
+    }
+    _from = from;
+    _fill = fill;
+  }
+
+  // Returns when the last character came of those that the newest poll has found, if it has found any.
+  End end() const { return _end; }
+
+  // Returns bounds that are wide enough to look for the next frame, and too wide to answer this one: a port waits for
+  // two characters more, its driver's interrupt is late, and the poll as well.
+  static End unknown(uint32_t by) { return {by - 1000, by}; }
+
+ private:
+  static constexpr uint32_t Close = 100;         // us between looks: at most one character, and one burst, came
+  static constexpr int32_t Interrupt = 100;      // us: the longest that a driver's interrupt takes once it has begun
+  static constexpr uint32_t LongestWait = 1900;  // us: 16 characters, and a FIFO that loses some has had 128
+
+  uint32_t _from = 0;  // the newest look, and what it saw
+  unsigned _fill = 0;
+  uint32_t _since = 0;  // the looks since then have missed nothing
+  unsigned _count = 0;  // of the FIFO when its last character came between _before and _by; 0: not known
+  uint32_t _before = 0, _by = 0;
+  End _end = {0, 0};
+};
+
+/// @endcond
+
+}  // namespace sbus

@@ -1,0 +1,81 @@
+/// @file
+/// The ESP32's, of arduino-esp32 2.0 and later: a one-shot of esp_timer, whose task polls the port and watches the
+/// UART's FIFO, often while a frame's end is expected. What holds that task up costs answers: tasks of a higher
+/// priority (WiFi), and writes to flash.
+#pragma once
+
+#include <Arduino.h>
+#include <esp_timer.h>
+#include <freertos/FreeRTOS.h>
+#include <freertos/semphr.h>
+#include <stdint.h>
+
+#include "FifoWatch.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// There is one: a second sensor does not answer.
+class SlotTimer : public NoSlotTimer {
+ public:
+  // The task is on another core than loop(): each waits for the other, and loop() up to 1.5 ms while a frame's end is
+  // expected.
+  class Hold {
+   public:
+    Hold() : _taken(_mutex) {
+      if (_taken != nullptr) {
+        xSemaphoreTake(_taken, portMAX_DELAY);
+      }
+    }
+    ~Hold() {
+      if (_taken != nullptr) {
+        xSemaphoreGive(_taken);
+      }
+    }
+    Hold(const Hold &) = delete;
+    Hold &operator=(const Hold &) = delete;
+
+   private:
+    const SemaphoreHandle_t _taken;
+  };
+
+  // No interrupt, and no write to flash, comes between a look at the clock and the start bit; but the cache may lack
+  // what lies in flash. So send() looks once more, and the time of the start is the latest that it allows.
+  class Alone {
+   public:
+    Alone() { portENTER_CRITICAL(&_lock); }
+    ~Alone() { portEXIT_CRITICAL(&_lock); }
+    Alone(const Alone &) = delete;
+    Alone &operator=(const Alone &) = delete;
+    uint32_t start(uint32_t planned) const {
+      _looked = clock();
+      const uint32_t latest = _looked + LongestSend;
+      return static_cast<int32_t>(latest - planned) > 0 ? latest : planned;
+    }
+  };
+
+  using NoSlotTimer::start;
+  static bool start(HardwareSerial &port, void (*received)(void *), void (*due)(void *), void *context);
+  static void stop(void *context);
+  static void at(uint32_t us);
+  static bool send(const uint8_t *characters, size_t size);
+
+  static void polled(unsigned found, uint32_t by);
+  static End endOf(bool isTimed, HandOver, unsigned found, uint32_t, uint32_t by) {
+    return isTimed && found != 0 ? _watch.end() : FifoWatch::unknown(by);
+  }
+
+ private:
+  static constexpr uint32_t LongestSend = 30;  // us
+  static uint32_t clock() { return static_cast<uint32_t>(esp_timer_get_time()); }
+
+  static SemaphoreHandle_t _mutex;
+  static portMUX_TYPE _lock;
+  static uint32_t _looked;
+  static FifoWatch _watch;
+};
+
+/// @endcond
+
+}  // namespace sbus
