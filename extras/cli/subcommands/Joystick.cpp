@@ -68,9 +68,9 @@ Map mapOf(const std::string &text) {
   for (bool more = true; more; at++) {
     char *end = nullptr;
     const long number = std::strtol(at, &end, 10);
-    const auto channel = static_cast<size_t>(std::abs(number)) - 1;
-    if (end == at || channel >= sbus::ProportionalCount || std::exchange(moves[channel], true) ||
-        (*end != ',' && *end != '\0')) {
+    const bool isChannel = number != 0 && number >= -sbus::ProportionalCount && number <= sbus::ProportionalCount;
+    const size_t channel = isChannel ? static_cast<size_t>(std::abs(number)) - 1 : 0;
+    if (!isChannel || std::exchange(moves[channel], true) || (*end != ',' && *end != '\0')) {
       rejectMap(text);
     }
     map.axes.push_back({channel, number < 0 ? -1 : 1});
@@ -167,7 +167,8 @@ void run(const SourceOption &source, const Options &options) {
     return options.failsafe == "centre" && controller.write(rest);
   };
   observer.listen([&](const line::Stretch &stretch) {
-    latency.passed(stretch.characters.size(), stretch.isFrame() && show(stretch.endUs()));
+    const bool written = stretch.isFrame() && show(stretch.endUs());
+    latency.passed(stretch.characters.size(), written && options.latency);
   });
   SilenceNote silence(source.name(), "frames");
   input->run(
@@ -209,9 +210,10 @@ void addJoystick(CLI::App &app) {
       .type("centre|hold");
   subcommand.flag("--latency", options->latency, "measures from the last byte of a frame to the event");
   subcommand.footer(
-      "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. It needs "
-      "/dev/uinput, and "
-      "says how to get it. --map mode2 is for games that expect two sticks; simulators ask for the axes themselves.");
+      "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
+      "for "
+      "games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how to get "
+      "it.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -65,7 +65,10 @@ class StandInJoystick {
       send_now();
     }
   }
-  bool _manual = false, _has16 = false;
+  bool _manual = false;
+#if !defined(CORE_TEENSY)
+  bool _has16 = false;
+#endif
   int _axes[6] = {};
   uint32_t _buttons = 0;
 };
