@@ -174,6 +174,7 @@ TEST_CASE("the PC sees the channels, and without a link the throttle closed") {
   setup();
   CHECK(usb.isAttached);
   loopFor(100000);
+  REQUIRE(!usb.reports.empty());
   CHECK(shown() == Rest);
   Channels channels;
   channels.fill(992);
