@@ -31,7 +31,7 @@ help:
 	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
 	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/cli"
-	@echo "make install PREFIX=/usr/local  installs it, its manual and completion for bash, zsh and fish"
+	@echo "make install PREFIX=/usr/local  installs it, its manual, completion for bash, zsh and fish, a udev rule"
 	@echo "make uninstall PREFIX=/usr/local  removes these again"
 	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
 	@echo "make test   builds and runs all tests; installs what it lacks"
@@ -74,11 +74,12 @@ install: sbus
 	@install -D -m 644 extras/cli/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
 	@install -D -m 644 extras/cli/completion.fish '$(installed)/share/fish/vendor_completions.d/sbus.fish'
 	@install -D -m 644 extras/cli/completion.bash '$(installed)/share/bash-completion/completions/sbus'
+	@install -D -m 644 extras/cli/60-sbus-uinput.rules '$(installed)/lib/udev/rules.d/60-sbus-uinput.rules'
 	@echo '$(installed)/bin/sbus'
 
 uninstall:
 	@rm -fv $(foreach file,bin/sbus share/man/man1/sbus.1 share/bash-completion/completions/sbus \
-	  share/zsh/site-functions/_sbus share/fish/vendor_completions.d/sbus.fish,'$(installed)/$(file)')
+	  share/zsh/site-functions/_sbus share/fish/vendor_completions.d/sbus.fish lib/udev/rules.d/60-sbus-uinput.rules,'$(installed)/$(file)')
 
 SCOPE_PORT ?= 8000
 scope:
@@ -89,7 +90,7 @@ scope:
 CAPTURES ?=
 # WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
 SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
-TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev
+TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev 'pkg-config|pkgconf'
 AVR := gcc-avr avr-libc arduino-core-avr
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
@@ -98,7 +99,7 @@ ARM_CXX := 'libstdc++-arm-none-eabi-dev?'
 
 test:
 	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev libarchive-dev tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	  libncurses-dev libarchive-dev libevdev-dev 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 check:

@@ -41,6 +41,10 @@ class Observer : public Statistics {
   // Takes the time up to which no other character was complete.
   void idleUntil(uint64_t nowUs);
 
+  // Hands the newest character to the decoders at once, not with the next one: a frame in sync is there with its last
+  // character.
+  void handOver();
+
   // Takes the end of the line: what still waits is no frame.
   void finish();
 
@@ -63,7 +67,6 @@ class Observer : public Statistics {
   sbus::Counters counters16() const { return _decoders.counters16(); }
 
  private:
-  void handOver();
   void take(Stretch &stretch);
   void say(Stretch &stretch);
   bool isExtraAlone(const Stretch &stretch) const;

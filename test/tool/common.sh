@@ -19,3 +19,13 @@ player() {
     tries=$((tries + 1))
   done
 }
+
+# until_true COMMAND...: waits until it succeeds, a minute at most
+until_true() {
+  tries=0
+  until "$@"; do
+    tries=$((tries + 1))
+    [ $tries -lt 600 ] || return 1
+    sleep 0.1
+  done
+}

@@ -12,6 +12,7 @@
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/telemetry.sh          `sbus telemetry`
 #   tool/languages.sh         README's programs for Python and Node
+#   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in of /dev/uinput
 #   tool/json.sh               JSON lines, held against the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
@@ -28,16 +29,6 @@ flags="-O0 -g -fsanitize=address"  # CLI11 compiles twice as long with more
 update="${1:-}"
 
 . tool/common.sh
-
-# until_true COMMAND...: waits until it succeeds, a minute at most
-until_true() {
-  tries=0
-  until "$@"; do
-    tries=$((tries + 1))
-    [ $tries -lt 600 ] || return 1
-    sleep 0.1
-  done
-}
 
 has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
 
@@ -295,6 +286,7 @@ SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/telemetry.sh
 SBUS=$sbus WORK=$work tool/languages.sh
+SBUS=$sbus WORK=$work tool/joystick.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh

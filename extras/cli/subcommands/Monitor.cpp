@@ -1,6 +1,5 @@
 // sbus monitor: a line's channels, flags, times and losses on a page, as they come.
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -13,6 +12,7 @@
 #include "cli/monitor/MonitorPage.h"
 #include "cli/monitor/Screen.h"
 #include "cli/monitor/Watch.h"
+#include "cli/options/RangeOption.h"
 #include "cli/options/SensorOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
@@ -26,29 +26,11 @@ constexpr uint64_t LineUs = 1000000;  // of the lines
 constexpr uint64_t LookUs = 10000;    // between two looks at the state
 
 struct MonitorOptions {
-  std::string range = "frsky";
   std::string record;  // a file
   bool json = false;
+  std::unique_ptr<RangeOption> range;
   std::unique_ptr<SensorOption> sensors;
 };
-
-bool isMake(const std::string &text) {
-  return text == "frsky" || text == "futaba";
-}
-
-sbus::Range rangeOf(const std::string &text) {
-  if (isMake(text)) {
-    return text == "frsky" ? sbus::FrSky : sbus::Futaba;
-  }
-  unsigned low = 0, centre = 0, high = 0;
-  char more = 0;
-  const bool three = std::sscanf(text.c_str(), "%4u,%4u,%4u%c", &low, &centre, &high, &more) == 3;
-  if (!three || std::max({low, centre, high}) > sbus::ChannelMax || low == centre || centre == high ||
-      (low < centre) != (centre < high)) {
-    rejectCommandLine("--range: frsky, futaba or raw values as 172,992,1811 are expected, not " + text);
-  }
-  return {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)};
-}
 
 class Page {
  public:
@@ -152,8 +134,8 @@ void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> 
 
 void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
   // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: a Futaba's into 1100, 1520 and 1940.
-  const sbus::Range scale = rangeOf(options.range);
-  const sbus::Range pulses = isMake(options.range) ? sbus::FrSky : scale;
+  const sbus::Range scale = options.range->range();
+  const sbus::Range pulses = options.range->isMake() ? sbus::FrSky : scale;
   Watch watch(source.name(), input.settings(), scale, pulses, options.sensors->sensors());
   uint64_t lastUs = 0;
   const auto put = [&](const line::Character &character) {
@@ -184,7 +166,7 @@ void show(const SourceOption &source, Input &input, const MonitorOptions &option
 }
 
 void run(const SourceOption &source, const MonitorOptions &options) {
-  rangeOf(options.range);  // rejects a wrong command line before the source is opened
+  options.range->range();  // rejects a wrong command line before the source is opened
   options.sensors->sensors();
   const std::unique_ptr<Input> input = source.open();
   if (options.record.empty()) {
@@ -204,8 +186,7 @@ void addMonitor(CLI::App &app) {
   Subcommand subcommand(app, "monitor", "channels, flags, times and losses on a page");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<MonitorOptions>();
-  subcommand.option("--range", options->range, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
-      .type("frsky|futaba|LOW,CENTRE,HIGH");
+  options->range = std::make_unique<RangeOption>(subcommand);
   subcommand.option("--record", options->record, "records while it shows; a file that is there already is left alone")
       .notStandardOutput()
       .type("FILE");

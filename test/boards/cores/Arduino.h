@@ -25,6 +25,7 @@ void yield();
 #define INPUT 0
 #define OUTPUT 1
 #define LED_BUILTIN 13
+#define PROGMEM
 inline void pinMode(uint32_t, uint32_t) {
 }
 void digitalWrite(uint32_t pin, uint32_t level);

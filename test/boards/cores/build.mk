@@ -4,6 +4,7 @@
 #   OUT/CORE/SensorTest    an S.BUS2 sensor on them, where the core times it
 #   OUT/CORE/TasksTest     the example Tasks on FreeRTOS, where the core has it
 #   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
+#   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
 #   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core
 # `make list` names all of these.
@@ -38,6 +39,13 @@ uno-r4 := UnoR4 gnu++17
 
 # Those with esp_timer.
 TASKS := esp32-2.0 esp32-3.0 esp32-3.3
+# Those with a USB joystick, and what their cores define where the board or the user's choice has it.
+JOYSTICKS := avr esp32-3.0 pico samd teensy32 teensy4
+avr_usb := -DUSBCON
+esp32-3.0_usb := -DCONFIG_TINYUSB_HID_ENABLED=1
+samd_usb := -DUSBCON
+teensy32_usb := -DJOYSTICK_INTERFACE=3
+teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 # Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
@@ -45,7 +53,8 @@ rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
 compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
-  $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
+  $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
+  $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core))))
 
 all: $(ALL)
@@ -67,7 +76,7 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico) $(if $(filter $(TASKS),$1),-I$(HERE)/esp32)
+$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
@@ -86,6 +95,11 @@ $(OUT)/$1/PpmOutTest: $(OUT)/Uart.o $(OUT)/$1/PpmOutTest.o $(if $(filter pico,$1
 $(OUT)/$1/TasksSketch.o $(OUT)/$1/PpmOutSketch.o: $(OUT)/$1/%Sketch.o: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c $(ROOT)/examples/$$*/$$*.ino -o $$@
+$(OUT)/$1/JoystickTest: $(OUT)/Uart.o $(OUT)/$1/JoystickTest.o $(OUT)/$1/DecodeSBus.o $(OUT)/Main.o $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/JoystickTest.o: $(HERE)/JoystickTest.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D)
+	$(CXX) $(TEST) $$($1_core) $$($1_usb) -I$(HERE)/usb $$(DEPENDENCIES) -c $$< -o $$@
 $(addprefix $(OUT)/$1/,PicoAlarms.o Tasks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@

@@ -1,6 +1,7 @@
 # Builds for an Arduino Mega, and what runs it, into the folder OUT (absolute)
 #   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketches Counters and Busy
 #   OUT/*.rejected   what the compiler says to the examples that are not for this board
+#   OUT/Joystick.leonardo  the example Joystick for the Leonardo, whose USB makes one
 #   OUT/MegaTest    the program that runs the sketches
 # `make list` names all of these.
 
@@ -15,7 +16,7 @@ REJECTED := Background
 EXAMPLES := $(filter-out $(REJECTED),$(notdir $(wildcard $(ROOT)/examples/*)))
 SKETCHES := $(EXAMPLES) Counters Busy
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
-ALL := $(ELVES) $(REJECTED:%=$(OUT)/%.rejected) $(OUT)/MegaTest
+ALL := $(ELVES) $(REJECTED:%=$(OUT)/%.rejected) $(OUT)/Joystick.leonardo $(OUT)/MegaTest
 
 all: $(ALL)
 elves: $(ELVES)
@@ -56,6 +57,13 @@ $(OUT)/sketch/$1.o: $(ROOT)/examples/$1/$1.ino $(HERE)/build.mk
 	$$(call sketch,$$<) $$(DEPENDENCIES) -o $$@
 endef
 $(foreach name,$(EXAMPLES),$(eval $(call example,$(name))))
+
+# The core's HID library has warnings of its own. boards/cores has the same code with ours.
+leonardo = $(subst variants/mega,variants/leonardo,$(subst MEGA2560,LEONARDO,$(subst atmega2560,atmega32u4,$1)))
+$(OUT)/Joystick.leonardo: $(ROOT)/examples/Joystick/Joystick.ino $(HERE)/build.mk
+	@mkdir -p $(@D)
+	$(call leonardo,$(AVR_CXX) $(OURS)) -w -DUSBCON -DUSB_VID=0x2341 -DUSB_PID=0x8036 -I$(ARDUINO)/libraries/HID/src $(DEPENDENCIES) \
+	  -x c++ -include Arduino.h -c $< -o $@
 
 # Is there if the compiler rejects the example, and says why.
 $(OUT)/%.rejected: $(wildcard $(ROOT)/examples/*/*.ino $(ROOT)/src/*.h $(ROOT)/src/*/*.h) $(HERE)/build.mk

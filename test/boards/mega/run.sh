@@ -17,6 +17,7 @@ for target in $targets; do
   name=${target##*/}
   case $name in
     *.elf) what="${name%.elf} compiles without a warning" ;;
+    *.leonardo) what="${name%.leonardo} compiles for the Leonardo, with the core's HID library" ;;
     *.rejected) what="${name%.rejected} does not compile, and says that only the STM32L0 core has what it needs" ;;
     *) what="$name is built" ;;
   esac

@@ -1,0 +1,60 @@
+/*
+  Joystick: the transmitter as a game controller, for a flight simulator on any PC.
+
+  Wiring (Arduino Leonardo or Micro): S.Bus -> inverter -> 0 (RX1), +5V -> 5V, GND -> GND
+    Other boards and inverters: extras/docs/boards.md
+
+  For boards whose core makes a USB joystick: Leonardo and Micro; Zero and MKR (SAMD); ESP32-S2 and S3 with USB Mode > USB-OTG;
+  Pico (arduino-pico); Teensy with USB Type > Serial + Keyboard + Mouse + Joystick. CH1..CH8 are the axes X, Y, Z, RX, RY,
+  RZ, slider and dial (six on Pico and Teensy), CH9..CH18 the buttons. All other boards print the axes and the sum of the
+  buttons five times a second: a Grasshopper's USB is a serial port and no more, and an Uno's or a Mega's a chip of its own.
+
+  Without a link the axes are centred, the throttle is closed and the buttons are released.
+*/
+
+#include <DecodeSBus.h>
+#include <elapsedMillis.h>
+#include <sbus/Scaling.h>
+
+#include "UsbJoystick.h"
+
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+
+const int THROTTLE = 2;                  // CH3, counted from 0
+const int PRESSED = 500;                 // of 1000: a switch of three positions is off in its middle
+const unsigned long PERIOD_REPORT = 50;  // ms, when nothing moves: a PC may have been plugged in meanwhile
+
+UsbJoystick joystick;
+elapsedMillis timerReport;
+
+// Thousandths of the travel of CH1..CH16; for Futaba let it be sbus::Futaba.
+int16_t part(uint16_t raw) {
+  return sbus::limited(sbus::toNormalised(raw, sbus::FrSky), -1000, 1000);
+}
+
+void setup() {
+  Serial.begin(115200);
+  dSBus.begin();
+  joystick.begin();
+}
+
+void loop() {
+  dSBus.parseSBusFrame();
+  if (!dSBus.newFrame() && timerReport < PERIOD_REPORT) {
+    return;
+  }
+  timerReport = 0;
+  uint16_t channels[18];
+  bool failsafe, lostFrame;
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
+  JoystickReport report = {{0, 0, 0, 0, 0, 0, 0, 0}, 0};
+  report.axes[THROTTLE] = -1000;
+  for (int i = 0; i < 18 && !failsafe; i++) {
+    if (i < 8) {
+      report.axes[i] = part(channels[i]);
+    } else if (i < 16 ? part(channels[i]) > PRESSED : channels[i] != 0) {
+      report.buttons = static_cast<uint16_t>(report.buttons | 1u << (i - 8));
+    }
+  }
+  joystick.send(report);
+}

@@ -1,0 +1,44 @@
+// A game controller that programs take for a real one: by Linux's uinput and libevdev.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+struct libevdev_uinput;
+
+namespace tool {
+
+class GameController {
+ public:
+  static constexpr int AxisEnd = 1000;  // an axis goes from -AxisEnd to AxisEnd
+  static constexpr size_t Axes = 8;
+  static constexpr size_t Buttons = 24;
+
+  struct State {
+    std::array<int, Axes> axes{};  // X, Y, Z, RX, RY, RZ, throttle, rudder
+    std::array<bool, Buttons> buttons{};
+  };
+
+  // Creates it, in this state. Throws std::runtime_error, which says what to do.
+  explicit GameController(const State &state);
+
+  // Returns what programs open, such as /dev/input/event7.
+  std::string name() const;
+
+  // Writes what has changed, as one report. Returns false if nothing has. Throws std::runtime_error.
+  bool write(const State &state);
+
+ private:
+  void send(unsigned type, unsigned code, int value);
+
+  struct Destroy {
+    void operator()(libevdev_uinput *device) const;
+  };
+
+  State _state;
+  std::unique_ptr<libevdev_uinput, Destroy> _device;
+};
+
+}  // namespace tool

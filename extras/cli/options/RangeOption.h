@@ -1,0 +1,28 @@
+// --range on the command line: which raw values are -100, 0 and +100 %.
+#pragma once
+
+#include <string>
+
+#include "cli/options/Subcommand.h"
+#include "sbus/Scaling.h"
+
+namespace tool {
+
+class RangeOption {
+ public:
+  // Adds it to a subcommand; it must not move afterwards.
+  explicit RangeOption(Subcommand &subcommand);
+  RangeOption(const RangeOption &) = delete;
+  RangeOption &operator=(const RangeOption &) = delete;
+
+  // Returns the range. Rejects the command line if it is none.
+  sbus::Range range() const;
+
+  // Returns true if a make was named, not raw values.
+  bool isMake() const { return _text == "frsky" || _text == "futaba"; }
+
+ private:
+  std::string _text = "frsky";
+};
+
+}  // namespace tool

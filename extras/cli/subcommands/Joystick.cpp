@@ -1,0 +1,220 @@
+// sbus joystick: a game controller that moves as the transmitter's sticks.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/Format.h"
+#include "cli/GameController.h"
+#include "cli/SilenceNote.h"
+#include "cli/options/RangeOption.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+namespace {
+
+using State = GameController::State;
+
+constexpr size_t ChannelMax = GameController::Axes + GameController::Buttons;  // CH1..CH32
+constexpr int Pressed = GameController::AxisEnd / 2;  // a switch of three positions is off in its middle
+
+struct Options {
+  std::unique_ptr<RangeOption> range;
+  std::string map = "1,2,3,4,5,6,7,8";
+  unsigned throttle = 3;
+  std::string failsafe = "centre";
+  bool latency = false;
+};
+
+// Which channels, from 0 on, move the axes and press the buttons.
+struct Map {
+  struct Axis {
+    size_t channel;
+    int sign;  // -1: reversed
+  };
+  std::vector<Axis> axes;
+  std::vector<size_t> buttons;
+};
+
+// The sticks of a game controller, of a radio whose CH1..CH4 are aileron, elevator, throttle and rudder: the left one
+// is X and Y, the right one RX and RY, and up is -100 % (Linux, Documentation/input/gamepad.rst).
+const std::pair<const char *, const char *> Modes[] = {{"mode1", "4,-2,5,1,-3,6,7,8"},
+                                                       {"mode2", "4,-3,5,1,-2,6,7,8"},
+                                                       {"mode3", "1,-2,5,4,-3,6,7,8"},
+                                                       {"mode4", "1,-3,5,4,-2,6,7,8"}};
+
+[[noreturn]] void rejectMap(const std::string &text) {
+  rejectCommandLine("--map: mode1 to mode4, or eight different channels of 16 as 1,2,3,-4,5,6,7,8 are expected, not " +
+                    text);
+}
+
+Map mapOf(const std::string &text) {
+  const auto mode =
+      std::find_if(std::begin(Modes), std::end(Modes), [&](const auto &each) { return text == each.first; });
+  const std::string list = mode != std::end(Modes) ? mode->second : text;
+  Map map;
+  std::array<bool, ChannelMax> moves{};
+  const char *at = list.c_str();
+  for (bool more = true; more; at++) {
+    char *end = nullptr;
+    const long number = std::strtol(at, &end, 10);
+    const bool isChannel = number != 0 && number >= -sbus::ProportionalCount && number <= sbus::ProportionalCount;
+    const size_t channel = isChannel ? static_cast<size_t>(std::abs(number)) - 1 : 0;
+    if (!isChannel || std::exchange(moves[channel], true) || (*end != ',' && *end != '\0')) {
+      rejectMap(text);
+    }
+    map.axes.push_back({channel, number < 0 ? -1 : 1});
+    more = *end == ',';
+    at = end;
+  }
+  if (map.axes.size() != GameController::Axes) {
+    rejectMap(text);
+  }
+  for (size_t channel = 0; channel < ChannelMax; channel++) {
+    if (!moves[channel]) {
+      map.buttons.push_back(channel);
+    }
+  }
+  return map;
+}
+
+// What the channels of the newest frame make of the controller.
+State stateOf(const line::Values &values, const Map &map, const sbus::Range &range) {
+  const auto part = [&](size_t channel) {
+    return sbus::limited(sbus::toNormalised(values.raw[channel], range), -GameController::AxisEnd,
+                         GameController::AxisEnd);
+  };
+  const auto isOn = [&](size_t channel) {
+    const size_t digital = channel - sbus::ProportionalCount;
+    return channel < values.count ? part(channel) > Pressed
+                                  : digital < values.switches.size() && values.switches[digital];
+  };
+  State state;
+  std::transform(map.axes.begin(), map.axes.end(), state.axes.begin(),
+                 [&](const Map::Axis &axis) { return axis.sign * part(axis.channel); });
+  std::transform(map.buttons.begin(), map.buttons.end(), state.buttons.begin(), isOn);
+  return state;
+}
+
+// From the read of a frame's last character to the event. Where the line is not known yet, later characters decide.
+class Latency {
+ public:
+  void tick() { _loop++; }
+  void read() { _reads.push_back({Clock::now(), _loop}); }
+
+  // Takes the end of the oldest characters; `written`: as a frame they have caused an event.
+  void passed(size_t characters, bool written) {
+    const Read last = _reads[characters - 1];
+    _reads.erase(_reads.begin(), _reads.begin() + static_cast<std::ptrdiff_t>(characters));
+    if (written) {
+      const auto time = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - last.time);
+      (last.loop == _loop ? _us : _lateUs).push_back(static_cast<unsigned>(time.count()));
+    }
+  }
+
+  std::string text() {
+    std::sort(_us.begin(), _us.end());
+    return format(
+        "last byte read to event written: median %u us, worst %u us of %zu frames; %zu waited for later bytes, %u us "
+        "at most",
+        _us.empty() ? 0 : _us[_us.size() / 2], _us.empty() ? 0 : _us.back(), _us.size(), _lateUs.size(),
+        _lateUs.empty() ? 0 : *std::max_element(_lateUs.begin(), _lateUs.end()));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Read {
+    Clock::time_point time;
+    unsigned long loop;
+  };
+  std::deque<Read> _reads;  // of the characters that are no part of a stretch yet
+  std::vector<unsigned> _us;
+  std::vector<unsigned> _lateUs;
+  unsigned long _loop = 0;
+};
+
+void run(const SourceOption &source, const Options &options) {
+  const sbus::Range range = options.range->range();
+  const Map map = mapOf(options.map);
+  line::Values centred;  // and the throttle low
+  centred.raw.fill(range.centre);
+  centred.raw[options.throttle - 1] = range.low;
+  const State rest = stateOf(centred, map, range);
+
+  const std::unique_ptr<Input> input = source.open();
+  GameController controller(rest);
+  std::fprintf(stderr, "%s: a game controller with 8 axes and 24 buttons; Ctrl-C ends it\n", controller.name().c_str());
+  Latency latency;
+  line::Observer observer;
+  observer.reset(0, input->settings().characterUs());
+  uint64_t nowUs = 0;
+  const auto show = [&](uint64_t us) {
+    nowUs = std::max(nowUs, us);  // a frame with header 2F ended before the tick that brings it
+    const sbus::LinkState link = observer.state(nowUs);
+    if (link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy) {
+      return controller.write(stateOf(observer.newest(), map, range));
+    }
+    return options.failsafe == "centre" && controller.write(rest);
+  };
+  observer.listen([&](const line::Stretch &stretch) {
+    const bool written = stretch.isFrame() && show(stretch.endUs());
+    latency.passed(stretch.characters.size(), written && options.latency);
+  });
+  SilenceNote silence(source.name(), "frames");
+  input->run(
+      [&](const line::Character &character) {
+        latency.read();
+        observer.put(character);
+      },
+      [&](uint64_t us) {
+        observer.handOver();
+        observer.idleUntil(input->knownUs());
+        show(us);
+        silence.tick(us, observer.counters().frames > 0);
+        latency.tick();
+      });
+  if (options.latency) {
+    std::fprintf(stderr, "%s\n", latency.text().c_str());
+  }
+  if (options.failsafe == "centre") {
+    controller.write(rest);
+  }
+  silence.end(observer.counters().frames > 0);
+}
+
+}  // namespace
+
+void addJoystick(CLI::App &app) {
+  Subcommand subcommand(app, "joystick", "a game controller that moves as the transmitter's sticks");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
+  const auto options = std::make_shared<Options>();
+  options->range = std::make_unique<RangeOption>(subcommand);
+  subcommand
+      .option("--map", options->map, "the channels of the axes X, Y, Z, RX, RY, RZ, throttle, rudder; -3: reversed")
+      .type("mode1|mode2|mode3|mode4|CH,CH,...");
+  subcommand.option("--throttle", options->throttle, "the channel that failsafe closes (3)").between(1, 16).type("CH");
+  subcommand
+      .option("--failsafe", options->failsafe,
+              "without a link: all centred and the throttle low, or as it was (centre)")
+      .oneOf({"centre", "hold"})
+      .type("centre|hold");
+  subcommand.flag("--latency", options->latency, "measures from the last byte of a frame to the event");
+  subcommand.footer(
+      "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
+      "for "
+      "games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how to get "
+      "it.");
+  subcommand.run([source, options] { run(*source, *options); });
+}
+
+}  // namespace tool
