@@ -13,19 +13,19 @@ cd "$(dirname "$0")" || exit 1
 export BUILD="${BUILD:-$(cd .. && pwd)/build/test}"
 export RC_PARAMS="${RC_PARAMS:-seed=20181}"  # any number: the same one, so that a failure comes again
 
-# The longest first. What is before the dash is a function below, what is after it its argument.
-all='lines            lines against their bounds
+# The longest first, and what waits for others last. What is before the dash is a function below, what is after it its argument.
+all='scope            the page in a browser
+lines            lines against their bounds
+bench            what the library costs
 unit-g++         unit tests, g++
 unit-clang++     unit tests, clang++
 boards-cortex-m0 Cortex-M0: unit tests
 boards-mega      Arduino Mega: examples
-scope            the page in a browser
+tool             sbus: what it prints, records and rejects
 fuzz             libFuzzer
-bench            what the library costs
 boards-cores     other cores: library and examples on stand-ins
 examples-g++     examples and recordings, g++
 examples-clang++ examples and recordings, clang++
-tool             sbus: what it prints, records and rejects
 table            the table of bad lines, under the sanitizers
 compile          headers alone, Arduino'"'"'s macros, the cross compiler
 rules            the rules of receiver.md
@@ -119,8 +119,15 @@ step_bench() { newlib && bench/bench.sh check; }
 newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
-step_figures() { ../extras/docs/figures.sh check; }
-step_commands() { ./commands.sh; }
+step_figures() { after lines bench && ../extras/docs/figures.sh check; }
+step_commands() { after scope tool package figures && ./commands.sh; }
+
+# Waits until these steps are done, which stand before this one in `all`: it takes what they have built, or their logs.
+after() {
+  for earlier in "$@"; do
+    while echo "$CHOSEN" | grep -q "^$earlier " && ! grep -qxF "$earlier" "$STEP_LOGS/done" 2>/dev/null; do sleep 0.5; done
+  done
+}
 
 # Runs step N, and says how it went. (The functions above set `name`.)
 step() {
@@ -165,12 +172,11 @@ if [ -n "${STEPS:-}" ]; then
   chosen=$(echo "$chosen" | grep -E "^($STEPS) ") || { echo "STEPS: no step has the name '$STEPS'" >&2; exit 2; }
 fi
 COUNT=$(echo "$chosen" | wc -l)
-export COUNT
+export COUNT CHOSEN="$chosen"
 # Several steps need what these make: make it once.
 build g++ -k unit >"$STEP_LOGS/build.log" 2>&1
 numbers() { while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done; }
-late='^(figures|commands) '  # they take what others have built
-echo "$chosen" | grep -vE "$late" | numbers | xargs -r -P "$(nproc)" -n 1 "$0" step
-echo "$chosen" | grep -E "$late" | numbers | xargs -r -n 1 "$0" step
+# One more than there are processors: page and sbus wait for clocks.
+echo "$chosen" | numbers | xargs -r -P "$(($(nproc) + 1))" -n 1 "$0" step
 echo "$chosen" | while read -r name _; do cat "$STEP_LOGS/$name.log"; done >"$BUILD/log"
 awk -f count.awk "$BUILD/log"

@@ -48,6 +48,13 @@ class Destination {
     return !stopped();
   }
 
+  // Gives a busy reader time to read the end: Linux throws away what waits in a pseudo-terminal that is closed.
+  void finish() const {
+    if (_terminal && _terminal->hasReader()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    }
+  }
+
   // Returns how many bytes were sent.
   size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
     if (_terminal) {
@@ -128,6 +135,7 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
     }
     input = open();
   }
+  destination.finish();
   say(std::to_string(sent) + " characters sent" +
       (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +
       (bad > 0 ? "; " + std::to_string(bad) + " bad ones left out, which no port can send" : ""));
