@@ -94,6 +94,11 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
     const Hold hold;
     return Decoder::counters();
   }
+  /// See DecodeSBusOf. It may also be called while frames come in.
+  void setLossLimit(uint16_t frames) {
+    const Hold hold;  // an AVR writes its two bytes one by one
+    Decoder::setLossLimit(frames);
+  }
   /// See DecodeSBus2Of.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
