@@ -10,8 +10,9 @@
 #include "support/ShowArrays.h"
 #include "support/SingleStep.h"
 
-#include "../../examples/PpmOut/Ppm.h"
 #include "support/FakeBoard.h"
+
+#include "../../examples/PpmOut/Ppm.h"
 
 #if defined(SINGLE_STEP)
 
