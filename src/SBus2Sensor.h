@@ -56,8 +56,9 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
   ///
   /// On a Grasshopper, on a Pico and on an AVR with a timer 2 interrupts do all that, on an ESP32 a task, and this does
-  /// nothing: call it, or do not. On all other boards call it at least every 75 us: a poll that comes later does not know when the frame
-  /// ended, and skips its answers. Up to 100 us before a slot it waits for its start. Do not call it from an interrupt.
+  /// nothing: call it, or do not. On all other boards call it at least every 75 us: a poll that comes later does not
+  /// know when the frame ended, and skips its answers. Up to 100 us before a slot it waits for its start. Do not call
+  /// it from an interrupt.
   void parseSBusFrame();
 
   // ---- What DecodeSBus2 has; an interrupt or a task must not read the port meanwhile on boards where it does. On an
@@ -93,6 +94,11 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
     const Hold hold;
     return Decoder::counters();
   }
+  /// See DecodeSBusOf. It may also be called while frames come in.
+  void setLossLimit(uint16_t frames) {
+    const Hold hold;  // an AVR writes its two bytes one by one
+    Decoder::setLossLimit(frames);
+  }
   /// See DecodeSBus2Of.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
@@ -114,13 +120,13 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   bool writeSensor(uint8_t slot, const Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
     sensor.encode(data);
-    const Hold hold;
+    const sbus::SlotTimer::Apart apart;
     return _finder.events().write(slot, Sensor::Slots, data);
   }
 
   /// Stops answering in `count` slots from slot `slot` on. The radio then shows that the sensor is gone.
   void stopSensor(uint8_t slot, uint8_t count) {
-    const Hold hold;
+    const sbus::SlotTimer::Apart apart;
     _finder.events().stop(slot, count);
   }
 

@@ -22,12 +22,13 @@ class Ppm {
 
   // Sets the channels of the next frames, us, clamped to Shortest..Longest, and starts the signal. Call it from loop().
   void write(const int16_t us[]) {
-    const uint8_t other = static_cast<uint8_t>(1 - _newest);  // the interrupt may read the newest ones meanwhile
+    const uint8_t number = static_cast<uint8_t>(_number + 1);
+    int16_t *const other = _set[number % 2];  // the interrupt may read the newest ones meanwhile
     for (uint8_t i = 0; i < Channels; i++) {
-      _set[other][i] = us[i] < Shortest ? Shortest : us[i] > Longest ? Longest : us[i];
+      other[i] = us[i] < Shortest ? Shortest : us[i] > Longest ? Longest : us[i];
     }
-    __asm__ volatile("" ::: "memory");  // keeps the compiler from moving them past _newest
-    _newest = other;
+    barrier();
+    _number = number;
     _isOn = true;
   }
 
@@ -40,10 +41,15 @@ class Ppm {
       if (!_isOn) {
         return {false, Rest};
       }
-      const int16_t *const newest = _set[_newest];
-      for (uint8_t i = 0; i < Channels; i++) {
-        _sent[i] = newest[i];
-      }
+      uint8_t number;
+      do {  // again, if loop() has written meanwhile: on an ESP32 it runs on another core
+        number = _number;
+        barrier();
+        for (uint8_t i = 0; i < Channels; i++) {
+          _sent[i] = _set[number % 2][i];
+        }
+        barrier();
+      } while (number != _number);
       _left = Period;
     }
     const bool isPulse = _at % 2 == 0 && _at < Last;
@@ -56,10 +62,13 @@ class Ppm {
  private:
   static constexpr uint8_t Last = 2 * Channels + 2;  // part of a frame: behind the last pulse there are two
 
+  // Keeps the compiler from moving channels past _number.
+  static void barrier() { __asm__ volatile("" ::: "memory"); }
+
   int16_t _set[2][Channels];
   int16_t _sent[Channels];
   int16_t _left = 0;  // us of the frame
   uint8_t _at = 0;    // part of the frame
-  volatile uint8_t _newest = 0;
+  volatile uint8_t _number = 0;  // of the newest set, which is _set[_number % 2]
   volatile bool _isOn = false;
 };

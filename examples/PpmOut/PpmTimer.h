@@ -34,6 +34,7 @@ const uint8_t Pin = 11;
 #else
 const uint8_t Pin = 9;
 #endif
+static_assert(F_CPU % 8000000 == 0, "Timer 1 counts whole ticks per us at 8 or 16 MHz. Choose such a clock.");
 const uint16_t TicksPerUs = F_CPU / 8000000;
 
 // What happens to the pin at the next edge.

@@ -25,6 +25,10 @@ class NoSlotTimer {
   };
   static bool isHeld() { return false; }
 
+  // Keeps due() from running on another core, while this exists. For what due() may interrupt: a Hold would cost
+  // answers.
+  using Apart = Hold;
+
   // From a look at the clock until the start bit, where other interrupts could come in between.
   struct Alone {
     Alone() {}

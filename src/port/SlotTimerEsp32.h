@@ -39,6 +39,7 @@ class SlotTimer : public NoSlotTimer {
    private:
     const SemaphoreHandle_t _taken;
   };
+  using Apart = Hold;
 
   // No interrupt, and no write to flash, comes between a look at the clock and the start bit; but the cache may lack
   // what lies in flash. So send() looks once more, and the time of the start is the latest that it allows.

@@ -12,6 +12,8 @@
 
 #include "support/FakeBoard.h"
 
+#include "../../examples/PpmOut/Ppm.h"
+
 #if defined(SINGLE_STEP)
 
 namespace {
@@ -291,6 +293,39 @@ TEST_CASE("this proof finds the fault of a reader that does not read again") {
     return happened;
   });
   CHECK(mixtures > 20);
+}
+
+// On an ESP32 next() runs in a task on another core, which Wi-Fi may stop while loop() goes round.
+TEST_CASE("PpmOut: a frame has the channels of one write(), though two more come after any instruction of next()") {
+  static Ppm *ppm;
+  static int16_t us;
+  const auto write = [] {
+    int16_t channels[Ppm::Channels];
+    us++;
+    for (int16_t &channel : channels) {
+      channel = us;
+    }
+    ppm->write(channels);
+  };
+  static const auto writeAgain = write;
+  interrupt = [] {
+    writeAgain();
+    writeAgain();
+  };
+  forEveryInstruction([&](unsigned long instruction) {
+    Ppm now;
+    ppm = &now;
+    us = 1500;
+    write();
+    const bool happened = interrupted(instruction, [] { ppm->next(); });
+    const int first = 300 + now.next().us;
+    REQUIRE(first > 1500);
+    for (unsigned channel = 1; channel < Ppm::Channels; channel++) {
+      REQUIRE(now.next().us == 300);
+      REQUIRE(300 + now.next().us == first);
+    }
+    return happened;
+  });
 }
 
 #else

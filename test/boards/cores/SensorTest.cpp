@@ -278,6 +278,7 @@ TEST_CASE("each method of loop() waits for the task, which may be in the middle 
   CHECK(locks([&] { sketch.sensor.linkState(); }) == 1);
   CHECK(locks([&] { sketch.sensor.frameAge(); }) == 1);
   CHECK(locks([&] { constant.counters(); }) == 1);
+  CHECK(locks([&] { sketch.sensor.setLossLimit(50); }) == 1);
   CHECK(locks([&] { sketch.sensor.readSensor(3, other); }) == 1);
   CHECK(locks([&] { constant.rejectedGroups(); }) == 1);
   CHECK(locks([&] { sketch.sensor.writeSensor(3, other); }) == 1);

@@ -43,7 +43,8 @@ TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
   CHECK(mega.mistakes() == "");
 }
 
-TEST_CASE("While loop() is busy for 3 ms, eleven slots are answered, and no frame is lost; end() puts timer 2 back") {
+TEST_CASE(
+    "While loop() writes a sensor for 3 ms, eleven slots are answered, and no frame is lost; end() puts timer 2 back") {
   const Mega mega("Busy", bus(), BusySeconds);
   CHECK(answers(mega) >= BusySeconds * 1000 / 60 * 11 * 9 / 10);
   CHECK(mega.mistakes() == "");

@@ -1,4 +1,5 @@
-// A sketch that answers in eleven slots while loop() is busy. (No .ino, as Counters.cpp.) Sends every second
+// A sketch that answers in eleven slots while loop() writes one of them, again and again. (No .ino, as Counters.cpp.)
+// Sends every second
 //   frames,resyncs,rejected,collisions,skipped,restored,decivolts
 // The first five since the beginning; restored: 1 if end() has put timer 2 back.
 
@@ -13,6 +14,7 @@ const unsigned long WORK = 3;               // ms
 
 elapsedMillis timerDisplay;
 SBus2Sensor dSBus(Serial1);
+const sbus::CurrentF1678 current = {2345, 1234, 1500};
 bool isRestored;
 
 bool endRestoresTimer2() {
@@ -31,12 +33,12 @@ void setup() {
   dSBus.begin();
   const sbus::GpsF1675 gps = {50, true, 100, 45296, 25, 31512499, 8045658};
   dSBus.writeSensor(8, gps);
-  const sbus::CurrentF1678 current = {2345, 1234, 1500};
-  dSBus.writeSensor(24, current);
 }
 
 void loop() {
-  delay(WORK);
+  for (elapsedMillis work; work < WORK;) {
+    dSBus.writeSensor(24, current);
+  }
   uint16_t channels[18];
   bool failsafe, lostFrame;
   dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
@@ -45,8 +47,8 @@ void loop() {
     const sbus::Counters counters = dSBus.counters();
     sbus::ReceiverVoltage voltage = {};
     dSBus.readSensor(0, voltage);
-    const uint32_t numbers[] = {counters.frames, counters.resyncs, dSBus.rejectedGroups(), dSBus.collisions(),
-                                dSBus.skippedSlots(), isRestored};
+    const uint32_t numbers[] = {counters.frames,    counters.resyncs,     dSBus.rejectedGroups(),
+                                dSBus.collisions(), dSBus.skippedSlots(), isRestored};
     for (const uint32_t number : numbers) {
       Serial.print(number);
       Serial.print(',');
