@@ -142,7 +142,7 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined count
   }
 }
 
-TEST_CASE("FASSTest 26: a frame with header 2F that ended before the state was last asked for leaves the link as it is") {
+TEST_CASE("FASSTest 26: the link is as it was after a frame with header 2F that ended before it was last asked for") {
   Watched line;
   line.frame(992);
   Bytes extra = Watched::frameOf(500);

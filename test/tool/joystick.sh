@@ -148,7 +148,7 @@ player send ch1=172 ch3=1811
 ln -sf "$terminal" "$work/adapter"
 until_true has_reports 3
 kill -INT $reader
-wait $reader && kill -INT "$player" && wait "$player" &&
+wait $reader && kill -INT "$player" && wait "$player" && ! grep unread "$UINPUT_LOG" &&
   [ "$(grep '^ABS' "$UINPUT_LOG" | paste -sd ,)" = "ABS_X=1000 ABS_Z=1000,ABS_X=0 ABS_Z=-1000,ABS_X=-1000 ABS_Z=1000,ABS_X=0 ABS_Z=-1000" ]
 verdict $? "an adapter that is unplugged leaves the throttle low, and comes back"
 rm "$work/adapter"
