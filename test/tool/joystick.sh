@@ -156,6 +156,12 @@ wait $reader && kill -INT "$player" && wait "$player" && ! grep unread "$UINPUT_
 verdict $? "an adapter that is unplugged leaves the throttle low, and comes back"
 rm "$work/adapter"
 
+# The recording ends with silence, which closes the throttle before the end does.
+rm -f "$UINPUT_LOG"
+joystick recordings/paper.txt --simulated-time
+grep -q '^ABS' "$UINPUT_LOG" && ! grep unread "$UINPUT_LOG"
+verdict $? "programs have the time to read the last report, even if it came before the end"
+
 # ---- Latency
 
 player simulate --seconds 2
@@ -173,7 +179,7 @@ while IFS='|' read -r number message; do
   ! joystick sim && [ "$(cat "$work/err")" = "sbus joystick: /dev/uinput: $message" ] || { cat "$work/err"; false; }
   verdict $? "joystick: $message"
 done <<END
-13|Permission denied. This lets whoever sits at the PC use it: echo '$(cat ../extras/cli/60-sbus-uinput.rules)' | sudo tee /etc/udev/rules.d/60-sbus-uinput.rules; sudo udevadm control --reload; sudo udevadm trigger --name-match=uinput
+13|Permission denied. This lets the user who is logged in at the PC use it: echo '$(cat ../extras/cli/60-sbus-uinput.rules)' | sudo tee /etc/udev/rules.d/60-sbus-uinput.rules; sudo udevadm control --reload; sudo udevadm trigger --name-match=uinput
 2|No such file or directory. Load the kernel's module: sudo modprobe uinput
 19|No such device. Load the kernel's module: sudo modprobe uinput
 24|Too many open files

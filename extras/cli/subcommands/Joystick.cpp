@@ -206,7 +206,8 @@ void run(const SourceOption &source, const Options &options) {
   if (options.latency) {
     std::fprintf(stderr, "%s\n", latency.text().c_str());
   }
-  if (options.failsafe == "centre" && controller.write(rest)) {
+  if (options.failsafe == "centre") {
+    controller.write(rest);
     std::this_thread::sleep_for(TimeToRead);
   }
   silence.end(observer.counters().frames > 0);
@@ -231,7 +232,8 @@ void addJoystick(CLI::App &app) {
               "without a link: all centred and the throttle closed, or as it was (centre)")
       .oneOf({"centre", "hold"})
       .type("centre|hold");
-  subcommand.flag("--latency", options->latency, "measures from the last byte of a frame to the event");
+  subcommand.flag("--latency", options->latency,
+                  "says at the end how long it took from the read of a frame's last byte to the event");
   subcommand.footer(
       "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
       "for "
