@@ -48,7 +48,7 @@ void loop() {
   bool failsafe, lostFrame;
   dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
   JoystickReport report = {{0, 0, 0, 0, 0, 0, 0, 0}, 0};
-  report.axes[THROTTLE] = -1000;
+  report.axes[THROTTLE] = -1000;  // 1000 if the radio reverses it
   for (int i = 0; i < 18 && !failsafe; i++) {
     if (i < 8) {
       report.axes[i] = part(channels[i]);

@@ -28,7 +28,7 @@ std::string reason(int error) {
   const std::string text = std::string("/dev/uinput: ") + std::strerror(error);
   return error == EACCES || error == EPERM
              ? text +
-                   ". This lets whoever sits at the PC use it: echo '" UDEV_RULE
+                   ". This lets the user who is logged in at the PC use it: echo '" UDEV_RULE
                    "' | sudo tee /etc/udev/rules.d/60-sbus-uinput.rules; sudo udevadm control --reload; sudo udevadm "
                    "trigger --name-match=uinput"
          : error == ENOENT || error == ENODEV ? text + ". Load the kernel's module: sudo modprobe uinput"
@@ -68,7 +68,7 @@ std::string GameController::name() const {
   return node != nullptr ? node : libevdev_uinput_get_syspath(_device.get());
 }
 
-// A report without a change is none: the kernel drops it (drivers/input/input.c, input_event_dispose()).
+// The kernel drops a report without a change (drivers/input/input.c, input_event_dispose()).
 bool GameController::write(const State &state) {
   bool changed = false;
   for (size_t i = 0; i < Axes; i++) {

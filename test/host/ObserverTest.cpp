@@ -142,6 +142,20 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined count
   }
 }
 
+TEST_CASE("FASSTest 26: the link is as it was after a frame with header 2F that ended before it was last asked for") {
+  Watched line;
+  line.frame(992);
+  Bytes extra = Watched::frameOf(500);
+  extra[0] = sbus::ExtraHeader;
+  line.send(extra);
+  const size_t before = line.frames();
+  CHECK(line.observer.state(line.us + 5000) == sbus::LinkState::Ok);
+  line.observer.finish();
+  CHECK(line.frames() == before + 1);
+  CHECK(line.observer.state(line.us + 5000) == sbus::LinkState::Ok);
+  CHECK(line.observer.linkQuality(line.us + 5000) == 100);
+}
+
 TEST_CASE("telemetry is handed over at the next gap, not with the next frame") {
   Watched line;
   line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).gap(2000);

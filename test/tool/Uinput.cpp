@@ -3,9 +3,9 @@
 // "input.c".
 //
 //   UINPUT_LOG     what a program that reads the event device would see, a report a line: "ABS_X=12 BTN_EAST=1"; the
-//   device
-//                  with its axes when it comes and when it goes; and what the kernel passes over without a word, as
-//                  "dropped"
+//                  device with its axes when it comes and when it goes; what the kernel passes over without a word, as
+//                  "dropped"; and "unread" if the device goes before a game that reads 30 times a second had the newest
+//                  report
 //   UINPUT_ERRNO   open() fails with this number
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -17,6 +17,7 @@
 #include <array>
 #include <bitset>
 #include <cerrno>
+#include <chrono>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -36,7 +37,10 @@ struct Device {
   std::bitset<ABS_CNT> axes;
   std::array<input_absinfo, ABS_CNT> info{};  // of the axes
   std::vector<std::string> report;
+  std::chrono::steady_clock::time_point reportTime{};  // of the newest
 };
+
+constexpr std::chrono::milliseconds ReadEvery(33);
 
 int uinput = -1;
 Device device;
@@ -115,6 +119,11 @@ int create() {  // 326
 
 void destroy() {  // 296
   if (device.setup == Setup::Created) {
+    // drivers/input/evdev.c, evdev_read(): of a device that has gone nothing is read any more, not even what waits;
+    // joydev.c, joydev_read(), neither.
+    if (std::chrono::steady_clock::now() - device.reportTime < ReadEvery) {
+      log("unread: the newest report");
+    }
     log("destroyed");
   }
   device = {};
@@ -126,6 +135,7 @@ void flush() {  // input.c 372: SYN_REPORT alone is nothing
     line += (line.empty() ? "" : " ") + event;
   }
   log(line.empty() ? "dropped: SYN_REPORT without an event" : line);
+  device.reportTime = std::chrono::steady_clock::now();
   device.report.clear();
 }
 

@@ -118,6 +118,9 @@ done <<'END'
 |ABS_X=1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0,ABS_Z=-1000 BTN_SOUTH=0,ABS_X=-1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0 ABS_Z=-1000 BTN_SOUTH=0
 --failsafe hold|ABS_X=1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0,ABS_X=-1000
 --throttle 1|ABS_X=1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0,ABS_X=-1000 ABS_Z=0 BTN_SOUTH=0,ABS_Z=1000 BTN_SOUTH=1,ABS_Z=0 BTN_SOUTH=0
+--throttle -3|ABS_X=1000 BTN_SOUTH=1,ABS_X=0,BTN_SOUTH=0,ABS_X=-1000 BTN_SOUTH=1,ABS_X=0 BTN_SOUTH=0
+--throttle -3 --map 1,2,-3,4,5,6,7,8|ABS_X=1000 BTN_SOUTH=1,ABS_X=0,BTN_SOUTH=0,ABS_X=-1000 BTN_SOUTH=1,ABS_X=0 BTN_SOUTH=0
+--map 1,2,-3,4,5,6,7,8|ABS_X=1000 ABS_Z=-1000 BTN_SOUTH=1,ABS_X=0,ABS_Z=1000 BTN_SOUTH=0,ABS_X=-1000 ABS_Z=-1000 BTN_SOUTH=1,ABS_X=0 ABS_Z=1000 BTN_SOUTH=0
 --map mode2|ABS_Y=-1000 ABS_RX=1000 BTN_SOUTH=1,ABS_RX=0,ABS_Y=1000 BTN_SOUTH=0,ABS_Y=-1000 ABS_RX=-1000 BTN_SOUTH=1,ABS_Y=1000 ABS_RX=0 BTN_SOUTH=0
 END
 
@@ -148,10 +151,16 @@ player send ch1=172 ch3=1811
 ln -sf "$terminal" "$work/adapter"
 until_true has_reports 3
 kill -INT $reader
-wait $reader && kill -INT "$player" && wait "$player" &&
+wait $reader && kill -INT "$player" && wait "$player" && ! grep unread "$UINPUT_LOG" &&
   [ "$(grep '^ABS' "$UINPUT_LOG" | paste -sd ,)" = "ABS_X=1000 ABS_Z=1000,ABS_X=0 ABS_Z=-1000,ABS_X=-1000 ABS_Z=1000,ABS_X=0 ABS_Z=-1000" ]
 verdict $? "an adapter that is unplugged leaves the throttle low, and comes back"
 rm "$work/adapter"
+
+# The recording ends with silence, which closes the throttle before the end does.
+rm -f "$UINPUT_LOG"
+joystick recordings/paper.txt --simulated-time
+grep -q '^ABS' "$UINPUT_LOG" && ! grep unread "$UINPUT_LOG"
+verdict $? "programs have the time to read the last report, even if it came before the end"
 
 # ---- Latency
 
@@ -170,7 +179,7 @@ while IFS='|' read -r number message; do
   ! joystick sim && [ "$(cat "$work/err")" = "sbus joystick: /dev/uinput: $message" ] || { cat "$work/err"; false; }
   verdict $? "joystick: $message"
 done <<END
-13|Permission denied. This lets whoever sits at the PC use it: echo '$(cat ../extras/cli/60-sbus-uinput.rules)' | sudo tee /etc/udev/rules.d/60-sbus-uinput.rules; sudo udevadm control --reload; sudo udevadm trigger --name-match=uinput
+13|Permission denied. This lets the user who is logged in at the PC use it: echo '$(cat ../extras/cli/60-sbus-uinput.rules)' | sudo tee /etc/udev/rules.d/60-sbus-uinput.rules; sudo udevadm control --reload; sudo udevadm trigger --name-match=uinput
 2|No such file or directory. Load the kernel's module: sudo modprobe uinput
 19|No such device. Load the kernel's module: sudo modprobe uinput
 24|Too many open files

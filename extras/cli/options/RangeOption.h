@@ -15,7 +15,7 @@ class RangeOption {
   RangeOption(const RangeOption &) = delete;
   RangeOption &operator=(const RangeOption &) = delete;
 
-  // Returns the range. Rejects the command line if it is none.
+  // Returns the range. Rejects the command line if the text is no range.
   sbus::Range range() const;
 
   // Returns true if a make was named, not raw values.

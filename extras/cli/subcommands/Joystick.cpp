@@ -8,6 +8,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -28,10 +29,15 @@ using State = GameController::State;
 constexpr size_t ChannelMax = GameController::Axes + GameController::Buttons;  // CH1..CH32
 constexpr int Pressed = GameController::AxisEnd / 2;  // a switch of three positions is off in its middle
 
+// A program that has not read the last report never will: the kernel gives nothing more of a device that has gone
+// (drivers/input/evdev.c, evdev_read()). Of games that read 30 times a second, three reads.
+constexpr std::chrono::milliseconds TimeToRead(100);
+
 struct Options {
   std::unique_ptr<RangeOption> range;
   std::string map = "1,2,3,4,5,6,7,8";
-  unsigned throttle = 3;
+  int throttle = 3;  // -3: closed at its high end
+  Option throttleOption;
   std::string failsafe = "centre";
   bool latency = false;
 };
@@ -86,6 +92,23 @@ Map mapOf(const std::string &text) {
     }
   }
   return map;
+}
+
+// Returns the channels without a link: centred, and the throttle closed.
+line::Values valuesAtRest(const Options &options, const Map &map, const sbus::Range &range) {
+  const size_t channel = static_cast<size_t>(std::abs(options.throttle)) - 1;  // of 0 none
+  const bool moves =
+      std::any_of(map.axes.begin(), map.axes.end(), [&](const Map::Axis &axis) { return axis.channel == channel; });
+  if (options.throttleOption.given() && !moves) {
+    rejectCommandLine("--throttle: a channel that moves an axis is expected, or as -3 if its high end is closed; not " +
+                      std::to_string(options.throttle));
+  }
+  line::Values values;
+  values.raw.fill(range.centre);
+  if (moves) {
+    values.raw[channel] = options.throttle < 0 ? range.high : range.low;
+  }
+  return values;
 }
 
 // What the channels of the newest frame make of the controller.
@@ -146,10 +169,7 @@ class Latency {
 void run(const SourceOption &source, const Options &options) {
   const sbus::Range range = options.range->range();
   const Map map = mapOf(options.map);
-  line::Values centred;  // and the throttle low
-  centred.raw.fill(range.centre);
-  centred.raw[options.throttle - 1] = range.low;
-  const State rest = stateOf(centred, map, range);
+  const State rest = stateOf(valuesAtRest(options, map, range), map, range);
 
   const std::unique_ptr<Input> input = source.open();
   GameController controller(rest);
@@ -188,6 +208,7 @@ void run(const SourceOption &source, const Options &options) {
   }
   if (options.failsafe == "centre") {
     controller.write(rest);
+    std::this_thread::sleep_for(TimeToRead);
   }
   silence.end(observer.counters().frames > 0);
 }
@@ -202,13 +223,17 @@ void addJoystick(CLI::App &app) {
   subcommand
       .option("--map", options->map, "the channels of the axes X, Y, Z, RX, RY, RZ, throttle, rudder; -3: reversed")
       .type("mode1|mode2|mode3|mode4|CH,CH,...");
-  subcommand.option("--throttle", options->throttle, "the channel that failsafe closes (3)").between(1, 16).type("CH");
+  options->throttleOption =
+      subcommand.option("--throttle", options->throttle, "the channel that failsafe closes; -3: at its high end (3)")
+          .between(-16, 16)
+          .type("CH");
   subcommand
       .option("--failsafe", options->failsafe,
-              "without a link: all centred and the throttle low, or as it was (centre)")
+              "without a link: all centred and the throttle closed, or as it was (centre)")
       .oneOf({"centre", "hold"})
       .type("centre|hold");
-  subcommand.flag("--latency", options->latency, "measures from the last byte of a frame to the event");
+  subcommand.flag("--latency", options->latency,
+                  "says at the end how long it took from the read of a frame's last byte to the event");
   subcommand.footer(
       "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
       "for "
