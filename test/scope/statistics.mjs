@@ -41,6 +41,11 @@ export default async function () {
     assert.deepEqual(heights, ['failsafe 0.6', 'lost 0.4']);
   });
 
+  await check('the link quality is the share of the frames of a second that are not lost', async (page) => {
+    await playFrames(page, Array.from({ length: 300 }, (_, i) => [10, i % 4 === 0 ? 4 : 0]));
+    await reads(page, '#quality', /^quality.(74|75|76).%$/);
+  });
+
   await check("a board's rows are counted as rows; another source begins again", async (page) => {
     await connect(page, 'board');
     for (let i = 0; i < 5; i++) {
@@ -48,6 +53,7 @@ export default async function () {
       await page.evaluate(() => fake.skip(1000));
     }
     await reads(page, '#losses-text', /^0\.0 % of 4 rows/);
+    await reads(page, '#quality', '');
     await reads(page, '#intervals-text', /^3 intervals: the median is 1\d\d\d ms/);
     await page.evaluate(() => (fake.choose = () => fake.newPort()));
     await page.click('#source-adapter');

@@ -82,7 +82,7 @@ export class LinkView {
     }
     this.textAt = now;
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
-    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality ${status.linkQuality} %`);
+    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
     setText(this.rate, String(status.framesPerSecond));
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
     setText(this.gap, status.gapMeanUs > 0 ? `${ms(status.gapMeanUs)} ms` : '–');
