@@ -20,7 +20,7 @@
 #include "PulseInput.h"
 
 #if !defined(IRAM_ATTR)
-#define IRAM_ATTR  // ESP32 and ESP8266: in the memory that interrupts can always reach
+#define IRAM_ATTR  // an ESP8266 demands it of interrupts; what they call lies in flash, and waits while that is written
 #endif
 
 EncodeSBus eSBus(Serial1);  // TX: D1 of a Grasshopper; ESP32: eSBus(Serial1, 16, 17); others: extras/docs/boards.md
