@@ -164,7 +164,7 @@ class DecodeSBusCallbackOf : public Decoder {
   /// Takes the frame as decodeSBusFrame() writes it: 18 values, DecodeSBus24 24, which change with the next frame.
   using Function = void (*)(const uint16_t channels[], bool failsafe, bool lostFrame);
 
-  /// Sets the function that parseSBusFrame() calls; nullptr, the default, is none. begin() keeps it.
+  /// Sets the function that parseSBusFrame() calls; nullptr, the default: it calls nothing. begin() keeps it.
   ///
   /// - Where: in the context that calls parseSBusFrame(), be it loop(), serialEvent1(), a task or onReceive()
   ///   (extras/docs/interrupts.md). It returns before the next poll is due: within 5 ms.

@@ -1,6 +1,7 @@
 // A PPM sum signal, as trainer ports take it: one channel after the other on one wire. Knows no Arduino.
 #pragma once
 
+#include <sbus/Barrier.h>
 #include <stdint.h>
 
 class Ppm {
@@ -27,7 +28,7 @@ class Ppm {
     for (uint8_t i = 0; i < Channels; i++) {
       other[i] = us[i] < Shortest ? Shortest : us[i] > Longest ? Longest : us[i];
     }
-    barrier();
+    sbus::barrier();
     _number = number;
     _isOn = true;
   }
@@ -44,11 +45,11 @@ class Ppm {
       uint8_t number;
       do {  // again, if loop() has written meanwhile: on an ESP32 it runs on another core
         number = _number;
-        barrier();
+        sbus::barrier();
         for (uint8_t i = 0; i < Channels; i++) {
           _sent[i] = _set[number % 2][i];
         }
-        barrier();
+        sbus::barrier();
       } while (number != _number);
       _left = Period;
     }
@@ -61,9 +62,6 @@ class Ppm {
 
  private:
   static constexpr uint8_t Last = 2 * Channels + 2;  // part of a frame: behind the last pulse there are two
-
-  // Keeps the compiler from moving channels past _number.
-  static void barrier() { __asm__ volatile("" ::: "memory"); }
 
   int16_t _set[2][Channels];
   int16_t _sent[Channels];

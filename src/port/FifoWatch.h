@@ -10,8 +10,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// The FIFO counts each character at once, whenever the driver's interrupt takes it out and whoever is held up
-// meanwhile: if it holds one more than at the look before, a character came between both looks. A look that comes late
+// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are held up: if it holds one more than at the look before, a character came between both looks. A look that comes late
 // makes the bounds wide, never wrong.
 //
 // That character is the last one handed over if the driver then hands over as many as the FIFO held: nothing lay before

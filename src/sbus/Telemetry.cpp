@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "Barrier.h"
+
 namespace sbus {
 
 void Telemetry::begin() {
@@ -11,8 +13,7 @@ void Telemetry::begin() {
   _rejected = 0;
 }
 
-// The data may change while they are copied: then they are copied again. The barriers keep the compiler from reading
-// `_changes` at another place.
+// The data may change while they are copied: then they are copied again.
 bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) const {
   if (first + count > SlotCount) {
     return false;
@@ -25,9 +26,9 @@ bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) const {
   uint16_t changes;
   do {
     changes = _changes;
-    __asm__ volatile("" ::: "memory");
+    barrier();
     memcpy(data, _data + first, count * sizeof *data);
-    __asm__ volatile("" ::: "memory");
+    barrier();
   } while (changes != _changes);
   return true;
 }
