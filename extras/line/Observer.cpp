@@ -125,10 +125,7 @@ void Observer::say(Stretch &stretch) {
   _saidUs = stretch.endUs();
   if (stretch.isFrame()) {
     add(stretch);
-    // A frame with header 2F may end before the time that state() was last asked for: for the link, time goes on only.
-    if (stretch.kind != Stretch::Kind::Extra) {
-      _percent = _quality.update(counters(), state(stretch.endUs()), static_cast<uint32_t>(stretch.endUs()));
-    }
+    _percent = _quality.update(counters(), state(stretch.endUs()), static_cast<uint32_t>(stretch.endUs()));
   } else {
     for (const Rejected &rejected : _decoders.places().rejections) {
       if (rejected.at >= stretch.at && rejected.at < stretch.at + stretch.characters.size()) {

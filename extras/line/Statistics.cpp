@@ -28,12 +28,13 @@ void Arrivals::add(uint64_t nowUs, uint8_t flags) {
 }
 
 sbus::LinkState Arrivals::state(uint64_t nowUs) {
-  return _link.state(static_cast<uint32_t>(_newestUs), static_cast<uint32_t>(std::max(nowUs, _newestUs)));
+  _askedUs = std::max({_askedUs, nowUs, _newestUs});
+  return _link.state(static_cast<uint32_t>(_newestUs), static_cast<uint32_t>(_askedUs));
 }
 
 unsigned Arrivals::perSecond(uint64_t nowUs) const {
-  return static_cast<unsigned>(std::count_if(
-      _lately.begin(), _lately.end(), [nowUs](uint64_t us) { return us + SecondUs > nowUs && us <= nowUs; }));
+  return static_cast<unsigned>(std::count_if(_lately.begin(), _lately.end(),
+                                             [nowUs](uint64_t us) { return us + SecondUs > nowUs && us <= nowUs; }));
 }
 
 void Statistics::add(const Stretch &frame) {

@@ -27,6 +27,7 @@ class Arrivals {
  public:
   explicit Arrivals(uint16_t timeoutMs = sbus::Link::DefaultTimeout) { _link.setTimeout(timeoutMs); }
 
+  // Returns the state at `nowUs`, or at the latest time that it was asked for: for the link, time goes on only.
   sbus::LinkState state(uint64_t nowUs);
   // Returns the age of the newest in us; undefined while state() is NeverSeen.
   uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
@@ -44,6 +45,7 @@ class Arrivals {
  private:
   sbus::Link _link;
   uint64_t _newestUs = 0;
+  uint64_t _askedUs = 0;         // the latest time that state() was asked for
   std::deque<uint64_t> _lately;  // us
   Extent _gaps;
 };
@@ -61,7 +63,8 @@ struct Values {
 class Statistics : public Arrivals {
  public:
   const Values &newest() const { return _newest; }
-  // Returns the travel of a channel, counted from 0, of frames without a flag: failsafe values are no stick's positions.
+  // Returns the travel of a channel, counted from 0, of frames without a flag: failsafe values are no stick's
+  // positions.
   const Extent &travel(size_t channel) const { return _travel[channel]; }
   void resetMarks();
 

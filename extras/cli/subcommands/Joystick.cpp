@@ -177,9 +177,7 @@ void run(const SourceOption &source, const Options &options) {
   Latency latency;
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
-  uint64_t nowUs = 0;
-  const auto show = [&](uint64_t us) {
-    nowUs = std::max(nowUs, us);  // a frame with header 2F ended before the tick that brings it
+  const auto show = [&](uint64_t nowUs) {
     const sbus::LinkState link = observer.state(nowUs);
     if (link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy) {
       return controller.write(stateOf(observer.newest(), map, range));
@@ -196,11 +194,11 @@ void run(const SourceOption &source, const Options &options) {
         latency.read();
         observer.put(character);
       },
-      [&](uint64_t us) {
+      [&](uint64_t nowUs) {
         observer.handOver();
         observer.idleUntil(input->knownUs());
-        show(us);
-        silence.tick(us, observer.counters().frames > 0);
+        show(nowUs);
+        silence.tick(nowUs, observer.counters().frames > 0);
         latency.tick();
       });
   if (options.latency) {
