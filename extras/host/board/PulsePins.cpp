@@ -16,24 +16,31 @@ bool PulsePins::isHigh(uint32_t pin) const {
   return pin - First < Count && _isHigh[pin - First];
 }
 
-uint64_t PulsePins::nextUs() const {
-  if (!_isConnected) {
-    return UINT64_MAX;
-  }
-  const uint32_t ms = static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
+void PulsePins::connect() {
+  plan();
+}
+
+// When the next edge comes, in the simulated flight.
+uint32_t PulsePins::flightMs() const {
+  return static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
+}
+
+void PulsePins::plan() {
   uint16_t channels[sbus::ChannelCount] = {};
-  line::Flight.move(0, ms, channels);
+  line::Flight.move(0, flightMs(), channels);
   const auto widthUs = static_cast<uint64_t>(sbus::toMicroseconds(channels[_edge / 2], sbus::FrSky));
-  return (_frame + 1) * PeriodUs + _edge / 2 * PitchUs + (_edge % 2 == 0 ? 0 : widthUs);
+  _nextUs = (_frame + 1) * PeriodUs + _edge / 2 * PitchUs + (_edge % 2 == 0 ? 0 : widthUs);
 }
 
 void PulsePins::advance(uint64_t nowUs) {
-  for (; nextUs() <= nowUs; _edge = (_edge + 1) % (2 * Count), _frame += _edge == 0) {
+  while (_nextUs <= nowUs) {
     const uint32_t pin = _edge / 2;
-    const uint32_t ms = static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
-    const bool isHigh = _edge % 2 == 0 && line::Flight.radio(0, ms) == line::Radio::Heard;
+    const bool isHigh = _edge % 2 == 0 && line::Flight.radio(0, flightMs()) == line::Radio::Heard;
     _waits[pin] = _waits[pin] || isHigh != _isHigh[pin];
     _isHigh[pin] = isHigh;
+    _edge = (_edge + 1) % (2 * Count);
+    _frame += _edge == 0;
+    plan();
   }
 }
 

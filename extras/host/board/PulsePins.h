@@ -9,13 +9,13 @@ namespace host {
 class PulsePins {
  public:
   // Connects the receiver: pulses come one channel after the other, every 20 ms, and none while the radio is off.
-  void connect() { _isConnected = true; }
+  void connect();
 
   void onChange(uint32_t pin, void (*callback)());
   bool isHigh(uint32_t pin) const;
 
   // When the next pulse begins or ends, in us since the program's start; UINT64_MAX if nothing is connected.
-  uint64_t nextUs() const;
+  uint64_t nextUs() const { return _nextUs; }
 
   // Changes the pins up to that time. Of two changes before its callback a pin tells once.
   void advance(uint64_t nowUs);
@@ -26,7 +26,10 @@ class PulsePins {
   static constexpr uint32_t First = 2, Count = 4;
   static constexpr uint64_t PeriodUs = 20000, PitchUs = 2500;
 
-  bool _isConnected = false;
+  uint32_t flightMs() const;
+  void plan();
+
+  uint64_t _nextUs = UINT64_MAX;
   uint64_t _frame = 0;  // of the next edge, counted from 0,
   uint32_t _edge = 0;   // and which of its 8
   bool _isHigh[Count] = {};
