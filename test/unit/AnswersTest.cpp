@@ -214,7 +214,7 @@ TEST_CASE("its own characters are no sensor's; others in their place are a colli
   }
 }
 
-TEST_CASE("an answer that the port could not send counts as skipped, and nobody waits for its echo") {
+TEST_CASE("an answer that the port could not send counts as skipped, and its echo is not expected") {
   Answers answers;
   answers.begin();
   write(answers, 2, 3);

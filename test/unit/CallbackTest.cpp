@@ -103,7 +103,7 @@ TEST_CASE(
   board.poll(join({PaperLow.bytes, PaperHigh.bytes}));
   REQUIRE(calls.size() == 2);
   CHECK(calls[1].channels == PaperHigh.channels);
-  board.block(150 * Ms);  // loop() was busy: nobody knows when it came
+  board.block(150 * Ms);  // loop() was busy: when the frame came is not known
   board.poll(bytesOf(PaperLow.bytes));
   board.wait(FakeBoard::SilenceUs);
   CHECK(board.sbus.counters().frames == 4);

@@ -126,4 +126,33 @@ inline Numbers allOf(unsigned frames) {
   return numbers;
 }
 
+// A SoftwareSerial: any Stream.
+class Software : public Simulated<Stream> {
+ public:
+  explicit Software(unsigned transmitter) : Simulated<Stream>({63, 1, 1, transmitter, 0, false, 0}) {
+    uart.open({100000, 2, false, false});
+  }
+#if defined(PRINT_WITHOUT_ROOM)
+  int availableForWrite() {
+    return uart.room();
+  }
+#else
+  int availableForWrite() override {
+    return uart.room();
+  }
+#endif
+};
+
+// Opens the port as its core allows.
+inline void open(DecodeSBus &dSBus) {
+  if (Hears) {
+    dSBus.begin();
+    return;
+  }
+#if defined(OPENED_BY_HAND)
+  openByHand();
+#endif
+  dSBus.listen();
+}
+
 }  // namespace cores

@@ -1,7 +1,4 @@
-// DecodeSBus and EncodeSBus on the ports of one core, CORE: every frame comes, none is mixed, whole ones are sent.
-#include <EncodeSBus.h>
-
-#include <algorithm>
+// DecodeSBus on the ports of one core, CORE: every frame comes, none is mixed.
 #include <string>
 
 #include "Cores.h"
@@ -18,34 +15,6 @@ void serialEvent1() __attribute__((weak));
 using namespace cores;
 
 namespace {
-
-// A SoftwareSerial: any Stream.
-class Software : public Simulated<Stream> {
- public:
-  explicit Software(unsigned transmitter) : Simulated<Stream>({63, 1, 1, transmitter, 0, false, 0}) {
-    uart.open({100000, 2, false, false});
-  }
-#if defined(PRINT_WITHOUT_ROOM)
-  int availableForWrite() {
-    return uart.room();
-  }
-#else
-  int availableForWrite() override {
-    return uart.room();
-  }
-#endif
-};
-
-void open(DecodeSBus &dSBus) {
-  if (Hears) {
-    dSBus.begin();
-    return;
-  }
-#if defined(OPENED_BY_HAND)
-  openByHand();
-#endif
-  dSBus.listen();
-}
 
 struct Opening {
   const char *name;
@@ -240,7 +209,7 @@ TEST_CASE("inverts() returns what the port can do") {
 }
 
 #if defined(ESP32)
-TEST_CASE("the port does not tell when a frame ended: a sensor does not answer there") {
+TEST_CASE("an ESP32's port does not tell when a frame ended: SlotTimerEsp32 finds that out") {
   CHECK(sbus::handOverOf(&SBUS_PORT, &SBUS_PORT, sbus::Choice<2>()) == sbus::HandOver::Unknown);
 }
 #endif
@@ -273,108 +242,6 @@ TEST_CASE("a bad character: on a core that discards it the frame is missing, on 
       CHECK(delivered.numbers == (discards ? whole : allOf(Frames)));
       CHECK(delivered.wrong == (discards ? 0 : Frames / 10));
     }
-  }
-}
-
-namespace {
-
-struct Sending {
-  unsigned frames = 0, waitedUs = 0;
-  Delivered returned;
-
-  // Writes for a second; `dSBus`, if any, is on the same port.
-  void loop(EncodeSBus &eSBus, unsigned loopUs, DecodeSBus *dSBus = nullptr) {
-    for (const uint64_t endUs = world.nowUs + 1000000; world.nowUs < endUs; world.nowUs += loopUs) {
-      const Channels channels = channelsOf(frames);
-      const uint64_t before = world.nowUs;
-      frames += eSBus.write(channels.data(), false, false);
-      waitedUs = std::max(waitedUs, static_cast<unsigned>(world.nowUs - before));
-      if (dSBus != nullptr) {
-        returned.poll(*dSBus);
-      }
-    }
-    world.nowUs += 10000;
-    if (dSBus != nullptr) {
-      returned.poll(*dSBus);
-    }
-  }
-};
-
-// The bytes are whole frames; no gap within them, and none between them is shorter.
-void checkSent(unsigned frames, uint64_t gapUs) {
-  REQUIRE(world.sent.size() == frames * 25);
-  unsigned wrong = 0, torn = 0, close = 0;
-  for (size_t i = 0; i < world.sent.size(); i++) {
-    wrong += world.sent[i].value != frameOf(static_cast<unsigned>(i / 25))[i % 25];
-    const uint64_t gap =
-        i == 0 ? gapUs : world.sent[i].beginUs - std::min(world.sent[i - 1].endUs, world.sent[i].beginUs);
-    (i % 25 == 0 ? close : torn) += i % 25 == 0 ? gap < gapUs : gap > 2;
-  }
-  CHECK(wrong == 0);
-  CHECK(torn == 0);
-  CHECK(close == 0);
-}
-
-}  // namespace
-
-TEST_CASE("EncodeSBus sends whole frames, with gaps, and waits 3.1 ms at most") {
-  struct Row {
-    uint16_t periodUs;
-    unsigned loopUs, least, most;  // frames in a second
-    uint64_t gapUs;
-  };
-  for (const Row &row : {Row{9000, 50, 111, 112, 5900}, Row{9000, 1000, 111, 112, 3900}, Row{4000, 50, 249, 250, 850},
-                         Row{1000, 50, 250, 450, 0}}) {
-    CAPTURE(row.periodUs);
-    CAPTURE(row.loopUs);
-    switchOn();
-    EncodeSBus eSBus(SBUS_PORT);
-    eSBus.begin();
-    eSBus.setPeriod(row.periodUs);
-    Sending sending;
-    sending.loop(eSBus, row.loopUs);
-    if (!Core.takes8E2) {
-      CHECK(world.sent.empty());
-      continue;
-    }
-    checkSent(sending.frames, Hears ? row.gapUs : 0);
-    CHECK(sending.frames >= row.least);
-    CHECK(sending.frames <= row.most);
-    CHECK(sending.waitedUs <= (row.periodUs >= 4000 ? Core.waitsUs : Core.counts ? 0 : 3100));
-    const sim::Settings &settings = world.sent[0].settings;
-    CHECK(settings.baud == Core.baud);
-    CHECK(settings.evenStops == Core.stops);
-    CHECK(settings.txInverted == Core.inverts);
-    CHECK(world.crashes == 0);
-  }
-}
-
-TEST_CASE("a Stream with room for less than a frame also gets whole frames") {
-  switchOn();
-  Software software(15);
-  EncodeSBus eSBus(software);
-  Sending sending;
-  sending.loop(eSBus, 50);
-  checkSent(sending.frames, 5900);
-  CHECK(sending.frames >= 111);
-  CHECK(sending.waitedUs == 1200);
-}
-
-TEST_CASE("what EncodeSBus sends comes back to a DecodeSBus on the same port") {
-  for (const unsigned loopUs : {50u, 1000u, 3000u}) {
-    CAPTURE(loopUs);
-    switchOn();
-    world.looped = true;
-    DecodeSBus dSBus(SBUS_PORT);
-    EncodeSBus eSBus(SBUS_PORT);
-    open(dSBus);
-    Sending sending;
-    sending.loop(eSBus, loopUs, &dSBus);
-    CHECK(sending.frames >= 110);
-    CHECK(sending.returned.numbers == allOf(sending.frames));
-    CHECK(sending.returned.wrong == 0);
-    CHECK(dSBus.counters().overflows == 0);
-    CHECK(world.crashes == 0);
   }
 }
 

@@ -78,7 +78,7 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 define core_rules
 $1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
-$(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/onCorePins.o \
+$(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
   $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@

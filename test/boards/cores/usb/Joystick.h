@@ -1,7 +1,7 @@
 // The Joystick of two cores: github.com/PaulStoffregen/cores 7f107ee, teensy4/usb_joystick.h, a part of the core; and
 // github.com/earlephilhower/arduino-pico 6.0.0 (387294c), libraries/Joystick, whose axes are HID_Joystick's
 // (mapBits()). Without useManualSend() each call sends. A Teensy takes 0..1023, and its unsigned values end there; a
-// Pico too, unless told 16 bits.
+// Pico too, without use16bit().
 #pragma once
 
 #include <algorithm>
