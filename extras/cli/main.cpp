@@ -28,6 +28,7 @@ void addSubcommands(CLI::App &app) {
   tool::addReplay(app);
   tool::addSimulate(app);
   tool::addSend(app);
+  tool::addCalibrate(app);
   tool::addJoystick(app);
   tool::addDecode(app);
   tool::addWave(app);

@@ -67,7 +67,18 @@ head -n 5 "$work/diff"
 ! grep dropped "$UINPUT_LOG"
 verdict $? "the kernel has nothing to drop"
 
-# ---- Maps and ranges, by frames with values of one's own
+# ---- Maps, ranges and calibrations, by frames with values of one's own
+
+# CH1 and CH4 are not at the middle, CH2 and CH3 are reversed, the rest is as --range says.
+cat >"$work/radio.txt" <<'END'
+# sbus calibrate: raw values at -100, 0 and +100 %
+CH1 200 1010 1800
+
+CH2 1780 980 180   # reversed
+ CH3 1811 992 173
+CH4 292 1000 1692
+CH10 100 400 1000
+END
 
 # CHn is 100 n, of 0..2000: -900 at CH1, 0 at CH10, 600 at CH16.
 ramp=$(for n in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do printf 'ch%d=%d00 ' $n $n; done)
@@ -75,8 +86,8 @@ while IFS='|' read -r options values axes buttons; do
   # shellcheck disable=SC2086  # they are words
   player send $(eval echo $values) --seconds 0.4
   rm -f "$UINPUT_LOG"
-  # shellcheck disable=SC2086
-  joystick "$terminal" --failsafe hold $options
+  # shellcheck disable=SC2046,SC2086
+  joystick "$terminal" --failsafe hold $(eval echo $options)
   kill "$player" 2>/dev/null  # it waits for a reader
   wait "$player"
   [ "$(last)" = "$axes |$buttons" ] || { last; cat "$work/err"; false; }
@@ -91,6 +102,9 @@ done <<'END'
 --range 0,1000,2000 --map mode2|$ramp|-600 700 -500 -900 800 -400 -300 -200| 8
 --range 0,1000,2000 --map mode3|$ramp|-900 800 -500 -600 700 -400 -300 -200| 8
 --range 0,1000,2000 --map mode4|$ramp|-900 700 -500 -600 800 -400 -300 -200| 8
+--calibration $work/radio.txt|ch1=1800 ch2=1780 ch3=1811 ch4=1000 ch5=1811 ch10=701 ch11=1403|1000 -1000 -1000 0 1000 0 0 0| 2 3
+--calibration $work/radio.txt|ch1=605 ch2=580 ch3=992 ch4=1346 ch5=1401 ch10=700 ch11=1401|-500 500 0 500 499 0 0 0|
+--calibration $work/radio.txt --range 0,1000,2000|ch1=1010 ch2=180 ch3=173 ch5=1000 ch6=2000 ch10=0 ch11=1400|0 1000 1000 -11 0 1000 -8 -8|
 --range 0,1000,2000 --map -16,9,15,10,14,11,-13,12|$ramp|-600 -100 500 0 400 100 -300 200|
 END
 
@@ -108,8 +122,8 @@ END
 while IFS='|' read -r options wanted; do
   player send --from "$work/losses.csv"
   rm -f "$UINPUT_LOG"
-  # shellcheck disable=SC2086
-  joystick "$terminal" $options
+  # shellcheck disable=SC2046,SC2086
+  joystick "$terminal" $(eval echo $options)
   kill "$player" 2>/dev/null
   wait "$player"
   [ "$(sed 's/created.*buttons: 24/created/' "$UINPUT_LOG" | paste -sd ,)" = "created,$wanted,destroyed" ] || { cat "$UINPUT_LOG" "$work/err"; false; }
@@ -121,6 +135,7 @@ done <<'END'
 --throttle -3|ABS_X=1000 BTN_SOUTH=1,ABS_X=0,BTN_SOUTH=0,ABS_X=-1000 BTN_SOUTH=1,ABS_X=0 BTN_SOUTH=0
 --throttle -3 --map 1,2,-3,4,5,6,7,8|ABS_X=1000 BTN_SOUTH=1,ABS_X=0,BTN_SOUTH=0,ABS_X=-1000 BTN_SOUTH=1,ABS_X=0 BTN_SOUTH=0
 --map 1,2,-3,4,5,6,7,8|ABS_X=1000 ABS_Z=-1000 BTN_SOUTH=1,ABS_X=0,ABS_Z=1000 BTN_SOUTH=0,ABS_X=-1000 ABS_Z=-1000 BTN_SOUTH=1,ABS_X=0 ABS_Z=1000 BTN_SOUTH=0
+--calibration $work/radio.txt|ABS_X=1000 ABS_Y=-15 ABS_RX=-11 BTN_SOUTH=1 BTN_EAST=1,ABS_X=-22,ABS_X=0 ABS_Y=0 ABS_RX=0 BTN_SOUTH=0 BTN_EAST=0,ABS_X=-1000 ABS_Y=-15 ABS_RX=-11 BTN_SOUTH=1 BTN_EAST=1,ABS_X=0 ABS_Y=0 ABS_RX=0 BTN_SOUTH=0 BTN_EAST=0
 --map mode2|ABS_Y=-1000 ABS_RX=1000 BTN_SOUTH=1,ABS_RX=0,ABS_Y=1000 BTN_SOUTH=0,ABS_Y=-1000 ABS_RX=-1000 BTN_SOUTH=1,ABS_Y=1000 ABS_RX=0 BTN_SOUTH=0
 END
 
@@ -161,6 +176,32 @@ rm -f "$UINPUT_LOG"
 joystick recordings/paper.txt --simulated-time
 grep -q '^ABS' "$UINPUT_LOG" && ! grep unread "$UINPUT_LOG"
 verdict $? "programs have the time to read the last report, even if it came before the end"
+
+# ---- Calibrations that are none
+
+expected="a channel's raw values at -100, 0 and +100 % are expected, as CH1 172 992 1811, and each channel of CH1 to CH16 once"
+while IFS='|' read -r text message; do
+  printf '%b' "$text" >"$work/bad.txt"
+  ! joystick sim --calibration "$work/bad.txt" && [ "$(cat "$work/err")" = "sbus joystick: $work/bad.txt$(eval echo "\"$message\"")" ] || { cat "$work/err"; false; }
+  verdict $? "joystick --calibration of \"$text\""
+done <<'END'
+|: no channels; sbus calibrate writes such a file
+# CH1 172 992 1811\n|: no channels; sbus calibrate writes such a file
+CH1 172 992 1811\nCH2 172 992\n|:2: $expected
+CH17 172 992 1811|:1: $expected
+CH0 172 992 1811|:1: $expected
+CH1 172 992 2048|:1: $expected
+CH1 172 1811 992|:1: $expected
+CH1 0 0 0|:1: $expected
+CH1 172 992 1811 8|:1: $expected
+CH1 172 992 -1811|:1: $expected
+CH1 172 992 1811\n\nCH1 172 992 1811|:3: $expected
+frame 0F|:1: $expected
+END
+! joystick sim --calibration "$work/none.txt" && [ "$(cat "$work/err")" = "sbus joystick: $work/none.txt: No such file or directory; sbus calibrate writes such a file" ]
+verdict $? "joystick --calibration of a file that is not there"
+! joystick sim --calibration "$work" && grep -q 'sbus calibrate writes' "$work/err"
+verdict $? "joystick --calibration of a folder: $(cat "$work/err")"
 
 # ---- Latency
 

@@ -12,6 +12,7 @@
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/telemetry.sh          `sbus telemetry`
 #   tool/languages.sh         README's programs for Python and Node
+#   tool/calibrate.sh          `sbus calibrate`
 #   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in of /dev/uinput
 #   tool/json.sh               JSON lines, held against the manual
 #   tool/explain.sh            the tables of `sbus explain`
@@ -286,6 +287,7 @@ SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/telemetry.sh
 SBUS=$sbus WORK=$work tool/languages.sh
+SBUS=$sbus WORK=$work tool/calibrate.sh
 SBUS=$sbus WORK=$work tool/joystick.sh
 SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh

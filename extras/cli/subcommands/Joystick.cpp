@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/CalibrationFile.h"
 #include "cli/Format.h"
 #include "cli/GameController.h"
 #include "cli/SilenceNote.h"
@@ -35,6 +36,7 @@ constexpr std::chrono::milliseconds TimeToRead(100);
 
 struct Options {
   std::unique_ptr<RangeOption> range;
+  std::string calibration;  // a file
   std::string map = "1,2,3,4,5,6,7,8";
   int throttle = 3;  // -3: closed at its high end
   Option throttleOption;
@@ -94,8 +96,17 @@ Map mapOf(const std::string &text) {
   return map;
 }
 
+ChannelRanges rangesOf(const Options &options) {
+  ChannelRanges ranges;
+  ranges.fill(options.range->range());
+  if (!options.calibration.empty()) {
+    readCalibration(options.calibration, ranges);
+  }
+  return ranges;
+}
+
 // Returns the channels without a link: centred, and the throttle closed.
-line::Values valuesAtRest(const Options &options, const Map &map, const sbus::Range &range) {
+line::Values valuesAtRest(const Options &options, const Map &map, const ChannelRanges &ranges) {
   const size_t channel = static_cast<size_t>(std::abs(options.throttle)) - 1;  // of 0 none
   const bool moves =
       std::any_of(map.axes.begin(), map.axes.end(), [&](const Map::Axis &axis) { return axis.channel == channel; });
@@ -104,17 +115,18 @@ line::Values valuesAtRest(const Options &options, const Map &map, const sbus::Ra
                       std::to_string(options.throttle));
   }
   line::Values values;
-  values.raw.fill(range.centre);
+  std::transform(ranges.begin(), ranges.end(), values.raw.begin(),
+                 [](const sbus::Range &range) { return range.centre; });
   if (moves) {
-    values.raw[channel] = options.throttle < 0 ? range.high : range.low;
+    values.raw[channel] = options.throttle < 0 ? ranges[channel].high : ranges[channel].low;
   }
   return values;
 }
 
 // What the channels of the newest frame make of the controller.
-State stateOf(const line::Values &values, const Map &map, const sbus::Range &range) {
+State stateOf(const line::Values &values, const Map &map, const ChannelRanges &ranges) {
   const auto part = [&](size_t channel) {
-    return sbus::limited(sbus::toNormalised(values.raw[channel], range), -GameController::AxisEnd,
+    return sbus::limited(sbus::toNormalised(values.raw[channel], ranges[channel]), -GameController::AxisEnd,
                          GameController::AxisEnd);
   };
   const auto isOn = [&](size_t channel) {
@@ -167,9 +179,9 @@ class Latency {
 };
 
 void run(const SourceOption &source, const Options &options) {
-  const sbus::Range range = options.range->range();
+  const ChannelRanges ranges = rangesOf(options);
   const Map map = mapOf(options.map);
-  const State rest = stateOf(valuesAtRest(options, map, range), map, range);
+  const State rest = stateOf(valuesAtRest(options, map, ranges), map, ranges);
 
   const std::unique_ptr<Input> input = source.open();
   GameController controller(rest);
@@ -180,7 +192,7 @@ void run(const SourceOption &source, const Options &options) {
   const auto show = [&](uint64_t nowUs) {
     const sbus::LinkState link = observer.state(nowUs);
     if (link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy) {
-      return controller.write(stateOf(observer.newest(), map, range));
+      return controller.write(stateOf(observer.newest(), map, ranges));
     }
     return options.failsafe == "centre" && controller.write(rest);
   };
@@ -218,6 +230,10 @@ void addJoystick(CLI::App &app) {
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
+  subcommand
+      .option("--calibration", options->calibration, "in place of --range for the channels in FILE, of sbus calibrate")
+      .notEmpty()
+      .type("FILE");
   subcommand
       .option("--map", options->map, "the channels of the axes X, Y, Z, RX, RY, RZ, throttle, rudder; -3: reversed")
       .type("mode1|mode2|mode3|mode4|CH,CH,...");

@@ -17,6 +17,7 @@ void addRecord(CLI::App &app);
 void addReplay(CLI::App &app);
 void addSimulate(CLI::App &app);
 void addSend(CLI::App &app);
+void addCalibrate(CLI::App &app);
 void addJoystick(CLI::App &app);
 void addDecode(CLI::App &app);
 void addWave(CLI::App &app);

@@ -1,0 +1,124 @@
+#include "cli/CalibrationGuide.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace tool {
+
+namespace {
+
+using sbus::CalibrationError;
+
+constexpr unsigned Sticks = 4;  // CH1 to CH4 must be good
+constexpr uint64_t LookUs = 1000000;
+constexpr uint64_t SettleUs = 500000;  // springs bring sticks back, and a hand comes back from Enter
+
+}  // namespace
+
+CalibrationGuide::CalibrationGuide(Say say) : _say(std::move(say)) {
+  _calibrator.setDeadZone(0);
+  begin(Step::Move);
+}
+
+void CalibrationGuide::begin(Step step) {
+  _step = step;
+  _lookUs = _nowUs + LookUs;
+  if (step == Step::Move) {
+    _calibrator.begin();
+    sayOnce(
+        "1 of 3: Move all sticks, sliders and switches to all their ends. Then centre the sticks, throttle low, let "
+        "go, "
+        "and press Enter.");
+  } else if (step == Step::LetGo) {
+    _lookUs = _nowUs + SettleUs;
+    sayOnce("2 of 3: Hands off.");
+  } else if (step == Step::Rest) {
+    _calibrator.centre();
+  } else if (step == Step::Push) {
+    _calibrator.high();
+    sayOnce("3 of 3: Push both sticks up and right, and hold them there.");
+  }
+}
+
+void CalibrationGuide::sayOnce(const std::string &text) {
+  if (std::exchange(_said, text) != text) {
+    _say(text);
+  }
+}
+
+void CalibrationGuide::take(const line::Values &values, uint64_t nowUs) {
+  _nowUs = nowUs;
+  _calibrator.feed(values.raw.data(), values.failsafe, values.lostFrame);
+}
+
+// Returns what the first of the sticks lacks, and says it in `text`; `next` if nothing is left to do in this step.
+CalibrationError CalibrationGuide::worst(CalibrationError next, std::string &text) const {
+  for (uint8_t i = 0; i < Sticks; i++) {
+    sbus::CalibratedChannel calibrated;
+    const CalibrationError error = _calibrator.result(i, calibrated);
+    if (error != next) {
+      text = "CH" + std::to_string(i + 1) + sbus::text(error);
+      return error;
+    }
+  }
+  return next;
+}
+
+void CalibrationGuide::pressEnter() {
+  std::string text;
+  if (worst(CalibrationError::NotRested, text) == CalibrationError::NotRested) {
+    begin(Step::LetGo);
+  } else {
+    sayOnce(text + ". Then press Enter.");
+  }
+}
+
+// Looks at the channels at the end of a second. A step that cannot be completed any more starts all over.
+void CalibrationGuide::look(CalibrationError next, Step after) {
+  std::string text;
+  const CalibrationError error = worst(next, text);
+  if (error == next) {
+    begin(after);
+    return;
+  }
+  sayOnce(text + ".");
+  if (error == CalibrationError::MovedOneWay || error == CalibrationError::CentreOutside) {
+    begin(Step::Move);
+  } else if (_step == Step::Rest) {
+    _calibrator.centre();
+  }
+  _lookUs = _nowUs + LookUs;
+}
+
+void CalibrationGuide::tick(uint64_t nowUs, bool hasLink) {
+  _nowUs = nowUs;
+  if (wantsEnter() || isDone()) {
+    return;
+  }
+  if (!hasLink) {
+    sayOnce("The link is lost: switch the radio on.");
+    _lookUs = nowUs + LookUs;
+  } else if (nowUs >= _lookUs) {
+    if (_step == Step::LetGo) {
+      begin(Step::Rest);
+    } else if (_step == Step::Rest) {
+      look(CalibrationError::NotPushed, Step::Push);
+    } else {
+      look(CalibrationError::None, Step::Done);
+    }
+  }
+}
+
+sbus::Calibration CalibrationGuide::calibration() const {
+  std::string text;
+  sbus::Calibration found;
+  uint8_t channel = 0;
+  if (!isDone()) {
+    worst(CalibrationError::None, text);
+    throw std::runtime_error("nothing was written, since the third step was not completed: " + text);
+  }
+  _calibrator.finish((1 << Sticks) - 1, found, channel);
+  return found;
+}
+
+}  // namespace tool

@@ -1,0 +1,52 @@
+// Leads through a calibration in three steps: sbus/Calibrator.h decides, this says what to do next.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "line/Statistics.h"
+#include "sbus/Calibrator.h"
+
+namespace tool {
+
+class CalibrationGuide {
+ public:
+  using Say = std::function<void(const std::string &)>;
+
+  // Says the first step.
+  explicit CalibrationGuide(Say say);
+
+  // Takes an accepted frame, which ended at `nowUs`.
+  void take(const line::Values &values, uint64_t nowUs);
+
+  // Returns true during the first step, which pressEnter() ends.
+  bool wantsEnter() const { return _step == Step::Move; }
+  void pressEnter();
+
+  // Ends the other steps once they are done, and says what is missing. Call it some times a second; `hasLink`: frames
+  // come.
+  void tick(uint64_t nowUs, bool hasLink);
+
+  bool isDone() const { return _step == Step::Done; }
+
+  // Returns what was measured. Throws std::runtime_error, with what to do, if it is not done.
+  sbus::Calibration calibration() const;
+
+ private:
+  enum class Step { Move, LetGo, Rest, Push, Done };
+
+  sbus::CalibrationError worst(sbus::CalibrationError next, std::string &text) const;
+  void begin(Step step);
+  void look(sbus::CalibrationError next, Step after);
+  void sayOnce(const std::string &text);
+
+  Say _say;
+  sbus::Calibrator _calibrator;
+  Step _step = Step::Move;
+  uint64_t _lookUs = 0;  // when this step's next look at the channels is due
+  uint64_t _nowUs = 0;
+  std::string _said;
+};
+
+}  // namespace tool

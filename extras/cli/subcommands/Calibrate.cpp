@@ -1,0 +1,99 @@
+// sbus calibrate: measures which raw values a transmitter's sticks really give.
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "cli/CalibrationFile.h"
+#include "cli/CalibrationGuide.h"
+#include "cli/Output.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+namespace {
+
+// Returns true if Enter was pressed. Throws std::runtime_error if it cannot be any more.
+bool isEnterPressed() {
+  pollfd input = {STDIN_FILENO, POLLIN, 0};
+  if (poll(&input, 1, 0) <= 0) {
+    return false;
+  }
+  char keys[100];
+  const ssize_t count = read(STDIN_FILENO, keys, sizeof keys);
+  if (count <= 0) {
+    throw std::runtime_error("standard input has ended, on which Enter is pressed; call it in a terminal");
+  }
+  return std::find(keys, keys + count, '\n') != keys + count;
+}
+
+sbus::Calibration measure(Input &input) {
+  CalibrationGuide guide([](const std::string &text) { std::fprintf(stderr, "%s\n", text.c_str()); });
+  line::Observer observer;
+  observer.reset(0, input.settings().characterUs());
+  observer.listen([&](const line::Stretch &stretch) {
+    if (stretch.isFrame()) {
+      guide.take(observer.newest(), stretch.endUs());
+    }
+  });
+  input.run([&](const line::Character &character) { observer.put(character); },
+            [&](uint64_t nowUs) {
+              observer.handOver();
+              observer.idleUntil(input.knownUs());
+              if (!guide.wantsEnter()) {
+                const sbus::LinkState link = observer.state(nowUs);
+                guide.tick(nowUs, link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy);
+              } else if (isEnterPressed()) {
+                guide.pressEnter();
+              }
+              if (guide.isDone()) {
+                input.end();
+              }
+            });
+  return guide.calibration();
+}
+
+void run(const SourceOption &source, const std::string &name) {
+  if (source.name() == "-") {
+    rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
+  }
+  const std::unique_ptr<Input> input = source.open();
+  bool isOpen = false;  // before the sticks are moved: nobody wants to do that for a file that cannot be written
+  try {
+    writeTo(name, File::New, [&](const Put &put) {
+      isOpen = name != "-";
+      const std::string text = calibrationText(measure(*input));
+      put(text);
+      std::fprintf(stderr, "%s:\n%s", name.c_str(), text.c_str());
+    });
+  } catch (...) {
+    if (isOpen) {
+      std::remove(name.c_str());
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App &app) {
+  Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
+  const auto name = std::make_shared<std::string>();
+  subcommand.option("FILE", *name, "what it writes; one that is there already is left alone; - is standard output")
+      .required()
+      .notEmpty()
+      .type("");
+  subcommand.footer(
+      "It says what to do, in three steps. CH1 to CH4 must be sticks; channels that hardly moved are left out.");
+  subcommand.run([source, name] { run(*source, *name); });
+}
+
+}  // namespace tool
