@@ -48,18 +48,12 @@ class Port : private CoreKind::Pins {
     }
   }
 
-#if defined(SBUS_TEENSY4)
-  // Returns how many bytes wait, but never bytes from both sides of a loss: a Teensy 4 also counts those of its FIFO,
-  // and they stand behind what its full buffer has lost.
+  // Returns how many bytes wait; where they may stand on both sides of a loss, only those before it.
   int available() {
     const int waiting = _stream.available();
     const int most = 2 * _half + 1;
-    return _hardware != nullptr && waiting > most ? most : waiting;
+    return CountsFifo && _hardware != nullptr && waiting > most ? most : waiting;
   }
-#else
-  // Returns how many bytes wait.
-  int available() { return _stream.available(); }
-#endif
 
   // Reads up to `size` bytes, at most what available() returned: the STM32L0's core would write past the end of
   // `buffer`. Returns how many it has read.

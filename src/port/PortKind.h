@@ -69,8 +69,9 @@ Format as(Format, Config config) {
 }
 
 #if defined(SBUS_TEENSY4)
-// Its interrupt at the end of the last character lets the wire go (teensy4/HardwareSerial.cpp:700). The other cores have no
-// half duplex, or cannot do this with it: extras/docs/telemetry.md.
+// Teensy 4, whose interrupt at the end of the last character releases the wire (cores 7f107ee,
+// teensy4/HardwareSerial.cpp:700). The other cores have no half duplex, or cannot do this with it:
+// extras/docs/telemetry.md.
 struct Teensy4 : ByFormat {
   static constexpr uint32_t SingleWire = PortConfig | SERIAL_HALF_DUPLEX;
 };

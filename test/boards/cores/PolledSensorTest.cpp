@@ -1,5 +1,5 @@
-// SBus2Sensor on the ports of one core, CORE, whose sketch calls parseSBusFrame() all the time: with a diode, and on a single
-// wire, which the board may drive in its own slots only.
+// SBus2Sensor on the ports of one core, CORE, whose sketch calls parseSBusFrame() all the time: with a diode, and on a
+// single wire, which the board may drive in its own slots only.
 #include <algorithm>
 #include <deque>
 
@@ -76,16 +76,19 @@ using OnSingleWire = SketchOn<SingleWire, sbus::SingleWireTag>;
 
 template <typename Sketch>
 void run(Sketch &sketch, unsigned loopUs, uint64_t seconds = Seconds) {
-  sketch.run([&] {
-    delayMicroseconds(loopUs);
-    sketch.sensor.parseSBusFrame();
-  }, seconds);
+  sketch.run(
+      [&] {
+        delayMicroseconds(loopUs);
+        sketch.sensor.parseSBusFrame();
+      },
+      seconds);
 }
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a loop() of up to 60 us: nearly every slot is answered, within 50 us of its time, and no frame is lost",
-                   Sketch, WithDiode, OnSingleWire) {
+TEST_CASE_TEMPLATE(
+    "a loop() of up to 60 us: nearly every slot is answered, within 50 us of its time, and no frame is lost", Sketch,
+    WithDiode, OnSingleWire) {
   for (const unsigned earlyUs : {0u, 15u}) {
     for (const unsigned loopUs : {1u, 10u, 37u, 60u}) {
       CAPTURE(earlyUs);
@@ -125,6 +128,7 @@ TEST_CASE_TEMPLATE("after end() nothing is sent, and after begin() answers go on
   CHECK(right >= 9 * Second / 60000 * Slots);
   const size_t sent = world.sent.size();
   sketch.sensor.end();
+  CHECK(!Serial1.uart.isOpen());
   delay(10000);
   CHECK(world.sent.size() == sent);
   sketch.sensor.begin();
@@ -135,7 +139,9 @@ TEST_CASE_TEMPLATE("after end() nothing is sent, and after begin() answers go on
   sketch.wire.check();
 }
 
-TEST_CASE("on a single wire: begin(), listen() and end() at any time, a begin() that fails, another format: the wire is free") {
+TEST_CASE(
+    "on a single wire: begin(), listen() and end() at any time, a begin() that fails, another format: the wire is "
+    "free") {
   using Step = void (*)(SBus2Sensor &);
   const Step steps[] = {
       [](SBus2Sensor &sensor) { sensor.begin(); },
@@ -181,7 +187,8 @@ TEST_CASE("on a single wire: begin(), listen() and end() at any time, a begin() 
   CHECK(sending >= 300);
 }
 
-TEST_CASE("on a single wire: interrupts that are off for up to 100 us hold it no longer than that, and no frame is lost") {
+TEST_CASE(
+    "on a single wire: interrupts that are off for up to 100 us hold it no longer than that, and no frame is lost") {
   OnSingleWire sketch;
   sketch.wire.mayHoldUs = 100;
   sketch.run([&] {
@@ -195,7 +202,7 @@ TEST_CASE("on a single wire: interrupts that are off for up to 100 us hold it no
   CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
 }
 
-TEST_CASE("on a single wire: a port that hears itself, as the manuals of others say, changes nothing") {
+TEST_CASE("on a single wire: a port that hears itself, as other chips do, changes nothing") {
   OnSingleWire sketch;
   world.echoes = true;
   run(sketch, 37);
@@ -204,7 +211,8 @@ TEST_CASE("on a single wire: a port that hears itself, as the manuals of others 
   CHECK(sketch.sensor.rejectedGroups() == 0);
 }
 
-TEST_CASE("two sensors in one slot: with a diode the board hears that, on a single wire only what comes after its own") {
+TEST_CASE(
+    "two sensors in one slot: with a diode the board hears that, on a single wire only what comes after its own") {
   const struct {
     int32_t offUs;
     unsigned withDiode, onSingleWire;  // collisions in 10 s, of 166

@@ -1,4 +1,5 @@
-// A sketch with an SBus2Sensor on Serial1 of one core, CORE, and the S.BUS2 wire there: what all its tests have in common.
+// A sketch with an SBus2Sensor on Serial1 of one core, CORE, and the S.BUS2 wire there: what all its tests have in
+// common.
 #pragma once
 
 #include <SBus2Sensor.h>

@@ -116,8 +116,8 @@ bool Uart::hears() const {
          (_isHalfDuplex ? CoreTxPin : _pin) == world.pin;
 }
 
-// A half duplex port is deaf while it drives the wire. If it lets go in the middle of a character, it takes what is left
-// of that for another one.
+// A half duplex port is deaf while it drives the wire. If it lets go in the middle of a character, it takes what is
+// left of that for another one.
 bool Uart::isDeaf(uint64_t beginUs, uint64_t endUs, uint8_t &value) const {
   for (auto driven = world.driven.rbegin(); _isHalfDuplex && !world.echoes && driven != world.driven.rend(); ++driven) {
     if (driven->untilUs <= beginUs) {

@@ -45,7 +45,7 @@ class Uart {
   // Not wired: receives nothing, and what it sends is printed().
   explicit Uart(const Facts &facts, Drops drops = Newest, bool wired = true);
 
-  // With an empty buffer. Half duplex: TX is the wire, which it drives only while it sends, and it does not hear itself.
+  // With an empty buffer. Half duplex: TX is the wire; it is driven only while the port sends, and not heard then.
   void open(const Settings &settings, bool isHalfDuplex = false);
   void change(const Settings &settings);  // of an open port, or opens it
   void close();

@@ -73,11 +73,13 @@ struct World {
   std::minstd_rand random{20181};
   unsigned upTo(unsigned most) { return most == 0 ? 0 : static_cast<unsigned>(random() % (most + 1)); }
 
-  // A half duplex port: the interrupt at the end of the last character releases the pin.
+  // A half duplex port: the interrupt at the end of the last character releases the pin. release() does that if it is
+  // time; pass() does so itself.
   std::vector<Driven> driven;
   uint64_t completeAtUs = Never;
-  void release();       // if it is time; pass() does so itself
-  bool echoes = false;  // the port hears what it sends
+  void release();
+  // ... which hears what it sends.
+  bool echoes = false;
 
   Wire *wire = nullptr;
   std::vector<line::Character> line;

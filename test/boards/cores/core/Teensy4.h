@@ -1,10 +1,10 @@
 // github.com/PaulStoffregen/cores 7f107ee: teensy4/HardwareSerial.h and .cpp. Bad characters are kept
 // (.cpp:638), begin() clears what waits (130), end() of a closed port does nothing (259). (Its uint32_t is an unsigned long.)
 //
-// Half duplex: RX is the TX pin (221), which has a pull-down if the format inverts TX (217), otherwise a pull-up (156). Each
-// begin() sets it anew (144), and releases the pin (224). write() drives the pin (578), before it waits for room; the interrupt
-// at the end of the last character releases it (700), and end() waits for that (260), so it drives on while interrupts are off.
-// What the port hears of itself no source says: the world decides.
+// Half duplex: RX is the TX pin (221), which has a pull-down if the format inverts TX (217), otherwise a pull-up (156).
+// Each begin() decides on it (144), and releases the pin (224). write() drives the pin (578), before it waits for room;
+// the interrupt at the end of the last character releases it (700), so it is driven on while interrupts are off, and
+// end() waits for that (260). Whether the port hears itself then the core does not say: both are tried.
 #pragma once
 
 #include "../Stream.h"
@@ -28,9 +28,9 @@ class HardwareSerial : public Stream {
 };
 class HardwareSerialIMXRT : public Simulated<HardwareSerial> {
  public:
-  // 64 places, of which one stays free. An interrupt empties the FIFO when it holds more than 2 (199), or when the line was
-  // idle; available() and read() look into it before (449, 533). Behind the transmitter's 63 places stands a FIFO of 4, and
-  // what is being sent (685). A closed port has no clock.
+  // 64 places, of which one stays free. An interrupt empties the FIFO when it holds more than 2 (199), or when the line
+  // was idle; available() and read() look into it before (449, 533). Behind the transmitter's 63 places stands a FIFO
+  // of 4, and what is being sent (685). A closed port has no clock.
   HardwareSerialIMXRT() : Simulated<HardwareSerial>({63, 3, 1, 63 + 4 + 1, sim::Available | sim::Write, false, 0}) {
     uart.lookIntoFifo();
   }
