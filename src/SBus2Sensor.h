@@ -7,6 +7,15 @@
 #include "port/SlotTimer.h"
 #include "sbus/Answers.h"
 
+namespace sbus {
+
+/// Chooses SBus2Sensor's constructor for a single wire.
+enum SingleWireTag : uint8_t {
+  SingleWire  ///< TX is the line.
+};
+
+}  // namespace sbus
+
 /// Decodes an S.BUS2 line as DecodeSBus2 does, and answers as a sensor on the same port:
 ///
 ///     SBus2Sensor dSBus(Serial1);
@@ -17,9 +26,9 @@
 ///       dSBus.writeSensor(6, voltage);
 ///     }
 ///
-/// TX goes to the line through a diode, anode at TX (extras/docs/telemetry.md). An answer follows only an accepted
-/// frame that announces its group, starts within 100 us of its time or is skipped, and never stands in slot 0. Nothing
-/// else may write to the port.
+/// TX goes to the line through a diode, anode at TX, or on a Teensy 4 is the line (extras/docs/telemetry.md). An answer
+/// follows only an accepted frame that announces its group, starts within 100 us of its time or is skipped, and never
+/// stands in slot 0. Nothing else may write to the port.
 ///
 /// A port that does not tell when a frame ended gets no answers, and skipped() counts: any Stream that is no hardware
 /// serial port, and the ports of some cores (extras/docs/telemetry.md).
@@ -43,6 +52,17 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
         _stream(port),
         _start(start<Port>),
         _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
+
+  /// Remembers `port`, whose TX is the line itself, without a diode; RX stays free: `SBus2Sensor dSBus(Serial1,
+  /// sbus::SingleWire)`. The board drives TX only while it answers. A Teensy 4 can (Teensyduino 1.59 and later); for
+  /// other ports this constructor does not compile. It was tried on a stand-in only.
+  ///
+  /// begin() then always opens the port inverted, whatever its `config`. Nothing else may open the port: it would hold
+  /// the line. Do not turn interrupts off for more than 100 us: the line is released by one.
+  template <typename Port>
+  SBus2Sensor(Port &port, sbus::SingleWireTag) : SBus2Sensor(port) {
+    _port.onSingleWire(port);
+  }
 
   /// Opens the port, as DecodeSBusOf::begin() does.
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
@@ -137,7 +157,8 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   uint32_t skippedSlots() const { return _finder.events().skipped(); }
 
   /// Returns how often something else than the answers came back since begin(): another sensor has the same slot, or a
-  /// disturbance. If RX does not hear TX, it stays 0.
+  /// disturbance. If RX does not hear TX, as on a single wire, it counts only what is heard besides: another sensor in
+  /// the same slot, at the same time, is not.
   uint32_t collisions() const { return _finder.events().collisions(); }
 
  private:

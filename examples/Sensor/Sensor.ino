@@ -13,6 +13,8 @@
     the battery, divided by 11 (10 kOhm and 1 kOhm) -> A0
     a current sensor, 0.1 V an ampere               -> A1
 
+  A Teensy 4 can do without diode and RX: dSBus(Serial1, sbus::SingleWire), extras/docs/telemetry.md says how.
+
   Servos belong on the receiver's other outputs. Sends a line over USB once a second: slots sent and skipped since the
   start, and collisions with another sensor.
 */

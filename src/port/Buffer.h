@@ -7,6 +7,7 @@
 
 #include "../sbus/LineTiming.h"
 #include "Choice.h"
+#include "Format.h"
 
 namespace sbus {
 
@@ -26,6 +27,14 @@ constexpr unsigned CoreBuffer = SERIAL_BUFFER_SIZE;
 constexpr unsigned CoreBuffer = 64;
 #else
 constexpr unsigned CoreBuffer = SmallestBuffer;
+#endif
+
+// A Teensy 4 also counts the bytes of its FIFO, which stand behind what its full buffer has lost (cores 7f107ee,
+// teensy4/HardwareSerial.cpp:449, 642).
+#if defined(SBUS_TEENSY4)
+constexpr bool CountsFifo = true;
+#else
+constexpr bool CountsFifo = false;
 #endif
 
 // The size that begin() asks for where a port lets it: 30 ms of a line without gaps.

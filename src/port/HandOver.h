@@ -7,6 +7,7 @@
 
 #include "../sbus/Frame.h"
 #include "Choice.h"
+#include "Format.h"
 
 namespace sbus {
 
@@ -70,6 +71,10 @@ auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->onRec
 #elif defined(SERIAL_RX_BUFFER_SIZE)  // AVR (HardwareSerial_private.h:101), STM32 (uart.c, HAL_UART_Receive_IT of 1)
 template <typename Port>
 HandOver handOverOf(Port *, HardwareSerial *, Choice<1>) {
+  return HandOver::EachCharacter;
+}
+#elif defined(SBUS_TEENSY4)  // whose available() looks into the FIFO (cores 7f107ee, teensy4/HardwareSerial.cpp:449)
+inline HandOver handOverOf(HardwareSerialIMXRT *, HardwareSerial *, Choice<1>) {
   return HandOver::EachCharacter;
 }
 #else

@@ -34,6 +34,13 @@ class Port : private CoreKind::Pins {
     }
   }
 
+  // From now on open() opens `port` on a single wire, TX's, and always inverted, whatever its format.
+  template <typename Class>
+  void onSingleWire(Class &) {
+    static_assert(KindOf<Class>::SingleWire != 0, "This port has no single wire: a diode, extras/docs/telemetry.md");
+    _open = openSingleWire<Class>;
+  }
+
   // Closes a hardware serial port.
   void close() {
     if (_hardware != nullptr) {
@@ -41,8 +48,12 @@ class Port : private CoreKind::Pins {
     }
   }
 
-  // Returns how many bytes wait.
-  int available() { return _stream.available(); }
+  // Returns how many bytes wait; where they may stand on both sides of a loss, only those before it.
+  int available() {
+    const int waiting = _stream.available();
+    const int most = 2 * _half + 1;
+    return CountsFifo && _hardware != nullptr && waiting > most ? most : waiting;
+  }
 
   // Reads up to `size` bytes, at most what available() returned: the STM32L0's core would write past the end of
   // `buffer`. Returns how many it has read.
@@ -106,6 +117,11 @@ class Port : private CoreKind::Pins {
     return half(KindOf<Class>::open(static_cast<Class &>(stream(opened)), baud, Config{config}, pins(opened)));
   }
 
+  template <typename Class>
+  static unsigned openSingleWire(Opened &opened, unsigned long baud, uint32_t) {
+    return open<Class>(opened, baud, KindOf<Class>::SingleWire);
+  }
+
   // Reads in one call, where HardwareSerial can.
   template <typename Hardware>
   __attribute__((always_inline)) auto read(Hardware *port, uint8_t *buffer, size_t size, Choice<1>)
@@ -133,7 +149,7 @@ class Port : private CoreKind::Pins {
 
   Stream &_stream;
   HardwareSerial *const _hardware;  // null for any other Stream
-  Open *const _open;
+  Open *_open;
   uint16_t _half;
   const uint8_t _idleCharacters;
 };

@@ -41,10 +41,12 @@ struct GivenPins {
 // Buffer       bytes, the size of the receive buffer of a port that the sketch has opened
 // LosesOldest  a full buffer loses its oldest byte instead of the newest
 // Pins         what open() needs to remember
+// SingleWire   the format for a single inverted wire, TX's, which the port drives only while it sends; 0: it cannot
 // open()       opens the port. Returns the size of its receive buffer, or 0 if that has not changed
 
 struct Kind {
   static constexpr bool LosesOldest = false;
+  static constexpr uint32_t SingleWire = 0;
   using Pins = KeptPins;
 };
 
@@ -65,6 +67,15 @@ template <typename Format>
 Format as(Format, Config config) {
   return config;
 }
+
+#if defined(SBUS_TEENSY4)
+// Teensy 4, whose interrupt at the end of the last character releases the wire (cores 7f107ee,
+// teensy4/HardwareSerial.cpp:700). The other cores have no half duplex, or cannot do this with it:
+// extras/docs/telemetry.md.
+struct Teensy4 : ByFormat {
+  static constexpr uint32_t SingleWire = PortConfig | SERIAL_HALF_DUPLEX;
+};
+#endif
 
 // SAM, where two enums fit.
 struct ByEnum : ByFormat {
@@ -168,6 +179,9 @@ template <typename Port>
 auto kindOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->begin(0, EvenConfig), ByEnum());
 template <typename Port>
 OpenAlready kindOf(Port *, Stream *, Choice<1>);
+#if defined(SBUS_TEENSY4)
+Teensy4 kindOf(HardwareSerialIMXRT *port, HardwareSerial *, Choice<5>);
+#endif
 // The kind of a port of this class.
 template <typename Port>
 using KindOf = decltype(kindOf(static_cast<Port *>(nullptr), static_cast<Port *>(nullptr), Choice<5>()));

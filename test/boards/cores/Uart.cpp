@@ -14,14 +14,18 @@ void World::pass(uint64_t us) {
     const uint64_t others = othersUs + randomUs != 0 && masked == 0 ? std::max(othersAtUs, nowUs) : Never;
     const bool calls = masked == 0 && locked == 0 && !inAlarm && alarmAtUs != Never;
     const uint64_t own = calls ? std::max(alarmAtUs, nowUs) : Never;
-    const uint64_t first = std::min(others, own);
+    const uint64_t complete = masked == 0 && completeAtUs != Never ? std::max(completeAtUs, nowUs) : Never;
+    const uint64_t first = std::min({others, own, complete});
     if (first == Never || first - nowUs > left) {
       nowUs += left;
       return;
     }
     left -= first - nowUs;
     nowUs = first;
-    if (others <= own) {
+    if (complete == first) {
+      completeAtUs = nowUs;
+      release();
+    } else if (others <= own) {
       nowUs += othersUs + upTo(upTo(randomUs));
       othersAtUs = nowUs - othersUs + (randomUs != 0 ? upTo(2 * 997 + 4 * randomUs) : 997);
     } else {
@@ -30,6 +34,13 @@ void World::pass(uint64_t us) {
       alarm();
       inAlarm = false;
     }
+  }
+}
+
+void World::release() {
+  if (masked == 0 && completeAtUs <= nowUs) {
+    driven.back().untilUs = completeAtUs;
+    completeAtUs = Never;
   }
 }
 
@@ -55,7 +66,7 @@ void Uart::fault(unsigned what) const {
   }
 }
 
-void Uart::open(const Settings &settings) {
+void Uart::open(const Settings &settings, bool isHalfDuplex) {
   if (settings.baud == 0) {
     _open = false;
     fault(NoBaud);
@@ -66,6 +77,18 @@ void Uart::open(const Settings &settings) {
   _takesUs = _countsUs = Never;
   _settings = settings;
   _settings.baud = std::max(settings.baud, 1ul);
+  world.completeAtUs = World::Never;
+  _isHalfDuplex = isHalfDuplex;
+  drive(!isHalfDuplex);
+}
+
+void Uart::drive(bool drives) const {
+  const bool isDriving = !world.driven.empty() && world.driven.back().untilUs == World::Never;
+  if (drives && !isDriving) {
+    world.driven.push_back({world.nowUs, World::Never});
+  } else if (!drives && isDriving) {
+    world.driven.back().untilUs = world.nowUs;
+  }
 }
 
 void Uart::change(const Settings &settings) {
@@ -81,6 +104,7 @@ void Uart::close() {
   fault(End);
   if (_open) {
     flush();
+    drive(false);
   }
   _open = false;
 }
@@ -89,7 +113,22 @@ void Uart::close() {
 bool Uart::hears() const {
   const double ratio = static_cast<double>(_settings.baud) / static_cast<double>(world.baud);
   return _settings.evenStops != 0 && ratio > 0.98 && ratio < 1.02 && _settings.rxInverted == world.inverted &&
-         _pin == world.pin;
+         (_isHalfDuplex ? CoreTxPin : _pin) == world.pin;
+}
+
+// A half duplex port is deaf while it drives the wire. If it lets go in the middle of a character, it takes what is
+// left of that for another one.
+bool Uart::isDeaf(uint64_t beginUs, uint64_t endUs, uint8_t &value) const {
+  for (auto driven = world.driven.rbegin(); _isHalfDuplex && !world.echoes && driven != world.driven.rend(); ++driven) {
+    if (driven->untilUs <= beginUs) {
+      return false;
+    }
+    if (driven->fromUs < endUs) {
+      value = static_cast<uint8_t>(value >> 1 | 0x80);
+      return driven->untilUs >= endUs;
+    }
+  }
+  return false;
 }
 
 void Uart::handOver() {
@@ -165,6 +204,7 @@ void Uart::receive() {
   if (world.wire != nullptr) {
     world.wire->until(world.nowUs);
   }
+  world.release();
   const uint64_t characterUs = 12 * 1000000 / world.baud;
   const auto idleUntil = [&](uint64_t us) {
     if (us >= _lastUs + _facts.idle * characterUs) {
@@ -174,7 +214,7 @@ void Uart::receive() {
   };
   const auto take = [&](uint64_t beginUs, uint64_t endUs, uint8_t value, bool heard) {
     world.next++;
-    if (beginUs < _openedUs || !heard) {
+    if (beginUs < _openedUs || !heard || isDeaf(beginUs, endUs, value)) {
       return;
     }
     idleUntil(beginUs);
@@ -209,7 +249,7 @@ void Uart::receive() {
 int Uart::available() {
   fault(Available);
   receive();
-  return _open ? static_cast<int>(_count) : 0;
+  return _open ? static_cast<int>(_count + (_seesFifo ? _filled : 0)) : 0;
 }
 
 int Uart::read() {
@@ -225,6 +265,11 @@ int Uart::read(uint8_t *buffer, size_t size) {
   world.lateUs = 0;
   const size_t count = std::min(size, static_cast<size_t>(available()));
   for (size_t i = 0; i < count; i++) {
+    if (_count == 0) {
+      buffer[i] = _fifo[0];
+      std::copy(_fifo + 1, _fifo + _filled--, _fifo);
+      continue;
+    }
     buffer[i] = _buffer[_first];
     _first = (_first + 1) % Largest;
     _count--;
@@ -254,6 +299,7 @@ size_t Uart::write(uint8_t byte) {
     print(static_cast<char>(byte));
     return 1;
   }
+  drive(true);
   if (_facts.transmitter != 0 && pending() >= _facts.transmitter) {
     world.nowUs = world.sent[world.sent.size() - _facts.transmitter].endUs;
   }
@@ -261,6 +307,9 @@ size_t Uart::write(uint8_t byte) {
   const uint64_t beginNs = std::max(world.nowUs * 1000, _freeNs);
   _freeNs = beginNs + characterNs;
   world.sent.push_back({beginNs / 1000, (_freeNs + 999) / 1000, byte, _settings});
+  if (_isHalfDuplex) {
+    world.completeAtUs = world.sent.back().endUs;
+  }
   if (world.wire != nullptr) {
     world.wire->sent(world.sent.back());
   }
@@ -273,6 +322,7 @@ size_t Uart::write(uint8_t byte) {
 void Uart::flush() {
   if (pending() != 0) {
     world.nowUs = world.sent.back().endUs;
+    world.release();
   }
 }
 

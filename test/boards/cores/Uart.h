@@ -11,8 +11,8 @@ namespace sim {
 enum : unsigned { End = 1, Available = 2, Write = 4, Room = 8, NoBaud = 16 };
 // Characters with such an error never reach a buffer. Bits of Facts::discarded.
 enum : unsigned { Parity = 1, Framing = 2 };
-// Where a core's port receives that is told no pin.
-constexpr int CorePin = 3;
+// Where a core's port receives that is told no pin, and where it sends.
+constexpr int CorePin = 3, CoreTxPin = 4;
 
 struct Facts {
   unsigned buffer;       // bytes that wait to be read
@@ -45,7 +45,8 @@ class Uart {
   // Not wired: receives nothing, and what it sends is printed().
   explicit Uart(const Facts &facts, Drops drops = Newest, bool wired = true);
 
-  void open(const Settings &settings);    // with an empty buffer
+  // With an empty buffer. Half duplex: TX is the wire; it is driven only while the port sends, and not heard then.
+  void open(const Settings &settings, bool isHalfDuplex = false);
   void change(const Settings &settings);  // of an open port, or opens it
   void close();
   void attach(int pin) { _pin = pin; }  // below 0: nothing is attached
@@ -57,10 +58,12 @@ class Uart {
   unsigned size() const { return _size; }
   void setBurst(unsigned burst) { _burst = burst; }
   unsigned burst() const { return _burst; }
+  void lookIntoFifo() { _seesFifo = true; }  // available() counts what waits for a burst, and read() takes it
+  bool isHalfDuplex() const { return _isHalfDuplex; }
   unsigned behind() const { return _drops == Fifo ? FifoSize + _burst : 0; }  // bytes that wait behind a full buffer
 
   int available();
-  int peek() { return available() > 0 ? _buffer[_first] : -1; }
+  int peek() { return available() > 0 ? _count > 0 ? _buffer[_first] : _fifo[0] : -1; }
   int read();
   int read(uint8_t *buffer, size_t size);
 
@@ -80,13 +83,15 @@ class Uart {
   void raise(uint64_t us);
   void interrupts(uint64_t us);
   bool hears() const;
+  void drive(bool drives) const;
+  bool isDeaf(uint64_t beginUs, uint64_t endUs, uint8_t &value) const;
   void fault(unsigned what) const;
 
   const Facts _facts;
   const Drops _drops;
   const bool _wired;
   Settings _settings = {};
-  bool _open = false;
+  bool _open = false, _isHalfDuplex = false, _seesFifo = false;
   int _pin = CorePin;
   uint64_t _openedUs = 0, _lastUs = 0, _freeNs = 0;
   unsigned _size, _burst;

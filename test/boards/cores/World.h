@@ -16,6 +16,11 @@ struct Sent {
   Settings settings;
 };
 
+// For how long TX of a port has driven its pin; of one that drives still, `untilUs` is World::Never.
+struct Driven {
+  uint64_t fromUs, untilUs;
+};
+
 struct Level {
   uint64_t us;
   bool isHigh;
@@ -67,6 +72,14 @@ struct World {
   unsigned cacheUs = 0;  // the most that code in flash takes for which the cache has no place
   std::minstd_rand random{20181};
   unsigned upTo(unsigned most) { return most == 0 ? 0 : static_cast<unsigned>(random() % (most + 1)); }
+
+  // A half duplex port: the interrupt at the end of the last character releases the pin. release() does that if it is
+  // time; pass() does so itself.
+  std::vector<Driven> driven;
+  uint64_t completeAtUs = Never;
+  void release();
+  // ... which hears what it sends.
+  bool echoes = false;
 
   Wire *wire = nullptr;
   std::vector<line::Character> line;

@@ -2,11 +2,12 @@
 # (absolute)
 #   OUT/CORE/CoresTest     the program that runs frames through them, both ways, and Diagnose on them
 #   OUT/CORE/SensorTest    an S.BUS2 sensor on them, where the core times it
+#   OUT/CORE/PolledSensorTest  the same, where loop() times it, and on a single wire
 #   OUT/CORE/TasksTest     the example Tasks on FreeRTOS, where the core has it
 #   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
-#   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core
+#   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core, and to SingleWire.cpp
 # `make list` names all of these.
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
@@ -53,9 +54,10 @@ rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
 compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
+  $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
   $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
-  $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core))))
+  $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core)) $(if $(filter stm32 teensy32 teensy4,$(core)),SingleWire)))
 
 all: $(ALL)
 list:
@@ -84,6 +86,9 @@ $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/Tran
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
   $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/Uart.o \
+  $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
@@ -121,6 +126,10 @@ $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino
 	@touch $$@
+$(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
+	! $(CXX) $$($1_board) -include Arduino.h -fsyntax-only $$< 2>$$@
+	grep 'error:' $$@ | grep -q 'This port has no single wire'
 $(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	! $(CXX) $$($1_board) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@

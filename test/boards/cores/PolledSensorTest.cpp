@@ -1,0 +1,238 @@
+// SBus2Sensor on the ports of one core, CORE, whose sketch calls parseSBusFrame() all the time: with a diode, and on a
+// single wire, which the board may drive in its own slots only.
+#include <algorithm>
+#include <deque>
+
+#include "SensorSketch.h"
+
+decltype(Serial1) Serial1, Serial2;
+
+using namespace cores;
+
+namespace {
+
+// TX itself is the wire: while the board drives it, LOW or HIGH, it destroys what others send.
+struct SingleWire : Bus {
+  static constexpr int Pin = sim::CoreTxPin;
+  std::deque<uint64_t> ownEnds;  // of characters that are not yet in world.line
+  unsigned destroyed = 0, pulledUp = 0;
+  uint64_t mayHoldUs = 1;
+
+  void until(uint64_t us) override {
+    size_t i = world.line.size();
+    Bus::until(us);
+    for (; i < world.line.size(); i++) {
+      const uint64_t endUs = world.line[i].endUs;
+      if (!ownEnds.empty() && ownEnds.front() == endUs) {
+        ownEnds.pop_front();
+      } else {
+        destroyed += isDriven(endUs - line::CharacterUs, endUs);
+      }
+    }
+    pulledUp += Serial1.uart.isOpen() && Serial1.uart.isHalfDuplex() && !Serial1.uart.settings().txInverted;
+  }
+
+  void sent(const sim::Sent &sent) override {
+    Bus::sent(sent);
+    ownEnds.push_back(sent.beginUs + line::CharacterUs);
+  }
+
+  static bool isDriven(uint64_t beginUs, uint64_t endUs) {
+    for (auto driven = world.driven.rbegin(); driven != world.driven.rend() && driven->untilUs > beginUs; ++driven) {
+      if (driven->fromUs < endUs) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // The longest time that the board has driven the wire before a slot or after it, or without one.
+  static uint64_t heldUs() {
+    uint64_t most = 0;
+    size_t i = 0;
+    for (const sim::Driven &driven : world.driven) {
+      uint64_t restUs = driven.fromUs;
+      const uint64_t untilUs = std::min(driven.untilUs, world.nowUs);
+      for (; i < world.sent.size() && world.sent[i].beginUs < untilUs; i++) {
+        if (world.sent[i].beginUs >= driven.fromUs) {
+          most = std::max(most, world.sent[i].beginUs - restUs);
+          restUs = std::min(world.sent[i].endUs, untilUs);
+        }
+      }
+      most = std::max(most, untilUs - restUs);
+    }
+    return most;
+  }
+
+  void check() const override {
+    CHECK(destroyed == 0);
+    CHECK(pulledUp == 0);
+    CHECK(heldUs() <= mayHoldUs);
+  }
+};
+
+using WithDiode = Sketch;
+using OnSingleWire = SketchOn<SingleWire, sbus::SingleWireTag>;
+
+template <typename Sketch>
+void run(Sketch &sketch, unsigned loopUs, uint64_t seconds = Seconds) {
+  sketch.run(
+      [&] {
+        delayMicroseconds(loopUs);
+        sketch.sensor.parseSBusFrame();
+      },
+      seconds);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE(
+    "a loop() of up to 60 us: nearly every slot is answered, within 50 us of its time, and no frame is lost", Sketch,
+    WithDiode, OnSingleWire) {
+  for (const unsigned earlyUs : {0u, 15u}) {
+    for (const unsigned loopUs : {1u, 10u, 37u, 60u}) {
+      CAPTURE(earlyUs);
+      CAPTURE(loopUs);
+      Sketch sketch;
+      world.earlyUs = earlyUs;
+      sketch.wire.bus.add({3, {1, 2}});
+      run(sketch, loopUs);
+      CHECK(sketch.wire.counts().right >= (Rounds - 2) * Slots);
+      CHECK(sketch.wire.counts().late == 0);
+      CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
+      CHECK(sketch.sensor.collisions() == 0);
+      CHECK(sketch.sensor.rejectedGroups() == 0);
+      sbus::TemperatureF1713 other;
+      CHECK(sketch.sensor.readSensor(3, other));
+      sbus::VoltageSbs01V own;
+      CHECK(!sketch.sensor.readSensor(6, own));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a slower loop() skips and counts; what it sends is never more than 100 us off", Sketch, WithDiode,
+                   OnSingleWire) {
+  for (const unsigned loopUs : {76u, 100u, 500u, 3000u}) {
+    CAPTURE(loopUs);
+    Sketch sketch;
+    run(sketch, loopUs);
+    CHECK(sketch.sensor.sentSlots() + sketch.sensor.skippedSlots() >= (Rounds - 2) * Slots);
+    CHECK(sketch.sensor.skippedSlots() > 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("after end() nothing is sent, and after begin() answers go on", Sketch, WithDiode, OnSingleWire) {
+  Sketch sketch;
+  run(sketch, 37, 10);
+  const unsigned long right = sketch.wire.counts().right;
+  CHECK(right >= 9 * Second / 60000 * Slots);
+  const size_t sent = world.sent.size();
+  sketch.sensor.end();
+  CHECK(!Serial1.uart.isOpen());
+  delay(10000);
+  CHECK(world.sent.size() == sent);
+  sketch.sensor.begin();
+  for (const uint64_t endUs = world.nowUs + 10 * Second; world.nowUs < endUs; delayMicroseconds(37)) {
+    sketch.sensor.parseSBusFrame();
+  }
+  CHECK(sketch.wire.counts().right >= right + 9 * Second / 60000 * Slots);
+  sketch.wire.check();
+}
+
+TEST_CASE(
+    "on a single wire: begin(), listen() and end() at any time, a begin() that fails, another format: the wire is "
+    "free") {
+  using Step = void (*)(SBus2Sensor &);
+  const Step steps[] = {
+      [](SBus2Sensor &sensor) { sensor.begin(); },
+      [](SBus2Sensor &sensor) { sensor.end(); },
+      [](SBus2Sensor &sensor) { sensor.listen(); },
+      [](SBus2Sensor &sensor) { sensor.begin(0); },
+      [](SBus2Sensor &sensor) { sensor.begin(200000); },
+      [](SBus2Sensor &sensor) { sensor.begin(100000, SERIAL_8N1); },
+      [](SBus2Sensor &sensor) { sensor.begin(100000, SERIAL_8E2); },
+      [](SBus2Sensor &sensor) { sensor.begin(100000, SERIAL_8E2 | SERIAL_HALF_DUPLEX); },
+  };
+  std::minstd_rand random{20181};
+  unsigned sending = 0;
+  for (const Step &first : steps) {
+    for (const Step &second : steps) {
+      OnSingleWire sketch;
+      const size_t order = static_cast<size_t>(&first - steps) * 10 + static_cast<size_t>(&second - steps);
+      CAPTURE(order);
+      const auto pollUntil = [&](uint64_t us, size_t sent) {
+        while (world.nowUs < us && world.sent.size() <= sent) {
+          delayMicroseconds(20);
+          if (Serial1.uart.isOpen()) {
+            sketch.sensor.parseSBusFrame();
+          }
+        }
+      };
+      for (unsigned round = 0; round < 10; round++) {
+        for (const Step &step : {first, second}) {
+          pollUntil(world.nowUs + 100000 + random() % 100000, round % 2 == 0 ? SIZE_MAX : world.sent.size());
+          sending += Serial1.uart.pending() != 0;
+          step(sketch.sensor);
+        }
+      }
+      sketch.sensor.begin();
+      pollUntil(world.nowUs + Second, SIZE_MAX);
+      CHECK(sketch.sensor.sentSlots() >= 15 * Slots);
+      CHECK(sketch.sensor.counters().frames >= 60);
+      CHECK(sketch.wire.counts().wrong() == 0);
+      CHECK(world.crashes == 0);
+      sketch.wire.check();
+    }
+  }
+  CHECK(sending >= 300);
+}
+
+TEST_CASE(
+    "on a single wire: interrupts that are off for up to 100 us hold it no longer than that, and no frame is lost") {
+  OnSingleWire sketch;
+  sketch.wire.mayHoldUs = 100;
+  sketch.run([&] {
+    delayMicroseconds(20);
+    world.masked++;
+    delayMicroseconds(40 + world.upTo(60));
+    world.masked--;
+    sketch.sensor.parseSBusFrame();
+  });
+  CHECK(SingleWire::heldUs() >= 50);
+  CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
+}
+
+TEST_CASE("on a single wire: a port that hears itself, as other chips do, changes nothing") {
+  OnSingleWire sketch;
+  world.echoes = true;
+  run(sketch, 37);
+  CHECK(sketch.wire.counts().right >= (Rounds - 2) * Slots);
+  CHECK(sketch.sensor.collisions() == 0);
+  CHECK(sketch.sensor.rejectedGroups() == 0);
+}
+
+TEST_CASE(
+    "two sensors in one slot: with a diode the board hears that, on a single wire only what comes after its own") {
+  const struct {
+    int32_t offUs;
+    unsigned withDiode, onSingleWire;  // collisions in 10 s, of 166
+  } rows[] = {{0, 160, 0}, {-40, 160, 0}, {60, 160, 160}};
+  for (const auto &row : rows) {
+    CAPTURE(row.offUs);
+    const auto collisions = [&](auto &sketch) {
+      sketch.wire.bus.add({6, {1, 2}, row.offUs});
+      for (const uint64_t endUs = world.nowUs + 10 * Second; world.nowUs < endUs; delayMicroseconds(20)) {
+        sketch.sensor.parseSBusFrame();
+      }
+      CHECK(sketch.wire.counts().collided >= 160);
+      CHECK(sketch.sensor.counters().frames >= 660);
+      return sketch.sensor.collisions();
+    };
+    WithDiode withDiode;
+    CHECK(collisions(withDiode) >= row.withDiode);
+    OnSingleWire onSingleWire;
+    const uint32_t found = collisions(onSingleWire);
+    CHECK(found >= row.onSingleWire);
+    CHECK((row.onSingleWire > 0 || found == 0));
+  }
+}

@@ -1,0 +1,8 @@
+// What must not compile: a single wire on a port that cannot let go of it, or may be of any class.
+#include <SBus2Sensor.h>
+
+#if defined(SBUS_TEENSY4)
+SBus2Sensor dSBus(static_cast<HardwareSerial &>(Serial1), sbus::SingleWire);
+#else
+SBus2Sensor dSBus(Serial1, sbus::SingleWire);
+#endif
