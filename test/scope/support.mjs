@@ -24,22 +24,22 @@ let failed = 0;
 // A page that hangs answers nothing, not even Playwright.
 const tooLong = (ms) => new Promise((_, reject) => setTimeout(() => reject(new Error('it hangs')), ms).unref());
 
-// One check: a sentence, and what shows it. It gets a page of its own. ONLY=words runs those whose sentence has them.
+// One check: a sentence, and what shows it. It gets a page as new, if it asks for one. ONLY=words runs those whose sentence has them.
 export async function check(sentence, show, { patience = 60000, ...options } = {}) {
   if (!sentence.includes(process.env.ONLY ?? '')) {
     return;
   }
-  let page;
+  let tab;
   try {
-    page = await open(options);
-    await Promise.race([show(page), tooLong(patience)]);
-    assert.deepEqual(page.complaints, []);
+    tab = show.length > 0 ? await open(options) : undefined;
+    await Promise.race([show(tab?.page), tooLong(patience)]);
+    await tab?.clean();
+    assert.deepEqual(tab?.page.complaints ?? [], []);
     console.log(`ok scope: ${sentence}`);
   } catch (error) {
     failed++;
+    await tab?.close();
     console.log(`FAILED scope: ${sentence}\n${String(error?.stack ?? error).slice(0, 1500)}`);
-  } finally {
-    await Promise.race([page?.context().close(), new Promise((resolve) => setTimeout(resolve, 5000).unref())]);
   }
 }
 
@@ -48,23 +48,81 @@ export async function finish() {
   process.exit(failed > 0 ? 1 : 0);
 }
 
-// The page, as it stands in its file, with a fake navigator.serial. It must not complain, nor ask the network for anything.
-async function open({ size = { width: 1440, height: 900 }, serial = true, ...context } = {}) {
-  const opened = await browser.newContext({ viewport: size, acceptDownloads: true, ...context });
-  const page = await opened.newPage();
-  page.setDefaultTimeout(20000);
-  page.complaints = [];
-  page.on('pageerror', (error) => page.complaints.push(error.message));
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && page.complaints.push(message.text()));
-  page.on('request', (request) => /^(file|blob|data):/.test(request.url()) || page.complaints.push(request.url()));
-  if (serial) {
-    await page.addInitScript({ path: path.join(here, 'fakeSerial.js') });
-    await page.addInitScript({ path: path.join(here, 'fakePage.js') });
-  } else {
-    await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'serial', { get: () => undefined }));
+// What of a page is gone with its document, or by clean(). On a page of which a check has used anything else, no other check runs.
+const passing = new Set(['$$eval', '$eval', 'addInitScript', 'check', 'click', 'complaints', 'evaluate', 'fill', 'focus', 'getAttribute', 'hover',
+  'inputValue', 'isVisible', 'keyboard', 'locator', 'mouse', 'reload', 'selectOption', 'setInputFiles', 'tap', 'textContent', 'then', 'uncheck',
+  'waitForEvent', 'waitForSelector', 'waitForTimeout', 'workers']);
+
+// A browser's tab. A new one, with a storage and a process of its own, costs five times what its page costs: checks have it one after
+// the other, and each finds it as new.
+class Tab {
+  static kept = new Map(); // by what only a new one can be given
+  used = false;
+  scripts = [];
+
+  static async for(options) {
+    const name = JSON.stringify(options);
+    const tab = Tab.kept.get(name) ?? (await new Tab().open(options));
+    Tab.kept.delete(name);
+    return Object.assign(tab, { keep: () => Tab.kept.set(name, tab) });
   }
-  await page.goto(pathToFileURL(path.join(build, 'index.html')).href);
-  return page;
+
+  async open(options) {
+    this.context = await browser.newContext({ acceptDownloads: true, ...options });
+    this.real = await this.context.newPage();
+    this.session = await this.context.newCDPSession(this.real);
+    const { real } = this;
+    real.setDefaultTimeout(20000);
+    real.on('pageerror', (error) => real.complaints.push(error.message));
+    real.on('console', (message) => ['error', 'warning'].includes(message.type()) && real.complaints.push(message.text()));
+    real.on('request', (request) => /^(file|blob|data|about):/.test(request.url()) || real.complaints.push(request.url()));
+    this.page = new Proxy(real, {
+      get: (_, name) => {
+        this.used ||= !passing.has(name);
+        const value = name === 'addInitScript' ? this.addInitScript : real[name];
+        return typeof value === 'function' ? value.bind(name === 'addInitScript' ? this : real) : value;
+      },
+    });
+    return this;
+  }
+
+  async addInitScript(...script) {
+    this.scripts.push(await this.real.addInitScript(...script));
+  }
+
+  // The document and all that it does end, and what it has kept. A key that is held is let go.
+  async clean() {
+    if (this.used) {
+      return this.close();
+    }
+    await this.real.goto('about:blank');
+    await Promise.all(this.scripts.splice(0).map((script) => script.dispose()));
+    await this.session.send('Storage.clearDataForOrigin', { origin: 'file://', storageTypes: 'all' });
+    for (const key of ['Shift', 'Control', 'Alt', 'Meta']) await this.real.keyboard.up(key);
+    await this.real.mouse.up();
+    await this.real.mouse.move(-1, -1);
+    this.keep();
+  }
+
+  close() {
+    return Promise.race([this.context.close(), new Promise((resolve) => setTimeout(resolve, 5000).unref())]);
+  }
+}
+
+// The page, as it stands in its file, with a fake navigator.serial. It must not complain, nor ask the network for anything.
+async function open({ size = { width: 1440, height: 900 }, serial = true, colorScheme = 'light', forcedColors = 'none', ...others }) {
+  const tab = await Tab.for(others);
+  tab.real.complaints = [];
+  await tab.real.setViewportSize(size);
+  await tab.real.emulateMedia({ colorScheme, forcedColors });
+  if (serial) {
+    await tab.addInitScript({ path: path.join(here, 'fakeSerial.js') });
+    await tab.addInitScript({ path: path.join(here, 'fakePage.js') });
+  } else {
+    await tab.addInitScript(() => Object.defineProperty(Navigator.prototype, 'serial', { get: () => undefined }));
+  }
+  await tab.real.goto(pathToFileURL(path.join(build, 'index.html')).href);
+  return tab;
 }
 
 // Waits until that is so. (Not by Playwright's waitForFunction(), which the page's policy rejects.)
