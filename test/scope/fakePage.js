@@ -1,5 +1,5 @@
-// Runs in the page, before it: a clock that tests put on, the memory of the WebAssembly, what that says of its layout, and a screen
-// that may sleep.
+// Runs in the page, before it: a clock that tests put on, pictures as a slow PC draws them, the memory of the WebAssembly, what that
+// says of its layout, and a screen that may sleep.
 {
   const real = performance.now.bind(performance);
   let skipped = 0;
@@ -7,6 +7,11 @@
   // The clock goes on by so much.
   fake.skip = (ms) => (skipped += ms);
   fake.realNow = real;
+
+  // Some fifteen pictures a second, of sixty: each costs 8 ms of the PC's time. `fake.restMs = 0` has all of them.
+  const picture = requestAnimationFrame;
+  fake.restMs = 50;
+  globalThis.requestAnimationFrame = (draw) => (fake.restMs > 0 ? setTimeout(() => picture(draw), fake.restMs) : picture(draw));
 
   // The layout reads as `fake.layout` makes of it, in as many letters.
   const disguise = (at, { buffer }) => {

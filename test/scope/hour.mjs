@@ -58,6 +58,7 @@ export default async function () {
       fake.longestMs = 0;
       fake.busyMs = 0;
       new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => (fake.busyMs = Math.max(fake.busyMs, duration)))).observe({ entryTypes: ['longtask'] });
+      fake.restMs = 0;
       let before = fake.realNow();
       const draw = () => {
         fake.longestMs = Math.max(fake.longestMs, fake.realNow() - before);

@@ -167,6 +167,6 @@ export default async function () {
     await page.waitForTimeout(300);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#source-adapter')]);
     assert.ok(bytesIn(readFileSync(await download.path(), 'utf8')).length >= 25);
-    assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
+    await page.waitForSelector('#record[aria-pressed="false"]');
   });
 }
