@@ -134,9 +134,6 @@ export async function until(what, isSo, patience = 20000) {
   }
 }
 
-// Waits until the page has drawn what it shows now.
-export const drawn = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))));
-
 // Waits until the element's text is such.
 export async function reads(page, selector, expected) {
   const text = () => page.evaluate((where) => document.querySelector(where)?.textContent ?? '', selector);
