@@ -11,7 +11,6 @@ using sbus::CalibrationError;
 
 constexpr unsigned Sticks = 4;  // CH1 to CH4 must be good
 constexpr uint64_t LookUs = 1000000;
-constexpr uint64_t SettleUs = 500000;  // springs bring sticks back, and a hand comes back from Enter
 
 }  // namespace
 
@@ -30,10 +29,10 @@ void CalibrationGuide::begin(Step step) {
         "go, "
         "and press Enter.");
   } else if (step == Step::LetGo) {
-    _lookUs = _nowUs + SettleUs;
+    _calibrator.centre();
     sayOnce("2 of 3: Hands off.");
   } else if (step == Step::Rest) {
-    _calibrator.centre();
+    _calibrator.centre();  // the second before may hold the last of a movement
   } else if (step == Step::Push) {
     _calibrator.high();
     sayOnce("3 of 3: Push both sticks up and right, and hold them there.");
@@ -84,7 +83,8 @@ void CalibrationGuide::look(CalibrationError next, Step after) {
   sayOnce(text + ".");
   if (error == CalibrationError::MovedOneWay || error == CalibrationError::CentreOutside) {
     begin(Step::Move);
-  } else if (_step == Step::Rest) {
+  } else if (_step != Step::Push) {
+    _step = Step::LetGo;
     _calibrator.centre();
   }
   _lookUs = _nowUs + LookUs;
@@ -99,12 +99,10 @@ void CalibrationGuide::tick(uint64_t nowUs, bool hasLink) {
     sayOnce("The link is lost: switch the radio on.");
     _lookUs = nowUs + LookUs;
   } else if (nowUs >= _lookUs) {
-    if (_step == Step::LetGo) {
-      begin(Step::Rest);
-    } else if (_step == Step::Rest) {
-      look(CalibrationError::NotPushed, Step::Push);
-    } else {
+    if (_step == Step::Push) {
       look(CalibrationError::None, Step::Done);
+    } else {
+      look(CalibrationError::NotPushed, _step == Step::LetGo ? Step::Rest : Step::Push);
     }
   }
 }

@@ -11,7 +11,7 @@ mkdir -p "$work"
 
 # ---- The simulated transmitter: CH2 is reversed, the sticks rest at 1000, 985 and 992, CH5 and CH6 are switches
 
-# Of a source without time of its own 100 keys are read a millisecond: Enter comes after 15 s of the line.
+# Of a source without time of its own 100 keys are read a millisecond: Enter comes after 15 s of the line, or 12.5 s.
 { head -c 1500000 /dev/zero; echo; } >"$work/enter"
 { head -c 1250000 /dev/zero; echo; } >"$work/early"
 : >"$work/none"
@@ -32,7 +32,7 @@ while IFS='|' read -r keys options; do
   # shellcheck disable=SC2086  # they are words
   "$SBUS" calibrate sim --sticks calibration --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     grep -v 'still: let go' "$work/err" >"$work/steps" && printf '%s\n%s:\n%s\n' "$steps" "$work/file" "$table" | cmp - "$work/steps" && echo "$table" | cmp - "$work/file"
-  verdict $? "calibrate sim $options: what it says, and the ranges of CH1 to CH6"
+  verdict $? "calibrate sim $options, with Enter as in $keys: what it says, and the ranges of CH1 to CH6"
 done <<'END'
 enter|
 enter|--noise 50
