@@ -1,6 +1,6 @@
 // Two cursors on the curves, and what differs between them.
 import assert from 'node:assert/strict';
-import { axe, check, codes, connect, counts, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
+import { axe, check, codes, connect, counts, drawn, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
 
 // The table: by row, then by column.
 const table = (page) => page.$$eval('#cursor-values tr', (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
@@ -10,6 +10,7 @@ const shows = (page, expected) => {
 };
 // The middle of the line of cursor A or B.
 const lineOf = async (page, name) => {
+  await drawn(page);
   const box = await page.locator(`.cursor[aria-label="Cursor ${name}"]`).boundingBox();
   return [box.x + box.width / 2, box.y + box.height / 2];
 };

@@ -1,6 +1,6 @@
 // What a mouse, its wheel and fingers do with the curves: what is pointed at stays under the pointer.
 import assert from 'node:assert/strict';
-import { check, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
+import { check, drawn, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
 
 const readsFrame = (page, i) => reads(page, '#readout', `${[`${ramp.timeS(i).toFixed(3)} s`, ...ramp.channels(i).map((value, channel) => `CH${channel + 1} ${value}`)].join('   ')}`);
 const seconds = async (page) => parseFloat(await page.textContent('#window'));
@@ -61,6 +61,7 @@ export default async function () {
     for (let i = 1; i <= 10; i++) await move([x - 40 - 7 * i, y], [x + 40 + 9 * i, y]);
     await lift();
     await until(async () => `${await seconds(page)} s`, async () => (await seconds(page)) === 0.667);
+    await drawn(page);
     await page.touchscreen.tap(x + 10, y);
     await reads(page, '#readout', new RegExp(`^${ramp.timeS(300).toFixed(2)}`));
     // On a busy PC two taps may be too far from each other.

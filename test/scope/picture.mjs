@@ -1,6 +1,6 @@
 // The curves as a picture.
 import assert from 'node:assert/strict';
-import { check, connect, counts, downloaded, frame, opensWith, playRamp, ramp, reads } from './support.mjs';
+import { check, connect, counts, downloaded, drawn, frame, opensWith, playRamp, ramp, reads } from './support.mjs';
 
 // What the file has, as a browser reads it.
 const parsed = (page, text) => page.evaluate((svg) => {
@@ -25,7 +25,7 @@ export default async function () {
     await playRamp(page);
     await page.click('#zoom-in');
     await reads(page, '#window', '5 s');
-    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    await drawn(page);
     const { name, text } = await downloaded(page, '#picture');
     assert.match(name, /^sbus-\d{8}-\d{6}\.svg$/);
     const { error, texts, curves, bands, background } = await parsed(page, text);

@@ -3,6 +3,23 @@ import assert from 'node:assert/strict';
 import { check, counts, lit, raw, reads, until } from './support.mjs';
 
 export default async function () {
+  await check('what a check leaves behind', async (page) => {
+    await page.evaluate(async () => {
+      localStorage.setItem('left', 'behind');
+      globalThis.left = 'behind';
+      await new Promise((resolve) => (indexedDB.open('left').onsuccess = resolve));
+    });
+    await page.addInitScript(() => (globalThis.leftScript = 'behind'));
+    await page.keyboard.down('Shift');
+  });
+  await check('is not there for the next one', async (page) => {
+    await page.evaluate(() => addEventListener('mousemove', (event) => (globalThis.shift = event.shiftKey)));
+    await page.mouse.move(700, 400);
+    const found = await page.evaluate(async () =>
+      [localStorage.length, globalThis.left, globalThis.leftScript, (await indexedDB.databases()).length, globalThis.shift]);
+    assert.deepEqual(found, [0, undefined, undefined, 0, false]);
+  });
+
   await check('it opens with the simulated receiver at work, and asks the network for nothing', async (page) => {
     await reads(page, '#state', 'Fine');
     await reads(page, '#verdict-text', 'All well.');

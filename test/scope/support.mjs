@@ -134,6 +134,9 @@ export async function until(what, isSo, patience = 20000) {
   }
 }
 
+// Waits until the page has drawn what it shows now: words are there before the curves.
+export const drawn = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))));
+
 // Waits until the element's text is such.
 export async function reads(page, selector, expected) {
   const text = () => page.evaluate((where) => document.querySelector(where)?.textContent ?? '', selector);
@@ -192,6 +195,7 @@ export async function playRamp(page) {
 }
 // Where its frame number i is on the curves, while they show its end.
 export async function placeOf(page, i) {
+  await drawn(page);
   const box = await page.locator('#plot .u-over').boundingBox();
   const seconds = parseFloat(await page.textContent('#window'));
   return [box.x + box.width * (1 - (ramp.lengthS - ramp.timeS(i)) / seconds), box.y + box.height / 2];
