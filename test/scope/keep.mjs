@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, bytesOf, check, codes, connect, counter, counts, downloaded, frame, opensWith, play, raw, root, toEnd, until } from './support.mjs';
+import { build, bytesOf, check, codes, connect, counter, counts, downloaded, drawn, frame, opensWith, play, raw, root, toEnd, until } from './support.mjs';
 
 const bytesIn = (text) => text.split('\n').filter((line) => /^\d/.test(line)).flatMap((line) => line.split(' ').slice(1));
 
@@ -36,6 +36,7 @@ export default async function () {
   await check('what is recorded of the simulation is what the simulation showed, times and all, counted from when Record was pressed', async (page) => {
     await until('no frames come', async () => (await counter(page, 'frames')) > 100);
     await page.click('#record');
+    await drawn(page);
     const from = await counter(page, 'frames');
     await until('no frames come', async () => (await counter(page, 'frames')) > from + 150);
     const { path: recording, text } = await downloaded(page, '#record');

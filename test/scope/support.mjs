@@ -122,6 +122,8 @@ async function open({ size = { width: 1440, height: 900 }, serial = true, colorS
     await tab.addInitScript(() => Object.defineProperty(Navigator.prototype, 'serial', { get: () => undefined }));
   }
   await tab.real.goto(pathToFileURL(path.join(build, 'index.html')).href);
+  // Before its first picture it takes no clicks and no files: its WebAssembly comes after it has been loaded.
+  await until('the page does not begin', () => tab.real.evaluate(() => ['#title', '#verdict-text'].some((where) => document.querySelector(where).textContent !== '')));
   return tab;
 }
 
