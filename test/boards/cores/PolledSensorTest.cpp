@@ -26,7 +26,7 @@ struct SingleWire : Bus {
       if (!ownEnds.empty() && ownEnds.front() == endUs) {
         ownEnds.pop_front();
       } else {
-        destroyed += isDriven(endUs - line::CharacterUs, endUs);
+        destroyed += world.drivenWithin(endUs - line::CharacterUs, endUs) != nullptr;
       }
     }
     pulledUp += Serial1.uart.isOpen() && Serial1.uart.isHalfDuplex() && !Serial1.uart.settings().txInverted;
@@ -35,15 +35,6 @@ struct SingleWire : Bus {
   void sent(const sim::Sent &sent) override {
     Bus::sent(sent);
     ownEnds.push_back(sent.beginUs + line::CharacterUs);
-  }
-
-  static bool isDriven(uint64_t beginUs, uint64_t endUs) {
-    for (auto driven = world.driven.rbegin(); driven != world.driven.rend() && driven->untilUs > beginUs; ++driven) {
-      if (driven->fromUs < endUs) {
-        return true;
-      }
-    }
-    return false;
   }
 
   // The longest time that the board has driven the wire before a slot or after it, or without one.
@@ -97,13 +88,7 @@ TEST_CASE_TEMPLATE(
       world.earlyUs = earlyUs;
       sketch.wire.bus.add({3, {1, 2}});
       run(sketch, loopUs);
-      CHECK(sketch.wire.counts().right >= (Rounds - 2) * Slots);
-      CHECK(sketch.wire.counts().late == 0);
-      CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
-      CHECK(sketch.sensor.collisions() == 0);
-      CHECK(sketch.sensor.rejectedGroups() == 0);
-      sbus::TemperatureF1713 other;
-      CHECK(sketch.sensor.readSensor(3, other));
+      sketch.checkAll(3);
       sbus::VoltageSbs01V own;
       CHECK(!sketch.sensor.readSensor(6, own));
     }

@@ -15,13 +15,7 @@ TEST_CASE("While loop() is in delay(3), nearly every slot is answered within 50 
     delay(3);
     sketch.sensor.parseSBusFrame();
   });
-  CHECK(sketch.wire.counts().right >= (Rounds - 2) * Slots);
-  CHECK(sketch.wire.counts().late == 0);
-  CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
-  CHECK(sketch.sensor.collisions() == 0);
-  CHECK(sketch.sensor.rejectedGroups() == 0);
-  sbus::TemperatureF1713 other;
-  CHECK(sketch.sensor.readSensor(3, other));
+  sketch.checkAll(3);
 }
 
 TEST_CASE("while loop() reads channels and writes sensors all the time, frames and answers go on") {

@@ -44,6 +44,15 @@ void World::release() {
   }
 }
 
+const Driven *World::drivenWithin(uint64_t beginUs, uint64_t endUs) const {
+  for (auto each = driven.rbegin(); each != driven.rend() && each->untilUs > beginUs; ++each) {
+    if (each->fromUs < endUs) {
+      return &*each;
+    }
+  }
+  return nullptr;
+}
+
 void inPort() {
   world.pass(world.portUs);
 }
@@ -119,16 +128,12 @@ bool Uart::hears() const {
 // A half duplex port is deaf while it drives the wire. If it lets go in the middle of a character, it takes what is
 // left of that for another one.
 bool Uart::isDeaf(uint64_t beginUs, uint64_t endUs, uint8_t &value) const {
-  for (auto driven = world.driven.rbegin(); _isHalfDuplex && !world.echoes && driven != world.driven.rend(); ++driven) {
-    if (driven->untilUs <= beginUs) {
-      return false;
-    }
-    if (driven->fromUs < endUs) {
-      value = static_cast<uint8_t>(value >> 1 | 0x80);
-      return driven->untilUs >= endUs;
-    }
+  const Driven *const driven = _isHalfDuplex && !world.echoes ? world.drivenWithin(beginUs, endUs) : nullptr;
+  if (driven == nullptr) {
+    return false;
   }
-  return false;
+  value = static_cast<uint8_t>(value >> 1 | 0x80);
+  return driven->untilUs >= endUs;
 }
 
 void Uart::handOver() {

@@ -78,6 +78,8 @@ struct World {
   std::vector<Driven> driven;
   uint64_t completeAtUs = Never;
   void release();
+  // The newest time that it was driven between these two; null: none.
+  const Driven *drivenWithin(uint64_t beginUs, uint64_t endUs) const;
   // ... which hears what it sends.
   bool echoes = false;
 
