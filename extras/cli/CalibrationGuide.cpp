@@ -26,13 +26,9 @@ void CalibrationGuide::begin(Step step) {
     _calibrator.begin();
     sayOnce(
         "1 of 3: Move all sticks, sliders and switches to all their ends. Then centre the sticks, throttle low, let "
-        "go, "
-        "and press Enter.");
-  } else if (step == Step::LetGo) {
+        "go, and press Enter.");
+  } else if (step == Step::LetGo || step == Step::Rest) {
     _calibrator.centre();
-    sayOnce("2 of 3: Hands off.");
-  } else if (step == Step::Rest) {
-    _calibrator.centre();  // the second before may hold the last of a movement
   } else if (step == Step::Push) {
     _calibrator.high();
     sayOnce("3 of 3: Push both sticks up and right, and hold them there.");
@@ -66,6 +62,7 @@ CalibrationError CalibrationGuide::worst(CalibrationError next, std::string &tex
 void CalibrationGuide::pressEnter() {
   std::string text;
   if (worst(CalibrationError::NotRested, text) == CalibrationError::NotRested) {
+    sayOnce("2 of 3: Hands off.");
     begin(Step::LetGo);
   } else {
     sayOnce(text + ". Then press Enter.");
@@ -73,21 +70,22 @@ void CalibrationGuide::pressEnter() {
 }
 
 // Looks at the channels at the end of a second. A step that cannot be completed any more starts all over.
-void CalibrationGuide::look(CalibrationError next, Step after) {
+void CalibrationGuide::look() {
   std::string text;
+  const CalibrationError next = _step == Step::Push ? CalibrationError::None : CalibrationError::NotPushed;
   const CalibrationError error = worst(next, text);
   if (error == next) {
-    begin(after);
+    begin(_step == Step::LetGo ? Step::Rest : _step == Step::Rest ? Step::Push : Step::Done);
     return;
   }
   sayOnce(text + ".");
   if (error == CalibrationError::MovedOneWay || error == CalibrationError::CentreOutside) {
     begin(Step::Move);
-  } else if (_step != Step::Push) {
-    _step = Step::LetGo;
-    _calibrator.centre();
+  } else if (_step == Step::Push) {
+    _lookUs = _nowUs + LookUs;
+  } else {
+    begin(Step::LetGo);
   }
-  _lookUs = _nowUs + LookUs;
 }
 
 void CalibrationGuide::tick(uint64_t nowUs, bool hasLink) {
@@ -99,11 +97,7 @@ void CalibrationGuide::tick(uint64_t nowUs, bool hasLink) {
     sayOnce("The link is lost: switch the radio on.");
     _lookUs = nowUs + LookUs;
   } else if (nowUs >= _lookUs) {
-    if (_step == Step::Push) {
-      look(CalibrationError::None, Step::Done);
-    } else {
-      look(CalibrationError::NotPushed, _step == Step::LetGo ? Step::Rest : Step::Push);
-    }
+    look();
   }
 }
 

@@ -34,11 +34,11 @@ class CalibrationGuide {
   sbus::Calibration calibration() const;
 
  private:
-  enum class Step { Move, LetGo, Rest, Push, Done };
+  enum class Step { Move, LetGo, Rest, Push, Done };  // LetGo: a second that may hold the last of a movement
 
   sbus::CalibrationError worst(sbus::CalibrationError next, std::string &text) const;
   void begin(Step step);
-  void look(sbus::CalibrationError next, Step after);
+  void look();
   void sayOnce(const std::string &text);
 
   Say _say;

@@ -29,6 +29,11 @@ class Arrivals {
 
   // Returns the state at `nowUs`, or at the latest time that it was asked for: for the link, time goes on only.
   sbus::LinkState state(uint64_t nowUs);
+  // Returns true if frames come, with lost ones among them or not: the newest values are the sticks'.
+  bool hasLink(uint64_t nowUs) {
+    const sbus::LinkState link = state(nowUs);
+    return link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy;
+  }
   // Returns the age of the newest in us; undefined while state() is NeverSeen.
   uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
   // Returns how many came within the last second.

@@ -48,8 +48,7 @@ sbus::Calibration measure(Input &input) {
               observer.handOver();
               observer.idleUntil(input.knownUs());
               if (!guide.wantsEnter()) {
-                const sbus::LinkState link = observer.state(nowUs);
-                guide.tick(nowUs, link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy);
+                guide.tick(nowUs, observer.hasLink(nowUs));
               } else if (isEnterPressed()) {
                 guide.pressEnter();
               }
@@ -65,7 +64,8 @@ void run(const SourceOption &source, const std::string &name) {
     rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
   }
   const std::unique_ptr<Input> input = source.open();
-  bool isOpen = false;  // before the sticks are moved: nobody wants to do that for a file that cannot be written
+  // The file is opened first: one that cannot be written is an error before any stick has been moved.
+  bool isOpen = false;
   try {
     writeTo(name, File::New, [&](const Put &put) {
       isOpen = name != "-";

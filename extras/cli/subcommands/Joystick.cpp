@@ -190,8 +190,7 @@ void run(const SourceOption &source, const Options &options) {
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   const auto show = [&](uint64_t nowUs) {
-    const sbus::LinkState link = observer.state(nowUs);
-    if (link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy) {
+    if (observer.hasLink(nowUs)) {
       return controller.write(stateOf(observer.newest(), map, ranges));
     }
     return options.failsafe == "centre" && controller.write(rest);
