@@ -64,7 +64,8 @@ class Tab {
     const name = JSON.stringify(options);
     const tab = Tab.kept.get(name) ?? (await new Tab().open(options));
     Tab.kept.delete(name);
-    return Object.assign(tab, { keep: () => Tab.kept.set(name, tab) });
+    tab.name = name;
+    return tab;
   }
 
   async open(options) {
@@ -79,8 +80,8 @@ class Tab {
     this.page = new Proxy(real, {
       get: (_, name) => {
         this.used ||= !passing.has(name);
-        const value = name === 'addInitScript' ? this.addInitScript : real[name];
-        return typeof value === 'function' ? value.bind(name === 'addInitScript' ? this : real) : value;
+        const owner = name === 'addInitScript' ? this : real;
+        return typeof owner[name] === 'function' ? owner[name].bind(owner) : owner[name];
       },
     });
     return this;
@@ -101,7 +102,7 @@ class Tab {
     for (const key of ['Shift', 'Control', 'Alt', 'Meta']) await this.real.keyboard.up(key);
     await this.real.mouse.up();
     await this.real.mouse.move(-1, -1);
-    this.keep();
+    Tab.kept.set(this.name, this);
   }
 
   close() {
