@@ -68,7 +68,7 @@ list:
 
 include $(ROOT)/extras/setup/flags.mk
 FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
-TEST := -std=gnu++14 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
+TEST := -std=gnu++14 -O1 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
 
 SIMULATION := SimulatedBus SimulatedReceiver BusJudge Flight LineSettings
@@ -143,7 +143,7 @@ $(OUT)/README.cpp: $(ROOT)/README.md $(HERE)/build.mk
 	awk '/^```$$/ && inside { exit } inside { print } /^```cpp$$/ { inside = 1 }' $< >$@
 $(OUT)/Uart.o: $(HERE)/Uart.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
-	$(CXX) $(TEST) -O1 $(DEPENDENCIES) -c $< -o $@
+	$(CXX) $(TEST) $(DEPENDENCIES) -c $< -o $@
 $(SIMULATION:%=$(OUT)/%.o): $(OUT)/%.o: $(ROOT)/extras/line/simulation/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(FLAGS) -I$(ROOT)/extras -O1 $(DEPENDENCIES) -c $< -o $@
