@@ -48,7 +48,7 @@ export default async function () {
 
   await check('a calibration outlives the page, says that it is in use, and can be dropped', async (page) => {
     await calibrate(page, whole);
-    await reads(page, '#calibrated-text', `By your calibration of ${new Date().toLocaleDateString('en-US')}.`);
+    await reads(page, '#calibrated-text', `Calibrated on ${new Date().toLocaleDateString('en-US')}.`);
     await page.reload();
     await page.waitForSelector('#calibrated');
     assert.equal(await page.inputValue('#scale'), '2');
@@ -93,7 +93,7 @@ export default async function () {
 
   await check('a stick that was not moved: rejected, with the channel and what to do', async (page) => {
     await calibrate(page, [...times(10, [200, 200, 250, 1000]), ...times(10, [1800, 1790, 1750, 1030])]);
-    await reads(page, '#calibration-text', /^Not taken: CH4 .*move it to both ends/);
+    await reads(page, '#calibration-text', /^Not accepted: CH4 .*move it to both ends/);
     assert.equal(await page.inputValue('#scale'), '0');
   });
 
@@ -112,9 +112,9 @@ export default async function () {
     await opensWith(page, [...times(3, frame([300])), ...times(3, frame([1500]))]);
     await connect(page);
     await counts(page, 'frames', 6);
-    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 300, most 1500"]');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: lowest 300, highest 1500"]');
     await page.click('#reset-marks');
     await frames(page, times(3, [700]));
-    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 700, most 700"]');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: lowest 700, highest 700"]');
   });
 }

@@ -57,11 +57,11 @@ export default async function () {
     await page.keyboard.press('-');
     await reads(page, '#window', '20 s');
     await page.keyboard.press(' ');
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await page.keyboard.press('End');
     await reads(page, '#pause', 'Pause');
     await page.keyboard.press('ArrowLeft');
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
   });
 
   await check('what has moved by less than a pixel is not drawn again: four minutes a few times a second, a pause never', async (page) => {
@@ -93,7 +93,7 @@ export default async function () {
     const few = await drawn(200);
     assert.ok(few > 0 && few <= 4, `${few}`);
     await page.click('#pause');
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await drawn(100);
     assert.equal(await drawn(100), 0);
     const before = await all();
@@ -111,7 +111,7 @@ export default async function () {
     await page.mouse.down();
     await page.mouse.move(box.x + box.width - 40, box.y + 50, { steps: 4 });
     await page.mouse.up();
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await reads(page, '#window', '0.5 s');
   });
 

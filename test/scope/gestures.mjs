@@ -16,7 +16,7 @@ export default async function () {
     await page.mouse.wheel(0, -250);
     await reads(page, '#window', '1 s');
     await readsFrame(page, 300);
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await page.mouse.wheel(0, 125);
     await reads(page, '#window', '1.41 s');
     await readsFrame(page, 300);
@@ -42,7 +42,7 @@ export default async function () {
     await reads(page, '#pause', 'Pause');
     assert.equal(await page.evaluate(() => scrollY), 0);
     await page.mouse.wheel(0, -100);
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     for (let i = 0; i < 14; i++) await page.mouse.wheel(0, -500);
     await reads(page, '#window', '0.1 s');
     await page.focus('#plot');

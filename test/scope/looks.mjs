@@ -255,7 +255,7 @@ export default async function () {
     await put([x, y]);
     for (let i = 1; i <= 10; i++) await move([x + 10 * i, y]);
     await lift();
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await reads(page, '#window', '10 s');
     await put([x - 50, y], [x + 50, y]);
     for (let i = 1; i <= 10; i++) await move([x - 50 - 5 * i, y], [x + 50 + 5 * i, y]);

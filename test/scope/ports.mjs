@@ -169,7 +169,7 @@ export default async function () {
     await untouched(page, async () => {
       await page.evaluate(() => (fake.choose = () => new Promise((resolve) => (fake.choice = resolve))));
       await page.click('#source-adapter');
-      await reads(page, '#title', /^Simulated .* \(until another one is there\)$/);
+      await reads(page, '#title', /^Simulated .* \(until the next one is ready\)$/);
       await page.evaluate(() => fake.choice());
       await reads(page, '#notice-text', 'No port was chosen.');
       await reads(page, '#notice-remedy', /^Plug the adapter in/);
@@ -198,10 +198,10 @@ export default async function () {
     await page.waitForSelector('#notice', { state: 'hidden' });
   });
 
-  await check('a browser that gives no port: in its words', async (page) => {
+  await check('a browser that offers no port: the notice has its words', async (page) => {
     await page.evaluate(() => (navigator.serial.requestPort = () => Promise.reject(new DOMException('Blocked by the user.', 'SecurityError'))));
     await page.click('#source-adapter');
-    await reads(page, '#notice-text', 'The browser gives no port: Blocked by the user.');
+    await reads(page, '#notice-text', 'The browser offers no port: Blocked by the user.');
     await reads(page, '#state', 'Fine');
   });
 
@@ -368,7 +368,7 @@ export default async function () {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 115200, 50);
     await connect(page, 'board');
     await reads(page, '#state', 'Fine');
-    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 995, most 995"]');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: lowest 995, highest 995"]');
     await page.evaluate(() => clearInterval(fake.timer));
     await reads(page, '#state', 'Stale');
     await reads(page, '#verdict-text', /^No rows/);

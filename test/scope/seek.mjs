@@ -63,7 +63,7 @@ export default async function () {
       const expected = {
         counters: counters.map(status),
         gap: `${low(status('gapMeanUs'))} ms${low(status('gapMinUs'))} to ${low(status('gapMaxUs'))}`,
-        travel: `CH2: least ${travel[0]}, most ${travel[1]}`,
+        travel: `CH2: lowest ${travel[0]}, highest ${travel[1]}`,
       };
       const same = async () => JSON.stringify(await shown(page)) === JSON.stringify(expected);
       await until(async () => `at ${ms} ms ${JSON.stringify(await shown(page))}, not ${JSON.stringify(expected)}`, same);
@@ -95,7 +95,7 @@ export default async function () {
     await page.evaluate(() => { // the simulation is chosen as soon as the page says that it reads
       const title = document.querySelector('#title');
       new MutationObserver((_, watching) => {
-        if (/^Simulated .*\((until another one is there|reading long\.txt: \d+ %)\)$/.test(title.textContent)) {
+        if (/^Simulated .*\((until the next one is ready|reading long\.txt: \d+ %)\)$/.test(title.textContent)) {
           watching.disconnect();
           fake.chosenAt = title.textContent;
           document.querySelector('#source-simulated').click();
@@ -132,14 +132,14 @@ export default async function () {
     await toEnd(page);
     await counts(page, 'frames', '700\u202f000');
     const said = await titles(page);
-    assert.ok(said.some((title) => /^Recording long\.txt \(decoding up to there: \d+ %\)$/.test(title)), said.join('\n'));
+    assert.ok(said.some((title) => /^Recording long\.txt \(decoding up to this position: \d+ %\)$/.test(title)), said.join('\n'));
     await reads(page, '#title', 'Recording long.txt');
   });
 
-  await check('a browser that makes no worker is told so', async (page) => {
+  await check('a browser that starts no worker: a notice says so', async (page) => {
     await page.evaluate(() => (globalThis.Worker = class { constructor() { throw new DOMException('no', 'SecurityError'); } }));
     await drop(page, 'paper.txt', 1);
-    await reads(page, '#notice-text', 'This browser makes no worker, which reads recordings.');
+    await reads(page, '#notice-text', 'This browser starts no worker, which the page needs for recordings.');
     await reads(page, '#state', 'Fine');
   });
 }

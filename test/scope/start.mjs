@@ -43,7 +43,7 @@ export default async function () {
   await check('a browser without WebAssembly is told so: no blank page', async (page) => {
     await page.addInitScript(() => (WebAssembly.instantiate = () => Promise.reject(new Error('no WebAssembly'))));
     await page.reload();
-    await reads(page, '#verdict-text', 'The page has a fault: no WebAssembly.');
+    await reads(page, '#verdict-text', 'The page has failed: no WebAssembly.');
     page.complaints.length = 0;
   });
 
@@ -52,7 +52,7 @@ export default async function () {
     await page.click('#cut');
     await reads(page, '#state', 'Stale');
     await page.waitForSelector('#bars.doubtful');
-    await reads(page, '#verdict-text', 'No signal any more: frames have come, now not a byte does.');
+    await reads(page, '#verdict-text', 'The signal has stopped: frames came before, now not a byte does.');
     await reads(page, '#verdict-remedy', /^Check wire, pin and receiver/);
     await reads(page, '#rate', '0');
     await page.click('#cut');
