@@ -1,5 +1,5 @@
-// The verdict runs on the line's time: a recording that is paused, sought in or over has that of the line before its position, and
-// never one that the link beside it contradicts.
+// The verdict runs on the line's time: a recording that is paused, has jumped or has ended has the verdict of the line before its
+// position, which never contradicts the link beside it.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -75,7 +75,7 @@ export default async function () {
     }
   });
 
-  await check('a cut wire is named as soon as the link is stale, and never as bytes without frames', async (page) => {
+  await check('a cut wire is named as soon as the link is stale, and never called bytes without frames', async (page) => {
     await opensWith(page, [good]);
     await connect(page);
     await page.evaluate(([bytes]) => {

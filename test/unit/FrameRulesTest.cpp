@@ -53,7 +53,7 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant
   }
 }
 
-TEST_CASE("2F: extra channels are accepted on a line of known variant, in place or at a gap, before a gap or a header") {
+TEST_CASE("2F: extra channels are accepted on a line of known variant, in their place or at a gap, before a gap or a header") {
   const Bytes extra = bytesOf(withByte(plainFrame(1), 0, ExtraHeader));
   const struct {
     const char *what;
