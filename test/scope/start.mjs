@@ -72,7 +72,7 @@ export default async function () {
     });
   }
 
-  await check('simulated noise: bad characters, discarded bytes and the verdict Noise', async (page) => {
+  await check('simulated noise shows as bad characters, discarded bytes and the verdict Noise', async (page) => {
     await page.selectOption('#fault', 'noise');
     await reads(page, '#verdict-text', /^Noise: frames are damaged/);
     await counts(page, 'badCharacters', /^\d\d/);
