@@ -49,8 +49,8 @@ export default async function () {
       [12200, 'Fine', /^Frames come/], // a second ago it was failsafe
       [14200, 'Fine', /^All well/],
       [15050, 'Fine', /^All well/],
-      [15120, 'Stale', /^The signal has stopped/], // the second has not been over
-      [24000, 'Stale', /^The signal has stopped/],
+      [15120, 'Stale', /^No signal any more/], // the second has not been over
+      [24000, 'Stale', /^No signal any more/],
       [25020, 'Fine', /^Frames come/],
       [27000, 'Fine', /^All well/],
       [6200, 'Fine', /^Noise/],
@@ -91,6 +91,6 @@ export default async function () {
     await reads(page, '#state', 'Stale');
     await until('no verdict', () => page.evaluate(() => fake.said.size > 0));
     await page.waitForTimeout(1500);
-    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['The signal has stopped: frames came before, now not a byte does.']);
+    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['No signal any more: frames came before, now not a byte does.']);
   });
 }

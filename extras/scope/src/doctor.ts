@@ -92,7 +92,7 @@ export class Doctor {
       case LinkState.Stale:
         return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
           ? this.of(Finding.NoFrames)
-          : { ...this.of(Finding.NoSignal), text: 'The signal has stopped: frames came before, now not a byte does.' };
+          : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames came before, now not a byte does.' };
       case LinkState.NeverSeen: {
         const finding = this.lineSettings.length > 1 ? this.round : this.finding(status);
         return finding === undefined
