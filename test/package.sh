@@ -22,7 +22,7 @@ sed -i 's/^\(\.TH SBUS 1\) "[^"]*"/\1 "2001-01-01"/' "$scratch/extras/cli/sbus.1
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE MAKEFLAGS MAKELEVEL
 git() { command git -C "$scratch" -c user.name=Test -c user.email=test@localhost "$@"; }
-git init -q && git add -A && git commit -q -m Test || { verdict 1 "a scratch repository"; exit; }
+git init -q && git add -A && git commit -q -m Test || { verdict 1 "a scratch repository can be made"; exit; }
 version=$(sed -n 's/^version=//p' library.properties)
 
 made=$(make -s -C "$scratch" zip)
@@ -32,20 +32,20 @@ library=$out/libraries/DecodeSBus
 [ "$(ls "$out/libraries")" = DecodeSBus ] &&
   [ "$(ls "$library" | tr '\n' ' ')" = "CHANGELOG.md LICENSE README.md examples extras keywords.txt library.json library.properties src " ] &&
   [ "$(ls "$library/extras")" = docs ]
-verdict $? "one folder, and in it what a library has"
+verdict $? "the ZIP is one folder, with what a library has"
 # `pio pkg pack` adds the manifests, README and LICENSE to what library.json names.
 include=$(sed -n 's/.*"include": \[\(.*\)\].*/\1/p' library.json | tr -d '",')
 # shellcheck disable=SC2086  # names, to be split
 [ "$(git ls-files $include library.json library.properties README.md LICENSE)" = "$(cd "$library" && find . -type f | sed 's,^\./,,' | LC_ALL=C sort)" ]
-verdict $? "PlatformIO is told to take the same files"
+verdict $? "library.json names the same files for PlatformIO"
 failed=0
 for source in "$library"/src/*.cpp "$library"/src/sbus/*.cpp "$library"/examples/DecodeSBus/DecodeSBus.ino; do
   g++ -std=gnu++11 -fsyntax-only -DARDUINO=10819 -I"$library/src" -I"$host/arduino" -I"$host/standin" \
     -x c++ -include Arduino.h "$source" || failed=1
 done
-verdict $failed "the library and the first example compile from it"
+verdict $failed "the library and the first example compile from the ZIP"
 
-# rejected WHAT VERSION URL: a release that is rejected, with one line, and nothing is changed
+# rejected WHAT VERSION URL: make release rejects this with one line, and changes nothing
 rejected() {
   what=$1
   git status --porcelain >"$out/before"
@@ -83,7 +83,7 @@ release() {  # VERSION
     grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release"
 }
 release "$version"
-verdict $? "the version of library.properties is released, if it is not yet"
+verdict $? "the version of library.properties can be released, if it is not released yet"
 git checkout -q .
 release 9.9.9
 verdict $? "make release sets version, address and the changelog's heading, and says what is left"
@@ -93,5 +93,5 @@ printf '\n## Unreleased\n\n- New.\n' >>"$scratch/CHANGELOG.md"
 git commit -q -a -m Next
 rejected "it has been released" 9.9.9 $url
 release 9.10.0
-verdict $? "9.10.0 is more than 9.9.9"
+verdict $? "9.10.0 is newer than 9.9.9"
 rm -rf "$out"  # otherwise a linter takes its sketches for those of this library

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Is every public function of the headers that sketches include called by a sketch that the tests build: an example, or one
-# of README.md and the pages? Is every word of keywords.txt one of the library, and too special to stand in another sketch,
-# which the IDE would also colour? Says "ok ..." or "FAILED ..." of each.
+# Checks that every public function of the headers that sketches include is called by a sketch that the tests build (an
+# example, or a sketch of README.md and the pages), and that every word of keywords.txt is in the library and too special for
+# other sketches, which the IDE would also colour. Says "ok ..." or "FAILED ..." of each.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-# As golden.sh does it: what stands between ```cpp and ``` and has a loop().
+# Takes what is between ```cpp and ``` and has a loop(), as golden.sh does.
 sketches=$(cat examples/*/*.ino examples/*/*.h; awk '
   /^```$/ && inside { inside = 0; if (text ~ /void loop/) printf "%s", text }
   inside { text = text $0 "\n" }

@@ -1,4 +1,4 @@
-// Keeps the page for when its server is away. While that answers, its answer counts: a new build is seen at once.
+// Keeps the page for when its server is away. While the server answers, its page is shown: a new build is seen at once.
 
 const kept = 'sbus-scope';
 const page = new URL('./', location.href).href;

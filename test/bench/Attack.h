@@ -1,4 +1,4 @@
-// Calls of parseSBusFrame(), of which the last one is measured: those before put the receiver into its state.
+// Calls of parseSBusFrame(), of which the last is measured: the calls before it bring the receiver into its state.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 struct Attack {
   struct Call {
     size_t size;       // bytes that wait; 0: none do
-    uint32_t quietUs;  // since the call before, and besides the time that the bytes take: no line is faster
+    uint32_t quietUs;  // since the call before, plus the time that the bytes take: no line is faster
 
     uint32_t gapUs() const { return static_cast<uint32_t>(size) * line::CharacterUs + quietUs; }
   };

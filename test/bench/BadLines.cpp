@@ -1,4 +1,4 @@
-// What bad lines cost: in the long run, and in the longest single call of parseSBusFrame() found on each.
+// The cost of bad lines: on average, and of the longest call of parseSBusFrame() that was found on each.
 #include "Bench.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr uint32_t MostTenthsLinear = 50;  // 64 bytes cost no more than 5 times
 
 constexpr size_t Sizes[] = {16, 32, 48, 64};
 
-// A pattern that repeats without end and without a gap.
+// A pattern that repeats forever without a gap.
 struct BadLine {
   const char *name;
   Bytes pattern;
@@ -35,7 +35,7 @@ Bytes random() {
   return bytes;
 }
 
-// Of the lines with the longest calls found: where every header may begin a frame, and few do.
+// From the lines with the longest calls found: every header may begin a frame, and few do.
 Bytes runs() {
   Random random(1);
   Bytes bytes;
@@ -67,7 +67,7 @@ const std::vector<BadLine> &badLines() {
   return all;
 }
 
-// Per byte, 16 in a call, as the board's driver hands them over.
+// Returns the cost of a byte, with 16 in a call, as the board's driver hands them over.
 template <typename Receiver>
 double streamCost(const BadLine &line) {
   constexpr size_t Count = 4096;
@@ -85,8 +85,8 @@ double streamCost(const BadLine &line) {
   return static_cast<double>(sum) / Count;
 }
 
-// The longest call found on a line: it begins at any byte of the pattern, after up to 32 bytes in calls of 16 or 29, in
-// sync or not.
+// Returns the longest call found on a line: it begins at any byte of the pattern, after up to 32 bytes in calls of 16 or
+// 29, in sync or not.
 template <typename Receiver>
 uint32_t longestOn(const BadLine &line, size_t size) {
   constexpr size_t Starts = 52;      // more than twice a frame

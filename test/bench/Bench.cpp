@@ -1,6 +1,6 @@
-// What the library costs on a Cortex-M0+, in instructions.
+// Prints what the library costs on a Cortex-M0+, in instructions.
 //   Bench known   Markdown; @NAME stands for the bytes of flash of the function NAME
-//   Bench worst   ... the longest call that a search finds
+//   Bench worst   the same for the longest call that a search finds
 //   Bench check   "ok bench: ..." and "FAILED bench: ...": the bounds
 #include "Bench.h"
 

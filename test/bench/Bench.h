@@ -1,4 +1,4 @@
-// What is measured, table by table: each is printed, and held to its bounds.
+// The tables of the bench: each is printed, and compared with its bounds.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 // Says "ok bench: ..." or "FAILED bench: ...".
 void verdict(bool good, const std::string &what);
 
-// A cost of 0 is one of what did not do its work.
+// A cost of 0 means that the code did not do its work.
 void atMost(const std::string &what, uint32_t found, uint32_t most);
 
 void printFrames();
@@ -15,7 +15,7 @@ void checkFrames();
 
 void printUnpacking();
 
-// Lines that cost a receiver more than a clean one.
+// Lines that cost a receiver more than a line without faults.
 void printBadLines();
 void checkBadLines();
 

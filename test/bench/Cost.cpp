@@ -18,7 +18,7 @@ __attribute__((noinline)) int nothing(MemorySerial &port, uint8_t *bytes, size_t
 uint32_t ownOfReading(size_t size) {
   MemorySerial port;
   port.put(buffer, sizeof buffer);
-  const uint32_t none = instructions::of([&] { nothing(port, buffer, size); }) - 1;  // it consists of its return
+  const uint32_t none = instructions::of([&] { nothing(port, buffer, size); }) - 1;  // it is only its return
   return instructions::of([&] { port.read(buffer, size); }) - none;
 }
 

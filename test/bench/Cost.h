@@ -1,4 +1,4 @@
-// What one call of a receiver takes, without the port's own instructions.
+// The cost of one call of a receiver, without the port's own instructions.
 #pragma once
 
 #include "Instructions.h"
@@ -17,11 +17,11 @@ struct Cost {
   }
 };
 
-// To be called once, before anything is measured. False if there is no counting here: not an -icount of 10, or a port
-// that takes other than a fixed number of instructions per call and byte.
+// Call it once, before anything is measured. Returns false if instructions cannot be counted: without -icount shift=10, or
+// with a port that does not take a fixed number of instructions per call and byte.
 bool calibrate();
 
-// Instructions of the port's methods themselves, without the calls.
+// Return the instructions of the port's methods themselves, without the calls.
 uint32_t portsOwn(const MemorySerial::Calls &calls);
 uint32_t portsOwnOfSending();  // asked for room, and given a frame
 

@@ -1,4 +1,4 @@
-// What the frames of a line without damage cost, as the board hands it over: to find, to decode, and to pack.
+// The cost of frames on a line without faults, as the board hands them over: to find, to decode, and to pack them.
 #include "Bench.h"
 
 #include <cstdio>
@@ -81,7 +81,7 @@ uint32_t costOfPacking() {
   return frame == PaperLow.bytes ? cost : 0;
 }
 
-// 0 if it does not give the known frames' channels.
+// Returns 0 if it does not give the known frames' channels.
 template <typename Unpack>
 uint32_t costOfUnpacking(const Unpack &unpack) {
   alignas(4) static uint8_t padded[3 + 25];

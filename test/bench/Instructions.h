@@ -27,7 +27,7 @@ __attribute__((noinline)) uint32_t of(const Work &work) {
   return static_cast<uint32_t>((uint64_t{ticks} * 125 + 1024) / 2048) - 1;  // of the two readings, one lies in between
 }
 
-// 300 instructions count as 300, and none as none.
+// Returns true if 300 instructions count as 300, and none as 0.
 inline bool calibrated() {
   return of([] {}) == 0 && of([] { __asm__ volatile(".rept 300\n nop\n .endr"); }) == 300;
 }

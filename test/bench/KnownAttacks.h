@@ -1,5 +1,5 @@
-// Attacks that searches of some million tries have found to cost most, each on another receiver. What could be left out
-// without costing less was left out.
+// The costliest attacks that searches of millions of tries have found, each on another receiver. Bytes and calls that
+// could be left out without a lower cost were left out.
 #pragma once
 
 constexpr const char *KnownAttacks[] = {

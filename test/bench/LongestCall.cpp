@@ -1,5 +1,5 @@
-// The longest single call of parseSBusFrame() that a search finds. It changes at random what comes, in which calls and
-// when, and anneals: it also goes on from what costs a little less, but ever less so.
+// Searches for the longest call of parseSBusFrame(), by annealing: it changes at random which bytes come, in which calls
+// and when, and also continues from what costs a little less, but less and less.
 #include "Bench.h"
 
 #include <algorithm>
@@ -22,11 +22,11 @@ constexpr size_t LongestCall = Sizes[3];
 // The board's port hands over what has come when the line has been idle for a character.
 constexpr uint32_t IdleUs = 2 * line::CharacterUs;
 
-// Some more than was found with GCC 12.2: 7498, and 3539 for 16 bytes.
+// A little more than was found with GCC 12.2: 7498, and 3539 for 16 bytes.
 constexpr uint32_t MostPerCall = 7900;
 constexpr uint32_t MostPerByte = 230;
 
-// In instructions. A call of the port takes some more on the board: an emulated Grasshopper takes 1.54 cycles for each
+// In instructions. A call of the port takes more on the board: an emulated Grasshopper takes 1.54 cycles for each
 // instruction, 226 for each call of its port, and 10 for each byte.
 constexpr uint32_t PortCall = 150;
 uint32_t weigh(const Cost &cost) {
@@ -43,7 +43,7 @@ size_t startOf(const Attack &attack, size_t call) {
 
 class Search {
  public:
-  // The costliest attack on the way from this one.
+  // Returns the costliest attack that the search finds from this one.
   Attack climb(const Attack &start, uint32_t tries) {
     constexpr uint32_t Slack = 200;
     Attack longest = start, current = start, next;
@@ -85,7 +85,7 @@ class Search {
     return IdleUs + static_cast<uint32_t>(below(Longest[below(std::size(Longest))]));
   }
 
-  // What one more call finds: equal bytes, or any; sometimes nothing.
+  // Adds a call that finds equal bytes, or any; sometimes nothing.
   Bytes some() {
     Bytes bytes(below(4) == 0 ? 0 : below(41), telling());
     if (below(2) == 0) {
@@ -103,11 +103,11 @@ class Search {
     Attack::Call &chosen = attack.calls[call];
     const auto at = [&](size_t index) { return bytes.begin() + static_cast<std::ptrdiff_t>(index); };
     const auto position = attack.calls.begin() + static_cast<std::ptrdiff_t>(call);
-    // A byte is changed within the call measured, mostly.
+    // Mostly, a byte within the measured call is changed.
     const size_t from = below(3) == 0 ? 0 : before;
     const size_t place = from + below(bytes.size() - from);
     switch (below(12)) {
-      case 0: {  // some bytes also stand elsewhere
+      case 0: {  // some bytes are copied
         const size_t target = from + below(bytes.size() - from);
         const size_t count = std::min(1 + below(30), bytes.size() - std::max(place, target));
         const Bytes copied = part(bytes, place, place + count);
@@ -117,7 +117,7 @@ class Search {
       case 1:
         chosen.quietUs = quietUs();
         break;
-      case 2: {  // one call more
+      case 2: {  // another call
         const Bytes more = some();
         if (last + 1 < MostCalls && before + more.size() <= MostBefore) {
           bytes.insert(at(start), more.begin(), more.end());
@@ -125,19 +125,19 @@ class Search {
         }
         break;
       }
-      case 3:  // one less
+      case 3:  // a call less
         if (call < last) {
           bytes.erase(at(start), at(start + chosen.size));
           attack.calls.erase(position);
         }
         break;
-      case 4:  // one byte more
+      case 4:  // another byte
         if (call < last && chosen.size < LongestCall && before < MostBefore) {
           bytes.insert(at(start), telling());
           chosen.size++;
         }
         break;
-      case 5:  // one less
+      case 5:  // a byte less
         if (call < last && chosen.size > 0) {
           bytes.erase(at(start));
           chosen.size--;
@@ -151,7 +151,7 @@ class Search {
   line::Random _random{Seed};
 };
 
-// In sync with each line variant, and about to find this number of bytes.
+// Returns receivers in sync with each line variant, about to find this number of bytes.
 std::vector<Attack> startsInSync(size_t size) {
   std::vector<Attack> starts;
   for (const sbus::LineVariant &kind : sbus::LineVariants) {

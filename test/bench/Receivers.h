@@ -1,4 +1,4 @@
-// Ours and the paper's, each at a port of its own.
+// Our receiver and the paper's, each at a port of its own.
 #pragma once
 
 #include "support/CleanArduino.h"
@@ -7,8 +7,8 @@
 
 #include "support/PaperDecoder.h"
 
-// A serial port in memory, as small as can be. What its methods take is the same for the same number of bytes, so it
-// can be subtracted.
+// The smallest possible serial port, in memory. Its methods take the same for the same number of bytes, which can thus
+// be subtracted.
 class MemorySerial : public HardwareSerial {
  public:
   struct Calls {
@@ -19,7 +19,7 @@ class MemorySerial : public HardwareSerial {
   };
   Calls calls = Calls();
 
-  // What waits: kept where it is. The calls are counted from here on.
+  // Sets the bytes that wait, which are not copied. The calls are counted from then on.
   void put(const uint8_t *bytes, size_t count) {
     _next = bytes;
     _end = bytes + count;

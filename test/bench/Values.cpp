@@ -1,4 +1,4 @@
-// What sending, scaling and calibrating cost.
+// The cost of sending, scaling and calibrating.
 #include "Bench.h"
 
 #include <cstdio>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr sbus::CalibratedChannel Channel = {sbus::FrSky, 8};
 
-// micros() with it, without the port's own.
+// Returns the cost of write(), with micros() but without the port's own instructions.
 uint32_t costOfWriting(uint32_t us, bool sends) {
   fakeMicros = 0;
   MemorySerial port;
@@ -28,7 +28,7 @@ uint32_t costOfWriting(uint32_t us, bool sends) {
   return sent == sends ? cost - (sends ? portsOwnOfSending() : 0) : 0;
 }
 
-// The worst of all values, if the last one's result is `expected`.
+// Returns the worst cost of all values, if the last result is `expected`.
 template <typename Result, typename Convert>
 uint32_t worst(int from, int last, Result expected, const Convert &convert) {
   uint32_t most = 0;
@@ -40,7 +40,7 @@ uint32_t worst(int from, int last, Result expected, const Convert &convert) {
   return result == expected ? most : 0;
 }
 
-// To the third step's end; the worst call of feed().
+// Calibrates to the end of the third step. Returns the worst call of feed().
 uint32_t calibrate(sbus::Calibrator &calibrator) {
   uint32_t most = 0;
   const auto move = [&](uint16_t value) {

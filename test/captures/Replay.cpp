@@ -3,8 +3,8 @@
 //
 //   Replay FOLDER
 //
-// Of the files below it is known what a right decoder finds; of any other file the counts are printed, and it is
-// checked that every frame delivered stands in the recording.
+// For the files below, what a right decoder finds is known; for any other file, this prints the counts, and checks that
+// every delivered frame is in the recording.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -27,7 +27,7 @@ struct Expected {
   std::vector<uint16_t> channels;  // of every frame; flags are 0
 };
 
-// The channels of a frame of either size, bit by bit (support/BitByBit.h).
+// Returns the channels of a frame of either size, bit by bit (support/BitByBit.h).
 template <typename Format>
 std::vector<uint16_t> channelsOf(const uint8_t *frame) {
   std::vector<uint16_t> channels(Format::Channels);
@@ -50,7 +50,7 @@ const std::map<std::string, Expected> Known = {
      {{{0x00, 1}}, {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}}},
 };
 
-// The end byte of the first frame in `characters` from `from` on that reads so, or -1; `from` is then after it.
+// Returns the end byte of the first frame in `characters` from `from` on with these bytes, or -1; `from` is then after it.
 template <typename Format>
 int endOf(const line::Characters &characters, size_t &from, const std::vector<uint16_t> &channels, bool failsafe,
           bool lostFrame) {
@@ -70,7 +70,7 @@ int endOf(const line::Characters &characters, size_t &from, const std::vector<ui
   return -1;
 }
 
-// Says what is wrong, or nothing.
+// Returns what is wrong, or nothing.
 template <typename Format>
 std::string replay(const line::Characters &characters, uint32_t loopUs, const Expected *expected) {
   const uint64_t start = fakeMicros + 1000;

@@ -1,4 +1,4 @@
-// Everything in the board's Arduino.h that a C++ source can trip over. The core is compiled with this in front of it.
+// The macros of the board's Arduino.h that can break a C++ source. The core is compiled with this file included first.
 #pragma once
 
 #include <stdint.h>

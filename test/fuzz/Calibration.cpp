@@ -1,7 +1,7 @@
-// A stored calibration of any bytes, and a calibration by any frames: good only if it can be used for scaling.
+// A stored calibration of any bytes, and a calibration with any frames, is good only if it can be used for scaling.
 //
 // The input: its first byte is the mode, the others are
-//   even: a stored calibration, 132 bytes, what is missing 0; it is judged as it is, and again with its check value
+//   even: a stored calibration, 132 bytes, missing bytes are 0; it is judged as it is, and again with its check value
 //   right odd:  two bytes for `wanted`, then operations of one byte and what they need:
 //     00xxxxxx   begin (x = 0), centre (x = 1), high (x = 2), set the dead zone to 4 * x (other x)
 //     01xxxxxx   a frame of one value, 32 * x, on all channels; then an offset for each channel, a byte that is 0..7
@@ -49,7 +49,7 @@ void judge(const Calibration &calibration) {
   for (const CalibratedChannel &channel : calibration.channels) {
     require(sbus::isPossible(channel) == possibleByRule(channel), "isPossible() is what its rules say");
     possible = possible && possibleByRule(channel);
-    // Of any channel, possible or not: the sanitizer watches.
+    // Scales by any channel, possible or not, under the sanitizer.
     const uint16_t raw = calibration.checkValue;
     require(channel.toNormalised(raw) >= -32767 && channel.toMicroseconds(raw) >= -32767, "no further than 32767");
     require(!possibleByRule(channel) || !sbus::isCalibrated(channel) || isExact(channel), "exact at the three points");
@@ -74,7 +74,7 @@ void store(Input input) {
   Calibration calibration;
   std::memcpy(&calibration, bytes, sizeof bytes);
   judge(calibration);
-  // Nearly what can be: numbers within 11 bits, dead zones small.
+  // Makes it nearly possible: numbers within 11 bits, small dead zones.
   for (CalibratedChannel &channel : calibration.channels) {
     channel.range.low &= 2047;
     channel.range.centre &= 2047;

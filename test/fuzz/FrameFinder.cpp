@@ -1,10 +1,10 @@
-// Finding frames with any bytes, polls, times and breaks.
+// Finds frames with any bytes, polls, times and breaks.
 //
 // The input: operations of one byte and what they need.
 //   0xxxxxxx          a poll after this many hundreds of us, with the bytes that have come since, if any
 //   10xxxxxx          the next x + 1 bytes of the input come in
-//   110xxxxx          a whole neutral frame comes in; x makes its CH1, and bit 4 its end byte 08; x = 14: one with header
-//                     2F; x = 15: one of 36 bytes
+//   110xxxxx          a whole neutral frame comes in; x sets its CH1, and bit 4 its end byte 08; x = 14: a frame with
+//                     header 2F; x = 15: a frame of 36 bytes
 //   1110xxxx          2^x * 20 us pass
 //   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13 and 14), a poll without time (x = 15)
 #include <cstring>
@@ -95,7 +95,7 @@ class Sketch {
     if (!complete) {
       return;
     }
-    // Held are the newest bytes, and the frame stood right before them: contiguous, and after the last break.
+    // The finder holds the newest bytes, and the frame was right before them: contiguous, and after the last break.
     const uint8_t *const frame = _finder.frame();
     require(delivered == frame, "received() and idle() return frame()");
     require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");

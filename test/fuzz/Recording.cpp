@@ -1,4 +1,4 @@
-// The recording reader on any text: characters in order and not closer than a wire allows, or one clear error.
+// The recording reader on any text gives characters in order and not closer than a wire allows, or one clear error.
 #include <cstdio>
 #include <string>
 

@@ -1,4 +1,4 @@
-// The readers of captures on any text: characters in order, or one clear error; blocks of any size make no difference.
+// The readers of captures on any text give characters in order, or one clear error; the size of blocks makes no difference.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -82,7 +82,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require(whole.lines <= 1 + size, "the line of an error is in the text");
   require(whole.characters.size() <= size, "no more characters than edges");
   for (size_t i = 1; i < whole.characters.size(); i++) {
-    // Ten bits and a half, of 5 us at the least, and 3 % less.
+    // Ten and a half bits, of 5 us at least, less 3 %.
     require(whole.characters[i].startNs >= whole.characters[i - 1].startNs + 50000, "characters do not overlap");
   }
   const Result pieces = decode(text, true);

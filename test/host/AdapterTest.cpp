@@ -1,5 +1,5 @@
-// A line behind a USB adapter, which hands bytes over late and in lumps: no frame is missed or made up, and a gap counts
-// only where reads prove it.
+// A line behind a USB adapter, which hands bytes over late and in packets: no frame is missed or made up, and a gap
+// counts only where reads prove it.
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -40,7 +40,7 @@ constexpr Row Rows[] = {
 struct Count {
   unsigned long sent = 0;
   unsigned long missed = 0;  // after the first dozen
-  unsigned long wrong = 0;   // stood nowhere on the line
+  unsigned long wrong = 0;   // were nowhere on the line
   bool operator==(const Count &other) const { return missed == other.missed && wrong == other.wrong; }
 };
 std::ostream &operator<<(std::ostream &out, const Count &count) {
@@ -132,7 +132,7 @@ Count runs(const Row &row, uint32_t latencyUs, uint32_t stallUs, unsigned seeds)
   return count;
 }
 
-// Returns the frames that a sketch finds, which polls a board's port each millisecond.
+// Returns the frames found by a sketch that polls a board's port each millisecond.
 unsigned long framesOfSketch(const line::Recording &recording) {
   line::RestoredLine line(std::make_unique<line::RecordedLine>(recording), line::CharacterUs);
   sbus::FrameFinder finder;
@@ -157,7 +157,7 @@ unsigned long framesOfSketch(const line::Recording &recording) {
 
 }  // namespace
 
-TEST_CASE("an adapter at each latency, ordinary sticks: no frame is missed after the first dozen, and none is wrong") {
+TEST_CASE("with an adapter of any latency and ordinary sticks no frame is missed after the first dozen, and none is wrong") {
   std::printf("missed after the first dozen + wrong, of some 3000 frames (6000 of FASSTest 26); seed %lu\n",
               static_cast<unsigned long>(Seed));
   std::printf("%-16s   T/ms     1 ms    2 ms    4 ms    8 ms   16 ms\n", "latency");
@@ -176,7 +176,7 @@ TEST_CASE("an adapter at each latency, ordinary sticks: no frame is missed after
   }
 }
 
-TEST_CASE("on a busy PC, which reads up to 100 ms late: no frame is missed, and none is wrong") {
+TEST_CASE("on a busy PC, which reads up to 100 ms late, no frame is missed, and none is wrong") {
   for (const Row &row : Rows) {
     CAPTURE(row.name);
     CAPTURE(row.periodUs);
@@ -187,7 +187,7 @@ TEST_CASE("on a busy PC, which reads up to 100 ms late: no frame is missed, and 
   }
 }
 
-TEST_CASE("a recording of an adapter keeps what each read brought: decoded again it has the same frames") {
+TEST_CASE("a recording of an adapter keeps what each read brought: decoded again, it has the same frames") {
   for (const Row &row : Rows) {
     CAPTURE(row.name);
     CAPTURE(row.periodUs);

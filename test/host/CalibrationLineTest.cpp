@@ -18,7 +18,7 @@ struct Range {
   int fastest = 0;  // step from one frame to the next
 };
 
-// The range of each channel from one time to the other, in two rounds. Lost frames repeat old channels.
+// Returns the range of each channel between two times, in two rounds. Lost frames repeat old channels.
 std::array<Range, 18> ranges(unsigned fromMs, unsigned untilMs) {
   line::SimulatedReceiver line(line::CalibrationMoves);
   std::array<Range, 18> ranges;
@@ -46,7 +46,7 @@ std::array<Range, 18> ranges(unsigned fromMs, unsigned untilMs) {
 
 }  // namespace
 
-TEST_CASE("sticks and switches go to both ends, rest at their trims, are held up and right, at last fly gently; CH7.. stand") {
+TEST_CASE("sticks and switches go to both ends, rest at their trims, are held up and right, and then fly gently; CH7 on stay") {
   const struct {
     unsigned fromMs, untilMs;
     unsigned lows[6], highs[6];
@@ -67,7 +67,7 @@ TEST_CASE("sticks and switches go to both ends, rest at their trims, are held up
   }
 }
 
-TEST_CASE("sticks glide: by at most 30 a frame, by 90 after two lost frames, also where the calibration begins again") {
+TEST_CASE("sticks move by at most 30 a frame, by 90 after two lost frames, also where the calibration begins again") {
   const std::array<Range, 18> found = ranges(0, PeriodMs);
   for (size_t i = 0; i < 4; i++) {
     CHECK(found[i].fastest <= 90);

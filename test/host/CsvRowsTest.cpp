@@ -1,4 +1,4 @@
-// The rows of numbers that a sketch prints: told from anything else, and read.
+// The rows of numbers that a sketch prints: they are recognised among other text, and read.
 #include <doctest/doctest.h>
 
 #include "line/recording/CsvRows.h"
@@ -66,7 +66,7 @@ TEST_CASE("a sketch's rows are recognised, and other text is not") {
   }
 }
 
-TEST_CASE("S.Bus is never taken for a sketch's rows") {
+TEST_CASE("S.Bus is never taken for rows of a sketch") {
   for (const line::Channels channels :
        {line::Channels::Sixteen, line::Channels::TwentyFour, line::Channels::ThirtyTwo}) {
     line::SimulatedReceiver receiver(line::Flight, line::CharacterUs, channels);
@@ -93,7 +93,7 @@ TEST_CASE("a bad character is no text") {
   CHECK_FALSE(rows.recognised());
 }
 
-TEST_CASE("a line without an end is not kept") {
+TEST_CASE("a line that does not end is not stored") {
   CsvRows rows;
   for (size_t i = 0; i < 100000; i++) {
     rows.put(i % 2 == 0 ? '1' : ',');

@@ -1,4 +1,4 @@
-// The events of a finder for each byte, and their places: on random impaired lines, polled in several ways.
+// The events that a finder reports for each byte, and their places: on random impaired lines, polled in several ways.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ struct Heard {
   }
 };
 
-// An impaired line: its bytes with the times of their ends, and where its whole frames stand.
+// An impaired line: its bytes with the times of their ends, and where its whole frames are.
 struct ImpairedLine {
   std::vector<uint8_t> bytes;
   std::vector<uint32_t> endUs;
@@ -202,7 +202,7 @@ void hear(uint64_t seed) {
 SBUS_COMPILE_FINDER(sbus::Frame16, Heard<sbus::Frame16>)
 SBUS_COMPILE_FINDER(sbus::Frame24, Heard<sbus::Frame24>)
 
-TEST_CASE("events: each byte once, each frame where it was sent, each rejection at a header") {
+TEST_CASE("a finder reports each byte once, each frame where it was sent, each rejection at a header") {
   constexpr uint64_t Seed = 20181;
   CAPTURE(Seed);
   hear<sbus::Frame16>(Seed);

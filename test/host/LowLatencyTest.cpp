@@ -1,4 +1,4 @@
-// A port that is asked for low latency, and gets its setting back.
+// A port gets low latency while it is open, and its own setting back.
 #include "line/ports/LowLatency.h"
 
 #include <doctest/doctest.h>
@@ -12,8 +12,8 @@ using line::LowLatency;
 
 namespace {
 
-// As Linux' usb-serial.c, serial_ioctl(), and ftdi_sio.c, get_serial_info() and set_serial_info(): who is not root may
-// change the flags of ASYNC_USR_MASK only, and a terminal that is no serial port knows neither request (ENOTTY).
+// Answers as Linux does, usb-serial.c, serial_ioctl(), and ftdi_sio.c, get_serial_info() and set_serial_info(): users other
+// than root may change the flags of ASYNC_USR_MASK only, and a terminal that is no serial port has neither request (ENOTTY).
 struct Driver {
   bool isSerial = true;
   int setError = 0;
@@ -46,7 +46,7 @@ int control(int, unsigned long request, ...) {
 
 }  // namespace
 
-TEST_CASE("a port has low latency while it is open; what others have set meanwhile stays") {
+TEST_CASE("a port has low latency while it is open; what other programs set meanwhile stays") {
   driver = Driver();
   {
     const LowLatency latency(3, control);
@@ -64,7 +64,7 @@ TEST_CASE("a port that has low latency already keeps it") {
   CHECK(driver.sets == 0);
 }
 
-TEST_CASE("where it is not allowed, or no serial port, nothing changes") {
+TEST_CASE("if that is not allowed, or the port is no serial port, nothing changes") {
   driver = Driver();
   driver.setError = EPERM;
   { const LowLatency latency(3, control); }
@@ -76,7 +76,7 @@ TEST_CASE("where it is not allowed, or no serial port, nothing changes") {
   CHECK(driver.sets == 0);
 }
 
-TEST_CASE("an adapter's latency timer: its file, also of a link") {
+TEST_CASE("the file of an adapter's latency timer is found, also by a link to the port") {
   CHECK(line::latencyFile("/dev/ttyUSB7") == "/sys/bus/usb-serial/devices/ttyUSB7/latency_timer");
   CHECK(line::latencyFile("/dev/fd/../null") == "/sys/bus/usb-serial/devices/null/latency_timer");
   CHECK(line::latencyMs("/proc/sys/kernel/pid_max").value_or(0) > 0);

@@ -1,4 +1,4 @@
-// An Observer shows every character of a line once, each frame where it stood, and its numbers.
+// An Observer shows every character of a line once, each frame in its place, and the line's statistics.
 #include <doctest/doctest.h>
 
 #include <memory>
@@ -10,7 +10,7 @@
 #include "support/KnownFrames.h"
 #include "support/Watched.h"
 
-TEST_CASE("frames: bytes, time, channels, rate and gaps") {
+TEST_CASE("frames have their bytes, times, channels, rate and gaps") {
   Watched line;
   for (unsigned number = 0; number < 200; number++) {
     line.frame(static_cast<uint16_t>(1000 + number));
@@ -37,7 +37,7 @@ TEST_CASE("frames: bytes, time, channels, rate and gaps") {
   CHECK(line.observer.characters() == 5000);
 }
 
-TEST_CASE("gaps differ; marks begin again") {
+TEST_CASE("the shortest and longest gap are kept; resetMarks() clears the marks") {
   Watched line;
   line.frame(992).frame(172, false, false, 12000).frame(1811).frame(992);
   CHECK(line.observer.gaps().low == 9000);
@@ -50,7 +50,7 @@ TEST_CASE("gaps differ; marks begin again") {
   CHECK(line.observer.travel(0).low == 1000);
 }
 
-TEST_CASE("the link: its state, and the flags of frames that are shown but leave no marks") {
+TEST_CASE("the link has its state; frames with a flag are shown, but leave no marks") {
   Watched line;
   CHECK(line.observer.state(0) == sbus::LinkState::NeverSeen);
   line.frame(992);
@@ -68,17 +68,17 @@ TEST_CASE("the link: its state, and the flags of frames that are shown but leave
   CHECK(line.observer.ageUs(line.observer.newest().endUs + 5000000000) == 5000000000);
 }
 
-TEST_CASE("the link quality: the share of the frames of a second that came and were not lost, asked rarely or often") {
+TEST_CASE("the link quality is the share of a second's frames that came and were not lost, whether it is read rarely or often") {
   const struct {
     const char *what;
-    unsigned lostOf, missingOf;  // of so many frames one; 0: none
+    unsigned lostOf, missingOf;  // one frame in this many; 0: none
     unsigned least, most;        // percent
   } rows[] = {{"all good", 0, 0, 100, 100},
               {"one of ten lost", 10, 0, 88, 92},
               {"one of four missing", 0, 4, 72, 82},
               {"all lost", 1, 0, 0, 0}};
   for (const auto &row : rows) {
-    for (const unsigned every : {1u, 100u}) {  // frames between two questions
+    for (const unsigned every : {1u, 100u}) {  // frames between two reads of the quality
       INFO(std::string(row.what));
       CAPTURE(every);
       Watched line;
@@ -100,7 +100,7 @@ TEST_CASE("the link quality: the share of the frames of a second that came and w
   }
 }
 
-TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined counts, and so does the last one") {
+TEST_CASE("FASSTest 26: if a line is joined at a frame with header 2F, that frame counts, and so does the last one") {
   Bytes extra = Watched::frameOf(500);
   extra[0] = sbus::ExtraHeader;
   const Bytes frame = Watched::frameOf(992);
@@ -115,7 +115,7 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined count
       {"two pairs", {extra, frame, extra, frame}, 2, 2, 0},
       {"joined in the middle of one", {part(extra, 9), frame, extra, frame, extra}, 2, 2, 16},
       {"joined in the middle of the one before", {part(frame, 9), extra, frame, extra}, 1, 2, 16},
-      {"alone", {extra}, 0, 0, 3},  // its payload has a header: the decoder waits for more of that
+      {"alone", {extra}, 0, 0, 3},  // its payload has a header, of which the decoder expects more
       {"noise straight before it", {noise + extra, frame}, 1, 0, 26},
       {"noise behind it", {extra, noise, frame}, 1, 0, 26},
       {"cut off", {extra, part(frame, 0, 24)}, 0, 0, 25},
@@ -142,7 +142,7 @@ TEST_CASE("FASSTest 26: the frame with header 2F at which a line is joined count
   }
 }
 
-TEST_CASE("FASSTest 26: the link is as it was after a frame with header 2F that ended before it was last asked for") {
+TEST_CASE("FASSTest 26: a frame with header 2F that ended before the link's state was last read does not change it") {
   Watched line;
   line.frame(992);
   Bytes extra = Watched::frameOf(500);
@@ -156,14 +156,14 @@ TEST_CASE("FASSTest 26: the link is as it was after a frame with header 2F that 
   CHECK(line.observer.linkQuality(line.us + 5000) == 100);
 }
 
-TEST_CASE("telemetry is handed over at the next gap, not with the next frame") {
+TEST_CASE("telemetry is handed over at the next gap, not only with the next frame") {
   Watched line;
   line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).gap(2000);
   REQUIRE(line.stretches.size() == 4);
   CHECK(line.stretches[3].characters.size() == 3);
 }
 
-TEST_CASE("the simulated receivers: each character once, in its order, and every frame") {
+TEST_CASE("of the simulated receivers every frame is found, and each character once, in order") {
   const struct {
     line::Channels channels;
     unsigned count;

@@ -1,4 +1,4 @@
-// Single reads of a USB adapter: what they prove of the gaps on a line, and which frames are found by that.
+// Single reads of a USB adapter: what they prove about the gaps on a line, and which frames are found by them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ constexpr uint64_t Seed = 20181;
 
 }  // namespace
 
-TEST_CASE("a recording: what two reads brought stands on two lines, even back to back") {
+TEST_CASE("a recording has what two reads brought on two lines, even if it came back to back") {
   line::PortReads reads;
   line::RecordingWriter writer;
   reads.empty(100000);
@@ -28,7 +28,7 @@ TEST_CASE("a recording: what two reads brought stands on two lines, even back to
 }
 
 // Its frame's last 25 bytes look like one of 16 channels.
-TEST_CASE("24 channels whose tenth byte of payload is a header's, at 16 ms: no frame of 16") {
+TEST_CASE("24 channels whose tenth payload byte is a header, at 16 ms, bring no frame of 16 channels") {
   for (uint64_t seed = Seed; seed < Seed + 300; seed++) {
     CAPTURE(seed);
     line::Random random(seed);
@@ -56,7 +56,7 @@ TEST_CASE("24 channels whose tenth byte of payload is a header's, at 16 ms: no f
   }
 }
 
-TEST_CASE("pulled within a frame and plugged in again: the two parts are no frame if reads prove the silence") {
+TEST_CASE("an adapter is pulled within a frame and plugged in again: the two parts are no frame if reads prove the silence") {
   const struct {
     uint32_t latencyUs;
     uint32_t silenceUs;
@@ -96,7 +96,7 @@ TEST_CASE("pulled within a frame and plugged in again: the two parts are no fram
   }
 }
 
-TEST_CASE("an impaired frame in the first read of a port that was never found empty: one stretch, with its reason") {
+TEST_CASE("an impaired frame in the first read of a port that was never found empty is one stretch, with its reason") {
   line::Random random(Seed);
   PayloadFrames sticks(Payload::Neutral, random);
   const Frame good = sticks.next();

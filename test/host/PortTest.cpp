@@ -1,4 +1,4 @@
-// When the host's board hands over what has come.
+// When the host's board hands over received characters.
 #include <doctest/doctest.h>
 
 #include "SerialConfig.h"
@@ -30,10 +30,10 @@ class EvenLine : public line::Line {
 
 }  // namespace
 
-TEST_CASE("characters are handed over when 16 have come, or the line is idle for a character: not while the next comes in") {
+TEST_CASE("characters are handed over when 16 have come, or the line is idle for one: not while the next one comes in") {
   const struct {
     uint64_t apartUs;
-    int afterThree, afterSixteen;  // when their last is through, and 120 us later
+    int afterThree, afterSixteen;  // when the last of them is complete, and 120 us later
   } rows[] = {{120, 0, 16}, {160, 0, 16}, {239, 0, 16}, {240, 3, 16}, {300, 3, 16}};
   for (const auto &row : rows) {
     INFO(row.apartUs, " us from character to character");

@@ -1,4 +1,4 @@
-// A real port that brings no frames: the messages, and when they come.
+// A real port that brings no frames: which messages come, and when.
 #include "board/PortWatch.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The text of a recording, or of rows, is read.
+// Reads the text of a recording, or of rows.
 #include <doctest/doctest.h>
 
 #include "line/recording/CsvRows.h"
@@ -19,7 +19,7 @@ Recording readRows(const std::vector<std::string> &lines) {
   return reader.finish();
 }
 
-// When each row was complete.
+// Returns when each row was complete.
 std::vector<uint64_t> rowEnds(const Recording &recording) {
   std::vector<uint64_t> ends;
   for (const line::Character character : recording.characters) {
@@ -50,7 +50,7 @@ TEST_CASE("a board's line may have any baud rate") {
   CHECK(line::settingsIn("# 9600 baud, 8E2\n") == line::LineSettings());
 }
 
-TEST_CASE("a table of rows is told from a recording") {
+TEST_CASE("a table of rows is distinguished from a recording") {
   CHECK(line::isCsvText("1,2\n1,2\n"));
   CHECK(line::isCsvText("a:1 b:2\na:1 b:2\n"));
   CHECK(line::isCsvText("seconds,CH1\n0.009,992\n"));
@@ -59,7 +59,7 @@ TEST_CASE("a table of rows is told from a recording") {
   CHECK_FALSE(line::isCsvText("120\t00\t11\n480\t00\t11\n"));
 }
 
-TEST_CASE("rows without times come five times a second, others at their times") {
+TEST_CASE("rows without times come five times a second, rows with times at those") {
   CHECK(rowEnds(readRows({"1,2", "3,4"})) == std::vector<uint64_t>{200000 + 3 * 86, 400000 + 3 * 86});
   CHECK(rowEnds(readRows({"seconds,CH1,CH2", "0.009000,992,1811", "0.018500,992,172", "3600.000001,1,2"})) ==
         std::vector<uint64_t>{8, 9000, 18500, 3600000001});

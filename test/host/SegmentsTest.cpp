@@ -1,4 +1,4 @@
-// The stretches of a line that are no frames: why, and where they stand.
+// The stretches of a line that are no frames: where they are, and why.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -7,7 +7,7 @@
 #include "support/KnownFrames.h"
 #include "support/Watched.h"
 
-TEST_CASE("characters of no frame stand between the frames, with the reason") {
+TEST_CASE("characters that belong to no frame are shown between the frames, with the reason") {
   const Bytes good = Watched::frameOf(992);
   Bytes shortened = good;
   shortened.erase(shortened.begin() + 5);
@@ -44,7 +44,7 @@ TEST_CASE("characters of no frame stand between the frames, with the reason") {
   }
 }
 
-TEST_CASE("the reason names its cause, and its header's place") {
+TEST_CASE("the reason names its cause, and the place of the header") {
   const Bytes good = Watched::frameOf(1024);
   const Bytes failsafe = bytesOf(FailsafeFrame);
   const Bytes noise = {0x55, 0x55};
@@ -107,7 +107,7 @@ TEST_CASE("the error of a bad character is named with its place, as far as its s
   }
 }
 
-TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not") {
+TEST_CASE("a gap of eight characters within a frame is seen, a gap of seven is not") {
   for (const uint32_t characterUs : {120u, 60u}) {
     CAPTURE(characterUs);
     for (const uint32_t characters : {7u, 8u}) {
@@ -120,7 +120,7 @@ TEST_CASE("a gap of eight characters within a frame is seen, one of seven is not
   }
 }
 
-TEST_CASE("a frame that has lost a character to an error and got another at its end is no frame, though a decoder takes it") {
+TEST_CASE("a frame that lost a character to an error and got another at its end is none, though a decoder accepts it") {
   for (const size_t bad : {size_t{1}, size_t{3}, size_t{22}}) {
     CAPTURE(bad);
     Watched line;

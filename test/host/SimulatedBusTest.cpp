@@ -1,4 +1,4 @@
-// The simulated S.BUS2 wire: what its receiver and sensors send and when, what becomes of characters that collide, and
+// The simulated S.BUS2 wire: what its receiver and sensors send and when, what happens to characters that collide, and
 // how it judges a board that sends.
 #include <doctest/doctest.h>
 
@@ -20,7 +20,7 @@ constexpr uint64_t FirstFrameUs = 5000;
 constexpr uint32_t FrameUs = 25 * line::CharacterUs;
 constexpr uint32_t PeriodUs = 15000;
 
-// Hears the wire up to `untilUs`, in steps of 50 us, as a port does that asks a character ahead.
+// Reads the wire up to `untilUs`, in steps of 50 us, as a port does that looks a character ahead.
 std::vector<Character> heard(SimulatedBus &bus, uint64_t untilUs) {
   std::vector<Character> all;
   for (uint64_t nowUs = 0; nowUs <= untilUs; nowUs += 50) {
@@ -83,7 +83,7 @@ std::string judged(BusMode mode, unsigned frame, int64_t afterUs, const std::vec
 
 }  // namespace
 
-TEST_CASE("the receiver: a frame every 15 ms, end bytes 04 14 24 34 in turn, slot 0 with both voltages in turn") {
+TEST_CASE("the receiver sends a frame every 15 ms, end bytes 04 14 24 34 in turn, and in slot 0 both voltages in turn") {
   SimulatedBus bus;
   line::Observer observer;
   std::string ends, voltages;
@@ -109,7 +109,7 @@ TEST_CASE("the receiver: a frame every 15 ms, end bytes 04 14 24 34 in turn, slo
   CHECK(bus.report().empty());
 }
 
-TEST_CASE("other modes: FASSTest 12CH has slot 0 after 310 us, and a plain receiver has none") {
+TEST_CASE("FASSTest 12CH has slot 0 after 310 us, and a plain receiver has no slots") {
   SimulatedBus only(line::Flight, BusMode::OnlySlot0);
   CHECK(runs(heard(only, FirstFrameUs + 6300)) == "310: 3 192 46");
   SimulatedBus none(line::Flight, BusMode::NoTelemetry);
@@ -137,7 +137,7 @@ TEST_CASE("sensors answer in their slots, early or late; two at once destroy eac
   }
 }
 
-TEST_CASE("a board that sends is judged: slot, time, and what the frame before has announced") {
+TEST_CASE("a board that sends is judged by slot, time, and what the frame before announced") {
   const std::vector<uint8_t> slot1 = {0x83, 1, 2};
   const std::vector<uint8_t> slot9 = {0x93, 1, 2};
   const std::vector<uint8_t> slot0 = {0x03, 1, 2};
@@ -177,7 +177,7 @@ TEST_CASE("a board that sends is judged: slot, time, and what the frame before h
   }
 }
 
-TEST_CASE("a TX that is HIGH at rest destroys every character on the wire") {
+TEST_CASE("a TX that is HIGH while idle destroys every character on the wire") {
   SimulatedBus bus;
   line::LineSettings uninverted;
   uninverted.polarity = line::Polarity::Uninverted;

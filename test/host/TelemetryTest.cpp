@@ -1,4 +1,4 @@
-// The slots of a line's telemetry with their times, and what named sensors measure, as text.
+// The slots of a line's telemetry with their times, and what named sensors measure, as a text.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -40,7 +40,7 @@ std::string feed(const std::vector<Burst> &line, Listen listen) {
   return "rejected " + std::to_string(observer.telemetry().rejectedGroups());
 }
 
-// "us slot:data0 data1" of each slot, and how many groups were rejected.
+// Returns "us slot:data0 data1" of each slot, and how many groups were rejected.
 std::string read(const std::vector<Burst> &line) {
   std::string text;
   const std::string rejected = feed(line, [&text](const line::Observer &observer, const line::Stretch &) {
@@ -52,7 +52,7 @@ std::string read(const std::vector<Burst> &line) {
   return text + rejected;
 }
 
-// Frames of 15 ms, each with what follows 2030 us after it.
+// Returns frames every 15 ms, each with what follows 2030 us after it.
 std::string readBehind(uint8_t end, const std::vector<uint8_t> &behind, int badAt = -1) {
   std::vector<Burst> line;
   for (unsigned i = 0; i < 6; i++) {
@@ -153,7 +153,7 @@ TEST_CASE("sensors' quantities are right: the sources' examples and real lines")
   CHECK(line::sensorOf("") == nullptr);
 }
 
-TEST_CASE("a stretch is named slots while only slots have come since the frame; a gap between two slots cuts it") {
+TEST_CASE("a stretch is named slots while only slots have come since the frame; a gap between two slots ends it") {
   const struct {
     const char *what;
     std::vector<Burst> behind;  // times from the end of the frame on
@@ -182,7 +182,7 @@ TEST_CASE("a stretch is named slots while only slots have come since the frame; 
   }
 }
 
-TEST_CASE("readings: the newest of each quantity, both of the receiver's, nothing of a sensor that lacks a slot") {
+TEST_CASE("readings have the newest of each quantity, both of the receiver's, and none of a sensor that lacks a slot") {
   using Slots = std::vector<line::TelemetrySlots::Slot>;
   line::Readings readings({{uint8_t{0}, line::sensorOf("receiver")}, {uint8_t{1}, line::sensorOf("SBS-01V")}});
   const auto texts = [&readings](uint64_t sinceUs) {

@@ -1,4 +1,4 @@
-// How the host's board sends: the transmit buffer, and what a port with other settings receives.
+// The host's board as a sender: its transmit buffer, and what a port with other settings receives.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -38,7 +38,7 @@ std::vector<Character> sentBy(BoardTransmitter &transmitter, uint64_t nowUs) {
   return characters;
 }
 
-// What a port with settings `to` makes of bytes sent back to back by one with settings `from`.
+// Returns what a port with settings `to` receives of bytes that a port with settings `from` sends back to back.
 std::vector<Character> heard(const host::PortSettings &from, const host::PortSettings &to,
                              const std::vector<uint8_t> &bytes) {
   BoardTransmitter transmitter;
@@ -57,7 +57,7 @@ std::vector<Character> heard(const host::PortSettings &from, const host::PortSet
   return characters;
 }
 
-// Returns how many of the bytes sent come over, in their order: what a sketch could use.
+// Returns how many of the sent bytes arrive, in order: those a sketch could use.
 size_t bytesThrough(const host::PortSettings &from, const host::PortSettings &to) {
   const std::vector<uint8_t> bytes = counting(64);
   size_t through = 0;
@@ -69,7 +69,7 @@ size_t bytesThrough(const host::PortSettings &from, const host::PortSettings &to
 
 }  // namespace
 
-TEST_CASE("a closed port has no places and takes nothing; characters under way when it is closed are lost") {
+TEST_CASE("a closed port has no room and takes nothing; closing it loses the characters that are being sent") {
   BoardTransmitter transmitter;
   CHECK(transmitter.availableForWrite() == 0);
   CHECK(write(transmitter, 0, 1) == 0);
@@ -84,7 +84,7 @@ TEST_CASE("a closed port has no places and takes nothing; characters under way w
   CHECK(sentBy(transmitter, 1000000).empty());
 }
 
-TEST_CASE("characters go out back to back, the first a character's time after it was written") {
+TEST_CASE("characters go out back to back, the first one character time after it was written") {
   for (const uint64_t ns : {uint64_t{120000}, uint64_t{60000}}) {
     CAPTURE(ns);
     BoardTransmitter transmitter;
@@ -101,7 +101,7 @@ TEST_CASE("characters go out back to back, the first a character's time after it
   }
 }
 
-TEST_CASE("a character is sent at its end, not a microsecond before, and fractions of times do not add up") {
+TEST_CASE("a character counts as sent at its end, not a microsecond before, and rounded times do not add up") {
   BoardTransmitter transmitter;
   transmitter.open(86805);  // 10 bits at 115200 baud
   write(transmitter, 0, 64);
@@ -111,7 +111,7 @@ TEST_CASE("a character is sent at its end, not a microsecond before, and fractio
   CHECK(sentBy(transmitter, 5556).size() == 1);  // the 64th: 5555.52 us
 }
 
-TEST_CASE("the board's places become free by packets of up to 32, which do not go across the ring's end") {
+TEST_CASE("the board's buffer becomes free by packets of up to 32, which do not cross the ring's end") {
   BoardTransmitter transmitter;
   transmitter.open(SBusNs);
   REQUIRE(write(transmitter, 0, 50) == 50);
@@ -129,7 +129,7 @@ TEST_CASE("the board's places become free by packets of up to 32, which do not g
   CHECK(transmitter.availableForWrite() == 64 - 11);
 }
 
-TEST_CASE("a plainer core keeps one place free, and has each place back when its character is sent") {
+TEST_CASE("a plainer core keeps one place of the buffer free, and frees each place when its character is sent") {
   BoardTransmitter transmitter(63, 1);
   transmitter.open(SBusNs);
   CHECK(transmitter.availableForWrite() == 63);
@@ -142,7 +142,7 @@ TEST_CASE("a plainer core keeps one place free, and has each place back when its
   }
 }
 
-TEST_CASE("a full buffer takes what fits; later bytes follow without a gap, or after a gap when they are written") {
+TEST_CASE("a full buffer takes what fits; bytes written in time follow without a gap, later ones when they are written") {
   BoardTransmitter transmitter;
   transmitter.open(SBusNs);
   CHECK(write(transmitter, 0, 70) == 64);
@@ -159,7 +159,7 @@ TEST_CASE("a full buffer takes what fits; later bytes follow without a gap, or a
   CHECK(late[0].endUs == 9120);
 }
 
-TEST_CASE("between ports with the same settings every byte comes over, in any format and at any rate; of seven bits the low ones") {
+TEST_CASE("between ports with the same settings every byte arrives, in any format and at any rate; of seven bits the low ones") {
   constexpr uint32_t SevenBits = STM32L0_UART_OPTION_DATA_SIZE_7 | STM32L0_UART_OPTION_PARITY_EVEN;
   const std::vector<uint8_t> bytes = {0x00, 0xFF, 0x0F, 0x55, 0xAA, 0x01, 0x80, 0x7F};
   for (const unsigned long baud : {9600ul, 100000ul, 115200ul, 200000ul}) {
@@ -178,7 +178,7 @@ TEST_CASE("between ports with the same settings every byte comes over, in any fo
   }
 }
 
-TEST_CASE("with another parity, rate or polarity hardly a byte comes over, with a stop bit less every one") {
+TEST_CASE("with another parity, rate or polarity hardly a byte arrives; with a stop bit less, every byte does") {
   const uint32_t inverted = STM32L0_UART_OPTION_RX_INVERT | STM32L0_UART_OPTION_TX_INVERT;
   const host::PortSettings sBus = host::portSettings(100000, SERIAL_SBUS);
   const struct {

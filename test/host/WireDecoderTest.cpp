@@ -1,7 +1,7 @@
-// The characters of the wire, by a UART's rules; captures that are cut off or malformed.
+// Decodes the characters of the wire by a UART's rules; captures that are cut off or malformed.
 #include "support/Decoded.h"
 
-TEST_CASE("the paper's bits, chapter 4.1: a framing error in byte 2, a parity error in byte 3, all others good") {
+TEST_CASE("the paper's bits, chapter 4.1, have a framing error in byte 2, a parity error in byte 3, and no other error") {
   const Decoded decoded(
       "1 00001111 1001 00111000 0001 00111111 1101 00000111 1001 00101011 1001 11111100 1001 00011100 0001 10101111 1001");
   const Bytes expected = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};
@@ -16,7 +16,7 @@ TEST_CASE("the paper's bits, chapter 4.1: a framing error in byte 2, a parity er
   CHECK(decoded.wire.settings.polarity == line::Polarity::Inverted);
 }
 
-TEST_CASE("a UART's rules: glitches, breaks, and the character after them") {
+TEST_CASE("glitches, breaks and the character after them are decoded as a UART does") {
   TestWire wire = wireOf();
   wire.edges.push_back(wire.ns);  // shorter than half a bit: no start bit
   wire.edges.push_back(wire.ns + 4000);
@@ -33,7 +33,7 @@ TEST_CASE("a UART's rules: glitches, breaks, and the character after them") {
   CHECK_FALSE(decoded.characters[All.size() + 1].bad());
 }
 
-TEST_CASE("a capture that ends within a character: the character is left out, unless its last edge is the end") {
+TEST_CASE("a character in which the capture ends is left out, unless its last edge is the end") {
   const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
   const std::string atItsEdge = vcd.substr(0, vcd.rfind('#'));
   const struct {
@@ -51,7 +51,7 @@ TEST_CASE("a capture that ends within a character: the character is left out, un
   }
 }
 
-TEST_CASE("malformed captures are rejected with the line, what is wrong and what is expected") {
+TEST_CASE("a malformed capture is rejected: the message has the line, what is wrong and what is expected") {
   const std::string vcd = "$timescale 1 us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n";
   const std::string saleae = "Time [s],RX\n0.0,0\n0.1,1\n";
   const struct {

@@ -1,4 +1,4 @@
-// Captures that a program has worked on: Saleae's table of characters, sigrok-cli's rows, sessions of sigrok.
+// Captures that a program has processed: Saleae's table of characters, sigrok-cli's rows, sessions of sigrok.
 #include "support/Decoded.h"
 #include "line/capture/Text.h"
 
@@ -6,8 +6,9 @@ using line::lower;
 
 namespace {
 
-// As sigrok-cli -O bits and -O hex print it: libsigrok, src/output/bits.c:101 to 111 and 142 to 185, src/output/hex.c:154 to 205: the
-// samples of `width`, in eights, the last ones of hexadecimal digits filled up with zeros; where it was triggered a line with T.
+// Prints as sigrok-cli -O bits and -O hex do (libsigrok, src/output/bits.c:101 to 111 and 142 to 185, src/output/hex.c:154 to
+// 205): `width` samples a line, in groups of eight, the last hexadecimal digits filled up with zeros; a line with T where it
+// was triggered.
 std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggered = false) {
   const std::string samples = sampled(wire, 1000);
   std::string levels[2];
@@ -35,9 +36,9 @@ std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggere
   return text;
 }
 
-// What Saleae's analyser makes of the known frames, with a character every `characterNs`. Logic 1: saleae/serial-analyzer,
-// src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each FrameV2, src/SerialAnalyzer.cpp:240 to
-// 256; the columns of data are in quotation marks, in any order, and a last field that is empty is there.
+// Returns what Saleae's analyser exports for the known frames, with a character every `characterNs`. Logic 1: saleae/serial-
+// analyzer, src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each FrameV2,
+// src/SerialAnalyzer.cpp:240 to 256; the columns of data are in quotation marks, in any order; an empty last field is kept.
 std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong = SIZE_MAX, size_t framingWrong = SIZE_MAX) {
   std::string text = logic2 ? "name,type,start_time,duration,\"data\",\"error\"\n" : "Time [s],Value,Parity Error,Framing Error\n";
   for (size_t i = 0; i < All.size(); i++) {
@@ -50,7 +51,7 @@ std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong
   return text;
 }
 
-// As libsigrok writes it, src/output/srzip.c:103 to 156 and 278; RX is this bit of a sample.
+// Writes a session as libsigrok does, src/output/srzip.c:103 to 156 and 278; RX is this bit of a sample.
 std::string metadataOf(size_t sampleSize, size_t bit) {
   return "[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=" + std::to_string(8 * sampleSize) +
          "\nsamplerate=1 MHz\ntotal analog=0\nprobe2=CLK\nprobe" + std::to_string(bit + 1) +
@@ -59,7 +60,7 @@ std::string metadataOf(size_t sampleSize, size_t bit) {
 
 }  // namespace
 
-TEST_CASE("characters that Saleae's analyser has decoded: the same bytes at their times, and their errors") {
+TEST_CASE("characters that Saleae's analyser has decoded give the same bytes at their times, and their errors") {
   const std::string logic1 = asyncOf(false);
   const std::string logic2 = asyncOf(true);
   const std::string i2c = "\"I2C\",\"start\",0.001,1e-07,,\n\"I2C\",\"data\",0.001,2e-05,0x0F,\n";
@@ -117,7 +118,7 @@ TEST_CASE("characters that Saleae's analyser has decoded: the same bytes at thei
   }
 }
 
-TEST_CASE("characters that Saleae's analyser has decoded, but no frames of S.Bus: what is wrong and what is expected") {
+TEST_CASE("characters that Saleae's analyser has decoded, but without S.Bus: the message has what is wrong and what is expected") {
   const std::string logic1 = asyncOf(false);
   const std::string title1 = logic1.substr(0, logic1.find('\n') + 1);
   const std::string logic2 = asyncOf(true);
@@ -151,7 +152,7 @@ TEST_CASE("characters that Saleae's analyser has decoded, but no frames of S.Bus
               "signal Async Serial has 100 good characters and 0 bad ones: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted? No signal"));
 }
 
-TEST_CASE("samples as sigrok prints them, as bits and in hexadecimal digits, with lines of any width") {
+TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal digits, in lines of any width") {
   for (const bool hex : {false, true}) {
     for (const size_t width : {size_t{8}, size_t{64}, size_t{192}, size_t{4000}, hex ? size_t{40} : size_t{13}}) {
       for (const bool triggered : {false, true}) {
@@ -192,7 +193,7 @@ TEST_CASE("samples as sigrok prints them, as bits and in hexadecimal digits, wit
   }
 }
 
-TEST_CASE("a session of sigrok: its metadata, and samples in pieces of any size") {
+TEST_CASE("a session of sigrok is read: its metadata, and samples in pieces of any size") {
   const std::string text = sampled(wireOf(), 1000);
   const struct {
     size_t sampleSize, bit;
@@ -217,7 +218,7 @@ TEST_CASE("a session of sigrok: its metadata, and samples in pieces of any size"
   }
 }
 
-TEST_CASE("a session of sigrok that cannot be decoded: what is wrong and what is expected") {
+TEST_CASE("a session of sigrok that cannot be decoded: the message has what is wrong and what is expected") {
   const std::string metadata = metadataOf(1, 0);
   const std::string none = "has no logic signals: a session with them, or CSV of analogue ones, is expected";
   const struct {

@@ -1,4 +1,4 @@
-// Which signal of a capture carries S.Bus, its polarity and baud rate; and why a signal does not.
+// Finds the signal of a capture that carries S.Bus, its polarity and baud rate; or says why a signal is not S.Bus.
 #include "support/Decoded.h"
 
 namespace {
@@ -16,7 +16,7 @@ std::string vcdOf(const TestWire &a, const TestWire &b) {
 
 }  // namespace
 
-TEST_CASE("of several signals the one with S.Bus is found, or the one that --signal names") {
+TEST_CASE("of several signals, the one with S.Bus is decoded, or the one that --signal names") {
   for (const TestFormat format : {TestFormat::Vcd, TestFormat::Saleae, TestFormat::PulseView}) {
     const std::string text = textOf(wireOf(), format, true);
     INFO("format ", static_cast<int>(format));
@@ -32,7 +32,7 @@ TEST_CASE("of several signals the one with S.Bus is found, or the one that --sig
         "there is no signal X: one of A, B, C, D, E, F, G, H, ... is expected");
 }
 
-TEST_CASE("a signal without frames is never taken for S.Bus, whatever stands beside it and however clean its characters are") {
+TEST_CASE("a signal without frames is never taken for S.Bus, whatever other signals there are and however clean its characters") {
   TestWire bytes = wireOf();  // also 8E2 at 100000 baud
   bytes.edges.clear();
   bytes.ns = 2000000;
@@ -70,7 +70,7 @@ TEST_CASE("a signal without frames is never taken for S.Bus, whatever stands bes
   CHECK(Decoded(vcdOf(bytes, bytes), "B").characters.size() == 200);  // since it was named
 }
 
-TEST_CASE("of two signals with frames the one with more is decoded, though its first characters have more errors") {
+TEST_CASE("of two signals with frames, the one with more frames is decoded, though its first characters have more errors") {
   TestWire few;
   few.bytes(Neutral.bytes);
   few.gap(30000000);
@@ -80,7 +80,7 @@ TEST_CASE("of two signals with frames the one with more is decoded, though its f
   CHECK(Decoded(vcdOf(few, more)).others == std::vector<std::string>{"A"});
 }
 
-TEST_CASE("options overrule what is found") {
+TEST_CASE("options overrule what was found") {
   const std::string samples = sampled(wireOf(), 1000);
   const std::string noRate = samples.substr(samples.find('\n') + 1);
   const std::string bits = replaced(noRate.substr(noRate.find('\n') + 1), "0\n0\n0\n0\n", "0000\n");
@@ -122,14 +122,14 @@ TEST_CASE("options overrule what is found") {
   }
   CHECK(Decoded(textOf(wireOf(), TestFormat::Vcd), overrules(0, Either, 1000, {})).error == "has times of its own: leave out --rate");
   CHECK(Decoded(textOf(wireOf(), TestFormat::Saleae), overrules(0, Either, 0, 1.5)).error == "has no voltages: leave out --threshold");
-  TestWire zeros;  // whose pulses are all of ten bits: nothing tells how long one is
+  TestWire zeros;  // all of its pulses are ten bits long: nothing shows how long one bit is
   zeros.bytes(Bytes(5, 0));
   zeros.gap(1e6);
   CHECK(Decoded(textOf(zeros, TestFormat::Saleae)).characters.empty());
   CHECK(Decoded(textOf(zeros, TestFormat::Saleae), overrules(100000, Either, 0, {})).bytes() == Bytes(5, 0));
 }
 
-TEST_CASE("of two signals that carry S.Bus the one with fewer errors is decoded, and the other is named") {
+TEST_CASE("of two signals that carry S.Bus, the one with fewer errors is decoded, and the other is named") {
   TestWire good = wireOf();
   TestWire worse = wireOf();
   worse.edges[9] += 10000;
@@ -144,7 +144,7 @@ TEST_CASE("of two signals that carry S.Bus the one with fewer errors is decoded,
   }
 }
 
-TEST_CASE("S.Bus that begins after a million edges of noise: no byte of it is missing") {
+TEST_CASE("S.Bus that begins after a million edges of noise is decoded without a missing byte") {
   TestWire wire;
   uint32_t random = 1;
   for (int i = 0; i < 1000524; i++) {  // fewer than fill the sample: S.Bus fills the other half
@@ -164,7 +164,7 @@ TEST_CASE("S.Bus that begins after a million edges of noise: no byte of it is mi
   }
 }
 
-TEST_CASE("signals that are no S.Bus are rejected with the reason") {
+TEST_CASE("a signal that is not S.Bus is rejected with the reason") {
   TestWire uart;  // 115200 baud
   uart.bitNs = 8680;
   uart.bytes(All);
@@ -210,7 +210,7 @@ TEST_CASE("signals that are no S.Bus are rejected with the reason") {
   }
 }
 
-TEST_CASE("four samples a bit are enough; fewer are reported, but bits are still decoded with a little more than two") {
+TEST_CASE("four samples a bit are enough; fewer are reported, but still decoded down to a little more than two") {
   const struct {
     double bitNs, periodNs;
     bool right;

@@ -16,7 +16,7 @@ const std::vector<Setup> &sbus2() {
   static const std::vector<Setup> list = everyDriver({15000}, {50, 1000, 2000, 3100, 4000, 4900});
   return list;
 }
-// Here every gap between frames is seen.
+// In these setups every gap between frames is seen.
 const std::vector<Setup> &gaps() {
   static const std::vector<Setup> list = [] {
     std::vector<Setup> all = everyDriver({9000}, {50, 1000});

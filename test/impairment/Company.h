@@ -1,4 +1,4 @@
-// Lines with more than a receiver's frames: telemetry, stray characters, a loop() with delays, a loose connector.
+// Lines with more than frames: telemetry, stray characters, a loop() with delays, a loose connector.
 #pragma once
 
 #include "Conditions.h"

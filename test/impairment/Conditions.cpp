@@ -53,7 +53,7 @@ const std::vector<Setup> Other = {{7000, 50}, {7000, 1000}, {9000, 50}, {9000, 1
 const std::vector<Setup> Slow = {{7000, 5000},        {9000, 5000},       {9000, 5000, ByteByByte},
                                  {9000, 5000, Fifo},  {14000, 5000}};
 const std::vector<Setup> Slower = {{6000, 20000}, {9000, 20000}, {14000, 20000, Fifo}, {15000, 20000}};
-// delay(19): a frame waits for up to two of its periods, or comes just after a call.
+// With delay(19) a frame waits for up to two of its periods, or comes just after a call.
 const std::vector<Setup> Delay19 = {
     {7000, 19000, Board, 256},      {9000, 19000, Board, 256}, {14000, 19000, ByteByByte, 256},
     {15000, 19000, ByteByByte, 63}, {9000, 19000, Fifo, 256},  {14000, 19000, Esp32Told, 256}};
@@ -64,12 +64,12 @@ const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByt
 const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, ByteByByte, 256}, {14000, 50, Fifo, 256}};
 
 
-// For Fast S.Bus half of these, and what FrSky's ACCESS receivers send, 4 to 9 ms.
+// For Fast S.Bus, half of these periods, and those of FrSky's ACCESS receivers, 4 to 9 ms.
 const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, ByteByByte}};
 const std::vector<Setup> FastHidden = {{2000, 50}, {3500, 1500}};
 const std::vector<Setup> FastBlocked = {{3000, 50}, {4500, 50, Board, 256}, {9000, 50}};
 
-// Every period, and these loops.
+// Every period with each of these loops.
 std::vector<Setup> joins(std::initializer_list<uint32_t> loopsUs) {
   return everyDriver({4000, 5000, 6000, 7000, 9000, 11000, 14000}, loopsUs);
 }

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Of S.BUS2's slots, after the end of a frame, as measured on a Futaba R7008SB: PX4-Autopilot, sbus2_r7008SB.txt.
+// The times of S.BUS2's slots after the end of a frame, as measured on a Futaba R7008SB: PX4-Autopilot, sbus2_r7008SB.txt.
 constexpr uint32_t FirstSlotUs = 2030;
 constexpr uint32_t SlotUs = 660;
 constexpr unsigned VoltageUpperBits = 0xC0;  // slot 0 is the receiver's own: its supply or the external voltage
@@ -18,7 +18,7 @@ constexpr unsigned Groups = 4;
 constexpr double Junk = 1 / 8.;
 constexpr uint32_t SilenceUs = 100000;
 
-// 011 and the slot's number, its bits in reverse.
+// Returns 011 and the slot's number, its bits in reverse.
 uint8_t slotId(unsigned slot) {
   unsigned id = 0;
   for (unsigned bit = 0; bit < 5; bit++) {
@@ -178,7 +178,7 @@ void ImpairedLine::sendExtra() {
   _sent.push_back(sent);
 }
 
-// What stands between this frame and the next.
+// Sends what is between this frame and the next.
 void ImpairedLine::sendBetween(uint8_t end) {
   const uint64_t characters = _characters.size();
   if (_transmission.kind == Kind::Fasst12) {

@@ -15,7 +15,7 @@ enum class Kind {
   R7003SB,     // end byte 08 and five more bytes straight after the frame
   Fasst12,     // these five as an oscilloscope shows them: 00, after 310 us telemetry slot 0, and 00
   With2F,      // Futaba's further channels: a 2F frame 0.6 to 6 ms before each frame
-  Odd2F,       // after every third frame a 2F frame, no matter where that stands
+  Odd2F,       // after every third frame a 2F frame, wherever that is
   Channels24,  // 36-byte frames only
 };
 
@@ -23,7 +23,7 @@ enum class Kind {
 struct Impairments {
   double dropped = 0;   // of a character: its parity is wrong, so the UART drops it
   double burst = 0;     // of a character: with it a burst of 2 to 12 begins, which are dropped; one in eight is junk
-  double inserted = 0;  // of a character: any other one comes straight before it
+  double inserted = 0;  // of a character: another, random one comes straight before it
   double flipped = 0;   // of a character: two of its bits are wrong, and parity misses it
   double noise = 0;     // of a gap: it holds one character, anything, anywhere
 };
@@ -35,7 +35,7 @@ struct Company {
   int32_t lateUs = 0;      // sensors answer this much too late; below 0: too early
   uint8_t group = 0;       // added to the group of which their slots should be
   int strayBefore = NoStray;  // a character straight before each frame; AnyStray: anything but a header
-  int strayBehind = NoStray;  // likewise behind
+  int strayBehind = NoStray;  // a character straight after each frame
 
   static constexpr int NoStray = -1, AnyStray = 256;
 };
@@ -66,15 +66,15 @@ struct Transmission {
   uint32_t characterUs() const { return line::LineSettings{baud}.characterUs(); }
 };
 
-// A frame as it stood on the line. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
+// A frame as it was on the line. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
 struct SentFrame {
   LongFrame bytes{};
   unsigned size = sbus::FrameSize;
   bool extra = false;     // its header is 2F
   bool intact = true;     // all there, nothing in between, and header, flags and end byte are those of a frame
   bool altered = false;   // not what the receiver sent
-  bool straight = false;  // nothing stands between it and the intact frame before it, with all that belongs to that
-                          // one; nor was the line silent for longer than any frame period
+  bool straight = false;  // nothing comes between it and the intact frame before it, with all that belongs to that
+                          // frame; nor was the line silent for longer than any frame period
   uint64_t first = 0;     // number of its first good character
   uint64_t after = 0;     // number of the good character after it
   uint64_t endUs = 0;     // when its last character was complete
@@ -94,7 +94,7 @@ class ImpairedLine : public line::Line {
   // Takes the oldest frame that was sent; returns false without one. No character of a frame comes before it.
   bool nextSent(SentFrame &frame);
 
-  // When the first character after the cut begins, if frames are all that is sent; without a cut, the first of all.
+  // Returns when the first character after the cut begins, if only frames are sent; without a cut, the first of all.
   uint64_t joinedUs() const { return _joinedUs; }
 
   uint64_t noiseCharacters() const { return _noiseCharacters; }
@@ -120,7 +120,7 @@ class ImpairedLine : public line::Line {
   uint64_t _framesLeft;
   uint64_t _number = 0;  // of the next frame
   uint64_t _frameUs;     // when it begins
-  uint64_t _timeUs;      // when what was sent so far is through
+  uint64_t _timeUs;      // when all that was sent so far is complete
   uint64_t _good = 0;    // good characters sent so far
   uint64_t _noiseCharacters = 0;
   uint64_t _burstEndUs = 0;

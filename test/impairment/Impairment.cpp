@@ -1,7 +1,7 @@
-// Prints how the receiver and the baseline do on every line: a table in Markdown, one row a line, as each is done.
+// Prints how the receiver and the baseline perform on every line: a table in Markdown, with a row for each line as it is done.
 //   FRAMES=n    frames of each line, setup and kind of sticks; 2000
 //   SEED=n      20181
-//   ONLY=x      only the lines whose name has x in it
+//   ONLY=x      only the lines whose names contain x
 //   FULL=1      one row for each line, setup and kind of sticks
 //   SUMMARY=1   only the receiver, sums only; FRAMES: 1000 by default
 #include <cstdio>
@@ -31,7 +31,7 @@ Row rowOf(const Condition &condition) {
           }};
 }
 
-// Here each join is a damage, and a join without a frame is missed.
+// Each join counts as an impaired frame, and a join without a frame as missed.
 Row rowOf(const JoinLine &line) {
   return {line.name, line.setups, JoinLine::sticks(),
           [&line](const Setup &setup, Payload sticks, Decoder decoder) {
@@ -67,7 +67,7 @@ void printHeading(const std::vector<std::string> &cells) {
   printRow(std::vector<std::string>(cells.size(), "---"));
 }
 
-// One way of receiving on one line: the sum, and the worst sticks, over all setups.
+// One decoder on one line: the sum, and the worst sticks, over all setups.
 struct Column {
   Tally sum;
   Tally worst;

@@ -1,4 +1,4 @@
-// The impairment bench: what is missed, wrong, late and too young on every line, against the bounds in Conditions.cpp,
+// The impaired lines: what is missed, wrong, late and too young on each, compared with the bounds in Conditions.cpp,
 // Company.cpp and Joins.cpp.
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-// Frames of each condition, setup and kind of sticks.
+// Frames for each condition, setup and kind of sticks.
 constexpr uint64_t Frames = 5000;
 
 Tally sumOf(const Condition &condition, const std::vector<Payload> &group) {
@@ -79,13 +79,13 @@ TEST_CASE("every line keeps its bounds") {
   }
 }
 
-TEST_CASE("no frame is missed or wrong for telemetry, stray characters, delays, or a loose connector") {
+TEST_CASE("no frame is missed or wrong because of telemetry, stray characters, delays, or a loose connector") {
   for (const Condition &condition : companyLines()) {
     hold(condition);
   }
 }
 
-TEST_CASE("a receiver that joins a line delivers no frame that was never sent, and false sync ends at a gap it sees") {
+TEST_CASE("a receiver that joins a line delivers no frame that was never sent, and a false sync ends at a gap that it sees") {
   for (const JoinLine &line : joinLines()) {
     for (const Payload sticks : JoinLine::sticks()) {
       hold(line, sticks);
@@ -93,7 +93,7 @@ TEST_CASE("a receiver that joins a line delivers no frame that was never sent, a
   }
 }
 
-TEST_CASE("the calls of a silence that the simulation leaves out change nothing") {
+TEST_CASE("the calls that the simulation leaves out in a silence change nothing") {
   for (const Condition &condition : conditions()) {
     Condition complete = condition;
     complete.run.everyLoop = true;

@@ -1,4 +1,4 @@
-// A receiver that is plugged in, or begins to listen, while frames go over the line: does it join parts of two frames?
+// A receiver that is plugged in, or begins to listen, while frames come: does it join parts of two frames?
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ enum class Join {
   AfterSilence,   // plugged in after begin()
   AfterCut,       // in sync for 20 frames, unplugged, and plugged in again
   SameCharacter,  // likewise, at the character at which it was unplugged
-  InStep,         // as AtBegin, and the loop stands still against the frames
+  InStep,         // begin() while the line runs, with a loop in step with the frames
 };
 
 // One way to join, and the bounds, of all joins, for each kind of sticks.
@@ -31,7 +31,7 @@ struct JoinLine {
 
 const std::vector<JoinLine> &joinLines();
 
-// What came of a number of joins, with 30 frames each.
+// The results of a number of joins, with 30 frames each.
 struct JoinTally {
   uint64_t joins = 0;
   uint64_t misled = 0;  // joins at which a frame was delivered that was never sent

@@ -1,4 +1,4 @@
-// Compares what a sketch was given with what stood on the line.
+// Compares the frames that a sketch was given with those on the line.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Tally {
   Tally &operator+=(const Tally &other);
   bool operator==(const Tally &other) const;
 
-  // What a loss is held against.
+  // Returns what a loss is compared with.
   uint64_t damages() const { return damaged + disturbed; }
 };
 
@@ -36,16 +36,16 @@ class Judge {
   Judge(uint64_t learning, unsigned size, unsigned flagsMask)
       : _learning(learning), _size(size), _flagsMask(flagsMask) {}
 
-  // The line brings `frame`, later than all before.
+  // Takes a `frame` of the line, later than all before.
   void sent(const SentFrame &frame);
 
-  // The characters from `first` on, up to but without `after`, never reached the sketch.
+  // Notes that the characters from `first` on, up to but without `after`, never reached the sketch.
   void lost(uint64_t first, uint64_t after);
 
-  // The receiver takes it that the port has lost characters.
+  // Notes that the receiver assumes a loss of characters in the port.
   void broken();
 
-  // Frames that have begun before are not counted as joined.
+  // Notes a join: frames that began before do not count as joined.
   void countJoinedFrom(uint64_t number) { _joinedFrom = number; }
 
   // Notes that a gap which a receiver can see has been on the line since it was joined.
@@ -72,7 +72,7 @@ class Judge {
   void settleOldest();
 
   static constexpr size_t Window = 128;    // frames: half a second of the densest line
-  static constexpr uint64_t Reach = 100;  // characters: what is given later is not that frame, but one like it
+  static constexpr uint64_t Reach = 100;  // characters: a frame that is given later is another one that looks the same
 
   const uint64_t _learning;
   const unsigned _size;

@@ -78,7 +78,7 @@ Frame PayloadFrames::next() {
   return frame;
 }
 
-// Gives the channels that stand still other values.
+// Gives new values to the channels that do not move.
 void PayloadFrames::change() {
   _place = _fixedPlace != 0 ? _fixedPlace : 2 + _random.below(22);
   _zeros = _random.below(1u << 16) & _random.below(1u << 16);

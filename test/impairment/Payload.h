@@ -18,7 +18,7 @@ enum class Payload {
   Zeros,         // smooth, but some channels at 0: no pulses
   LowChannel16,  // smooth, but in every other frame CH16 is low: the frame's end looks like its middle; any flags
   // Those that allow a false sync: a real one, and others made up to deceive.
-  Failsafe,      // a receiver's failsafe frame: from its flags on to those of the next all is well
+  Failsafe,      // a receiver's failsafe frame: from its flags to those of the next frame it looks like a frame
   Of0FAnd00,     // every payload byte is a header or an end byte
   All0F,         // every payload byte is a header
   Shifted,       // allows a false sync: looks like a frame from another place on; moving
@@ -31,7 +31,7 @@ const char *name(Payload sticks);
 const std::vector<Payload> &ordinarySticks();
 const std::vector<Payload> &deceptiveSticks();
 
-// Makes frames with end byte 00. Of the moving ones 2 % carry flags, any.
+// Makes frames with end byte 00. 2 % of the moving frames have random flags.
 class PayloadFrames {
  public:
   // `place`: where a false sync begins, 2 to 23 (at the flags, which are 0F then). 0: anywhere, and now and then

@@ -1,4 +1,4 @@
-// Ways of receiving, as the simulated sketch uses them.
+// The decoders that the simulated sketch uses.
 #pragma once
 
 #include <algorithm>

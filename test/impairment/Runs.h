@@ -1,4 +1,4 @@
-// What lines and sketches of the bench are made of.
+// The parts of which the lines and sketches of the conditions are made.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,7 @@ inline Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
   run.blockEveryUs = 1000 * everyMs;
   return run;
 }
-// Unplugged for this number of periods in every 12 frames and these, and on again at the same character.
+// Unplugged for this number of periods in every 12 frames and these, and plugged in at the same character.
 inline Run cut(unsigned periods) {
   Run run;
   run.line.cut = {12, 1, 12 + uint64_t{periods}, 1, 13 + uint64_t{periods}};

@@ -24,11 +24,11 @@ struct Setup {
   Polling polling = Polling::InLoop;
 };
 
-// Every driver with each of these, buffers of 256.
+// Returns every driver with each of these periods and loops, and buffers of 256.
 std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs);
 
-// "T 9 ms, loop 50 us, board, 64".
+// Returns "T 9 ms, loop 50 us, board, 64".
 std::string name(const Setup &setup);
 
-// Made of `seed`, and another one for each line, setup and kind of sticks. It does not change when their lists do.
+// Returns a seed made of `seed` for each line, setup and kind of sticks. It does not change when their lists do.
 uint64_t ownSeed(const std::string &line, const Setup &setup, Payload sticks, uint64_t seed);

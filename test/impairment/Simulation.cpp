@@ -56,10 +56,10 @@ class Simulation {
     fakeMicros += _run.inStep ? periodUs : periodUs * 9 / 10 + randomUs(periodUs / 5 + 1);
   }
 
-  // Every driver has handed over what came, and a call has found nothing.
+  // Returns true if every driver has handed over what came, and a call has found nothing.
   bool isSilent() const { return _emptyLoops > 0 && fakeMicros >= _lastEndUs + LongestIdle * _characterUs; }
 
-  // All loops up to the last one before the next character, or a block. Each takes exactly the loop period.
+  // Runs all loops up to the last one before the next character, or a block. Each takes exactly the loop period.
   void passSilence() {
     if (_nextUs == UINT64_MAX || !isSilent()) {
       return;
@@ -96,7 +96,7 @@ class Simulation {
       const bool gap = isGap();
       poll();
       if (gap) {
-        _judge.gap();  // a frame that ended there was given by now
+        _judge.gap();  // a frame that ended there has been given by now
       }
       return;
     }
@@ -131,7 +131,7 @@ class Simulation {
     if (_receiver.breaks() != breaks) {
       _judge.broken();
     }
-    // Bytes that the full buffer had no place for stood after those in it, which have been read now.
+    // Bytes that found the buffer full came after those in it, which have been read now.
     lose(_port.droppedFull() - _droppedFull);
     _droppedFull = _port.droppedFull();
   }
@@ -146,7 +146,7 @@ class Simulation {
     }
   }
 
-  // All characters before it have been read or lost.
+  // Returns the position before which all characters have been read or lost.
   uint64_t position() const { return _port.bytesRead() + _lost; }
   void lose(uint64_t characters) {
     _judge.lost(position(), position() + characters);
@@ -167,7 +167,7 @@ class Simulation {
   Receiver _receiver = _run.setup.driver.isBoards() ? Receiver(static_cast<BoardsPort &>(_port)) : Receiver(_port);
   Judge _judge;
   Judge _extraJudge;  // of frames with header 2F
-  uint64_t _nextUs = _line.nextUs();  // when the line's next character will be through
+  uint64_t _nextUs = _line.nextUs();  // when the line's next character will be complete
   const uint64_t _joinedUs;
   uint64_t _beforeJoin = 0;  // characters
   uint64_t _lastEmptyUs = 0;

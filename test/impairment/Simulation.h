@@ -11,14 +11,14 @@ struct Run {
   Transmission line{};  // its period is the setup's
   Setup setup{};
   bool reads24 = false;      // ours is class DecodeSBus24, otherwise DecodeSBus
-  bool inStep = false;       // a loop takes exactly its period, otherwise within 10 % of it
+  bool inStep = false;       // each loop takes exactly its period; otherwise its period +-10 %
   uint32_t blockFromUs = 0;  // a blocked loop takes from this
   uint32_t blockToUs = 0;    // to this time
   uint32_t blockEveryUs = 0;
   bool joining = false;        // the port is opened
   uint32_t joinUs = 0;         // this long after the line's first frame has begun
   uint32_t silenceUs = 20000;  // without `joining` this long before, and up to 9 ms longer
-  bool everyLoop = false;    // also those in a silence that change nothing
+  bool everyLoop = false;    // makes also the calls in a silence that change nothing
 };
 
 enum class Decoder { Ours, Papers };

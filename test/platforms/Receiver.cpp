@@ -33,7 +33,7 @@ void pollFor(uint32_t us) {
   }
 }
 
-// The frame, and polls while it comes; the silence behind it is the caller's.
+// Brings the frame, and polls while it comes; the caller brings the silence behind it.
 void send(const Frame &frame) {
   uint32_t us = 0;
   for (size_t sent = 0; sent < frame.size();) {
@@ -77,7 +77,7 @@ int main() {
     }
     expect("may fly", mayFly(), true);
   }
-  // Without a poll for 12 ms one poll takes all that has come.
+  // After 12 ms without a poll, one poll takes all that has come.
   port.assign(Neutral.bytes.begin(), Neutral.bytes.end());
   port.insert(port.end(), PaperHigh.bytes.begin(), PaperHigh.bytes.end());
   clockUs += 12000;
@@ -86,7 +86,7 @@ int main() {
   expect("CH3 after a blocked loop", channels[2], 1811);
   pollFor(120000);
   expect("may fly after 120 ms of silence", mayFly(), false);
-  // After so long a silence it is not aligned: only that nothing follows, idle(), proves the frame.
+  // After this silence the frame is not aligned: only idle(), since nothing follows, proves it.
   send(FailsafeFrame);
   pollFor(PeriodUs - 3000);
   expect("CH3 of the failsafe frame", channels[2], 172);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds library.json, idf_component.yml and zephyr/module.yml against the rules of those who read them, and against each
+"""Compares library.json, idf_component.yml and zephyr/module.yml with the rules of the programs that read them, and with each
 other. Says "ok ..." or "FAILED ...". Writes what it was told of the module to OUT/module, and the files that a component of
 ESP-IDF's registry has to OUT/component.
     manifests.py OUT    from the repository's root
@@ -19,8 +19,8 @@ def limited(longest, pattern=ANY):
     return lambda value: isinstance(value, str) and len(value) <= longest and re.fullmatch(pattern, value) is not None
 
 
-# A rule is a type, a function, [the rule of all], or {key: rule}; a key with ! is required. No reader says a word of a key
-# that it does not know, so one is an error here.
+# A rule is a type, a function, [the rule of all], or {key: rule}; a key with ! is required. The readers ignore a key that they
+# do not know, so here it is an error.
 WORD = limited(50, r"[a-z\d_-]+|\*")
 # platformio-core 145142e, platformio/package/manifest/schema.py:161. The owner is ours: without one any elapsedMillis will do.
 LIBRARY = {
@@ -72,7 +72,7 @@ MODULE = {
 
 
 def errors(value, rule, where):
-    """Yields where the value breaks the rule."""
+    """Yields the places at which the value breaks the rule."""
     if isinstance(rule, list):
         if not isinstance(value, list) or len(set(map(str, value))) < len(value):
             yield where + " is no list, or has something twice"
@@ -101,7 +101,7 @@ def verdict(what, found):
 
 
 def component_files(root, files):
-    """As file_tools.py's filtered_paths() does: all, without those to exclude, and then those to include."""
+    """Filters as file_tools.py's filtered_paths() does: all, without those to exclude, and then those to include."""
     paths = set(root.glob("**/*"))
     for pattern in files.get("exclude", []):
         paths -= set(root.glob(pattern))

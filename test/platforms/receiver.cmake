@@ -1,4 +1,4 @@
-# The program of all three: the page's code, as C++11, and what drives it. PAGE: the file with the page's code.
+# The program of all three platforms: the page's code, as C++11, and the code that drives it. PAGE: the file with the page's code.
 function(add_receiver)  # LIBRARIES...
   add_library(page OBJECT ${PAGE})
   set_target_properties(page PROPERTIES CXX_STANDARD 11 CXX_EXTENSIONS OFF)

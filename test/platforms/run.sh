@@ -1,6 +1,6 @@
 #!/bin/sh
 # The core on other platforms: CMake projects take it, and so do stand-ins of ESP-IDF and Zephyr; each runs the code of
-# other-platforms.md on known frames (Receiver.cpp). The manifests are held against their readers' rules. Says "ok ..." or
+# other-platforms.md on known frames (Receiver.cpp). The manifests are compared with their readers' rules. Says "ok ..." or
 # "FAILED ...".
 # BUILD: an absolute folder for what is built.
 set -u
@@ -45,13 +45,13 @@ members() {
 
 run "a project that fetches the library runs" consumer fetched -DSOURCE="$root"
 
-# Another version than ours, so that none stands in CMakeLists.txt.
+# A version other than ours: CMakeLists.txt must not contain a version.
 mkdir "$out/copy"
 cp -r CMakeLists.txt Makefile src "$out/copy"
 sed 's/^version=.*/version=2.1.3/' library.properties >"$out/copy/library.properties"
 cmake -S "$out/copy" -B "$out/copy" >"$out/said" 2>&1
 [ $? -eq 1 ] && grep -q 'overwrite the Makefile' "$out/said" && cmp Makefile "$out/copy/Makefile"
-verdict $? "CMake does not build where the Makefile stands"
+verdict $? "CMake does not build in the folder of the Makefile"
 rm "$out/copy/CMakeCache.txt"
 
 cmake -S "$out/copy" -B "$out/library" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror" && cmake --build "$out/library" -j 2 &&
@@ -59,7 +59,7 @@ cmake -S "$out/copy" -B "$out/library" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedant
   mv "$out/installed" "$out/moved" && rm -r "$out/library" "$out/copy"
 verdict $? "the library is installed"
 [ "$(cd "$out/moved/include" && find . -type f | sort)" = "$(cd src && find ./sbus -name '*.h' -o -name '*.tpp' | sort)" ]
-verdict $? "... the headers of the core, and no others"
+verdict $? "the installed library has the headers of the core, and no others"
 run "a project that finds 2.1 of it installed, and moved, runs" consumer found -DCMAKE_PREFIX_PATH="$out/moved" -DVERSION=2.1
 for other in 1.9 2.2 3.0; do
   configure consumer "not-$other" -DCMAKE_PREFIX_PATH="$out/moved" -DVERSION="$other" >"$out/said" 2>&1
@@ -67,7 +67,7 @@ for other in 1.9 2.2 3.0; do
   verdict $? "a project that asks for $other is told that there is 2.1.3"
 done
 
-# What the registry of components has of it.
+# The files that the registry of components takes.
 mkdir -p "$out/components/decodesbus"
 xargs tar cf - <"$out/component" | tar xf - -C "$out/components/decodesbus"
 run "a component of ESP-IDF runs" idf idf -DCOMPONENT="$out/components/decodesbus"

@@ -1,4 +1,4 @@
-// The border to WebAssembly: a page that knows structs, enumerations or constants otherwise than its WebAssembly does not start.
+// The border to WebAssembly: a page whose structs, enumerations or constants differ from its WebAssembly's does not start.
 import { check, counts, reads } from './support.mjs';
 
 export default async function () {
@@ -12,12 +12,12 @@ export default async function () {
     ['value Finding Noise 7', 'value Finding Voice 7', 'the values of Finding differ: Noise is 7 in the page and undefined in WebAssembly'],
     ['value CalibrationError NotHeld 9', 'value CalibrationError NotHeld 8', 'the values of CalibrationError differ: NotHeld is 9 in the page and 8 in WebAssembly'],
     ['value Scale Futaba 1', 'value Scale Futaba 2', 'the values of Scale differ: Futaba is 1 in the page and 2 in WebAssembly'],
-    ['constant Enough ', 'constant Mostly ', 'WebAssembly does not tell Enough'],
+    ['constant Enough ', 'constant Mostly ', 'WebAssembly has no Enough'],
   ]) {
-    await check(`WebAssembly that says "${to}" is not taken`, async (page) => {
+    await check(`the page rejects a WebAssembly that says "${to}"`, async (page) => {
       await page.addInitScript(([from, other]) => (fake.layout = (text) => text.replace(from, other)), [edit, to]);
       await page.reload();
-      await reads(page, '#verdict-text', `The page has a fault: ${said}.`);
+      await reads(page, '#verdict-text', `The page has failed: ${said}.`);
       page.complaints.length = 0; // that was one
     });
   }

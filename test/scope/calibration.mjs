@@ -1,9 +1,9 @@
-// A calibration, at a port.
+// A calibration at a port.
 import assert from 'node:assert/strict';
 import { check, connect, counter, counts, frame, opensWith, reads } from './support.mjs';
 
-// So many frames of these channels, one after the other, as quickly as it goes, until the page has all of them: those that it
-// has not would count for the next step.
+// Sends this many frames of these channels, as quickly as it goes, and waits until the page has them all: a late one would
+// count for the next step.
 async function frames(page, list) {
   const before = await counter(page, 'frames');
   for (const channels of list) {
@@ -32,7 +32,7 @@ async function calibrate(page, travel) {
 }
 
 export default async function () {
-  await check('a calibration: three steps, then 100 % is where the sticks end, and CH2 runs backwards', async (page) => {
+  await check('after the three steps of a calibration 100 % is where the sticks end, and CH2 runs backwards', async (page) => {
     await calibrate(page, whole);
     await page.waitForSelector('#calibration', { state: 'hidden' });
     assert.equal(await page.inputValue('#scale'), '2');
@@ -46,9 +46,9 @@ export default async function () {
 
   const stored = (page) => page.evaluate(() => localStorage.getItem('sbus-scope-calibration'));
 
-  await check('a calibration outlives the page, says that it is in use, and can be dropped', async (page) => {
+  await check('a calibration outlives the page, says that it is used, and can be removed', async (page) => {
     await calibrate(page, whole);
-    await reads(page, '#calibrated-text', `By your calibration of ${new Date().toLocaleDateString('en-US')}.`);
+    await reads(page, '#calibrated-text', `Calibrated on ${new Date().toLocaleDateString('en-US')}.`);
     await page.reload();
     await page.waitForSelector('#calibrated');
     assert.equal(await page.inputValue('#scale'), '2');
@@ -69,7 +69,7 @@ export default async function () {
     assert.equal(await page.inputValue('#scale'), '0');
   }, { locale: 'en-US' });
 
-  await check('a calibration that was kept and is damaged is not used', async (page) => {
+  await check('a stored calibration that is damaged is not used', async (page) => {
     await calibrate(page, whole);
     const good = await stored(page);
     for (const bad of [good.slice(0, -1), good.replace(/(....)$/, '0000'), good.replace(/ 01/, ' 02'), 'nonsense', '']) {
@@ -80,24 +80,24 @@ export default async function () {
     }
   });
 
-  await check('a browser that keeps nothing: it is calibrated all the same', async (page) => {
+  await check('a browser that stores nothing can calibrate all the same', async (page) => {
     await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get: () => { throw new DOMException('denied', 'SecurityError'); } }));
     await page.reload();
     await reads(page, '#state', 'Fine');
     await calibrate(page, whole);
-    await reads(page, '#calibration-text', ''); // it says what it lacks
+    await reads(page, '#calibration-text', ''); // it says what is missing
     await page.waitForSelector('#calibrated');
     await page.click('#calibration-drop');
     assert.equal(await page.inputValue('#scale'), '0');
   });
 
-  await check('a stick that was not moved: rejected, with the channel and what to do', async (page) => {
+  await check('a stick that was not moved is rejected, with the channel and what to do', async (page) => {
     await calibrate(page, [...times(10, [200, 200, 250, 1000]), ...times(10, [1800, 1790, 1750, 1030])]);
-    await reads(page, '#calibration-text', /^Not taken: CH4 .*move it to both ends/);
+    await reads(page, '#calibration-text', /^Not accepted: CH4 .*move it to both ends/);
     assert.equal(await page.inputValue('#scale'), '0');
   });
 
-  await check('scales: Futaba puts its centre at 1024', async (page) => {
+  await check("the Futaba scale's centre is 1024", async (page) => {
     await opensWith(page, times(5, frame([1024, 352, 1696])));
     await connect(page);
     await page.selectOption('#scale', '1');
@@ -108,13 +108,13 @@ export default async function () {
     await reads(page, '#bars li:nth-child(3) .us', '1940');
   });
 
-  await check('marks show the least and the most, and are cleared by their button', async (page) => {
+  await check('marks show the lowest and highest value, and their button clears them', async (page) => {
     await opensWith(page, [...times(3, frame([300])), ...times(3, frame([1500]))]);
     await connect(page);
     await counts(page, 'frames', 6);
-    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 300, most 1500"]');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: lowest 300, highest 1500"]');
     await page.click('#reset-marks');
     await frames(page, times(3, [700]));
-    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 700, most 700"]');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: lowest 700, highest 700"]');
   });
 }

@@ -1,4 +1,4 @@
-// Captures of the wire: what the page decodes is what the recording holds that they were made of.
+// Captures of the wire: the page decodes from them what is in the recording that they were made of.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -32,7 +32,7 @@ const forms = {
     `${(wire.at(-1)[0] / 1e6 + 0.02).toFixed(6)},${wire.at(-1)[1]}\n`,
 };
 
-// A session of sigrok, 1 MHz, its samples in so many entries: 0 is one that is not numbered. Packed by another hand than ours.
+// A session of sigrok, 1 MHz, its samples in this many entries (0: one entry without a number), packed by another program.
 function session(wire, parts, { metadata = true, stored = false } = {}) {
   const samples = Buffer.alloc(wire.at(-1)[0] + 20000);
   wire.forEach(([us, high], i) => samples.fill(high << 4, us, wire[i + 1]?.[0]));
@@ -62,7 +62,7 @@ export default async function () {
     ['sbus2', 'vcd', 1, 'RX, 100000 baud, 8E2, not inverted'],
     ['frsky-neutral', 'csv', 0, 'Channel 0, 100000 baud, 8E2, inverted'],
   ]) {
-    await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz: the frames and times of the recording, and the signal that has them`, async (page) => {
+    await check(`${recording}.txt as ${form}, idle ${idle}, also as .gz, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, `test/recordings/${recording}.txt`);
       const capture = forms[form](edges(readFileSync(file, 'utf8'), idle));
       await play(page, file);
@@ -79,7 +79,7 @@ export default async function () {
   }
 
   for (const [how, parts, stored] of [['one entry', 0, false], ['one entry, not packed', 0, true], ['eleven entries, the last one first', 11, false]]) {
-    await check(`a session of sigrok, ${how}: the frames and times of the recording, and the signal that has them`, async (page) => {
+    await check(`a session of sigrok, ${how}, has the frames and times of the recording, and names its signal`, async (page) => {
       const file = path.join(root, 'test/recordings/paper.txt');
       await play(page, file);
       await toEnd(page);
@@ -97,7 +97,7 @@ export default async function () {
   damaged[500] ^= 1;
   const metadata = Buffer.from('[device 1]\ncapturefile=logic-1\nsamplerate=1 MHz\nprobe1=A\nunitsize=1\n');
 
-  // The words of `sbus decode` and of what reads captures: `sbus csv`.
+  // The messages are those of `sbus decode` and of `sbus csv`.
   const noSignal = 'No signal has a frame of S.Bus: a frame is 25 characters (36 of 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap';
   const slow = 'Time [s],Channel 0\n0.0,0\n0.1,1\n0.2,0\n0.3,1\n0.4,0\n';
   for (const [name, content, said] of [
@@ -112,7 +112,7 @@ export default async function () {
     ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
     ['logic.sal', '<SALEAE>\0\0', 'logic.sal: is Logic 2\'s binary export: export it as CSV'],
   ]) {
-    await check(`${name} is rejected in the words of the command, and the simulation goes on`, async (page) => {
+    await check(`${name} is rejected with the message of the command, and the simulation continues`, async (page) => {
       await choose(page, name, content);
       await reads(page, '#notice-text', typeof said === 'string' ? `This cannot be played: ${said}.` : said);
       await reads(page, '#state', 'Fine');

@@ -1,4 +1,4 @@
-// Two cursors on the curves, and what differs between them.
+// Two cursors on the curves, and the differences between them.
 import assert from 'node:assert/strict';
 import { axe, check, codes, connect, counts, drawn, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
 
@@ -25,7 +25,7 @@ const rows = (a, b) => {
 };
 
 export default async function () {
-  await check('two cursors: dragged to two frames, they read times, 1/Δt, and the values of each curve and how they differ; gone again', async (page) => {
+  await check('two cursors dragged to two frames show times, 1/Δt, the values of each curve and the differences; the button removes them', async (page) => {
     await playRamp(page);
     await page.click('#zoom-in');
     await page.click('#zoom-in');
@@ -47,7 +47,7 @@ export default async function () {
     assert.equal(await page.locator('.cursor:visible').count(), 0);
   });
 
-  await check('cursors by keyboard: from frame to frame, to the edges, and the curves follow; Escape clears them', async (page) => {
+  await check('keys move cursors from frame to frame and to the edges, and the curves follow; Escape clears them', async (page) => {
     await playRamp(page);
     for (let i = 0; i < 4; i++) await page.click('#zoom-in');
     await reads(page, '#window', '0.5 s');
@@ -70,7 +70,7 @@ export default async function () {
     assert.equal(await page.evaluate(() => document.activeElement.id), 'cursors');
   });
 
-  await check('cursors by touch: a finger drags them, and the curves stay where they are', async (page) => {
+  await check('a finger drags cursors, and the curves stay where they are', async (page) => {
     await playRamp(page);
     await page.tap('#zoom-in');
     await page.tap('#zoom-in');

@@ -1,4 +1,4 @@
-// Curves and bytes: what pointer and keyboard show.
+// Curves and bytes: what pointer and keyboard show of them.
 import assert from 'node:assert/strict';
 import { check, codes, connect, counts, frame, play, raw, reads, root, toEnd, until } from './support.mjs';
 import path from 'node:path';
@@ -24,7 +24,7 @@ const colorOf = (page, channel) => page.evaluate((name) => {
 }, channel);
 
 export default async function () {
-  await check('CH1 to CH4 are drawn, each in its colour; a channel comes and goes with its button', async (page) => {
+  await check('CH1 to CH4 are drawn, each in its colour; the button of a channel shows or hides its curve', async (page) => {
     await reads(page, '#state', 'Fine');
     await until('CH1 is not drawn', async () => (await pixels(page))[await colorOf(page, 1)] > 20);
     assert.equal((await pixels(page))[await colorOf(page, 6)], undefined);
@@ -32,10 +32,10 @@ export default async function () {
     await until('CH6 is not drawn', async () => (await pixels(page))[await colorOf(page, 6)] > 5);
     await page.click('#bars li:nth-child(1) .chip');
     await until('CH1 is still drawn', async () => (await pixels(page))[await colorOf(page, 1)] === undefined);
-    page.complaints.length = 0;  // that pixels are read
+    page.complaints.length = 0;  // about reading pixels
   });
 
-  await check('the curve of a slow sketch joins its rows, four seconds apart', async (page) => {
+  await check('the curve of a slow sketch joins rows that are four seconds apart', async (page) => {
     await connect(page, 'board');
     await page.click('#zoom-out');
     await reads(page, '#window', '20 s');
@@ -45,10 +45,10 @@ export default async function () {
       await page.evaluate(() => fake.skip(4000));
     }
     await until('CH1 is not drawn', async () => (await pixels(page))[await colorOf(page, 1)] > 200);
-    page.complaints.length = 0;  // that pixels are read
+    page.complaints.length = 0;  // about reading pixels
   });
 
-  await check('pause, zoom and scroll by keyboard; End goes on', async (page) => {
+  await check('keys pause, zoom and scroll; End continues', async (page) => {
     await reads(page, '#window', '10 s');
     await page.focus('#plot');
     await page.keyboard.press('+');
@@ -57,14 +57,14 @@ export default async function () {
     await page.keyboard.press('-');
     await reads(page, '#window', '20 s');
     await page.keyboard.press(' ');
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await page.keyboard.press('End');
     await reads(page, '#pause', 'Pause');
     await page.keyboard.press('ArrowLeft');
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
   });
 
-  await check('what has moved by less than a pixel is not drawn again: four minutes a few times a second, a pause never', async (page) => {
+  await check('curves that moved by less than a pixel are not drawn again: four minutes a few times a second, a pause never', async (page) => {
     await page.addInitScript(() => {
       const clear = CanvasRenderingContext2D.prototype.clearRect;
       globalThis.drawn = 0;
@@ -93,7 +93,7 @@ export default async function () {
     const few = await drawn(200);
     assert.ok(few > 0 && few <= 4, `${few}`);
     await page.click('#pause');
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await drawn(100);
     assert.equal(await drawn(100), 0);
     const before = await all();
@@ -101,7 +101,7 @@ export default async function () {
     await until('the theme is not drawn', async () => (await all()) > before);
   });
 
-  await check('the cursor reads time and values; dragging with Shift zooms in and pauses', async (page) => {
+  await check('the pointer reads time and values; dragging with Shift zooms in and pauses', async (page) => {
     await play(page, path.join(root, 'test/recordings/paper.txt'));
     await toEnd(page);
     const box = await page.locator('#plot .u-over').boundingBox();
@@ -111,11 +111,11 @@ export default async function () {
     await page.mouse.down();
     await page.mouse.move(box.x + box.width - 40, box.y + 50, { steps: 4 });
     await page.mouse.up();
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await reads(page, '#window', '0.5 s');
   });
 
-  await check('pointing at a bit tells its channel, and what it is worth; the view holds still', async (page) => {
+  await check('pointing at a bit shows its channel and its value; meanwhile the view stands still', async (page) => {
     await page.evaluate((bytes) => (fake.port.onOpen = () => fake.every(9, bytes)), frame([172, 992, 1811]));
     await connect(page);
     await raw(page, 3, '1811');

@@ -1,19 +1,19 @@
-// Runs in the page, before it: a clock that tests put on, pictures as a slow PC draws them, the memory of the WebAssembly, what that
-// says of its layout, and a screen that may sleep.
+// Runs in the page before its scripts: a clock that tests can set, drawing as on a slow PC, the memory and layout of the
+// WebAssembly, and a screen that may sleep.
 {
   const real = performance.now.bind(performance);
   let skipped = 0;
   performance.now = () => real() + skipped;
-  // The clock goes on by so much.
+  // Moves the clock on.
   fake.skip = (ms) => (skipped += ms);
   fake.realNow = real;
 
-  // Some fifteen pictures a second, of sixty: each costs 8 ms of the PC's time. `fake.restMs = 0` has all of them.
+  // Draws about fifteen of sixty pictures a second: each costs 8 ms of the PC's time. `fake.restMs = 0` draws all of them.
   const picture = requestAnimationFrame;
   fake.restMs = 50;
   globalThis.requestAnimationFrame = (draw) => (fake.restMs > 0 ? setTimeout(() => picture(draw), fake.restMs) : picture(draw));
 
-  // The layout reads as `fake.layout` makes of it, in as many letters.
+  // `fake.layout` changes the layout's text, to one of the same length.
   const disguise = (at, { buffer }) => {
     const bytes = new Uint8Array(buffer, at);
     const text = new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
@@ -21,7 +21,7 @@
     return at;
   };
 
-  // A worker tells the memory of its WebAssemblies: `memories` in it.
+  // A worker has the memories of its WebAssembly instances in `memories`.
   const prelude = `{
     const Real = WebAssembly.Instance;
     globalThis.memories = [];
@@ -57,7 +57,7 @@
     }
   }
   fake.locks = [];
-  // WakeLock::request(), DidReceivePermissionResponse(): a page that is hidden gets none, also one that has been hidden since it asked.
+  // WakeLock::request(), DidReceivePermissionResponse(): a hidden page gets none, also if it was hidden after its request.
   const request = async () => {
     if (document.visibilityState === 'hidden') throw notVisible();
     await new Promise((resolve) => setTimeout(resolve, 20));
@@ -66,7 +66,7 @@
     return fake.locks.at(-1);
   };
   Object.defineProperty(Navigator.prototype, 'wakeLock', { get: () => ({ request }), configurable: true });
-  // Hides the page, or shows it. WakeLock::PageVisibilityChanged() takes the locks before the page hears of it.
+  // Hides the page, or shows it. WakeLock::PageVisibilityChanged() releases the locks before the page gets the event.
   fake.show = (visible) => {
     Object.defineProperty(document, 'visibilityState', { get: () => (visible ? 'visible' : 'hidden'), configurable: true });
     if (!visible) fake.locks.forEach((lock) => lock.release());

@@ -1,5 +1,5 @@
-// Web Serial as Chromium has it, for tests to play: `fake.port` is the one that is picked. It runs in the page before all scripts,
-// and in node. Copied from Chromium's third_party/blink/renderer/modules/serial, commit 08bac9d: serial_port.cc,
+// A stand-in for Chromium's Web Serial: `fake.port` is the port that is picked. It runs in the page before all scripts, and in
+// node. It behaves as Chromium's third_party/blink/renderer/modules/serial, commit 08bac9d: serial_port.cc,
 // serial_port_underlying_source.cc and serial.cc; each place names the function.
 {
   const later = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -16,14 +16,14 @@
   };
 
   class FakePort extends EventTarget {
-    opened = []; // the options of each open() that a port has come of
+    opened = []; // the options of each open() that succeeded
     busy = false; // another program has it open
     gone = false;
     permitted = false; // by the user, in the chooser
-    openMs = 60; // an FTDI adapter's open() took 60 to 1300 ms; 0 for a port that is there at once
+    openMs = 60; // an FTDI adapter's open() took 60 to 1300 ms; 0: it opens at once
     closeMs = 5;
     ids = { usbVendorId: 0x0403, usbProductId: 0x6001 };
-    // What comes at a setting: called when the port is opened so.
+    // What comes with a setting: called when the port is opened with it.
     onOpen = () => {};
 
     #bound = false;
@@ -40,7 +40,7 @@
       return this.ids;
     }
 
-    // SerialPort::open(), OnOpen(): a device that has gone, one that is busy and one without permission have one text.
+    // SerialPort::open(), OnOpen(): the same text for a device that has gone, is busy, or is not permitted.
     async open(options) {
       if (this.#opening) throw failure('open', 'InvalidStateError', 'A call to open() is already in progress.');
       if (this.#bound) throw failure('open', 'InvalidStateError', 'The port is already open.');
@@ -54,7 +54,7 @@
       this.onOpen(options);
     }
 
-    // SerialPort::readable(): made when it is asked for; none while the port opens or closes, nor once the device is lost.
+    // SerialPort::readable(): made when it is read; none while the port opens or closes, nor once the device is lost.
     get readable() {
       if (!this.#stream && this.#bound && !this.#closing && !this.#fatal) {
         this.#stream = new ReadableStream({
@@ -67,7 +67,7 @@
       return this.#stream;
     }
 
-    // SerialPort::close(): a stream that somebody reads cannot be cancelled.
+    // SerialPort::close(): a stream that has a reader cannot be cancelled.
     async close() {
       if (!this.#bound) throw failure('close', 'InvalidStateError', 'The port is already closed.');
       if (this.#closing) throw failure('close', 'InvalidStateError', 'A call to close() is already in progress.');
@@ -92,19 +92,19 @@
       return this.#stream?.locked ?? false;
     }
 
-    // True once all that was fed has been read, or cannot be.
+    // Returns true once all that was fed has been read, or cannot be read any more.
     get isEmpty() {
       return this.#waiting.length === 0;
     }
 
-    // Without a reader they wait. False if the port is closed.
+    // Bytes wait until there is a reader. Returns false if the port is closed.
     feed(bytes) {
       if (this.#bound) this.#come(Uint8Array.from(bytes));
       return this.#bound;
     }
 
-    // SerialPort::OnReadError(): what has come before is read first. Then the stream breaks and `readable` is another one; of a
-    // lost device there is none.
+    // SerialPort::OnReadError(): what came before is read first. Then the stream breaks and `readable` is a new one; a lost
+    // device has none.
     fail(name) {
       this.#fatal ||= name === 'NetworkError';
       if (this.#stream) this.#come(name);
@@ -170,9 +170,9 @@
     }
   }
 
-  const ports = []; // all there are
+  const ports = []; // all ports
 
-  // SerialPort::DispatchEventInternal(): the event bubbles to navigator.serial. Of a port without permission a page hears nothing:
+  // SerialPort::DispatchEventInternal(): the event bubbles to navigator.serial. A page gets no events of a port without permission:
   // SerialService::OnPortConnectedStateChanged() in content/browser/serial/serial_service.cc.
   const tell = (name, port) => {
     if (!port.permitted) return;
@@ -182,7 +182,7 @@
   };
 
   const serial = new EventTarget();
-  let cancel; // the chooser that is open
+  let cancel; // cancels the open chooser
   const notSelected = () => new DOMException("Failed to execute 'requestPort' on 'Serial': No port selected by the user.", 'NotFoundError');
   // Serial::requestPort(). A second chooser takes the place of the first, whose caller gets no port: SerialService::RequestPort() in
   // content/browser/serial/serial_service.cc, ~SerialChooserController().
@@ -210,11 +210,11 @@
     port: newPort(),
     newPort,
     serial,
-    // What the user picks in the chooser, if anything.
+    // What the user picks in the chooser; undefined: nothing.
     choose: () => fake.port,
     sent: 0, // bytes, by every()
-    // A frame every `ms`, until clearInterval() of what this returns, as an adapter brings it: every 16 ms (an FTDI's latency timer;
-    // 1 ms if it was set so) what has come since, in packets of 62 (test/support/Adapter.h has the sources).
+    // Feeds a frame every `ms`, until clearInterval() of what it returns, as an adapter does: what has come, every 16 ms (an
+    // FTDI's latency timer; 1 ms if it is set to that), in packets of 62 (test/support/Adapter.h has the sources).
     every: (ms, bytes, latencyMs = 16) => {
       const { port } = fake;
       const start = performance.now();

@@ -1,4 +1,4 @@
-// What a mouse, its wheel and fingers do with the curves: what is pointed at stays under the pointer.
+// A mouse, its wheel and fingers on the curves: what is pointed at stays under the pointer.
 import assert from 'node:assert/strict';
 import { check, drawn, fingers, placeOf, playRamp, ramp, reads, until } from './support.mjs';
 
@@ -16,7 +16,7 @@ export default async function () {
     await page.mouse.wheel(0, -250);
     await reads(page, '#window', '1 s');
     await readsFrame(page, 300);
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await page.mouse.wheel(0, 125);
     await reads(page, '#window', '1.41 s');
     await readsFrame(page, 300);
@@ -33,7 +33,7 @@ export default async function () {
     await reads(page, '#pause', 'Pause');
   });
 
-  await check('the wheel on a line that runs: near stands still, far follows the newest, and the page does not scroll', async (page) => {
+  await check('on a running line, zooming in with the wheel pauses, zooming out follows the newest, and the page does not scroll', async (page) => {
     await reads(page, '#state', 'Fine');
     const box = await page.locator('#plot .u-over').boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + 100);
@@ -42,7 +42,7 @@ export default async function () {
     await reads(page, '#pause', 'Pause');
     assert.equal(await page.evaluate(() => scrollY), 0);
     await page.mouse.wheel(0, -100);
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     for (let i = 0; i < 14; i++) await page.mouse.wheel(0, -500);
     await reads(page, '#window', '0.1 s');
     await page.focus('#plot');

@@ -1,4 +1,4 @@
-// An hour of frames, a hundred a second, as fast as the page takes them: what it keeps does not grow.
+// An hour of frames, a hundred a second, as fast as the page takes them: its memory does not grow.
 import assert from 'node:assert/strict';
 import { closeSync, openSync, writeSync } from 'node:fs';
 import path from 'node:path';
@@ -7,7 +7,7 @@ import { build, check, connect, counts, frame, opensWith, raw, toEnd, until } fr
 const perRead = 10; // frames
 const all = 360000;
 
-// `from` to `to`: CH1 counts them. The page draws all the while.
+// Feeds frames `from` to `to`: CH1 counts them. The page draws meanwhile.
 const feed = (page, bytes, from, to) =>
   page.evaluate(async ([template, begin, end, count]) => {
     for (let number = begin; number < end; number += count) {
@@ -32,7 +32,7 @@ async function heap(page, session) {
 }
 
 export default async function () {
-  await check(`${all} frames, an hour of them: every one counted, the memory as before`, async (page) => {
+  await check(`of ${all} frames, an hour, every one is counted, and the memory is as before`, async (page) => {
     const session = await page.context().newCDPSession(page);
     const bytes = frame([1000, 992, 172]);
     await opensWith(page, [bytes]);
@@ -44,13 +44,13 @@ export default async function () {
     await counts(page, 'discardedBytes', 0);
     const after = await heap(page, session);
     console.log(`   heap ${before.script} before, ${after.script} after; WebAssembly ${before.wasm}, ${after.wasm} bytes`);
-    // Compiled code comes and goes; three bytes kept of each frame would be more than this.
+    // Compiled code comes and goes; three bytes for each frame would be more than this.
     assert.ok(after.script - before.script < 900000, `${before.script} bytes became ${after.script}`);
     assert.equal(after.wasm, before.wasm);
   }, { patience: 300000 });
-  // MB=450 node run.mjs hour: as large a recording as the page takes.
+  // MB=450 node run.mjs hour: the largest recording that the page takes.
   const mb = Number(process.env.MB ?? 30.8);
-  await check(`a recording of ${mb} MB: some eight bytes of memory for each of its characters, every frame is played, and no picture waits`, async (page) => {
+  await check(`a recording of ${mb} MB takes about eight bytes of memory a character, every frame is played, and no picture waits`, async (page) => {
     const file = path.join(build, 'hour.txt');
     const count = Math.round((mb / 30.8) * all);
     write(file, count);
@@ -80,7 +80,7 @@ export default async function () {
       position.value = to;
       position.dispatchEvent(new Event('input'));
       const clock = `${Math.floor(to / 60000)}:${(Math.floor(to / 100) % 600 / 10).toFixed(1).padStart(4, '0')} /`;
-      // The newest piece of the line is that of the position.
+      // The newest piece of the line is the one at the position.
       const isThere = () => document.querySelector('#position-text').textContent.startsWith(clock) &&
         Math.abs(Number(document.querySelector('#lines .time').textContent) - to / 1000) < 0.03;
       while (!isThere()) await new Promise((resolve) => setTimeout(resolve, 1));

@@ -1,4 +1,4 @@
-// What the user keeps.
+// What the user saves.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -7,7 +7,7 @@ import { build, bytesOf, check, codes, connect, counter, counts, downloaded, dra
 const bytesIn = (text) => text.split('\n').filter((line) => /^\d/.test(line)).flatMap((line) => line.split(' ').slice(1));
 
 export default async function () {
-  await check('a recording of a port has every byte from when Record is pressed, damaged ones too, and plays again as it was', async (page) => {
+  await check('a recording of a port has every byte since Record was pressed, also damaged ones, and plays again as it was', async (page) => {
     await opensWith(page, [frame([7]), frame([7]), 0x0f, 0x11]);
     await connect(page);
     await counts(page, 'frames', 2);
@@ -33,7 +33,7 @@ export default async function () {
     assert.ok(again.length >= 12);
   });
 
-  await check('what is recorded of the simulation is what the simulation showed, times and all, counted from when Record was pressed', async (page) => {
+  await check('a recording of the simulation has what the simulation showed, with times that count from when Record was pressed', async (page) => {
     await until('no frames come', async () => (await counter(page, 'frames')) > 100);
     await page.click('#record');
     await drawn(page);
@@ -74,7 +74,7 @@ export default async function () {
     assert.ok(rows.some((row) => row.endsWith(',1,0,1,1')));
   });
 
-  await check('CSV of a board holds the numbers as they were printed', async (page) => {
+  await check("a board's CSV has the numbers as they were printed", async (page) => {
     await connect(page, 'board');
     await page.click('#record');
     const rows = ['0.732,0.469,-0.599,-0.043', '0.675,0.369,-0.426,-0.143', '0.5,0.25,-1,0'];
@@ -91,7 +91,7 @@ export default async function () {
   });
 
   // `sbus monitor` and `sbus plot` read the same file: test/tool.
-  await check("a recording of a board's port says how that is set, and plays again; so do rows that sbus has recorded", async (page) => {
+  await check("a recording of a board's port has the port's settings, and plays again; so do rows that sbus has recorded", async (page) => {
     const rows = readFileSync(path.join(root, 'test/golden/AllChannels.csv'), 'utf8').trim().split('\r\n').slice(0, 3);
     const kept = readFileSync(path.join(root, 'test/recordings/board/rows.txt'), 'utf8').trim().split('\n');
     await connect(page, 'board');
@@ -115,7 +115,7 @@ export default async function () {
     }
   });
 
-  // 'held' or 'released', of all wake locks that the page ever had.
+  // Returns 'held' or 'released' for each wake lock that the page ever had.
   const locks = (page) => page.evaluate(() => String(fake.locks.map(({ released }) => (released ? 'released' : 'held'))));
   const lockedAs = (page, expected) => until(async () => `${await locks(page)}, not ${expected}`, async () => (await locks(page)) === expected);
 
@@ -129,14 +129,14 @@ export default async function () {
     await lockedAs(page, 'released');
     await page.evaluate(() => {
       fake.show(true);
-      fake.show(false); // before it has got one
+      fake.show(false); // before it has a lock
       fake.show(true);
     });
     await lockedAs(page, 'released,held');
     await page.click('#record');
     await lockedAs(page, 'released,released');
     await page.click('#record');
-    await page.click('#record'); // perhaps before it has got one
+    await page.click('#record'); // perhaps before it has a lock
     await until('it is held', async () => /^released,released(,released)?$/.test(await locks(page)));
     await page.evaluate(() => fake.show(true));
     await page.click('#record');

@@ -11,7 +11,7 @@ const plugged = (page, ...ports) => page.addInitScript((all) => {
 const uno = { usbVendorId: 0x2341, usbProductId: 0x43 };
 
 export default async function () {
-  await check('a port that was allowed before opens by one click, without a chooser; vendor and product are shown', async (page) => {
+  await check('a port that was allowed before opens with one click, without a dialog; vendor and product are shown', async (page) => {
     await shows(page);
     await page.evaluate((bytes) => {
       const port = Object.assign(fake.newPort(), { permitted: true, gone: true }).plug();
@@ -29,7 +29,7 @@ export default async function () {
     await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, false');
   });
 
-  await check('a port opens again as what it was: a board with its baud rate, whatever its vendor; one that is new is guessed', async (page) => {
+  await check('a port opens again as the board or adapter that it was, a board with its baud rate, whatever its vendor; a new port is guessed', async (page) => {
     await connect(page, 'board');
     await page.selectOption('#baud', '57600');
     await shows(page, 'FTDI FT232 (0403:6001), Open it again as a board, true');
@@ -41,7 +41,7 @@ export default async function () {
     await reads(page, '#title', 'A board that prints numbers, 57600 baud, FTDI FT232 (0403:6001)');
   });
 
-  await check('unplugged, its button goes; plugged in again it is there; a port without permission has none', async (page) => {
+  await check('a port has a button while it is plugged in; a port without permission has none', async (page) => {
     await page.evaluate(() => fake.newPort().plug());
     await connect(page);
     await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
@@ -51,7 +51,7 @@ export default async function () {
     await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
   });
 
-  await check('a browser that rejects getPorts(), as in a page of opaque origin: no buttons, no fault', async (page) => {
+  await check('if the browser rejects getPorts(), as in a page of opaque origin, there are no buttons and no error', async (page) => {
     await page.addInitScript(() => (navigator.serial.getPorts = () => Promise.reject(new DOMException('opaque origin', 'SecurityError'))));
     await page.reload();
     await reads(page, '#state', 'Fine');

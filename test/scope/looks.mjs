@@ -86,7 +86,7 @@ export default async function () {
     assert.equal(await background(), light);
   }, { colorScheme: 'light' });
 
-  await check('everything can be reached and worked by keyboard', async (page) => {
+  await check('everything can be reached and used by keyboard', async (page) => {
     const reached = new Set();
     for (let i = 0; i < 45; i++) {
       await page.keyboard.press('Tab');
@@ -107,7 +107,7 @@ export default async function () {
     assert.equal(await page.getAttribute('#bars li:nth-child(7) .track', 'aria-label'), 'CH7');
   });
 
-  // The page draws as a busy PC does: after 5 to 60 ms, of a clock that runs as fast as the PC can. `watch` is called after each
+  // Makes the page draw as on a busy PC: every 5 to 60 ms of a clock that runs as fast as the PC can. Calls `watch` after each
   // picture, with the time.
   const busy = (page, watch) => page.addInitScript(`{
     let seed = 20181;
@@ -127,7 +127,7 @@ export default async function () {
     }
   };
 
-  await check("a meter's value is what the page has shown within the last second, however busy the PC is", async (page) => {
+  await check("a meter's value is one that the page showed within the last second, however busy the PC is", async (page) => {
     await busy(page, (now) => {
       const seen = (globalThis.seen ??= []);
       const at = (selector) => document.querySelector(`#bars li:nth-child(1) ${selector}`);
@@ -142,7 +142,7 @@ export default async function () {
     assert.equal(await page.evaluate(() => globalThis.old), undefined);
   });
 
-  await check('no live region floods a screen reader: at noise, in a calibration, and with the pointer on the curves', async (page) => {
+  await check('no live region floods a screen reader: during noise, in a calibration, and with the pointer on the curves', async (page) => {
     await busy(page, () => {
       const said = (globalThis.said ??= new Map());
       for (const region of document.querySelectorAll('[role="status"], [role="alert"], output, [aria-live]')) {
@@ -163,7 +163,7 @@ export default async function () {
     assert.deepEqual(said.filter(([, count]) => count > 1 + seconds / 5), []);
   });
 
-  await check('curves are told without their colours: each of eight is dashed in its own way, as its button shows', async (page) => {
+  await check('eight curves can be told apart without colours: each has its own dashes, as its button shows', async (page) => {
     const levels = [100, 350, 600, 850, 1100, 1350, 1600, 1850];
     await page.evaluate((bytes) => (fake.port.onOpen = () => fake.every(9, bytes)), frame(levels));
     await connect(page);
@@ -174,7 +174,7 @@ export default async function () {
     await page.click('#zoom-in');
     await page.click('#zoom-in');
     await reads(page, '#window', '1 s');
-    // Of each curve: dashes in 100 pixels, the part of it that is drawn, in %, and the longest dash.
+    // For each curve: dashes in 100 pixels, the part of it that is drawn, in %, and the longest dash.
     const look = () => page.evaluate((values) => {
       const canvas = document.querySelector('#plot canvas');
       const over = document.querySelector('#plot .u-over');
@@ -195,7 +195,7 @@ export default async function () {
     }, levels);
     let drawn;
     await until(async () => `CH1 is not drawn from edge to edge: ${JSON.stringify(drawn)}`, async () => (drawn = await look())[0][1] > 98);
-    page.complaints.length = 0; // that pixels are read
+    page.complaints.length = 0; // about reading pixels
     assert.ok(drawn.every(([, part]) => part > 15), JSON.stringify(drawn));
     drawn.forEach((one, i) =>
       drawn.slice(0, i).forEach((other, j) =>
@@ -205,7 +205,7 @@ export default async function () {
   });
 
   for (const colorScheme of ['light', 'dark']) {
-    await check(`forced colours, ${colorScheme}: bars, bits, indicators and buttons are still told`, async (page) => {
+    await check(`forced colours, ${colorScheme}: bars, bits, indicators and buttons can still be told apart`, async (page) => {
       await page.selectOption('#receiver', '32');
       await reads(page, '#state', 'Fine');
       // An indicator is on for a moment only: all colours are of one picture that has both.
@@ -244,7 +244,7 @@ export default async function () {
     }, { forcedColors: 'active', colorScheme });
   }
 
-  await check('fingers: one scrolls the curves, two zoom them, and what is pressed is 44 px high', async (page) => {
+  await check('one finger scrolls the curves, two zoom them, and buttons are 44 px high', async (page) => {
     await reads(page, '#state', 'Fine');
     const small = await page.evaluate(() => [...document.querySelectorAll('button, select')].filter((each) => each.offsetParent && each.offsetHeight < 44).map((each) => each.id || each.textContent));
     assert.deepEqual(small, []);
@@ -255,7 +255,7 @@ export default async function () {
     await put([x, y]);
     for (let i = 1; i <= 10; i++) await move([x + 10 * i, y]);
     await lift();
-    await reads(page, '#pause', 'Go on');
+    await reads(page, '#pause', 'Continue');
     await reads(page, '#window', '10 s');
     await put([x - 50, y], [x + 50, y]);
     for (let i = 1; i <= 10; i++) await move([x - 50 - 5 * i, y], [x + 50 + 5 * i, y]);

@@ -1,4 +1,4 @@
-// The page's own modules (extras/scope/src) as they stand, without their types, for node.
+// The page's own modules (extras/scope/src) for node: unchanged, but without their types.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
@@ -9,7 +9,7 @@ const build = process.env.SCOPE_BUILD ?? path.resolve(here, '../../build/scope')
 const { transformSync } = createRequire(path.join(build, 'npm/package.json'))('esbuild');
 const written = new Set();
 
-// Loads one, such as 'source/port', with all that it imports.
+// Loads a module, such as 'source/port', with all that it imports.
 export async function load(name) {
   write(name);
   return import(pathToFileURL(path.join(build, 'modules', `${name}.mjs`)));

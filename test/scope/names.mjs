@@ -11,7 +11,7 @@ async function clean(page) {
 }
 
 export default async function () {
-  await check('a channel has a name: in its bar, the curves, the cursors and for screen readers, and the next time; CSV has CH1 on', async (page) => {
+  await check('a channel keeps its name, in its bar, curves, cursors and for screen readers; CSV has CH1 and so on', async (page) => {
     await page.click('#names-open');
     assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Name of CH1');
     await page.keyboard.type('  Throttle  ');
@@ -35,7 +35,7 @@ export default async function () {
     assert.equal(await page.evaluate(() => localStorage.getItem('sbus-scope-channels')), null);
   });
 
-  await check('hidden channels have no bar and no curve, and it says so, also the next time', async (page) => {
+  await check('hidden channels have no bar and no curve, and the page says so, also the next time', async (page) => {
     await page.click('#names-open');
     for (const channel of [2, 16]) await page.uncheck(`#names-list [aria-label="Show CH${channel}"]`);
     await page.keyboard.press('Escape');
@@ -51,7 +51,7 @@ export default async function () {
     await reads(page, '#hidden-note', '1 channel is hidden.');
   });
 
-  await check('names that were kept and are damaged are not used; a browser that keeps nothing has them until it is left', async (page) => {
+  await check('stored names that are damaged are not used; a browser that stores nothing has names until the page is left', async (page) => {
     const all = Array.from({ length: 16 }, (_, i) => `CH${i + 1}`).join();
     for (const bad of ['nonsense', '[]', 'null', '7', '{"names":7,"hidden":7}', '{"names":{"-1":"x","32":"x","0":7,"y":"x"},"hidden":[-1,99,"0",null,0.5]}']) {
       await page.evaluate((value) => localStorage.setItem('sbus-scope-channels', value), bad);
@@ -71,7 +71,7 @@ export default async function () {
     await reads(page, '#bars li:nth-child(3) .chip', 'A name that is f');
   });
 
-  await check('names on a phone: it fits, and what is pressed is 44 px high', async (page) => {
+  await check('on a phone the names fit, and buttons and fields are 44 px high', async (page) => {
     await page.tap('#names-open');
     await page.fill('#names-list [aria-label="Name of CH3"]', 'WWWWWWWWWWWWWWWW');
     const fits = () => page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth);

@@ -1,4 +1,4 @@
-// The page's WebAssembly without the page: one line, decoded from its beginning.
+// Runs the page's WebAssembly without the page: one line, decoded from its beginning.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -53,13 +53,13 @@ export class Native {
     return Array.from(new Float64Array(this.wasm.memory.buffer, this.wasm.travel(channel), 2));
   }
 
-  // A number of the layout: the first one after these words.
+  // Returns a number of the layout: the first one after these words.
   layout(words) {
     this.text ??= this.words(this.wasm.layout());
     return Number(new RegExp(`^${words} (\\d+)`, 'm').exec(this.text)[1]);
   }
 
-  // A recording from its beginning; advance() plays it.
+  // Opens a recording at its beginning; advance() plays it.
   open(text) {
     const bytes = new TextEncoder().encode(text);
     this.give(bytes.subarray(0, 65536), (count) => this.wasm.openFile(count));

@@ -1,4 +1,4 @@
-// The page as it is served: installable, and there without its server. The one file alone, served or from disk, is complete.
+// The page served with its two files can be installed, and opens without its server. Alone, served or from disk, it is complete.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -27,7 +27,7 @@ async function serve(files) {
   return { url: url(), folder, stop };
 }
 
-// A visitor of its own: check()'s page is one from disk.
+// Visits a server in a context of its own: check()'s page is one from disk.
 async function visit(files, show) {
   const server = await serve(files);
   const context = await browser.newContext({ acceptDownloads: true });
@@ -52,7 +52,7 @@ const isKept = (served) => until('nothing is kept', () => served.evaluate(async 
 
 export default async function () {
   for (const opened of ['', 'index.html', '?from=somewhere']) {
-    await check(`served as /${opened}, and the server stopped: the page opens again, simulates and plays a recording`, () => visit(all, async (served, server) => {
+    await check(`served as /${opened}, the page opens again when the server has stopped, simulates and plays a recording`, () => visit(all, async (served, server) => {
       await isKept(served);
       await server.stop();
       await served.goto(server.url + opened);
@@ -65,17 +65,17 @@ export default async function () {
     }));
   }
 
-  await check('served, Chromium would install it', () => visit(all, async (served, server, context) => {
+  await check('Chromium would install the page when it is served', () => visit(all, async (served, server, context) => {
     await isKept(served);
     const session = await context.newCDPSession(served);
     const { url, errors } = await session.send('Page.getAppManifest');
     assert.equal(url, `${server.url}manifest.webmanifest`);
     assert.deepEqual(errors, []);
     const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
-    assert.deepEqual(installabilityErrors.map(({ errorId }) => errorId), ['in-incognito']); // as all of the tests' pages are
+    assert.deepEqual(installabilityErrors.map(({ errorId }) => errorId), ['in-incognito']); // all pages of the tests are
   }));
 
-  await check('while the server answers, a new build is seen at once, and kept', () => visit(all, async (served, server) => {
+  await check('while the server answers, a new build is shown at once, and kept', () => visit(all, async (served, server) => {
     await isKept(served);
     const file = path.join(server.folder, page);
     writeFileSync(file, readFileSync(file, 'utf8').replace('<title>S.Bus scope', '<title>S.Bus scope, newer'));
@@ -86,13 +86,13 @@ export default async function () {
     assert.equal(await served.title(), 'S.Bus scope, newer');
   }));
 
-  await check('served alone, the page is as from disk', () => visit([page], async (served) => {
+  await check('served without its two files, the page works as from disk', () => visit([page], async (served) => {
     await served.waitForTimeout(500);
     assert.equal(await served.evaluate(() => navigator.serviceWorker.getRegistration().then((found) => found === undefined)), true);
     assert.equal(await served.$('link[rel="manifest"]'), null);
   }));
 
-  await check('from disk it asks for nothing', async (fromDisk) => {
+  await check('opened from disk, the page requests nothing', async (fromDisk) => {
     const asked = [];
     fromDisk.on('request', (request) => /^(blob|data):/.test(request.url()) || asked.push(request.url()));
     await fromDisk.reload();

@@ -1,8 +1,8 @@
-// The curves as a picture.
+// The curves as an SVG file.
 import assert from 'node:assert/strict';
 import { check, connect, counts, downloaded, drawn, frame, opensWith, playRamp, ramp, reads } from './support.mjs';
 
-// What the file has, as a browser reads it.
+// Returns what a browser reads in the file.
 const parsed = (page, text) => page.evaluate((svg) => {
   const picture = new DOMParser().parseFromString(svg, 'image/svg+xml');
   return {
@@ -17,7 +17,7 @@ const parsed = (page, text) => page.evaluate((svg) => {
 }, text);
 
 export default async function () {
-  await check('an SVG has the curves as they are shown: title, axes, names, colours, dashes, and each value in its place', async (page) => {
+  await check('an SVG has the curves as they are shown, with title, axes, names, colours and dashes, and each value in its place', async (page) => {
     await page.click('#names-open');
     await page.keyboard.type('<A & "B">');
     await page.keyboard.press('Enter');

@@ -1,8 +1,8 @@
-// Ports: a fake navigator.serial brings real bytes, faults, and is unplugged.
+// Ports: a fake navigator.serial brings real bytes, errors, and is unplugged.
 import assert from 'node:assert/strict';
 import { bytesOf, check, codes, connect, counter, counts, frame, lit, opensWith, raw, reads, until } from './support.mjs';
 
-// The port repeats `bytes`, a frame every 9 ms, whenever it is opened so.
+// Makes the port repeat `bytes`, a frame every 9 ms, whenever it is opened with this setting.
 const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
   page.evaluate(([frameBytes, wanted, ms, latency]) => {
     fake.port.onOpen = ({ baudRate }) => {
@@ -12,7 +12,7 @@ const brings = (page, bytes, baud = 100000, everyMs = 9, latencyMs = 16) =>
   }, [bytes, baud, everyMs, latencyMs]);
 
 export default async function () {
-  await check('an adapter is opened as S.Bus wants it, and its frames are shown', async (page) => {
+  await check("an adapter is opened with S.Bus's settings, and its frames are shown", async (page) => {
     await brings(page, frame([172, 992, 1811, 1000], { flags: 1 }));
     await connect(page);
     await reads(page, '#state', 'Fine');
@@ -26,7 +26,7 @@ export default async function () {
     assert.deepEqual(options, { baudRate: 100000, dataBits: 8, parity: 'even', stopBits: 2, bufferSize: 4096 });
   });
 
-  await check('an adapter that was set to 1 ms: its frames are shown', async (page) => {
+  await check('the frames of an adapter that was set to 1 ms are shown', async (page) => {
     await brings(page, frame([172, 992]), 100000, 9, 1);
     await connect(page);
     await raw(page, 1, '172');
@@ -34,7 +34,7 @@ export default async function () {
     await counts(page, 'discardedBytes', 0);
   });
 
-  await check("the paper's frames, byte by byte as they may come", async (page) => {
+  await check("the paper's frames are shown, though they come byte by byte", async (page) => {
     await page.evaluate((bytes) => (fake.port.onOpen = () => bytes.forEach((byte) => fake.port.feed([byte]))), bytesOf('paper.txt'));
     await connect(page);
     await counts(page, 'frames', 6);
@@ -42,7 +42,7 @@ export default async function () {
     await raw(page, 1, '995');
   });
 
-  await check('a receiver in failsafe: banner, indicator, and the values as received', async (page) => {
+  await check('a receiver in failsafe shows in the verdict and the indicator, with the values as received', async (page) => {
     await brings(page, frame([992, 992, 172], { flags: 0x0c }));
     await connect(page);
     await reads(page, '#state', 'Failsafe');
@@ -52,14 +52,14 @@ export default async function () {
     await raw(page, 3, '172');
   });
 
-  await check('lost frames for too long are also a failsafe: no radio', async (page) => {
+  await check('too many lost frames in a row are also failsafe: the verdict is No radio', async (page) => {
     await brings(page, frame([992], { flags: 0x04 }));
     await connect(page);
     await reads(page, '#state', 'Failsafe');
     await reads(page, '#verdict-text', /^No radio/);
   });
 
-  await check('parity, framing, overrun and system errors and breaks: counted by cause, the numbers go on', async (page) => {
+  await check('parity, framing, overrun and system errors and breaks are counted by cause, and frames continue', async (page) => {
     await brings(page, frame([1200]));
     await connect(page);
     await reads(page, '#state', 'Fine');
@@ -80,7 +80,7 @@ export default async function () {
   });
 
   for (const bound of [true, false]) {
-    await check(`unplugged, ${bound ? 'and a read finds it' : 'and the browser finds it'}: it says so; plugged in again it goes on by itself, and both are counted`, async (page) => {
+    await check(`unplugged, as ${bound ? 'a read' : 'the browser'} finds out: the page says so, and continues by itself once it is plugged in; both are counted`, async (page) => {
       await brings(page, frame([1200]));
       await connect(page);
       await reads(page, '#state', 'Fine');
@@ -88,7 +88,7 @@ export default async function () {
       await reads(page, '#verdict-text', 'The port has gone.');
       await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening again)');
       await reads(page, '#state', 'Stale');
-      await page.waitForTimeout(1500); // it was tried again, and the browser says only that it cannot be opened
+      await page.waitForTimeout(1500); // the page has tried it again; the browser says only that it cannot be opened
       await reads(page, '#verdict-text', 'The port has gone.');
       await page.evaluate(() => fake.port.plug());
       await reads(page, '#state', 'Fine');
@@ -98,7 +98,7 @@ export default async function () {
     });
   }
 
-  await check('unplugged while it opens: it says so, and goes on when it is there again', async (page) => {
+  await check('unplugged while it opens: the page says so, and continues when the port is there again', async (page) => {
     await brings(page, frame([1200]));
     await page.evaluate(() => (fake.port.openMs = 1300));
     await page.click('#source-adapter');
@@ -109,7 +109,7 @@ export default async function () {
     await reads(page, '#state', 'Fine');
   });
 
-  await check('a busy port: who may have it; free again, it is opened', async (page) => {
+  await check('for a busy port the page says what may have it open; once it is free, it is opened', async (page) => {
     await brings(page, frame([1200]));
     await page.evaluate(() => (fake.port.busy = true));
     await page.click('#source-adapter');
@@ -121,7 +121,7 @@ export default async function () {
     await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001)');
   });
 
-  await check('a port that takes 1.3 s to open: nothing is tried meanwhile, and each baud rate is listened to for as long as the other', async (page) => {
+  await check('while a port takes 1.3 s to open nothing is tried, and then each baud rate is listened to for the same time', async (page) => {
     await brings(page, frame([1300]), 200000);
     await page.evaluate(() => (fake.port.openMs = 1300));
     await connect(page);
@@ -132,7 +132,7 @@ export default async function () {
     assert.deepEqual(opened, [100000, 200000]);
   });
 
-  await check('another source is chosen while a port opens, and that port again: never stuck, and each time it is the last one', async (page) => {
+  await check('another source chosen while a port opens, and then that port again: the page shows the last one, and never hangs', async (page) => {
     await brings(page, frame([1200]));
     await page.evaluate(() => (fake.port.openMs = 1300));
     await page.click('#source-adapter');
@@ -152,7 +152,7 @@ export default async function () {
     assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
   });
 
-  // The source that runs goes on as it was: its history, its recording, its frames.
+  // The running source continues unchanged: its history, its recording, its frames.
   async function untouched(page, act) {
     await page.click('#record');
     await until('no frames come', async () => (await counter(page, 'frames')) > 30);
@@ -165,11 +165,11 @@ export default async function () {
     await reads(page, '#verdict-text', 'All well.');
   }
 
-  await check('no port chosen: a notice says so, and the simulation, its recording and its verdict go on', async (page) => {
+  await check('if no port is chosen, a notice says so, and the simulation, its recording and its verdict continue', async (page) => {
     await untouched(page, async () => {
       await page.evaluate(() => (fake.choose = () => new Promise((resolve) => (fake.choice = resolve))));
       await page.click('#source-adapter');
-      await reads(page, '#title', /^Simulated .* \(until another one is there\)$/);
+      await reads(page, '#title', /^Simulated .* \(until the next one is ready\)$/);
       await page.evaluate(() => fake.choice());
       await reads(page, '#notice-text', 'No port was chosen.');
       await reads(page, '#notice-remedy', /^Plug the adapter in/);
@@ -179,7 +179,7 @@ export default async function () {
     await page.waitForSelector('#notice', { state: 'hidden' });
   });
 
-  await check('a file that cannot be read: a notice, and the simulation, its recording and its verdict go on', (page) =>
+  await check('if a file cannot be read, a notice says so, and the simulation, its recording and its verdict continue', (page) =>
     untouched(page, async () => {
       await page.setInputFiles('#file', { name: 'x.txt', mimeType: 'text/plain', buffer: Buffer.from('120 0F\n240 XY\n') });
       await reads(page, '#notice-text', /^This cannot be played: x\.txt: line 2/);
@@ -198,28 +198,28 @@ export default async function () {
     await page.waitForSelector('#notice', { state: 'hidden' });
   });
 
-  await check('a browser that gives no port: in its words', async (page) => {
+  await check('if the browser offers no port, the notice has its message', async (page) => {
     await page.evaluate(() => (navigator.serial.requestPort = () => Promise.reject(new DOMException('Blocked by the user.', 'SecurityError'))));
     await page.click('#source-adapter');
-    await reads(page, '#notice-text', 'The browser gives no port: Blocked by the user.');
+    await reads(page, '#notice-text', 'The browser offers no port: Blocked by the user.');
     await reads(page, '#state', 'Fine');
   });
 
-  await check('no Web Serial: it says which browser has it, and the simulation goes on', async (page) => {
+  await check('without Web Serial the page says which browser has it, and the simulation continues', async (page) => {
     await page.click('#source-adapter');
     await reads(page, '#notice-text', 'This browser has no Web Serial.');
     await reads(page, '#notice-remedy', /Chrome, Edge or Firefox/);
     await reads(page, '#state', 'Fine');
   }, { serial: false });
 
-  await check('no bytes: both baud rates are tried, then No signal', async (page) => {
+  await check('without bytes both baud rates are tried, and the verdict is No signal', async (page) => {
     await connect(page);
     await reads(page, '#verdict-text', 'No signal: not a byte with any setting.');
     const opened = () => page.evaluate(() => String(fake.port.opened.map(({ baudRate }) => baudRate)));
     await until('it is not opened again', async () => (await opened()).startsWith('100000,200000,100000'));
   });
 
-  await check('Fast S.Bus: 200000 baud are found', async (page) => {
+  await check('200000 baud are found on Fast S.Bus', async (page) => {
     await brings(page, frame([1300]), 200000);
     await connect(page);
     await reads(page, '#verdict-note', /^Wrong baud rate: frames come only with the other baud rate\. .* Done: 200000 baud/);
@@ -227,7 +227,7 @@ export default async function () {
     await reads(page, '#state', 'Fine');
   });
 
-  await check('bytes of no frame, as an inverter too many makes them: No frames, with the remedy', async (page) => {
+  await check('for bytes without frames, as with an inverter too many, the verdict is No frames, with the remedy', async (page) => {
     await brings(page, [0xfe, 0x3c, 0x0a, 0x00, 0xf8, 0x0a, 0x41, 0x0a, 0x81, 0x7c]);
     await connect(page);
     await reads(page, '#verdict-text', /^No frames: bytes come/);
@@ -236,7 +236,7 @@ export default async function () {
     await counts(page, 'discardedBytes', /^[1-9]/);
   });
 
-  await check('only breaks, as an idle line of the wrong level makes them: No frames, not silence', async (page) => {
+  await check('for breaks only, as on an idle line of the wrong level, the verdict is No frames, not No signal', async (page) => {
     await page.evaluate(() => {
       fake.port.onOpen = () => {
         clearInterval(fake.timer);
@@ -247,7 +247,7 @@ export default async function () {
     await reads(page, '#verdict-text', /^No frames/);
   });
 
-  await check('a frame that is damaged, among good ones, is shown with its reason', async (page) => {
+  await check('a damaged frame among good ones is shown with its reason', async (page) => {
     const good = frame([1000]);
     const bad = frame([1000]);
     bad.splice(5, 1);
@@ -268,7 +268,7 @@ export default async function () {
     [4, '0.732,0.469,-0.599,-0.043', { 1: '0.732', 3: '-0.599' }, []],
     [4, '731,469,1000,-262', { 1: '731', 4: '-262' }, []],
   ]) {
-    await check(`a board that prints ${columns} columns, ${row.slice(0, 12)}...: recognised by itself`, async (page) => {
+    await check(`a board that prints ${columns} columns, ${row.slice(0, 12)}..., is recognised`, async (page) => {
       await brings(page, codes(`${row}\r\n`), 115200, 100);
       await connect(page, 'board');
       for (const [channel, value] of Object.entries(channels)) {
@@ -293,7 +293,7 @@ export default async function () {
     ['throttle:172,roll:992', ['172', '992']],
     ['1,2,3,4,5,0', ['1', '2', '3', '4', '5', '0']], // six channels: 5 is no flag
   ]) {
-    await check(`a board that prints "${row}": each number is a channel`, async (page) => {
+    await check(`each number of a board that prints "${row}" is a channel`, async (page) => {
       await brings(page, codes(`${row}\r\n`), 115200, 100);
       await connect(page, 'board');
       for (const [i, value] of shown.entries()) {
@@ -304,7 +304,7 @@ export default async function () {
     });
   }
 
-  await check('what the numbers of a board are is asked for, not guessed', async (page) => {
+  await check("the unit of a board's numbers is asked for, not guessed", async (page) => {
     await brings(page, codes('1500,-0.5,988,12\r\n'), 115200, 100);
     await connect(page, 'board');
     await reads(page, '#bars li:nth-child(2) .raw', '-0.5');
@@ -322,7 +322,7 @@ export default async function () {
     await reads(page, '#bars li:nth-child(7) .us', '1500');
   });
 
-  await check('a board at another baud rate: it says what to choose, and reads it then', async (page) => {
+  await check('with the wrong baud rate for a board, the page says what to choose, and then reads it', async (page) => {
     await page.evaluate((row) => {
       fake.port.onOpen = ({ baudRate }) => {
         clearInterval(fake.timer);
@@ -339,7 +339,7 @@ export default async function () {
     assert.deepEqual(await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate)), [115200, 9600]);
   });
 
-  await check('a slow sketch is waited for, before its first row and between its rows', async (page) => {
+  await check('a slow sketch is not stale before its first row, nor between its rows', async (page) => {
     await connect(page, 'board');
     await page.evaluate(() => fake.skip(3000));
     await page.waitForTimeout(1500);
@@ -357,18 +357,18 @@ export default async function () {
     await reads(page, '#state', 'Stale');
   });
 
-  await check('a board at the button for adapters: its rows are recognised all the same', async (page) => {
+  await check("a board's rows are recognised though the button for adapters was pressed", async (page) => {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);
     await connect(page);
     await raw(page, 1, '995');
     await reads(page, '#verdict-text', 'Rows come from a board.');
   });
 
-  await check('a board that falls silent is stale; one that prints words is told from one that prints rows', async (page) => {
+  await check('a board that falls silent is stale; a board that prints text is not taken for one that prints rows', async (page) => {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 115200, 50);
     await connect(page, 'board');
     await reads(page, '#state', 'Fine');
-    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: least 995, most 995"]');
+    await page.waitForSelector('#bars li:nth-child(1) .track[title="CH1: lowest 995, highest 995"]');
     await page.evaluate(() => clearInterval(fake.timer));
     await reads(page, '#state', 'Stale');
     await reads(page, '#verdict-text', /^No rows/);
@@ -378,7 +378,7 @@ export default async function () {
     await reads(page, '#verdict-text', /^Text comes, but no rows/);
   });
 
-  await check('S.BUS2 with two sensors behind each frame: every frame after the first dozen', async (page) => {
+  await check('S.BUS2 with two sensors behind each frame brings every frame after the first dozen', async (page) => {
     const ids = [[0x03, 0x83], [0x13, 0x93], [0x0b, 0x8b], [0x1b, 0x9b]];
     const group = ids.flatMap(([first, second], i) => [
       ...frame([1100 + i], { end: 0x04 + 0x10 * i }), first, 0xc0, 0x2e, second, 0x12, 0x34]);
@@ -392,7 +392,7 @@ export default async function () {
     await reads(page, '#verdict-text', /^All well/);
   });
 
-  await check('24 channels, and frames with header 2F, of a port', async (page) => {
+  await check('a port with 24 channels, and with frames with header 2F, is decoded', async (page) => {
     const extra = frame(Array.from({ length: 16 }, (_, i) => 1500 + i), { header: 0x2f });
     await brings(page, [...extra, ...frame([1100])], 100000, 18);
     await connect(page);

@@ -1,4 +1,4 @@
-// Page, host and sketches agree on every recording; what is wrong with a bad one is said in the same words.
+// Page, host and sketches agree on every recording, and have the same message for each bad one.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
@@ -39,17 +39,17 @@ export default async function () {
     if (!existsSync(path.join(recordings, 'bad', name))) {
       continue;
     }
-    await check(`bad/${name}: what is wrong, and where, in the words of the host`, async (page) => {
+    await check(`bad/${name} is rejected with the host's message: what is wrong, and where`, async (page) => {
       await page.setInputFiles('#file', path.join(recordings, 'bad', name));
       await reads(page, '#notice-text', /^This cannot be played/);
       const said = await page.textContent('#notice-text');
       const [, line, words] = /^[^:]+(?::(\d+))?: (.*)$/.exec(message);
       assert.ok(said.includes(`${name}: ${line ? `line ${line}: ` : ''}${words}`), `${said}\n${message}`);
-      await reads(page, '#state', 'Fine');  // the simulation goes on
+      await reads(page, '#state', 'Fine');  // the simulation continues
     });
   }
 
-  await check('its times are those of sbus csv', async (page) => {
+  await check("a recording's times are those of sbus csv", async (page) => {
     await play(page, path.join(recordings, 'paper.txt'));
     await toEnd(page);
     const { text } = await downloaded(page, '#csv');
@@ -90,7 +90,7 @@ export default async function () {
     await raw(page, 3, '1811');
   });
 
-  await check('time line: to any place and back, at another speed, repeated', async (page) => {
+  await check('the time line goes to any place and back, at another speed, and repeats', async (page) => {
     await play(page, path.join(recordings, 'sbus2.txt'));
     await toEnd(page);
     const all = 14;
@@ -119,7 +119,7 @@ export default async function () {
     ['picture.png', '\u0089PNG\r\n\u001a\n\0\0\0\rIHDR', /line 1: .* is not a time/],
     ['nothing.txt', '', /is empty/],
   ]) {
-    await check(`${name} is no recording: why, and what reads captures`, async (page) => {
+    await check(`${name} is rejected with the reason, and what reads captures`, async (page) => {
       await drop(page, name, content);
       await reads(page, '#notice-text', said);
       await reads(page, '#notice-remedy', /sbus decode/);
@@ -127,12 +127,12 @@ export default async function () {
     });
   }
 
-  await check('a file that no memory has room for is rejected, with what reads it', async (page) => {
+  await check('a file that is too large for the memory is rejected; the notice says which command reads it', async (page) => {
     await drop(page, 'year.txt', '120 0F\n', 9e9);
     await reads(page, '#notice-text', /year\.txt: is larger than 500 MB: sbus plot/);
   });
 
-  await check('sources asked for one after the other, before any is there: the last one stays', async (page) => {
+  await check('of several sources chosen before any is open, the last one stays', async (page) => {
     const long = Array.from({ length: 40000 }, (_, i) => `${9000 * (i + 1)} 0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00\n`).join('');
     await page.evaluate(([slow, quick]) => {
       const drop = (name, text) =>

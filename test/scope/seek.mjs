@@ -1,4 +1,4 @@
-// Any place of a recording: what the page shows there is what it would show if it had been played from the beginning.
+// At any place of a recording the page shows what it would show if it had been played from the beginning.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -47,7 +47,7 @@ export default async function () {
   const file = path.join(build, 'seek.txt');
   writeFileSync(file, text);
 
-  await check(`${places} places of a recording, seed ${seed}: counters, gaps, travel and history as if it had been played from the beginning`, async (page) => {
+  await check(`at ${places} places of a recording, seed ${seed}, counters, gaps, travel and history are as if it had been played to there`, async (page) => {
     const straight = await new Native().load();
     straight.open(text);
     await play(page, file);
@@ -63,7 +63,7 @@ export default async function () {
       const expected = {
         counters: counters.map(status),
         gap: `${low(status('gapMeanUs'))} ms${low(status('gapMinUs'))} to ${low(status('gapMaxUs'))}`,
-        travel: `CH2: least ${travel[0]}, most ${travel[1]}`,
+        travel: `CH2: lowest ${travel[0]}, highest ${travel[1]}`,
       };
       const same = async () => JSON.stringify(await shown(page)) === JSON.stringify(expected);
       await until(async () => `at ${ms} ms ${JSON.stringify(await shown(page))}, not ${JSON.stringify(expected)}`, same);
@@ -91,11 +91,11 @@ export default async function () {
   }, [name, count, recorded(9000, frame([1000])).slice(5), end]);
   const titles = (page) => page.evaluate(() => fake.titles);
 
-  await check('the running source goes on while a file is read, and another source ends that work', async (page) => {
+  await check('the running source continues while a file is read, and choosing another source ends the reading', async (page) => {
     await page.evaluate(() => { // the simulation is chosen as soon as the page says that it reads
       const title = document.querySelector('#title');
       new MutationObserver((_, watching) => {
-        if (/^Simulated .*\((until another one is there|reading long\.txt: \d+ %)\)$/.test(title.textContent)) {
+        if (/^Simulated .*\((until the next one is ready|reading long\.txt: \d+ %)\)$/.test(title.textContent)) {
           watching.disconnect();
           fake.chosenAt = title.textContent;
           document.querySelector('#source-simulated').click();
@@ -112,7 +112,7 @@ export default async function () {
     await until('the worker goes on', () => page.workers().length === 0);
   });
 
-  await check('a file that fails leaves the recording that plays, its place and its curves as they are', async (page) => {
+  await check('a file that cannot be read leaves the playing recording, its position and its curves as they are', async (page) => {
     await play(page, file);
     await page.click('#play');
     await seek(page, 350000);
@@ -126,20 +126,20 @@ export default async function () {
     assert.equal(page.workers().length, 1);
   });
 
-  await check('a place that is not decoded yet is awaited, and how long', async (page) => {
+  await check('seeking to a place that is not decoded yet shows the progress', async (page) => {
     await drop(page, 'long.txt', 700000);
     await reads(page, '#title', /^Recording long\.txt/);
     await toEnd(page);
     await counts(page, 'frames', '700\u202f000');
     const said = await titles(page);
-    assert.ok(said.some((title) => /^Recording long\.txt \(decoding up to there: \d+ %\)$/.test(title)), said.join('\n'));
+    assert.ok(said.some((title) => /^Recording long\.txt \(decoding up to this position: \d+ %\)$/.test(title)), said.join('\n'));
     await reads(page, '#title', 'Recording long.txt');
   });
 
-  await check('a browser that makes no worker is told so', async (page) => {
+  await check('a browser that starts no worker: a notice says so', async (page) => {
     await page.evaluate(() => (globalThis.Worker = class { constructor() { throw new DOMException('no', 'SecurityError'); } }));
     await drop(page, 'paper.txt', 1);
-    await reads(page, '#notice-text', 'This browser makes no worker, which reads recordings.');
+    await reads(page, '#notice-text', 'This browser starts no worker, which the page needs for recordings.');
     await reads(page, '#state', 'Fine');
   });
 }

@@ -1,5 +1,5 @@
-// Whatever is clicked, whenever, and whatever the ports do meanwhile: the page's own sources (extras/scope/src/source) on fake ports
-// and on a clock that is turned by hand. No browser.
+// The page's own sources (extras/scope/src/source) at random clicks, on fake ports that do anything meanwhile, and on a clock
+// that the test turns. No browser.
 //   node sources.mjs [SEED [COUNT]]
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -10,9 +10,9 @@ import { load } from './modules.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const [firstSeed = 20181, seeds = 400] = process.argv.slice(2).map(Number);
-const clicks = 24; // a seed
+const clicks = 24; // for each seed
 
-// The clock: timers go off in their order, and all promises are settled before the next one.
+// The clock: timers fire in order, and all promises are settled before the next one.
 const settled = () => new Promise((resolve) => setImmediate(resolve));
 let now = 0;
 let order = 0;
@@ -54,7 +54,7 @@ function random(seed) {
   };
 }
 
-// One visit to the page: what was decided when, and what has come of it.
+// One visit to the page: what was chosen when, and what came.
 class Visit {
   heard = new Map(); // bytes, by source
   decided = []; // { name, at, end }: a source that was chosen at `at`, and could be there at `end`
@@ -68,7 +68,7 @@ class Visit {
     this.choice = new Choice(() => undefined, () => undefined);
   }
 
-  // Nobody opens it while it is open, nor for a source that was left.
+  // A port must not be opened while it is open, nor for a source that was left.
   watched(port) {
     const open = port.open;
     port.open = (options) => {
@@ -155,7 +155,7 @@ class Visit {
     }
   }
 
-  // What the ports do by themselves.
+  // Does what ports do by themselves.
   mishap() {
     const i = this.upTo(this.ports.length - 1);
     const port = this.ports[i];
@@ -186,7 +186,7 @@ class Visit {
     }
   }
 
-  // All is plugged in, and nothing is clicked for ten seconds.
+  // Plugs everything in, and clicks nothing for ten seconds.
   async rest() {
     this.ports.forEach((port, i) => {
       port.busy = false;
@@ -195,7 +195,7 @@ class Visit {
     await turnTo(now + 10000);
   }
 
-  // The last that was there before another one was decided.
+  // Returns the last source that was open before another one was chosen.
   get expected() {
     return this.decided.filter(({ name, end }, i) => name && (i + 1 === this.decided.length || this.decided[i + 1].at >= end)).at(-1)?.name;
   }

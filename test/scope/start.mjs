@@ -1,9 +1,9 @@
-// The page as it opens: a simulated receiver, and what may be wrong with it.
+// The page when it opens: a simulated receiver, and its faults.
 import assert from 'node:assert/strict';
 import { check, counts, lit, raw, reads, until } from './support.mjs';
 
 export default async function () {
-  await check('what a check leaves behind', async (page) => {
+  await check('a check leaves storage, a script and a pressed key behind', async (page) => {
     await page.evaluate(async () => {
       localStorage.setItem('left', 'behind');
       globalThis.left = 'behind';
@@ -12,7 +12,7 @@ export default async function () {
     await page.addInitScript(() => (globalThis.leftScript = 'behind'));
     await page.keyboard.down('Shift');
   });
-  await check('is not there for the next one', async (page) => {
+  await check('the next check finds nothing of them', async (page) => {
     await page.evaluate(() => addEventListener('mousemove', (event) => (globalThis.shift = event.shiftKey)));
     await page.mouse.move(700, 400);
     const found = await page.evaluate(async () =>
@@ -20,7 +20,7 @@ export default async function () {
     assert.deepEqual(found, [0, undefined, undefined, 0, false]);
   });
 
-  await check('it opens with the simulated receiver at work, and asks the network for nothing', async (page) => {
+  await check('the page opens with the simulated receiver running, and requests nothing from the network', async (page) => {
     await reads(page, '#state', 'Fine');
     await reads(page, '#verdict-text', 'All well.');
     await reads(page, '#verdict-remedy', 'Nothing to do.');
@@ -33,26 +33,26 @@ export default async function () {
     await reads(page, '#bars li:nth-child(7) .percent', '0.0');
   });
 
-  await check('it may run no script but its own, and fetch nothing', async (page) => {
+  await check('the page may run no script but its own, and fetch nothing', async (page) => {
     const policy = await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', 'content');
     assert.match(policy, /default-src 'none'; script-src 'sha256-[^']+' 'wasm-unsafe-eval'/);
     assert.equal(await page.evaluate(() => fetch('https://example.org/').then(() => 'fetched', () => 'rejected')), 'rejected');
     page.complaints.length = 0;  // that was one
   });
 
-  await check('a browser without WebAssembly is told so: no blank page', async (page) => {
+  await check('a browser without WebAssembly shows a message, not a blank page', async (page) => {
     await page.addInitScript(() => (WebAssembly.instantiate = () => Promise.reject(new Error('no WebAssembly'))));
     await page.reload();
-    await reads(page, '#verdict-text', 'The page has a fault: no WebAssembly.');
+    await reads(page, '#verdict-text', 'The page has failed: no WebAssembly.');
     page.complaints.length = 0;
   });
 
-  await check('a cut wire shows at once: stale, doubtful values, no signal; put together it is fine', async (page) => {
+  await check('a cut wire shows at once: stale, doubtful values, no signal; once it is joined, all is fine', async (page) => {
     await reads(page, '#state', 'Fine');
     await page.click('#cut');
     await reads(page, '#state', 'Stale');
     await page.waitForSelector('#bars.doubtful');
-    await reads(page, '#verdict-text', 'No signal any more: frames have come, now not a byte does.');
+    await reads(page, '#verdict-text', 'No signal any more: frames came before, now not a byte does.');
     await reads(page, '#verdict-remedy', /^Check wire, pin and receiver/);
     await reads(page, '#rate', '0');
     await page.click('#cut');
@@ -64,7 +64,7 @@ export default async function () {
     ['inversion', /^Wrong polarity: .* Done: 100000 baud, inverted\.$/],
     ['baud', /^Wrong baud rate: .* Done: 100000 baud, inverted\.$/],
   ]) {
-    await check(`simulated fault ${fault}: it tries the other settings, says which is right, and stays there`, async (page) => {
+    await check(`at the simulated fault ${fault} the page tries the other settings, says which is right, and keeps it`, async (page) => {
       await page.selectOption('#fault', fault);
       await reads(page, '#verdict-note', /^Trying /);
       await reads(page, '#verdict-note', found);
@@ -72,7 +72,7 @@ export default async function () {
     });
   }
 
-  await check('simulated noise: bad characters, discarded bytes and the verdict Noise', async (page) => {
+  await check('simulated noise shows as bad characters, discarded bytes and the verdict Noise', async (page) => {
     await page.selectOption('#fault', 'noise');
     await reads(page, '#verdict-text', /^Noise: frames are damaged/);
     await counts(page, 'badCharacters', /^\d\d/);
@@ -80,13 +80,13 @@ export default async function () {
     await page.waitForSelector('#lines .none');
   });
 
-  await check('no signal at all: it says so from the start, in all settings', async (page) => {
+  await check('without any signal the page says so from the start, in all settings', async (page) => {
     await page.selectOption('#fault', 'silent');
     await reads(page, '#verdict-text', 'No signal: not a byte with any setting.');
     await counts(page, 'frames', 0);
   });
 
-  await check('24 channels: all of them, no switches', async (page) => {
+  await check('24 channels are all shown, without switches', async (page) => {
     await page.selectOption('#receiver', '24');
     await reads(page, '#verdict-text', '24 channels: frames come, but of 24 channels, not of 16.');
     await reads(page, '#bars li:nth-child(24) .chip', 'CH24');
@@ -96,7 +96,7 @@ export default async function () {
     assert.equal(await page.locator('.indicator:visible').count(), 2);
   });
 
-  await check('32 channels: also those of the frames with header 2F', async (page) => {
+  await check('32 channels are shown, also those of the frames with header 2F', async (page) => {
     await page.selectOption('#receiver', '32');
     await raw(page, 32, /^1[67]\d\d$/);
     await counts(page, 'extraFrames', /^[1-9]/);
@@ -104,7 +104,7 @@ export default async function () {
     await reads(page, '#indicator-ch17', /^DG1/);
   });
 
-  await check('failsafe: banner, indicator, its own values, and the curves marked', async (page) => {
+  await check("failsafe shows in the verdict, the indicator, the receiver's failsafe values and the curves", async (page) => {
     await lit(page, 'failsafe');  // after 10 s of the flight
     await reads(page, '#state', 'Failsafe');
     await reads(page, '#verdict-text', 'Failsafe: the receiver works, but has lost the link.');

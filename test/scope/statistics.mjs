@@ -4,7 +4,7 @@ import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { build, check, codes, connect, counts, frame, play, reads, toEnd, until } from './support.mjs';
 
-// A recording of frames that are so far apart, in ms, with such flags.
+// Returns a recording of frames with these intervals, in ms, and flags.
 async function playFrames(page, list) {
   let us = 0;
   const lines = list.map(([ms, flags = 0]) => `${(us += 1000 * ms)} ${frame([1000], { flags }).map((byte) => byte.toString(16)).join(' ')}\n`);
@@ -15,7 +15,7 @@ async function playFrames(page, list) {
   await counts(page, 'frames', list.length);
 }
 const times = (count, ...one) => Array.from({ length: count }, () => one);
-// The bars that are not empty, by their titles.
+// Returns the titles of the bars that are not empty.
 const bars = (page, chart) => page.$$eval(`#${chart} g`, (groups) => groups
   .filter((group) => [...group.querySelectorAll('rect')].some((rect) => Number(rect.getAttribute('height')) > 0))
   .map((group) => group.querySelector('title').textContent));
@@ -25,16 +25,16 @@ const shows = (page, chart, expected) => {
 };
 
 export default async function () {
-  await check('frame intervals: median, 98 of 100, the longest, and a bar for each', async (page) => {
+  await check('frame intervals have a median, the range of 98 %, the longest, and a bar for each', async (page) => {
     await playFrames(page, [[9], ...times(150, 9), ...times(4, 8.8), ...times(40, 9.2), [7], [300], ...times(3, 9)]);
-    await reads(page, '#intervals-text', '199 intervals: the median is 9.0 ms, 98 of 100 last 8.8 to 9.2 ms, the longest 300 ms.');
+    await reads(page, '#intervals-text', '199 intervals: the median is 9.0 ms, 98 % last 8.8 to 9.2 ms, the longest 300 ms.');
     await shows(page, 'intervals-chart', ['shorter: 1', '8.8 ms: 4', '9.0 ms: 153', '9.2 ms: 40', 'longer: 1']);
   });
 
-  await check('lost frames over time: each second, its share, failsafe and silence', async (page) => {
+  await check('lost frames have a bar for each second: their share, failsafe and silence', async (page) => {
     const second = (lost, failsafe = 0) => Array.from({ length: 100 }, (_, i) => [10, i < failsafe ? 12 : i < lost ? 4 : 0]);
     await playFrames(page, [...second(0), ...second(20), ...second(50, 30), [2000], ...second(0)]);
-    await reads(page, '#losses-text', '17.5 % of 401 frames were lost by radio, 17.5 % of those of the last ten seconds; 7.5 % were failsafe.');
+    await reads(page, '#losses-text', '17.5 % of 401 frames were lost by radio, 17.5 % in the last ten seconds; 7.5 % came in failsafe.');
     await shows(page, 'losses-chart', ['1 to 2 s: 20.0 %', '2 to 3 s: 50.0 %', '4 to 5 s: silence']);
     await reads(page, '#losses-top', '50 %');
     const heights = await page.$$eval('#losses-chart g:nth-child(3) rect', (rects) => rects.map((rect) => `${rect.getAttribute('class')} ${Number(rect.getAttribute('height'))}`));
@@ -46,7 +46,7 @@ export default async function () {
     await reads(page, '#quality', /^quality.(74|75|76).%$/);
   });
 
-  await check("a board's rows are counted as rows; another source begins again", async (page) => {
+  await check("a board's rows are counted as rows; another source restarts the statistics", async (page) => {
     await connect(page, 'board');
     for (let i = 0; i < 5; i++) {
       await page.evaluate((letters) => fake.port.feed(letters), codes('1500,1000\r\n'));
@@ -58,6 +58,6 @@ export default async function () {
     await page.evaluate(() => (fake.choose = () => fake.newPort()));
     await page.click('#source-adapter');
     await reads(page, '#losses-text', 'No frames yet.');
-    await reads(page, '#intervals-text', 'Two frames are awaited.');
+    await reads(page, '#intervals-text', 'Waiting for two frames.');
   });
 }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { check, codes, connect, frame, opensWith, reads, until } from './support.mjs';
 
-// Where a stick is, in % of its square, from the left and from the top.
+// Returns where a stick is, in % of its square, from the left and from the top.
 const places = (page) => page.$$eval('.stick-at', (all) => all.map((each) => (each.hidden ? 'unknown' : [each.style.left, each.style.top].map(parseFloat).join())));
 const texts = (page) => page.$$eval('#sticks figcaption', (all) => all.map((each) => each.textContent));
 const stand = (page, ...expected) => until(async () => `${await places(page)}`, async () => JSON.stringify(await places(page)) === JSON.stringify(expected));
@@ -16,7 +16,7 @@ export default async function () {
     [3, '90,90', '50,30', 'aileron 100 %elevator -100 %', 'rudder 0 %throttle 50 %'],
     [4, '90,30', '50,90', 'aileron 100 %throttle 50 %', 'rudder 0 %elevator -100 %'],
   ]) {
-    await check(`sticks in mode ${mode}: each axis where the radio has it; the mode is kept`, async (page) => {
+    await check(`in mode ${mode} each stick's axis is where the radio has it; the browser stores the mode`, async (page) => {
       await page.selectOption('#stick-mode', String(mode));
       await page.reload();
       assert.equal(await page.inputValue('#stick-mode'), String(mode));
@@ -27,7 +27,7 @@ export default async function () {
     });
   }
 
-  await check("a board's numbers have sticks once it is known what they are", async (page) => {
+  await check("a board's numbers have sticks once their unit is chosen", async (page) => {
     await connect(page, 'board');
     const print = async (row) => {
       for (let i = 0; i < 3; i++) await page.evaluate((letters) => fake.port.feed(letters), codes(`${row}\r\n`));
@@ -39,7 +39,7 @@ export default async function () {
     await stand(page, '30,10', '50,90');
   });
 
-  await check('a mode that was kept and does not exist is not used', async (page) => {
+  await check('a stored mode that does not exist is not used', async (page) => {
     for (const bad of ['5', '', 'toString']) {
       await page.evaluate((value) => localStorage.setItem('sbus-scope-stick-mode', value), bad);
       await page.reload();

@@ -4,8 +4,8 @@ import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { build, check, fingers, frame, play, reads, recorded, seek, until } from './support.mjs';
 
-// A minute of frames, 10 ms apart, and the faults in it: [what, from, to], in ms of ends of frames. A line of recorded() ends 2.88 ms
-// after its time.
+// A minute of frames, 10 ms apart, and the faults in it: [what, from, to], in ms, at ends of frames. A line of recorded() ends
+// 2.88 ms after its time.
 const endMs = 2.88;
 const lines = Array.from({ length: 6000 }, (_, i) => ({ ms: 10 * (i + 1), bytes: frame([1000, i % 2048]) }));
 const at = (ms) => lines[ms / 10 - 1];
@@ -13,7 +13,7 @@ const flagged = (fromMs, toMs, flags) => {
   for (let ms = fromMs; ms < toMs; ms += 10) at(ms).bytes = frame([1000], { flags });
 };
 flagged(5000, 5050, 4);
-flagged(5500, 5510, 4); // less than a second later: the same
+flagged(5500, 5510, 4); // less than a second later: the same fault
 flagged(10000, 10010, 4);
 flagged(20000, 22500, 12);
 for (let ms = 30010; ms < 31000; ms += 10) at(ms).gone = true;
@@ -39,14 +39,14 @@ const file = path.join(build, 'faults.txt');
 const decoded = (page) => until('it is not decoded', async () => (await page.getAttribute('#strip .decoded', 'width')) === '512');
 const positionMs = (page) => page.inputValue('#position').then(Number);
 
-// The part of the strip's width in which a fault is drawn: [from, to].
+// Returns the parts of the strip's width in which a fault is drawn: [from, to].
 const boxes = (page, name) => page.$eval(`#strip .${name}`, (shape) =>
   [...shape.getAttribute('d').matchAll(/M(\S+) \S+h(\S+)v/g)].map(([, from, width]) => [Number(from) / 512, (Number(from) + Number(width)) / 512]));
 
 export default async function () {
   writeFileSync(file, text);
 
-  await check('the strip has the faults of a recording where they are, and how many', async (page) => {
+  await check('the strip shows where the faults of a recording are, and how many', async (page) => {
     await play(page, file);
     await decoded(page);
     assert.deepEqual(await page.$$eval('#fault-counts li', (items) => items.filter(({ hidden }) => !hidden).map(({ textContent }) => textContent)),
@@ -64,7 +64,7 @@ export default async function () {
     assert.equal((await boxes(page, 'lost')).length, 4);
   });
 
-  await check('N goes from fault to fault and stands where each shows, P goes back', async (page) => {
+  await check('N goes from fault to fault and pauses where each shows, P goes back', async (page) => {
     await play(page, file);
     await page.focus('#plot');
     await page.click('#play');
@@ -85,7 +85,7 @@ export default async function () {
       await until('it is not told', async () => new RegExp(`of 1:00\\.0, (.*, )?${fault[0]}`).test(await page.getAttribute('#position', 'aria-valuetext')));
     }
     await page.keyboard.press('n');
-    await reads(page, '#fault-text', 'There is no other fault that way.');
+    await reads(page, '#fault-text', 'There is no further fault in this direction.');
     for (const i of [5, 4, 3, 2, 1, 0]) {
       await page.keyboard.press('Shift+P');
       await reads(page, '#fault-text', told(expected[i], i));
@@ -108,7 +108,7 @@ export default async function () {
     }
   });
 
-  await check('a fault that is not decoded yet is looked for', async (page) => {
+  await check('a fault beyond the decoded part is found', async (page) => {
     const long = path.join(build, 'late.txt');
     writeFileSync(long, Array.from({ length: 400000 }, (_, i) => recorded(10000 * (i + 1), frame([1000], { flags: i === 399990 ? 8 : 0 }))).join(''));
     await play(page, long);
@@ -171,7 +171,7 @@ export default async function () {
     await until(async () => `${await positionMs(page)} ms`, async () => Math.abs((await positionMs(page)) - 42000) < 300);
   }, { size: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
 
-  await check('another place, and playing on, leave the fault; N where a speed is chosen is a letter', async (page) => {
+  await check('seeking and playing clear the text of the fault; N in the list of speeds is a letter', async (page) => {
     await play(page, file);
     await page.click('#play');
     await seek(page, 0);

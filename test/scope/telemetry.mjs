@@ -19,7 +19,7 @@ function line() {
 const list = (page) => page.$$eval('#telemetry-list li', (items) => items.map((item) => item.textContent));
 
 export default async function () {
-  await check('telemetry has a card while slots come: both voltages of the receiver, and which slots; they are no fault', async (page) => {
+  await check('telemetry has a card while slots come, with both voltages of the receiver and the slots; they are no fault', async (page) => {
     assert.ok(await page.locator('#telemetry').isHidden());
     await page.setInputFiles('#file', { name: 'telemetry.txt', mimeType: 'text/plain', buffer: Buffer.from(line()) });
     await reads(page, '#title', 'Recording telemetry.txt');

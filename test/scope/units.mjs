@@ -1,4 +1,4 @@
-// What of the page is no view: its memory of the newest, the part of the time that is shown, statistics. No browser.
+// The parts of the page that are no view: the history, the viewport, the statistics and the faults. No browser.
 //   node units.mjs [SEED]
 import assert from 'node:assert/strict';
 import { load } from './modules.mjs';
@@ -29,7 +29,7 @@ const filled = (count, flags = () => 0, us = (i) => 9000 * i) => {
 };
 const near = (actual, expected) => assert.ok(Math.abs(actual - expected) < 1e-9, `${actual}, not ${expected}`);
 
-check('a history that is full forgets the oldest, and finds the sample next to any time', () => {
+check('a full history forgets the oldest samples, and finds the sample nearest to any time', () => {
   const extra = 1000;
   const history = filled(History.capacity + extra);
   assert.deepEqual([history.begin, history.end], [extra, History.capacity + extra]);
@@ -43,7 +43,7 @@ check('a history that is full forgets the oldest, and finds the sample next to a
   assert.equal(new History().nearest(1), 0);
 });
 
-check('statistics of a full history are those of what it still has', () => {
+check('the statistics of a full history are those of the samples that it still has', () => {
   const extra = 1000;
   const history = filled(History.capacity + extra, (i) => (i < extra ? 12 : i % 10 === 0 ? 4 : 0), (i) => (i < extra ? 50000 * i : 50000 * extra + 9000 * (i - extra)));
   const { count, medianUs, longestUs, bins, shorter, longer } = intervals(history);
@@ -55,14 +55,14 @@ check('statistics of a full history are those of what it still has', () => {
   assert.equal(parts.reduce((sum, { frames }) => sum + frames, 0), History.capacity);
 });
 
-check('of a slow board the last ten minutes are shown, and all its rows are counted', () => {
+check('for a slow board the last ten minutes are shown, and all rows are counted', () => {
   const history = filled(5000, () => 0, (i) => 1e6 * i);
   const { parts, all, beginS, widthS } = losses(history, 4999);
   assert.deepEqual([parts.length, beginS, widthS, all.frames], [60, 4400, 10, 5000]);
   assert.ok(parts.every(({ frames }) => frames === 10));
 });
 
-check('whatever is zoomed, what is pointed at stays, unless an end of the time is reached', () => {
+check('zooming keeps what is pointed at in its place, unless an end of the time is reached', () => {
   const view = new Viewport();
   view.follow(300, 0);
   view.pause(true);
@@ -81,7 +81,7 @@ check('whatever is zoomed, what is pointed at stays, unless an end of the time i
   assert.ok(stayed > 1000, `${stayed}`);
 });
 
-check('round widths come one after the other, from any width', () => {
+check('a step zooms to the next round width, from any width', () => {
   const view = new Viewport();
   view.follow(300, 0);
   const all = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240];
@@ -97,7 +97,7 @@ check('round widths come one after the other, from any width', () => {
   assert.deepEqual([view.seconds, ...walk(1, 1)], [1.2, 1]);
 });
 
-// A line whose frames come each 10 ms, or after a silence, and the spans that it should have.
+// Returns a line whose frames come every 10 ms, or after a silence, and the spans that it should have.
 function faulty(count, faults) {
   const spans = [];
   const span = (fault, fromUs, toUs, joins = false) => {
@@ -126,7 +126,7 @@ function faulty(count, faults) {
   return spans.sort((a, b) => a.fromUs - b.fromUs || a.fault - b.fault);
 }
 
-check('the next fault after any time, and the one before, are those that a list of all has', () => {
+check('the next fault after any time, and the one before, are those in a list of all faults', () => {
   const faults = new Faults(2e9);
   const spans = faulty(100000, faults);
   assert.ok(spans.length > 300, `${spans.length}`);
@@ -145,7 +145,7 @@ check('the next fault after any time, and the one before, are those that a list 
   });
 });
 
-check('of more faults than it has room for, neighbours become one, and each still begins where a fault does', () => {
+check('if there are more faults than room, neighbours become one, and each still begins where a fault does', () => {
   const count = 40 * mostSpans;
   const faults = new Faults(3e6 * count);
   for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, damagedUs: 0 });
@@ -161,7 +161,7 @@ check('of more faults than it has room for, neighbours become one, and each stil
   assert.ok(faults.bins.every((bin) => bin === 1 << Fault.LostFrame));
 });
 
-check('a sketch that prints once a second is not silent, and three rows that are missing are no frames', () => {
+check('a sketch that prints once a second is not silent; three missing rows are the fault "no frames"', () => {
   const faults = new Faults(1e8);
   for (let i = 0; i < 100; i++) {
     faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, damagedUs: 0 }); // its bytes
@@ -172,7 +172,7 @@ check('a sketch that prints once a second is not silent, and three rows that are
   assert.deepEqual(faults.counts(), [0, 0, 0, 1]);
 });
 
-check('bytes that never are a frame are no frames from the first to the last', () => {
+check('bytes without any frame are the fault "no frames", from the first to the last', () => {
   const faults = new Faults(1e7);
   for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, damagedUs: 0 });
   faults.finish(9e6);

@@ -1,5 +1,5 @@
-// What the page finds on each line of verdicts/LINES, where `sbus doctor` and the sketch Diagnose are also asked. The
-// library itself is asked, as src/doctor.ts does it: the settings of a port one after the other, unless frames come.
+// What the page finds on each line of verdicts/LINES, on which `sbus doctor` and the sketch Diagnose are also tested. This calls
+// the library as src/doctor.ts does: the settings of a port one after the other, unless frames come.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -39,7 +39,7 @@ class Page extends Native {
     return this.status(endUs, 'findingSoFar');
   }
 
-  // A line of a recording of an adapter is what it has brought at once.
+  // In a recording of an adapter, a line has what the adapter brought at once.
   port(text) {
     this.wasm.openPort(0, 100000, 0);
     let nowUs = 0;

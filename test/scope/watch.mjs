@@ -1,5 +1,5 @@
-// The verdict runs on the line's time: a recording that is paused, sought in or over has that of the line before its position, and
-// never one that the link beside it contradicts.
+// The verdict runs on the line's time: a recording that is paused, has jumped or has ended has the verdict of the line before its
+// position, which never contradicts the link beside it.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -75,7 +75,7 @@ export default async function () {
     }
   });
 
-  await check('a cut wire is named as soon as the link is stale, and never as bytes without frames', async (page) => {
+  await check('a cut wire is named as soon as the link is stale, and never called bytes without frames', async (page) => {
     await opensWith(page, [good]);
     await connect(page);
     await page.evaluate(([bytes]) => {
@@ -91,6 +91,6 @@ export default async function () {
     await reads(page, '#state', 'Stale');
     await until('no verdict', () => page.evaluate(() => fake.said.size > 0));
     await page.waitForTimeout(1500);
-    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['No signal any more: frames have come, now not a byte does.']);
+    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['No signal any more: frames came before, now not a byte does.']);
   });
 }

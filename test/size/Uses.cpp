@@ -1,4 +1,4 @@
-// What a sketch uses of the library, one piece at a time: USE says which. size.sh holds each against USE_NOTHING.
+// Sketches that use one piece of the library each: USE says which. size.sh compares each with USE_NOTHING.
 #include <Arduino.h>
 
 #if defined(USE_PAPERS)
@@ -24,7 +24,7 @@ sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 #endif
 
-// Where the compiler cannot see what becomes of them.
+// The compiler cannot see what happens to these.
 extern uint16_t *channels;
 extern bool *flags;
 extern uint8_t *frame;

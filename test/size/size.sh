@@ -1,8 +1,8 @@
 #!/bin/sh
-# Prints what the library and the examples take of flash and RAM: a table in Markdown.
+# Prints how much flash and RAM the library and the examples take: a table in Markdown.
 #   ATmega2560    avr-g++ -Os; an example is a whole program, Arduino's core included
 #   Cortex-M0+    arm-none-eabi-g++ -Os; without the board's core, which is no part of this repository
-# A piece of the library is what a program takes more with it than without it. What the C library and the compiler's own
+# A piece of the library is what a program takes more with it than without. What the C library and the compiler's own
 # add is not counted: division, memmove(), floating point; but it is for the whole programs, and in the rows of scaling.
 # BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/mega/build.mk).
 set -eu
@@ -31,10 +31,10 @@ arm() {
     -I"$host/arduino" -I.. -I"$root/src" -I"$host/standin" "$@"
 }
 
-# program CHIP PROGRAM LIBRARIES WHAT...: WHAT, a source and its flags, with ours and what is needed of these
+# program CHIP PROGRAM LIBRARIES WHAT...: links WHAT, a source and its flags, with what is needed of our objects and LIBRARIES
 #
-# What the core and the C library would bring is an empty function here (but what avr-ld's script defines). GNU ld 2.44 for
-# ARM rejects to pass over it.
+# Functions that the core and the C library would bring are empty here, except those that avr-ld's script defines. GNU ld
+# 2.44 for ARM rejects undefined functions.
 # shellcheck disable=SC2086
 program() {
   chip=$1

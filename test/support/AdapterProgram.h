@@ -1,4 +1,4 @@
-// A program on a PC at a USB adapter.
+// A program on a PC that reads a USB adapter.
 #pragma once
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class Program {
     }
   }
 
-  // Its poll() returns with nothing.
+  // Its poll() returns without bytes.
   void lookUntil(uint64_t us) {
     while ((_lookUs += static_cast<uint64_t>(_reads.knownAfterMs()) * 1000) < us) {
       _reads.empty(_lookUs);

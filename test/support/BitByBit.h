@@ -1,5 +1,5 @@
 // A second implementation of the S.Bus frame, as slow and plain as its definition: bit k of channel c (from 0) is bit
-// (11c + k) mod 8 of byte 1 + (11c + k) / 8. The tests hold the library against it; it includes nothing of the library.
+// (11c + k) mod 8 of byte 1 + (11c + k) / 8. The tests compare the library with it; it includes nothing of the library.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ using Channels = std::array<uint16_t, 18>;
 using LongFrame = std::array<uint8_t, 36>;
 using LongChannels = std::array<uint16_t, 24>;
 
-// The first `Count` channels of any frame, by the bits of its payload.
+// Returns the first `Count` channels of any frame, by the bits of its payload.
 template <size_t Count, size_t Size>
 std::array<uint16_t, Count> readPayload(const std::array<uint8_t, Size> &frame) {
   std::array<uint16_t, Count> channels{};
@@ -24,7 +24,7 @@ std::array<uint16_t, Count> readPayload(const std::array<uint8_t, Size> &frame) 
   return channels;
 }
 
-// The header and the first `Count` of `channels` (0..2047), all other bits 0.
+// Returns the header and the first `Count` of `channels` (0..2047), all other bits 0.
 template <size_t Count, size_t Size, typename Values>
 std::array<uint8_t, Size> writePayload(const Values &channels) {
   std::array<uint8_t, Size> frame{};
@@ -38,7 +38,7 @@ std::array<uint8_t, Size> writePayload(const Values &channels) {
   return frame;
 }
 
-// CH1..CH16 out of the payload, CH17 and CH18 out of bits 0 and 1 of byte 23.
+// Returns CH1..CH16 from the payload, CH17 and CH18 from bits 0 and 1 of byte 23.
 inline Channels readBitByBit(const Frame &frame) {
   const std::array<uint16_t, 16> first = readPayload<16>(frame);
   Channels channels{};
@@ -53,7 +53,7 @@ inline LongChannels readBitByBit(const LongFrame &frame) {
   return readPayload<24>(frame);
 }
 
-// The whole frame for `channels` (0..2047, CH17 and CH18 0 or 1), with neither lost frame nor failsafe, end byte 00.
+// Returns the whole frame for `channels` (0..2047, CH17 and CH18 0 or 1), with neither lost frame nor failsafe, end byte 00.
 inline Frame writeBitByBit(const Channels &channels) {
   Frame frame = writePayload<16, 25>(channels);
   frame[23] = static_cast<uint8_t>(channels[16] | channels[17] << 1);

@@ -1,4 +1,4 @@
-// Bytes of a line, frames, and how to cut and damage them.
+// Bytes of a line and frames; functions to cut and impair them.
 #pragma once
 
 #include <algorithm>
@@ -30,12 +30,12 @@ std::vector<T> operator+(std::vector<T> left, const std::vector<T> &right) {
   return left;
 }
 
-// What an R7003SB, end byte 08, sends straight after each frame; nothing after other end bytes.
+// Returns what an R7003SB, end byte 08, sends straight after each frame; nothing for other end bytes.
 inline Bytes tailOf(uint8_t end) {
   return end == 0x08 ? Bytes{0x00, 0x03, 0xC0, 0x33, 0x00} : Bytes{};
 }
 
-// `bytes`, a frame or Bytes, from `from` up to but without `to`.
+// Returns `bytes`, a frame or Bytes, from `from` up to but without `to`.
 template <typename Container>
 Bytes part(const Container &bytes, size_t from, size_t to = SIZE_MAX) {
   const auto at = [&bytes](size_t index) {
@@ -67,7 +67,7 @@ inline bool isPartOf(const Frames &some, const Frames &all) {
   });
 }
 
-// Returns what was counted since `before`. Nothing had gone wrong up to then.
+// Returns what was counted since `before`. Up to then there must be no error.
 inline sbus::Counters operator-(sbus::Counters now, const sbus::Counters &before) {
   now.frames -= before.frames;
   now.discardedBytes -= before.discardedBytes;

@@ -8,7 +8,7 @@
 
 #include "sbus/Calibration.h"
 
-// A channel is not calibrated, or its numbers stand in order, and the dead zone ends before low and high.
+// Returns true if a channel is not calibrated, or its numbers are in order and the dead zone ends before low and high.
 inline bool possibleByRule(const sbus::CalibratedChannel &channel) {
   const int low = channel.range.low;
   const int centre = channel.range.centre;
@@ -20,7 +20,7 @@ inline bool possibleByRule(const sbus::CalibratedChannel &channel) {
   return empty || forwards || backwards;
 }
 
-// CRC-16/CCITT-FALSE, the bits one after the other, through a register of 16.
+// Returns the CRC-16/CCITT-FALSE, bit by bit, through a register of 16 bits.
 inline uint16_t crcOf(const uint8_t *bytes, size_t count) {
   unsigned crc = 0xFFFF;
   for (size_t bit = 0; bit < 8 * count; bit++) {
@@ -30,7 +30,7 @@ inline uint16_t crcOf(const uint8_t *bytes, size_t count) {
   return static_cast<uint16_t>(crc);
 }
 
-// Exactly -1000, 0, +1000 and 988, 1500, 2012 us at the three points.
+// Returns true if scaling gives exactly -1000, 0, +1000 and 988, 1500, 2012 us at the three points.
 inline bool isExact(const sbus::CalibratedChannel &channel) {
   const sbus::Range &range = channel.range;
   return channel.toNormalised(range.low) == -1000 && channel.toMicroseconds(range.low) == 988 &&

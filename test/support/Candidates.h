@@ -1,4 +1,4 @@
-// Characters for the rules of FrameRules.h, and the verdict on them as a text.
+// Characters for the rules of FrameRules.h, and the verdict about them as a text.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 constexpr int Far = 255;  // Case::gapAt without a gap
 
-// A frame and what follows it. By default it stands where a frame is expected, on a line of its variant.
+// A frame and what follows it. By default it is where a frame is expected, on a line of its variant.
 struct Case {
   Bytes bytes;
   int gapAt = Far;
@@ -27,14 +27,14 @@ struct Case {
 inline const Bytes Plain = bytesOf(plainFrame(1));
 inline const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at 23
 
-// A line of which nothing has been seen.
+// Returns a line of which nothing has been seen.
 inline sbus::Acquisition<sbus::Frame16> noneSeen() {
   sbus::Acquisition<sbus::Frame16> acquisition;
   acquisition.reset();
   return acquisition;
 }
 
-// A line on which two gaps have been seen, `run` characters apart.
+// Returns a line on which two gaps have been seen, `run` characters apart.
 inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
   sbus::Acquisition<sbus::Frame16> acquisition = noneSeen();
   acquisition.gap(0, true);

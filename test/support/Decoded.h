@@ -1,4 +1,4 @@
-// What a capture of the wire holds, and the captures that its tests begin with.
+// What is decoded from a capture of the wire, and the captures that its tests begin with.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@
 
 using line::WireCharacter;
 
-// What a text holds. It is handed over in blocks of whole lines, as a file is.
+// What is decoded from a text, which is handed over in blocks of whole lines, as a file is.
 struct Decoded {
   std::vector<WireCharacter> characters;
   std::string error;  // the place and what is wrong
@@ -53,7 +53,7 @@ struct Decoded {
     }
   }
 
-  // Decodes a session that is unpacked, with its samples in pieces.
+  // Decodes an unpacked session, with its samples in pieces.
   Decoded(const std::string &metadata, const std::string &samples, size_t piece) {
     line::WireDecoder decoder(
         {}, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
@@ -107,7 +107,7 @@ inline std::string sampled(const TestWire &wire, double periodNs) {
   return text;
 }
 
-// With `now` wherever `before` was.
+// Returns the text with `now` in place of each `before`.
 inline std::string replaced(std::string text, const std::string &before, const std::string &now) {
   for (size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + now.size())) {
     text.replace(at, before.size(), now);

@@ -1,4 +1,4 @@
-// How a core's driver hands over the characters that have come.
+// How a core's driver hands over received characters.
 #pragma once
 
 // Hands over `burst` characters at once, or fewer when the line was idle for `idleCharacters`. Drops bad characters.
@@ -29,6 +29,6 @@ constexpr Driver ByteByByte = {"bytes", 1, 0};
 constexpr Driver Esp32 = {"ESP32", 120, 2};       // as the sketch opens it
 constexpr Driver Esp32Told = {"ESP32, 8", 8, 2};  // as DecodeSBus::begin() does
 
-// The most that a receiver has to bear; no core of today holds back as much. Before 1.13.1 (53043830) arduino-pico held
-// back 4 characters, or fewer for 32 bits.
+// The most that a receiver has to tolerate; no current core holds back as much. Before 1.13.1 (53043830) arduino-pico
+// held back 4 characters, or fewer for 32 bits.
 constexpr Driver Fifo = {"FIFO 8", 8, 4};

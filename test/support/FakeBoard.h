@@ -10,7 +10,7 @@
 
 constexpr uint64_t Ms = 1000;  // us
 
-// What the channels of a sketch hold before a frame is decoded: no frame holds that.
+// The value of a sketch's channels before a frame is decoded; no frame has it.
 constexpr Channels Untouched = {4711};
 constexpr LongChannels UntouchedLong = {4711};
 
@@ -30,10 +30,10 @@ struct FakeBoardOf {
 
   explicit FakeBoardOf(size_t portCapacity = 64) : port(portCapacity) {}
 
-  // Lets time go on while loop() is blocked.
+  // Lets time pass while loop() is blocked.
   void block(uint64_t us) { fakeMicros += us; }
 
-  // Lets time go on; then the sketch polls, and finds nothing.
+  // Lets time pass; then the sketch polls, and finds nothing.
   void wait(uint64_t us) {
     block(us);
     sbus.parseSBusFrame();
@@ -46,14 +46,14 @@ struct FakeBoardOf {
     return kept;
   }
 
-  // Does so after the time that they take, back to back, while loop() is blocked.
+  // Hands them over after the time that they take back to back, while loop() is blocked.
   size_t take(const Bytes &bytes) {
     block(120 * bytes.size());
     return poll(bytes);
   }
 
-  // A frame comes in as the board hands it over: 16 bytes at a time, the last ones when the line has been idle for a
-  // character. loop() is so quick that it polls just before.
+  // Receives a frame as the board hands it over: 16 bytes at a time, the last ones when the line has been idle for a
+  // character. loop() is quick, and polls just before.
   static constexpr uint64_t FrameUs = (Format::Size + 1) * 120;
   void frame(const Frame &frame) {
     constexpr size_t Burst = 16;
@@ -77,7 +77,7 @@ struct FakeBoardOf {
     wait(SilenceUs);
   }
 
-  // Asks the class for everything, as a sketch does.
+  // Calls every method that a sketch reads.
   Decoded decode() {
     Decoded decoded = {{4711}, false, false};
     sbus.decodeSBusFrame(decoded.channels.data(), decoded.failsafe, decoded.lostFrame);

@@ -1,4 +1,4 @@
-// What millis() and micros() answer in the unit programs: both come from one counter, cut to 32 bits each as on the board.
+// millis() and micros() of the unit programs: both come from one counter, cut to 32 bits each, as on the board.
 #pragma once
 
 #include <cstdint>

@@ -33,10 +33,10 @@ class FakeSerial : public HardwareSerial {
   bool readFails = false;                    // -1, as no core should answer
 
   // What comes in between the two times that the board's core reads its count, if it is asked for more than is there.
-  // It then hands over up to 12 bytes more than it was asked for, after the end of the buffer.
+  // The core then writes up to 12 bytes more than it was asked for, past the end of the buffer.
   std::vector<uint8_t> landing;
 
-  // The wire: `bytes` come in from outside. Returns how many were kept.
+  // Takes `bytes` from the wire. Returns how many were kept.
   template <typename Container>
   size_t arrive(const Container &bytes) {
     const size_t before = _waiting.size();

@@ -30,7 +30,7 @@ struct FeederOf {
 
   explicit FeederOf(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
 
-  // Polls, now, and finds `bytes`. Returns the frames that this brings.
+  // Polls now, and finds `bytes`. Returns the frames that this brings.
   Frames poll(const Bytes &bytes) {
     Frames frames;
     if (bytes.empty()) {
@@ -54,7 +54,7 @@ struct FeederOf {
     return *this;
   }
 
-  // Lets `us` pass without a byte, and polls at their end. A frame that has waited for this is in `waited`.
+  // Lets `us` pass without a byte, and polls at the end. A frame that has waited for this is in `waited`.
   FeederOf &wait(uint32_t us) {
     waited = block(us).poll({});
     return *this;
@@ -72,7 +72,7 @@ struct FeederOf {
     return frames;
   }
 
-  // Makes the loop period known: some polls that find noise, `periodUs` apart, then a gap. counted() begins after it.
+  // Makes the loop period known: some polls that find noise, `periodUs` apart, then a gap. counted() begins after that.
   FeederOf &settle(uint32_t periodUs = CharacterUs, uint32_t gapUs = GapUs) {
     for (unsigned noise = 0; noise < 6; noise++) {
       wait(periodUs).poll({0x55});
@@ -109,8 +109,8 @@ struct FeederOf {
 
 using Feeder = FeederOf<sbus::Frame16>;
 
-// Returns the frames in `bytes`, without a gap, polled whenever `burst` of them have come; `byEvents`: and never
-// otherwise. A header follows, for a frame that waits for it.
+// Returns the frames in `bytes`, without a gap, polled whenever `burst` of them have come; with `byEvents`, only then. A
+// header follows, for a frame that waits for it.
 inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = false) {
   Feeder feeder;
   if (!byEvents) {
@@ -119,7 +119,7 @@ inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = fals
   return feeder.feed(bytes + Bytes{0x0F}, burst);
 }
 
-// Characters and gaps, and what the board's driver and a loop() of some period make of them.
+// Characters and gaps, read through the board's driver by a loop() of some period.
 class TimedLine {
  public:
   TimedLine &send(const Bytes &bytes) {
@@ -142,7 +142,7 @@ class TimedLine {
     return *this;
   }
 
-  // Returns what a finder delivers that is polled every `loopUs`, until 20 ms after the last character, and its counters.
+  // Polls a finder every `loopUs`, until 20 ms after the last character. Returns what it delivers, and its counters.
   template <typename Format = sbus::Frame16>
   typename FeederOf<Format>::Frames frames(uint32_t loopUs, sbus::Counters *counters = nullptr) const {
     FeederOf<Format> feeder;

@@ -63,7 +63,7 @@ constexpr KnownLongFrame Published24 = {
 constexpr Frame FailsafeFrame = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
                                  0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
 
-// Frame number `number` of a line whose CH1 counts, from `first`, and whose other channels stand at `centre`.
+// Returns frame number `number` of a line whose CH1 counts from `first`, and whose other channels are at `centre`.
 inline Frame countingFrame(uint16_t centre, unsigned first, unsigned number, uint8_t end) {
   Channels channels{};
   for (unsigned channel = 0; channel < 16; channel++) {
@@ -75,17 +75,17 @@ inline Frame countingFrame(uint16_t centre, unsigned first, unsigned number, uin
   return frame;
 }
 
-// With FrSky's neutral sticks, 992: 0F twice in the payload.
+// Returns a frame with FrSky's neutral sticks, 992: 0F twice in the payload.
 inline Frame neutralFrame(unsigned number, uint8_t end = 0x00) {
   return countingFrame(992, 900, number, end);
 }
 
-// With Futaba's centre, 1024: no 0F in the payload at all.
+// Returns a frame with Futaba's centre, 1024: no 0F in the payload.
 inline Frame plainFrame(unsigned number, uint8_t end = 0x00) {
   return countingFrame(1024, 1024, number, end);
 }
 
-// Frame number `number` of 24 channels, plain or neutral.
+// Returns frame number `number` of 24 channels, plain or neutral.
 inline LongFrame longFrame(unsigned number, bool neutral = false) {
   LongChannels channels;
   channels.fill(neutral ? 992 : 1024);
@@ -93,7 +93,7 @@ inline LongFrame longFrame(unsigned number, bool neutral = false) {
   return writeBitByBit(channels);
 }
 
-// Frame number `number` of Futaba's extra channels.
+// Returns frame number `number` of Futaba's extra channels.
 inline Frame extraFrame(unsigned number, uint8_t end = 0x00) {
   Frame frame = countingFrame(1500, 300, number, end);
   frame[0] = 0x2F;

@@ -1,4 +1,4 @@
-// A Calibrator, and a radio whose sticks are moved, as a sketch feeds them.
+// A Calibrator, and a radio whose moving sticks are fed to it as by a sketch.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct Radio {
 
   Radio() { channels.fill(Rest); }
 
-  // CH1 goes through its travel, rests, and is held at its high end; at its low end if it rests less than 1/4 below the
-  // high one.
+  // Moves CH1 through its travel, lets it rest, and holds it at its high end, or at its low end if it rests less than 1/4
+  // below the high end.
   Radio(Extent travel, Extent rest, int deadZone = -1) : Radio() {
     if (deadZone >= 0) {
       calibrator.setDeadZone(static_cast<uint16_t>(deadZone));
@@ -77,7 +77,7 @@ struct Radio {
   }
 };
 
-// What finish() returns, and what it leaves of a calibration that was all A5.
+// What finish() returns, and how it leaves a calibration that was all A5.
 struct Finished {
   sbus::Calibration calibration;
   uint8_t channel = Radio::NoChannel;

@@ -14,7 +14,7 @@ namespace {
 constexpr greg_t TrapFlag = 0x100;
 
 void (*interrupt)();             // what interrupts the code
-unsigned long instructionsLeft;  // until it does; 0: it has
+unsigned long instructionsLeft;  // until the interrupt; 0: it has come
 
 void onTrap(int, siginfo_t *, void *context) {
   if (instructionsLeft == 0 || --instructionsLeft > 0) {

@@ -1,5 +1,5 @@
-// A serial port that receives as a board's driver does: characters of a line go in, a sketch reads bytes. Opened at
-// another baud rate than the line's it hears nothing.
+// A serial port that receives as a board's driver does: characters of a line go in, a sketch reads bytes. Opened at a
+// baud rate other than the line's, it receives nothing.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@
 
 class UartPort : public HardwareSerial {
  public:
-  // Before every read `beforeRead` is called: a class that takes in two frames in one call has finished with the first
-  // then, and can be asked for it.
+  // Calls `beforeRead` before every read: a class that takes in two frames in one call has then finished with the first,
+  // which can be read.
   explicit UartPort(
       unsigned long lineBaud = sbus::Baud, const Driver &driver = Board, size_t buffer = 64,
       std::function<void()> beforeRead = [] {})
@@ -30,10 +30,10 @@ class UartPort : public HardwareSerial {
     _uart.open(fakeMicros, _buffer.data(), _buffer.size(), _characterUs);
   }
 
-  // Takes a character that has come; no other has come up to now.
+  // Takes the next character that has come.
   void receive(const line::Character &character) {
     if (_baud != _lineBaud || character.endUs < _openedUs + _characterUs) {
-      return;  // one that has begun before is not received
+      return;  // a character that began before the port was opened is not received
     }
     advance(character.endUs - _characterUs);
     if (_driver.isBoards()) {
@@ -78,7 +78,7 @@ class UartPort : public HardwareSerial {
     return count;
   }
 
-  // The board's receive path becomes one without its ring: it is idle after each character.
+  // Changes the board's receive path to one without its ring: it is idle after each character.
   void handOver() {
     for (const line::Character &character : _fifo) {
       _uart.receive(character);
@@ -99,7 +99,7 @@ class UartPort : public HardwareSerial {
   std::vector<line::Character> _fifo;
 };
 
-// The board's, by whose onReceive() the library knows how long it waits for more characters.
+// The board's port: by its onReceive() the library knows how long it waits for more characters.
 class BoardsPort : public UartPort {
  public:
   void onReceive(void (*)()) {}

@@ -1,4 +1,4 @@
-// A line, and what its observer reports.
+// A line, and what its observer has reported.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Watched {
     return *this;
   }
 
-  // A frame of 16 channels, each `value`, and the gap to the next.
+  // Puts a frame of 16 channels, each `value`, and the gap to the next frame.
   Watched &frame(uint16_t value, bool failsafe = false, bool lostFrame = false, uint64_t periodUs = PeriodUs) {
     return send(frameOf(value, failsafe, lostFrame)).gap(periodUs - 25 * _characterUs);
   }

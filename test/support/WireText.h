@@ -1,4 +1,4 @@
-// A wire, and what analysers and oscilloscopes write of it. Includes nothing of the library.
+// A wire, and its captures as analysers and oscilloscopes write them. Includes nothing of the library.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ struct TestWire {
   double ns = 2000000;        // up to here it is written
   std::vector<double> edges;  // the first one leaves idle, the next one goes back, and so on
 
-  // 12 bits: a start bit, then `bits`, least significant first. Active is false.
+  // Adds 12 bits: a start bit, then `bits`, least significant first. Active is false.
   void character(unsigned bits) {
     bool active = false;
     for (unsigned i = 0; i < 12; i++, ns += bitNs) {
@@ -28,7 +28,7 @@ struct TestWire {
     }
   }
 
-  // A good one: 8 data bits, even parity, two stop bits.
+  // Adds a valid character: 8 data bits, even parity, two stop bits.
   void byte(uint8_t value) {
     unsigned ones = 0;
     for (unsigned i = 0; i < 8; i++) {
@@ -49,7 +49,8 @@ struct TestWire {
 
 // PicoScope: the wire goes further up and down than it can measure. Owon: its program, with times that go back.
 // OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c:158 to 209, 276 to 313 (a row for each
-// change) and 365 to 391 (each sample); the old one as before DSView 1.2. PulseView...: libsigrok, src/output/csv.c. Keysight: two rows of names, channels are numbers.
+// change) and 365 to 391 (each sample); DsViewOld is from before DSView 1.2. PulseView...: libsigrok, src/output/csv.c.
+// Keysight: two rows of names, channels are numbers.
 enum class TestFormat { Vcd, Saleae, SaleaeIso, PulseView, PulseViewTimed, Scope, PicoScope, Rigol, Owon, OwonHandheld, DecimalCommas, DsView, DsViewOld, DsViewAnalogue, Keysight };
 constexpr TestFormat TestFormats[] = {TestFormat::Vcd,          TestFormat::Saleae,    TestFormat::SaleaeIso, TestFormat::PulseView,
                                       TestFormat::PulseViewTimed, TestFormat::Scope,   TestFormat::PicoScope, TestFormat::Rigol,
@@ -63,8 +64,8 @@ std::string printed(const char *format, Values... values) {
   return text;
 }
 
-// The text of a capture of `wire`; samples are taken every microsecond. `second`: a second signal, a clock, stands before
-// it where the format knows several.
+// Returns the text of a capture of `wire`; samples are taken every microsecond. `second`: a second signal, a clock, comes
+// first if the format has several.
 inline std::string textOf(const TestWire &wire, TestFormat format, bool second = false) {
   const char idle = wire.inverted ? '0' : '1';
   const char active = wire.inverted ? '1' : '0';

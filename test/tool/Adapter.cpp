@@ -1,8 +1,8 @@
-// A receiver at a USB adapter, in true time: a pseudo-terminal that brings bytes as support/Adapter.h has it.
+// A receiver at a USB adapter, in true time: a pseudo-terminal that brings bytes as support/Adapter.h does.
 //
 //   Adapter LINE PERIOD_MS LATENCY_MS FRAMES      LINE: 16, 24, sbus2 (two telemetry slots behind each frame), 2F
 //
-// It prints the terminal's name; when a program has opened it, the frames go.
+// It prints the terminal's name, and sends the frames when a program has opened it.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -43,7 +43,7 @@ int main(int count, char **arguments) {
   while (!terminal.hasReader()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it throws away what comes before the port is set
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the program drops what comes before it has set the port
   const auto start = Clock::now();
   Random random(20181);
   ImpairedLine line(transmission(arguments[1], arguments[2], arguments[4]), 5000, random);

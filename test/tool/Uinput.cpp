@@ -1,9 +1,8 @@
-// /dev/uinput for a machine that has none: LD_PRELOAD it before a program that opens it. It accepts, rejects and drops
-// what Linux 6.1 does; the comments name the lines of its drivers/input/misc/uinput.c, and of drivers/input/input.c as
-// "input.c".
+// A stand-in for /dev/uinput, for a machine that has none: LD_PRELOAD it. It accepts, rejects and drops what Linux 6.1
+// does; the comments name the lines of drivers/input/misc/uinput.c, and of drivers/input/input.c as "input.c".
 //
 //   UINPUT_LOG     what a program that reads the event device would see, a report a line: "ABS_X=12 BTN_EAST=1"; the
-//                  device with its axes when it comes and when it goes; what the kernel passes over without a word, as
+//                  device with its axes when it comes and when it goes; what the kernel ignores without an error, as
 //                  "dropped"; and "unread" if the device goes before a game that reads 30 times a second had the newest
 //                  report
 //   UINPUT_ERRNO   open() fails with this number
@@ -119,8 +118,8 @@ int create() {  // 326
 
 void destroy() {  // 296
   if (device.setup == Setup::Created) {
-    // drivers/input/evdev.c, evdev_read(): of a device that has gone nothing is read any more, not even what waits;
-    // joydev.c, joydev_read(), neither.
+    // drivers/input/evdev.c, evdev_read(): nothing can be read from a device that has gone, not even what waits;
+    // joydev.c, joydev_read(), is the same.
     if (std::chrono::steady_clock::now() - device.reportTime < ReadEvery) {
       log("unread: the newest report");
     }
@@ -129,7 +128,7 @@ void destroy() {  // 296
   device = {};
 }
 
-void flush() {  // input.c 372: SYN_REPORT alone is nothing
+void flush() {  // input.c 372: SYN_REPORT alone is no report
   std::string line;
   for (const std::string &event : device.report) {
     line += (line.empty() ? "" : " ") + event;
@@ -139,7 +138,7 @@ void flush() {  // input.c 372: SYN_REPORT alone is nothing
   device.report.clear();
 }
 
-void take(const input_event &event) {  // input.c 237; what was never set: 428, 265, 291; what is as it was: 222, 273
+void take(const input_event &event) {  // input.c 237; codes that were never set: 428, 265, 291; unchanged values: 222, 273
   const std::string text = named(event.type, event.code, event.value);
   if (event.type == EV_SYN && event.code == SYN_REPORT) {
     return flush();
@@ -237,7 +236,7 @@ ssize_t write(int file, const void *bytes, size_t size) {
   if (device.setup != Setup::Created || size < sizeof(input_event)) {  // 552, 613
     return result(EINVAL);
   }
-  const size_t count = size / sizeof(input_event);  // the rest of an event is left out: 616
+  const size_t count = size / sizeof(input_event);  // a part of an event is ignored: 616
   for (size_t i = 0; i < count; i++) {
     input_event event;
     std::memcpy(&event, static_cast<const char *>(bytes) + i * sizeof event, sizeof event);

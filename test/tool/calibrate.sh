@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs `sbus calibrate`, and says "ok ..." or "FAILED ..." of what it says and writes, and of what `sbus joystick` reads.
+# Tests what `sbus calibrate` prints and writes, and what `sbus joystick` reads of that; says "ok ..." or "FAILED ...".
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -32,7 +32,7 @@ while IFS='|' read -r keys options; do
   # shellcheck disable=SC2086  # they are words
   "$SBUS" calibrate sim --sticks calibration --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     grep -v 'still: let go' "$work/err" >"$work/steps" && printf '%s\n%s:\n%s\n' "$steps" "$work/file" "$table" | cmp - "$work/steps" && echo "$table" | cmp - "$work/file"
-  verdict $? "calibrate sim $options, with Enter as in $keys: what it says, and the ranges of CH1 to CH6"
+  verdict $? "calibrate sim $options, with Enter as in $keys, says each step and finds the ranges of CH1 to CH6"
 done <<'END'
 enter|
 enter|--noise 50
@@ -40,9 +40,9 @@ enter|--channels 32
 early|
 END
 grep -qx 'CH[1-4] did not stand still: let go of it\.' "$work/err"
-verdict $? "Enter while the sticks still move: it waits until they rest"
+verdict $? "after Enter while the sticks still move, calibrate waits until they rest"
 
-# ---- Sticks as real ones are: their ends last for 40 ms, values jitter by 2, CH1, CH2 and CH4 rest off 992, CH2 and CH3 are
+# ---- Sticks like real ones: their ends last for 40 ms, values jitter by 2, CH1, CH2 and CH4 rest off 992, CH2 and CH3 are
 # ---- reversed, CH16 is a link quality that never rests, three frames that are marked lost bring nonsense twice a second; the adapter is unplugged, the radio is off
 
 moves() {  # STEP: starts a player of these moves, at the end of the adapter's cable
@@ -72,16 +72,16 @@ timeout 60 "$SBUS" calibrate "$work/adapter" "$work/radio.txt" <"$work/keys" 2>"
 calibrating=$!
 exec 3>"$work/keys"
 echo >&3 && says 'CH1 .*Then press Enter\.$'
-verdict $? "Enter before the sticks have moved: $(tail -n 1 "$work/err")"
+verdict $? "Enter before the sticks have moved does not end the step: $(tail -n 1 "$work/err")"
 sleep 3
 echo >&3 && says '^2 of 3'
 unplug
 says '^The link is lost'
-verdict $? "the adapter is unplugged while nothing is to move"
+verdict $? "an adapter that is unplugged while nothing has to move is reported as a lost link"
 moves failsafe
 sleep 1.5
 [ "$(tail -n 1 "$work/err")" = "$work/adapter: the port is back" ]
-verdict $? "failsafe values are no resting place"
+verdict $? "failsafe values are not taken for resting sticks"
 unplug
 moves rest
 says '^3 of 3' && unplug
@@ -95,17 +95,17 @@ awk '
   NR == 5 { good += $1 == "CH4" && near($2, 292) && near($3, 992) && near($4, 1692) }
   NR == 6 { good += $0 == "CH5 172 992 1811" }
   END { exit NR != 6 || good != 5 }' "$work/radio.txt" || { cat "$work/radio.txt" "$work/err"; false; }
-verdict $? "centre and ends within 2 of where they are: $(sed 1d "$work/radio.txt" | paste -sd ,)"
+verdict $? "centre and ends are found to within 2: $(sed 1d "$work/radio.txt" | paste -sd ,)"
 rm "$work/adapter"  # a library has no links, not even in build/
 
-# ---- What goes wrong leaves no file behind, and none that was there is lost
+# ---- An error leaves no file behind, and no existing file is lost
 
 while IFS='|' read -r keys options message; do
   rm -f "$work/file"
   # shellcheck disable=SC2086  # they are words
   ! "$SBUS" calibrate sim --sticks calibration --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     [ "$(tail -n 1 "$work/err")" = "sbus calibrate: $message" ] && [ ! -e "$work/file" ]
-  verdict $? "calibrate sim $options: $message"
+  verdict $? "calibrate sim $options says: $message"
 done <<'END'
 enter|--seconds 20|nothing was written, since the third step was not completed: CH1 is where it rested: push it up or right
 enter|--seconds 14 --silent|nothing was written, since the third step was not completed: CH1 was not seen: switch the radio on

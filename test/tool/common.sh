@@ -1,13 +1,13 @@
-# What the scripts of this folder share: each says "ok sbus: ..." or "FAILED sbus: ...". To be sourced in test.
+# Functions for the scripts of this folder: each says "ok sbus: ..." or "FAILED sbus: ...". To be sourced in test.
 
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
 }
 
-# The bytes of a recording, one a line, without the marks of those that have errors.
+# Prints the bytes of a recording, one a line, without the marks of errors.
 bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n' | grep .; }
 
-# player SUBCOMMAND ARGUMENTS...: starts one on a pseudo-terminal; sets `player` to its process, `terminal` to its name.
+# player SUBCOMMAND ARGUMENTS...: starts sbus on a pseudo-terminal; sets `player` to its process, `terminal` to the name.
 # SBUS: the program; WORK: a folder.
 player() {
   rm -f "$WORK/terminal"

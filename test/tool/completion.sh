@@ -10,7 +10,7 @@ completions=$PWD/../extras/cli
 
 . tool/common.sh
 
-# Each prints what the last of its arguments, a command line, may become.
+# Each prints the completions of its last argument, a command line.
 complete_bash() {
   bash -c '. "$0/completion.bash"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sbus sbus; printf "%s\n" "${COMPREPLY[@]}"' \
     "$completions" "$@"

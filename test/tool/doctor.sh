@@ -1,5 +1,5 @@
 #!/bin/sh
-# Asks `sbus doctor` about each line of verdicts/LINES, and about ports, and says "ok ..." or "FAILED ...".
+# Runs `sbus doctor` on each line of verdicts/LINES, and on ports, and says "ok ..." or "FAILED ...".
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -28,14 +28,14 @@ asked() {
   status=$?
   [ $status -eq 0 ] || cat "$WORK/doctor.out" "$WORK/doctor.err"
   shift 3
-  verdict $status "doctor $*: $finding"
+  verdict $status "doctor $* finds: $finding"
 }
 
-# At a port a busy PC may hold the player up, and the line is silent then: one of three times it does not.
+# A busy PC may hold up the player at a port, and the line is silent then: one of three tries must succeed.
 asked_live() {
   heard "$@" || heard "$@" || { asked "$@"; return; }
   shift 3
-  verdict 0 "doctor $*: $finding"
+  verdict 0 "doctor $* finds: $finding"
 }
 
 verdicts/lines.sh "$WORK"
@@ -58,7 +58,7 @@ player replay golden/AllChannels.csv --loop
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 
-# At an adapter that hands bytes over every few ms, in true time: a busy PC may well be late, so only lines that bear
+# An adapter that hands bytes over every few ms, in true time: a busy PC may well be late, so these are only lines that bear
 # it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
 sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/simulation/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several
@@ -77,7 +77,7 @@ while read -r line period latency status finding; do
   adapter "$line" "$period" "$latency" 1000
   asked_live "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"
   grep -qxF "$note" "$WORK/doctor.out"
-  verdict $? "doctor names the gaps that are not seen: $line, $latency ms"
+  verdict $? "doctor says which gaps are not seen: $line, $latency ms"
   kill $player
 done <<END
 16 9 1 0 All well.
@@ -88,10 +88,10 @@ adapter 16 9 16 200
 "$SBUS" record "$terminal" "$WORK/adapter.txt" 2>"$WORK/err"
 grep -q '^[0-9]*~[0-9]* ' "$WORK/adapter.txt" && "$SBUS" hex "$WORK/adapter.txt" >"$WORK/adapter.hex" &&
   [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'All well.'
-verdict $? "a recording of an adapter at 16 ms keeps its reads: its frames are found again"
+verdict $? "a recording of an adapter at 16 ms keeps its reads, so that its frames are found again"
 kill $player
 
-# One who is not root, to whom a port may be denied: mode 000, or another program's alone (TIOCEXCL).
+# A user who is not root may be denied a port: by mode 000, or by a program that has it alone (TIOCEXCL).
 folder=$(mktemp -d)
 chmod 755 "$folder"
 install -m 755 "$SBUS" "$folder/sbus"
@@ -103,21 +103,21 @@ player simulate
 reader=$!
 until [ -s "$WORK/reader" ]; do sleep 0.1; done
 "$SBUS" doctor "$terminal" 2>&1 | grep -qx "sbus doctor: $terminal: in use; close the other program that has it open"
-verdict $? "doctor of a pseudo-terminal that another sbus reads"
+verdict $? "doctor says that a pseudo-terminal is in use if another sbus reads it"
 kill $reader
 wait $reader
 chmod 000 "$terminal"
 as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
 [ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$WORK/err"
-verdict $? "doctor of a port without permission"
+verdict $? "doctor of a port without permission says how to get it"
 chmod 666 "$terminal"
 perl -e 'open(P, "+<", $ARGV[0]) && ioctl(P, 0x540C, 0) && print("mine\n") && close(STDOUT) && sleep(60)' "$terminal" >"$WORK/mine" &
 owner=$!
 until [ -s "$WORK/mine" ] || ! kill -0 $owner 2>/dev/null; do sleep 0.1; done
 as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
 [ $? -eq 1 ] && grep -qx "sbus doctor: $terminal: in use; close the other program that has it open" "$WORK/err"
-verdict $? "doctor of a port that another program has"
+verdict $? "doctor says that a port is in use if another program has it alone"
 kill $owner $player
 rm -r "$folder"
 "$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'
-verdict $? "doctor of a port that is not there"
+verdict $? "doctor says that a port does not exist"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs `sbus explain` on frames of a packer of its own, and says "ok ..." or "FAILED ..." of:
+# Runs `sbus explain` on frames that this script packs, and says "ok ..." or "FAILED ..." of:
 #   each channel's raw value, its microseconds, its bits, and what each byte says that it holds
-#   tool/EXPLAINED   what it says of bytes that are no frame, and how far it explains them
+#   tool/EXPLAINED   what it says about bytes that are no frame, and how far it explains them
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -59,11 +59,11 @@ frame() {
     "$SBUS" explain "$(tr -d ' ' <"$WORK/frame.hex")" | cmp - "$WORK/explain.txt" &&
     "$SBUS" explain <"$WORK/frame.hex" | cmp - "$WORK/explain.txt" &&
     sed 's/^/{0x/; s/ /, 0x/g' "$WORK/frame.hex" | "$SBUS" explain - | cmp - "$WORK/explain.txt"
-  verdict $? "explain: $title"
+  verdict $? "explain is right about $title"
 }
 says() {
   grep -qx " *$1 .*  $2" "$WORK/explain.txt"
-  verdict $? "explain: $2"
+  verdict $? "explain says: $2"
 }
 frame "16 channels" 0F 0 136 16 0B 14 1
 says 0 "header"
@@ -83,5 +83,5 @@ while IFS='|' read -r bytes rows channels messages; do
   [ $? -eq "$([ -z "$messages" ] && echo 0 || echo 1)" ] &&
     [ "$(grep -cE '^ *[0-9]+  ' "$WORK/explain.txt") $(grep -c '^CH' "$WORK/explain.txt")" = "$rows $channels" ] &&
     [ "$(sed 's/^sbus explain: //' "$WORK/err" | paste -sd ';')" = "$messages" ]
-  verdict $? "explain $bytes"
+  verdict $? "explain $bytes has the rows and messages of tool/EXPLAINED"
 done <"$WORK/explained"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Gives `sbus` files that are no recordings: captures of the wire, and bytes without times. Says "ok ..." or "FAILED ...".
-# The captures are written here, bit by bit, of the recordings; what is read of them is what the recordings hold.
+# Runs `sbus` on files that are no recordings: captures of the wire, and bytes without times. Says "ok ..." or "FAILED ...".
+# The captures are made here from the recordings, bit by bit; decoded, they must hold what the recordings hold.
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -50,7 +50,7 @@ for form in vcd csv; do
       for subcommand in 'hex' 'csv --every-frame --columns time,ch1-ch18,failsafe'; do
         # shellcheck disable=SC2086  # the arguments are words
         "$SBUS" $subcommand recordings/$recording.txt >"$work/wanted" && "$SBUS" $subcommand "$file" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
-        verdict $? "$subcommand of $recording as $form, idle $idle"
+        verdict $? "$subcommand of $recording as $form, idle $idle, is as of the recording"
       done
     done
   done
@@ -58,21 +58,21 @@ done
 "$SBUS" doctor "$work/frsky-neutral-1.vcd" >"$work/doctor" 2>"$work/err" && [ ! -s "$work/err" ] && grep -qx 'All well.' "$work/doctor" &&
   tail -n 1 "$work/doctor" >"$work/last" &&
   grep -q '^100000 baud, 8E2, not inverted: [1-9][0-9]* frames' "$work/doctor" && "$SBUS" doctor recordings/frsky-neutral.txt | tail -n 1 | cmp - "$work/last"
-verdict $? "doctor of a capture says how the wire was"
+verdict $? "doctor of a capture says the wire's settings"
 "$SBUS" plot "$work/sbus2-0.csv" -o "$work/capture.svg" && "$SBUS" plot recordings/sbus2.txt -o "$work/recording.svg" &&
   sed 's/sbus2-0.csv/sbus2.txt/' "$work/capture.svg" | cmp - "$work/recording.svg"
-verdict $? "plot of a capture"
+verdict $? "plot of a capture is as of its recording"
 "$SBUS" monitor "$work/sbus2-0.vcd" --simulated-time >"$work/lines" &&
   "$SBUS" monitor recordings/sbus2.txt --simulated-time | cmp - "$work/lines" && [ "$(wc -l <"$work/lines")" -ge 2 ]
-verdict $? "monitor of a capture"
+verdict $? "monitor of a capture is as of its recording"
 "$SBUS" record "$work/sbus2-0.vcd" "$work/recorded.txt" 2>"$work/err" && bytes recordings/sbus2.txt >"$work/wanted" &&
   bytes "$work/recorded.txt" | cmp - "$work/wanted"
-verdict $? "record of a capture"
+verdict $? "record of a capture has the recording's bytes"
 "$SBUS" replay "$work/sbus2-1.csv" >"$work/terminal" 2>"$work/err" &
 player=$!
 until [ -s "$work/terminal" ] || ! kill -0 $player; do sleep 0.1; done
 "$SBUS" record "$(cat "$work/terminal")" "$work/replayed.txt" 2>"$work/err" && bytes "$work/replayed.txt" | cmp - "$work/wanted"
-verdict $? "replay of a capture"
+verdict $? "replay of a capture sends the recording's bytes"
 wait $player
 
 capture vcd 0 5 <recordings/slow/"$(ls recordings/slow | head -n 1)" >"$work/fast.vcd"
@@ -81,23 +81,23 @@ verdict $? "a capture of Fast S.Bus needs no option"
 ! "$SBUS" csv "$work/fast.vcd" --baud 100000 >"$work/out" 2>"$work/err"
 verdict $? "--baud overrules what is found in a capture"
 
-# decode -o: the recording, and no table; what came before a mistake is kept.
+# decode -o writes the recording, and no table; it keeps what came before an error.
 "$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" >"$work/out" && bytes "$work/decoded.txt" | cmp - "$work/wanted" &&
   [ "$(grep -c . "$work/out")" -eq 2 ] && grep -q ' frames, ' "$work/out" && grep -qx '# 100000 baud, 8E2, not inverted' "$work/decoded.txt" &&
   "$SBUS" hex "$work/sbus2-1.vcd" >"$work/hex" && "$SBUS" hex "$work/decoded.txt" | cmp - "$work/hex"
 verdict $? "decode -o writes a recording"
 "$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" 2>"$work/err" >"$work/out"
 [ $? -eq 1 ] && grep -q 'decoded.txt: is there already; name another file' "$work/err"
-verdict $? "decode -o leaves a file alone"
+verdict $? "decode -o does not overwrite a file"
 "$SBUS" decode "$work/sbus2-1.vcd" --csv -o "$work/both.txt" | cmp - tool/golden/decode-sbus2.csv && cmp "$work/both.txt" "$work/decoded.txt"
-verdict $? "decode --csv -o writes both"
+verdict $? "decode --csv -o writes the table and the recording"
 (head -n 2000 "$work/sbus2-1.vcd"; echo '#x') >"$work/broken.vcd"
 "$SBUS" decode "$work/broken.vcd" -o "$work/part.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && bytes "$work/part.txt" >"$work/part" && [ "$(wc -l <"$work/part")" -gt 100 ] && head -n "$(wc -l <"$work/part")" "$work/wanted" | cmp - "$work/part"
-verdict $? "decode -o keeps what came before a mistake"
+verdict $? "decode -o keeps what came before an error in the capture"
 "$SBUS" csv "$work/broken.vcd" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -q "^sbus csv: $work/broken.vcd:2001: .*; sbus decode -o FILE keeps what came before it$" "$work/err"
-verdict $? "a capture with a mistake is named with its place"
+verdict $? "an error in a capture is reported with its place"
 
 # ---- Bytes without times
 
@@ -110,9 +110,9 @@ written() {
   "$SBUS" record "$work/$1" "$work/$1.recording" 2>"$work/err" && grep -qxF "$work/$1: $note" "$work/err" &&
     bytes "$work/$1.recording" | paste -sd ' ' | grep -qxF "$frame $frame" &&
     [ "$("$SBUS" csv "$work/$1" --every-frame 2>"$work/err")" = "$(printf '997,992,992,992,0,0\n997,992,992,992,0,0')" ]
-  verdict $? "bytes without times: $1"
+  verdict $? "bytes without times are read from $1"
 }
-# RealTerm wraps where its window ends; its capture does not wrap.
+# RealTerm's window wraps lines; its capture does not.
 printf '%s %s' "$frame" "$frame" | fold -w 48 | written realterm.txt
 printf '%s\r\n%s\r\n' "$frame" "$frame" | written lines.txt
 printf '%s%s' "$frame" "$frame" | tr -d ' ' | written no-blanks.txt
@@ -126,18 +126,18 @@ done
 # The bytes of a line that was cut look like times; a second line shows that they are bytes.
 printf '03 1F %s %s\n10 %s\n' "$frame" "$frame" "$frame" >"$work/cut.txt"
 "$SBUS" record "$work/cut.txt" - 2>"$work/err" >"$work/cut.recording" && [ "$(bytes "$work/cut.recording" | wc -l)" -eq 78 ]
-verdict $? "bytes without times whose lines begin with decimal digits"
+verdict $? "bytes without times are recognised though a line begins with decimal digits"
 printf '30 0F E5\n' >"$work/time.txt"
 "$SBUS" hex "$work/time.txt" 2>"$work/err" | grep -q '  0F E5  ' && [ ! -s "$work/err" ]
 verdict $? "a time of two digits, alone, is a time"
 printf '%s %s\n' "$frame" "$frame" | sed 's/1F/1F!/' >"$work/bad.txt"
 "$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.*parity or framing error (byte 3)$'
-verdict $? "bytes without times, one bad"
+verdict $? "bytes without times may have a bad one"
 "$SBUS" doctor "$work/bytes.bin" >"$work/out" 2>"$work/err"
 [ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 discarded bytes' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"
-verdict $? "doctor of bytes without times says no times"
+verdict $? "doctor of bytes without times has no times"
 
-# rejected NAME MESSAGE: standard input is a file that is none of these
+# rejected NAME MESSAGE: standard input is a file of another kind
 rejected() {
   cat >"$work/$1"
   "$SBUS" hex "$work/$1" >"$work/out" 2>"$work/err"

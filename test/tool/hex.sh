@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs `sbus hex` with its options, and says "ok ..." or "FAILED ..." of the values and times that it prints, and of what is
-# left of its lines where they are fitted to a width. SBUS: the program; WORK: an absolute folder for what is written.
+# Tests the values and times that `sbus hex` prints, and its lines when they are fitted to a width; says "ok ..." or
+# "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 work=$WORK/hex
@@ -19,7 +19,7 @@ for channels in 16 24 32; do
     cmp - "$work/explained.txt" &&
     [ "$(wc -l <"$work/explained.txt")" -gt 10 ] &&
     awk '{ sum += $1; $1 = sprintf("%.6f", sum) } 1' "$work/delta" >"$work/sums" && awk '{ $1 = $1 } 1' "$work/hex" | cmp - "$work/sums"
-  verdict $? "hex --values and --delta of $channels channels"
+  verdict $? "hex --values and --delta of $channels channels agree with explain and with the times"
 done
 # whole: puts the rows of each line together again, one blank between words
 whole() {

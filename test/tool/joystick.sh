@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs `sbus joystick`, and says "ok ..." or "FAILED ..." of the events that a program would read from its game controller.
+# Tests the events that a program reads from the game controller of `sbus joystick`; says "ok ..." or "FAILED ...".
 # The controller is at a stand-in of /dev/uinput, Uinput.cpp, which logs them; where a real one can be opened, also there.
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
@@ -43,7 +43,7 @@ rm -f "$UINPUT_LOG"
 joystick sim --simulated-time --seconds 14
 [ "$(head -n 1 "$UINPUT_LOG")" = "created \"S.Bus transmitter\" $(for axis in X=0 Y=0 Z=-1000 RX=0 RY=0 RZ=0 THROTTLE=0 RUDDER=0; do printf 'ABS_%s of -1000..1000 ' $axis; done)buttons: 24" ] &&
   [ "$(tail -n 1 "$UINPUT_LOG")" = destroyed ]
-verdict $? "the controller rests with the throttle low, and goes at the end"
+verdict $? "the controller begins at rest with the throttle low, and is removed at the end"
 "$SBUS" csv sim --simulated-time --seconds 14 --every-frame --columns ch1-ch18,state | tr -d '\r' | awk -F, '
   function put(name, value) { if (value != is[name]) { line = line (line == "" ? "" : " ") name "=" value; is[name] = value } }
   function part(raw,    x) { x = (raw - 992) * 1000 / (raw < 992 ? 820 : 819); x = int(x + (x < 0 ? -0.5 : 0.5)); return x < -1000 ? -1000 : x > 1000 ? 1000 : x }
@@ -62,12 +62,12 @@ verdict $? "the controller rests with the throttle low, and goes at the end"
   { report($19 == "ok" || $19 == "lossy") }
   END { report(0) }' >"$work/wanted"
 sed '1d; $d' "$UINPUT_LOG" | diff - "$work/wanted" >"$work/diff" && [ "$(wc -l <"$work/wanted")" -gt 900 ]
-verdict $? "each frame is one report of what has changed, through lost frames and failsafe"
+verdict $? "each frame is one report of what has changed, also during lost frames and failsafe"
 head -n 5 "$work/diff"
 ! grep dropped "$UINPUT_LOG"
-verdict $? "the kernel has nothing to drop"
+verdict $? "the kernel drops no event"
 
-# ---- Maps, ranges and calibrations, by frames with values of one's own
+# ---- Maps, ranges and calibrations, by frames with chosen values
 
 # CH1 and CH4 are not at the middle, CH2 and CH3 are reversed, the rest is as --range says.
 cat >"$work/radio.txt" <<'END'
@@ -91,7 +91,7 @@ while IFS='|' read -r options values axes buttons; do
   kill "$player" 2>/dev/null  # it waits for a reader
   wait "$player"
   [ "$(last)" = "$axes |$buttons" ] || { last; cat "$work/err"; false; }
-  verdict $? "joystick $options of $values: $axes |$buttons"
+  verdict $? "joystick $options of $values shows $axes |$buttons"
 done <<'END'
 |ch1=172 ch2=1811 ch4=993 ch6=991 ch7=0 ch8=2047|-1000 1000 -1000 1 0 -1 -1000 1000|
 |ch9=1811 ch10=1402 ch11=1401 ch16=1500 ch18=on|0 0 -1000 0 0 0 0 0| 1 2 8 10
@@ -127,7 +127,7 @@ while IFS='|' read -r options wanted; do
   kill "$player" 2>/dev/null
   wait "$player"
   [ "$(sed 's/created.*buttons: 24/created/' "$UINPUT_LOG" | paste -sd ,)" = "created,$wanted,destroyed" ] || { cat "$UINPUT_LOG" "$work/err"; false; }
-  verdict $? "joystick $options: $wanted"
+  verdict $? "joystick $options without a link shows $wanted"
 done <<'END'
 |ABS_X=1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0,ABS_Z=-1000 BTN_SOUTH=0,ABS_X=-1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0 ABS_Z=-1000 BTN_SOUTH=0
 --failsafe hold|ABS_X=1000 ABS_Z=1000 BTN_SOUTH=1,ABS_X=0,ABS_X=-1000
@@ -146,11 +146,11 @@ for channels in 24 32; do
   "$SBUS" csv sim --channels $channels --simulated-time --seconds 2 --every-frame --columns ch9-ch$channels | tail -n 1 |
     tr -d '\r' | tr , '\n' | awk '$1 > 550 { printf " %d", NR }' >"$work/pressed"
   [ "$(last | cut -d '|' -f 2)" = "$(cat "$work/pressed")" ]
-  verdict $? "the buttons of a line of $channels channels:$(cat "$work/pressed")"
+  verdict $? "a line of $channels channels has its buttons:$(cat "$work/pressed")"
   rm -f "$UINPUT_LOG"
   joystick sim --channels $channels --simulated-time --seconds 2 --range 0,400,700
   [ "$(grep -o '1:319=.' "$UINPUT_LOG" | paste -sd ,)" = 1:319=1,1:319=0 ]  # CH24's
-  verdict $? "the link of a line of $channels channels is never lost before the end"
+  verdict $? "a line of $channels channels never loses the link before the end"
 done
 
 # An adapter that is unplugged, and plugged in again.
@@ -168,22 +168,22 @@ until_true has_reports 3
 kill -INT $reader
 wait $reader && kill -INT "$player" && wait "$player" && ! grep unread "$UINPUT_LOG" &&
   [ "$(grep '^ABS' "$UINPUT_LOG" | paste -sd ,)" = "ABS_X=1000 ABS_Z=1000,ABS_X=0 ABS_Z=-1000,ABS_X=-1000 ABS_Z=1000,ABS_X=0 ABS_Z=-1000" ]
-verdict $? "an adapter that is unplugged leaves the throttle low, and comes back"
+verdict $? "unplugging the adapter lowers the throttle, and plugging it in continues"
 rm "$work/adapter"
 
 # The recording ends with silence, which closes the throttle before the end does.
 rm -f "$UINPUT_LOG"
 joystick recordings/paper.txt --simulated-time
 grep -q '^ABS' "$UINPUT_LOG" && ! grep unread "$UINPUT_LOG"
-verdict $? "programs have the time to read the last report, even if it came before the end"
+verdict $? "programs have time to read the last report before the controller is removed"
 
-# ---- Calibrations that are none
+# ---- Files that are no calibrations
 
 expected="a channel's raw values at -100, 0 and +100 % are expected, as CH1 172 992 1811, and each channel of CH1 to CH16 once"
 while IFS='|' read -r text message; do
   printf '%b' "$text" >"$work/bad.txt"
   ! joystick sim --calibration "$work/bad.txt" && [ "$(cat "$work/err")" = "sbus joystick: $work/bad.txt$(eval echo "\"$message\"")" ] || { cat "$work/err"; false; }
-  verdict $? "joystick --calibration of \"$text\""
+  verdict $? "joystick --calibration rejects \"$text\""
 done <<'END'
 |: no channels; sbus calibrate writes such a file
 # CH1 172 992 1811\n|: no channels; sbus calibrate writes such a file
@@ -199,9 +199,9 @@ CH1 172 992 1811\n\nCH1 172 992 1811|:3: $expected
 frame 0F|:1: $expected
 END
 ! joystick sim --calibration "$work/none.txt" && [ "$(cat "$work/err")" = "sbus joystick: $work/none.txt: No such file or directory; sbus calibrate writes such a file" ]
-verdict $? "joystick --calibration of a file that is not there"
+verdict $? "joystick --calibration says that a file does not exist"
 ! joystick sim --calibration "$work" && grep -q 'sbus calibrate writes' "$work/err"
-verdict $? "joystick --calibration of a folder: $(cat "$work/err")"
+verdict $? "joystick --calibration rejects a folder: $(cat "$work/err")"
 
 # ---- Latency
 
@@ -213,12 +213,12 @@ sed -n 's/^last byte read to event written: median [0-9]* us, worst [0-9]* us of
 read -r prompt late <"$work/frames" && [ "$prompt" -gt 150 ] && [ "$late" -le 10 ]
 verdict $? "a frame moves the controller in the loop that reads its last byte: $(grep '^last byte' "$work/err")"
 
-# ---- What keeps it from coming
+# ---- Errors of /dev/uinput
 
 while IFS='|' read -r number message; do
   export UINPUT_ERRNO=$number
   ! joystick sim && [ "$(cat "$work/err")" = "sbus joystick: /dev/uinput: $message" ] || { cat "$work/err"; false; }
-  verdict $? "joystick: $message"
+  verdict $? "joystick says: $message"
 done <<END
 13|Permission denied. This lets the user who is logged in at the PC use it: echo '$(cat ../extras/cli/60-sbus-uinput.rules)' | sudo tee /etc/udev/rules.d/60-sbus-uinput.rules; sudo udevadm control --reload; sudo udevadm trigger --name-match=uinput
 2|No such file or directory. Load the kernel's module: sudo modprobe uinput
@@ -234,7 +234,7 @@ g++ -std=c++17 -fsanitize=address -I../extras -I../src -c ../extras/cli/GameCont
   "$work/sbus" csv recordings/paper.txt >"$work/rows" && [ -s "$work/rows" ]
 verdict $? "without libevdev sbus builds, and joystick says what to install"
 
-# ---- The kernel's own
+# ---- The kernel's /dev/uinput
 
 if ! [ -c /dev/uinput ] || ! [ -w /dev/uinput ]; then
   echo "skipped sbus: joystick at the kernel's own /dev/uinput: there is none here that may be opened"
@@ -253,6 +253,6 @@ with open(sys.argv[1], "rb") as device:
     sys.exit([axis(code) for code in (0, 1, 2)] != [(1000, -1000, 1000), (0, -1000, 1000), (1000, -1000, 1000)]
              or not keys[0x130 // 8] & 1)
 END
-verdict $? "joystick at the kernel's own /dev/uinput: $(cat "$work/err")"
+verdict $? "joystick works with the kernel's /dev/uinput: $(cat "$work/err")"
 kill $reader "$player"
 wait $reader "$player"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Holds every JSON line that `sbus` prints against the manual's section JSON LINES, and says "ok ..." or "FAILED ...": each
-# field is there with the type that its name asks for, and each field of the manual occurs.
+# Compares every JSON line that `sbus` prints with the manual's section JSON LINES, and says "ok ..." or "FAILED ...": each
+# field is there with the type of its name, and each field of the manual occurs.
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -56,7 +56,7 @@ def check(line):
         seen.add((kind, name))
 for line in open(sys.argv[1]):
     check(line)
-# A PC of the tests may have no serial port, none that is USB's, and no adapter's timer.
+# The PC may have no serial port, no port by USB, and no adapter with a latency timer.
 rare = {("port", name) for name in fields["port"]} | {("error", "message")}
 wrong += ["no %s of %s came" % (name, kind) for kind in fields for name in fields[kind] if (kind, name) not in seen | rare]
 wrong += ["no state " + state for state in ("never seen", "ok", "lossy", "failsafe") if state not in states]
@@ -64,9 +64,9 @@ if wrong:
     print("\n".join(sorted(set(wrong))[:20]))
 sys.exit(bool(wrong) or len(fields) < 10)
 END
-verdict $? "JSON lines are as the manual has them"
+verdict $? "JSON lines are as the manual says"
 
-# The figures are those of the other forms.
+# The figures are the same as in the other forms.
 line="sim --simulated-time --seconds 10 --noise 5"
 # shellcheck disable=SC2086  # the arguments are words
 "$SBUS" hex $line --json | sed -n 's/.*"channels":\[\(.*\)\],"ch17":\(.*\),"ch18":\(.*\),"lost_frame":\(.*\),"fail.*/\1,\2,\3,\4/p' | sed 's/false/0/g; s/true/1/g' >"$work/json" &&
@@ -78,13 +78,13 @@ for form in hex decode; do
     awk -F '[:,]' '{ zero = NR == 1 ? $4 : zero; sub(/"time_us":[0-9.]+/, $4 - zero); print }' >"$work/$form"
 done
 cmp "$work/hex" "$work/decode" && grep -q no_frame "$work/hex" && [ "$(wc -l <"$work/hex")" -gt 10 ]
-verdict $? "hex --json and decode --json of a capture are the same"
+verdict $? "hex --json and decode --json of a capture print the same"
 "$SBUS" doctor sim --simulated-time --json >"$work/doctor"
 [ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim --simulated-time --uninverted --json >"$work/doctor" &&
   [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"Wrong polarity'
-verdict $? "doctor --json: the verdict and the exit status"
+verdict $? "doctor --json has the verdict and the exit status"
 printf '$timescale 1us $end\n$var wire 1 ! a"b\\c $end\n$enddefinitions $end\n' >"$work/odd.vcd"
 sed '1,/enddefinitions/d' "$work/sbus2.vcd" >>"$work/odd.vcd"
 "$SBUS" decode "$work/odd.vcd" --json | python3 -c 'import json, sys
 [json.loads(line) for line in sys.stdin]' && "$SBUS" decode "$work/odd.vcd" --json | grep -q '"signal":"a\\"b'
-verdict $? "JSON of a name with a quotation mark and a backslash"
+verdict $? "a name with a quotation mark and a backslash is valid JSON"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs `sbus monitor` in terminals of tmux, and says "ok ..." or "FAILED ..." of:
-#   tool/pages/NAME.txt   what stands on the page, as the calls of `page` below have it
-#   its keys, another size, a line that falls silent, and the terminal afterwards
+#   tool/pages/NAME.txt   what is on the page, for each call of `page` below
+#   keys, another size, a line that falls silent, and the terminal afterwards
 # "pages.sh update" writes tool/pages instead. SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -10,7 +10,7 @@ server=0
 
 . tool/common.sh
 
-# Each terminal has a server of its own: one that is ending takes no more.
+# Each terminal has a server of its own: a server that is ending takes no more terminals.
 tmux() { command tmux -S "$WORK/tmux-$server" -f /dev/null "$@"; }
 
 # open SIZE COMMAND: a terminal of that size, and a shell command in it
@@ -21,7 +21,7 @@ open() {
 
 close() { tmux kill-server 2>/dev/null; }
 
-# shows TEXT: it stands on the page, within a minute
+# shows TEXT: the page has it within a minute
 shows() {
   tries=0
   until tmux capture-pane -p >"$WORK/page.txt" 2>&1 && grep -qF -e "$1" "$WORK/page.txt"; do
@@ -31,7 +31,7 @@ shows() {
   done
 }
 
-# same NAME: the page is tool/pages/NAME.txt, within a minute
+# same NAME: the page becomes tool/pages/NAME.txt within a minute
 same() {
   if [ "$update" = update ]; then
     shows ENDED && cp "$WORK/page.txt" "tool/pages/$1.txt"
@@ -45,16 +45,16 @@ same() {
   done
 }
 
-# page NAME SIZE ENVIRONMENT ARGUMENTS...: what stands there at the end of a line
+# page NAME SIZE ENVIRONMENT ARGUMENTS...: checks the page at the end of a line
 page() {
   name=$1 size=$2 environment=$3
   shift 3
   open "$size" "env $environment '$SBUS' monitor $* --simulated-time" && same "$name"
-  verdict $? "monitor $* in $size, $environment"
+  verdict $? "monitor $* in $size, $environment, shows its page"
   close
 }
 
-# ---- What stands on the page
+# ---- What is on the page
 
 utf8=LC_ALL=C.UTF-8
 page flight 80x24 $utf8 sim --seconds 3.2
@@ -71,14 +71,14 @@ page unknown-rows 80x24 $utf8 golden/Normalized.csv
 [ "$update" = update ] && exit
 
 for file in tool/pages/*.txt; do
-  grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "no page has $file"
+  grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "a call of page has $file"
 done
 # The sketch AllChannels also printed its last row 3.2 s after the beginning.
 awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$WORK/raw.txt"
 [ "$(cat "$WORK/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
 verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChannels.csv"
 
-# colours WANTED ENVIRONMENT: 0 if colours are as wanted
+# colours WANTED ENVIRONMENT: checks whether the page has colours
 colours() {
   open 80x24 "env LC_ALL=C.UTF-8 $2 '$SBUS' monitor sim --simulated-time --seconds 10.5" && shows Failsafe: &&
     [ "$(tmux capture-pane -pe | grep -c "$(printf '\033')\\[[0-9;]*4[1-7]m.*Failsafe:")" = "$1" ]
@@ -99,7 +99,7 @@ open 80x24 "env $utf8 '$SBUS' monitor sim --simulated-time --seconds 10.5" && sa
 verdict $? "the page follows the terminal's size"
 tmux send-keys '?' && shows 'reset marks and counters' && tmux send-keys x && same failsafe &&
   tmux send-keys r && shows 'lost by radio 0' && shows 'gap -' && shows 'Failsafe:'
-verdict $? "? helps, r resets marks and counters, and not the link's state"
+verdict $? "? shows help; r resets marks and counters, but not the link's state"
 close
 
 open 80x24 "env $utf8 '$SBUS' monitor sim" && shows receiving && tmux send-keys Space && shows PAUSED &&
@@ -108,14 +108,14 @@ open 80x24 "env $utf8 '$SBUS' monitor sim" && shows receiving && tmux send-keys 
 verdict $? "space pauses"
 close
 
-# The recording grows while the page is there, and is whole after q.
+# The recording grows while the page is shown, and is complete after q.
 rm -f "$WORK/seen.txt"
 open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving
 tries=0
 until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
   frames=$("$SBUS" hex "$WORK/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 bad), $frames frames" "$WORK/page.txt"
-verdict $? "monitor --record on a page"
+verdict $? "monitor --record works while the page is shown"
 close
 
 # ---- The terminal afterwards
@@ -138,7 +138,7 @@ for source in sim "'$PWD/recordings/paper.txt'"; do
 done
 open 80x24 "'$SBUS' hex sim --simulated-time --seconds 0.02; sleep 1000" && shows '0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00' &&
   grep -qx ' *03 1F F8 C0 07 3E F0 81 0F 7C 00 00 *' "$WORK/page.txt"
-verdict $? "hex is fitted to the terminal's width"
+verdict $? "hex fits its lines to the terminal's width"
 close
 
 # ---- A real line
@@ -150,8 +150,8 @@ tries=0
 until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows receiving && kill -STOP $player &&
   shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows receiving
-verdict $? "a silent line is stale, with its last values, until it goes on"
+verdict $? "a silent line is stale, with its last values, until frames come again"
 kill $player && shows 'the program at its other end has gone' && shows ' 992 1500'
-verdict $? "a port that goes is shown"
+verdict $? "the page says that its port has gone"
 wait $player
 close

@@ -2,8 +2,8 @@
 # Runs `sbus`, built by g++ with the address sanitizer, and says "ok ..." or "FAILED ..." of:
 #   golden/*.csv               `sbus csv` prints what the sketches print
 #   tool/golden/NAME.txt       what it prints when called as tool/LINES says, the last 20 lines
-#   tool/REJECTIONS              what it says of what it cannot do
-#   recordings/bad/MESSAGES    what it says of each bad recording
+#   tool/REJECTIONS            what it says when it cannot do something
+#   recordings/bad/MESSAGES    what it says about each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
@@ -11,10 +11,10 @@
 #   tool/send.sh               what `sbus send` sends
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/telemetry.sh          `sbus telemetry`
-#   tool/languages.sh         README's programs for Python and Node
+#   tool/languages.sh          README's programs for Python and Node
 #   tool/calibrate.sh          `sbus calibrate`
 #   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in of /dev/uinput
-#   tool/json.sh               JSON lines, held against the manual
+#   tool/json.sh               JSON lines, compared with the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
 #   tool/completion.sh         what bash, zsh and fish complete
@@ -33,10 +33,10 @@ update="${1:-}"
 
 has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
 
-# The bytes of a recording with the marks of errors, one a line: times differ from run to run.
+# Prints the bytes of a recording with the marks of errors, one a line: times differ from run to run.
 marked() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
 
-# Whole lines, which can be read.
+# Prints the whole lines, which can be read.
 is_whole() {
   [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ] && "$sbus" hex "$1" >"$work/whole.txt" 2>&1 && ! grep -v '^#' "$1" | grep -vE '^[0-9]+(~[0-9]+)?( [0-9A-F]{2}!?)+$'
 }
@@ -48,7 +48,7 @@ mkdir -p "$work"
 echo leak:libncursesw >"$work/leaks"  # what a page has taken, ncurses 6.6 keeps
 export LSAN_OPTIONS="suppressions=$work/leaks:print_suppressions=0"
 if ! "${MAKE:-make}" --no-print-directory -C ../extras/cli BUILD="$out" CXX=g++ CXXFLAGS="$flags"; then
-  verdict 1 "does not build"
+  verdict 1 "sbus builds"
   exit
 fi
 
@@ -80,47 +80,47 @@ while read -r name arguments; do
     cp "$work/$name.txt" "tool/golden/$name.txt"
   else
     [ $status -eq 0 ] && cmp "$work/$name.txt" "tool/golden/$name.txt"
-    verdict $? "$arguments"
+    verdict $? "$arguments prints what is in tool/golden"
   fi
 done <"$work/lines"
 [ "$update" = update ] && SBUS=$sbus WORK=$work exec tool/pages.sh update
 for file in tool/golden/*.txt; do
-  [ -f "$work/${file##*/}" ] || verdict 1 "no line of tool/LINES has $file"
+  [ -f "$work/${file##*/}" ] || verdict 1 "a line of tool/LINES has $file"
 done
 
 # The paper's first frame, as bytes on standard input: two of them, since the second shows where the first one ends.
 frame='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
 [ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tail -n 1)" = "997,992,992,992,0,0" ]
-verdict $? "csv of bytes on standard input"
+verdict $? "csv reads bytes from standard input"
 [ "$( (printf "$frame\017"; sleep 0.1; printf "$frame" | tail -c 24) | timeout 60 "$sbus" csv - --baud 200000 --simulated-time --every-frame | wc -l)" -eq 2 ]
-verdict $? "bytes on standard input, a frame in two pieces"
+verdict $? "a frame that comes in two pieces on standard input is one frame"
 [ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State")" = "CH1,CH18,state
 1248,0,ok" ]
-verdict $? "columns with blanks between them"
+verdict $? "--columns allows blanks and capital letters"
 "$sbus" csv recordings/paper.txt --header >"$work/lf.csv" && "$sbus" csv recordings/paper.txt --header | cmp - "$work/lf.csv" &&
   [ "$(tr -dc '\r' <"$work/lf.csv" | wc -c)" -eq 0 ] && has_lines 3 "$work/lf.csv"
 verdict $? "rows end with LF, in a file and in a pipe"
 echo "0 $(printf "$frame" | od -An -v -tx1 | tr -d '\n')" >"$work/at-0.txt"
 [ "$("$sbus" csv "$work/at-0.txt" --columns ch1,time)" = "997,0.002880" ] &&
   [ "$("$sbus" csv sim --simulated-time --seconds 0.03 --columns ch1,time)" = "1018,0.026000" ]
-verdict $? "a line shorter than 0.2 s has a row, of its newest frame"
+verdict $? "a line shorter than 0.2 s has a row with its newest frame"
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
-verdict $? "standard output is full"
+verdict $? "if standard output is full, it says so and fails"
 ! "$sbus" hex --help >/dev/full 2>"$work/err"
-verdict $? "standard output is full, also of help"
+verdict $? "if standard output is full, help fails as well"
 "$sbus" record sim "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
-verdict $? "standard error is closed: nothing of it gets into the recording"
+verdict $? "if standard error is closed, no message gets into the recording"
 "$sbus" hex sim --silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
   "$sbus" hex sim --silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
 verdict $? "a silent source is reported after two seconds"
-# In true time: what is written line by line finds the reader gone with the second line.
+# In true time: lines are written one by one, and the second finds the reader gone.
 (timeout 60 "$sbus" hex sim; echo $? >"$work/status") | head -n 1 >/dev/null
 [ "$(cat "$work/status")" -eq 1 ]
-verdict $? "a reader that has seen enough ends it"
+verdict $? "a reader that closes the pipe ends it"
 timeout 60 "$sbus" csv "" --seconds 1 2>"$work/err"
 [ $? -eq 2 ] && grep -q 'SOURCE: is empty' "$work/err"
-verdict $? "a SOURCE without a name"
+verdict $? "an empty SOURCE is rejected"
 
 # ---- What it rejects
 
@@ -148,23 +148,23 @@ while IFS= read -r line; do
   # shellcheck disable=SC2086  # the arguments are words
   timeout 60 "$sbus" ${line%=*} >"$work/out" 2>"$work/err" </dev/null
   [ $? -eq "${line##*= }" ]
-  verdict $? "exit status: $line"
+  verdict $? "the exit status is right: $line"
 done <"$work/statuses"
 [ "$("$sbus" --version)" = "$(sed -n 's/^version=//p' ../library.properties)" ]
 verdict $? "--version prints the version alone on its line"
 for subcommand in hex explain doctor; do
   "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -q "^Usage: sbus $subcommand " "$work/help"
-  verdict $? "help $subcommand"
+  verdict $? "help $subcommand and $subcommand --help print the same"
 done
 "$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
-verdict $? "help of all"
+verdict $? "help and --help print the same"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
 rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
 rejected "--noise: is for sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
-verdict $? "a recording that looks like bits is no capture of the wire"
+verdict $? "a recording that looks like bits is not taken for a capture"
 printf 'time,CH17\n0.2,0\n0.4,1\n' >"$work/times.csv"
 rejected "sbus plot: $work/times.csv: has a column of times, as sbus csv and the scope write it; only rows without are read again. Keep the line with sbus record" plot "$work/times.csv"
 
@@ -182,7 +182,7 @@ mkdir "$work/verdicts"
 verdicts/lines.sh "$work/verdicts"
 "$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err"
 grep -q '!' "$work/noisy.txt" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
-verdict $? "a recording of a noisy line"
+verdict $? "a noisy line is recorded, with the marks of errors"
 for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordings/sbus2.txt recordings/board/rows.txt "$work/verdicts/fast.txt" "$work/verdicts/adapter-24.txt"; do
   rm -f "$work/copy.txt" "$work/again.txt"
   us=$(case $recording in *fast*) echo 60 ;; *rows*) echo 86 ;; *) echo 120 ;; esac)
@@ -190,21 +190,21 @@ for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordi
   characters "$recording" "$us" | tr a-f A-F >"$work/characters" && [ -s "$work/characters" ] &&
     characters "$work/again.txt" "$us" | cmp - "$work/characters" && grep -v '^#' "$work/copy.txt" >"$work/lines.copy" &&
     grep -v '^#' "$work/again.txt" | cmp - "$work/lines.copy"
-  verdict $? "a copy of a copy of ${recording#"$work/"}: each character at the same microsecond, bad ones and late ones also"
+  verdict $? "a copy of a copy of ${recording#"$work/"} has each character at the same microsecond, also bad and late ones"
 done
 awk '!/^#/ { printf "%.6f\n", ($1 + 120 * (NF - 2)) / 1e6 }' recordings/paper.txt >"$work/ends"
 "$sbus" hex recordings/paper.txt | awk '{ print $1 }' | cmp - "$work/ends" &&
   "$sbus" csv recordings/paper.txt --every-frame --columns time,ch1 | cut -d, -f1 | cmp - "$work/ends" &&
   "$sbus" record recordings/paper.txt - 2>&1 >"$work/out" | grep -q ': 0.4 s, 150 characters'
-verdict $? "times are the recording's own"
+verdict $? "times are those of the recording"
 "$sbus" monitor sim --simulated-time --seconds 0.2 >"$work/lines" && "$sbus" record sim "$work/record.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
   "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
   sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 bad\), [1-9][0-9]* frames$' "$work/err"
-verdict $? "monitor --record records what record does, and shows what it shows"
+verdict $? "monitor --record writes what record writes, and shows what monitor shows"
 rejected "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
 rejected "sbus monitor: /dev/full: could not be written to its end (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full
 "$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
-verdict $? "monitor --record of a sketch's rows"
+verdict $? "monitor --record writes a sketch's rows as they are"
 
 
 player replay recordings/paper.txt
@@ -212,7 +212,7 @@ player replay recordings/paper.txt
 status=$?
 wait "$player" && [ $status -eq 0 ] && marked recordings/paper.txt >"$work/paper.bytes" &&
   bytes "$work/paper.txt" | cmp - "$work/paper.bytes"
-verdict $? "what is replayed through a pseudo-terminal is what is recorded"
+verdict $? "what is replayed through a pseudo-terminal is recorded byte by byte"
 
 player replay golden/AllChannels.csv --speed 20
 "$sbus" record "$terminal" "$work/rows.csv" 2>"$work/err"
@@ -232,14 +232,14 @@ for signal in INT TERM HUP KILL; do
   wait "$player"
   [ $? -eq 0 ] && is_whole "$work/$signal.txt" && [ "$(grep -c ' frame ' "$work/whole.txt")" -ge 50 ] &&
     if [ $signal = KILL ]; then [ $status -gt 128 ]; else [ $status -eq 0 ] && grep -q ' frames$' "$work/err"; fi
-  verdict $? "a recorder that gets SIG$signal leaves a whole recording"
+  verdict $? "a recorder that gets SIG$signal leaves a complete recording"
 done
 
 # A disk with place for 8 KB: a write in the middle of a line fails.
 (trap '' XFSZ; ulimit -f 16; "$sbus" record sim "$work/full.txt" --simulated-time --seconds 5) 2>"$work/err"
 [ $? -eq 1 ] && is_whole "$work/full.txt" && [ "$(wc -c <"$work/full.txt")" -gt 8000 ] &&
   grep -q "^sbus record: .*full.txt: could not be written to its end (File too large); what came before is whole" "$work/err"
-verdict $? "a disk that gets full is an error, and the recording is whole up to there"
+verdict $? "a full disk is an error, and the recording is complete up to there"
 
 # An adapter's name in /dev/serial/by-id is a link, which comes again with it.
 player simulate --seconds 1
@@ -254,7 +254,7 @@ player simulate
 ln -sf "$terminal" "$work/adapter"
 until_true has_lines $((before + 100)) "$work/replugged.txt" && kill -INT $recorder
 wait $recorder && is_whole "$work/replugged.txt" && grep -q 'adapter: the port is back$' "$work/replugged.err"
-verdict $? "an adapter that is unplugged and plugged in again"
+verdict $? "recording continues when an adapter is unplugged and plugged in again"
 rm "$work/adapter"  # a library has no links, not even in build/
 kill -INT "$player"
 wait "$player"
@@ -264,7 +264,7 @@ timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
 
-# wakeups PID: how often it has waited for something so far
+# wakeups PID: prints how often it has waited so far
 wakeups() { sed -n 's/^voluntary_ctxt_switches:[^0-9]*//p' "/proc/$1/status"; }
 
 player simulate --silent
@@ -293,7 +293,7 @@ SBUS=$sbus WORK=$work tool/pages.sh
 SBUS=$sbus WORK=$work tool/doctor.sh
 SBUS=$sbus WORK=$work tool/explain.sh
 
-# ---- What comes with it
+# ---- Help and the manual
 
 "$sbus" --help-all | awk '
   /^[a-z]+$/ { subcommand = $1; print subcommand }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs `sbus send` on pseudo-terminals, and says "ok ..." or "FAILED ..." of what comes out of them.
+# Tests what `sbus send` sends on pseudo-terminals, and says "ok ..." or "FAILED ...".
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -38,7 +38,7 @@ constant() {
   sent "$@" --seconds 0.5 && [ "$(sort -u "$work/rows")" = "$row" ] && [ "$(wc -l <"$work/rows")" -eq "$frames" ]
   status=$?
   [ $status -eq 0 ] || { wc -l "$work/rows"; head -n 3 "$work/rows"; cat "$work/err"; }
-  verdict $status "send $*"
+  verdict $status "send $* sends its row"
 }
 rest=992,992,992,992,992,992,992,992,992,992,992,992
 constant 56 992,992,0,992,$rest,0,0,0,0 ch3=0
@@ -47,31 +47,31 @@ constant 56 172,992,2047,992,$rest,1,0,1,0 ch1=off ch3=2047 failsafe=on ch17=1
 constant 17 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 30
 constant 125 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 4 --baud 200000
 STOP=1000 sent ch1=1000 && [ "$(sort -u "$work/rows")" = "1000,992,172,992,$rest,0,0,0,0" ] && [ "$(wc -l <"$work/rows")" -ge 40 ]
-verdict $? "send until Ctrl-C"
+verdict $? "send ends with Ctrl-C"
 
 "$SBUS" send ch1=1000 --seconds 0.5 >"$work/terminal" 2>"$work/err" &
 player=$!
 until [ -s "$work/terminal" ] || ! kill -0 $player 2>/dev/null; do sleep 0.1; done
 "$SBUS" record "$(cat "$work/terminal")" "$work/terminal.txt" 2>"$work/note" && wait $player &&
   grep -v '^#' "$work/terminal.txt" | tr ' ' '\n' | grep -vc '~\|...' | grep -qx 1400
-verdict $? "send without a port: to a pseudo-terminal"
+verdict $? "send without a port makes a pseudo-terminal"
 
 # ---- Rows of CSV
 
 "$SBUS" csv sim --simulated-time --seconds 10.2 --columns ch1-ch18,failsafe,lostframe --rate 20 --header >"$work/flight.csv"
 tail -n 20 "$work/flight.csv" | (head -n 1 "$work/flight.csv"; cat) >"$work/end.csv"
-# Its column failsafe is the link's state, which many lost frames also cause: it is no flag of a frame.
+# Its column failsafe is the state of the link, which many lost frames also cause, not the flag of a frame.
 sent --from "$work/end.csv" && sed 1d "$work/end.csv" | tr -d '\r' | cut -d, -f1-18,20 | uniq >"$work/wanted" &&
   cut -d, -f1-18,20 "$work/rows" | uniq | cmp - "$work/wanted" && grep -q ',0,1$' "$work/wanted"
-verdict $? "send --from what csv has written"
+verdict $? "send --from sends what csv has written"
 printf 'time,state,CH2,failsafe\n10.5,ok,100,0\n10.77,ok,200,0\n11.5,failsafe,300,1\n' >"$work/times.csv"
 sent --from "$work/times.csv" &&
   [ "$(cut -d, -f2,19 "$work/rows" | uniq -c | awk '{ printf "%s:%s ", $2, $1 }')" = "100,0:30 200,0:82 300,1:81 " ]
-verdict $? "send --from a CSV with times"
+verdict $? "send --from sends a CSV with times"
 printf '# a sketch printed this\n1,2,3,4,0,1\r\n5,6,7,8,1,0\r\n' >"$work/sketch.csv"
 printf '%s\n' "1,2,3,4,$rest,0,0,0,1" "5,6,7,8,$rest,0,0,1,0" >"$work/wanted"
 sent --from "$work/sketch.csv" && uniq "$work/rows" | cmp - "$work/wanted"
-verdict $? "send --from a sketch's rows"
+verdict $? "send --from sends a sketch's rows"
 
 # rejected MESSAGE ARGUMENTS...: standard input is $work/x.csv
 rejected() {
@@ -80,7 +80,7 @@ rejected() {
   cat >"$work/x.csv"
   (cd "$work" && timeout 60 "$SBUS" send "$@") >"$work/out" 2>"$work/err"
   [ $? -ne 0 ] && grep -qxFe "$message" "$work/err" && [ ! -s "$work/out" ] || { cat "$work/err"; false; }
-  verdict $? "send: $message"
+  verdict $? "send says: $message"
 }
 while IFS='|' read -r text message; do
   # shellcheck disable=SC2059  # it has \n

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs `sbus summary` on a flight whose losses are known, and a part of a file by --from and --to. Says "ok ..." or
+# Runs `sbus summary` on a flight whose losses are known, and subcommands with --from and --to on files. Says "ok ..." or
 # "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -41,7 +41,7 @@ intervals from the end of a frame to the end of the next, in ms
  12 1 #
 END
 diff "$work/wanted" "$work/text"
-verdict $? "summary of a flight"
+verdict $? "summary of a flight has its losses"
 "$SBUS" summary "$work/flight.txt" --json | sed 's/,"\(from\|to\)_us":[0-9]*//g' >"$work/json"
 cat >"$work/wanted" <<'END'
 {"type":"summary","line":"S.BUS","frames":100,"lost_frames":25,"failsafe_frames":23,"discarded_bytes":0,"bad_characters":0}
@@ -56,7 +56,7 @@ cat >"$work/wanted" <<'END'
 {"type":"interval","ms":12,"count":1}
 END
 diff "$work/wanted" "$work/json"
-verdict $? "summary --json of a flight"
+verdict $? "summary --json of a flight has the same figures"
 [ "$("$SBUS" summary sim --simulated-time --seconds 60 | grep -A 21 '^lost frames' | grep -c ' s to ')" -eq 20 ] &&
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
 verdict $? "summary lists the twenty longest losses"
@@ -65,7 +65,7 @@ cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
 verdict $? "summary of bytes without times has no times"
 "$SBUS" summary sim --silent --simulated-time --seconds 1 2>"$work/err"
 [ $? -eq 1 ] && grep -qx 'sbus summary: sim: no frames came; sbus doctor says why' "$work/err"
-verdict $? "summary without a frame is a failure"
+verdict $? "summary without a frame fails"
 
 # ---- Parts of a file
 
@@ -77,14 +77,14 @@ for file in sim.txt sim.vcd; do
   verdict $? "hex --from --to of $file has the frames of that time, and their times"
   "$SBUS" csv "$work/$file" --columns time,ch1-ch18,failsafe | awk -F, '$1 > 9.5 && $1 <= 10.7' >"$work/wanted" && [ -s "$work/wanted" ] &&
     "$SBUS" csv "$work/$file" --columns time,ch1-ch18,failsafe --from 9.3 --to 10.7 | awk -F, '$1 > 9.5 && $1 <= 10.7' | cmp - "$work/wanted"
-  verdict $? "csv --from --to of $file"
+  verdict $? "csv --from --to of $file has the frames of that time"
 done
 "$SBUS" summary "$work/sim.txt" --from 5 --seconds 1 | grep -qE '^frames +5\.0[0-9]* s to 5\.99[0-9] s$' &&
   "$SBUS" summary "$work/sim.txt" --to 1 | grep -qE '^frames +0\.0[0-9]* s to 0\.99[0-9] s$'
-verdict $? "--from with --seconds, and --to alone"
+verdict $? "--from with --seconds, and --to alone, take a part of a file"
 "$SBUS" monitor "$work/sim.txt" --from 11 2>"$work/err" | sed -n 1p | grep -q '^11\.000 ' && [ ! -s "$work/err" ]
 verdict $? "monitor --from begins at that time"
 "$SBUS" monitor "$work/sim.txt" --from 9.95 --to 11 --simulated-time | cut -d' ' -f1,3 | paste -sd ' ' | grep -qE '^9.950 no 9.9[0-9]* lossy 10.000 lossy 10.0[0-9]* failsafe 11.000 '
 verdict $? "monitor --from --to prints a line a second"
 "$SBUS" hex "$work/sim.txt" --from 11 2>&1 >"$work/out" | cmp - /dev/null
-verdict $? "--from of a file says nothing of silence"
+verdict $? "--from of a file reports no silence"

@@ -33,21 +33,21 @@ time_s,slot,data0,data1,quantity,value,unit
 0.051710,26,5,220,charge,1500,mAh
 END
 head -n 7 "$work/rows" | diff "$work/wanted" -
-verdict $? "telemetry: slots, and what named sensors measure"
+verdict $? "telemetry prints slots, and what named sensors measure"
 [ "$(cut -d, -f2 "$work/rows" | tr '\n' ' ')" = "slot 0 1 2 24 25 26 0 1 2 24 25 26 24 25 26 0 1 2 24 25 26 0 1 2 " ]
-verdict $? "telemetry: a group that lacks a character is not printed, nor one that no frame follows"
+verdict $? "telemetry does not print a group that lacks a character, nor a group that no frame follows"
 
 [ "$("$SBUS" telemetry "$work/line.txt" --to 0.04 | tail -n 1)" = "0.006710,2,0,125,,," ]
-verdict $? "telemetry: a slot without a name has no quantity"
+verdict $? "telemetry prints no quantity for a slot without a name"
 
 grep -v '^#' recordings/paper.txt >"$work/paper.txt"
 "$SBUS" telemetry "$work/paper.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: frames came, and none announced a telemetry slot: this is no S.BUS2 line" "$work/err"
-verdict $? "telemetry of a line that has none is a failure"
+verdict $? "telemetry of a line without any fails"
 sed '/^[0-9]* \(03\|83\|43\|1B\|9B\|5B\)/d' "$work/line.txt" >"$work/silent.txt"
 "$SBUS" telemetry "$work/silent.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/silent.txt: frames came, and no slot after them: is the receiver in a mode with telemetry?" "$work/err"
-verdict $? "telemetry of an S.BUS2 line without an answer is a failure"
+verdict $? "telemetry of an S.BUS2 line without an answer fails"
 
 while IFS='|' read -r sensor words; do
   "$SBUS" telemetry "$work/line.txt" --sensor "$sensor" >"$work/out" 2>"$work/err"
@@ -65,20 +65,20 @@ END
 
 "$SBUS" hex "$work/line.txt" | awk '/83 80/ { sub(/^.*- /, ""); print }' >"$work/out"
 printf '%s\n' 'telemetry slots 0, 1, 2' 'telemetry slots 0, 1, 2' 'no header' 'telemetry slots 0, 1, 2' 'telemetry slots 0, 1, 2' | diff - "$work/out"
-verdict $? "telemetry: hex names the slots, and rejects the group that lacks characters"
+verdict $? "hex names the slots, and rejects a group that lacks characters"
 
 "$SBUS" doctor "$work/line.txt" >"$work/out"
 grep -qF '20 frames, 81 bytes of telemetry, 5 discarded bytes' "$work/out" && grep -qxF 'Telemetry: receiver voltage 4.6 V; slots 0, 1, 2, 24, 25, 26' "$work/out"
-verdict $? "telemetry: doctor names slots, the receiver's voltage, and what is neither a frame nor telemetry"
+verdict $? "doctor names slots and the receiver's voltage, and counts bytes that are neither a frame nor telemetry"
 
 { cat "$work/line.txt"; awk 'BEGIN { for (i = 20; i < 120; i++) print 120 + 15000 * i, "0F 11 04 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00", (i % 4) "4" }'; } >"$work/long.txt"
 "$SBUS" monitor "$work/long.txt" --sensor 24=F1678 >"$work/out"
 grep -qF 'bytes discarded 5, ' "$work/out" &&
   grep -qF 'receiver voltage 4.6 V, current 23.45 A, voltage 12.34 V, charge 1500 mAh, slots 0, 1, 2, 24, 25, 26' "$work/out" &&
   tail -n 1 "$work/out" | grep -qE ', no telemetry( |$)'
-verdict $? "telemetry: monitor shows it, and no longer once it is a second old"
+verdict $? "monitor shows telemetry until it is a second old"
 
 "$SBUS" telemetry sim --sbus2 --simulated-time --seconds 0.1 --sensor 1=SBS-01V | cut -d, -f2,5-7 | tail -n +2 | tr '\n' ';' >"$work/sim"
 echo "0,receiver voltage,4.6,V;1,battery voltage,5.6,V;2,external voltage,12.5,V;0,external voltage,24.1,V;\
 1,battery voltage,5.6,V;2,external voltage,12.5,V;" | tr -d '\n' | diff - "$work/sim"
-verdict $? "telemetry: the built-in receiver with --sbus2, and its sensor"
+verdict $? "telemetry prints the slots of the built-in receiver with --sbus2, and of its sensor"

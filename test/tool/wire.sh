@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs `sbus decode` and `sbus wave`, and says "ok ..." or "FAILED ...". An independent decoder, sigrok's uart, reads each
-# recording's VCD: the same bytes come out of it.
+# Runs `sbus decode` and `sbus wave`, and says "ok ..." or "FAILED ...". An independent decoder, sigrok's uart, also reads
+# each recording's VCD, and must find the same bytes.
 # SBUS: the program. BUILD: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -10,13 +10,13 @@ mkdir -p "$work"
 
 . tool/common.sh
 
-# What sigrok's uart decodes of a VCD, one byte a line.
+# Prints what sigrok's uart decodes from a VCD, one byte a line.
 sigrok() {  # VCD BAUD INVERTED [ANNOTATION]
   sigrok-cli -I vcd -i "$1" -P "uart:rx=SBUS:baudrate=$2:parity=even:stop_bits=1.0:invert_rx=$3:format=hex" -A "uart=${4:-rx-data}" |
     sed 's/.* //'
 }
 
-# It must be able to read the file; some builds have no decoders.
+# sigrok-cli must be able to read the file; some builds have no decoders.
 if ! "$SBUS" wave recordings/paper.txt -o "$work/try.vcd" || ! sigrok "$work/try.vcd" 100000 yes 2>/dev/null | grep -q 0F; then
   echo "skipped sbus: no sigrok-cli with its uart decoder is here"
   have_sigrok=
@@ -48,7 +48,7 @@ sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 verdict $? "a bad character of a recording has a wrong parity bit on the wire"
 if [ -n "$have_sigrok" ]; then
   [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
-  verdict $? "sigrok finds it as well"
+  verdict $? "sigrok finds the wrong parity bit as well"
 fi
 
 # The paper's bits, in each form.
@@ -57,10 +57,10 @@ for form in table csv json; do
   [ $form = table ] && option=
   # shellcheck disable=SC2086  # none or one
   "$SBUS" decode tool/paper-4.1.bits --characters $option | cmp - "tool/golden/paper-4.1-characters.$form"
-  verdict $? "decode of the paper's bits, characters, $form"
+  verdict $? "decode prints the characters of the paper's bits, as $form"
 done
 "$SBUS" decode tool/paper-4.1.bits | cmp - tool/golden/paper-4.1.table
-verdict $? "decode of the paper's bits"
+verdict $? "decode of the paper's bits prints tool/golden/paper-4.1.table"
 
 # Frames, in each form; then a file that is cut off: what came before is decoded.
 "$SBUS" wave recordings/sbus2.txt -o "$work/sbus2.vcd"
@@ -69,33 +69,33 @@ for form in table csv json; do
   [ $form = table ] && option=
   # shellcheck disable=SC2086
   (cd "$work" && "$SBUS" decode sbus2.vcd $option) | cmp - "tool/golden/decode-sbus2.$form"
-  verdict $? "decode of S.BUS2, $form"
+  verdict $? "decode prints frames of S.BUS2, as $form"
 done
 
-# A line of 32 channels: half of them are in frames with header 2F. One head, one width, and no channel is missing.
+# A line of 32 channels: half of them are in frames with header 2F. The CSV has one title, one width, and every channel.
 "$SBUS" record sim --channels 32 --simulated-time --seconds 0.3 "$work/32.txt" 2>/dev/null &&
   "$SBUS" wave "$work/32.txt" -o "$work/32.vcd" && "$SBUS" decode "$work/32.vcd" --csv >"$work/32.csv" &&
   [ "$(grep -c time_us "$work/32.csv")" -eq 1 ] && [ "$(awk -F, '{ print NF }' "$work/32.csv" | sort -u)" = 38 ] &&
   "$SBUS" decode "$work/32.vcd" --json | sed -n 's/.*"first":\(.*\),"channels":\[\([0-9,]*\)\].*/\1,\2/p' >"$work/32.want" &&
   awk -F, 'NR > 1 { from = $2 == "" ? 17 : 1; row = from; for (i = 0; i < 16; i++) row = row "," $(1 + from + i); print row }' \
     "$work/32.csv" | cmp - "$work/32.want" && grep -q '^17,' "$work/32.want" && grep -q '^1,' "$work/32.want"
-verdict $? "decode of 32 channels as CSV"
+verdict $? "decode prints 32 channels as CSV"
 
 # The last frame waits for the silence after it: the capture ends with an edge.
 awk 'NF == 26 { print; exit }' recordings/frsky-neutral.txt >"$work/one.txt"
 "$SBUS" wave "$work/one.txt" | sed '$d' >"$work/one.vcd"
 [ "$("$SBUS" decode "$work/one.vcd" --csv | wc -l)" -eq 2 ]
-verdict $? "decode of a single frame"
+verdict $? "decode finds a single frame"
 
-# A capture without a frame: nothing is said to carry S.Bus, and it is a failure that says what was looked for.
+# In a capture without a frame no signal carries S.Bus: decode fails, and says what it looked for.
 "$SBUS" decode tool/paper-4.1.bits >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && ! grep -q 'carries S.Bus' "$work/out" &&
   grep -q 'signal bits has 8 characters at 100000 baud, 8E2, inverted, but no frame of S.Bus: a frame is 25 characters' "$work/err"
-verdict $? "decode of what has no frame"
+verdict $? "decode of a capture without a frame fails, and says what a frame is"
 "$SBUS" decode tool/paper-4.1.bits --characters >/dev/null
-verdict $? "decode of characters that were asked for"
+verdict $? "decode --characters needs no frame"
 
-# Overruled: what is found otherwise.
+# Options overrule what decode finds.
 overruled() {  # FRAMES ARGUMENTS...
   frames=$1
   shift
@@ -120,10 +120,10 @@ overruled 0 "$work/volts.csv" --rate 1e6 --threshold 1.6
 (cat "$work/sbus2.vcd"; printf '#') | "$SBUS" decode - --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && cmp "$work/out" tool/golden/decode-sbus2.csv &&
   grep -qx "sbus decode: -:$(($(wc -l <"$work/sbus2.vcd") + 1)): the capture ends within this line: .* decoded above" "$work/err"
-verdict $? "decode of a capture that is cut off, on standard input"
+verdict $? "decode of a capture on standard input that is cut off prints its frames, and fails"
 (cat "$work/sbus2.vcd"; echo '#') | "$SBUS" decode - >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && ! grep -q 'ends within' "$work/err"
-verdict $? "decode of a capture whose last line is wrong, but whole"
+verdict $? "decode reports a last line that is wrong, but complete"
 
 # Standard input that stays open: frames come before its end, of a VCD and of CSV; here of 4 times the capture, far less than a
 # block.
@@ -156,12 +156,12 @@ for capture in live.vcd live.csv; do
   verdict $? "decode of standard input prints the frames of $capture as they come"
 done
 
-# Packed, in a file and through a pipe; of one that is cut off what came before.
+# Packed, in a file and through a pipe; if it is cut off, decode prints what came before.
 for capture in sbus2.vcd live.csv; do
   gzip -c "$work/$capture" >"$work/$capture.gz"
   "$SBUS" decode "$work/$capture" --csv >"$work/plain" && "$SBUS" decode "$work/$capture.gz" --csv | cmp - "$work/plain" &&
     gzip -c "$work/$capture" | "$SBUS" decode - --csv | cmp - "$work/plain"
-  verdict $? "decode of $capture.gz"
+  verdict $? "decode reads $capture.gz"
 done
 (echo '; Samplerate: 1 MHz'; echo logic; cat "$work/samples.csv" "$work/samples.csv") >"$work/long.csv"
 "$SBUS" decode "$work/long.csv" --csv >"$work/plain"
@@ -170,9 +170,9 @@ head -c $(($(wc -c <"$work/long.gz") * 9 / 10)) "$work/long.gz" >"$work/cut.gz"
 "$SBUS" decode "$work/cut.gz" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 10 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
   grep -qx "sbus decode: $work/cut.gz: cannot be read to its end (truncated gzip input); what came before it is decoded above" "$work/err"
-verdict $? "decode of a .gz that is cut off"
+verdict $? "decode of a .gz that is cut off prints what came before, and fails"
 
-# Sessions of sigrok and PulseView. Real ones (sigrokproject/sigrok-dumps) have their entries in each of these orders.
+# Sessions of sigrok and PulseView. Real sessions (sigrokproject/sigrok-dumps) have their entries in each of these orders.
 session() {  # FILE ENTRY...: logic-1 has all samples, logic-1-N a part of them
   python3 - "$work" "$@" <<'EOF'
 import sys, zipfile
@@ -196,7 +196,7 @@ while read -r entries; do
   # shellcheck disable=SC2086
   session $sessions.sr $entries && "$SBUS" decode "$work/$sessions.sr" --csv | cmp - "$work/plain" &&
     "$SBUS" decode - --csv <"$work/$sessions.sr" | cmp - "$work/plain"
-  verdict $? "decode of a session: $entries"
+  verdict $? "decode reads a session: $entries"
 done <<'EOF'
 version metadata logic-1-1 logic-1-2 logic-1-3 logic-1-4 logic-1-5 logic-1-6 logic-1-7 logic-1-8 logic-1-9 logic-1-10 logic-1-11
 version logic-1 metadata
@@ -204,31 +204,31 @@ logic-1-6 logic-1-7 logic-1-8 logic-1-9 metadata logic-1-10 logic-1-11 version l
 EOF
 cat "$work/2.sr" | "$SBUS" decode - 2>"$work/err"
 [ $? -eq 1 ] && grep -qx "sbus decode: -: is a pipe, and a session is read more than once: save it in a file first" "$work/err"
-verdict $? "decode of a session through a pipe"
+verdict $? "decode reads a session through a pipe"
 session other.zip version logic-1
 ! "$SBUS" decode "$work/other.zip" 2>"$work/err" &&
   grep -qx "sbus decode: $work/other.zip: is a ZIP, but no session of sigrok or PulseView, .*: export it as VCD or as CSV" "$work/err"
-verdict $? "decode of a ZIP that is no session"
+verdict $? "decode rejects a ZIP that is no session"
 session empty.sr version metadata
 ! "$SBUS" decode "$work/empty.sr" 2>"$work/err" &&
   grep -qx "sbus decode: $work/empty.sr: has no samples: logic-1 or logic-1-1 is expected in it" "$work/err"
-verdict $? "decode of a session without samples"
+verdict $? "decode rejects a session without samples"
 head -c $(($(wc -c <"$work/1.sr") * 2 / 3)) "$work/1.sr" >"$work/cut.sr"
 "$SBUS" decode "$work/cut.sr" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 3 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
   grep -q "cut.sr: cannot be read to its end (.*; what came before it is decoded above" "$work/err"
-verdict $? "decode of a session that is cut off"
+verdict $? "decode reports a session that is cut off"
 if [ -n "$have_sigrok" ]; then
   sigrok-cli -I vcd -i "$work/sbus2.vcd" -o "$work/sigrok.sr" && "$SBUS" decode "$work/sigrok.sr" --csv |
     cmp - tool/golden/decode-sbus2.csv
-  verdict $? "decode of a session that sigrok has written"
+  verdict $? "decode reads a session that sigrok has written"
   for form in bits hex csv vcd; do
     sigrok-cli -i "$work/sigrok.sr" -O $form | "$SBUS" decode - --csv | cmp - tool/golden/decode-sbus2.csv
-    verdict $? "decode of what sigrok-cli -O $form prints"
+    verdict $? "decode reads what sigrok-cli -O $form prints"
   done
 fi
 
-# The tables of Saleae's analyser: of the wire they tell nothing.
+# The tables of Saleae's analyser say nothing about the wire.
 "$SBUS" decode "$work/sbus2.vcd" --characters --csv >"$work/characters.csv"
 awk -F, 'NR == 1 { print "Time [s],Value,Parity Error,Framing Error"; next }
   { printf "%.15f,0x%s,,\n", $1 / 1e6, $2 }' "$work/characters.csv" >"$work/logic1.csv"
@@ -238,26 +238,26 @@ for capture in logic1.csv logic2.csv; do
   "$SBUS" decode "$work/$capture" --csv | cmp - tool/golden/decode-sbus2.csv &&
     [ "$("$SBUS" decode "$work/$capture" --json | head -n 1)" = '{"type":"wire","signal":"Async Serial"}' ] &&
     [ "$("$SBUS" decode "$work/$capture" | head -n 1)" = 'signal Async Serial carries S.Bus, as the analyser has decoded it' ]
-  verdict $? "decode of $capture"
+  verdict $? "decode reads the characters of $capture"
 done
 [ "$(sed '30s/,,$/,Error,Error/' "$work/logic1.csv" | "$SBUS" decode - --characters | grep -c '  parity error; framing error$')" -eq 1 ]
-verdict $? "decode of a character that Saleae's analyser has found bad"
+verdict $? "decode shows both errors of a character that Saleae's analyser has marked"
 
-# The last line but one is the last character's last edge: that was the end, or more has been lost.
+# The last line but one is the last edge of the last character: the capture ended there, or more was lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"
 (cat "$work/edge.vcd"; printf '#') | "$SBUS" decode - --characters --csv >"$work/out" 2>"$work/err"
 "$SBUS" decode "$work/edge.vcd" --characters --csv | sed '$d' | cmp - "$work/out"
-verdict $? "decode of a capture that ends with an edge"
+verdict $? "decode leaves out the last character of a capture that may have lost its end"
 
-# Every 4 us a sample, of bits of 10 us.
+# A sample every 4 us, of bits of 10 us.
 awk 'BEGIN { print "; Samplerate: 250 kHz\nlogic" }
   /^#/ { for (us = substr($0, 2) + 0; at < us; at += 4) print level }
   /^[01]!/ { level = substr($0, 1, 1) }' "$work/sbus2.vcd" >"$work/slow.csv"
 "$SBUS" decode "$work/slow.csv" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -eq "$(wc -l <tool/golden/decode-sbus2.csv)" ] &&
   grep -qx "sbus decode: $work/slow.csv: was sampled every 4.0 us, but a bit lasts 10.0 us: .* What could be decoded is above" "$work/err"
-verdict $? "decode of a capture sampled too slowly"
-# A file that is read piece by piece: the capture, again and again, up to a line that is wrong.
+verdict $? "decode of a capture that was sampled too slowly prints its frames, and fails"
+# A file that is read piece by piece: the capture, repeated, up to a line that is wrong.
 awk '!/^#/ && !lines { print; next } { line[lines++] = $0 } /^#/ { end = substr($0, 2) + 0 }
   END {
     for (; from < 120 * end; from += end) {
@@ -269,20 +269,20 @@ awk '!/^#/ && !lines { print; next } { line[lines++] = $0 } /^#/ { end = substr(
 "$SBUS" decode "$work/large.vcd" --characters --csv 2>"$work/err" | sed 1d >"$work/out"
 [ "$(wc -l <"$work/out")" -eq $((120 * $(wc -l <"$work/once") - 1)) ] && [ "$(wc -c <"$work/large.vcd")" -gt 2000000 ] &&
   grep -q "large.vcd:$(wc -l <"$work/large.vcd"): " "$work/err"
-verdict $? "decode of a capture of 2 MB"
+verdict $? "decode finds every character of a capture of 2 MB, and reports its last line"
 
 "$SBUS" plot recordings/sbus2.txt -o "$work/sbus2.svg" && grep -q '>CH4</text>' "$work/sbus2.svg" &&
   [ "$(grep -c 'class="curve' "$work/sbus2.svg")" -eq 4 ] && grep -q '>failsafe</text>' "$work/sbus2.svg"
-verdict $? "plot of S.BUS2"
+verdict $? "plot draws a recording of S.BUS2"
 "$SBUS" plot recordings/board/rows.txt -o "$work/rows.svg" && [ "$(grep -c 'class="curve' "$work/rows.svg")" -eq 18 ]
-verdict $? "plot of a board's port, as the scope has recorded it"
-# What is plotted, and the axis: its labels and its unit.
+verdict $? "plot draws a board's port that the scope has recorded"
+# What is plotted, and the labels and unit of the axis.
 sed -n '/^[0-9]/{p;q;}' recordings/paper.txt | sed 's/^160120/120/' >"$work/one-frame.txt"
 while IFS='|' read -r arguments labels; do
   # shellcheck disable=SC2086  # the arguments are words
   "$SBUS" plot $(echo "$arguments" | sed "s,WORK,$work,") >"$work/axis.svg" &&
     [ "$(sed -nE 's/.* (y="422.0" text-anchor="middle"|y="440.0" text-anchor="end")>([^<]*)<.*/\2/p' "$work/axis.svg" | paste -sd ' ')" = "$labels" ]
-  verdict $? "plot $arguments: $labels"
+  verdict $? "plot $arguments has the axis $labels"
 done <<END
 WORK/one-frame.txt|2600 2800 3000 3200 3400 us
 sim --simulated-time --seconds 0.03|8 10 12 14 16 18 20 22 24 26 ms
@@ -292,4 +292,4 @@ sim --simulated-time --seconds 13|2 4 6 8 10 12 s
 END
 "$SBUS" plot "$work/one-frame.txt" --columns ch1 >"$work/one-frame.svg" &&
   [ "$(grep -c '<circle .*cx="460.0" cy="226.0"' "$work/one-frame.svg")" -eq 1 ] && ! grep -q '<circle' "$work/sbus2.svg"
-verdict $? "plot of one frame: a ring in the middle, and no axis of zero length"
+verdict $? "plot of one frame has a ring in the middle, and no axis of zero length"

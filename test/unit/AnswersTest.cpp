@@ -1,4 +1,4 @@
-// The answers of a sensor: which slot, when, and what is skipped.
+// The answers of a sensor: in which slot, when, and which slots are skipped.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -31,14 +31,14 @@ void take(Answers &answers, uint8_t end) {
   answers.taken(plainFrame(0, end).data());
 }
 
-// A frame with this end byte ended within these times.
+// Reports a frame with this end byte, which ended between these times.
 void frame(Answers &answers, uint8_t end, uint32_t earliest, uint32_t latest, uint32_t gap = 12000) {
   take(answers, end);
   CHECK(answers.takeFrameEnd());
   answers.plan(earliest, latest, gap);
 }
 
-// "slot@start: data" of each answer, each `lateUs` after it is due.
+// Returns "slot@start: data" of each answer, taken `lateUs` after it is due.
 std::string sent(Answers &answers, uint32_t lateUs = 0) {
   std::string text;
   while (answers.isPlanned()) {
@@ -83,7 +83,7 @@ TEST_CASE("an answer stands in its slot, counted from the middle of the time wit
   }
 }
 
-TEST_CASE("slot 0 is never written, nor a sensor across the border of a group") {
+TEST_CASE("slot 0 is never written, nor a sensor whose slots cross the border of a group") {
   const struct {
     uint8_t first, count;
     bool isTaken;
@@ -102,7 +102,7 @@ TEST_CASE("slot 0 is never written, nor a sensor across the border of a group") 
   }
 }
 
-TEST_CASE("where the frame's end is known to more than 100 us only, all of the group is skipped and counted") {
+TEST_CASE("if the frame's end is known to no better than 100 us, the whole group is skipped and counted") {
   for (const uint32_t apart : {100u, 101u, 3000u, 65535u, 0x80000000u}) {
     CAPTURE(apart);
     Answers answers;
@@ -114,7 +114,7 @@ TEST_CASE("where the frame's end is known to more than 100 us only, all of the g
   }
 }
 
-TEST_CASE("a start that could be more than 100 us late is skipped, and the rest of the group with it") {
+TEST_CASE("an answer that could start more than 100 us late is skipped, and the rest of the group with it") {
   const struct {
     uint32_t apart, lateUs;
     unsigned sent, skipped;
@@ -132,7 +132,7 @@ TEST_CASE("a start that could be more than 100 us late is skipped, and the rest 
   }
 }
 
-TEST_CASE("what was not sent before the next frame is skipped: nothing is sent twice, or in the next frame") {
+TEST_CASE("an answer that was not sent before the next frame is skipped: none is sent twice, or in the next frame") {
   Answers answers;
   answers.begin();
   write(answers, 2, 3);
@@ -146,7 +146,7 @@ TEST_CASE("what was not sent before the next frame is skipped: nothing is sent t
   CHECK(answers.skipped() == 2);
 }
 
-TEST_CASE("an answer holds the data of one moment, that of the frame's end, also if new data come meanwhile") {
+TEST_CASE("an answer holds the data of the frame's end, also if new data come before it is sent") {
   Answers answers;
   answers.begin();
   write(answers, 8, 3, 1);
@@ -160,7 +160,7 @@ TEST_CASE("an answer holds the data of one moment, that of the frame's end, also
   CHECK(sent(answers) == "8@2030:8,2 ");
 }
 
-TEST_CASE("only a frame's last byte tells its end: not one that other bytes follow") {
+TEST_CASE("only a frame's last byte tells its end: a byte that others follow does not") {
   const uint8_t bytes[] = {0x03, 0xC0, 0x2E};
   Answers answers;
   answers.begin();
@@ -179,7 +179,7 @@ TEST_CASE("only a frame's last byte tells its end: not one that other bytes foll
   CHECK(!answers.takeFrameEnd());
 }
 
-TEST_CASE("its own characters are no sensor's; others in their place are a collision, and are none either") {
+TEST_CASE("the echo of its own characters is no sensor; other characters in their place are a collision, and no sensor either") {
   const uint8_t own[] = {sbus::slotId(2), 2, 0};
   const uint8_t torn[] = {sbus::slotId(2), 2};
   const uint8_t others[] = {sbus::slotId(2), 2, 1};
@@ -238,7 +238,7 @@ TEST_CASE("an answer that the port could not send counts as skipped, and its ech
   }
 }
 
-TEST_CASE("one that a timer polls is polled all the time while a frame's end is expected, and otherwise seldom") {
+TEST_CASE("the timer polls all the time while a frame's end is expected, and otherwise seldom") {
   Answers answers;
   answers.begin();
   CHECK(answers.nextPoll(12345) == 500);

@@ -1,5 +1,5 @@
 // What people really do with their sticks, many times: random makes, directions, trims, noise and hands. No wrong
-// calibration is ever stored. RUNS=5000 prints the table: play, accepted, turned round, off.
+// calibration is ever stored. RUNS=5000 prints the table: play, accepted, reversed, off.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -77,7 +77,7 @@ class Play {
     }
     return *this;
   }
-  // A round in `period` frames.
+  // Circles once in `period` frames.
   Play &stir(int frames, double reach) {
     const int period = between(60, 200);
     for (int i = 0; i < frames; i++) {
@@ -235,7 +235,7 @@ const struct {
 
 }  // namespace
 
-TEST_CASE("whatever hands do, no channel turned round or off by more than 10 % is accepted; right channels are") {
+TEST_CASE("whatever hands do, no channel that is reversed or off by more than 10 % is accepted; right channels are") {
   const char *const asked = std::getenv("RUNS");
   const int runs = asked != nullptr ? std::atoi(asked) : DefaultRuns;
   for (const auto &row : Rows) {

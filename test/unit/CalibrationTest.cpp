@@ -1,4 +1,4 @@
-// The stored calibration: whole or rejected, and scaling by it: exact at the three points, over all 2048 values.
+// The stored calibration is whole or rejected; scaling by it is exact at the three points, over all 2048 values.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -88,10 +88,10 @@ TEST_CASE("the 132 bytes are the version, 16 times low, centre, high, dead zone,
   CHECK(sizeof calibration == Size);
   CHECK(bytesOf(calibration) == expected);
   CHECK(stateOf(expected) == StoredState::Good);
-  CHECK(crcOf(expected.data(), 130) == 0x9CDA);  // the test's own
+  CHECK(crcOf(expected.data(), 130) == 0x9CDA);  // the test's own implementation
 }
 
-TEST_CASE("any one or two wrong bits of the 1056 are noticed") {
+TEST_CASE("one or two wrong bits anywhere in the 1056 are noticed") {
   const Stored good = bytesOf(known());
   for (unsigned bit = 0; bit < 8 * Size; bit++) {
     CAPTURE(bit);
@@ -124,7 +124,7 @@ TEST_CASE("one of 65536 versions is accepted, even if the check value is right; 
   }
 }
 
-TEST_CASE("isPossible() tells rule by rule, on either side of each limit, for any channel") {
+TEST_CASE("isPossible() applies each rule, on either side of each limit, for any channel") {
   const struct {
     const char *rule;
     CalibratedChannel channel;
@@ -184,7 +184,7 @@ TEST_CASE("all 2048 values lie within half a thousandth and half a microsecond o
   }
 }
 
-TEST_CASE("a channel that is not calibrated is at the centre always; no channel, however odd, is beyond 32767") {
+TEST_CASE("a channel that is not calibrated is always at the centre; no channel, however odd, goes beyond 32767") {
   const CalibratedChannel odd[] = {
       {{0, 0, 0}, 0},
       {{65535, 0, 65535}, 0},

@@ -1,4 +1,4 @@
-// The steps of a calibration: what each remembers, how a channel is held in the third, and what finish() makes of all.
+// The steps of a calibration: what each remembers, when a channel counts as held in the third, and what finish() returns.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -10,7 +10,7 @@ using sbus::CalibrationError;
 using Numbers = Radio::Numbers;
 
 TEST_CASE(
-    "result() returns what is still to be done, step by step; a step forgets those after it; frames with a flag do not "
+    "result() returns what is still to be done in each step; a step forgets the later steps; frames with a flag do not "
     "count") {
   constexpr Numbers Forwards = {172, 1000, 1811, 20};
   constexpr Numbers Backwards = {1811, 1000, 172, 20};
@@ -155,7 +155,7 @@ TEST_CASE("a channel is held after 64 frames within 32 counts; two wrong frames 
   }
 }
 
-TEST_CASE("finish names the first bad required channel, or seals all good channels and leaves the others empty") {
+TEST_CASE("finish() names the first bad required channel, or stores all good channels and leaves the others empty") {
   const struct {
     unsigned good, required;
     int channel;  // -1: none
@@ -190,7 +190,7 @@ TEST_CASE("finish names the first bad required channel, or seals all good channe
   CHECK(Finished(Radio().calibrator, 0x0400).error == CalibrationError::NeverSeen);
 }
 
-TEST_CASE("without the third step finish rejects, whatever is required") {
+TEST_CASE("without the third step finish() rejects, whatever is required") {
   Radio radio;
   radio.channels.fill(172);
   radio.feed(sbus::Calibrator::SeenFrames);

@@ -1,4 +1,4 @@
-// Finding out what a radio sends: ends, centre and dead zone of a channel, and what is rejected at each limit.
+// Finds out what a radio sends: ends, centre and dead zone of a channel, and what is rejected at each limit.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -109,7 +109,7 @@ TEST_CASE("ends, centre and dead zone are found") {
   }
 }
 
-TEST_CASE("an end counts when three frames in a row have seen it; reached() returns the ends that count") {
+TEST_CASE("an end counts once three frames in a row have reached it; reached() returns the ends that count") {
   for (const int wrong : {0, 2047}) {
     for (int frames = 1; frames <= 4; frames++) {
       CAPTURE(wrong);

@@ -1,4 +1,4 @@
-// DecodeSBusCallback: which frames it hands to the sketch's function, when, and what the function finds out within.
+// DecodeSBusCallback: which frames it hands to the sketch's function, when, and what the function can read meanwhile.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -55,7 +55,7 @@ using Calling = CallingOf<DecodeSBus>;
 
 }  // namespace
 
-TEST_CASE("each frame is handed over once, at the poll that completes it, with its flags, lost and failsafe ones too") {
+TEST_CASE("each frame is handed over once, at the poll that completes it, with its flags, also lost and failsafe frames") {
   Calling board;
   asked = &board.sbus;
   board.firstFrame(Neutral.bytes);
@@ -75,7 +75,7 @@ TEST_CASE("each frame is handed over once, at the poll that completes it, with i
 }
 
 TEST_CASE(
-    "it is not called before a frame, of half a frame, when frames stop, or once it is taken away; begin() keeps it") {
+    "the function is not called before a frame, for half a frame, when frames stop, or after it is removed; begin() keeps it") {
   Calling board;
   board.wait(20 * Ms);
   board.take(part(Neutral.bytes, 0, 24));
@@ -96,7 +96,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "of two frames in one poll it gets the newer one; a frame as old as the timeout when it is read it never gets") {
+    "of two frames in one poll it gets the newer one; it never gets a frame that is as old as the timeout when it is read") {
   Calling board;
   board.firstFrame(Neutral.bytes);
   board.block(9 * Ms);
@@ -121,7 +121,7 @@ TEST_CASE("a run of lost frames as long as the loss limit is handed over as fail
   }
 }
 
-TEST_CASE("the other decoders call as well: 24 channels, telemetry; without pulses the channels before are repeated") {
+TEST_CASE("the other decoders call it as well: 24 channels, telemetry; DecodeSBusNoPulses repeats the channels before") {
   CallingOf<DecodeSBus2> telemetry;
   telemetry.firstFrame(Neutral.bytes);
   CHECK(calls.size() == 1);

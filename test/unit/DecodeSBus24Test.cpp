@@ -1,5 +1,5 @@
-// FrSky's 24 channels: which frames of 36 bytes are found, what the class makes of them, and that no line is taken for
-// one of the other size.
+// FrSky's 24 channels: which frames of 36 bytes are found, how the class decodes them, and that no line is taken for one
+// of the other size.
 #include <doctest/doctest.h>
 
 #include <climits>
@@ -87,7 +87,7 @@ TEST_CASE("36 bytes are rejected for a wrong header, flags or end byte, each by 
   }
 }
 
-TEST_CASE("a line of the other size brings no frame, and all of its frames but the last are counted") {
+TEST_CASE("a line with frames of the other size brings no frame, and all of its frames but the last are counted") {
   for (const bool neutral : {false, true}) {
     for (const uint64_t gapUs : {2700u, 4700u, 9700u}) {
       TimedLine longs, shorts;
@@ -109,7 +109,7 @@ TEST_CASE("a line of the other size brings no frame, and all of its frames but t
   }
 }
 
-TEST_CASE("after frames of the other size the first of the right size between two gaps comes once the second gap is seen") {
+TEST_CASE("after frames of the other size, the first right-sized frame between two gaps comes once the second gap is seen") {
   for (const unsigned others : {1u, 2u, 20u}) {
     CAPTURE(others);
     Feeder line;
@@ -135,7 +135,7 @@ TEST_CASE("after frames of the other size the first of the right size between tw
   }
 }
 
-TEST_CASE("DecodeSBus24 decodes 24 channels, and the flags of byte 34; they and the timeout decide on the link") {
+TEST_CASE("DecodeSBus24 decodes 24 channels, and the flags of byte 34; the flags and the timeout decide on the link") {
   const struct {
     unsigned flags;
     LinkState state;

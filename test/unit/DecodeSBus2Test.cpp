@@ -1,4 +1,4 @@
-// DecodeSBus2 on a line of S.BUS2: sensors are read in any loop, and grow old when they fall silent.
+// DecodeSBus2 on an S.BUS2 line: sensors are read in any loop, and their values grow old when they fall silent.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct Bus {
   }
 };
 
-// A sensor of the user's own.
+// A sensor that the user has defined.
 template <uint8_t Count>
 struct Raw {
   static constexpr uint8_t Slots = Count;
@@ -53,7 +53,7 @@ bool hasSlots(DecodeSBus2 &sbus, uint8_t first) {
   return sbus.readSensor(first, raw);
 }
 
-// A sketch with a loop of some period, and the line before it.
+// A sketch with a loop of some period, and the line that it reads.
 struct Sketch {
   UartPort port;
   DecodeSBus2 sbus{port};
@@ -147,7 +147,7 @@ TEST_CASE("in loops of 50 us to 4.9 ms, on every driver, all sensors are read, n
   }
 }
 
-TEST_CASE("a sensor that falls silent is read for 16 rounds more, a second, and again when it comes back") {
+TEST_CASE("a sensor that falls silent is read for 16 more rounds, a second, and again when it comes back") {
   Sketch sketch(1000);
   Bus bus;
   sketch.rounds(5, bus);
@@ -169,7 +169,7 @@ TEST_CASE("a sensor that falls silent is read for 16 rounds more, a second, and 
 }
 
 TEST_CASE(
-    "what is not just slots changes no value, and counts: a character missing, one too much, two sensors in a slot") {
+    "a group that is not just slots changes no value, and is counted: a character missing or too many, two sensors in a slot") {
   const struct {
     const char *what;
     std::function<void(std::vector<Answer> &)> change;
@@ -220,7 +220,7 @@ TEST_CASE("without frames no sensor is read, and begin() forgets all of them") {
 }
 
 TEST_CASE(
-    "where bytes are lost or a frame with header 2F came, a group is rejected even if it looks "
+    "a group in which bytes were lost or a frame with header 2F came is rejected even if it looks "
     "whole") {
   const Frame frame = plainFrame(0, 0x04);
   const Bytes whole = {0x83, 0x80, 0x38};
@@ -249,7 +249,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a port that has lost bytes between two frames: their group is rejected") {
+TEST_CASE("if a port loses bytes between two frames, their group is rejected") {
   sbus::FrameFinderOf<sbus::Frame16, sbus::Telemetry> finder;
   uint32_t now = 0;
   const auto feed = [&](const Bytes &bytes, uint32_t silenceUs) {

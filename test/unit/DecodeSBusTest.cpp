@@ -1,5 +1,5 @@
 // The class DecodeSBus on a fake port of the board's core: how it opens, reads and closes the port, which frame it
-// gives when, and what a full buffer does.
+// returns when, and what a full buffer does.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "support/ShowArrays.h"
 #include "support/UartPort.h"
 
-TEST_CASE("the constructor leaves the port alone; begin opens it once, at 100000 baud, 8E2, inverted, or as asked") {
+TEST_CASE("the constructor leaves the port alone; begin() opens it once, at 100000 baud, 8E2, inverted, or with other settings") {
   FakeBoard board;
   CHECK(board.port.openings.empty());
   board.sbus.begin();
@@ -33,7 +33,7 @@ TEST_CASE("the constructor leaves the port alone; begin opens it once, at 100000
   CHECK(board.port.closings == 0);
 }
 
-TEST_CASE("end closes the port, the last frame can still be decoded; begin forgets it, and an incomplete frame") {
+TEST_CASE("end() closes the port, and the last frame can still be decoded; begin() forgets it, and an incomplete frame") {
   OpenBoard board;
   board.firstFrame(PaperHigh.bytes);
   board.take(part(PaperLow.bytes, 0, 12));
@@ -47,7 +47,7 @@ TEST_CASE("end closes the port, the last frame can still be decoded; begin forge
   CHECK(board.sbus.counters().frames == 0);
 }
 
-TEST_CASE("before begin, wherever the object stands, there is no frame, none is new, and a poll finds nothing") {
+TEST_CASE("before begin(), whatever its memory held, there is no frame, none is new, and a poll finds nothing") {
   for (const int garbage : {0x00, 0x0F, 0xFF}) {
     CAPTURE(garbage);
     FakeSerial port;
@@ -62,7 +62,7 @@ TEST_CASE("before begin, wherever the object stands, there is no frame, none is 
 }
 
 // The board's core, asked for more bytes than wait, writes those that come meanwhile past the end of the buffer.
-TEST_CASE("the port is never asked for more than it has, nothing is overwritten, whatever comes meanwhile") {
+TEST_CASE("the port is never asked for more bytes than it has; nothing is overwritten, whatever comes meanwhile") {
   for (size_t held = 0; held < 25; held++) {
     for (size_t waiting = 1; waiting <= 64; waiting++) {
       INFO("held ", held, ", waiting ", waiting);
@@ -88,7 +88,7 @@ TEST_CASE("the port is never asked for more than it has, nothing is overwritten,
   }
 }
 
-TEST_CASE("every frame is there at the first poll after its last byte, with its own flags, also before silence") {
+TEST_CASE("every frame comes at the first poll after its last byte, with its own flags, also before silence") {
   SyncedBoard board;
   unsigned count = 0;
   for (const unsigned ch16 : {0u, 16u, 1u, 2047u, 127u, 128u, 100u, 172u, 8u}) {  // it looks like flags
@@ -115,7 +115,7 @@ TEST_CASE("every frame is there at the first poll after its last byte, with its 
   CHECK(board.counted().frames == count + 2);
 }
 
-TEST_CASE("the whole frames of a full buffer count, also one that began before; the torn one is never completed") {
+TEST_CASE("the whole frames in a full buffer count, also one that began before; the torn frame is never completed") {
   for (unsigned held = 0; held < 25; held++) {
     CAPTURE(held);
     SyncedBoard board;
@@ -127,7 +127,7 @@ TEST_CASE("the whole frames of a full buffer count, also one that began before; 
     const unsigned torn = (held + 64) % 25;
     CHECK(board.channels() == readBitByBit(plainFrame(whole)));
     CHECK(board.counted().overflows == 1);
-    // After the break the line goes on with the bytes that the torn frame lacks, but those of another frame.
+    // After the break come as many bytes as the torn frame lacks, but of another frame.
     board.take(part(plainFrame(5), torn == 0 ? 25 : torn));
     CHECK(board.counted().frames == 1 + whole);
     board.nextFrame(plainFrame(6));
@@ -159,7 +159,7 @@ TEST_CASE("bytes that come between two reads of a poll break the line if the buf
   }
 }
 
-TEST_CASE("bytes that fill the buffer while it is read break the line there, and no frame is made of two") {
+TEST_CASE("bytes that fill the buffer while it is read break the line there, and no frame is made of parts of two") {
   // All channels of a frame are equal, so that a mixture shows.
   const auto frame = [](unsigned number) {
     Channels channels{};
@@ -228,7 +228,7 @@ TEST_CASE("a line without gaps is read whole by polls every 5 ms, at 200000 baud
   }
 }
 
-TEST_CASE("a silence within a frame, read byte by byte, rejects it: more than five characters, by events eight and some us") {
+TEST_CASE("silence within a frame rejects it: read byte by byte more than five characters, polled by events eight and some us") {
   const struct {
     unsigned long baud;
     bool byEvents;     // the sketch polls only when a byte has come

@@ -1,4 +1,4 @@
-// What is wrong with a line: a finding for what came with each setting, at each limit, and its words.
+// What is wrong with a line: the finding for what came with each setting, at each limit, and its text.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using sbus::Diagnosis;
 using sbus::Finding;
 using sbus::Trial;
 
-// What came, with each number by its name.
+// What came with a setting, each number by its name.
 struct Came {
   Counters counters = {};
 
@@ -58,7 +58,7 @@ Diagnosis diagnosisOf(const std::vector<Came> &came, uint32_t ms = 500) {
 
 }  // namespace
 
-TEST_CASE("a setting is right if a frame comes every 100 ms; of its faults the one to mend first is the finding") {
+TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the fault to mend first") {
   const struct {
     const char *what;
     std::vector<Came> came;
@@ -162,8 +162,8 @@ TEST_CASE("begin() forgets the round before") {
   CHECK(diagnosis.finding() == Finding::NoSignal);
 }
 
-// Measured on the simulated line, half a second or five: the frames that were sent and did not come are known there.
-TEST_CASE("impaired frames are counted, not their headers: some noise, much noise, lines without damage") {
+// Measured on the simulated line, half a second or five, where it is known which frames were sent and did not come.
+TEST_CASE("impaired frames are counted, not their headers: with some noise, with much noise, on lines without faults") {
   const struct {
     doctest::String what;
     Came came;

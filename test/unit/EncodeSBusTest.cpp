@@ -1,4 +1,4 @@
-// The class EncodeSBus on a fake port of the board's core: what it sends, when, and when not.
+// The class EncodeSBus on a fake port of the board's core: what it sends, and when.
 #include <doctest/doctest.h>
 
 #include "support/FakeBoard.h"
@@ -22,7 +22,7 @@ struct Sender {
 
 }  // namespace
 
-TEST_CASE("begin opens the port as DecodeSBus does, and sends nothing; end closes it") {
+TEST_CASE("begin() opens the port as DecodeSBus does, and sends nothing; end() closes it") {
   FakeSerial port;
   EncodeSBus sbus(port);
   CHECK(port.openings.empty());
@@ -39,7 +39,7 @@ TEST_CASE("begin opens the port as DecodeSBus does, and sends nothing; end close
   CHECK(port.closings == 1);
 }
 
-TEST_CASE("the first frame after begin is sent at once, byte for byte as receivers send these channels and flags") {
+TEST_CASE("the first frame after begin() is sent at once, byte for byte as receivers send these channels and flags") {
   Sender sender;
   for (const KnownFrame &known : {PaperLow, PaperHigh, Neutral}) {
     for (const unsigned flags : {0x00u, 0x04u, 0x08u, 0x0Cu}) {
@@ -53,7 +53,7 @@ TEST_CASE("the first frame after begin is sent at once, byte for byte as receive
   }
 }
 
-TEST_CASE("called in every loop() it sends every period, late calls do not add up, also across a wrap of micros()") {
+TEST_CASE("called in every loop() it sends once every period; late calls do not add up, also across a wrap of micros()") {
   const struct {
     uint16_t period;
     uint32_t loop;  // us
@@ -102,10 +102,10 @@ TEST_CASE("no gap between two frames is shorter than half of what it should be, 
   }
 }
 
-TEST_CASE("a port gets a frame as soon as it has room for one, or its largest room; one that reports no room when it is due") {
+TEST_CASE("a port gets a frame once it has room for it, or its largest room; a port that reports no room, when it is due") {
   const struct {
     const char *port;
-    int most;  // bytes that it takes when all has gone out
+    int most;  // bytes that it takes when its buffer is empty
     int less;  // too little
   } rows[] = {{"STM32L0: 64", 64, 24}, {"25", 25, 24}, {"24", 24, 23}, {"16 bytes of an ATmega8", 15, 14},
               {"arduino-pico: 0 or 1", 1, 0}, {"Uno R4, mbed: always 0", 0, -1}};
@@ -125,7 +125,7 @@ TEST_CASE("a port gets a frame as soon as it has room for one, or its largest ro
   }
 }
 
-TEST_CASE("on one port both ways work at once") {
+TEST_CASE("sending and receiving work at once on one port") {
   SyncedBoard board;
   EncodeSBus encoder(board.port);
   board.nextFrame(PaperHigh.bytes);

@@ -1,4 +1,4 @@
-// When a character came, by the fill of a receive FIFO: right, or not known, whatever driver and poll are late by.
+// When a character came, by the fill level of a receive FIFO: right, or not known, however late driver and polls are.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t Never = UINT32_MAX;
 
-// How late things are, us: the most, at random. The rest is an ESP32's (esp-idf 01b912a, driver/uart/uart.c,
+// The most that things are late by, at random, in us. All others are as on an ESP32 (esp-idf 01b912a, driver/uart/uart.c,
 // uart_rx_intr_handler_default()).
 struct Lateness {
   uint32_t interrupt;  // of the driver
@@ -122,7 +122,7 @@ class Line {
 
 }  // namespace
 
-TEST_CASE("the last character that was handed over came within the bounds, or there are none") {
+TEST_CASE("the last character that was handed over came within the bounds, or there are no bounds") {
   const struct {
     Lateness late;
     unsigned knownOf10;  // at least
@@ -142,7 +142,7 @@ TEST_CASE("the last character that was handed over came within the bounds, or th
 }
 
 TEST_CASE(
-    "a character that the FIFO held is not known to be the newest after 1.9 ms: others may have come, and be lost") {
+    "after 1.9 ms a character in the FIFO is not known to be the newest: others may have come and been lost") {
   for (const uint32_t waitUs : {300u, 1900u, 1901u, 20000u}) {
     CAPTURE(waitUs);
     sbus::FifoWatch watch;

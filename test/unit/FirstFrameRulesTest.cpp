@@ -8,7 +8,7 @@
 
 using namespace sbus;
 
-TEST_CASE("turn: before the first frame a slot's ID ends a frame if the frame before announced the group before") {
+TEST_CASE("turn: before the first frame, a slot's ID ends a frame if the frame before it announced the group before") {
   for (unsigned first = 0; first < 4; first++) {
     for (unsigned second = 0; second < 4; second++) {
       INFO("first ", first, ", second ", second);
@@ -24,7 +24,7 @@ TEST_CASE("turn: before the first frame a slot's ID ends a frame if the frame be
   }
 }
 
-TEST_CASE("stray: before the first frame one stray character may follow it, between two gaps 26 characters apart") {
+TEST_CASE("stray: one stray character may follow the first frame, between two gaps 26 characters apart") {
   const Bytes stray = Plain + Bytes{0x00};
   CHECK(judged({stray, 0, 9, false, false}, twoGaps(25)) == "wait");
   CHECK(judged({stray, Far, 9, false, false}, twoGaps(25)) == "goes on 2");
@@ -37,7 +37,7 @@ TEST_CASE("stray: before the first frame one stray character may follow it, betw
   CHECK(judged({twice, 26, 9, false, false}, twoGaps(26)) == "goes on 2");
 }
 
-TEST_CASE("tail: before the first frame a gap behind a tail aligns the frame only if a gap also stands before it") {
+TEST_CASE("tail: a gap behind a tail aligns the first frame only if there is also a gap before the frame") {
   Bytes tailed = bytesOf(plainFrame(1, 0x08)) + tailOf(0x08);
   tailed[9] = 0x00;
   tailed[10] = 0x0F;  // the tail may be the end of the frame that begins here
@@ -47,7 +47,7 @@ TEST_CASE("tail: before the first frame a gap behind a tail aligns the frame onl
   CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "aligned");
 }
 
-TEST_CASE("other, first: before the first frame a line must not look like one of the other size, and shows its gaps") {
+TEST_CASE("other, first: before the first frame a line must show its gaps, and not look like one with the other frame size") {
   const Bytes whole = Plain + Bytes{0x0F};
   CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");

@@ -1,4 +1,4 @@
-// The first frame of a line: after a reset, joined midway, and on lines with frames of other lengths or headers.
+// The first frame of a line: after a reset, on a line joined midway, and on lines with frames of other lengths or headers.
 #include <doctest/doctest.h>
 
 #include "sbus/FrameFinder.h"
@@ -22,7 +22,7 @@ Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace) {
 
 }  // namespace
 
-TEST_CASE("from reset on every frame is found, however seldom polls come: the first once the second has begun") {
+TEST_CASE("from a reset on every frame is found, however seldom polls come: the first once the second has begun") {
   for (const uint32_t periodUs : {3000u, 4000u, 9000u, 30000u}) {
     CAPTURE(periodUs);
     Feeder line;
@@ -54,7 +54,7 @@ TEST_CASE("the first frame waits until a header 0F or 2F, or silence, follows it
   CHECK(line.feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
 }
 
-TEST_CASE("where gaps are seen the first frame stands at a gap, and is not the end of a longer frame that lost characters") {
+TEST_CASE("where gaps are seen, the first frame begins at a gap, and is not the end of a longer frame that lost characters") {
   for (size_t before = 0; before < 60; before++) {
     for (const bool header : {false, true}) {
       INFO("before ", before, ", header ", header);
@@ -118,7 +118,7 @@ TEST_CASE("no frame of 36 bytes, FrSky's 24 channels, is accepted, whatever CH17
   }
 }
 
-TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, cost no frame between them, and none is wrong") {
+TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, cost none of the frames between them, and none is wrong") {
   for (const bool longOnes : {false, true}) {
     TimedLine line;
     Frames sent;

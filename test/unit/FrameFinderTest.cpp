@@ -1,5 +1,5 @@
-// Finding frames on lines without damage: what is delivered, what is rejected and how that is counted, the buffers that
-// are swapped, and what receivers of all makes send.
+// Finds frames on lines without faults: what is delivered, what is rejected and how that is counted, the two buffers,
+// and what receivers of all makes send.
 #include <doctest/doctest.h>
 
 #include <type_traits>
@@ -37,7 +37,7 @@ TEST_CASE("frame() is null before the first frame; reset forgets frames, incompl
   CHECK(line.wait(5000).poll(bytesOf(plainFrame(7)) + Bytes{0x0F}) == Frames{plainFrame(7)});
 }
 
-TEST_CASE("two buffers take turns, a frame stays where it came in, its payload at a multiple of four") {
+TEST_CASE("two buffers take turns; a frame stays where it came in, with its payload at a multiple of four") {
   Feeder line;
   line.lock();
   for (unsigned number = 3; number < 6; number++) {
@@ -88,7 +88,7 @@ TEST_CASE("each cause of rejection has its counter, and discarded bytes are coun
   }
 }
 
-TEST_CASE("of many headers in a row each is counted by its cause: 24, or 6 with an end byte and flags, end a search") {
+TEST_CASE("each of many headers in a row is counted by its cause: 24, or 6 with an end byte and flags, end a search") {
   const struct {
     uint8_t after;  // 25 times, after 25 headers
     size_t burst;
@@ -106,7 +106,7 @@ TEST_CASE("of many headers in a row each is counted by its cause: 24, or 6 with 
   }
 }
 
-TEST_CASE("frames are counted by lost-frame and failsafe flag; one that is found after missed frames is a resync") {
+TEST_CASE("frames are counted by lost-frame and failsafe flag; a frame that is found after missed frames is a resync") {
   Feeder line;
   line.lock();
   for (const unsigned flags : {0x00u, 0x03u, 0x04u, 0x08u, 0x08u, 0x0Cu}) {
@@ -126,7 +126,7 @@ TEST_CASE("frames are counted by lost-frame and failsafe flag; one that is found
   }
 }
 
-TEST_CASE("nothing from before a break completes a frame after it, the complete frame stays, and the next is found") {
+TEST_CASE("no byte from before a break completes a frame after it; the complete frame stays, and the next is found") {
   for (const bool neutral : {false, true}) {
     for (size_t torn = 0; torn < 25; torn++) {
       INFO("neutral ", neutral, ", torn ", torn);
@@ -143,7 +143,7 @@ TEST_CASE("nothing from before a break completes a frame after it, the complete 
   }
 }
 
-TEST_CASE("all frames of every make are delivered, with flags, telemetry and tail, and so are those of another make after it") {
+TEST_CASE("all frames of every make are delivered, with flags, telemetry and tail, and then also those of another make") {
   const struct Make {
     const char *name;
     std::vector<uint8_t> ends;

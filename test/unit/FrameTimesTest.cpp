@@ -1,4 +1,4 @@
-// How old a frame is, and the period of frames.
+// The age of a frame, and the period of frames.
 #include <doctest/doctest.h>
 
 #include "sbus/FrameFinder.h"
@@ -11,7 +11,7 @@ const Bytes Low = bytesOf(PaperLow.bytes);
 
 }  // namespace
 
-TEST_CASE("a frame's age counts from the last poll without its end, and what a port holds back; a block makes it older") {
+TEST_CASE("a frame's age counts from the last poll without its end, or what a port holds back before; a blocked loop adds") {
   constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
   for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
     CAPTURE(start);
@@ -54,7 +54,7 @@ TEST_CASE("the period is that of the line; a longer interval counts for an eight
   }
 }
 
-TEST_CASE("a frame behind as much noise as a large buffer holds has the age of its own poll") {
+TEST_CASE("a frame behind as much noise as a large buffer can hold has the age of its own poll") {
   for (const size_t noise : {100u, 128u, 129u, 200u, 300u, 480u}) {
     CAPTURE(noise);
     Feeder line;
@@ -64,7 +64,7 @@ TEST_CASE("a frame behind as much noise as a large buffer holds has the age of i
   }
 }
 
-TEST_CASE("there is no period if the second frame looks older than the first, by the bytes behind it, but from the third on") {
+TEST_CASE("if the bytes behind the second frame make it look older than the first, there is a period only from the third on") {
   Feeder line;
   REQUIRE(line.settle().feed(Low).empty());
   REQUIRE(line.wait(4000).waited.size() == 1);

@@ -20,7 +20,7 @@ LineTiming timing(uint32_t now, uint8_t characterTime = 120, uint8_t idleCharact
   return timing;
 }
 
-// A byte has come at `now`, and the call after next is an empty one.
+// A byte came at `now`, and the call after next is empty.
 LineTiming afterByte(uint32_t now, uint8_t characterTime = 120, uint8_t idleCharacters = BoardsIdle) {
   LineTiming line = timing(now - 1000, characterTime, idleCharacters);
   line.empty(now - 500);
@@ -99,7 +99,7 @@ TEST_CASE("an empty call proves silence once a burst would have been handed over
   CHECK_FALSE(line.isSilent<sbus::Frame16>());
 }
 
-TEST_CASE("a byte ended after the call before it, less the characters behind it and the silence that a port waits for after each") {
+TEST_CASE("a byte ended after the call before, less the characters behind it and the silence that a port waits for after each") {
   LineTiming line = afterByte(1000);
   line.empty(5000);
   line.empty(8000);
@@ -141,7 +141,7 @@ TEST_CASE("no gap is reported on a line without gaps, even of spread characters,
   }
 }
 
-TEST_CASE("where no call is ever empty, the shortest time between two replaces it, and only a short one proves a gap") {
+TEST_CASE("if no call is ever empty, the shortest time between two calls replaces it, and proves a gap only if it is short") {
   const struct {
     const char *what;
     uint32_t periodUs;  // of the calls, at 100000 baud

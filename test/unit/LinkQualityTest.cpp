@@ -1,4 +1,4 @@
-// The link quality of lines with lost, failsafe and missing frames, asked at the rates of loops.
+// The link quality of lines with lost, failsafe and missing frames, in loops of several periods.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Extent {
   bool operator==(const Extent &other) const { return low == other.low && high == other.high; }
 };
 
-// A decoder's counters on a line, and a loop that asks.
+// A decoder's counters on a line, and a loop that reads the quality.
 class Line {
  public:
   Line(uint32_t periodUs, uint32_t loopUs, uint32_t startUs = 0)
@@ -124,7 +124,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("before the first frame and while the link is stale it is 0; then it is back at once") {
+TEST_CASE("the quality is 0 before the first frame and while the link is stale; then it is back at once") {
   Line line(9000, 3000);
   CHECK(line.run(1, [](unsigned) { return Came::Not; }) == Extent{0, 0});
   line.run(0.02, good);
@@ -136,7 +136,7 @@ TEST_CASE("before the first frame and while the link is stale it is 0; then it i
   CHECK(line.run(3, good) == Extent{100, 100});
 }
 
-TEST_CASE("in the first second it is the share of the frames that came") {
+TEST_CASE("in the first second the quality is the share of the frames that came") {
   Line line(9000, 3000);
   line.run(0.05, good);
   const Extent quality = line.run(0.6, [](unsigned i) { return i % 2 == 0 ? Came::Lost : Came::Good; });
@@ -145,7 +145,7 @@ TEST_CASE("in the first second it is the share of the frames that came") {
   CHECK(quality.low <= 55);
 }
 
-TEST_CASE("a loop that was blocked costs some percent, for half a minute") {
+TEST_CASE("a blocked loop costs some percent, for half a minute") {
   Line line(9000, 3000);
   line.run(5, good);
   line.block(60000, good);
@@ -155,7 +155,7 @@ TEST_CASE("a loop that was blocked costs some percent, for half a minute") {
 }
 
 TEST_CASE(
-    "missing frames are still missed after a minute, and a receiver that is slower for good is expected to be so") {
+    "missing frames still lower it after a minute; if a receiver stays slower, its new rate is expected") {
   Line line(9000, 3000);
   const auto half = [](unsigned i) { return i % 2 == 0 ? Came::Not : Came::Good; };
   line.run(5, good);
@@ -165,7 +165,7 @@ TEST_CASE(
   CHECK(line.run(5, half) == Extent{100, 100});
 }
 
-TEST_CASE("begin() again, while a loop asks every 250 ms and so meets no state but Ok, starts the measurement anew") {
+TEST_CASE("begin() restarts the measurement, also in a loop that reads every 250 ms, and so sees no state but Ok") {
   for (const uint32_t loopUs : {3000u, 250000u}) {
     CAPTURE(loopUs);
     Line line(9000, loopUs);
@@ -175,7 +175,7 @@ TEST_CASE("begin() again, while a loop asks every 250 ms and so meets no state b
   }
 }
 
-TEST_CASE("a silent line has the quality 0 without a timeout, even when no rate is expected any more") {
+TEST_CASE("without a timeout, a silent line has the quality 0, even when no rate is expected any more") {
   Line line(15000, 3000);
   line.disableTimeout();
   line.run(5, good);

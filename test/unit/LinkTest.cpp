@@ -1,5 +1,5 @@
-// May the numbers still be trusted? The link through DecodeSBus: states, timeout, age, also where clocks wrap: micros()
-// after 71 minutes, millis() after 49 days.
+// Whether the channels may still be trusted: DecodeSBus's link states, timeout and age, also where clocks wrap (micros()
+// after 71 minutes, millis() after 49 days).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Frame withFlags(uint8_t flags) {
   return withByte(PaperLow.bytes, 23, flags);
 }
 
-// Checks that the class reports the link as in `state`, and decodes channels only if they may be trusted.
+// Checks that the class reports this state, and decodes channels only if they may be trusted.
 void checkState(FakeBoard &board, LinkState state) {
   const bool young = state != LinkState::NeverSeen && state != LinkState::Stale;
   CHECK(board.sbus.linkState() == state);
@@ -39,7 +39,7 @@ void checkState(FakeBoard &board, LinkState state) {
 
 }  // namespace
 
-TEST_CASE("a frame is good for the timeout, and not a millisecond longer, at any baud rate, across any wrap") {
+TEST_CASE("a frame is valid for the timeout, and not a millisecond longer, at any baud rate, across any wrap") {
   const struct {
     int timeoutMs;    // -1: not set, 100
     uint64_t goodMs;  // and stale a millisecond later, unless the timeout is 0
@@ -104,7 +104,7 @@ TEST_CASE("the frames that come make the link never seen, ok, lossy, failsafe or
   }
 }
 
-TEST_CASE("lossy turns into failsafe after as many lost frames in a row as the limit says; 0: never") {
+TEST_CASE("lossy turns into failsafe after as many lost frames in a row as the limit says; a limit of 0 disables it") {
   const struct {
     int limit;      // -1: not set
     unsigned last;  // lost frame that is lossy
@@ -129,7 +129,7 @@ TEST_CASE("lossy turns into failsafe after as many lost frames in a row as the l
   }
 }
 
-TEST_CASE("newFrame is true from a frame's coming until it is decoded, or stale, or forgotten") {
+TEST_CASE("newFrame() is true from when a frame comes until it is decoded, stale or forgotten") {
   SyncedBoard board;
   CHECK(board.sbus.newFrame());
   board.decode();
@@ -157,7 +157,7 @@ TEST_CASE("newFrame is true from a frame's coming until it is decoded, or stale,
   }
 }
 
-TEST_CASE("frameAge grows until micros() wraps, and ends there; a frame a number of whole wraps later is young") {
+TEST_CASE("frameAge() grows until micros() wraps, and then stays; a frame that comes a whole number of wraps later is young") {
   constexpr unsigned long Oldest = UINT32_MAX / 1000;  // ms
   for (const uint64_t asked : {Second, 20 * 60 * Second, Hour}) {
     for (const uint64_t start : {3 * Second, MicrosWrap - 10 * Ms, MillisWrap - 10 * Ms}) {
@@ -182,7 +182,7 @@ TEST_CASE("frameAge grows until micros() wraps, and ends there; a frame a number
   }
 }
 
-TEST_CASE("end keeps the last frame until it is stale; begin forgets frames, losses and what was stale") {
+TEST_CASE("end() keeps the last frame until it is stale; begin() forgets frames, losses and what was stale") {
   OpenBoard board;
   board.sbus.setLossLimit(2);
   for (unsigned round = 0; round < 2; round++) {
@@ -198,7 +198,7 @@ TEST_CASE("end keeps the last frame until it is stale; begin forgets frames, los
   }
 }
 
-// A loop() is blocked while the radio dies: the port's buffer is full of frames with the last sticks, or more of them.
+// loop() is blocked while the radio fails: the port's buffer is full of frames with the last sticks, or more of them came.
 TEST_CASE("frames that waited while the loop was blocked are as old as they can be, at whatever size of the buffer") {
   for (const size_t capacity : {64u, 512u}) {
     for (const uint64_t blockedUs : {150 * Ms, 10 * Second}) {
@@ -227,7 +227,7 @@ TEST_CASE("frames that waited while the loop was blocked are as old as they can 
   }
 }
 
-TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost one, and DecodeSBus hands it out") {
+TEST_CASE("DecodeSBusNoPulses takes a frame whose channels are all 0 for a lost one; DecodeSBus returns it") {
   const struct {
     const char *what;
     std::vector<uint16_t> channels;  // CH1.., the others 0

@@ -1,4 +1,4 @@
-// The paper's sketch: its calls of the library, to the letter, compile and do what the paper shows.
+// The paper's sketch: its calls of the library compile, letter by letter, and do what the paper shows.
 #include <doctest/doctest.h>
 
 #include <cstdio>

@@ -18,7 +18,7 @@ struct PlainBoard : SyncedBoard {
 
 }  // namespace
 
-TEST_CASE("begin opens the port at SERIAL_8E2; frames are read byte by byte, none is missed, and no byte read before it is there") {
+TEST_CASE("begin() opens the port at SERIAL_8E2; frames are read byte by byte: none is missed, no byte is read too early") {
   PlainBoard board;
   CHECK(board.port.openings.back().baud == 100000);
   CHECK(board.port.openings.back().config == SERIAL_8E2);
@@ -33,7 +33,7 @@ TEST_CASE("begin opens the port at SERIAL_8E2; frames are read byte by byte, non
   CHECK(board.port.available() == 0);
 }
 
-TEST_CASE("a buffer full with 63 bytes is full: the torn third frame is not completed by what follows the break") {
+TEST_CASE("a buffer that holds 63 bytes at most is full with 63: what follows the break does not complete the torn third frame") {
   PlainBoard board;
   board.frame(Sbus2.bytes);
   CHECK(board.take(join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes})) == 63);
@@ -45,7 +45,7 @@ TEST_CASE("a buffer full with 63 bytes is full: the torn third frame is not comp
   CHECK(board.channels() == Neutral.channels);
 }
 
-TEST_CASE("a port that may wait for four idle characters shows a gap from eight characters of silence on, byte by byte") {
+TEST_CASE("a port that may wait for four idle characters, read byte by byte, shows a gap from eight characters of silence on") {
   for (const uint32_t quietUs : {960u, 961u}) {
     CAPTURE(quietUs);
     PlainBoard board;

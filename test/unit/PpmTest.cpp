@@ -1,4 +1,4 @@
-// The PPM signal of the example PpmOut: what each frame consists of, and where it begins and ends.
+// The PPM signal of the example PpmOut: what is in each frame, and where it begins and ends.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ const std::vector<int> Centred(8, 1500);
 
 }  // namespace
 
-TEST_CASE("a frame has eight channels between nine pulses of 300 us, 22500 us in all; what is no channel is clamped") {
+TEST_CASE("a frame has eight channels between nine pulses of 300 us, 22500 us in all; values out of range are clamped") {
   const struct {
     std::vector<int> us, sent;
     int sync;
@@ -75,7 +75,7 @@ TEST_CASE("a frame has eight channels between nine pulses of 300 us, 22500 us in
 }
 
 TEST_CASE(
-    "before the first channels there are no pulses; after stop() a frame comes to its end, and then there are none") {
+    "before the first channels there are no pulses; stop() lets a frame end, and then there are none") {
   Ppm ppm;
   CHECK(isSilent(ppm));
   ppm.stop();
@@ -97,7 +97,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("channels that are set within a frame wait for the next one: none has some of the old and some of the new") {
+TEST_CASE("channels that are set within a frame wait for the next frame: no frame mixes old and new channels") {
   const std::vector<int> other(8, 1100);
   for (unsigned parts = 1; parts < 19; parts++) {
     CAPTURE(parts);

@@ -18,7 +18,7 @@
 
 namespace {
 
-// Frame `number`: every channel and every flag tells which frame it is from.
+// Returns frame `number`: every channel and every flag says which frame it is from.
 constexpr unsigned FrameKinds = 16;
 Channels channelsOf(unsigned number) {
   Channels channels{};
@@ -67,7 +67,7 @@ const Situations All = {
 const Situations Long = {{"two frames come, then 200 ms", 3, 9, 2, 200, false},
                          {"one frame comes, then 200 ms", 3, 9, 1, 200, false}};
 
-// The board that a reader reads, made again for each instruction.
+// The board that a reader reads, a new one for each instruction.
 struct Scene {
   OpenBoard board;
   unsigned next = 0;  // frame
@@ -119,7 +119,7 @@ void everyInstruction(const Reader &reader, const Check &check, const Situations
 
 }  // namespace
 
-TEST_CASE("decodeSBusFrame returns one frame with its own flags, or none if it is stale; newFrame tells if it was the newest") {
+TEST_CASE("decodeSBusFrame() gives one frame with its own flags, or none if it is stale; newFrame() says if it was the newest") {
   Decoded decoded;
   everyInstruction(
       [&](FakeBoard &board) { decoded = board.decode(); },
@@ -150,7 +150,7 @@ TEST_CASE("decodeSBusFrame returns one frame with its own flags, or none if it i
       All + Long);
 }
 
-TEST_CASE("SBusFrameOk is false only if the link was stale when it was asked") {
+TEST_CASE("SBusFrameOk() is false only if the link was stale when it was called") {
   bool ok = false;
   everyInstruction([&](FakeBoard &board) { ok = board.sbus.SBusFrameOk(); },
                    [&](Scene &now, bool happened) {
@@ -160,7 +160,7 @@ TEST_CASE("SBusFrameOk is false only if the link was stale when it was asked") {
                    });
 }
 
-TEST_CASE("linkState is that of one of the frames, and stale or never seen only if it was so when it was asked") {
+TEST_CASE("linkState() is that of one of the frames, and stale or never seen only if it was so when it was called") {
   sbus::LinkState state{};
   everyInstruction(
       [&](FakeBoard &board) { state = board.sbus.linkState(); },
@@ -180,7 +180,7 @@ TEST_CASE("linkState is that of one of the frames, and stale or never seen only 
       });
 }
 
-TEST_CASE("frameAge is the age of one of the frames, never below zero, and none before the first") {
+TEST_CASE("frameAge() is the age of one of the frames, never below zero, and none before the first") {
   unsigned long age = 0;
   everyInstruction([&](FakeBoard &board) { age = board.sbus.frameAge(); },
                    [&](Scene &, bool) {
@@ -191,7 +191,7 @@ TEST_CASE("frameAge is the age of one of the frames, never below zero, and none 
                    });
 }
 
-TEST_CASE("newFrame and counters count the frames before, those during the interrupt, or some of them") {
+TEST_CASE("newFrame() and counters() include the frames before the interrupt, and all, some or none of those during it") {
   bool fresh = false;
   uint32_t frames = 0;
   everyInstruction(
@@ -207,7 +207,7 @@ TEST_CASE("newFrame and counters count the frames before, those during the inter
       });
 }
 
-TEST_CASE("decodeExtraChannels writes one 2F frame, or leaves the array alone if the newest is stale") {
+TEST_CASE("decodeExtraChannels() writes one 2F frame, or leaves the array alone if the newest is stale") {
   using Extra = std::array<uint16_t, 16>;
   const Extra nothing = {4711};
   static OpenBoard *board;
@@ -276,7 +276,7 @@ TEST_CASE("decodeExtraChannels writes one 2F frame, or leaves the array alone if
   }
 }
 
-TEST_CASE("this proof finds the fault of a reader that does not read again") {
+TEST_CASE("this proof finds the fault of a reader that does not repeat its read") {
   static Feeder *line;
   interrupt = [] {
     line->feed(bytesOf(frameOf(1)), 25);
@@ -296,7 +296,7 @@ TEST_CASE("this proof finds the fault of a reader that does not read again") {
 }
 
 // On an ESP32 next() runs in a task on another core, which Wi-Fi may stop while loop() goes round.
-TEST_CASE("PpmOut: a frame has the channels of one write(), though two more come after any instruction of next()") {
+TEST_CASE("PpmOut: a frame has the channels of one write(), though two more writes come after any instruction of next()") {
   static Ppm *ppm;
   static int16_t us;
   const auto write = [] {
@@ -330,7 +330,7 @@ TEST_CASE("PpmOut: a frame has the channels of one write(), though two more come
 
 #else
 
-TEST_CASE("skipped: this processor is no x86-64 under Linux, which the proof single-steps") {
+TEST_CASE("skipped: the proof needs an x86-64 under Linux for its single steps") {
   MESSAGE("the readers were not interrupted after each instruction");
 }
 

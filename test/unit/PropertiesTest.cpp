@@ -1,5 +1,5 @@
-// Properties of all input: RapidCheck's random values, against the plain implementations of test/support. Those of the
-// calibration are in fuzz/Calibration.cpp.
+// Properties of all input: RapidCheck's random values, compared with the plain implementations of test/support. The
+// properties of a calibration's steps are in fuzz/Calibration.cpp.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-// The example PwmIn's measurement of a channel: which pulses count, what spikes do, and how it grows old.
+// How the example PwmIn measures a channel: which pulses count, what spikes do, and when a value is too old.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Pin {
     input.change(isHigh, us);
     return *this;
   }
-  // LOW for 10 ms, and then HIGH for so long.
+  // LOW for 10 ms, and then HIGH for this time.
   Pin &pulse(uint32_t width) { return change(true, 10000).change(false, width); }
   uint16_t widthAfter(uint32_t time) {
     wait(time);
@@ -35,7 +35,7 @@ struct Pin {
 
 }  // namespace
 
-TEST_CASE("a pulse of 800..2200 us counts 2 ms after its end; others are rejected, and the one before holds") {
+TEST_CASE("a pulse of 800..2200 us counts 2 ms after its end; others are rejected, and the pulse before stays") {
   for (const uint32_t width : {0u, 1u, 300u, 799u, 800u, 801u, 1500u, 2199u, 2200u, 2201u, 3000u, 67036u, 5000000u}) {
     CAPTURE(width);
     Pin pin;
@@ -47,7 +47,7 @@ TEST_CASE("a pulse of 800..2200 us counts 2 ms after its end; others are rejecte
   }
 }
 
-TEST_CASE("the next pulse proves the one before; at 200 Hz each counts, and closer than 2 ms none does") {
+TEST_CASE("the next pulse proves the one before; at 200 Hz each pulse counts, and closer than 2 ms none does") {
   const struct {
     uint32_t low;
     bool counts;
@@ -62,7 +62,7 @@ TEST_CASE("the next pulse proves the one before; at 200 Hz each counts, and clos
   }
 }
 
-// One that is not seen is over before its interrupt looks at the pin.
+// A spike that is not seen is over before its interrupt looks at the pin.
 TEST_CASE("a spike in a pulse, or less than 2 ms from it, costs that pulse and no other, seen or not") {
   constexpr uint32_t Begin = 4000, End = 5500;  // of the pulse
   for (const uint32_t width : {1u, 5u, 50u, 500u}) {
@@ -98,7 +98,7 @@ TEST_CASE("a spike in a pulse, or less than 2 ms from it, costs that pulse and n
   }
 }
 
-TEST_CASE("a pulse grows old from its end on, and stays old when the clock of 71 minutes has come round") {
+TEST_CASE("a pulse grows old from its end on, and stays old when the clock wraps after 71 minutes") {
   for (const uint32_t from : {100000u, 0xFFFFF000u}) {
     CAPTURE(from);
     Pin pin(from);
@@ -128,7 +128,7 @@ TEST_CASE("a line that is HIGH from the start, or stays HIGH, brings no pulse") 
 }
 
 TEST_CASE(
-    "of pins that change at once the first interrupt sees all; those that come later change nothing, unless again") {
+    "if pins change at once, the first interrupt sees all; later ones change nothing, unless a pin has changed again") {
   Pin pin;
   pin.pulse(1111).wait(8000);
   pin.input.look(true, pin.us, false);

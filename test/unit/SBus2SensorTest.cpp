@@ -1,5 +1,5 @@
-// SBus2Sensor on a simulated S.BUS2 wire: its answers stand in their slots as long as loop() is quick, and otherwise
-// are skipped; frames and other sensors are read meanwhile.
+// SBus2Sensor on a simulated S.BUS2 wire: its answers are in their slots as long as loop() is quick, and are skipped
+// otherwise; frames and other sensors are read meanwhile.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -73,7 +73,7 @@ constexpr sbus::CurrentF1678 Current = {2345, 1234, 1500};
 
 }  // namespace
 
-TEST_CASE("a loop() of up to 75 us: nearly every slot is answered, within 50 us of its time, and no frame is lost") {
+TEST_CASE("with a loop() of up to 75 us nearly every slot is answered, within 50 us of its time, and no frame is lost") {
   for (const uint32_t loopUs : {10u, 37u, 50u, 75u}) {
     CAPTURE(loopUs);
     Sketch sketch;
@@ -97,7 +97,7 @@ TEST_CASE("a loop() of up to 75 us: nearly every slot is answered, within 50 us 
   }
 }
 
-TEST_CASE("a slower loop() skips and counts; what it sends is never more than 100 us off") {
+TEST_CASE("with a slower loop() slots are skipped and counted; no answer is more than 100 us off") {
   for (const uint32_t loopUs : {76u, 100u, 150u, 500u, 1000u, 3000u, 7000u}) {
     CAPTURE(loopUs);
     Sketch sketch;
@@ -112,7 +112,7 @@ TEST_CASE("a slower loop() skips and counts; what it sends is never more than 10
   }
 }
 
-TEST_CASE("a loop() that is blocked now and then skips only the slots that it has missed") {
+TEST_CASE("with a loop() that is blocked now and then, only the slots that it missed are skipped") {
   Sketch sketch;
   CHECK(sketch.sensor.writeSensor(1, Voltage));
   sketch.run(100 * Second, [](uint64_t number) { return number % 997 == 0 ? 3000u : 40u; });
@@ -122,7 +122,7 @@ TEST_CASE("a loop() that is blocked now and then skips only the slots that it ha
   CHECK(sketch.sensor.skippedSlots() > 0);
 }
 
-TEST_CASE("no answer to a receiver that announces no slots") {
+TEST_CASE("a receiver that announces no slots gets no answer") {
   for (const auto mode : {line::BusMode::NoTelemetry, line::BusMode::OnlySlot0}) {
     Sketch sketch(mode);
     CHECK(sketch.sensor.writeSensor(1, Voltage));
@@ -133,7 +133,7 @@ TEST_CASE("no answer to a receiver that announces no slots") {
   }
 }
 
-TEST_CASE("two sensors in one slot: both see it") {
+TEST_CASE("two sensors in one slot: both notice it") {
   Sketch sketch;
   sketch.bus.add({1, {1, 2}});
   CHECK(sketch.sensor.writeSensor(1, Voltage));
@@ -143,7 +143,7 @@ TEST_CASE("two sensors in one slot: both see it") {
   CHECK(sketch.sensor.collisions() >= 150);
 }
 
-TEST_CASE("a port that does not tell when a frame ended gets no answer") {
+TEST_CASE("on a port that does not say when a frame ended, nothing is answered") {
   line::SimulatedBus bus;
   UartPort port;
   SBus2Sensor sensor(port);
@@ -164,7 +164,7 @@ TEST_CASE("a port that does not tell when a frame ended gets no answer") {
   CHECK(sensor.skippedSlots() >= 30);
 }
 
-TEST_CASE("a frame's end lies between two polls, and earlier by what the port needs to hand it over") {
+TEST_CASE("a frame's end lies between two polls, less the time that the port needs to hand it over") {
   using sbus::HandOver;
   constexpr uint32_t Before = 10000, By = 10050;
   const struct {
@@ -186,7 +186,7 @@ TEST_CASE("a frame's end lies between two polls, and earlier by what the port ne
   CHECK(unknown.latest - unknown.earliest > sbus::Answers::MostOff);
 }
 
-TEST_CASE("of two callbacks that disagree on a frame's end one was held up: nothing is known") {
+TEST_CASE("if two callbacks disagree on a frame's end, one was held up: nothing is known") {
   using sbus::HandOver;
   constexpr uint32_t Before = 10000;  // 9 characters follow, and the callback comes when the line was idle for one
   constexpr uint32_t Prompt = Before + 10 * 120;

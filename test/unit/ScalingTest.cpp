@@ -1,4 +1,4 @@
-// Raw values to microseconds and to parts of the stick's travel, and back: exact, over all 2048 values.
+// Raw values become microseconds and parts of the stick's travel, and come back: exactly, over all 2048 values.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ TEST_CASE("all 2048 values lie within half a unit of the straight lines, clamped
   }
 }
 
-TEST_CASE("a value that no raw value stands for becomes the nearest raw value") {
+TEST_CASE("a value without a raw value of its own becomes the nearest raw value") {
   const struct {
     int16_t us, thousandths;
     uint16_t raw;
@@ -85,7 +85,7 @@ TEST_CASE("a side without length is the centre, and divides nothing by 0") {
   CHECK(sbus::toUnit(5, {7, 7, 7}) == 0);
 }
 
-TEST_CASE("limited() keeps values within its limits, and the limits") {
+TEST_CASE("limited() keeps values that are within its limits, and clamps others") {
   const struct {
     int16_t value, limited;
   } rows[] = {{-1001, -1000}, {-1000, -1000}, {-999, -999}, {0, 0}, {1000, 1000}, {1001, 1000}, {INT16_MAX, 1000}};

@@ -1,4 +1,4 @@
-// Sensors' values from the data of their slots, and back: the sources' worked examples, and every word.
+// The values of sensors from the data of their slots, and back: the sources' worked examples, and every word.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -37,7 +37,7 @@ sbus::SlotData dataOf(unsigned word) {
   return {static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word)};
 }
 
-// All words whose value comes back as the same word.
+// Returns how many words are encoded from their own value.
 template <typename Sensor>
 unsigned wordsThatComeBack() {
   unsigned count = 0;
@@ -151,7 +151,7 @@ TEST_CASE("a GPS over Berlin: 52 31.2499 N, 13 24.5658 E, 50 km/h, 100 m, +2.5 m
   CHECK(real.hasPressure);
 }
 
-TEST_CASE("every word that a sensor may send is the word that its value gives") {
+TEST_CASE("every word that a sensor may send is decoded and encoded as the same word") {
   CHECK(wordsThatComeBack<sbus::ReceiverVoltage>() == 0x800);     // of eight upper bits one pattern
   CHECK(wordsThatComeBack<sbus::TemperatureSbs01T>() == 0x8000);  // with the flag
   CHECK(wordsThatComeBack<sbus::TemperatureF1713>() == 0x8000);   // 14 bits with the flag, and negative ones

@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-// "slot:data0 data1" of each, "rejected" if the characters are no slots.
+// Returns "slot:data0 data1" of each slot, or "rejected" if the characters are no slots.
 std::string read(uint8_t end, const Bytes &characters) {
   sbus::Slot slots[sbus::SlotsOfGroup];
   const int count = sbus::readSlots(end, characters.data(), static_cast<uint8_t>(characters.size()), slots);
@@ -41,7 +41,7 @@ Bytes wholeGroup(uint8_t group) {
 
 }  // namespace
 
-TEST_CASE("the 32 slots have the IDs that four projects agree on, and come back from them") {
+TEST_CASE("the 32 slots have the IDs that four projects agree on, and the IDs give back the slots") {
   // BrushlessPower, msrc, jitel and Kasai's table; 03, 83, 43, B3, 73 and F3 were seen on real lines.
   const uint8_t ids[] = {0x03, 0x83, 0x43, 0xC3, 0x23, 0xA3, 0x63, 0xE3, 0x13, 0x93, 0x53,
                          0xD3, 0x33, 0xB3, 0x73, 0xF3, 0x0B, 0x8B, 0x4B, 0xCB, 0x2B, 0xAB,
@@ -109,7 +109,7 @@ TEST_CASE("the characters between two frames are slots of the announced group, o
   }
 }
 
-TEST_CASE("of a whole group any one character lost or doubled, and any two lost, reject it") {
+TEST_CASE("a whole group is rejected if any one character is lost or doubled, or any two are lost") {
   for (uint8_t group = 0; group < 4; group++) {
     const auto end = static_cast<uint8_t>(group << 4 | 4);
     const Bytes whole = wholeGroup(group);

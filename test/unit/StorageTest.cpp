@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t Size = 256;
 
-// As the AVR has it: put() stores. Its begin() is that of a range of bytes.
+// The AVR's EEPROM: put() stores. Its begin() is that of a range of bytes.
 struct Plain {
   uint8_t cells[Size] = {};
   bool broken = false;  // stores nothing
@@ -28,7 +28,7 @@ struct Plain {
   }
 };
 
-// As ESP32, ESP8266 and arduino-pico have it: before begin(size) there is nothing, and without commit() nothing stays.
+// The EEPROM of ESP32, ESP8266 and arduino-pico: before begin(size) there is nothing, and without commit() nothing stays.
 struct InFlash {
   uint8_t flash[Size] = {};
   uint8_t copy[Size] = {};
@@ -81,14 +81,14 @@ void check(bool broken) {
 
 }  // namespace
 
-TEST_CASE("a stored value is read back; one that was not stored is reported as not stored") {
+TEST_CASE("a stored value is read back; a value that could not be stored is reported as not stored") {
   check<Plain>(false);
   check<Plain>(true);
   check<InFlash>(false);
   check<InFlash>(true);
 }
 
-TEST_CASE("the value is in the flash, not only in its copy") {
+TEST_CASE("the value is in the flash, not only in its copy in RAM") {
   InFlash eeprom;
   uint32_t value = 1;
   load(eeprom, value);

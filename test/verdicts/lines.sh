@@ -4,7 +4,7 @@
 set -eu
 folder=$1
 
-# lines KIND: one of S.Bus in the form of a recording
+# lines KIND: prints a line of S.Bus as a recording
 lines() {
   awk -v kind="$1" 'BEGIN {
     seed = 20181
@@ -38,7 +38,7 @@ lines() {
   }'
 }
 
-# at_adapter: what an FTDI adapter makes of it that hands bytes over every 16 ms, in packets of 62
+# at_adapter: prints the line as an FTDI adapter brings it, which hands bytes over every 16 ms, in packets of 62
 at_adapter() {
   awk '
     function packet(us,  i, first) {

@@ -1,10 +1,10 @@
-// Keeps the screen on, and by that the PC awake, while it is wanted. A browser takes the lock away from a page that is hidden, and may
-// reject it (a low battery, no such feature): then the PC sleeps when it does.
+// Keeps the screen on, and thereby the PC awake, while that is wanted. A browser releases the lock of a hidden page, and may
+// reject it (low battery, no such feature): then the PC goes to sleep as usual.
 
 export class Awake {
   private wanted = false;
   private lock?: WakeLockSentinel;
-  private turn = Promise.resolve(); // one question after the other
+  private turn = Promise.resolve(); // one request after the other
 
   constructor() {
     document.addEventListener('visibilitychange', () => this.settle());

@@ -1,4 +1,4 @@
-// What the user calls the channels, which ones are hidden, and whose curves are drawn. The browser keeps names and hidden ones.
+// The channels' names, which channels are hidden, and which have a curve. The browser stores the names and the hidden channels.
 
 import { History } from './history';
 import { keep, recallObject } from './storage';
@@ -25,17 +25,17 @@ export class Channels {
     }
   }
 
-  // CH1, or its name.
+  // Returns its name, or CH1.
   name(channel: number): string {
     return this.names.get(channel) ?? `CH${channel + 1}`;
   }
 
-  // '' if it has none.
+  // Returns '' if it has no name.
   givenName(channel: number): string {
     return this.names.get(channel) ?? '';
   }
 
-  // CH1, or "Throttle (CH3)".
+  // Returns CH1, or "Throttle (CH3)".
   fullName(channel: number): string {
     const name = this.names.get(channel);
     return name ? `${name} (CH${channel + 1})` : `CH${channel + 1}`;
@@ -45,7 +45,7 @@ export class Channels {
     return this.names.size > 0;
   }
 
-  // '' takes its name away.
+  // Names a channel; '' removes its name.
   rename(channel: number, name: string): void {
     this.set(channel, name);
     this.keep();
@@ -66,7 +66,7 @@ export class Channels {
     keep(key);
   }
 
-  // Returns those of the first `count` channels, in their order.
+  // Returns which of the first `count` channels have a visible curve, in ascending order.
   drawn(count: number): number[] {
     return [...this.curves].filter((channel) => channel < count && !this.isHidden(channel)).sort((a, b) => a - b);
   }

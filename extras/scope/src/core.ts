@@ -1,4 +1,4 @@
-// The library itself, compiled to WebAssembly (../wasm): all that is known of S.Bus is known there.
+// The library itself, compiled to WebAssembly (../wasm). All knowledge of S.Bus is there.
 
 import wasm from '../scope.wasm?inline';
 import { Flag, Kind, type Line, type Sink, type Status, type Stretch } from './line';
@@ -62,7 +62,7 @@ export enum Scale {
 const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
 
 export class Core implements Line {
-  // What a worker runs.
+  // The module that a worker runs.
   readonly wasm = bytes;
   private calibrating = false;
   private readonly native: Native['calls'];
@@ -96,7 +96,7 @@ export class Core implements Line {
     this.native.cutWire(Number(cut));
   }
 
-  // A board's port carries text: 8N1.
+  // Opens a port; a board's carries text, 8N1.
   openPort(nowUs: number, baud: number, board: boolean): void {
     this.native.openPort(nowUs, baud, Number(board));
   }
@@ -114,7 +114,7 @@ export class Core implements Line {
     this.memory.records(nowUs, (records) => this.stretchesIn(records).forEach((stretch) => sink.take(stretch)));
   }
 
-  // The stretches of a worker's picture.
+  // Returns the stretches in the records of a worker.
   stretchesIn(records: Uint8Array): Stretch[] {
     return this.memory.stretchesIn(records);
   }
@@ -149,7 +149,7 @@ export class Core implements Line {
     return { finding: this.native.roundFinding(), best: this.native.roundBest() };
   }
 
-  // What has come before is forgotten.
+  // Forgets all that came before.
   mark(): void {
     this.native.mark();
   }
@@ -190,7 +190,7 @@ export class Core implements Line {
     this.native.calibrate(step);
   }
 
-  // A stretch for the calibration that is under way, if one is.
+  // Feeds a frame to the calibration, if one is running.
   feedCalibrator({ kind, channels, flags }: Stretch): void {
     if (this.calibrating && (kind === Kind.Frame || kind === Kind.Frame24)) {
       const raw = Uint16Array.from(channels);
@@ -204,18 +204,18 @@ export class Core implements Line {
     return this.native.calibrationErrorOf(channel);
   }
 
-  // Follows the channel's name: " hardly moved: ...".
+  // Returns a text that follows the channel's name: " hardly moved: ...".
   calibrationErrorText(error: CalibrationError): string {
     return this.memory.words(this.native.calibrationErrorText(error));
   }
 
-  // Why not: "CH3 hardly moved: ..."; or ''.
+  // Returns '', or why it failed: "CH3 hardly moved: ...".
   finishCalibration(wanted: number): string {
     const channel = this.native.finishCalibration(wanted);
     return channel < 0 ? '' : `CH${channel + 1}${this.calibrationErrorText(this.native.finishCalibrationError())}`;
   }
 
-  // As it is stored.
+  // The bytes to store.
   get calibration(): Uint8Array {
     return this.calibrationBytes().slice();
   }

@@ -1,14 +1,14 @@
-// Says what is wrong with the line, at all times; and where no frame comes, tries the other settings of the port.
+// Says at any time what is wrong with the line; while no frame comes, it also tries the other settings of the port.
 
 import { Finding, type Core, type Setting } from './core';
 import { Flag, LinkState, type Status, type Stretch } from './line';
 import type { Problem, Source } from './source/Source';
 
 const trialMs = 500; // half a second has 12 frames of the slowest receiver known
-const patienceMs = 1000; // without a frame, until others are tried
-const pauseMs = 2000; // until they are tried again
-const quietestUs = 50000; // from a frame to the next one's bytes
-const silenceUs = 1000000; // after bytes that are no frames
+const patienceMs = 1000; // without a frame, until other settings are tried
+const pauseMs = 2000; // from one round of trials to the next
+const quietestUs = 50000; // after a frame: bytes that come later belong to no frame
+const silenceUs = 1000000; // after the newest byte: the line is silent
 
 export type Severity = 'good' | 'note' | 'warning' | 'alarm';
 
@@ -16,7 +16,7 @@ export interface Verdict extends Problem {
   severity: Severity;
 }
 
-// Of what is not well.
+// How severe the findings are; those that are well are not here.
 const severities: Partial<Record<Finding, Severity>> = {
   [Finding.NoSignal]: 'alarm',
   [Finding.NoFrames]: 'alarm',
@@ -35,11 +35,11 @@ export const words = (setting: Setting): string =>
   `${setting.baud} baud${setting.inverted ? ', inverted' : ', not inverted'}`;
 
 export class Doctor {
-  private found = ''; // by trying: the port is open so now
+  private found = ''; // by trying: the port now has that setting
   private trying?: Setting;
   private trial = 0; // of the round
-  private sinceMs = performance.now(); // of the trial, or of the open port
-  private seen = false; // frames, since the source was opened
+  private sinceMs = performance.now(); // when the trial began, or the port was opened
+  private seen = false; // a frame or a row, since the source was opened
   private pausedUntilMs = 0;
   private round?: Finding; // of the last round
 
@@ -49,7 +49,7 @@ export class Doctor {
     private readonly lineSettings: readonly Setting[] = source.settings,
   ) {}
 
-  // What is being tried, or was found.
+  // The setting that is being tried, or what the trials found.
   get note(): string {
     return this.trying ? `Trying ${words(this.trying)}.` : this.found;
   }
@@ -92,11 +92,11 @@ export class Doctor {
       case LinkState.Stale:
         return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
           ? this.of(Finding.NoFrames)
-          : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames have come, now not a byte does.' };
+          : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames came before, now not a byte does.' };
       case LinkState.NeverSeen: {
         const finding = this.lineSettings.length > 1 ? this.round : this.finding(status);
         return finding === undefined
-          ? { text: 'Listening.', remedy: 'The first frame is awaited.', severity: 'note' }
+          ? { text: 'Listening.', remedy: 'Waiting for the first frame.', severity: 'note' }
           : this.of(finding);
       }
       default:
@@ -104,19 +104,19 @@ export class Doctor {
     }
   }
 
-  // Of the line's last whole second; where its time stands still before that is over, of what has come.
+  // Returns the finding of the line's last whole second; if its time stands still before that is over, of all that has come.
   private finding(status: Status): Finding | undefined {
     return status.finding >= 0 ? status.finding : this.source.stands && status.characters > 0 ? status.findingSoFar : undefined;
   }
 
-  // The newest frame is there: what was found of older ones must not contradict it.
+  // Frames come: a finding about older ones must not contradict the newest.
   private ofFrames(finding: Finding | undefined, lossy: boolean): Verdict {
     const isOld = finding === undefined || finding === Finding.Failsafe || finding <= Finding.NoFrames;
     if (lossy && (isOld || this.core.isWell(finding))) {
       return this.of(Finding.Lossy);
     }
     if (isOld) {
-      return { text: 'Frames come.', remedy: 'A verdict needs a second of them.', severity: 'good' };
+      return { text: 'Frames come.', remedy: 'A verdict takes a second of them.', severity: 'good' };
     }
     return this.of(finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
   }
@@ -159,7 +159,7 @@ export class Doctor {
 
 const awaited: Verdict = {
   text: 'Waiting for rows.',
-  remedy: 'A board may restart when its port is opened, and a slow sketch is waited for.',
+  remedy: 'A board may restart when its port is opened, and a slow sketch takes a while.',
   severity: 'note',
 };
 
@@ -173,7 +173,7 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'Text comes, but no rows of numbers.',
-      remedy: 'Upload a sketch that prints 2 to 32 of them, with commas, tabs or blanks: DecodeSBus, AllChannels, Channels24.',
+      remedy: 'Upload a sketch that prints 2 to 32 numbers a line, with commas, tabs or blanks between them: DecodeSBus, AllChannels or Channels24.',
       severity: 'warning',
     };
   }

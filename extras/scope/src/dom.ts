@@ -1,4 +1,4 @@
-// What every view does with the page's elements.
+// Helpers for the page's elements.
 
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   const element = document.getElementById(id);
@@ -25,7 +25,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-// Touches the page only if the text is another one.
+// Changes the page only if the text differs.
 export function setText(element: HTMLElement, text: string): void {
   if (element.textContent !== text) {
     element.textContent = text;

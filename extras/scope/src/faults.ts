@@ -1,4 +1,4 @@
-// What is wrong at places of a recording.
+// The faults of a recording.
 
 import type { Stretch } from './line';
 
@@ -14,12 +14,12 @@ export const faultNames = ['failsafe', 'lost frames', 'damaged bytes', 'no frame
 
 export const binCount = 512; // of a recording, whatever its length
 
-// What of a stretch tells a fault.
+// The fields of a stretch by which faults are found.
 export interface Sample extends Pick<Stretch, 'endUs' | 'kind' | 'flags'> {
-  damagedUs: number; // since when bytes were damaged that came since the last frame; 0: none
+  damagedUs: number; // when the first damaged bytes since the last frame came; 0: none
 }
 
-// From where to where a fault is, or comes and goes.
+// Where a fault begins and ends; faults in quick succession are one.
 export interface Span {
   fault: Fault;
   fromUs: number;
@@ -32,11 +32,11 @@ export interface Found extends Span {
 
 // The faults along a recording, as far as it is decoded.
 export interface FaultMap {
-  us: number; // decoded
+  us: number; // decoded up to here
   isComplete: boolean;
   bins: Uint8Array; // 1 << Fault; binCount of them are the whole recording
   counts: number[]; // of spans, by Fault
 }
 
-// A longer time without a frame is a silence, as for sbus summary; three rows of a slow sketch are missing then.
+// Returns the longest time without a frame that is no silence, as for sbus summary; for rows, the time of three of them.
 export const silenceUs = (isRow: boolean, meanUs: number): number => (isRow ? Math.max(1500000, 3 * meanUs) : 100000);

@@ -1,4 +1,4 @@
-// The newest values of all channels, in memory that does not grow: some five minutes of 111 frames a second.
+// The newest values of all channels, in memory of a fixed size: about five minutes of 111 frames a second.
 
 import { Flag, Kind, type Stretch } from './line';
 
@@ -17,7 +17,7 @@ export class History implements Samples {
   readonly times = new Float64Array(History.capacity); // s
   readonly values = new Float32Array(History.capacity * History.channels).fill(NaN);
   readonly flags = new Uint8Array(History.capacity);
-  private taken = 0; // since clear()
+  private taken = 0; // samples, since clear()
 
   clear(): void {
     this.taken = 0;
@@ -28,7 +28,7 @@ export class History implements Samples {
     this.taken++;
   }
 
-  // These came before all that is held.
+  // Puts older samples before all that are held.
   precede({ times, values, flags }: Samples): void {
     const held = this.taken;
     const count = Math.min(times.length, History.capacity - held);
@@ -74,7 +74,7 @@ export class History implements Samples {
     return [flags & Flag.Channel17, (flags & Flag.Channel18) >> 1];
   }
 
-  // The first sample that is not older.
+  // Returns the first sample that is not older.
   find(seconds: number): number {
     let low = this.begin;
     let high = this.end;
@@ -89,14 +89,14 @@ export class History implements Samples {
     return low;
   }
 
-  // Returns the sample next to that time; begin if there are no samples.
+  // Returns the sample nearest to that time; begin if there are no samples.
   nearest(seconds: number): number {
     const after = Math.min(this.find(seconds), Math.max(this.end - 1, this.begin));
     return after > this.begin && seconds - this.time(after - 1) < this.time(after) - seconds ? after - 1 : after;
   }
 }
 
-// Frames with the first channels, and rows.
+// Returns true for a row, and for a frame that has CH1.
 export const isSample = ({ kind }: Stretch): boolean => kind !== Kind.NoFrame && kind !== Kind.Extra;
 
 export function samplesOf(stretches: readonly Stretch[]): Samples {

@@ -1,5 +1,5 @@
-// What WebAssembly says of its structs, enumerations and constants (../wasm/Layout.cpp). Nothing of it is copied by hand without
-// being compared.
+// What WebAssembly says about its structs, enumerations and constants (../wasm/Layout.cpp). The page's own copies are compared
+// with it.
 
 export interface Field {
   at: number; // offset in bytes
@@ -43,7 +43,7 @@ export class Layout {
 
   // Throws unless an enumeration has these names with these values, and no others.
   enumeration(of: string, values: Record<string, string | number>): void {
-    const numbers = Object.entries(values).filter(([, value]) => typeof value === 'number'); // TypeScript has the names by value, as well
+    const numbers = Object.entries(values).filter(([, value]) => typeof value === 'number'); // TypeScript also has names by value
     same(`the values of ${of}`, Object.fromEntries(numbers), this.values.get(of) ?? new Map());
   }
 }
@@ -54,7 +54,7 @@ function put<T>(all: Named<T>, of: string, name: string, value: T): void {
 
 function known(name: string, value: number | undefined): number {
   if (value === undefined) {
-    throw new Error(`WebAssembly does not tell ${name}`);
+    throw new Error(`WebAssembly has no ${name}`);
   }
   return value;
 }

@@ -30,15 +30,15 @@ export interface Stretch {
   endUs: number;
   kind: Kind;
   flags: number;
-  channels: Float64Array; // raw; of a Row as it was printed
+  channels: Float64Array; // raw values; of a Row, the numbers as printed
   bytes: Uint8Array; // empty for a Row
-  isTelemetry: boolean; // it is no frame, but slots of S.BUS2
-  why: string; // it is no frame
+  isTelemetry: boolean; // slots of S.BUS2, no frame
+  why: string; // why it is no frame; '' for a frame
 }
 
 export const statusNames = [
   'state', 'ageUs',
-  'linkQuality', // percent; of rows none
+  'linkQuality', // percent; only for frames
   'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
   'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
   'extraFrames', 'rows', 'otherLines', 'garbled',
@@ -48,12 +48,12 @@ export const statusNames = [
 ] as const;
 export type Status = Record<(typeof statusNames)[number], number>;
 
-// What takes a line in.
+// Receives the stretches of a line.
 export interface Sink {
   take(stretch: Stretch): void;
-  // All that was taken belongs to another place of the line. These are the newest ones before it.
+  // The line has jumped: all that was taken belongs to another place. `recalled`: the newest stretches before this one.
   jump(recalled: readonly Stretch[]): void;
-  // The history before a place that was jumped to.
+  // Brings the history before the place that the line has jumped to.
   precede(samples: Samples): void;
 }
 
@@ -61,16 +61,16 @@ export interface Line {
   // Hands over all that has come by `nowUs`.
   advance(nowUs: number, sink: Sink): void;
   status(nowUs: number): Status;
-  // What sensors have measured within the last second ("receiver voltage 4.6 V"), after the slots that came ("slots 0, 1"); none
-  // without telemetry.
+  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it ("receiver voltage
+  // 4.6 V"); empty without telemetry.
   telemetry(nowUs: number): readonly string[];
-  // Returns the least and the most of a channel, from 0 on; undefined before the first value.
+  // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
   travel(channel: number): [number, number] | undefined;
   resetMarks(): void;
 
-  // From now on what comes is kept.
+  // Begins a recording.
   record(): void;
-  // What was recorded since this was last asked.
+  // Returns what was recorded since the last call.
   takeRecorded(): string;
   // Ends the recording. Returns the rest of it.
   endRecorded(): Promise<string>;

@@ -16,13 +16,13 @@ import { KnownPorts } from './view/knownPorts';
 import { NoticeView } from './view/notice';
 import { ScaleView } from './view/scale';
 
-// Never a blank page: its own faults are shown.
+// Shows the page's own failures: a blank page says nothing.
 function fault(error: unknown): void {
   byId('verdict').dataset.severity = 'alarm';
-  setText(byId('verdict-text'), `The page has a fault: ${error instanceof Error ? error.message : error}.`);
-  setText(byId('verdict-remedy'), 'Load it again, in a browser of this year or the last.');
+  setText(byId('verdict-text'), `The page has failed: ${error instanceof Error ? error.message : error}.`);
+  setText(byId('verdict-remedy'), 'Reload it, in a browser released this year or last year.');
 }
-addEventListener('error', (event) => event.error && fault(event.error)); // without one: an observer's complaint, no fault
+addEventListener('error', (event) => event.error && fault(event.error)); // without an error it is an observer's complaint
 addEventListener('unhandledrejection', (event) => fault(event.reason));
 
 const core = await Core.load();
@@ -142,7 +142,7 @@ function wire(): void {
   new Dropping(byId('drop'));
 }
 
-// A file dragged over the page.
+// Plays a file that is dropped on the page.
 class Dropping {
   constructor(private readonly curtain: HTMLElement) {
     addEventListener('dragover', (event) => {
@@ -160,7 +160,7 @@ class Dropping {
   }
 }
 
-// Dark or light: as the system has it, until the button says otherwise.
+// Follows the system's dark or light theme until the button is pressed.
 function themes(): void {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   byId('theme').addEventListener('click', () => {

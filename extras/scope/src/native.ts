@@ -6,7 +6,7 @@ import { Flag, Kind, LinkState, statusNames, type Status, type Stretch } from '.
 
 export type Exports = Record<string, (...values: number[]) => number> & { memory: WebAssembly.Memory };
 
-// The C++ library of Debian 13 writes its last words to standard error. There is none: WASI's error ENOSYS is 52.
+// Debian 13's C++ library writes to standard error before it aborts. The page has none: WASI's error ENOSYS is 52.
 const noSystem = new Proxy({}, { get: () => () => 52 });
 export const imports: WebAssembly.Imports = { wasi_snapshot_preview1: noSystem };
 
@@ -24,7 +24,7 @@ export class Native {
   private readonly statusAt: Record<keyof Status, number>;
   private readonly enough: number;
 
-  // Throws if the page and WebAssembly were not built together. `layout`: of another instance.
+  // Throws if the page and WebAssembly were not built together. `layout`: that of another instance.
   constructor(
     readonly calls: Exports,
     layout?: Layout,
@@ -39,7 +39,7 @@ export class Native {
     this.enough = this.layout.constant('Enough');
   }
 
-  // Hands over all that has come by `nowUs`, as records. `feed`: hands a recording's next part over.
+  // Hands over all that has come by `nowUs`, as records. `feed` hands over a recording's next part.
   records(nowUs: number, take: (records: Uint8Array) => void, feed = (): void => undefined): void {
     for (let count = this.enough; count >= this.enough || this.calls.needsMore(); ) {
       if (this.calls.needsMore()) {
@@ -52,7 +52,7 @@ export class Native {
     }
   }
 
-  // Returns the records of what the page shows of the line.
+  // Returns once more the records that the page shows.
   recalled(): Uint8Array {
     return this.taken(this.calls.recall());
   }
@@ -61,7 +61,7 @@ export class Native {
     return Array.from({ length: records.length / this.recordSize }, (_, i) => this.stretch(records, i * this.recordSize));
   }
 
-  // What of a record tells a fault, without the rest: 5 million of them are looked through.
+  // Reads only the fields by which faults are found: a recording may have 5 million records.
   eachSample(records: Uint8Array, take: (sample: Sample) => void): void {
     const { record } = this;
     const view = new DataView(records.buffer);
@@ -86,12 +86,12 @@ export class Native {
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
-  // What sensors have measured, and which slots came; none without telemetry.
+  // See Line.telemetry().
   telemetry(nowUs: number): string[] {
     return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
   }
 
-  // Hands bytes over in parts: `call` gets how many of them WebAssembly has.
+  // Copies bytes to WebAssembly in parts, and calls `call` with the size of each.
   transfer(bytes: Uint8Array, call: (count: number) => void): void {
     const at = this.calls.transferBuffer();
     const size = this.layout.constant('TransferSize');

@@ -1,5 +1,5 @@
-// Where a server has sw.js and manifest.webmanifest beside the page, it can be installed, and opens without the server. The page is
-// complete without them, and asks for nothing if it was opened from disk.
+// Where a server has sw.js and manifest.webmanifest beside the page, it can be installed, and opens without the server. The page
+// is complete without them, and requests nothing if it was opened from disk.
 
 import { make } from './dom';
 

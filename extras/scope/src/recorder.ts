@@ -1,4 +1,4 @@
-// What the user keeps: a recording in the project's format, the numbers as CSV, or a picture.
+// What the user saves: a recording in the project's format, the values as CSV, or a picture.
 
 import { Awake } from './awake';
 import { download } from './dom';
@@ -29,14 +29,14 @@ export class Recorder {
     this.awake.want(true);
   }
 
-  // Call it often enough: for each picture, and each time that bytes have come.
+  // Takes what was recorded. Call it for each picture, and also while none is drawn.
   poll(): void {
     if (this.line) {
       this.append(this.line.takeRecorded());
     }
   }
 
-  // Hands the file over, once the line has given its end.
+  // Saves the file once the line has handed over the rest.
   end(): void {
     const { line } = this;
     if (!line) {
@@ -61,7 +61,7 @@ export class Recorder {
   }
 }
 
-// All that the history holds.
+// Saves all that the history holds.
 export function saveCsv(history: History, channels: number): void {
   const numbers = Array.from({ length: channels }, (_, i) => i);
   const lines = [['seconds', ...numbers.map((i) => `CH${i + 1}`), 'switch17', 'switch18', 'failsafe', 'lostFrame'].join(',')];

@@ -1,4 +1,4 @@
-// The page at work: one source, what has come of it, and a picture of that, sixty times a second.
+// Ties a source to the views: takes what comes from it, and draws that sixty times a second.
 
 import { Channels } from './channels';
 import type { Core } from './core';
@@ -26,10 +26,10 @@ import { VerdictView } from './view/verdict';
 
 const pollAfter = 1000; // stretches
 
-// Beside the title: what the source is about.
+// Follows the title: what the source is doing.
 const asides: Record<State, string> = {
   closed: '',
-  choosing: ' (until another one is there)',
+  choosing: ' (until the next one is ready)',
   opening: ' (opening)',
   open: '',
   reopening: ' (opening again)',
@@ -42,7 +42,7 @@ export class Scope implements Sink {
   readonly curves: Curves;
   readonly choice = new Choice<Source>(() => this.leave(), (source) => this.enter(source));
   newest?: Stretch; // frame or row
-  reading = ''; // the file that is read, and how far
+  reading = ''; // the file that is being read, and how much of it
 
   private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
@@ -84,7 +84,7 @@ export class Scope implements Sink {
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
   }
 
-  // A stretch of the line has come.
+  // Takes a stretch of the line.
   take(stretch: Stretch): void {
     this.core.feedCalibrator(stretch);
     this.show(stretch);
@@ -105,7 +105,7 @@ export class Scope implements Sink {
     this.history.precede(samples);
   }
 
-  // Of a board that prints numbers there are no bytes of S.Bus.
+  // Shows bytes of S.Bus: a board that prints numbers has none.
   private show(stretch: Stretch): void {
     if (stretch.kind !== Kind.Row && this.newest?.kind !== Kind.Row) {
       this.frames.add(stretch);

@@ -1,4 +1,4 @@
-// Web Serial, as far as the page uses it: TypeScript does not know it.
+// The part of Web Serial that the page uses: TypeScript has no types for it.
 
 type SerialOptions = {
   baudRate: number;

@@ -1,5 +1,4 @@
-// What the history says of time: how long the frames are apart, and how many radio frames were lost when. It holds no memory of its
-// own but a place to sort in.
+// Statistics of the history: the frame intervals, and the lost radio frames over time. They need no memory but a buffer to sort.
 
 import { History } from './history';
 
@@ -8,8 +7,8 @@ const scratch = new Float64Array(History.capacity);
 export interface Intervals {
   count: number;
   medianUs: number;
-  lowUs: number; // of a hundred, one is shorter
-  highUs: number; // of a hundred, one is longer
+  lowUs: number; // 1 % are shorter
+  highUs: number; // 1 % are longer
   longestUs: number;
   firstUs: number; // the middle of the first bin
   widthUs: number; // of a bin
@@ -21,7 +20,7 @@ export interface Intervals {
 export const binCount = 31;
 const leastWidthUs = 100;
 
-// Undefined before the second frame.
+// Returns undefined before the second frame.
 export function intervals(history: History): Intervals | undefined {
   const count = history.end - history.begin - 1;
   if (count < 1) {
@@ -50,7 +49,7 @@ export function intervals(history: History): Intervals | undefined {
   return { count, medianUs: at(0.5), lowUs, highUs, longestUs: sorted[count - 1], firstUs: first * widthUs, widthUs, bins, shorter, longer };
 }
 
-// At least so wide: 1, 2 or 5 times a power of ten.
+// Rounds up to 1, 2 or 5 times a power of ten, leastWidthUs at least.
 function round(us: number): number {
   let ten = leastWidthUs;
   for (;;) {
@@ -63,7 +62,7 @@ function round(us: number): number {
   }
 }
 
-// What came within some seconds.
+// What came within one bar of the chart.
 export interface Part {
   frames: number;
   lost: number; // with one of the flags
@@ -79,7 +78,7 @@ export interface Losses {
 
 const mostParts = 60;
 
-// Parts begin at whole multiples of their width, so that they stay what they are while time goes on.
+// Parts begin at whole multiples of their width, so that time going on does not change them.
 export function losses(history: History, nowS: number): Losses {
   const oldestS = history.end > 0 ? history.time(history.begin) : nowS;
   const widthS = [1, 2, 5].find((width) => (nowS - oldestS) / width < mostParts - 1) ?? 10;

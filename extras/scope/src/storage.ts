@@ -1,10 +1,10 @@
-// What the browser keeps for the next time, where it lets the page: one that was opened from disk may keep nothing, and goes on.
+// What the browser stores for the next visit. A page opened from disk may not be allowed to store anything, and works without.
 
 export function recall(key: string): string | undefined {
   return attempt(() => localStorage.getItem(`sbus-scope-${key}`)) ?? undefined;
 }
 
-// Without a value it is forgotten.
+// Stores a value; without one, removes what is stored.
 export function keep(key: string, value?: string): void {
   attempt(() => (value === undefined ? localStorage.removeItem(`sbus-scope-${key}`) : localStorage.setItem(`sbus-scope-${key}`, value)));
 }

@@ -1,4 +1,4 @@
-// What a channel's numbers are: raw ones of a frame, or what a sketch prints. Of those only the user knows it.
+// The unit of the channels' numbers: raw values of a frame, or what a sketch prints, whose unit only the user knows.
 
 import type { Range } from './core';
 import { Kind, type Stretch } from './line';
@@ -16,7 +16,7 @@ const asPrinted = (value: number): string => String(+value.toFixed(3));
 
 const raw: Unit = { raw: true, low: 0, high: 2047, range: { low: 172, centre: 992, high: 1811 }, text: whole };
 
-// By the value of their option in index.html. Without one of these the numbers stand as they were printed.
+// The units by the value of their option in index.html. Without one of these, numbers are shown as they were printed.
 const units: Record<string, Unit> = {
   raw,
   us: { raw: false, low: 860, high: 2140, range: { low: 988, centre: 1500, high: 2012 }, text: whole },
@@ -25,13 +25,13 @@ const units: Record<string, Unit> = {
   parts: { raw: false, low: -1.25, high: 1.25, range: { low: -1, centre: 0, high: 1 }, text: (value) => value.toFixed(3) },
 };
 
-// Where an axis has numbers: its ends, and the ends and centre of the range, or 0.
+// Returns where an axis has numbers: its ends, and the ends and centre of the range, or 0.
 export function ticksOf({ low, high, range }: Unit): number[] {
   const middle = range ? [range.low, range.centre, range.high] : low < -high / 8 && high > -low / 8 ? [0] : [];
   return [low, ...middle, high];
 }
 
-// The next number away from 0 that is 1, 2 or 5 times a power of ten.
+// Rounds away from 0 to 1, 2 or 5 times a power of ten.
 function round(value: number): number {
   const size = Math.abs(value);
   const ten = 10 ** Math.floor(Math.log10(size));

@@ -23,7 +23,7 @@ EXPORT(ownerOfBit)(unsigned size, unsigned byte, unsigned bit)->int {
     return -1;
   }
   alignas(4) uint8_t padded[3 + sbus::FrameSize24] = {};
-  uint8_t *const frame = padded + 3;  // so that the payload stands at a word
+  uint8_t *const frame = padded + 3;  // aligns the payload to a word
   frame[byte] = static_cast<uint8_t>(1u << bit);
   uint16_t channels[sbus::ChannelCount24] = {};
   if (is24) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint64_t TimeoutMs = 1000;  // the sketches print five rows a second
 constexpr uint64_t TimeoutMaxMs = 60000;
-constexpr uint64_t Missing = 3;  // rows, until the board is stale: a slow sketch has more time
+constexpr uint64_t Missing = 3;  // rows, until the board is stale: a slow sketch gets more time
 
 }  // namespace
 

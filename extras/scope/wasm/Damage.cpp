@@ -4,7 +4,7 @@
 
 namespace scope {
 
-// A few good characters without a header cost no frame: some receivers send a tail. FrameMin of them and more did.
+// A few valid characters without a header are no lost frame: some receivers send a tail. FrameMin of them or more are one.
 uint64_t Damage::take(const line::Stretch &stretch, bool followsSlots) {
   constexpr size_t FrameMin = sbus::FrameSize - sbus::rules::MostNoise;
   if (stretch.isFrame()) {

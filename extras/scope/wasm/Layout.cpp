@@ -1,6 +1,6 @@
 // What the page must know to read structs and numbers out of the memory, a line each:
 //
-//   field Record channels 8 double 32    its offset, what it is made of, and of how many
+//   field Record channels 8 double 32    its offset, type and count
 //   size Record 392                      bytes
 //   value LinkState Stale 4
 //   constant Enough 256

@@ -1,4 +1,4 @@
-// Keeps what is on the line, in the project's format.
+// Records the line in the project's format.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace scope {
 
 class Recorder {
  public:
-  // Its times count from `nowUs`.
+  // Begins a recording, whose times count from `nowUs`.
   void begin(const line::LineSettings &settings, uint64_t nowUs);
   void put(line::Character character);
   void end();

@@ -1,4 +1,4 @@
-// Scales raw values of a FrSky, a Futaba, or a radio that was calibrated here; and calibrates.
+// Scales raw values by FrSky's range, Futaba's, or that of a radio that was calibrated here; and calibrates.
 #include <cstring>
 
 #include "Scope.h"
@@ -76,7 +76,7 @@ EXPORT(calibrationErrorText)(int error)->const char * {
   return sbus::text(static_cast<sbus::CalibrationError>(error));
 }
 
-// Bit 0 of `required` is CH1. Returns the channel that failed, from 0 on, or -1: then scale 2 is this calibration.
+// Bit 0 of `required` is CH1. Returns the channel that failed, from 0 on, or -1: Scale::Calibrated then uses the calibration.
 EXPORT(finishCalibration)(unsigned required)->int {
   uint8_t channel = 0;
   finishError = calibrator.finish(static_cast<uint16_t>(required), calibration, channel);
@@ -86,7 +86,7 @@ EXPORT(finishCalibrationError)()->int {
   return static_cast<int>(finishError);
 }
 
-// The calibration, as it is stored: for the page to keep, and to put back.
+// Returns the calibration's bytes, for the page to store and to put back.
 EXPORT(calibrationBytes)()->sbus::Calibration * {
   return &calibration;
 }

@@ -84,7 +84,7 @@ void Scope::advance(uint64_t nowUs) {
   if (played && played->needsMore()) {
     return;
   }
-  if (nowUs > _turnUs) {  // what had come by the last turn, a turn of the browser has brought
+  if (nowUs > _turnUs) {  // the browser has handed over all that had come by the last turn
     _reads.empty(_turnUs);
     _turnUs = nowUs;
   }

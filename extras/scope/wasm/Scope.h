@@ -28,25 +28,25 @@ inline std::string_view transferred(size_t count) {
   return {reinterpret_cast<const char *>(transfer), count};
 }
 
-// By which a raw value is scaled.
+// The range by which raw values are scaled.
 enum class Scale { FrSky, Futaba, Calibrated };
 
-// A stretch of the line as the page reads it, by Layout.cpp.
+// A stretch of the line; the page reads it by Layout.cpp.
 struct Record {
   static constexpr size_t ChannelsMax = 32;
   static constexpr size_t BytesMax = sbus::FrameSize24;
   static constexpr uint8_t RowKind = 4;
 
   double endUs;
-  double damagedUs;              // since when bytes were damaged that came since the last frame (Damage.h); 0: none
-  double channels[ChannelsMax];  // of a frame: the newest of all
+  double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
+  double channels[ChannelsMax];  // of a frame: the newest values of all channels
   uint8_t kind;                  // line::Stretch::Kind, or RowKind
   uint8_t flags;                 // as in a frame's flags byte
   uint8_t channelCount;
   uint8_t size;             // bytes
-  uint8_t slots;            // how many telemetry slots it is, if it is no frame
+  uint8_t slots;            // telemetry slots in it, if it is no frame
   uint8_t bytes[BytesMax];  // of the line
-  char why[88];             // it is no frame
+  char why[88];             // why it is no frame
 };
 
 class Scope {
@@ -68,7 +68,7 @@ class Scope {
   uint64_t characterUs() const { return _characterUs; }
   // Hands over once more what the page shows of the line: the newest records, and the newest that is a frame or a row.
   void recall();
-  // From the last advance() on.
+  // Begins a recording, from the last advance() on; or ends it.
   void record(bool on);
 
   line::Observer observer;
@@ -96,7 +96,7 @@ class Scope {
   Damage _damage;
   uint64_t _characterUs = 0;
   uint64_t _turnUs = 0;    // of the last picture or read
-  bool _finished = false;  // the recording: nothing waits any more
+  bool _finished = false;  // the recording has ended: nothing waits any more
 };
 
 extern Scope theScope;

@@ -44,7 +44,7 @@ EXPORT(openSimulated)(int calibration, int channels, unsigned noise, double baud
                                       noise, line);
 }
 
-// Of the simulated line: how the port reads it.
+// Sets the port that reads the simulated line.
 EXPORT(setPort)(double nowUs, double baud, int inverted)->void {
   const line::LineSettings port = settings(baud, inverted != 0);
   theScope.reset(us(nowUs), port);
@@ -72,7 +72,7 @@ EXPORT(receivedBad)(double nowUs)->void {
   theScope.receivedBad(us(nowUs));
 }
 
-// A recording, set as the buffer says (recordingSettings()).
+// Plays a recording. The line's settings are in the buffer (recordingSettings()).
 EXPORT(playRecording)()->void {
   line::LineSettings settings;
   std::memcpy(static_cast<void *>(&settings), transfer, sizeof settings);
@@ -89,8 +89,8 @@ EXPORT(needsMore)()->int {
   return theScope.played && theScope.played->needsMore();
 }
 
-// Returns how many records there are then. If there are Scope::Enough, call it again once they are taken away; if
-// needsMore(), once it is fed.
+// Takes all that has come by `nowUs`. Returns how many records there are then. If there are Scope::Enough, call it again
+// once they are taken away; if needsMore(), once it is fed.
 EXPORT(advance)(double nowUs)->unsigned {
   theScope.advance(us(nowUs));
   return static_cast<unsigned>(theScope.records.size());
@@ -99,7 +99,7 @@ EXPORT(advance)(double nowUs)->unsigned {
 EXPORT(records)()->const Record * {
   return theScope.records.data();
 }
-// Puts what the page shows of the line there once more. Returns how many records that is.
+// Makes the records that the page shows once more. Returns how many they are.
 EXPORT(recall)()->unsigned {
   theScope.recall();
   return static_cast<unsigned>(theScope.records.size());

@@ -12,7 +12,7 @@ Status answer;
 
 double marks[2];
 
-// Of the port's setting as it is, and all that came since it was opened, or since mark().
+// Returns the finding for the port's present setting, from all that came since it was opened, or since mark().
 sbus::Finding findingSoFar(uint64_t nowUs) {
   sbus::Diagnosis diagnosis;
   diagnosis.add(theScope.examination.trial(theScope.observer, theScope.settings, nowUs));

@@ -1,5 +1,5 @@
-// A file that is read: a recording, or a capture of the wire. Its characters are handed over in parts to the instance
-// that decodes them (FedLine.h).
+// Reads a file: a recording, or a capture of the wire. Its characters are handed over in parts to the instance that
+// decodes them (FedLine.h).
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -28,7 +28,7 @@ std::string words;
 // A sketch's rows may look like an oscilloscope's columns; rows with times are no capture.
 bool isCapture(std::string_view head, bool isCsv) {
   if (head.substr(0, 8) == "<SALEAE>") {
-    return true;  // which is told so
+    return true;  // its reader says that it cannot be read
   }
   const std::string format = line::captureFormat(head);
   const bool hasTimes = head.substr(0, 5) == "time," || head.substr(0, 8) == "seconds,";

@@ -1,4 +1,4 @@
-// A verdict for each whole second of the line's own time.
+// Finds a verdict for each whole second of the line's own time.
 #pragma once
 
 #include <optional>

@@ -80,7 +80,7 @@ inline void putOnLine(unsigned frames, unsigned long baud, bool inverted, uint64
 struct Delivered : sim::Reader {
   DecodeSBus *asked = nullptr;
   Numbers numbers;
-  unsigned wrong = 0;       // were not on the line so, or not yet, or out of order
+  unsigned wrong = 0;       // were not on the line like that, or not yet, or out of order
   unsigned lossyPolls = 0;  // before which the port has lost bytes
 
   void poll(DecodeSBus &dSBus) {
@@ -126,7 +126,7 @@ inline Numbers allOf(unsigned frames) {
   return numbers;
 }
 
-// A SoftwareSerial: any Stream.
+// Stands for a SoftwareSerial, or any other Stream.
 class Software : public Simulated<Stream> {
  public:
   explicit Software(unsigned transmitter) : Simulated<Stream>({63, 1, 1, transmitter, 0, false, 0}) {

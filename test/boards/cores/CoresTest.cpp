@@ -1,4 +1,4 @@
-// DecodeSBus on the ports of one core, CORE: every frame comes, none is mixed.
+// DecodeSBus on the ports of one core, CORE: every frame comes, and none is made of parts of two.
 #include <string>
 
 #include "Cores.h"
@@ -146,7 +146,7 @@ TEST_CASE("with a loop() blocked for up to 100 ms no frame is wrong, and only fr
           delivered.loop(dSBus, loopUs, blockedUs);
           CHECK(delivered.wrong == 0);
           // A loss tears a frame before it and a frame after it. Bytes that wait behind the buffer are not read: they may
-          // stand before the loss or after it.
+          // be from before the loss or after it.
           const unsigned tornEach = 2 + SBUS_PORT.uart.behind() / 25;
           CHECK(Frames - delivered.numbers.size() <= world.dropped / 25 + tornEach * dSBus.counters().overflows);
           CHECK(dSBus.counters().overflows >= delivered.lossyPolls);
@@ -157,7 +157,7 @@ TEST_CASE("with a loop() blocked for up to 100 ms no frame is wrong, and only fr
   }
 }
 
-TEST_CASE("a buffer that overflows within a frame joins no parts of two frames, however many bytes it has lost") {
+TEST_CASE("a buffer that overflows within a frame joins no parts of two frames, however many bytes it loses") {
   constexpr unsigned Frames = 40, InSync = 5;
   unsigned delivered = 0, wrong = 0;
   for (unsigned cut = 1; cut < 25; cut++) {
@@ -187,7 +187,7 @@ TEST_CASE("a buffer that overflows within a frame joins no parts of two frames, 
   CHECK(delivered > 24 * 100 * InSync);
 }
 
-TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin() leaves it as it is") {
+TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin() does not change it") {
   for (const unsigned loopUs : {50u, 1000u, 3000u}) {
     CAPTURE(loopUs);
     switchOn();
@@ -204,12 +204,12 @@ TEST_CASE("a Stream that is no hardware serial port delivers frames, and begin()
   }
 }
 
-TEST_CASE("inverts() returns what the port can do") {
+TEST_CASE("inverts() returns whether the port can invert") {
   CHECK(sbus::inverts(SBUS_PORT) == Core.inverts);
 }
 
 #if defined(ESP32)
-TEST_CASE("an ESP32's port does not tell when a frame ended: SlotTimerEsp32 finds that out") {
+TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimerEsp32 finds that out") {
   CHECK(sbus::handOverOf(&SBUS_PORT, &SBUS_PORT, sbus::Choice<2>()) == sbus::HandOver::Unknown);
 }
 #endif

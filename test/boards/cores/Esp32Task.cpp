@@ -1,5 +1,5 @@
-// The task of esp_timer on core 0, beside a loop() on core 1: World's alarm. What loop() has locked it waits for. (The
-// other way round does not show here: while the task runs, loop() stands still.)
+// The task of esp_timer on core 0, beside a loop() on core 1: World's alarm. It waits for what loop() has locked. (The
+// opposite does not occur here: while the task runs, loop() stands still.)
 #include <Arduino.h>
 #include <esp_timer.h>
 #include <freertos/semphr.h>
@@ -26,7 +26,7 @@ esp_err_t esp_timer_create(const esp_timer_create_args_t *settings, esp_timer_ha
   return ESP_OK;
 }
 
-// esp_timer.c:222 and 438: an armed one stays as it is. The interrupt wakes a task, and both take their time.
+// esp_timer.c:222 and 438: an armed timer stays as it is. The interrupt wakes a task, and both take time.
 esp_err_t esp_timer_start_once(esp_timer_handle_t timer, uint64_t us) {
   if (world.alarmAtUs != sim::World::Never) {
     return ESP_ERR_INVALID_STATE;
@@ -57,7 +57,7 @@ SemaphoreHandle_t xSemaphoreCreateMutexStatic(StaticSemaphore_t *memory) {
   return memory;
 }
 
-// It is no recursive one, and nothing may wait without interrupts.
+// The mutex is not recursive, and nothing may wait for it without interrupts.
 int xSemaphoreTake(SemaphoreHandle_t mutex, uint32_t) {
   world.crashes += !mutex->made || world.masked != 0 || mutex->inTask || mutex->inLoop;
   (world.inAlarm ? mutex->inTask : mutex->inLoop) = true;
@@ -87,7 +87,7 @@ uint32_t uart_ll_get_rxfifo_len(uart_dev_t *hw) {
   return before != 0 && after == 0 ? 128 : after;
 }
 
-// What the caller has in flash may wait for the cache, though no interrupt comes.
+// Code of the caller that is in flash may wait for the cache, though no interrupt comes.
 bool uart_ll_is_tx_idle(uart_dev_t *hw) {
   world.nowUs += world.upTo(world.upTo(world.cacheUs));
   return hw->pending() == 0;

@@ -1,4 +1,4 @@
-// The example Joystick on cores with a USB joystick: what the PC gets, read as the report's descriptor says.
+// The example Joystick on cores with a USB joystick: what the PC gets, read by the report's descriptor.
 #include <map>
 
 #include "Cores.h"
@@ -11,7 +11,7 @@ StandInJoystick Joystick;
 
 sim::Usb sim::usb;
 
-// As the IDE does it; what is global in it stands before main().
+// Includes the sketch as the IDE does; its globals come before main().
 #include "../../../examples/Joystick/Joystick.ino"
 
 #if defined(ESP32)
@@ -152,7 +152,7 @@ void loopFor(uint64_t us) {
   }
 }
 
-// Three frames with these channels, the first of which may still wait for the next.
+// Puts three frames with these channels on the line: the first may wait for the next.
 std::vector<int> after(const Channels &channels, bool failsafe = false) {
   for (int i = 0; i < 3; i++) {
     put(channels, failsafe);
@@ -165,7 +165,7 @@ const std::vector<int> Rest = {0, 0, -1000, 0, 0, 0, 0};
 
 }  // namespace
 
-TEST_CASE("the PC sees the channels, and without a link the throttle closed") {
+TEST_CASE("the PC gets the channels, and a closed throttle without a link") {
   cores::switchOn();
   world.inverted = Core.inverts;
 #if !defined(ESP32)

@@ -17,8 +17,8 @@ using sim::world;
 
 namespace {
 
-constexpr uint64_t LookUs = 1;  // a look at the clock; without, a loop that waits would never end
-unsigned set;                   // the alarm that world.alarmAtUs is of
+constexpr uint64_t LookUs = 1;  // what reading the clock takes; otherwise a loop that waits would never end
+unsigned set;                   // the alarm to which world.alarmAtUs belongs
 
 }  // namespace
 
@@ -45,8 +45,8 @@ void hardware_alarm_set_callback(uint alarm, hardware_alarm_callback_t callback)
   }
 }
 
-// :216: what has passed is not set. Above the priority of the UART's interrupt it would wait forever for a mutex that
-// this one holds (SerialUART.cpp:352).
+// :216: a time that has passed is not set. An alarm above the priority of the UART's interrupt would wait forever for a
+// mutex that this interrupt holds (SerialUART.cpp:352).
 bool hardware_alarm_set_target(uint alarm, absolute_time_t target) {
   if (time_us_64() >= target) {
     return true;

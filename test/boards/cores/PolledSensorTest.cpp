@@ -1,5 +1,5 @@
-// SBus2Sensor on the ports of one core, CORE, whose sketch calls parseSBusFrame() all the time: with a diode, and on a
-// single wire, which the board may drive in its own slots only.
+// SBus2Sensor on the ports of one core, CORE, with a sketch that calls parseSBusFrame() all the time: with a diode, and
+// on a single wire, which the board may drive in its own slots only.
 #include <algorithm>
 #include <deque>
 
@@ -37,7 +37,7 @@ struct SingleWire : Bus {
     ownEnds.push_back(sent.beginUs + line::CharacterUs);
   }
 
-  // The longest time that the board has driven the wire before a slot or after it, or without one.
+  // The longest time for which the board has driven the wire before or after a slot, or without a slot.
   static uint64_t heldUs() {
     uint64_t most = 0;
     size_t i = 0;
@@ -78,7 +78,7 @@ void run(Sketch &sketch, unsigned loopUs, uint64_t seconds = Seconds) {
 }  // namespace
 
 TEST_CASE_TEMPLATE(
-    "a loop() of up to 60 us: nearly every slot is answered, within 50 us of its time, and no frame is lost", Sketch,
+    "with a loop() of up to 60 us nearly every slot is answered, within 50 us of its time, and no frame is lost", Sketch,
     WithDiode, OnSingleWire) {
   for (const unsigned earlyUs : {0u, 15u}) {
     for (const unsigned loopUs : {1u, 10u, 37u, 60u}) {
@@ -95,8 +95,8 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE("a slower loop() skips and counts; what it sends is never more than 100 us off", Sketch, WithDiode,
-                   OnSingleWire) {
+TEST_CASE_TEMPLATE("with a slower loop() slots are skipped and counted; no answer is more than 100 us off", Sketch,
+                   WithDiode, OnSingleWire) {
   for (const unsigned loopUs : {76u, 100u, 500u, 3000u}) {
     CAPTURE(loopUs);
     Sketch sketch;
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("a slower loop() skips and counts; what it sends is never mor
   }
 }
 
-TEST_CASE_TEMPLATE("after end() nothing is sent, and after begin() answers go on", Sketch, WithDiode, OnSingleWire) {
+TEST_CASE_TEMPLATE("after end() nothing is sent; after begin() answers continue", Sketch, WithDiode, OnSingleWire) {
   Sketch sketch;
   run(sketch, 37, 10);
   const unsigned long right = sketch.wire.counts().right;
@@ -125,8 +125,8 @@ TEST_CASE_TEMPLATE("after end() nothing is sent, and after begin() answers go on
 }
 
 TEST_CASE(
-    "on a single wire: begin(), listen() and end() at any time, a begin() that fails, another format: the wire is "
-    "free") {
+    "on a single wire, the wire is free after begin(), listen() or end() at any time, after a begin() that fails, and "
+    "after another format") {
   using Step = void (*)(SBus2Sensor &);
   const Step steps[] = {
       [](SBus2Sensor &sensor) { sensor.begin(); },
@@ -173,7 +173,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "on a single wire: interrupts that are off for up to 100 us hold it no longer than that, and no frame is lost") {
+    "on a single wire, interrupts that are off for up to 100 us hold the wire no longer, and no frame is lost") {
   OnSingleWire sketch;
   sketch.wire.mayHoldUs = 100;
   sketch.run([&] {
@@ -187,7 +187,7 @@ TEST_CASE(
   CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
 }
 
-TEST_CASE("on a single wire: a port that hears itself, as other chips do, changes nothing") {
+TEST_CASE("on a single wire, a port that hears itself, as other chips do, makes no difference") {
   OnSingleWire sketch;
   world.echoes = true;
   run(sketch, 37);
@@ -197,7 +197,7 @@ TEST_CASE("on a single wire: a port that hears itself, as other chips do, change
 }
 
 TEST_CASE(
-    "two sensors in one slot: with a diode the board hears that, on a single wire only what comes after its own") {
+    "two sensors in one slot: with a diode the board notices, on a single wire only what comes after its own answer") {
   const struct {
     int32_t offUs;
     unsigned withDiode, onSingleWire;  // collisions in 10 s, of 166

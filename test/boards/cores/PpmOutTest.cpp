@@ -64,8 +64,8 @@ void run(uint64_t us, unsigned loopUs) {
 }  // namespace
 
 TEST_CASE(
-    "PpmOut: frames with the channels of one S.Bus frame, until 100 ms after the last; a slow loop() makes none "
-    "short") {
+    "PpmOut: each frame has the channels of one S.Bus frame, until 100 ms after the last; a slow loop() shortens "
+    "none") {
   switchOn();
 #if defined(ARDUINO_ARCH_RP2040)
   sim::alarms = sim::Alarms();

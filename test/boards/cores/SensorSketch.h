@@ -1,5 +1,4 @@
-// A sketch with an SBus2Sensor on Serial1 of one core, CORE, and the S.BUS2 wire there: what all its tests have in
-// common.
+// A sketch with an SBus2Sensor on Serial1 of one core, CORE, and the S.BUS2 wire there: shared by all tests of sensors.
 #pragma once
 
 #include <SBus2Sensor.h>
@@ -17,8 +16,7 @@ constexpr uint64_t Seconds = 100;
 constexpr unsigned Rounds = static_cast<unsigned>(Seconds * Second / 60000);
 constexpr unsigned Slots = 5;  // that the board fills
 
-// An S.BUS2 wire at Serial1. It measures how far off their times answers start, which the judge does for right ones
-// only.
+// An S.BUS2 wire at Serial1. It measures how far off their times answers start; the judge does that for right answers only.
 struct Bus : sim::Wire {
   static constexpr int Pin = sim::CorePin;
   line::SimulatedBus bus;
@@ -55,7 +53,7 @@ struct Bus : sim::Wire {
   const line::BusJudge::Counts &counts() const { return bus.judge().counts(); }
 };
 
-// While loop() reads, nothing else may; the ESP32's task reads with a mutex.
+// While loop() reads, nothing else may read; the ESP32's task takes a mutex for that.
 struct Unheld : sim::Reader {
   void beforeRead() override {
 #if defined(ESP32)
@@ -66,7 +64,7 @@ struct Unheld : sim::Reader {
   }
 };
 
-// `Option`, if any, is what the sensor's constructor takes besides the port.
+// `Option`, if any, is a parameter of the sensor's constructor besides the port.
 template <typename Wire, typename... Option>
 struct SketchOn {
   Wire wire;
@@ -102,8 +100,8 @@ struct SketchOn {
     CHECK(sensor.sentSlots() == wire.counts().right + wire.counts().late);
   }
 
-  // After run(): nearly every slot was answered in time, no frame was lost, and the other sensor, in slot `other`, was
-  // heard.
+  // Checks after run() that nearly every slot was answered in time, no frame was lost, and the other sensor, in slot
+  // `other`, was read.
   void checkAll(uint8_t other) {
     CHECK(wire.counts().right >= (Rounds - 2) * Slots);
     CHECK(wire.counts().late == 0);

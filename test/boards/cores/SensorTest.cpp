@@ -1,5 +1,5 @@
-// SBus2Sensor on the ports of one core, CORE, which times its slots: right while loop() does other things, and never
-// late.
+// SBus2Sensor on the ports of one core, CORE, where a timer answers the slots: in time while loop() does other things,
+// and never late.
 #include <functional>
 
 #include "SensorSketch.h"
@@ -8,7 +8,7 @@ decltype(Serial1) Serial1, Serial2;
 
 using namespace cores;
 
-TEST_CASE("While loop() is in delay(3), nearly every slot is answered within 50 us of its time, and no frame is lost") {
+TEST_CASE("while loop() is in delay(3), nearly every slot is answered within 50 us of its time, and no frame is lost") {
   Sketch sketch;
   sketch.wire.bus.add({3, {1, 2}});
   sketch.run([&] {
@@ -18,7 +18,7 @@ TEST_CASE("While loop() is in delay(3), nearly every slot is answered within 50 
   sketch.checkAll(3);
 }
 
-TEST_CASE("while loop() reads channels and writes sensors all the time, frames and answers go on") {
+TEST_CASE("while loop() reads channels and writes sensors all the time, frames and answers continue") {
   Sketch sketch;
   sketch.run([&] {
     uint16_t channels[18];
@@ -32,7 +32,7 @@ TEST_CASE("while loop() reads channels and writes sensors all the time, frames a
   CHECK(sketch.sensor.counters().frames >= 4 * Rounds - 2);
 }
 
-TEST_CASE("other interrupts of up to 1 ms: what would be late is skipped") {
+TEST_CASE("with other interrupts of up to 1 ms, late answers are skipped") {
   for (const unsigned othersUs : {20u, 60u, 150u, 400u, 900u}) {
     CAPTURE(othersUs);
     Sketch sketch;
@@ -44,7 +44,7 @@ TEST_CASE("other interrupts of up to 1 ms: what would be late is skipped") {
   }
 }
 
-TEST_CASE("a loop() without interrupts: what would be late is skipped") {
+TEST_CASE("while loop() disables interrupts, late answers are skipped") {
   for (const unsigned maskedUs : {30u, 90u, 200u, 3000u}) {
     CAPTURE(maskedUs);
     Sketch sketch;
@@ -59,7 +59,7 @@ TEST_CASE("a loop() without interrupts: what would be late is skipped") {
   }
 }
 
-TEST_CASE("a loop() that asks the port itself: no answer is wrong, and nearly all are sent") {
+TEST_CASE("if loop() reads the port itself, no answer is wrong, and nearly all are sent") {
   for (const unsigned portUs : {1u, 2u, 5u}) {
     CAPTURE(portUs);
     Sketch sketch;
@@ -72,7 +72,7 @@ TEST_CASE("a loop() that asks the port itself: no answer is wrong, and nearly al
   }
 }
 
-TEST_CASE("after end() nothing is sent, and after begin() answers go on") {
+TEST_CASE("after end() nothing is sent; after begin() answers continue") {
   Sketch sketch;
   sketch.run([] { delay(1); }, 10);
   const unsigned long right = sketch.wire.counts().right;
@@ -127,7 +127,7 @@ TEST_CASE("a second sensor is polled, and its end() leaves the first one its ala
 
 #else
 
-TEST_CASE("a driver whose interrupt comes late, at random: of 10000 answers none is late") {
+TEST_CASE("with a driver whose interrupt comes late at random, none of 10000 answers is late") {
   constexpr uint64_t Long = 130;
   for (const unsigned lateUs : {20u, 200u, 1000u, 2000u, 5000u}) {
     CAPTURE(lateUs);
@@ -143,7 +143,7 @@ TEST_CASE("a driver whose interrupt comes late, at random: of 10000 answers none
   }
 }
 
-TEST_CASE("tasks and writes to flash that stop all else for up to 5 ms, at random: what would be late is skipped") {
+TEST_CASE("with tasks and writes to flash that stop all else for up to 5 ms at random, late answers are skipped") {
   for (const unsigned randomUs : {50u, 300u, 1000u, 5000u}) {
     CAPTURE(randomUs);
     Sketch sketch;
@@ -159,7 +159,7 @@ TEST_CASE("tasks and writes to flash that stop all else for up to 5 ms, at rando
   }
 }
 
-TEST_CASE("code in flash that waits long for the cache: what would be late is not sent, and counts as skipped") {
+TEST_CASE("if code in flash waits long for the cache, a late answer is not sent, and counts as skipped") {
   Sketch sketch;
   world.cacheUs = 1000;
   sketch.run([] { delay(3); });
@@ -167,7 +167,7 @@ TEST_CASE("code in flash that waits long for the cache: what would be late is no
   CHECK(sketch.sensor.collisions() == 0);  // the board hears itself
 }
 
-TEST_CASE("each method of loop() waits for the task, which may be in the middle of a frame") {
+TEST_CASE("each method that loop() calls waits for the task, which may be in the middle of a frame") {
   Sketch sketch;
   sketch.run([] { delay(3); }, 1);
   uint16_t channels[18];

@@ -1,4 +1,4 @@
-// What must not compile: a single wire on a port that cannot let go of it, or may be of any class.
+// This must not compile: a single wire on a port that cannot release it, or that may be of any class.
 #include <SBus2Sensor.h>
 
 #if defined(SBUS_TEENSY4)

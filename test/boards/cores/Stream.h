@@ -1,4 +1,4 @@
-// Print and Stream, as all cores have them, in the core's namespace; and the part of a port that all have in common.
+// Print and Stream, as all cores have them, in the core's namespace; and the part of a port that all cores share.
 #pragma once
 
 #include <stddef.h>
@@ -65,7 +65,7 @@ class Stream : public Print {
   virtual int peek() = 0;
 };
 
-// What the cores' classes have in common: a Uart. Base is what they derive from.
+// The part that the cores' classes share: a Uart. Base is the class that they derive from.
 template <class Base>
 class Simulated : public Base {
  public:

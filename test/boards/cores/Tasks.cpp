@@ -28,7 +28,7 @@ struct Task {
   bool isDeleted = false;
   uint64_t turn = 0;
   ucontext_t context = {};
-  std::vector<char> stack = std::vector<char>(256 * 1024);  // what it takes on a PC says nothing of an ESP32's
+  std::vector<char> stack = std::vector<char>(256 * 1024);  // what it needs on a PC says nothing about an ESP32
 };
 
 namespace sim {
@@ -38,7 +38,7 @@ namespace {
 Chip chip;
 
 constexpr uint64_t TickUs = 1000000 / configTICK_RATE_HZ;
-constexpr uint64_t TurnUs = 20;           // what a task takes from one wait to the next
+constexpr uint64_t TurnUs = 20;           // the time that a task takes from one wait to the next
 constexpr uint64_t WatchdogUs = 5000000;  // CONFIG_ESP_TASK_WDT_TIMEOUT_S, of core 0's idle task
 constexpr uint32_t LeastStack = 768;      // bytes: CONFIG_FREERTOS_IDLE_TASK_STACKSIZE
 constexpr UBaseType_t LoopPriority = 1;   // arduino-esp32, cores/esp32/main.cpp
@@ -49,7 +49,7 @@ Task *running = nullptr;
 ucontext_t scheduler;
 uint64_t turns = 0;
 
-// configASSERT(): what asserts does not go on.
+// configASSERT(): a failed assertion does not continue.
 void check(bool holds) {
   world.crashes += holds ? 0 : 1;
   if (!holds && running != nullptr) {
@@ -62,7 +62,7 @@ bool isReady(const Task &task) {
   return !task.isDeleted && (task.wakeUs <= world.nowUs || (task.queue != nullptr && !task.queue->items.empty()));
 }
 
-// Lets others run.
+// Lets other tasks run.
 void wait(uint64_t untilUs, QueueHandle_t queue = nullptr) {
   running->wakeUs = untilUs;
   running->queue = queue;
@@ -71,7 +71,7 @@ void wait(uint64_t untilUs, QueueHandle_t queue = nullptr) {
   running->queue = nullptr;
 }
 
-// The time at which the tick interrupt comes that is `ticks` from now.
+// Returns the time of the tick interrupt `ticks` from now.
 uint64_t tickUs(TickType_t ticks) {
   return (world.nowUs / TickUs + ticks) * TickUs;
 }
@@ -90,7 +90,7 @@ void loopTask(void *) {
   }
 }
 
-// The ready task of the highest priority; of several, the one that waits longest.
+// Returns the ready task of the highest priority; of several, the one that waits longest.
 Task *next() {
   Task *best = nullptr;
   for (const auto &task : tasks) {

@@ -1,4 +1,4 @@
-// Runs a sketch as a FreeRTOS of two cores does: setup() and loop() in a task of their own, beside the tasks they make.
+// Runs a sketch as a FreeRTOS on two cores does: setup() and loop() in a task of their own, beside the tasks they make.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace sim {
 
 struct Chip {
   unsigned cores;      // 1: ESP32-S2, C3, C6
-  unsigned mostTasks;  // memory for so many
+  unsigned mostTasks;  // for which there is memory
 };
 
 // Forgets all tasks, and starts setup() and loop().

@@ -36,7 +36,7 @@ std::string printedIn(uint64_t us) {
   return world.printed;
 }
 
-// Returns true if it prints `row`, at least `least` times, and nothing else.
+// Returns true if the sketch prints `row`, at least `least` times, and nothing else.
 bool prints(uint64_t us, const std::string &row, unsigned least) {
   const std::string printed = printedIn(us);
   std::string rows;
@@ -52,7 +52,7 @@ void start(const sim::Chip &chip) {
   sim::startTasks(chip);
 }
 
-// A task of the test's own, beside the sketch's.
+// A task of the test, beside the sketch's.
 void crashes(TaskFunction_t function, uint64_t us = Second) {
   start(Two);
   sim::runTasks(1);
@@ -85,7 +85,7 @@ TEST_CASE("Tasks steers by the newest frame; the throttle is closed in failsafe,
   }
 }
 
-TEST_CASE("with memory for fewer tasks Tasks says so, and does not crash") {
+TEST_CASE("if there is no memory for its tasks, Tasks says so, and does not crash") {
   for (const unsigned most : {1u, 2u}) {
     start({2, most});
     CHECK(printedIn(Second).rfind("There is no memory for queue and tasks.\r\n", 0) == 0);

@@ -31,7 +31,7 @@ struct Sending {
   }
 };
 
-// The bytes are whole frames; no gap within them, and none between them is shorter.
+// Checks that the bytes are whole frames, without a gap inside, and that no gap between them is shorter.
 void checkSent(unsigned frames, uint64_t gapUs) {
   REQUIRE(world.sent.size() == frames * 25);
   unsigned wrong = 0, torn = 0, close = 0;

@@ -1,4 +1,4 @@
-// A simulated UART, as a core's port class has it: what differs between cores are Facts and Settings. C++11, since the
+// A simulated UART for the port class of a core: Facts and Settings hold what differs between cores. C++11, since the
 // stand-ins' Arduino.h includes it.
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace sim {
 
-// What a core does not survive: with a port that is closed, or begin(0). Bits of Facts::faults.
+// Calls that crash a core: on a closed port, or begin(0). Bits of Facts::faults.
 enum : unsigned { End = 1, Available = 2, Write = 4, Room = 8, NoBaud = 16 };
 // Characters with such an error never reach a buffer. Bits of Facts::discarded.
 enum : unsigned { Parity = 1, Framing = 2 };
-// Where a core's port receives that is told no pin, and where it sends.
+// The pins on which a core's port receives and sends if it is given none.
 constexpr int CorePin = 3, CoreTxPin = 4;
 
 struct Facts {
@@ -20,12 +20,12 @@ struct Facts {
   unsigned idle;         // ... for this many characters
   unsigned transmitter;  // bytes that write() takes at once; 0: it waits until each has been sent
   unsigned faults;
-  bool ring;  // the bursts' ends stand at places of a ring, so gaps do not move them
+  bool ring;  // the bursts end at places of a ring, so gaps do not move them
   unsigned discarded;
 };
 
-// What a full buffer loses. Fifo: what does not fit is stashed, what comes then waits in a FIFO, and when that is full all
-// of the FIFO is lost (esp-idf v5.1.4, components/driver/uart/uart.c:923 and 982).
+// What a full buffer loses. Fifo: bytes that do not fit are stashed, later ones wait in a FIFO, and when that is full, all
+// of it is lost (esp-idf v5.1.4, components/driver/uart/uart.c:923 and 982).
 enum Drops { Newest, Oldest, Fifo };
 
 struct Settings {
@@ -34,7 +34,7 @@ struct Settings {
   bool rxInverted, txInverted;
 };
 
-// `config` as Settings::evenStops.
+// Converts `config` to Settings::evenStops.
 template <typename Config>
 unsigned evenStops(Config config, Config e1, Config e2) {
   return config == e2 ? 2 : config == e1 ? 1 : 0;
@@ -45,7 +45,7 @@ class Uart {
   // Not wired: receives nothing, and what it sends is printed().
   explicit Uart(const Facts &facts, Drops drops = Newest, bool wired = true);
 
-  // With an empty buffer. Half duplex: TX is the wire; it is driven only while the port sends, and not heard then.
+  // Opens with an empty buffer. Half duplex: TX is the wire; it is driven only while the port sends, and not heard then.
   void open(const Settings &settings, bool isHalfDuplex = false);
   void change(const Settings &settings);  // of an open port, or opens it
   void close();
@@ -98,7 +98,7 @@ class Uart {
   uint8_t _buffer[Largest] = {}, _fifo[Largest] = {};
   unsigned _first = 0, _count = 0, _filled = 0, _stashed = 0, _position = 0;
   unsigned _taken = 0;                           // of _filled, by a late driver
-  uint64_t _takesUs = Never, _countsUs = Never;  // when it does so, and when it counts them
+  uint64_t _takesUs = Never, _countsUs = Never;  // when it takes them, and when it counts them
 };
 
 void print(char c);  // what a sketch says over USB
@@ -106,7 +106,7 @@ void inPort();       // takes as long as a method of the port, where a core lock
 
 // What the tests expect of a core.
 struct Known {
-  bool inverts;            // its ports, by themselves
+  bool inverts;            // its ports can invert
   bool callsSerialEvent1;  // after each loop()
   unsigned long baud;      // what 100000 becomes
   unsigned stops;          // stop bits that it sends

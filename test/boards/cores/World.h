@@ -1,4 +1,4 @@
-// What stands around the port: the time, the line, what was sent and printed.
+// What is around the port: the time, the line, what was sent and printed.
 #pragma once
 
 #include <random>
@@ -16,7 +16,7 @@ struct Sent {
   Settings settings;
 };
 
-// For how long TX of a port has driven its pin; of one that drives still, `untilUs` is World::Never.
+// A time for which TX of a port drove its pin; while it still does, `untilUs` is World::Never.
 struct Driven {
   uint64_t fromUs, untilUs;
 };
@@ -35,7 +35,7 @@ class Reader {
 // The other end of the wire, if it answers to what the board sends.
 class Wire {
  public:
-  virtual void until(uint64_t us) = 0;  // puts on the line what ends until then
+  virtual void until(uint64_t us) = 0;  // puts on the line all that ends by then
   virtual void sent(const Sent &sent) = 0;
 };
 
@@ -43,10 +43,10 @@ struct World {
   static constexpr uint64_t Never = UINT64_MAX;
   uint64_t nowUs = 1000000;
 
-  // Time passes, with the interrupts that come meanwhile. The alarm has the lowest priority.
+  // Interrupts come while time passes. The alarm has the lowest priority.
   void pass(uint64_t us);
   unsigned masked = 0;      // no interrupts
-  unsigned locked = 0;      // by a mutex, for which the alarm waits
+  unsigned locked = 0;      // a mutex is held, for which the alarm waits
   unsigned locks = 0;       // how often that was
   unsigned othersUs = 0;    // how long other interrupts take, every 997 us
   unsigned randomUs = 0;    // the most that they take, at random times instead
@@ -68,8 +68,8 @@ struct World {
   // A driver like the ESP32's: its interrupt comes late by up to driverLateUs, then has what it has taken out of the FIFO
   // for up to driverUs, and then counts it. All at random.
   unsigned driverLateUs = 0, driverUs = 0;
-  unsigned earlyUs = 0;  // so long before its end a character is in the FIFO
-  unsigned cacheUs = 0;  // the most that code in flash takes for which the cache has no place
+  unsigned earlyUs = 0;  // how long before its end a character is in the FIFO
+  unsigned cacheUs = 0;  // the most that code in flash takes if the cache does not hold it
   std::minstd_rand random{20181};
   unsigned upTo(unsigned most) { return most == 0 ? 0 : static_cast<unsigned>(random() % (most + 1)); }
 
@@ -78,9 +78,9 @@ struct World {
   std::vector<Driven> driven;
   uint64_t completeAtUs = Never;
   void release();
-  // The newest time that it was driven between these two; null: none.
+  // Returns the newest time between these two for which it was driven; null: none.
   const Driven *drivenWithin(uint64_t beginUs, uint64_t endUs) const;
-  // ... which hears what it sends.
+  // The half duplex port hears what it sends.
   bool echoes = false;
 
   Wire *wire = nullptr;

@@ -1,4 +1,4 @@
-// main() of every unit program on the Cortex-M0, and what doctest/doctest.h leaves to it.
+// main() of every unit program on the Cortex-M0, and what doctest/doctest.h declares.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What compiled C++ calls of its library, for programs that have only its headers: there is nothing to throw with, so
-// what would throw ends the program.
+// The functions of the C++ library that compiled code calls, for programs that have only its headers: there are no
+// exceptions, so what would throw ends the program.
 #include <stdlib.h>
 
 #include <cstddef>
@@ -37,7 +37,7 @@ void __cxa_pure_virtual() {
   stop("a pure virtual function was called");
 }
 
-// Statics are never destroyed: the program's end is the machine's.
+// Statics are never destroyed: the machine ends with the program.
 int __aeabi_atexit(void *, void (*)(void *), void *) {
   return 0;
 }
@@ -47,7 +47,7 @@ int __aeabi_atexit(void *, void (*)(void *), void *) {
 // The headers declare that the library has it.
 template class std::basic_string<char>;
 
-// As the library's <bits/functexcept.h> declares them.
+// Defines what the library's <bits/functexcept.h> declares.
 namespace std {
 
 void __throw_bad_alloc() {

@@ -1,4 +1,4 @@
-// Semihosting: what a program without an operating system asks of the debugger, here of QEMU.
+// Semihosting: a program without an operating system calls the debugger, here QEMU.
 #pragma once
 
 #include <stdint.h>

@@ -25,7 +25,7 @@ void _init() {
 void _fini() {
 }
 
-// Names the one program that there is to those that register destructors.
+// Names the only program to the code that registers destructors.
 extern void *__dso_handle;
 void *__dso_handle = nullptr;
 
@@ -35,7 +35,7 @@ namespace {
 
 constexpr int FaultStatus = 99;  // no doctest program ends so
 
-// Splits the command line, which QEMU joins with spaces. So no argument holds one.
+// Splits the command line, which QEMU joins with spaces: no argument may hold a space.
 int split(char *text, char **words, int most) {
   int count = 0;
   while (*text != '\0' && count < most) {
@@ -73,7 +73,7 @@ void start() {
   exit(program(known ? split(line, words, 15) : 0, words));
 }
 
-// All of a Cortex-M0's faults are this one: an unaligned access, an address without memory, an undefined instruction.
+// A Cortex-M0 has this one fault for all causes: an unaligned access, an address without memory, an undefined instruction.
 void fault() {
   semihosting(Semihosting::Write0, "HardFault\n");
   exitWith(FaultStatus);
@@ -83,7 +83,7 @@ namespace {
 
 using Handler = void (*)();
 
-// An M0 knows 16 entries before the interrupts, of which none is switched on here.
+// An M0 has 16 entries before the interrupts, of which none is enabled here.
 struct Vectors {
   uint32_t *stack;
   Handler handlers[15];

@@ -44,7 +44,7 @@ TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
 }
 
 TEST_CASE(
-    "While loop() writes a sensor for 3 ms, eleven slots are answered, and no frame is lost; end() puts timer 2 back") {
+    "while loop() writes a sensor for 3 ms, eleven slots are answered, and no frame is lost; end() restores timer 2") {
   const Mega mega("Busy", bus(), BusySeconds);
   CHECK(answers(mega) >= BusySeconds * 1000 / 60 * 11 * 9 / 10);
   CHECK(mega.mistakes() == "");

@@ -1,7 +1,7 @@
 // A sketch that answers in eleven slots while loop() writes one of them, again and again. (No .ino, as Counters.cpp.)
 // Sends every second
 //   frames,resyncs,rejected,collisions,skipped,restored,decivolts
-// The first five since the beginning; restored: 1 if end() has put timer 2 back.
+// The first five count from the beginning; restored: 1 if end() has restored timer 2.
 
 #include <Arduino.h>
 #include <SBus2Sensor.h>

@@ -67,7 +67,7 @@ struct OldReceiver {
       }
     }
   }
-  // So many pulses of 100 have a spike in them, or near them.
+  // This many of 100 pulses have a spike in them, or near them.
   void disturb(double percent) {
     const size_t count = levels.size();
     for (size_t i = 0; i < count; i += 2) {
@@ -108,7 +108,7 @@ std::vector<SentFrame> framesOf(const Mega &mega) {
   return frames;
 }
 
-// How far off a channel is from the pulse that is the newest, or the newest but a few, about 2 ms after its end.
+// Returns how far a channel is off the newest pulse, or the newest but a few, about 2 ms after its end.
 double offBy(const SentFrame &frame, size_t channel, const OldReceiver &receiver, size_t most = 2) {
   const std::vector<OldReceiver::Sent> &pulses = receiver.pulses[channel];
   const double us = sbus::toMicroseconds(frame.channels[channel], sbus::FrSky);
@@ -122,14 +122,14 @@ double offBy(const SentFrame &frame, size_t channel, const OldReceiver &receiver
   return off;
 }
 
-// What can be off, in us: the most of each.
+// The largest errors found, in us.
 struct Off {
   double pulse = 0, channel = 0, period = 0;
 };
 
 }  // namespace
 
-TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms, and there is none in failsafe") {
+TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms; in failsafe there is no frame") {
   struct Run {
     std::string name;
     uint64_t cutUs;
@@ -229,7 +229,7 @@ TEST_CASE("PwmIn: a channel without pulses has the lost-frame flag after 60 ms, 
   }
 }
 
-TEST_CASE("PwmIn: spikes of 0.5 to 60 us in a fifth of the pulses change none: the one before holds") {
+TEST_CASE("PwmIn: spikes of 0.5 to 60 us in a fifth of the pulses change no channel: the pulse before stays") {
   OldReceiver receiver;
   receiver.fly(100000, 10000000, false);
   receiver.disturb(20);

@@ -1,6 +1,5 @@
-// What a sketch has to print, to send and to do at its pins, as the line has it. Each row, sent frame and pulse must
-// come from the newest frame on the line, or from the one before: the sketch is busy, or it is not yet certain where a
-// frame ends.
+// What a sketch must print, send and do at its pins for a line. Each row, sent frame and pulse must come from the newest
+// frame on the line, or from the one before: the sketch may be busy, or it may not yet be certain where a frame ends.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,7 @@ namespace mega {
 
 // A frame of the line, read bit by bit: the library has no part in it.
 struct SeenFrame {
-  uint64_t us;  // it is through
+  uint64_t us;  // when it is complete
   Channels channels;
   Channels held;  // of the newest frame without failsafe
   bool failsafe;
@@ -28,7 +27,7 @@ struct SeenFrame {
 
 using Numbers = std::vector<double>;
 
-// What a sketch makes of a frame; empty: it must not make anything of it.
+// What a sketch derives from a frame; empty: it must derive nothing.
 using Rule = std::function<Numbers(const SeenFrame &)>;
 
 Numbers decodeSBus(const SeenFrame &frame);
@@ -40,18 +39,18 @@ Numbers mixer(const SeenFrame &frame);
 Numbers mixerSends(const SeenFrame &frame);  // numbersOf() the frame
 Numbers counters(const SeenFrame &frame);
 
-// The channels, then what else there is in the bytes 23, 0 and 24.
+// Returns the channels, then the rest of the bytes 23, 0 and 24.
 Numbers numbersOf(const Frame &frame);
 
-// "172,992", without its end; empty for any other text.
+// Reads "172,992", without its end; empty for any other text.
 Numbers numbersIn(const std::string &row);
 
-// What the line of a run demands.
+// What the line of a run requires.
 class Expected {
  public:
   explicit Expected(const std::vector<line::Character> &characters);
 
-  // Returns what is wrong with `found`, made at `us`; empty if it is what one of the two frames demands.
+  // Returns what is wrong with `found`, made at `us`; empty if it is what one of the two frames requires.
   std::string wrong(uint64_t us, const Numbers &found, const Rule &rule, double tolerance) const;
 
   // Returns the number of frames that began at `fromUs` or later, and were complete by `toUs`.

@@ -18,8 +18,8 @@ namespace mega {
 namespace {
 
 constexpr uint32_t CyclesPerUs = 16;
-constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;       // of a line with nothing on it
-constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of one that hands characters over at their end
+constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;       // of a silent line
+constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of a line that hands characters over at their end
 constexpr uint8_t ExternalInterrupts = 8;                        // INT0..INT7
 constexpr avr_io_addr_t TimerControl = 0x45;                     // TCCR0B
 constexpr uint32_t TimerClocked = 0x07;                          // CS02:CS00, 0 while it stands still
@@ -148,7 +148,7 @@ std::string Mega::mistakes() const {
   return all + (_lost == 0 ? "" : "Serial1: " + std::to_string(_lost) + " characters were not read in time\n");
 }
 
-// As the port's registers have it.
+// Returns what the port's registers say.
 line::LineSettings Mega::settings(size_t number) const {
   constexpr line::Parity Parities[] = {line::Parity::None, line::Parity::None, line::Parity::Even, line::Parity::Odd};
   const avr_uart_t &usart = *_usarts[number];
@@ -163,7 +163,7 @@ line::LineSettings Mega::settings(size_t number) const {
 }
 
 // The core sets baud rate and format first, then RXENn and TXENn. libsimavr counts a parity bit that is not there, and
-// misses a stop bit that is set after the baud rate: the time of a character is ours.
+// misses a stop bit that is set after the baud rate: we calculate the time of a character.
 void Mega::control(size_t number, uint32_t value) {
   if ((value & TransmitterOn) != 0) {
     const line::LineSettings now = settings(number);
@@ -250,7 +250,7 @@ void Mega::receive(const line::Character &character) {
   }
 }
 
-// RXC1, and UPE1 of the oldest one: libsimavr has no parity, and a time of its own for what comes.
+// RXC1, and UPE1 of the oldest character: libsimavr has no parity, and its own times for received characters.
 void Mega::showReceived() {
   avr_uart_t &usart = *_usarts[1];
   avr_regbit_setto(_avr, usart.upe, !_received.empty() && _received.front().bad);
@@ -285,7 +285,7 @@ void Mega::send(size_t number, uint8_t byte) {
   }
   if (number == 1) {
     line::Character character;
-    _wireUs = std::max(us + 1, _wireUs) + line::CharacterUs;  // rounded up: then it really is through
+    _wireUs = std::max(us + 1, _wireUs) + line::CharacterUs;  // rounded up: then it really is complete
     character.endUs = _wireUs;
     character.value = byte;
     _wire.push_back(character);

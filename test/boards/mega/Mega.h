@@ -18,7 +18,7 @@
 
 namespace mega {
 
-// What comes to a pin from outside: 0..3 are the pins 2, 3, 20, 21.
+// A level that comes to a pin from outside: 0..3 are the pins 2, 3, 20, 21.
 struct Level {
   double us;
   size_t pin;
@@ -28,7 +28,7 @@ struct Level {
 // The line at RX of Serial1. In front of the pin, and after each TX pin, there is an inverter.
 struct Line {
   std::unique_ptr<line::Line> source;  // null: a wire from TX of Serial1
-  uint64_t cutUs = UINT64_MAX;         // here it falls silent
+  uint64_t cutUs = UINT64_MAX;         // when it falls silent
   size_t bad = SIZE_MAX;               // the character, counted from 0, that has a wrong parity bit
   bool isShared = false;               // TX of Serial1 is at the same wire, through a diode behind the inverter
   std::vector<Level> levels;           // at other pins, in the order of their times
@@ -36,7 +36,7 @@ struct Line {
 
 // All times in us, as the sketch's micros() counts.
 struct Printed {
-  uint64_t us;  // its first character begins
+  uint64_t us;  // when its first character begins
   std::string text;
 };
 struct Sent {
@@ -46,7 +46,7 @@ struct Sent {
 struct Pulse {
   uint64_t us;  // it begins
   double widthUs;
-  double exactUs;  // it begins
+  double exactUs;  // when it begins
 };
 
 class Mega {
@@ -65,10 +65,10 @@ class Mega {
   const std::vector<Pulse> &pulses(size_t pin) const { return _pulses[pin]; }     // 0..3: the pins 2..5; 4: 11
   std::vector<uint8_t> eeprom() const;
 
-  // What the line says of a board that shares it.
+  // What the line says about a board that shares it.
   std::string report() const { return _line.source->report(); }
 
-  // What was wrong with the ports: "Serial1: baud rate, format"; empty if all went well.
+  // Returns what was wrong with the ports: "Serial1: baud rate, format"; empty if nothing was.
   std::string mistakes() const;
 
  private:
@@ -98,7 +98,7 @@ class Mega {
 
   Line _line;
   std::deque<line::Character> _wire;  // sent by TX of Serial1, and on its way
-  uint64_t _wireUs = 0;               // the last of them is through
+  uint64_t _wireUs = 0;               // when the last of them is complete
   line::Character _next;              // on its way,
   bool _isComing = false;             // if there is one
   line::UartSampler _sampler;

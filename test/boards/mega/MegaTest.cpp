@@ -41,7 +41,7 @@ Line lineOf(const std::string &name) {
   return line;
 }
 
-// All that it prints.
+// Checks all that it prints.
 std::string textOf(const Mega &mega) {
   std::string text;
   for (const Printed &line : mega.printed()) {
@@ -50,7 +50,7 @@ std::string textOf(const Mega &mega) {
   return text;
 }
 
-// All that it prints, but for what Counters prints of SBusFrameOk().
+// Checks all that it prints, except what Counters prints about SBusFrameOk().
 std::vector<Printed> rowsOf(const Mega &mega) {
   std::vector<Printed> rows;
   std::copy_if(mega.printed().begin(), mega.printed().end(), std::back_inserter(rows),
@@ -83,7 +83,7 @@ std::string wrongSent(const Expected &expected, const std::vector<mega::Sent> &s
   return wrong;
 }
 
-// One each 20 ms.
+// One comes every 20 ms.
 std::string wrongPulse(const Expected &expected, const std::vector<mega::Pulse> &pulses, size_t channel) {
   const Rule rule = [channel](const mega::SeenFrame &frame) { return mega::Numbers{mega::servos(frame)[channel]}; };
   std::string wrong;
@@ -98,7 +98,7 @@ std::string wrongPulse(const Expected &expected, const std::vector<mega::Pulse> 
 
 }  // namespace
 
-TEST_CASE("the examples print, send and do at their pins what stands on the line, and in time") {
+TEST_CASE("the examples print, send and do at their pins what the line says, and in time") {
   struct Run {
     std::string sketch;
     std::string line;
@@ -168,8 +168,8 @@ TEST_CASE("a character with a parity error is lost, and one frame with it: 24 by
   }
 }
 
-// It counts from the poll that found the frame, a loop period after its end, and is asked in every loop().
-TEST_CASE("SBusFrameOk() falls 100 ms after the line went silent, less what a port may have held back and a loop()") {
+// The age counts from the poll that found the frame, a loop period after its end; every loop() calls SBusFrameOk().
+TEST_CASE("SBusFrameOk() is false 100 ms after the line went silent, less what a port may have held back and a loop()") {
   const Mega mega("Counters", lineOf("cut"), 3);
   std::vector<double> changes;
   for (const Printed &line : mega.printed()) {
@@ -184,7 +184,7 @@ TEST_CASE("SBusFrameOk() falls 100 ms after the line went silent, less what a po
   CHECK(afterUs <= 100000 - 4 * 120 + 200);
 }
 
-TEST_CASE("Loopback says whether what it sends comes back, once a second") {
+TEST_CASE("Loopback says once a second whether its frames come back") {
   const std::pair<std::string, std::string> runs[] = {
       {"wire", "PASS: 100 frames sent, 100 came back right.\n"},
       {"flight", "FAIL: frames come that were not sent. Is a receiver still connected to RX1?\n"},
@@ -235,7 +235,7 @@ TEST_CASE("Diagnose prints what came with each setting, and what to do") {
   }
 }
 
-TEST_CASE("Diagnose counts the frames of each trial, and finds the failsafe when the radio is off") {
+TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the radio is off") {
   const Mega mega("Diagnose", lineOf("flight"), 15);
   const Expected expected(mega.characters());
   size_t trials = 0;
@@ -265,7 +265,7 @@ TEST_CASE("Diagnose counts the frames of each trial, and finds the failsafe when
   CHECK(mega.mistakes() == "Serial1: baud rate\n");  // a port that is set wrongly does not go unnoticed
 }
 
-TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and prints by them") {
+TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses them for what it prints") {
   const std::string move = "1. Move all sticks, sliders and switches to all their ends.\n";
   const Mega first("Calibrate", lineOf("calibration"), 29);
   std::vector<Printed> rows = first.printed();

@@ -7,5 +7,5 @@ endmacro()
 
 include(${COMPONENT_DIR}/CMakeLists.txt OPTIONAL)
 if(NOT registered)
-  message(FATAL_ERROR "${COMPONENT_NAME} has not been registered")  # it would be missing without a word
+  message(FATAL_ERROR "${COMPONENT_NAME} has not been registered")  # it would be missing without an error
 endif()

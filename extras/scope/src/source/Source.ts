@@ -11,38 +11,38 @@ export interface Problem {
 }
 
 export interface Source {
-  // What it is, for a person.
+  // Its name for the user.
   readonly title: string;
 
-  // What it is plugged in with, if that is known.
+  // The USB device that it is, if that is known.
   readonly device?: string;
 
-  // What comes of it.
+  // The line that it delivers.
   readonly line: Line;
 
-  // What is awaited, while that takes time; or ''.
+  // What is being done and how much of it, while that takes time; or ''.
   readonly progress?: string;
 
-  // Nothing can come unless it is open.
+  // Bytes come only while it is open.
   readonly state: State;
 
-  // The line's time: all that was through by then has come. Asked for each picture.
+  // Returns the line's time: all characters complete by then have come. Called for each picture.
   nowUs(): number;
 
-  // Its time stands still: it is paused, or at its end.
+  // True while its time stands still: it is paused, or at its end.
   readonly stands?: boolean;
 
-  // The settings that its port can have, the one that is meant first; none, or one, if there is nothing to try.
+  // The settings that its port can have, the expected one first; none or one if there is nothing to try.
   readonly settings: readonly Setting[];
-  // Resolves once the port has that setting.
+  // Sets the port. Resolves once it has that setting.
   use(setting: Setting): Promise<void>;
 
-  // Rows of numbers are awaited, no S.Bus.
+  // True if rows of numbers are expected, not S.Bus.
   readonly isBoard?: boolean;
 
   readonly problem?: Problem;
 
-  // What has happened to the port, by cause.
+  // What has happened to the port: counts by cause.
   readonly events?: ReadonlyMap<string, number>;
 
   close(): void;

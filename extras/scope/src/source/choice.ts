@@ -1,5 +1,5 @@
-// Which source the page looks at: always the one that was chosen last. The running one goes on until the next one has all that it
-// needs; if that fails, it just goes on.
+// The source that the page shows: always the one that was chosen last. The running source continues until the next one is ready,
+// and also if that one fails.
 
 import type { State } from './connection';
 
@@ -23,8 +23,8 @@ export class Choice<Source extends Chosen> {
     return this.asking || this.preparing ? 'choosing' : (this.current?.state ?? 'closed');
   }
 
-  // Asks the user, by a chooser of the browser. Returns undefined if another question has taken its place. What `question` throws
-  // is thrown.
+  // Asks the user by a dialog of the browser. Throws what `question` throws; returns undefined instead if a later question has
+  // replaced this one.
   async ask<Answer>(question: () => Promise<Answer>): Promise<Answer | undefined> {
     const asking = (this.asking = new AbortController());
     try {
@@ -39,8 +39,8 @@ export class Choice<Source extends Chosen> {
     }
   }
 
-  // Changes to another source. `prepare` does what takes time and may throw; `signal` tells it that a later source was chosen. What it
-  // returns makes the source, once the running one is closed.
+  // Changes to another source. `prepare` does what takes time, and may throw; `signal` aborts when a later source is chosen. The
+  // function that it returns makes the source, once the running one is closed.
   async change(prepare: (signal: AbortSignal) => Promise<() => Source>): Promise<void> {
     this.preparing?.abort();
     const { signal } = (this.preparing = new AbortController());

@@ -1,19 +1,19 @@
 // One serial port, held open whatever happens to it. It knows no page and no decoder.
 //
-//   closed      nothing is asked of the port any more; from any state, by close()
+//   closed      the port is not used any more; reached from any state, by close()
 //   opening     for the first time, which may take more than a second
 //   open        bytes come
 //   reopening   closed, and opened again: with other options, or because the device has gone
-//   failed      the browser does not open it, and is asked again each second
+//   failed      the browser does not open it; it is tried again each second
 //
-// `choosing` is what Choice adds: the user, or a file, is awaited.
+// `choosing` is added by Choice: it waits for the user, or for a file.
 
 export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
 
 export interface Listener {
   opened(): void;
   bytes(bytes: Uint8Array): void;
-  // Bytes were lost, by the name of the error; the port stays open.
+  // Bytes were lost; `error` is its name. The port stays open.
   disturbed(error: string): void;
   unplugged(): void;
 }
@@ -25,7 +25,7 @@ const retryMs = 1000;
 export class Connection {
   private now: State = 'opening';
   private gone = false;
-  private turn = new AbortController(); // from one opening to the next one
+  private turn = new AbortController(); // from one opening to the next
   private readonly waiters: (() => void)[] = [];
 
   constructor(
@@ -56,7 +56,7 @@ export class Connection {
     return new Promise((resolve) => this.waiters.push(resolve));
   }
 
-  // The device has gone: the browser has said so, or a read has failed.
+  // The device has gone: the browser said so, or a read failed.
   unplugged(): void {
     if (!this.gone && this.now !== 'closed') {
       this.gone = true;
@@ -71,7 +71,7 @@ export class Connection {
     this.turn.abort();
   }
 
-  // Returns at once, and nothing more is heard of the port. It is closed as soon as the browser can.
+  // Returns at once; the state is closed. The browser closes the port as soon as it can.
   close(): void {
     this.enter('closed');
     this.turn.abort();
@@ -101,7 +101,7 @@ export class Connection {
     }
   }
 
-  // From open() to close(): open() cannot be cancelled.
+  // Opens the port, reads it and closes it. open() cannot be cancelled.
   private async hold(port: Port, signal: AbortSignal): Promise<void> {
     try {
       await port.open(this.options);
@@ -133,7 +133,7 @@ export class Connection {
     }
   }
 
-  // Until it is stopped, or the stream breaks: returns the error's name.
+  // Reads until it is stopped, or the stream breaks. Returns the error's name.
   private async read(reader: ReadableStreamDefaultReader<Uint8Array>, signal: AbortSignal): Promise<string> {
     const stop = (): void => void reader.cancel().catch(() => undefined);
     signal.addEventListener('abort', stop, { once: true });
@@ -151,7 +151,7 @@ export class Connection {
   }
 }
 
-// Of each port, when its last connection has closed it.
+// For each port a promise, which resolves once its last connection has closed it.
 const free = new WeakMap<Port, Promise<void>>();
 
 // Waits until no other connection has the port. Call what it returns once the port is closed.

@@ -1,4 +1,4 @@
-// What a port's device is called. Web Serial tells only its numbers; names are those of the USB IDs' list (linux-usb.org).
+// The name of a port's device. Web Serial gives only its USB IDs; the names are those of the list of USB IDs (linux-usb.org).
 
 const vendors: Record<string, string> = {
   '0403': 'FTDI', '0483': 'STMicroelectronics', '067b': 'Prolific', '10c4': 'Silicon Labs', '16c0': 'Teensy', '1a86': 'WCH', '1b4f': 'SparkFun',
@@ -13,19 +13,19 @@ type Numbers = ReturnType<SerialPort['getInfo']>;
 
 const hex = (number: number): string => number.toString(16).padStart(4, '0');
 
-// 0403:6001, or '' for a port that is no USB device.
+// Returns 0403:6001, or '' for a port that is no USB device.
 export function idsOf({ usbVendorId, usbProductId }: Numbers): string {
   return usbVendorId === undefined || usbProductId === undefined ? '' : `${hex(usbVendorId)}:${hex(usbProductId)}`;
 }
 
-// FTDI FT232 (0403:6001)
+// Returns "FTDI FT232 (0403:6001)".
 export function deviceName(info: Numbers): string {
   const ids = idsOf(info);
   const names = [vendors[ids.slice(0, 4)], products[ids]].filter(Boolean);
   return ids === '' ? 'serial port' : names.length > 0 ? `${names.join(' ')} (${ids})` : `USB ${ids}`;
 }
 
-// Adapters are FTDI's, mostly: those can invert.
+// Returns true for FTDI: most adapters for S.Bus are theirs, since those can invert.
 export function isLikelyAdapter(info: Numbers): boolean {
   return idsOf(info).startsWith('0403');
 }

@@ -8,15 +8,15 @@ import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
 
 const noWorker: Problem = {
-  text: 'This browser makes no worker, which reads recordings.',
-  remedy: 'Open this page in a browser of this year or the last; or let make scope serve it, if it was opened from disk.',
+  text: 'This browser starts no worker, which the page needs for recordings.',
+  remedy: 'Open this page in a browser released this year or last year; or let make scope serve it, if it was opened from disk.',
 };
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
 
 export class Player implements Line {
-  wantedUs = 0; // where the line is to be
-  progress?: number; // 0..1, while a place is looked for
+  wantedUs = 0; // the position to play to
+  progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   private id = 0; // of the newest request
   private answered = 0;
@@ -30,11 +30,11 @@ export class Player implements Line {
     private readonly core: Core,
     private readonly worker: Worker,
     readonly lengthUs: number,
-    readonly carrier: string, // of a capture: the signal that has the line
+    readonly carrier: string, // of a capture: the signal that carries the line
     private picture: Picture,
   ) {}
 
-  // Reads the file. Throws an Error that says what is wrong with it, or a Problem if there is no worker; and if `signal` aborts it.
+  // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Player> {
     const worker = makeWorker();
     try {
@@ -73,8 +73,8 @@ export class Player implements Line {
     this.ask({ kind: 'seek', id: this.id, us });
   }
 
-  // Goes to the next fault after `us`, or after the fault that is there; or back. `tell`: gets the place and the fault, or null without
-  // another one. Not called if another place is sought meanwhile.
+  // Goes to the next fault after `us`, or after the fault `at`; with `back`, to the one before. `tell` gets the position and the
+  // fault, or null if there is no further one. It is not called if another position is sought meanwhile.
   seekFault(us: number, at: Span | undefined, back: boolean, tell: (us: number, found: Found | null) => void): void {
     this.looking = { id: ++this.id, tell };
     this.ask({ kind: 'fault', id: this.id, us, at, back });
@@ -84,12 +84,12 @@ export class Player implements Line {
     return this.looking?.id === this.id;
   }
 
-  // The faults there: 1 << Fault.
+  // The faults at the position: bits 1 << Fault.
   get faultsHere(): number {
     return this.picture.faults;
   }
 
-  // `nowUs` is us: what was wanted comes with one of the next pictures.
+  // Ignores the time: what was asked for comes with one of the next pictures.
   advance(_nowUs: number, sink: Sink): void {
     for (const answer of this.came.splice(0)) {
       this.show(answer, sink);
@@ -130,7 +130,7 @@ export class Player implements Line {
     return new Promise((resolve) => (this.ended = resolve));
   }
 
-  // The end of a recording that is awaited is handed over before.
+  // Ends the worker; if the end of a recording is awaited, once that was handed over.
   close(): void {
     if (this.ended) {
       const { ended } = this;

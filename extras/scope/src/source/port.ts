@@ -35,7 +35,7 @@ export class PortSource implements Source {
     boardBaud = 115200,
   ) {
     this.isBoard = kind === 'board';
-    // What inverts is the adapter, or a part before it: the page cannot.
+    // The adapter inverts, or a part before it: the page cannot.
     const bauds = this.isBoard ? [boardBaud] : [100000, 200000];
     this.settings = bauds.map((baud) => ({ baud, inverted: !this.isBoard }));
     this.setting = this.settings[0];
@@ -114,7 +114,7 @@ export class PortSource implements Source {
     this.core.receivedBad(this.nowUs());
   }
 
-  // A device that is plugged in again is another port.
+  // A device that is plugged in again is another SerialPort.
   private readonly connected = (event: Event): void => {
     const port = event.target as SerialPort;
     const { usbVendorId, usbProductId } = port.getInfo();
@@ -140,7 +140,7 @@ const unplugged: Problem = {
   remedy: 'Plug the adapter or the board in again: the page goes on by itself.',
 };
 
-// Chromium has one text for every cause, which says no more than this.
+// Chromium gives the same text for every cause, which says no more than this.
 const notOpened: Problem = {
   text: 'The port cannot be opened.',
   remedy: 'Close the other program that has it open, such as a Serial Monitor or another page. On Linux, add yourself to the group dialout. The page tries again every second.',
@@ -168,7 +168,7 @@ function whyNoPort({ name, message }: DOMException, kind: PortKind): Problem {
     return { text: 'No port was chosen.', remedy: `Plug the ${kind} in, press the button again, and choose it in the list.` };
   }
   return {
-    text: `The browser gives no port: ${message}`,
+    text: `The browser offers no port: ${message}`,
     remedy: 'Allow this page to use one. If the page was opened from disk and the browser rejects it, make scope serves it.',
   };
 }

@@ -14,9 +14,9 @@ export class RecordingSource implements Source {
   speed = 1;
   loop = false;
   playing = true;
-  found?: Found; // the fault that was gone to, until the position changes
-  isLast = false; // no other one is on the way that was asked for
-  private us = 0; // where it is to be
+  found?: Found; // the fault at the position, until that changes
+  isLast = false; // there is no further fault in the direction asked for
+  private us = 0; // the position that is wanted
   private lastMs = performance.now();
 
   private constructor(
@@ -24,10 +24,10 @@ export class RecordingSource implements Source {
     readonly title: string,
   ) {}
 
-  // Reads the file; what it returns plays it. Throws an Error that says what is wrong with the recording, or a Problem.
+  // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
     if (file.size > largest) {
-      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv read it`);
+      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv can read it`);
     }
     const player = await Player.read(core, file, signal, progress);
     if (signal.aborted) {
@@ -47,7 +47,7 @@ export class RecordingSource implements Source {
 
   get progress(): string {
     const { progress } = this.player;
-    const what = this.player.isLooking ? 'looking for a fault' : 'decoding up to there';
+    const what = this.player.isLooking ? 'looking for a fault' : 'decoding up to this position';
     return progress === undefined ? '' : `${what}: ${Math.floor(100 * progress)} %`;
   }
 
@@ -74,7 +74,7 @@ export class RecordingSource implements Source {
     return this.player.us;
   }
 
-  // All is as if it had been played up to there.
+  // Goes to a position: all is as if the recording had been played up to there.
   seek(us: number): void {
     this.leave();
     this.us = Math.min(us, this.endUs);
@@ -95,7 +95,7 @@ export class RecordingSource implements Source {
     return this.player.faults;
   }
 
-  // Those at the position: 1 << Fault.
+  // The faults at the position: bits 1 << Fault.
   get faultsHere(): number {
     return this.player.faultsHere;
   }

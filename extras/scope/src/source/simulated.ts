@@ -1,9 +1,9 @@
-// The built-in receiver: the page lives without any hardware.
+// The built-in receiver: the page works without any hardware.
 
 import type { Core, Setting, Simulation } from '../core';
 import type { Source } from './Source';
 
-const longestStepMs = 250; // a page in the background stands still: what it has missed is left out
+const longestStepMs = 250; // a page in the background stands still: the time that it missed is left out
 
 export class SimulatedSource implements Source {
   readonly state = 'open';
@@ -12,7 +12,7 @@ export class SimulatedSource implements Source {
   private us = 0;
   private lastMs = performance.now();
 
-  // `port`: how it reads the line at first.
+  // `port`: the first setting of the port.
   constructor(
     private readonly core: Core,
     simulation: Simulation,

@@ -1,4 +1,4 @@
-// Tells screen readers a text: once it has stood for a moment, and after a rest since the last one, however often it changes.
+// Tells screen readers a text once it has not changed for a moment, and not too soon after the last one.
 
 import { setText } from '../dom';
 

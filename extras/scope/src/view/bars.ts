@@ -1,4 +1,4 @@
-// One bar a channel: raw, microseconds and percent, marks at the least and the most seen, ends of the calibration.
+// One bar for each channel: raw, microseconds and percent, marks at the lowest and highest value seen, ends of the calibration.
 
 import type { Channels } from '../channels';
 import type { Core } from '../core';
@@ -63,14 +63,14 @@ export class Bars {
     }
     const name = this.channels.fullName(channel);
     setText(bar.name, this.channels.name(channel));
-    setAttribute(bar.chip, 'title', `${name} as a curve`);
+    setAttribute(bar.chip, 'title', `Show or hide the curve of ${name}`);
     setAttribute(bar.track, 'aria-label', name);
     const travel = this.line()?.travel(channel);
     bar.low.hidden = bar.high.hidden = travel === undefined;
     if (travel) {
       bar.low.style.left = `${share(travel[0]) * 100}%`;
       bar.high.style.left = `${share(travel[1]) * 100}%`;
-      setAttribute(bar.track, 'title', `${name}: least ${unit.text(travel[0])}, most ${unit.text(travel[1])}`);
+      setAttribute(bar.track, 'title', `${name}: lowest ${unit.text(travel[0])}, highest ${unit.text(travel[1])}`);
     }
     bar.ends.forEach((end) => (end.hidden = range === undefined));
     if (range) {
@@ -118,7 +118,7 @@ export class Bars {
   }
 }
 
-// A piece of the curve.
+// Draws a piece of the channel's curve.
 function swatch(channel: number): SVGSVGElement {
   const namespace = 'http://www.w3.org/2000/svg';
   const svg = document.createElementNS(namespace, 'svg');

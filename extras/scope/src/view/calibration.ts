@@ -1,4 +1,4 @@
-// Leads through a calibration: sbus/Calibrator decides, this only asks and shows.
+// Guides the user through a calibration: sbus/Calibrator decides, this only asks and shows.
 
 import { CalibrationError, type Core } from '../core';
 import { byId, setText } from '../dom';
@@ -10,7 +10,7 @@ const steps = [
   '2 of 3: Centre the sticks, throttle low, and let go.',
   '3 of 3: Push both sticks up and right, and hold them there.',
 ];
-// What the next step brings: nothing is left to do in this one.
+// The error that the next step removes: nothing is left to do in this one.
 const doneBy = [undefined, CalibrationError.NotRested, CalibrationError.NotPushed];
 const sticks = 4; // CH1..CH4 must be good
 const wanted = (1 << sticks) - 1;
@@ -24,7 +24,7 @@ export class CalibrationView {
   private readonly announcer = new Announcer(byId('calibration-announcement'));
   private readonly next = byId<HTMLButtonElement>('calibration-next');
 
-  // `done`: there is a calibration now.
+  // `done`: called once there is a calibration.
   constructor(
     private readonly core: Core,
     private readonly done: () => void,
@@ -65,7 +65,7 @@ export class CalibrationView {
     } else {
       this.go(1);
       this.textAt = performance.now() + 4000; // let it be read
-      setText(this.text, `Not taken: ${rejected}. Start again. ${steps[1]}`);
+      setText(this.text, `Not accepted: ${rejected}. Start again. ${steps[1]}`);
     }
   }
 }

@@ -1,4 +1,4 @@
-// What was counted, by cause. What is 0 stays quiet.
+// The counters, by cause. Those at 0 are pale.
 
 import { make, setText } from '../dom';
 import type { Status } from '../line';
@@ -10,12 +10,12 @@ const rows: [keyof Status, string, string][] = [
   ['extraFrames', '2F frames', 'with CH17..CH32'],
   ['rejectedByEnd', 'rejected: end', 'no end byte where one belongs'],
   ['rejectedByFlags', 'rejected: flags', 'unused bits of the flags set'],
-  ['rejectedByLength', 'rejected: size', 'more bytes belong to it, or a gap lies within'],
-  ['discardedBytes', 'discarded bytes', 'neither of a frame nor of telemetry'],
-  ['resyncs', 'resyncs', 'frames found again'],
+  ['rejectedByLength', 'rejected: size', 'more bytes follow directly, or a gap lies inside'],
+  ['discardedBytes', 'discarded bytes', 'that belong to no frame and no telemetry'],
+  ['resyncs', 'resyncs', 'frames were found again after some were missed'],
   ['badCharacters', 'bad characters', 'wrong parity or stop bit, or a break'],
-  ['rows', 'rows', 'that a board has printed'],
-  ['otherLines', 'other lines', 'that a board has printed'],
+  ['rows', 'rows', 'of numbers that a board printed'],
+  ['otherLines', 'other lines', 'of text that a board printed'],
 ];
 
 const rare = ['extraFrames', 'rows', 'otherLines']; // not shown before the first
@@ -41,7 +41,7 @@ export class CountersView {
     events?.forEach((count, what) => {
       const key = `port ${what}`;
       if (!this.values.has(key)) {
-        this.add(key, what, 'that the port has reported');
+        this.add(key, what, 'reported by the port');
       }
       this.set(key, count);
     });

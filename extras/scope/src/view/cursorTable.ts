@@ -1,4 +1,4 @@
-// What is at the cursors: times and values, and how they differ.
+// The times and values at the cursors, and their differences.
 
 import { make, setText } from '../dom';
 import type { History } from '../history';

@@ -1,5 +1,5 @@
-// Two cursors on the curves, A and B: dragged, or moved by keys. Each stays at a frame's time, and waits at the edge while that is
-// out of sight.
+// Two cursors on the curves, A and B: dragged, or moved by keys. Each stays at a frame's time, and waits at the edge while that
+// is out of sight.
 
 import { make, setAttribute } from '../dom';
 import type { History } from '../history';
@@ -13,7 +13,7 @@ export class Cursors {
   private times: number[] = []; // of A and B, in s; none while they are off
   private readonly handles: HTMLElement[];
 
-  // `turned`: they were switched on or off. `moved`: one was, by hand.
+  // `turned`: called when they are switched on or off. `moved`: called when the user moves one.
   constructor(
     private readonly history: History,
     private readonly view: Viewport,
@@ -35,7 +35,7 @@ export class Cursors {
     return this.times.map((time) => this.history.nearest(time));
   }
 
-  // Switches them on, with the first one in hand, or off.
+  // Switches them on or off. `byKey`: the first one gets the focus.
   toggle(byKey = false): void {
     if (this.on) {
       this.clear();
@@ -58,7 +58,7 @@ export class Cursors {
     this.tell();
   }
 
-  // The plot was made again.
+  // Puts the cursors over a plot that was made again.
   enter(over: HTMLElement): void {
     const focused = document.activeElement;
     over.append(this.layer);

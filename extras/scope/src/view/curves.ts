@@ -1,4 +1,4 @@
-// Curves of the chosen channels, on a scale that stays: the newest at the right edge, or a pause to look around in.
+// Curves of the chosen channels, on a scale that stays: the newest values are at the right edge, or the curves are paused.
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
@@ -19,7 +19,7 @@ import { Viewport } from './viewport';
 
 const height = 300;
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
-const restMs = 500; // at most, until what has moved by less than a pixel is drawn
+const restMs = 500; // at most, until a movement by less than a pixel is drawn
 
 export class Curves {
   private plot?: uPlot;
@@ -57,7 +57,7 @@ export class Curves {
     return this.view.paused;
   }
 
-  // From when to when they show, in us.
+  // The begin and end of what they show, in us.
   get shownUs(): [number, number] {
     return [1e6 * this.view.begin, 1e6 * this.view.edge];
   }
@@ -66,12 +66,12 @@ export class Curves {
     this.look((view) => view.pause(on));
   }
 
-  // +1: nearer.
+  // +1 zooms in.
   zoom(steps: number): void {
     this.look((view) => view.step(steps));
   }
 
-  // Another source follows.
+  // Removes the cursors and ends a pause: another source follows.
   forget(): void {
     this.cursors.clear();
     this.pause(false);
@@ -82,14 +82,14 @@ export class Curves {
     this.shown = '';
   }
 
-  // What is shown, as the text of an SVG file.
+  // Returns what is shown, as the text of an SVG file.
   svg(title: string): string {
     const { shownChannels: channels, unit, palette, drawn: times, longest } = this;
     const names = channels.map((channel) => this.channels.name(channel));
     return picture(this.history, { title, channels, names, unit: unit as Unit, times, longest, thickness: this.thickness(channels) }, palette as Palette);
   }
 
-  // `intervalUs`: from one frame or row to the next, on average.
+  // `intervalUs`: the mean interval of frames or rows.
   draw(nowUs: number, newest: Stretch | undefined, unit: Unit, intervalUs: number): void {
     this.view.follow(nowUs / 1e6, this.history.end > 0 ? this.history.time(this.history.begin) : 0);
     this.intervalUs = intervalUs;
@@ -117,11 +117,11 @@ export class Curves {
 
   private told(): void {
     this.ui.pause.setAttribute('aria-pressed', String(this.paused));
-    setText(this.ui.pause, this.paused ? 'Go on' : 'Pause');
+    setText(this.ui.pause, this.paused ? 'Continue' : 'Pause');
     setText(this.ui.window, `${+this.view.seconds.toPrecision(3)} s`);
   }
 
-  // By a pixel: of a minute and more it is drawn a few times a second.
+  // Returns true if the curves have moved by a pixel: a minute and more is drawn a few times a second.
   private hasMoved(): boolean {
     const { history, drawn } = this;
     const { edge, seconds } = this.view;
@@ -150,7 +150,7 @@ export class Curves {
     return { ...plot.bbox, ...this.drawn };
   }
 
-  // Without a frame: the curve breaks.
+  // The longest time without a frame, in s: after that the curve breaks.
   private get longest(): number {
     return silenceUs(this.rows, this.intervalUs) / 1e6;
   }
@@ -165,12 +165,12 @@ export class Curves {
     return { stroke };
   }
 
-  // The values at the cursor; without one, nothing.
+  // Shows the values at the pointer.
   private read(channels: number[]): void {
     const plot = this.plot;
     const left = plot?.cursor.left ?? -1;
     if (!plot || left < 0 || this.history.end === 0) {
-      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, turn the wheel to zoom; a double click goes on.' : '');
+      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, turn the wheel to zoom; a double click goes back to the newest.' : '');
       return;
     }
     const sample = this.history.nearest(plot.posToVal(left, 'x'));
@@ -256,7 +256,7 @@ export class Curves {
     this.cursors.enter(this.plot.over);
   }
 
-  // Where the receiver was in failsafe, where radio frames were lost, and where nothing came.
+  // Marks where the receiver was in failsafe, and where radio frames were lost.
   private bands(plot: uPlot, palette: Palette): void {
     const { ctx, bbox } = plot;
     ctx.save();

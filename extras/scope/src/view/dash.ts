@@ -1,4 +1,4 @@
-// How the curve of a channel is dashed: its colour alone is lost on paper, and to many eyes.
+// The dashes of a channel's curve: its colour alone is lost on paper, and to many eyes.
 
 const dashes = [[], [9, 3], [2, 3], [9, 3, 2, 3], [16, 4], [5, 5], [16, 3, 2, 3, 2, 3], [2, 6]];
 

@@ -13,10 +13,10 @@ const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'the lost-f
 
 export class FramesView {
   private stretches: Stretch[] = []; // the newest last
-  private shown?: Stretch; // bit by bit
+  private shown?: Stretch; // the frame shown bit by bit
   private held = false;
   private drawnAt = 0;
-  private at = 8; // the bit pointed at, of all; 8 is the payload's first
+  private at = 8; // the bit pointed at, from 0 on; 8 is the payload's first
   private cells: HTMLElement[] = [];
   private bitCells: HTMLElement[] = [];
   private owners: (string | undefined)[] = []; // by bit: "CH3"
@@ -66,7 +66,7 @@ export class FramesView {
     const newest = [...this.stretches].reverse();
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
-    setText(this.hint, newest.length === 0 ? 'No bytes of S.Bus: none have come, or a board prints numbers and keeps them.' : '');
+    setText(this.hint, newest.length === 0 ? 'No S.Bus bytes: none have come, or a board prints numbers instead.' : '');
   }
 
   private drawRow(row: HTMLElement, stretch: Stretch | undefined): void {
@@ -82,7 +82,7 @@ export class FramesView {
     row.className = stretch.kind === Kind.NoFrame && !stretch.isTelemetry ? 'none' : flags ? 'flagged' : '';
   }
 
-  // The newest frame, bit by bit.
+  // Shows the newest frame bit by bit.
   private show(stretch: Stretch | undefined): void {
     if (!stretch) {
       return;

@@ -1,15 +1,15 @@
-// Mouse, wheel and fingers on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel and
-// two fingers zoom there, a double click resets. Shift is for uPlot, which selects then. A tap is the mouse's, and reads the values.
+// Mouse, wheel and fingers on the curves, as in PulseView and Saleae's Logic: what is dragged stays under the pointer, the wheel
+// and two fingers zoom there, a double click resets. With Shift, uPlot selects instead. A tap points like a mouse.
 
 const slopPx = { mouse: 3, touch: 8 }; // a click or a tap may tremble
 const leastSpreadPx = 20;
-const doublePx = 250; // of the wheel, for twice as much time
-const pinchPx = 50; // the same, of two fingers on a touchpad
+const doublePx = 250; // of the wheel, to show twice as much time
+const pinchPx = 50; // of two fingers on a touchpad, to show twice as much time
 
 export interface Gestured {
-  // The curves' place on the screen, without their axes.
+  // Returns the curves' place on the screen, without their axes.
   place(): DOMRect;
-  // By this part of the width.
+  // Scrolls by this part of the width.
   scroll(part: number): void;
   // Shows `factor` times as much; what is at this part of the width stays there.
   zoom(factor: number, part: number): void;
@@ -73,7 +73,7 @@ export class Gestures {
     }
   }
 
-  // Where the fingers are, and how far apart.
+  // Returns where the fingers are, and how far apart.
   private spread(): { middle: number; px: number } {
     const [first = 0, second = first] = this.pointers.values();
     return { middle: (first + second) / 2, px: Math.max(Math.abs(second - first), leastSpreadPx) };

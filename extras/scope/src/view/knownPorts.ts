@@ -1,4 +1,5 @@
-// Ports that the user has allowed before, for as long as they are plugged in: one click opens one again, as what it was the last time.
+// Ports that the user has allowed before, for as long as they are plugged in: one click opens one again, as the adapter or board
+// that it was the last time.
 
 import { make, setAttribute } from '../dom';
 import { deviceName, idsOf, isLikelyAdapter } from '../source/device';
@@ -20,7 +21,7 @@ export class KnownPorts {
     void this.list();
   }
 
-  // It was opened so.
+  // Keeps as what the port was opened.
   remember(port: SerialPort, kind: PortKind): void {
     keep(keyOf(port), kind);
     void this.list();

@@ -55,7 +55,8 @@ export class LinkView {
     );
   }
 
-  // Two beside 16 channels. Futaba calls them DG1 and DG2, where CH17 and CH18 are channels; a line of 24 has none.
+  // Shows the two switches that come with 16 channels, CH17 and CH18. With 32 channels, where CH17 and CH18 are channels, Futaba
+  // calls the switches DG1 and DG2. A line of 24 channels has none.
   private switches(newest: Stretch | undefined): void {
     const count = newest?.channels.length ?? 16;
     const more = count === 32 && newest?.kind !== Kind.Row;

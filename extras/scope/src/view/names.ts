@@ -1,4 +1,4 @@
-// Where channels are named and hidden: in place of the bars, while it is open.
+// The panel that names and hides channels: it replaces the bars while it is open.
 
 import { longestName, type Channels } from '../channels';
 import { byId, make, setText } from '../dom';
@@ -19,7 +19,7 @@ export class NamesView {
     });
     this.panel.addEventListener('keydown', (event) => {
       if (event.key === 'Escape' || (event.key === 'Enter' && event.target instanceof HTMLInputElement)) {
-        event.preventDefault(); // of Enter, which would press the button that gets the focus
+        event.preventDefault(); // Enter would press the button that gets the focus
         this.turn(false);
       }
     });

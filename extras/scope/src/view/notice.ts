@@ -1,4 +1,4 @@
-// What has not worked, and what to do. It says nothing of the line, and fades; the verdict stays.
+// Says what has failed, and what to do. It says nothing about the line, and fades; the verdict stays.
 
 import { byId, setText } from '../dom';
 import type { Problem } from '../source/Source';

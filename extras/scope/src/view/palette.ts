@@ -5,7 +5,7 @@ const curves = 8;
 
 export type Palette = Record<(typeof names)[number], string> & { curves: string[] };
 
-// `probe`: an element of the page; its colour is as before then.
+// `probe`: an element of the page, whose colour is set and taken back.
 export function paletteOf(probe: HTMLElement): Palette {
   const color = (name: string): string => {
     probe.style.color = `var(--${name})`;

@@ -1,4 +1,4 @@
-// The curves as they are shown, as an SVG file: it stays sharp at any size, on paper too, and its texts can be edited.
+// The curves as they are shown, as an SVG file: it stays sharp at any size, also on paper, and its texts can be edited.
 
 import type { History } from '../history';
 import { ticksOf, type Unit } from '../unit';
@@ -87,7 +87,7 @@ class Path {
   }
 }
 
-// At most twelve ticks.
+// Returns the step from tick to tick: at most twelve.
 function stepOf(seconds: number): number {
   return [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find((step) => seconds / step <= 12) ?? 30;
 }

@@ -1,4 +1,4 @@
-// What µs and % mean: a FrSky's range, a Futaba's, or that of the radio that was calibrated here, which the browser keeps.
+// The range behind µs and %: FrSky's, Futaba's, or that of the radio that was calibrated here, which the browser stores.
 
 import { Scale, type Core } from '../core';
 import { byId, setText } from '../dom';
@@ -16,7 +16,7 @@ export class ScaleView {
     this.restore();
   }
 
-  // There is a new calibration.
+  // Stores the new calibration and uses it.
   calibrated(): void {
     const now = new Date().toISOString();
     const hex = Array.from(this.core.calibration, (byte) => byte.toString(16).padStart(2, '0')).join('');
@@ -41,7 +41,7 @@ export class ScaleView {
   }
 
   private useCalibration(when: string): void {
-    setText(byId('calibrated-text'), `By your calibration of ${new Date(when).toLocaleDateString()}.`);
+    setText(byId('calibrated-text'), `Calibrated on ${new Date(when).toLocaleDateString()}.`);
     this.select.options[Scale.Calibrated].disabled = false;
     this.use(Scale.Calibrated);
   }

@@ -8,7 +8,7 @@ const drawMs = 500;
 
 interface Bar {
   title: string;
-  // From the bottom: how high, of 1, and of which class.
+  // From the bottom up: the height, 1 for all of it, and the class.
   pieces: [number, string][];
 }
 
@@ -33,13 +33,13 @@ export class StatisticsView {
 
   private drawIntervals(found: Intervals | undefined, what: string): void {
     const text = found
-      ? `${found.count} intervals: the median is ${ms(found.medianUs)} ms, 98 of 100 last ${ms(found.lowUs)} to ${ms(found.highUs)} ms, ` +
+      ? `${found.count} intervals: the median is ${ms(found.medianUs)} ms, 98 % last ${ms(found.lowUs)} to ${ms(found.highUs)} ms, ` +
         `the longest ${ms(found.longestUs)} ms.`
-      : `Two ${what} are awaited.`;
+      : `Waiting for two ${what}.`;
     setText(byId('intervals-text'), text);
     const { bins = [], shorter = 0, longer = 0, firstUs = 0, widthUs = 0 } = found ?? {};
     const most = Math.max(...bins, shorter, longer, 1);
-    const height = (count: number): number => Math.log1p(count) / Math.log1p(most); // one of a thousand is seen
+    const height = (count: number): number => Math.log1p(count) / Math.log1p(most); // one of a thousand can be seen
     const middle = (bin: number): number => firstUs + bin * widthUs;
     chart(byId('intervals-chart'), [
       { title: `shorter: ${shorter}`, pieces: [[height(shorter), 'outside']] },
@@ -56,8 +56,8 @@ export class StatisticsView {
       recent.lost += lost;
     }
     const text =
-      `${percent(all.lost, all.frames)} of ${all.frames} ${what} were lost by radio, ${percent(recent.lost, recent.frames)} of those of ` +
-      `the last ten seconds; ${percent(all.failsafe, all.frames)} were failsafe.`;
+      `${percent(all.lost, all.frames)} of ${all.frames} ${what} were lost by radio, ${percent(recent.lost, recent.frames)} in ` +
+      `the last ten seconds; ${percent(all.failsafe, all.frames)} came in failsafe.`;
     setText(byId('losses-text'), all.frames > 0 ? text : `No ${what} yet.`);
     const worst = Math.max(0, ...parts.map(({ lost, frames }) => lost / Math.max(frames, 1)));
     const top = [0.1, 0.25, 0.5, 1].find((each) => each >= worst) ?? 1;
@@ -82,7 +82,7 @@ function axis(id: string, labels: string[]): void {
   labels.forEach((label, i) => setText(root.children[i] as HTMLElement, label));
 }
 
-// Bars side by side, in the width that there is.
+// Draws bars side by side, over the whole width.
 function chart(svg: HTMLElement, bars: Bar[]): void {
   const element = (name: string): SVGElement => document.createElementNS('http://www.w3.org/2000/svg', name);
   setAttribute(svg, 'viewBox', `0 0 ${Math.max(bars.length, 1)} 1`);

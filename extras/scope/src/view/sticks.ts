@@ -67,7 +67,7 @@ export class SticksView {
     });
   }
 
-  // Numbers whose unit is not known have no sticks.
+  // Returns undefined for numbers whose unit is not known.
   private percent(newest: Stretch | undefined, unit: Unit, channel: number): number | undefined {
     const value = newest?.channels[channel];
     if (value === undefined) {

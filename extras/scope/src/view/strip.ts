@@ -1,19 +1,19 @@
 // The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
-// Each fault has a height of its own, so that they are told without colours.
+// Each fault has a height of its own, so that they can be told apart without colours.
 
 import { binCount, type Fault, faultNames, faults, type FaultMap, type Span } from '../faults';
 import { byId, make, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Announcer } from './announcer';
 
-const restMs = 1000; // from one fault that is told to the next
+const restMs = 1000; // from one announced fault to the next
 const tall = 8;
 
 // Top and height, of `tall`, by Fault.
 const bands: [number, number][] = [[0, 8], [4, 4], [0, 2.5], [3.5, 1]];
 const classes = ['failsafe', 'lost', 'damage', 'silence'];
 
-// 1:02.345
+// Returns 1:02.345.
 export function clock(us: number, digits = 3): string {
   const units = Math.floor(us / 10 ** (6 - digits));
   const minute = 60 * 10 ** digits;
@@ -37,7 +37,7 @@ const boxOf = (fault: Fault, from: number, to: number): string => {
   return `M${from} ${top}h${to - from}v${height}h${from - to}z`;
 };
 
-// What bins have it, as the outlines of boxes.
+// Returns the bins that have a fault, as the outlines of boxes.
 function outline(fault: Fault, bins: Uint8Array): string {
   let path = '';
   for (let from = 0; from < bins.length; from++) {
@@ -79,7 +79,7 @@ export class Strip {
     setAttribute(this.window, 'x', place(from).toFixed(1));
     setAttribute(this.window, 'width', (place(to) - place(from)).toFixed(1));
     const all = map?.isComplete ? ` of ${map.counts.reduce((sum, count) => sum + count)}` : '';
-    const text = isLast ? 'There is no other fault that way.' : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
+    const text = isLast ? 'There is no further fault in this direction.' : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
     setText(byId('fault-text'), text);
     this.announcer.say(text);
   }

@@ -21,7 +21,7 @@ export interface Area {
   end: number;
 }
 
-// Draws a channel's curve. It breaks where nothing came for longer than `longest`, in s. What stays at a pixel's height is one
+// Draws a channel's curve. It breaks where nothing came for longer than `longest`, in s. Samples at one pixel's height are one
 // stroke: 16 curves of 1100 samples each are drawn sixty times a second.
 export function trace(history: History, channel: number, unit: Unit, area: Area, longest: number, pen: Pen): void {
   const { left, top, width, height, edge, seconds } = area;
@@ -56,7 +56,7 @@ export function trace(history: History, channel: number, unit: Unit, area: Area,
   settle();
 }
 
-// Calls `paint` for each stretch in which the receiver was in failsafe, or radio frames were lost: from x, so wide, in pixels.
+// Calls `paint` for each stretch in which the receiver was in failsafe, or radio frames were lost: its x and width, in pixels.
 export function bands(history: History, area: Area, paint: (x: number, width: number, failsafe: boolean) => void): void {
   const { begin, end } = area;
   const place = (sample: number): number => area.left + ((history.time(sample) - area.edge) / area.seconds + 1) * area.width;

@@ -1,4 +1,4 @@
-// The telemetry of S.BUS2: a card that is there while slots come.
+// The telemetry of S.BUS2: a card that is shown while slots come.
 
 import { byId, make } from '../dom';
 

@@ -6,7 +6,7 @@ import { clock, namesOf, Strip } from './strip';
 
 const stepUs = 1000000; // of an arrow key
 const leastSteps = 100; // from end to end
-const toldMs = 1000; // to a screen reader, while it plays
+const toldMs = 1000; // from one text for screen readers to the next, while it plays
 
 export class Timeline {
   private source?: RecordingSource;
@@ -96,7 +96,7 @@ export class Timeline {
     }
   }
 
-  // An arrow key of the slider; PageUp, Home and so on are the browser's.
+  // Seeks by an arrow key of the slider; the browser handles PageUp, Home and so on.
   private step(event: KeyboardEvent): void {
     const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
     if (steps !== undefined && this.source) {
@@ -106,7 +106,7 @@ export class Timeline {
     }
   }
 
-  // Not where letters choose.
+  // Goes to a fault by N or P, but not in the list of speeds, where a letter chooses.
   private key(event: KeyboardEvent): void {
     const key = event.key.toLowerCase();
     if ((key === 'n' || key === 'p') && !event.ctrlKey && !event.metaKey && !event.altKey && event.target !== this.speed && this.source) {

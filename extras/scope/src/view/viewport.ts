@@ -1,4 +1,4 @@
-// Which part of the time is shown: some seconds up to an edge, which follows the newest or stands still. It knows no page.
+// The part of the time that is shown: some seconds up to an edge, which follows the newest or stands still. It knows no page.
 
 const windows = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 240]; // s
 const usual = 10; // s
@@ -32,7 +32,7 @@ export class Viewport {
     this.right = on ? this.edge : undefined;
   }
 
-  // Zooms to the next of the round widths; the right edge stays. +1: nearer.
+  // Zooms to the next of the round widths; the right edge stays. +1 zooms in.
   step(steps: number): void {
     const at = steps > 0 ? windows.filter((each) => each < this.seconds).length : windows.findIndex((each) => each > this.seconds);
     const next = steps > 0 ? Math.max(at - 1, 0) : at < 0 ? windows.length - 1 : at;
@@ -49,7 +49,7 @@ export class Viewport {
     }
   }
 
-  // The newest, as wide as at first.
+  // Shows the newest again, as wide as at first.
   reset(): void {
     this.seconds = usual;
     this.right = undefined;
@@ -60,7 +60,7 @@ export class Viewport {
     this.hold(this.edge + part * this.seconds);
   }
 
-  // Shows what was chosen, in the round width that fits it best.
+  // Shows a selected part, in the round width that fits it best.
   show(from: number, to: number): void {
     this.seconds = windows.find((seconds) => seconds >= to - from) ?? windows[windows.length - 1];
     this.hold(to + (this.seconds - (to - from)) / 2);

@@ -1,4 +1,4 @@
-// Returns a file's bytes, or those that are packed in it, as they come. `taken`: how many more of the file were read.
+// Returns a reader of a file's bytes, unpacked if `packing` is given. `taken` gets how many more bytes of the file were read.
 export function bytesOf(file: Blob, packing: CompressionFormat | undefined, taken: (count: number) => void): ReadableStreamDefaultReader<Uint8Array> {
   const counting = new TransformStream<Uint8Array, Uint8Array>({
     transform(part, out): void {

@@ -1,4 +1,4 @@
-// Decodes a tape in a WebAssembly of its own, whose memory is all that it knows: a copy of that is the line's state.
+// Decodes a tape in a WebAssembly instance of its own. All that it knows is in its memory: a copy of that is the line's state.
 
 import { imports, Native, type Exports } from '../native';
 import type { Tape } from './tape';
@@ -6,10 +6,10 @@ import type { Tape } from './tape';
 const stepUs = 1000000;
 const blockSize = 256; // numbers of 32 bits
 
-// The memory at a moment, where it differs from that of the first image.
+// A copy of the memory: the blocks that differ from the first one.
 export interface Image {
   us: number;
-  next: number; // character
+  next: number; // the next character
   size: number; // bytes of the memory
   places: Uint32Array; // of blocks
   blocks: Uint32Array;
@@ -17,7 +17,7 @@ export interface Image {
 
 export class Decoder {
   us = 0;
-  next = 0; // the first character that it has not had
+  next = 0; // the first character that it has not decoded
   private native: Native;
   private readonly first: Uint32Array;
 
@@ -40,7 +40,7 @@ export class Decoder {
     return this.native;
   }
 
-  // Hands over all that comes up to `us`, as records. Returns false if `hurry` ended it before.
+  // Hands over all that comes up to `us`, as records. Returns false if `hurry`, a time in ms, came first.
   advance(us: number, take: (records: Uint8Array) => void = () => undefined, hurry = Infinity): boolean {
     for (;;) {
       this.us = Math.min(us, Math.max(this.us + stepUs, this.tape.timeOf(this.next))); // a silence is one step
@@ -70,7 +70,7 @@ export class Decoder {
     return { us: this.us, next: this.next, size: memory.byteLength, places: Uint32Array.from(places), blocks };
   }
 
-  // Goes to where an image was taken, of this decoder or of another one of the tape.
+  // Goes to where an image was taken, by this decoder or by another one of the same tape.
   restore(image: Image): void {
     if (this.memory.byteLength > image.size) {
       this.native = this.instance(); // a memory never shrinks, and its heap begins behind the end

@@ -3,17 +3,17 @@
 import { binCount, Fault, faults, silenceUs, type Found, type Sample, type Span } from '../faults';
 import { Flag, Kind } from '../line';
 
-export const mostSpans = 1 << 14; // of a fault
-const apartUs = 1000000; // nearer ones are one
+export const mostSpans = 1 << 14; // of each fault
+const apartUs = 1000000; // nearer faults are one
 
-// Of one fault, in their order.
+// The spans of one fault, in the order of time.
 class Spans {
   count = 0;
   readonly from = new Float64Array(mostSpans); // us
   readonly to = new Float64Array(mostSpans);
   private apartUs = apartUs;
 
-  // It begins later than all before.
+  // Adds a span, which begins later than all before.
   add(fromUs: number, toUs: number): void {
     const last = this.count - 1;
     if (last >= 0 && fromUs - this.to[last] <= this.apartUs) {
@@ -37,7 +37,7 @@ class Spans {
     return low;
   }
 
-  // There is no room for more: neighbours become one, until half of it is free.
+  // Makes room: joins neighbours until half of it is free.
   private thin(): void {
     while (this.count > mostSpans / 2) {
       this.apartUs *= 2;
@@ -56,15 +56,15 @@ export class Faults {
   private readonly on = faults.map(() => false); // at the newest frame or row
   private readonly perUs: number;
   private count = 0; // frames or rows
-  private firstUs = 0; // of them
-  private newestUs?: number; // of them; before the first, when bytes came first
-  private isRow = false; // the newest of them
+  private firstUs = 0; // of the first of them
+  private newestUs?: number; // of the newest of them; before the first, of the first bytes
+  private isRow = false; // the newest of them is a row
 
   constructor(endUs: number) {
     this.perUs = binCount / Math.max(endUs, 1);
   }
 
-  // The next stretch of the line.
+  // Takes the next stretch of the line.
   take({ endUs, kind, flags, damagedUs }: Sample): void {
     if (damagedUs > 0) {
       this.mark(Fault.Damage, damagedUs, endUs);
@@ -82,7 +82,7 @@ export class Faults {
     this.newestUs = endUs;
   }
 
-  // Nothing comes any more up to there.
+  // Ends the recording: nothing more comes up to there.
   finish(us: number): void {
     this.silence(us);
     this.newestUs = Infinity;
@@ -92,7 +92,7 @@ export class Faults {
     return this.spans.map(({ count }) => count);
   }
 
-  // True if every fault is known that begins by then.
+  // Returns true if all faults that begin by then are known.
   knows(us: number): boolean {
     return us < (this.newestUs ?? 0);
   }
@@ -124,7 +124,7 @@ export class Faults {
     return span && { ...span, number: faults.reduce((sum, fault) => sum + this.passed(fault, span), 0) };
   }
 
-  // Returns how many of a fault come by that place.
+  // Returns how many spans of a fault begin by that place.
   private passed(fault: Fault, place: Place): number {
     const count = this.spans[fault].by(place.fromUs);
     return count > 0 && order(this.span(fault, count - 1), place) > 0 ? count - 1 : count;
@@ -134,7 +134,7 @@ export class Faults {
     return { fault, fromUs: this.spans[fault].from[at], toUs: this.spans[fault].to[at] };
   }
 
-  // Returns true if none came since the newest frame or row, for too long.
+  // Marks a silence since the newest frame or row. Returns false if there was none.
   private silence(us: number): boolean {
     const fromUs = this.newestUs ?? us;
     const meanUs = (fromUs - this.firstUs) / (this.count - 1); // not known before the second row
@@ -145,7 +145,7 @@ export class Faults {
     return silent;
   }
 
-  // A flag lasts from the first frame that has it to the first that has it not, or to a silence.
+  // Marks a flag: it lasts from the first frame that has it to the first that does not, or to a silence.
   private flag(fault: Fault, on: boolean, silent: boolean, us: number): void {
     if (this.on[fault] && !silent) {
       this.mark(fault, this.newestUs as number, us);
@@ -164,6 +164,6 @@ export class Faults {
   }
 }
 
-// A fault, or a time: that is after all that begins then.
+// A fault, or a time, which comes after all faults that begin then.
 type Place = Pick<Span, 'fromUs'> & Partial<Span>;
 const order = (one: Place, other: Place): number => one.fromUs - other.fromUs || (one.fault ?? Infinity) - (other.fault ?? Infinity);

@@ -1,4 +1,4 @@
-// What the page and the worker that plays a recording tell each other.
+// The messages between the page and the worker that plays a recording.
 
 import type { FaultMap, Found, Span } from '../faults';
 import type { Samples } from '../history';
@@ -8,9 +8,9 @@ export type Travel = [number, number] | undefined;
 
 export type Request =
   | { kind: 'open'; wasm: Uint8Array; file: File }
-  | { kind: 'advance'; id: number; us: number } // all that was through by then
+  | { kind: 'advance'; id: number; us: number } // all characters complete by then
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
-  | { kind: 'fault'; id: number; us: number; at?: Span; back: boolean } // to the next one after `us`, or after the fault that is there
+  | { kind: 'fault'; id: number; us: number; at?: Span; back: boolean } // to the next one after `us`, or after the fault `at`
   | { kind: 'resetMarks' }
   | { kind: 'record'; on: boolean };
 
@@ -25,8 +25,8 @@ export interface Picture {
   telemetry: string[]; // see Line.telemetry()
   records: Uint8Array[]; // see Native.stretchesIn()
   recorded: string;
-  faults: number; // there: 1 << Fault
-  found?: Found | null; // the fault that was gone to; null: no fault that way
+  faults: number; // at `us`: bits 1 << Fault
+  found?: Found | null; // the fault at `us`; null: no further fault in that direction
 }
 
 export type Answer =

@@ -1,4 +1,4 @@
-// A file that is read, in a WebAssembly of its own: the characters of a recording, or of a capture of the wire.
+// Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
 import { imports, Native, type Exports } from '../native';
 import { bytesOf } from './bytes';
@@ -8,7 +8,7 @@ export class Tape {
   settings: Uint8Array = new Uint8Array();
   size = 0; // characters
   lengthUs = 0;
-  carrier = ''; // of a capture: the signal that has the line
+  carrier = ''; // of a capture: the signal that carries the line
   private readonly native: Native;
 
   constructor(module: WebAssembly.Module) {

@@ -1,4 +1,4 @@
-// Plays one recording, beside the page: reads its file, decodes it, and goes to any place of it.
+// Plays one recording in a thread of its own: reads its file, decodes it, and goes to any place of it.
 
 import { Fault, type Found, type Sample } from '../faults';
 import { History, isSample, samplesOf } from '../history';
@@ -8,7 +8,7 @@ import { Faults } from './faults';
 import type { Answer, Picture, Request } from './messages';
 import { Tape } from './tape';
 
-const sliceMs = 15; // of work, until messages are heard
+const sliceMs = 15; // of work, until messages are read
 const pictureMs = 30; // at most, for a picture
 const progressMs = 100;
 const longestLookUs = 3000000; // from where a fault begins to where the page shows it
@@ -19,7 +19,7 @@ const channels = 32;
 
 const answer = (message: Answer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
-// Lets messages come in.
+// Lets waiting messages in.
 const { port1, port2 } = new MessageChannel();
 const turn = (): Promise<void> =>
   new Promise((resolve) => {
@@ -36,7 +36,7 @@ function progress(part: number): void {
   }
 }
 
-// The line's states, each some seconds after the other, and its faults: it is decoded once, as soon as there is time for it.
+// The decoder's states, some seconds apart, and the line's faults: it is decoded once, whenever there is time for it.
 class Index {
   readonly images: Image[];
   readonly faults: Faults;
@@ -85,7 +85,7 @@ class Index {
     }
   }
 
-  // The newest state of those that are not newer.
+  // Returns the newest image that is not later.
   before(us: number): Image {
     let newest = 0;
     for (let i = 0; i < this.images.length && this.images[i].us <= us; i++) {
@@ -189,7 +189,7 @@ class Playing {
     }
   }
 
-  // From where a fault begins to where the page shows it: what a byte belongs to is known some bytes later.
+  // Goes on from where a fault begins to where the page shows it: what a byte belongs to is known some bytes later.
   private advanceTo(found: Found, records: Uint8Array[]): void {
     const { player } = this;
     let isShown = records.some((part) => this.shows(part, found));
@@ -232,7 +232,7 @@ function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
   }
 }
 
-// The history before a place.
+// Decodes the history before a place.
 class Past {
   private readonly decoder: Decoder;
   private readonly stretches: Stretch[] = [];

@@ -3,7 +3,7 @@
 import { bytesOf } from './bytes';
 
 export interface Entry {
-  at: number; // of its header
+  at: number; // offset of its header
   packed: number; // bytes
   size: number;
   crc: number;
@@ -41,7 +41,7 @@ export async function directory(file: File): Promise<Map<string, Entry>> {
     const name = new TextDecoder().decode(new Uint8Array(list.buffer, next + listed.size, short(28)));
     const method = short(10);
     if (short(8) & encrypted || (method !== methods.stored && method !== methods.deflated)) {
-      throw new Error(`the ZIP's ${name} is encrypted, or packed by another method than deflate`);
+      throw new Error(`the ZIP's ${name} is encrypted, or packed with a method other than deflate`);
     }
     entries.set(name, { at: number(42), packed: number(20), size: number(24), crc: number(16), isPacked: method === methods.deflated });
     next += listed.size + short(28) + short(30) + short(32);
@@ -49,7 +49,7 @@ export async function directory(file: File): Promise<Map<string, Entry>> {
   return entries;
 }
 
-// Hands an entry's bytes over. `taken`: how many of the file's were read for that. Throws an Error if they are not what was packed.
+// Hands over an entry's bytes. `taken` gets how many more bytes of the file were read. Throws an Error if the ZIP is damaged.
 export async function unpack(file: File, entry: Entry, take: (bytes: Uint8Array) => void, taken: (count: number) => void): Promise<void> {
   const head = await view(file, entry.at, entry.at + header.size);
   if (head.byteLength < header.size || head.getUint32(0, true) !== header.signature) {

@@ -13,7 +13,7 @@ struct Usb {
   std::vector<Bytes> reports;  // with their ID first
   int axes[6];                 // X, Y, Z, RX, RY, RZ of a core's own Joystick ...
   uint32_t buttons;            // ... and its buttons, as sent
-  bool isAttached;             // what comes to the descriptor later is not seen
+  bool isAttached;             // the PC does not see later additions to the descriptor
 };
 extern Usb usb;
 

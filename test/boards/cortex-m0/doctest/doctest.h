@@ -1,5 +1,5 @@
-// What the unit programs use of doctest, without its streams, exceptions and RTTI, for which 1.5 GB of C++ library would
-// have to be installed. A failed REQUIRE ends the program.
+// The part of doctest that the unit programs use, without streams, exceptions and RTTI, for which 1.5 GB of C++ library
+// would have to be installed. A failed REQUIRE ends the program.
 #pragma once
 
 #include <cstdio>
@@ -33,7 +33,7 @@ struct Approx {
 };
 bool operator==(double value, const Approx &expected);
 
-// What a failed check shows besides its line, while this lives.
+// A failed check shows this text besides its line, as long as this object lives.
 class Context {
  public:
   Context();
@@ -68,7 +68,7 @@ class TestCase {
  public:
   TestCase(const char *name, void (*run)());
 
-  // Runs them in the order in which they stand in their file. Returns the status of the program.
+  // Runs them in the order of their file. Returns the status of the program.
   static int runAll();
 
  private:

@@ -12,7 +12,7 @@ class Servo {
  public:
   Servo() : _number(count++) {}
 
-  // Pulses begin.
+  // Starts the pulses.
   void attach(int pin) {
     const uint8_t number = static_cast<uint8_t>(pin);
     pinMode(number, OUTPUT);
@@ -30,7 +30,7 @@ class Servo {
     }
   }
 
-  // From the next pulse on.
+  // Takes effect with the next pulse.
   void writeMicroseconds(int us) {
     const uint16_t ticks = static_cast<uint16_t>(constrain(us, 544, 2400)) * TicksPerUs;
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
@@ -38,7 +38,7 @@ class Servo {
     }
   }
 
-  // Called by the interrupt of timer 5: puts the edge out, and has the next one come.
+  // Called by the interrupt of timer 5: makes the edge, and sets the time of the next.
   static void next() {
     const Pulse &pulse = pulses[current];
     while (TCNT5 < edge) {
