@@ -51,12 +51,21 @@ check_impairment() {
   verdict $? "make impairment ONLY='$1'"
 }
 
+# The table "Numbers" of README.md repeats some of them.
+check_readme() {
+  numbers=$(sed -n '/^## Numbers/,/^S.Bus has/p' ../../README.md | grep '^|' | grep -oE '[0-9]{3,}')
+  missing=$(for number in $numbers; do grep -qw "$number" $page || echo "$number"; done)
+  [ -n "$numbers" ] && [ -z "$missing" ]
+  verdict $? "README.md's numbers are those of measured.md${missing:+, but not $(echo $missing)}"
+}
+
 if [ "${1:-}" = check ]; then
   unset FRAMES SEED ONLY FULL WITHOUT
   printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
   check size
   check bench
   check_impairment 'Fast S.Bus, bursts'
+  check_readme
   exit
 fi
 
