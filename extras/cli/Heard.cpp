@@ -51,7 +51,7 @@ void Heard::listen(Input &input, uint64_t us, uint64_t framesUs) {
 }
 
 std::string Heard::text() const {
-  const std::string bad = std::to_string(_observer.badCharacters());
+  const unsigned long errors = _observer.characterErrors();
   const unsigned long telemetry = _observer.telemetry().characters();
   const unsigned long discarded = _observer.discardedBytes();
   return line::text(_settings) + ": " +
@@ -59,7 +59,8 @@ std::string Heard::text() const {
                  : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
                        (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
                        std::to_string(discarded) + (discarded == 1 ? " discarded byte" : " discarded bytes")) +
-         (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") + "\n";
+         (errors > 0 ? ", " + std::to_string(errors) + (errors == 1 ? " character error" : " character errors") : "") +
+         "\n";
 }
 
 Json Heard::json() const {
@@ -71,7 +72,7 @@ Json Heard::json() const {
       .flag("has_24_channels", _observer.has24())
       .number("telemetry_bytes", _observer.telemetry().characters())
       .number("discarded_bytes", _observer.discardedBytes())
-      .number("bad_characters", _observer.badCharacters())
+      .number("character_errors", _observer.characterErrors())
       .number("lost_frames", counters().lostFrames)
       .number("failsafe_frames", counters().failsafeFrames)
       .flag("rows_of_csv", _isCsv);

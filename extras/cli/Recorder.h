@@ -27,7 +27,7 @@ class Recorder {
   // Returns true if frames or rows have come.
   bool knows() const { return _rows.recognised() || _observer.counters().frames > 0; }
 
-  // Returns "1000 characters (0 bad), 40 frames".
+  // Returns "1000 characters (0 with errors), 40 frames".
   std::string summary();
 
  private:

@@ -25,7 +25,7 @@ void Places::rejected(int at, sbus::Rejection why) {
   }
 }
 
-// Bad characters do not reach a decoder: a frame with one, and a byte too many at its end, looks whole to it.
+// Characters with errors do not reach a decoder: a frame with one, and a byte too many at its end, looks whole to it.
 void Places::found(Stretch::Kind variant, int size) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;

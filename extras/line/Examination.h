@@ -20,7 +20,7 @@ class Examination {
 
  private:
   sbus::Counters _before{};
-  unsigned long _badBefore = 0;
+  unsigned long _errorsBefore = 0;
   uint64_t _beganUs = 0;
 };
 

@@ -16,7 +16,7 @@ struct Character {
   uint8_t value = 0;
   bool bad = false;          // its parity or a stop bit was wrong
   uint32_t lateUs = 0;       // a port held it back: it ended at most this much earlier
-  bool parityWrong = false;  // what was wrong with a bad one; both are false if its source does not tell
+  bool parityWrong = false;  // which error it has; both are false if its source does not tell
   bool stopWrong = false;
 };
 

@@ -23,7 +23,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _lineUs = nowUs;
   _silenceUs = 0;
   _waits = false;
-  _badCharacters = 0;
+  _characterErrors = 0;
   _quality = sbus::LinkQuality();
   _percent = 0;
   _saidUs = 0;
@@ -57,7 +57,7 @@ void Observer::put(const Character &character) {
   _silenceUs = 0;
   _last = character;
   _waits = !character.bad;
-  _badCharacters += character.bad;
+  _characterErrors += character.bad;
   _segments.put(character);
 }
 

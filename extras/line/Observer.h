@@ -49,7 +49,7 @@ class Observer : public Statistics {
   void finish();
 
   unsigned long characters() const { return static_cast<unsigned long>(_segments.end()); }
-  unsigned long badCharacters() const { return _badCharacters; }
+  unsigned long characterErrors() const { return _characterErrors; }
   // Returns true if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
   // Returns the link quality of the last second, 0..100, as sbus::LinkQuality has it.
@@ -80,7 +80,7 @@ class Observer : public Statistics {
   uint64_t _lineUs;     // the decoders' time at its end: characters and what is certain to be silence, no more
   uint64_t _silenceUs;  // the certain silence since then
   bool _waits;          // _last has not been handed over
-  unsigned long _badCharacters;
+  unsigned long _characterErrors;
   sbus::LinkQuality _quality;
   uint8_t _percent;               // the link quality when the newest frame was complete
   uint64_t _saidUs;               // the end of the last stretch

@@ -34,7 +34,7 @@ struct Stretch {
   uint64_t endUs() const { return characters.back().endUs; }
 };
 
-// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a bad character "unused
+// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a character error "unused
 // flags set (byte 10)", with the place of the header, or "no header". Returns "" for a frame.
 std::string why(const Stretch &stretch);
 

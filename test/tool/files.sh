@@ -132,7 +132,7 @@ printf '30 0F E5\n' >"$work/time.txt"
 verdict $? "a time of two digits, alone, is a time"
 printf '%s %s\n' "$frame" "$frame" | sed 's/1F/1F!/' >"$work/bad.txt"
 "$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.*parity or framing error (byte 3)$'
-verdict $? "bytes without times, one bad"
+verdict $? "bytes without times, one with an error"
 "$SBUS" doctor "$work/bytes.bin" >"$work/out" 2>"$work/err"
 [ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 discarded bytes' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"
 verdict $? "doctor of bytes without times says no times"

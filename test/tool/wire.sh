@@ -45,7 +45,7 @@ waved recordings/sbus2.txt 100000 no --uninverted
 sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 "$SBUS" wave "$work/bad.txt" >"$work/bad.vcd" &&
   [ "$("$SBUS" decode "$work/bad.vcd" --characters --csv | grep -c ',1F,1,0')" -eq "$(grep -c '!' "$work/bad.txt")" ]
-verdict $? "a bad character of a recording has a wrong parity bit on the wire"
+verdict $? "a character with an error in a recording has a wrong parity bit on the wire"
 if [ -n "$have_sigrok" ]; then
   [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
   verdict $? "sigrok finds it as well"
@@ -241,7 +241,7 @@ for capture in logic1.csv logic2.csv; do
   verdict $? "decode of $capture"
 done
 [ "$(sed '30s/,,$/,Error,Error/' "$work/logic1.csv" | "$SBUS" decode - --characters | grep -c '  parity error; framing error$')" -eq 1 ]
-verdict $? "decode of a character that Saleae's analyser has found bad"
+verdict $? "decode of a character in which Saleae's analyser has found an error"
 
 # The last line but one is the last character's last edge: that was the end, or more has been lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"

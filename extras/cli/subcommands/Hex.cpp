@@ -209,7 +209,7 @@ void writeJson(const line::Stretch &stretch, const line::Values &values, uint32_
 void writeJsonEnd(const line::Observer &observer) {
   write(Json("end")
             .number("characters", observer.characters())
-            .number("bad_characters", observer.badCharacters())
+            .number("character_errors", observer.characterErrors())
             .counts(observer.counters())
             .line());
 }

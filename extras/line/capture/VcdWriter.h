@@ -8,7 +8,7 @@
 
 namespace line {
 
-// Takes characters in their order, and returns text. A bad character gets a wrong parity bit.
+// Takes characters in their order, and returns text. A character with an error gets a wrong parity bit.
 class VcdWriter {
  public:
   // 100000 or 200000 baud: a bit then lasts whole microseconds.

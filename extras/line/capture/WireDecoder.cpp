@@ -13,7 +13,7 @@ constexpr int64_t Never = INT64_MAX / 2;
 // Returns why a wire whose characters an analyser has decoded has no frame.
 std::string whyNoCharacters(const FoundWire &wire) {
   return "has " + std::to_string(wire.good) + " good characters and " + std::to_string(wire.bad) +
-         " bad ones: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted?";
+         " with errors: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted?";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class CsvRows {
   // Takes the next byte. Returns true if it has completed a row, or a line of other words.
   bool put(uint8_t byte);
 
-  // Takes the next character of a port; a bad one is no text.
+  // Takes the next character of a port; one with an error is no text.
   bool put(const Character &character) { return put(character.bad ? uint8_t{0} : character.value); }
 
   // Returns the fields of the newest line: 64 at most, from its first 1024 bytes.

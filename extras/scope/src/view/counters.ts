@@ -13,7 +13,7 @@ const rows: [keyof Status, string, string][] = [
   ['rejectedByLength', 'rejected: size', 'more bytes belong to it, or a gap lies within'],
   ['discardedBytes', 'discarded bytes', 'neither of a frame nor of telemetry'],
   ['resyncs', 'resyncs', 'frames found again'],
-  ['badCharacters', 'bad characters', 'wrong parity or stop bit, or a break'],
+  ['characterErrors', 'character errors', 'wrong parity or stop bit, or a break'],
   ['rows', 'rows', 'that a board has printed'],
   ['otherLines', 'other lines', 'that a board has printed'],
 ];
