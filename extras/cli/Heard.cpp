@@ -9,7 +9,7 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t SilenceUs = 100000;  // between characters: no frame period is so long
+constexpr uint64_t SilenceUs = 100000;  // between characters: longer than any frame period
 
 const char *polarityName(line::Polarity polarity) {
   return polarity == line::Polarity::Inverted     ? "inverted"
@@ -112,7 +112,7 @@ void Heard::take(const line::Stretch &stretch) {
   }
 }
 
-// Notes a silence: no character came between the last one and `us`, when a character is complete or the listening ends.
+// Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening ends.
 void Heard::heardUntil(uint64_t us) {
   if (us >= _lastUs + SilenceUs) {
     _silences.push_back(_lastUs);
@@ -133,8 +133,8 @@ std::vector<uint64_t> Heard::periods() const {
   return periods;
 }
 
-// Returns the median, which an impaired frame does not move; the mean where a port hands bytes over in lumps, so that no
-// period is as it was on the line.
+// Returns the median, which an impaired frame does not change; the mean if the port hands bytes over in bursts, so that
+// no period is as it was on the line.
 uint64_t Heard::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
   const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
   std::nth_element(periods.begin(), middle, periods.end());
@@ -145,7 +145,7 @@ std::string Heard::frames() const {
   return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
 }
 
-// Returns the gap that belongs to the last frame of a recording, which ends with the frame.
+// Returns the gap after the last frame of a recording, which ends with this frame.
 uint64_t Heard::gapUs() const {
   const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
   return std::max(_observer.gaps().low, frameUs) - frameUs;

@@ -145,7 +145,7 @@ rejected() {
   verdict $? "rejects $1"
 }
 want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
-offset='begins with the offset of a dump; leave offsets and text out, or make bytes of it: xxd -r DUMP FILE.bin'
+offset='begins with the offset of a dump; leave offsets and text out, or convert it to bytes: xxd -r DUMP FILE.bin'
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"an\"$want"
 echo '00000000: 0fe5 031f f8c0 073e f081 0f7c e003 06f8  .......>...|....' | rejected xxd.txt ":1: $offset"

@@ -71,7 +71,7 @@ class Summary {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
   }
-  Summary(const Summary &) = delete;  // its observer's listener leads into it
+  Summary(const Summary &) = delete;  // its observer's listener points to it
   Summary &operator=(const Summary &) = delete;
 
   line::Observer &observer() { return _observer; }

@@ -106,7 +106,7 @@ Options parseOptions(int argc, char **argv) {
   const std::map<std::string, line::Sticks> movements = {{"flight", line::Sticks::Flight},
                                                          {"calibration", line::Sticks::Calibration}};
   std::string sticks = "flight";
-  auto *sticksOption = app.add_option("--sticks", sticks, "what the person at the simulated radio does (flight)");
+  auto *sticksOption = app.add_option("--sticks", sticks, "how the sticks of the simulated radio move (flight)");
   sticksOption->check(CLI::IsMember({"flight", "calibration"}).description(""))
       ->type_name("flight|calibration")
       ->excludes(port)
