@@ -6,7 +6,7 @@ namespace line {
 
 namespace {
 
-// Counters that are lower than before, since the other decoder is right now, count from 0.
+// Returns now - before. Counters that are lower than before count from 0: now the other decoder is right.
 sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
   const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
   subtract(now.frames, before.frames);

@@ -111,8 +111,9 @@ line::Values valuesAtRest(const Options &options, const Map &map, const ChannelR
   const bool moves =
       std::any_of(map.axes.begin(), map.axes.end(), [&](const Map::Axis &axis) { return axis.channel == channel; });
   if (options.throttleOption.given() && !moves) {
-    rejectCommandLine("--throttle: a channel that moves an axis is expected, negative if its high end is closed, such as -3; not " +
-                      std::to_string(options.throttle));
+    rejectCommandLine(
+        "--throttle: a channel that moves an axis is expected, negative if its high end is closed, such as -3; not " +
+        std::to_string(options.throttle));
   }
   line::Values values;
   std::transform(ranges.begin(), ranges.end(), values.raw.begin(),

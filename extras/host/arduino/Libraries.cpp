@@ -1,4 +1,4 @@
-// The libraries that come with the board's core, put on the Board.
+// The libraries that come with the board's core, built on host::Board.
 
 #include <algorithm>
 

@@ -24,7 +24,7 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   }
 }
 
-// Prints what the port made of the line with these settings of both.
+// Prints what the port received with these settings of port and line.
 void reportReception(const Reception &reception, int number) {
   std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu with errors", number,
                text(reception.settings.rx).c_str(), reception.sent, reception.good, reception.bad);

@@ -92,7 +92,7 @@ void SerialPort::poll() {
     _isSilent = askedUs > _lastReadUs + uint64_t{1000} * static_cast<unsigned>(_reads.knownAfterMs());
     _reads.empty(askedUs);
   }
-  // A read does not tell a port that has gone from a silent one; poll() does.
+  // A read looks the same on a port that has gone and on a silent one; poll() shows the difference.
   pollfd state = {_port.file(), POLLIN, 0};
   if (failed || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
     _failure = _device + ": the port has gone. Plug the adapter in and start again";

@@ -15,7 +15,7 @@ namespace line {
 
 class SerialPort : public Line {
  public:
-  // Throws std::runtime_error, which says what is wrong and what to do.
+  // Opens the port. Throws std::runtime_error, which says what is wrong and what to do.
   explicit SerialPort(const std::string &device, const LineSettings &settings = {});
 
   bool next(uint64_t nowUs, Character &character) override;
@@ -39,7 +39,7 @@ class SerialPort : public Line {
   PortFile _port;
   LowLatency _lowLatency;
   std::string _latencyFile;
-  std::optional<unsigned> _latencyMs;  // none: the port does not tell
+  std::optional<unsigned> _latencyMs;  // none: not known
   PortReads _reads;
   std::string _failure;
 
