@@ -55,7 +55,7 @@ struct NoEvents {
 /// Rejected characters are searched again from the second on. FrameRules.h has the rules, extras/docs/receiver.md says
 /// what each is worth.
 ///
-/// `Format` is Frame16, or Frame24 with 36 bytes. `Events` is told what becomes of each byte.
+/// `Format` is Frame16, or Frame24 with 36 bytes. `Events` learns what becomes of each byte.
 ///
 /// Call all methods from the context that reads the port. Only frame() and the methods below it may also be called from
 /// a context that received() interrupts (extras/docs/interrupts.md).

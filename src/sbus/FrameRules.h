@@ -196,7 +196,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
         return Verdict::wait();
       }
     } else if (!isHeaderNext(c)) {
-      // Where two headers in a row are rejected, both are: the second cannot be told from the first.
+      // A rejection here skips two characters: if both are headers, either may be the true one.
       if (c.isLines()) {
         if (!isSlotNext(c) && (endsTwice(c) || goesOn(c))) {
           return Verdict::reject(Rejection::GoesOn, 2);
