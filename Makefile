@@ -1,5 +1,5 @@
-# `make` prints what there is to do. The work itself stands where it belongs: extras/host/Makefile,
-# extras/cli/Makefile, extras/scope/Makefile, test/Makefile.
+# `make` prints what it can do. The work itself stands in extras/host/Makefile, extras/cli/Makefile,
+# extras/scope/Makefile and test/Makefile.
 
 .DEFAULT_GOAL := help
 
@@ -10,8 +10,8 @@ zip:
 release:
 	@sh extras/setup/release.sh '$(VERSION)' '$(URL)'
 
-# make cannot handle names with spaces. In a folder whose name has one the work is done in a copy whose name has none; the
-# results are in build/ here.
+# make cannot handle names with spaces. If this folder's name has one, the work is done in a copy whose name has none, and
+# the results are in build/ here.
 ifneq ($(words $(CURDIR)),1)
 copy := /tmp/DecodeSBus-$(shell id -u)-$(shell pwd | cksum | cut -d' ' -f1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
@@ -25,7 +25,7 @@ $(work):
 else
 
 help:
-	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it lacks"
+	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it needs"
 	@echo "            SKETCH=examples/NAME  another sketch"
 	@echo "            RECORDING=file        a recorded line"
 	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
@@ -34,7 +34,7 @@ help:
 	@echo "make install PREFIX=/usr/local  installs it, its manual, completion for bash, zsh and fish, a udev rule"
 	@echo "make uninstall PREFIX=/usr/local  removes these again"
 	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
-	@echo "make test   builds and runs all tests; installs what it lacks"
+	@echo "make test   builds and runs all tests; installs what it needs"
 	@echo "            CAPTURES=dir          also replays recordings of real receivers in dir"
 	@echo "            V=1                   prints everything"
 	@echo "make check  unit tests and examples only: less than a minute, once built"

@@ -39,8 +39,9 @@ class DecodeSBusOf {
   /// Opens the port as 8E2, inverted if the port can invert (otherwise the line needs an inverter), and forgets all
   /// frames and counters. Default: 100000 baud; Fast S.Bus has 200000.
   ///
-  /// `config` is SERIAL_8E2 for an uninverted line, or another format of the core. A setting that the port cannot do
-  /// is not reported, and no frames come: the example Diagnose finds that out. Below 47060 baud begin() opens nothing.
+  /// `config` is SERIAL_8E2 for an uninverted line, or another format of the core. A setting that the port does not
+  /// support is not reported, and no frames come: the example Diagnose finds that out. Below 47060 baud begin() opens
+  /// nothing.
   /// It does not open a Stream that is no hardware serial port: use listen().
   ///
   /// Without pins in the constructor an ESP32 or ESP8266 uses the core's pins; with core 1 or 2 those of a classic
@@ -142,12 +143,12 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
 /// delivers no frame, and counters().otherSizeFrames counts; so does a DecodeSBus on a line of 24 channels.
 using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 
-/// A DecodeSBus, without extra channels, that takes a frame whose channels are all 0 for a lost one: it counts in
-/// counters().lostFrames, and its channels are not handed out; before any other frame they are as the sketch
-/// has set them. A FrSky receiver that is set to "No pulses" may send such frames, and not always sets a flag in them.
+/// Decodes sixteen channels and two switches, and treats a frame whose channels are all 0 as lost: it counts in
+/// counters().lostFrames, and its channels are not handed out: the sketch's array keeps its values. A FrSky receiver
+/// that is set to "No pulses" may send such frames, and does not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;
 
-/// A decoder that calls a function with each new frame, for a sketch with an RTOS task, or with little in its loop():
+/// Calls a function with each new frame, for a sketch with an RTOS task, or with little in its loop():
 ///
 ///     DecodeSBusCallback dSBus(Serial1);
 ///     void received(const uint16_t channels[], bool failsafe, bool lostFrame) { ... }
@@ -164,14 +165,15 @@ class DecodeSBusCallbackOf : public Decoder {
   /// Takes the frame as decodeSBusFrame() writes it: 18 values, DecodeSBus24 24, which change with the next frame.
   using Function = void (*)(const uint16_t channels[], bool failsafe, bool lostFrame);
 
-  /// Sets the function that parseSBusFrame() calls; nullptr, the default: it calls nothing. begin() keeps it.
+  /// Sets the function that parseSBusFrame() calls. Default: nullptr, which calls nothing. begin() keeps it.
   ///
-  /// - Where: in the context that calls parseSBusFrame(), be it loop(), serialEvent1(), a task or onReceive()
-  ///   (extras/docs/interrupts.md). It returns before the next poll is due: within 5 ms.
-  /// - Which: frames with either flag as well, so ask them first. If two have come since the last call, the newer one.
-  /// - When not: once frames stop. Another place has to notice that: linkState(), or the time-out of a queue.
-  /// - Within it linkState(), frameAge() and decodeSBusFrame() tell of this frame, and newFrame() is false. It must not
-  ///   call parseSBusFrame(), begin(), listen() or end().
+  /// - It runs in the context that calls parseSBusFrame(): loop(), serialEvent1(), a task or onReceive()
+  ///   (extras/docs/interrupts.md). It must return before the next poll is due, within 5 ms.
+  /// - It also gets frames with a flag set, so check the flags first. If two frames have come since the last call, it
+  ///   gets only the newer one.
+  /// - It is not called once frames stop. Notice that elsewhere, by linkState() or by the timeout of a queue.
+  /// - Within it linkState(), frameAge() and decodeSBusFrame() refer to this frame, and newFrame() returns false. It
+  ///   must not call parseSBusFrame(), begin(), listen() or end().
   void onFrame(Function function) { _function = function; }
 
   /// Reads the bytes that wait, as DecodeSBus::parseSBusFrame() does, and calls the function if a frame is new.
@@ -189,5 +191,5 @@ class DecodeSBusCallbackOf : public Decoder {
   uint16_t _channels[sbus::ChannelCount24] = {};  // kept: not every frame has channels (Frame16NoPulses)
 };
 
-/// A DecodeSBus that calls a function with each new frame.
+/// Decodes as DecodeSBus does, and calls a function with each new frame.
 using DecodeSBusCallback = DecodeSBusCallbackOf<DecodeSBus>;

@@ -1,5 +1,5 @@
 /// @file
-/// Decodes the telemetry of an S.BUS2 line as well: what the receiver and sensors send between two frames.
+/// Decodes an S.BUS2 line: frames, and the telemetry that the receiver and sensors send between two frames.
 #pragma once
 
 #include "DecodeSBus.h"
@@ -27,10 +27,11 @@ class DecodeSBus2Of : public DecodeSBusOf<sbus::Frame16, Events> {
   template <typename Port>
   DecodeSBus2Of(Port &port, int8_t rx, int8_t tx) : Decoder(port, rx, tx) {}
 
-  /// Reads the sensor whose first slot is `slot`, 0..31, to `sensor`, a type of sbus/Sensors.h, or one of your own with
-  /// `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the sensor's
-  /// slots have come within the last second; otherwise `sensor` is unchanged. All of them are of one moment, and known
-  /// one frame, 15 ms, after they were sent. It may be called at any rate, from where decodeSBusFrame() may be called.
+  /// Reads the sensor whose first slot is `slot`, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
+  /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
+  /// sensor's slots have come within the last second; otherwise `sensor` is unchanged. The values of one sensor are of
+  /// one moment, and can be read one frame, 15 ms, after they were sent. Call it at any rate, from where
+  /// decodeSBusFrame() may be called.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
@@ -41,10 +42,10 @@ class DecodeSBus2Of : public DecodeSBusOf<sbus::Frame16, Events> {
     return true;
   }
 
-  /// Returns how many times the bytes between two frames were not just slots of the announced group, since begin(): a
-  /// disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
+  /// Returns how many times since begin() the bytes between two frames were not just slots of the announced group. The
+  /// cause is a disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
   uint32_t rejectedGroups() const { return this->_finder.events().rejectedGroups(); }
 };
 
-/// Decodes a line of S.BUS2, and only listens; SBus2Sensor answers as well.
+/// Decodes an S.BUS2 line, and only listens; SBus2Sensor also answers.
 using DecodeSBus2 = DecodeSBus2Of<sbus::Telemetry>;

@@ -8,21 +8,21 @@ SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
 namespace {
 
-// From the end of the wait until the start bit: 480 cycles of an AVR (simavr), few us of others.
+// The time from the end of the wait until the start bit, us: 480 cycles of an AVR (simavr), a few us on other boards.
 #if defined(__AVR__)
 constexpr uint32_t PollLead = 480 / (F_CPU / 1000000);
 #else
 constexpr uint32_t PollLead = 5;
 #endif
 
-// From the end of the timer's time until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
+// The time from when the timer elapses until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
 constexpr uint32_t TimerLead = 35;
 
 constexpr uint32_t FrameTime = sbus::FrameSize * uint32_t{sbus::CharacterTime};  // us
 
 }  // namespace
 
-// No interrupt comes while all is forgotten.
+// The timer is stopped first: no interrupt comes while everything is cleared.
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
   sbus::SlotTimer::stop(this);
   Decoder::begin(baud, config);
@@ -83,14 +83,14 @@ void SBus2Sensor::receive() {
   answers.plan(end.earliest, end.latest, period > FrameTime ? period - FrameTime : 0);
 }
 
-// At PendSV level, above loop().
+// Runs at PendSV level, above loop().
 void SBus2Sensor::received(void *sensor) {
   SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
   self.receive();
   self.armTimer();
 }
 
-// In the timer's interrupt. Before its time: the timer was too fast.
+// Runs in the timer's interrupt. If the slot is not due yet, the timer was too fast.
 void SBus2Sensor::due(void *sensor) {
   SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
   if (!sbus::SlotTimer::HasCallback) {
@@ -105,7 +105,7 @@ void SBus2Sensor::due(void *sensor) {
   self.armTimer();
 }
 
-// How long it takes until the next slot is due, but for what answerWithin() waits, us.
+// Returns how many us from now the timer must call for the next slot: a little early, as answerWithin() waits for it.
 int32_t SBus2Sensor::untilDue() const {
   constexpr uint32_t Sooner = 20;
   return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);

@@ -26,12 +26,12 @@ enum SingleWireTag : uint8_t {
 ///       dSBus.writeSensor(6, voltage);
 ///     }
 ///
-/// TX goes to the line through a diode, anode at TX, or on a Teensy 4 is the line (extras/docs/telemetry.md). An answer
-/// follows only an accepted frame that announces its group, starts within 100 us of its time or is skipped, and never
-/// stands in slot 0. Nothing else may write to the port.
+/// TX goes to the line through a diode, anode at TX; on a Teensy 4 TX may be the line itself (extras/docs/telemetry.md).
+/// An answer is sent only after an accepted frame that announces its group, never in slot 0, and starts within 100 us
+/// of its time, or is skipped. Nothing else may write to the port.
 ///
-/// A port that does not tell when a frame ended gets no answers, and skipped() counts: any Stream that is no hardware
-/// serial port, and the ports of some cores (extras/docs/telemetry.md).
+/// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
+/// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
 class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   using Decoder = DecodeSBus2Of<sbus::Answers>;
   using Hold = sbus::SlotTimer::Hold;
@@ -54,11 +54,11 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
         _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
 
   /// Remembers `port`, whose TX is the line itself, without a diode; RX stays free: `SBus2Sensor dSBus(Serial1,
-  /// sbus::SingleWire)`. The board drives TX only while it answers. A Teensy 4 can (Teensyduino 1.59 and later); for
-  /// other ports this constructor does not compile. It was tried on a stand-in only.
+  /// sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do that (Teensyduino 1.59 and
+  /// later); for other ports this constructor does not compile. It was tried on a stand-in only.
   ///
   /// begin() then always opens the port inverted, whatever its `config`. Nothing else may open the port: it would hold
-  /// the line. Do not turn interrupts off for more than 100 us: the line is released by one.
+  /// the line. Do not turn interrupts off for more than 100 us: an interrupt releases the line.
   template <typename Port>
   SBus2Sensor(Port &port, sbus::SingleWireTag) : SBus2Sensor(port) {
     _port.onSingleWire(port);
@@ -70,19 +70,19 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   /// Starts on a port that the sketch has opened, as DecodeSBusOf::listen() does.
   void listen(unsigned long baud = sbus::Baud);
 
-  /// Answers no more, and closes the port, as DecodeSBusOf::end() does.
+  /// Stops answering, and closes the port, as DecodeSBusOf::end() does.
   void end();
 
   /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
   ///
-  /// On a Grasshopper, on a Pico and on an AVR with a timer 2 interrupts do all that, on an ESP32 a task, and this does
-  /// nothing: call it, or do not. On all other boards call it at least every 75 us: a poll that comes later does not
-  /// know when the frame ended, and skips its answers. Up to 100 us before a slot it waits for its start. Do not call
-  /// it from an interrupt.
+  /// On a Grasshopper, on a Pico and on an AVR that has a timer 2, interrupts do all that; on an ESP32 a task does it.
+  /// There this method does nothing, and the sketch need not call it. On all other boards call it at least every 75 us:
+  /// a later poll cannot know when the frame ended, and skips its answers. If a slot begins within 100 us, it waits for
+  /// that. Do not call it from an interrupt.
   void parseSBusFrame();
 
-  // ---- What DecodeSBus2 has; an interrupt or a task must not read the port meanwhile on boards where it does. On an
-  // ---- ESP32 these wait for that task, up to 1.5 ms; do not call them from an interrupt
+  // ---- The methods of DecodeSBus2. Where an interrupt or a task reads the port, they keep it from doing so meanwhile.
+  // ---- On an ESP32 they wait for that task, up to 1.5 ms. Do not call them from an interrupt
 
   /// See DecodeSBusOf.
   bool SBusFrameOk() {
@@ -134,8 +134,8 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   // ---- Answering
 
   /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().
-  /// All slots of an answer are of one call. Returns false, and changes nothing, for slot 0, and if the sensor's slots
-  /// do not lie within one group of eight. It may be called at any rate.
+  /// An answer never mixes the values of two calls. Returns false, and changes nothing, for slot 0, and if the sensor's
+  /// slots do not lie within one group of eight. It may be called at any rate.
   template <typename Sensor>
   bool writeSensor(uint8_t slot, const Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
@@ -150,15 +150,15 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
     _finder.events().stop(slot, count);
   }
 
-  /// Returns how many slots were sent since begin().
+  /// Returns how many slots have been sent since begin().
   uint32_t sentSlots() const { return _finder.events().sent(); }
 
-  /// Returns how many slots were skipped since begin(), because their time was not known or had passed.
+  /// Returns how many slots have been skipped since begin(), because their time was not known or had passed.
   uint32_t skippedSlots() const { return _finder.events().skipped(); }
 
-  /// Returns how often something else than the answers came back since begin(): another sensor has the same slot, or a
-  /// disturbance. If RX does not hear TX, as on a single wire, it counts only what is heard besides: another sensor in
-  /// the same slot, at the same time, is not.
+  /// Returns how often since begin() something other than the answers came back: another sensor has the same slot, or
+  /// the line was disturbed. If RX does not hear TX, as on a single wire, it counts only what RX hears in addition:
+  /// another sensor that sends in the same slot at the same time goes unnoticed.
   uint32_t collisions() const { return _finder.events().collisions(); }
 
  private:

@@ -1,7 +1,7 @@
 /// @file
-/// What a sketch can ask about a port. `port/` has all that differs between cores: Format.h (8E2, inverted), Buffer.h
+/// Tells a sketch what a port can do. `port/` has all that differs between cores: Format.h (8E2, inverted), Buffer.h
 /// (sizes, bursts), PortKind.h (how each core's port is opened) and Port.h (reading and writing). None of them names a
-/// board: they ask the port's class and the core's macros. extras/docs/boards.md says what that means on each board.
+/// board: the port's class and the core's macros decide. extras/docs/boards.md says what that means on each board.
 #pragma once
 
 #include "port/Port.h"

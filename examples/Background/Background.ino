@@ -37,7 +37,7 @@ void received() {
 void setup() {
   Serial.begin(115200);
   dSBus.begin();
-  Serial1.onReceive(received);  // at once: the port tells of new bytes only when the last ones have been read
+  Serial1.onReceive(received);  // at once: the port reports new bytes only when the last ones have been read
 }
 
 void loop() {

@@ -3,7 +3,7 @@
 
 #include <Arduino.h>
 
-// These cores have no EEPROM library. (__has_include would not find any: the IDE looks only for what is included.)
+// These cores have no EEPROM library. (__has_include would find none: the IDE looks only for what is included.)
 #if defined(ARDUINO_ARCH_SAMD) || defined(ARDUINO_ARCH_SAM) || defined(ARDUINO_ARCH_NRF52) || defined(ARDUINO_ARCH_MBED)
 struct NoEeprom {
   template <typename Value>
@@ -34,7 +34,7 @@ template <typename Eeprom>
 void writeFlash(Eeprom &, long) {
 }
 
-// Reads what is stored. The value itself must tell whether anything was stored.
+// Reads the stored value. The value itself must show whether anything was stored.
 template <typename Eeprom, typename Value>
 void load(Eeprom &eeprom, Value &value) {
   readFlash(eeprom, 0);

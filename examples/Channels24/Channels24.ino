@@ -2,7 +2,7 @@
   Channels24: all 24 channels of an FrSky receiver on a line.
 
   Set the receiver to 24 channels on the radio: in ETHOS "SBUS 24", not "SBUS 16"; in EdgeTX switch "SBUS24" on in the
-  receiver's options. Receivers of the series ACCESS and TD can do it. No numbers? The example Diagnose tells why.
+  receiver's options. Receivers of the series ACCESS and TD can do it. No numbers? The example Diagnose says why.
 
   Wiring (Tlera Grasshopper, FrSky ACCESS or TD receiver):
     SBUS OUT -> D0 (RX1)

@@ -27,7 +27,7 @@ bool lostFrame;
 elapsedMillis timerDisplay;
 
 // As in the paper: the core calls it after every loop() while bytes wait on Serial1; it is no interrupt. The cores of
-// Uno R4, SAMD, mbed and ESP8266 never call it: there loop() does all.
+// Uno R4, SAMD, mbed and ESP8266 never call it: there loop() does it all.
 void serialEvent1() {
   dSBus.parseSBusFrame();
 }

@@ -1,5 +1,5 @@
 /*
-  Diagnose: no frames, or bad ones? Says what is wrong with the line, and the remedy.
+  Diagnose: no frames, or wrong ones? Says what is wrong with the line, and the remedy.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 

@@ -7,7 +7,7 @@
   For boards whose core makes a USB joystick: Leonardo and Micro; Zero and MKR (SAMD); ESP32-S2 and S3 with USB Mode > USB-OTG;
   Pico (arduino-pico); Teensy with USB Type > Serial + Keyboard + Mouse + Joystick. CH1..CH8 are the axes X, Y, Z, RX, RY,
   RZ, slider and dial (six on Pico and Teensy), CH9..CH18 the buttons. All other boards print the axes and the sum of the
-  buttons five times a second: a Grasshopper's USB is a serial port and no more, and an Uno's or a Mega's a chip of its own.
+  buttons five times a second: a Grasshopper's USB is only a serial port, and an Uno's or a Mega's is a chip of its own.
 
   Without a link the axes are centred, the throttle is closed and the buttons are released.
 */
@@ -27,7 +27,7 @@ const unsigned long PERIOD_REPORT = 50;  // ms, when nothing moves: a PC may hav
 UsbJoystick joystick;
 elapsedMillis timerReport;
 
-// Thousandths of the travel of CH1..CH16; for Futaba let it be sbus::Futaba.
+// Thousandths of the travel of CH1..CH16; for Futaba write sbus::Futaba.
 int16_t part(uint16_t raw) {
   return sbus::limited(sbus::toNormalised(raw, sbus::FrSky), -1000, 1000);
 }

@@ -10,7 +10,7 @@ struct JoystickReport {
   uint16_t buttons;  // a bit each, bit 0: button 1
 };
 
-// These cores take a report descriptor of one's own.
+// These cores accept a custom report descriptor.
 #if defined(USBCON) && (defined(ARDUINO_ARCH_AVR) || defined(ARDUINO_ARCH_SAMD)) && !defined(USE_TINYUSB)
 #define USB_JOYSTICK_ARDUINO
 #elif defined(ESP32) && CONFIG_TINYUSB_HID_ENABLED && !ARDUINO_USB_MODE
@@ -48,7 +48,7 @@ const uint8_t UsbReport[] PROGMEM = {
 
 class UsbJoystick {
  public:
-  // Before setup(): the core tells the PC what it is before it calls that.
+  // Runs before setup(): the core describes itself to the PC before it calls setup().
   UsbJoystick() : _part(UsbReport, sizeof UsbReport) { HID().AppendDescriptor(&_part); }
   void begin() {}
 

@@ -5,7 +5,8 @@
     D1 (TX1) -> the S.Bus input of what comes next, GND -> its GND
 
   For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All
-  other channels and both flags pass. When no frame has come for 100 ms it sends both flags set and the throttle closed.
+  other channels and both flags are sent unchanged. When no frame has come for 100 ms it sends both flags set and the
+  throttle closed.
   Sends "aileron,elevator,left,right" over USB five times a second, each -1000..+1000.
 */
 

@@ -8,7 +8,7 @@
 
   Sends a line "CH1,CH2,CH3,CH4" over USB five times a second. The formula is S. Levy's, as quoted by the paper: FrSky's
   172 becomes -1, 1811 becomes +1 (and 992, FrSky's centre, 0.001). A stick beyond its 100 % goes beyond +-1. For Futaba
-  let LOW_END be 352 and HIGH_END 1696.
+  replace sbus::FrSky by sbus::Futaba below.
 */
 
 #include <DecodeSBus.h>

@@ -1,4 +1,4 @@
-// A PPM sum signal, as trainer ports take it: one channel after the other on one wire. Knows no Arduino.
+// A PPM sum signal, as trainer ports take it: one channel after the other on one wire. It does not use Arduino.
 #pragma once
 
 #include <sbus/Barrier.h>
@@ -9,9 +9,9 @@ class Ppm {
   static constexpr uint8_t Channels = 8;
   static constexpr int16_t Period = 22500;    // us, from one frame to the next
   static constexpr int16_t Pulse = 300;       // us, of each of the nine pulses between and around the channels
-  static constexpr int16_t Shortest = 800;    // us, a channel: from one pulse's begin to the next
+  static constexpr int16_t Shortest = 800;    // us, a channel: from the start of one pulse to the next
   static constexpr int16_t Longest = 2200;    // us
-  static constexpr int16_t LeastSync = 4500;  // us, from the last pulse's begin to the next frame: by this it is found
+  static constexpr int16_t LeastSync = 4500;  // us, from the last pulse's start to the next frame, which it marks
   static constexpr int16_t Rest = 1000;  // us, the last part: when it begins, the next frame takes the newest channels
   static_assert(Period - Channels * Longest >= LeastSync, "A frame has its end with all sticks at theirs.");
 
@@ -36,7 +36,7 @@ class Ppm {
   // Ends the signal after the frame that is being sent. Call it from loop().
   void stop() { _isOn = false; }
 
-  // Returns the part behind the one that begins: call it from the timer's interrupt, once for each.
+  // Returns the part after the one that begins: call it from the timer's interrupt, once for each part.
   Part next() {
     if (_at == 0) {
       if (!_isOn) {

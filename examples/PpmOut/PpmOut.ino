@@ -4,9 +4,9 @@
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
     D2 (Mega: 11, Uno and Leonardo: 9) -> 1 kOhm -> the PPM input, GND -> its GND
 
-  A frame of CH1..CH8 comes every 22.5 ms: nine pulses of 0.3 ms, 0.8 to 2.2 ms from one to the next, then at least 4.5
-  ms without. In failsafe, and when no frame has come for 100 ms, there are no pulses at all: only by that can what is
-  connected know that the link is lost. Held positions would look like a pilot who does not move, and a receiver's
+  A frame of CH1..CH8 comes every 22.5 ms: nine pulses of 0.3 ms, 0.8 to 2.2 ms from one to the next, then at least 4.6
+  ms without a pulse. In failsafe, and when no frame has come for 100 ms, there are no pulses at all: only that shows
+  the connected device that the link is lost. Held positions would look like a pilot who does not move, and a receiver's
   failsafe positions like one who closes the throttle: then no trainer port gives the model back to the teacher. Take
   the propeller off to try that. Sends the eight channels in us over USB five times a second, 0 without pulses.
 */

@@ -1,6 +1,6 @@
 // Puts a Ppm out at the pin ppmTimer::Pin. On an AVR, Grasshopper, Pico (arduino-pico) and ESP32 a timer makes the
 // edges, whatever loop() does. On other boards poll() makes them: nine times a frame it waits for an edge and a pulse,
-// for up to 0.8 ms, and if a loop() takes longer than 0.5 ms a channel is longer by the rest.
+// for up to 0.8 ms, and if a loop() takes longer than 0.5 ms a channel is longer by the excess.
 #pragma once
 
 #include <Arduino.h>
@@ -37,7 +37,7 @@ const uint8_t Pin = 9;
 static_assert(F_CPU % 8000000 == 0, "Timer 1 counts whole ticks per us at 8 or 16 MHz. Choose such a clock.");
 const uint16_t TicksPerUs = F_CPU / 8000000;
 
-// What happens to the pin at the next edge.
+// Sets what happens to the pin at the next edge.
 inline void prepare() {
   TCCR1A = static_cast<uint8_t>(nextLevel() ? _BV(COM1A1) | _BV(COM1A0) : _BV(COM1A1));
 }
@@ -99,7 +99,7 @@ static uint32_t due;  // us, the next edge
 
 // Makes the edge that is due. Returns in how many us the next one is.
 inline uint32_t step() {
-  const uint32_t MostLate = 50;  // us; later, it begins again from here: it never hurries
+  const uint32_t MostLate = 50;  // us; if it is later, the next part counts from now: no part is cut short to catch up
   makeEdge();
   const uint32_t now = micros();
   due = (now - due <= MostLate ? due : now) + next.us;
@@ -128,7 +128,7 @@ inline void poll() {
 
 static esp_timer_handle_t timer;
 
-// In the timers' task: Wi-Fi and flash that is written make it late.
+// Runs in the timers' task: Wi-Fi, and writes to flash, make it late.
 inline void elapsed(void *) {
   esp_timer_start_once(timer, step());
 }

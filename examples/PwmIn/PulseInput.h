@@ -1,4 +1,4 @@
-// Measures the servo pulses of one channel of a receiver without S.Bus. Knows no Arduino.
+// Measures the servo pulses of one channel of a receiver without S.Bus. It does not use Arduino.
 #pragma once
 
 #include <stdint.h>
@@ -56,7 +56,7 @@ class PulseInput {
   // Returns the newest pulse that counts, us; 0 before the first.
   uint16_t width() const { return _width; }
 
-  // Returns how long ago it ended, us; Oldest or more from then on, and before the first.
+  // Returns how long ago that pulse ended, us; Oldest or more if that is long ago, and before the first.
   uint32_t age() const { return _age; }
 
  private:
@@ -66,6 +66,6 @@ class PulseInput {
   uint16_t _width = 0;
   uint16_t _waiting = 0;  // us, a pulse that counts if no other change comes; 0: none
   bool _isHigh = false;
-  bool _isGood = false;   // the present pulse
+  bool _isGood = false;   // the current pulse
   bool _isAhead = false;  // another pin's interrupt has seen the last change: this pin's is still to come
 };

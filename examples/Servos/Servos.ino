@@ -1,5 +1,5 @@
 /*
-  Servos: CH1..CH4 to four servos or speed controllers, and what they do when the radio is gone.
+  Servos: CH1..CH4 to four servos or speed controllers, with a failsafe for when the radio is lost.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
     D2..D5 -> the signal wires of CH1..CH4; the servos have a supply of their own, and its GND goes to GND
@@ -37,7 +37,7 @@ void setup() {
   for (int i = 0; i < 4; i++) {
     servos[i].writeMicroseconds(pulses[i]);  // before it sends any: the throttle begins closed
     servos[i].attach(PINS[i]);
-    servos[i].writeMicroseconds(pulses[i]);  // some libraries forget what was before (ESP32, Uno R4)
+    servos[i].writeMicroseconds(pulses[i]);  // some libraries forget what was set before attach() (ESP32, Uno R4)
   }
 }
 
@@ -54,7 +54,7 @@ void loop() {
     }
     servos[i].writeMicroseconds(pulses[i]);
   }
-  // Printing must not delay the servos. It may wait only where Serial always reports a room of 0 (mbed, Uno R4 WiFi).
+  // Printing must not delay the servos. It may wait only where Serial always reports no room (mbed, Uno R4 WiFi).
   tellsRoom = tellsRoom || Serial.availableForWrite() > 0;
   if (timerDisplay >= PERIOD_DISPLAY && (Serial.availableForWrite() > 24 || !tellsRoom)) {
     timerDisplay = 0;

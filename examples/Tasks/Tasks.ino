@@ -1,11 +1,11 @@
 /*
-  Tasks: one task reads the receiver, another one steers, and neither waits for the other.
+  Tasks: one task reads the receiver, another drives the throttle, and neither waits for the other.
 
   Wiring (ESP32, FrSky R-XSR): S-BUS_OUT -> GPIO16, +5V -> 5V, GND -> GND. Grasshopper: S-BUS_OUT -> D0, +5V -> VIN
 
   On an ESP32 the reading task hands each frame over through a queue of one place, where a new frame replaces an old
-  one. The steering task waits there for 100 ms at most: if no frame has come, or one says failsafe, it closes the
-  throttle. Other boards have no FreeRTOS: loop() reads and steers in turn. Sends "throttle,failsafe" over USB five
+  one. The second task waits there for 100 ms at most: if no frame comes in that time, or the frame says failsafe, it
+  closes the throttle. Other boards have no FreeRTOS: loop() does both in turn. Sends "throttle,failsafe" over USB five
   times a second, 0..2047 and 0 or 1. The rules: extras/docs/interrupts.md.
 */
 
@@ -30,7 +30,7 @@ struct Frame {
 };
 
 // Called with the newest frame, or with nullptr if none came in time.
-void steer(const Frame *frame) {
+void drive(const Frame *frame) {
   const bool failsafe = frame == nullptr || frame->failsafe;
   const uint16_t throttle = failsafe ? CLOSED : frame->channels[THROTTLE];
   if (timerDisplay >= PERIOD_DISPLAY) {
@@ -52,7 +52,7 @@ Frame frameOf(const uint16_t channels[], bool failsafe) {
 
 const unsigned long TIMEOUT = 100;        // ms
 const uint32_t STACK = 4096;              // bytes, of each task
-const UBaseType_t READS = 3, STEERS = 2;  // priorities: above loop(), 1, and far below those of Wi-Fi
+const UBaseType_t READS = 3, DRIVES = 2;  // priorities: above loop(), 1, and far below those of Wi-Fi
 
 QueueHandle_t newest;
 
@@ -70,11 +70,11 @@ void readTask(void *) {
   }
 }
 
-void steerTask(void *) {
+void driveTask(void *) {
   for (;;) {
     Frame frame;
     const bool came = xQueueReceive(newest, &frame, pdMS_TO_TICKS(TIMEOUT)) == pdTRUE;
-    steer(came ? &frame : nullptr);
+    drive(came ? &frame : nullptr);
   }
 }
 
@@ -83,7 +83,7 @@ void setup() {
   const BaseType_t core = xPortGetCoreID();  // 1, where Wi-Fi is not; 0 if there is only one
   newest = xQueueCreate(1, sizeof(Frame));
   if (newest == nullptr ||
-      xTaskCreatePinnedToCore(steerTask, "steer", STACK, nullptr, STEERS, nullptr, core) != pdPASS ||
+      xTaskCreatePinnedToCore(driveTask, "drive", STACK, nullptr, DRIVES, nullptr, core) != pdPASS ||
       xTaskCreatePinnedToCore(readTask, "read", STACK, nullptr, READS, nullptr, core) != pdPASS) {
     Serial.println("There is no memory for queue and tasks.");
   }
@@ -109,7 +109,7 @@ void setup() {
 
 void loop() {
   dSBus.parseSBusFrame();
-  steer(dSBus.SBusFrameOk() ? &newest : nullptr);
+  drive(dSBus.SBusFrameOk() ? &newest : nullptr);
 }
 
 #endif

@@ -2,9 +2,9 @@
   Telemetry: what the receiver and a sensor of an S.BUS2 line measure.
 
   Needs a Futaba receiver with S.BUS2 (R7008SB and others) in a mode that has telemetry: FASSTest 14CH or 18CH, T-FHSS.
-  The receiver's own voltage comes by itself. A sensor comes as the radio has it: which sensor in which slot is set
-  there, and in SLOT and Sensor below. It was tried on simulated receivers and recordings of real ones, not on a
-  Futaba: tell us (extras/docs/telemetry.md).
+  The receiver's own voltage comes by itself. A sensor comes in the slot that is set on the radio: set SLOT and Sensor
+  below to match. It was tried on simulated receivers and recordings of real ones, not on a Futaba: tell us
+  (extras/docs/telemetry.md).
 
   Wiring (Tlera Grasshopper, Futaba R7008SB):
     S.BUS2 -> D0 (RX1)
@@ -12,7 +12,7 @@
     -      -> GND
 
   Sends a line over USB five times a second: receiver or external voltage in V, and the sensor's battery and external voltage
-  in V, "-" for what has not come for a second; and how often what came was no telemetry.
+  in V, "-" for a value that has not come for a second; and how often the bytes between frames were no telemetry.
 */
 
 #include <DecodeSBus2.h>

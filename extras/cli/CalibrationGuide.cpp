@@ -69,7 +69,7 @@ void CalibrationGuide::pressEnter() {
   }
 }
 
-// Looks at the channels at the end of a second. A step that cannot be completed any more starts all over.
+// Looks at the channels at the end of a second. A step that can no longer be completed starts over.
 void CalibrationGuide::look() {
   std::string text;
   const CalibrationError next = _step == Step::Push ? CalibrationError::None : CalibrationError::NotPushed;

@@ -1,4 +1,4 @@
-// Leads through a calibration in three steps: sbus/Calibrator.h decides, this says what to do next.
+// Leads the user through a calibration in three steps: sbus/Calibrator.h decides, this says what to do next.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +24,13 @@ class CalibrationGuide {
   bool wantsEnter() const { return _step == Step::Move; }
   void pressEnter();
 
-  // Ends the other steps once they are done, and says what is missing. Call it some times a second; `hasLink`: frames
-  // come.
+  // Ends the other steps once they are complete, and says what is missing. Call it several times a second; `hasLink`:
+  // frames come.
   void tick(uint64_t nowUs, bool hasLink);
 
   bool isDone() const { return _step == Step::Done; }
 
-  // Returns what was measured. Throws std::runtime_error, with what to do, if it is not done.
+  // Returns what was measured. Throws std::runtime_error, which says what to do, if it is not complete.
   sbus::Calibration calibration() const;
 
  private:
@@ -44,7 +44,7 @@ class CalibrationGuide {
   Say _say;
   sbus::Calibrator _calibrator;
   Step _step = Step::Move;
-  uint64_t _lookUs = 0;  // when this step's next look at the channels is due
+  uint64_t _lookUs = 0;  // when look() is due next
   uint64_t _nowUs = 0;
   std::string _said;
 };

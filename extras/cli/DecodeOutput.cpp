@@ -140,7 +140,7 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
   }
 }
 
-// Writes one head for all rows, as a spreadsheet expects it.
+// Writes one header for all rows, as a spreadsheet expects it.
 void DecodeOutput::csvHead() {
   std::string head = "time_us";
   for (unsigned i = 1; i <= _channels; i++) {
@@ -150,7 +150,7 @@ void DecodeOutput::csvHead() {
   write(head + ",lost_frame,failsafe,end\n");
 }
 
-// Leaves fields empty that the frame does not carry: of 32 channels each frame has half.
+// Writes a row. Fields that the frame does not carry stay empty: of 32 channels each frame has half.
 void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   if ((stretch.kind == line::Stretch::Kind::Frame24) != (_channels == 24) || (extra && _channels != 32)) {

@@ -13,7 +13,7 @@ enum class Form { Table, Csv, Json };
 
 class DecodeOutput {
  public:
-  // `characters`: shows each character; otherwise frames, and the discarded bytes.
+  // Shows each character if `characters` is true; otherwise frames, and the discarded bytes.
   DecodeOutput(Form form, bool characters) : _form(form), _showsCharacters(characters) {}
 
   // Takes the wire, once it is found.
@@ -35,7 +35,7 @@ class DecodeOutput {
   void csvHead();
   void csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values);
   void noFrame(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters);
-  // "parity error: the parity bit is 1, 0 is expected"
+  // Returns "parity error, the parity bit is 1 on the wire, 0 is expected".
   std::string fault(const line::WireCharacter &character) const;
 
   const Form _form;

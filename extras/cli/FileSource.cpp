@@ -35,8 +35,8 @@ bool isOffset(std::string_view text) {
          (word.size() > digits || word.find_first_not_of('0') == std::string_view::npos);
 }
 
-// A line of a recording begins with a time, which has one digit or three and more; with two it is a time if no other
-// line follows, since no two characters of a line are so close to each other.
+// Returns true if the text is bytes in hexadecimal, not a recording. A line of a recording begins with a time, of one
+// digit, or of three and more. Two digits are a time only if no other line follows: no two lines are so close in time.
 bool isHexText(std::string_view head) {
   std::string first[2];
   size_t lines = 0;
@@ -84,8 +84,8 @@ void readHexText(std::istream &in, const std::string &name, BackToBack &bytes) {
     const std::string place = name + ":" + std::to_string(number) + ": ";
     if (isOffset(text)) {
       throw std::runtime_error(place +
-                               "begins with the offset of a dump; leave offsets and text out, or make bytes of "
-                               "it: xxd -r DUMP FILE.bin");
+                               "begins with the offset of a dump; leave offsets and text out, or convert it "
+                               "to bytes: xxd -r DUMP FILE.bin");
     }
     const HexText hex = parseHex(text);
     if (!hex.wrong.empty()) {
@@ -140,7 +140,7 @@ FileSource readCapture(const std::string &name, unsigned long baud) {
 
 }  // namespace
 
-// A sketch's rows may look like an oscilloscope's columns: then they are rows.
+// If a sketch's rows look like an oscilloscope's columns, they count as rows.
 FileKind kindOfFile(const std::string &name) {
   const std::string head = line::beginningOf(name, line::CaptureHeadMax);
   const bool isLogic2 = head.rfind("<SALEAE>", 0) == 0;

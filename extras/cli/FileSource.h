@@ -1,4 +1,4 @@
-// What a file holds of a line: a recording, a sketch's rows, a capture of the wire, or bytes without times.
+// Reads the line that a file holds: a recording, a sketch's rows, a capture of the wire, or bytes without times.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace tool {
 
 enum class FileKind { Recording, Rows, Capture, Bytes };
 
-// Returns the kind of the file, by its beginning; raw bytes are known by their name, FILE.bin or FILE.raw. Throws
-// std::runtime_error for any other file; one that cannot be opened is taken for a recording.
+// Returns the kind of the file, by its beginning; raw bytes by the name, FILE.bin or FILE.raw. Throws
+// std::runtime_error for any other file; a file that cannot be opened counts as a recording.
 FileKind kindOfFile(const std::string &name);
 
 struct FileSource {
@@ -20,8 +20,8 @@ struct FileSource {
   line::LineSettings settings;  // of the line; a capture's are those found on the wire
 };
 
-// Reads the whole file. `baud`: of the line; 0: what the file says, or 100000. Throws std::runtime_error, which names
-// the place, if it cannot be read or is wrong. Says on standard error if times are not known.
+// Reads the whole file. `baud` is the line's; 0: what the file says, or 100000. Throws std::runtime_error, which names
+// the place, if the file cannot be read or is wrong. Says on standard error if the times are not known.
 FileSource readFile(const std::string &name, unsigned long baud = 0);
 
 }  // namespace tool

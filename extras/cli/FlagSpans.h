@@ -1,4 +1,4 @@
-// When failsafe, lost frames and silence were: for the lines of `sbus summary` and the shades of `sbus plot`.
+// Notes when there was failsafe, lost frames or silence: for the lines of `sbus summary` and the shades of `sbus plot`.
 #pragma once
 
 #include <cstdint>

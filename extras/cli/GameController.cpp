@@ -15,8 +15,8 @@ namespace tool {
 
 namespace {
 
-// As the kernel maps the USB joystick of an EdgeTX radio (radio/src/usb_joystick.cpp): drivers/hid/hid-input.c 770 to
-// 909.
+// The axes as the kernel maps those of an EdgeTX radio's USB joystick (radio/src/usb_joystick.cpp):
+// drivers/hid/hid-input.c 770 to 909.
 constexpr unsigned AxisCodes[GameController::Axes] = {ABS_X,  ABS_Y,  ABS_Z,        ABS_RX,
                                                       ABS_RY, ABS_RZ, ABS_THROTTLE, ABS_RUDDER};
 

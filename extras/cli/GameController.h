@@ -1,4 +1,4 @@
-// A game controller that programs take for a real one: by Linux's uinput and libevdev.
+// A game controller that looks real to programs: by Linux's uinput and libevdev.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ class GameController {
     std::array<bool, Buttons> buttons{};
   };
 
-  // Creates it, in this state. Throws std::runtime_error, which says what to do.
+  // Creates the controller in this state. Throws std::runtime_error, which says what to do.
   explicit GameController(const State &state);
 
-  // Returns what programs open, such as /dev/input/event7.
+  // Returns the file that programs open, such as /dev/input/event7.
   std::string name() const;
 
   // Writes what has changed, as one report. Returns false if nothing has. Throws std::runtime_error.

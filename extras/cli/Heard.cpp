@@ -9,7 +9,7 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t SilenceUs = 100000;  // between characters: no frame period is so long
+constexpr uint64_t SilenceUs = 100000;  // between characters: longer than any frame period
 
 const char *polarityName(line::Polarity polarity) {
   return polarity == line::Polarity::Inverted     ? "inverted"
@@ -51,7 +51,7 @@ void Heard::listen(Input &input, uint64_t us, uint64_t framesUs) {
 }
 
 std::string Heard::text() const {
-  const std::string bad = std::to_string(_observer.badCharacters());
+  const unsigned long errors = _observer.characterErrors();
   const unsigned long telemetry = _observer.telemetry().characters();
   const unsigned long discarded = _observer.discardedBytes();
   return line::text(_settings) + ": " +
@@ -59,7 +59,8 @@ std::string Heard::text() const {
                  : frames() + (_observer.has24() ? " of 24 channels" : "") + ", " +
                        (telemetry > 0 ? std::to_string(telemetry) + " bytes of telemetry, " : "") +
                        std::to_string(discarded) + (discarded == 1 ? " discarded byte" : " discarded bytes")) +
-         (_observer.badCharacters() > 0 ? ", " + bad + (bad == "1" ? " bad character" : " bad characters") : "") + "\n";
+         (errors > 0 ? ", " + std::to_string(errors) + (errors == 1 ? " character error" : " character errors") : "") +
+         "\n";
 }
 
 Json Heard::json() const {
@@ -71,7 +72,7 @@ Json Heard::json() const {
       .flag("has_24_channels", _observer.has24())
       .number("telemetry_bytes", _observer.telemetry().characters())
       .number("discarded_bytes", _observer.discardedBytes())
-      .number("bad_characters", _observer.badCharacters())
+      .number("character_errors", _observer.characterErrors())
       .number("lost_frames", counters().lostFrames)
       .number("failsafe_frames", counters().failsafeFrames)
       .flag("rows_of_csv", _isCsv);
@@ -111,7 +112,7 @@ void Heard::take(const line::Stretch &stretch) {
   }
 }
 
-// Notes a silence: no character came between the last one and `us`, when a character is complete or the listening ends.
+// Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening ends.
 void Heard::heardUntil(uint64_t us) {
   if (us >= _lastUs + SilenceUs) {
     _silences.push_back(_lastUs);
@@ -132,8 +133,8 @@ std::vector<uint64_t> Heard::periods() const {
   return periods;
 }
 
-// Returns the median, which an impaired frame does not move; the mean where a port hands bytes over in lumps, so that no
-// period is as it was on the line.
+// Returns the median, which an impaired frame does not change; the mean if the port hands bytes over in bursts, so that
+// no period is as it was on the line.
 uint64_t Heard::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
   const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
   std::nth_element(periods.begin(), middle, periods.end());
@@ -144,7 +145,7 @@ std::string Heard::frames() const {
   return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
 }
 
-// Returns the gap that belongs to the last frame of a recording, which ends with the frame.
+// Returns the gap after the last frame of a recording, which ends with this frame.
 uint64_t Heard::gapUs() const {
   const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
   return std::max(_observer.gaps().low, frameUs) - frameUs;

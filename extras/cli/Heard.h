@@ -1,4 +1,4 @@
-// What a line brings while a port with one setting listens to it: for `sbus doctor`.
+// What a port with one setting receives from a line: for `sbus doctor`.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class Heard {
   static constexpr uint64_t ToItsEnd = UINT64_MAX;
 
   explicit Heard(const line::LineSettings &settings);
-  Heard(const Heard &) = delete;  // its observer's listener leads into it
+  Heard(const Heard &) = delete;  // its observer's listener points to it
   Heard &operator=(const Heard &) = delete;
 
   // Listens for `us`, or for `framesUs` if frames come. ToItsEnd: until the source ends.

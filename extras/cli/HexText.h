@@ -1,5 +1,5 @@
-// Bytes as people write them down: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3, {0x0F, 0xE3}; ! behind one marks a parity or
-// framing error, as `sbus hex` prints it.
+// Reads bytes as people write them: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3, {0x0F, 0xE3}; ! after a byte marks a parity
+// or framing error, as `sbus hex` prints it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct HexText {
   std::string wrong;  // the first piece that is not hexadecimal: the text is read up to it; mostly empty
 };
 
-// Blanks, commas, semicolons, colons, hyphens and braces separate bytes.
+// Returns the bytes of the text. Blanks, commas, semicolons, colons, hyphens and braces separate them.
 HexText parseHex(std::string_view text);
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// A line that a subcommand reads, in true time or as fast as it goes.
+// A line that a subcommand reads, in real time or as fast as it can.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class Input {
  public:
   enum class Pace { True, AtOnce };
 
-  // `seconds`: how long it is read; 0: until it ends.
+  // Reads for `seconds`; 0: until the line ends.
   Input(std::unique_ptr<line::Line> line, const line::LineSettings &settings, Pace pace, double seconds)
       : _line(std::move(line)), _settings(settings), _pace(pace), _seconds(seconds) {}
 
@@ -25,10 +25,10 @@ class Input {
   // Sets what takes the news that a port has gone, or is back. Default: standard error.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
-  // Sets the time at which run() begins: what came before is not heard. Default: 0.
+  // Sets the time at which run() begins: it skips what came before. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
-  // Sets the speed as a multiple of true time. Default: 1.
+  // Sets the speed as a multiple of real time. Default: 1.
   void setSpeed(double speed) { _speed = speed; }
 
   // Calls `put` with each character as it comes, and `tick` every millisecond; on a port, whenever it brings bytes and 20
@@ -36,11 +36,11 @@ class Input {
   // std::runtime_error if the line fails.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 
-  // Returns, for a tick, the time up to which all characters have been handed over: earlier than the tick's own if the
-  // port hands bytes over late.
+  // Returns the time up to which all characters have been handed over, for use in a tick: earlier than the tick's own
+  // time if the port hands bytes over late.
   uint64_t knownUs() const { return _knownUs; }
 
-  // Returns when --seconds end a source in true time; UINT64_MAX without --seconds.
+  // Returns when --seconds end a source in real time; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
     return _pace == Pace::True && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   }
@@ -48,7 +48,7 @@ class Input {
   // Returns the note of the line.
   std::string note() const { return _line->note(); }
 
-  // Makes run() return after the present tick.
+  // Makes run() return after the current tick.
   void end() { _ended = true; }
 
  private:

@@ -1,4 +1,4 @@
-// JSON lines: an object a line, whose "type" says what it is. sbus.1 has all types under JSON LINES.
+// JSON lines: one object on each line, whose "type" says what it is. sbus.1 has all types under JSON LINES.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class Json {
   Json &number(const char *name, uint64_t value) { return add(name, std::to_string(value)); }
   Json &decimal(const char *name, double value);  // rounded to a tenth
   Json &numbers(const char *name, const std::vector<double> &values);
-  // Adds CHfirst and on, raw values.
+  // Adds the raw values of `count` channels from CH`first` on.
   Json &channels(const line::Values &values, size_t first, size_t count);
 
   std::string line() const { return "{" + _text + "}\n"; }

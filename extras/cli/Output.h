@@ -12,12 +12,12 @@ bool isTerminal();
 // Makes each line visible at once, not when a buffer is full. Call it before the first write().
 void setLineByLine();
 
-// Throws std::runtime_error if standard output is full or closed. If a pipe has no reader any more the program ends
-// silently.
+// Writes to standard output. Throws std::runtime_error if it is full or closed. If a pipe has lost its reader, the
+// program ends silently.
 void write(const std::string &text);
 void flush();
 
-// Takes a piece of text. Throws std::runtime_error if it cannot be written.
+// Writes a piece of text. Throws std::runtime_error if it cannot be written.
 using Put = std::function<void(const std::string &text)>;
 
 // Calls `print` with what writes to the file `name`; to standard output if the name is empty or "-". File::New: the file

@@ -45,8 +45,8 @@ std::string Recorder::summary() {
   }
   _observer.finish();
   const sbus::Counters &counters = _observer.counters();
-  return std::to_string(_observer.characters()) + " characters (" + std::to_string(_observer.badCharacters()) +
-         " bad), " + std::to_string(counters.frames) + " frames" + (_observer.has24() ? " of 24 channels" : "");
+  return std::to_string(_observer.characters()) + " characters (" + std::to_string(_observer.characterErrors()) +
+         " with errors), " + std::to_string(counters.frames) + " frames" + (_observer.has24() ? " of 24 channels" : "");
 }
 
 void Recorder::decide(const line::Character &character) {

@@ -15,19 +15,19 @@ namespace tool {
 // a recording with the same times, even if it holds rows.
 class Recorder {
  public:
-  // `write` takes the text. The file's first comment names `subcommand` and `source`. `isCopy`: of a recording.
+  // Hands the text to `write`. The file's first comment names `subcommand` and `source`. `isCopy`: of a recording.
   Recorder(const std::string &subcommand, const std::string &source, const line::LineSettings &settings, bool isCopy,
            const Put &write);
 
   void put(const line::Character &character);
 
-  // Call it after the last character.
+  // Writes what is still held back. Call it after the last character.
   void finish();
 
   // Returns true if frames or rows have come.
   bool knows() const { return _rows.recognised() || _observer.counters().frames > 0; }
 
-  // Returns "1000 characters (0 bad), 40 frames".
+  // Returns "1000 characters (0 with errors), 40 frames".
   std::string summary();
 
  private:

@@ -138,7 +138,7 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
   destination.finish();
   say(std::to_string(sent) + " characters sent" +
       (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +
-      (bad > 0 ? "; " + std::to_string(bad) + " bad ones left out, which no port can send" : ""));
+      (bad > 0 ? "; " + std::to_string(bad) + " with errors left out: no port can send them" : ""));
 }
 
 }  // namespace tool

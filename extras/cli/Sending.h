@@ -18,8 +18,8 @@ class Sending {
   // Sends to this port; to a pseudo-terminal if it is empty.
   explicit Sending(std::string port) : _to(std::move(port)) {}
 
-  // Sends the line that `open` returns; with `loop` again and again. A pseudo-terminal waits for its reader first. Throws
-  // std::runtime_error.
+  // Sends the line that `open` returns; with `loop` repeats this until Ctrl-C. A pseudo-terminal first waits for its
+  // reader. Throws std::runtime_error.
   void run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const;
 
  private:

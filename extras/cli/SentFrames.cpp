@@ -125,7 +125,7 @@ class RowReader {
       Name name;
       if (!parseName(each, name)) {
         fail(line::quoted(each) +
-             " is no column of sbus csv; CH1 to CH18, failsafe, lostframe, time, state and age are");
+             " is no column of sbus csv; there are CH1 to CH18, failsafe, lostframe, time, state and age");
       }
       _columns.push_back(name);
     }

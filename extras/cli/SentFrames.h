@@ -12,7 +12,7 @@
 
 namespace tool {
 
-// What a frame holds. CH3 is at its low end until it is named, as in the failsafe of the paper's R-XSR: throttle off.
+// The values of a frame. CH3 is at its low end until it is set, as in the failsafe of the paper's R-XSR: throttle off.
 struct FrameValues {
   std::array<uint16_t, sbus::ChannelCount> channels = {992, 992, 172, 992, 992, 992, 992, 992, 992,
                                                        992, 992, 992, 992, 992, 992, 992, 0,   0};
@@ -20,7 +20,7 @@ struct FrameValues {
   bool lostFrame = false;
 };
 
-// Sets what "ch3=172", "ch5=on" or "failsafe=on" says. Throws std::runtime_error.
+// Sets the value that "ch3=172", "ch5=on" or "failsafe=on" names. Throws std::runtime_error.
 void assign(const std::string &word, FrameValues &values);
 
 // The values that frames hold from a time on.
@@ -34,9 +34,9 @@ struct TimedRows {
   uint64_t endUs = 0;  // the last one holds until then
 };
 
-// Reads rows as `sbus csv` writes them: with a header any columns, without one the columns that it prints by default.
-// The column time is counted from the first row; without it rows come every 0.2 s. Throws std::runtime_error, which names
-// the line.
+// Reads rows as `sbus csv` writes them: with a header any of its columns, without one those that it prints by default.
+// The column time counts from the first row; without this column rows come every 0.2 s. Throws std::runtime_error,
+// which names the line.
 TimedRows readTimedRows(const std::string &name);
 
 // Sends the newest row as a frame every `periodUs`, until the rows end; without end if `endUs` is 0.

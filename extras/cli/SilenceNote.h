@@ -1,4 +1,4 @@
-// Says on standard error, once, that a source has brought nothing yet; and throws if it ends so.
+// Says on standard error, once, that a source has sent nothing yet; and throws if it ends without having sent anything.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace tool {
 
 class SilenceNote {
  public:
-  // `what` is waited for: "frames".
+  // Waits for `what`, such as "frames".
   SilenceNote(const std::string &source, const char *what) : _source(source), _what(what) {}
 
-  // `has`: it has come.
+  // Takes the time, and whether it `has` come.
   void tick(uint64_t nowUs, bool has) {
     _beginUs = std::min(_beginUs, nowUs);
     const bool isLong = nowUs - _beginUs >= AfterUs;

@@ -1,4 +1,4 @@
-// Curves as a picture: an SVG that is light on a light page and dark on a dark one.
+// Draws curves as an SVG that is light on a light page and dark on a dark one.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The variant of a line in words, such as "S.BUS2": the end bytes of its frames tell it.
+// The variant of a line in words, such as "S.BUS2", by the end bytes of its frames.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace {
 constexpr uint8_t ShortGap = 3;     // characters, as if a port waited for them
 constexpr uint32_t SureLead = 2;    // votes more than the other decoder has
 constexpr uint64_t EndUs = 50000;   // a longer silence ends what came before it
-constexpr size_t MostOpen = 8;      // frames of a decoder that wait for the other: none waits for ever
+constexpr size_t MostOpen = 8;      // frames of a decoder that wait for the other; a limit, so that none waits for ever
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void Places::rejected(int at, sbus::Rejection why) {
   }
 }
 
-// Bad characters do not reach a decoder: a frame with one, and a byte too many at its end, looks whole to it.
+// Characters with errors do not reach a decoder: a frame that has one, and an extra byte at its end, looks whole to it.
 void Places::found(Stretch::Kind variant, int size) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;
@@ -35,8 +35,8 @@ void Places::found(Stretch::Kind variant, int size) {
   pieces.push_back({end - begin == static_cast<uint64_t>(size) ? variant : Stretch::Kind::NoFrame, begin, end});
 }
 
-// Returns true if this may be a part of the other decoder's frames, where gaps do not tell: again and again 25 of 36
-// bytes, or 36 bytes that begin in each second frame.
+// Returns true if this may be a part of the other decoder's frames, where gaps show nothing: 25 of each 36 bytes, or 36
+// bytes that begin in every second frame.
 bool Places::isDoubtful(Stretch::Kind variant, uint64_t begin) const {
   const uint64_t between = (begin - _foundEnd) % sbus::FrameSize24;
   const bool is24 = variant == Stretch::Kind::Frame24;

@@ -1,4 +1,4 @@
-// Two decoders hear the line, one for 16 channels and one for 24. The one that finds more frames is right.
+// Two decoders read the line, one for 16 channels and one for 24. The one that finds more frames is right.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace line {
 
-// Takes what a decoder tells of its bytes (sbus::NoEvents), and knows each byte's place on the line.
+// Takes the events of a decoder (sbus::NoEvents), and knows each byte's place on the line.
 class Places {
  public:
   // Takes the place of the next byte that the decoder gets.
@@ -26,8 +26,8 @@ class Places {
   void rejected(int at, sbus::Rejection why);
   bool seesEachGap() const { return !isLumpy; }
 
-  bool isLumpy = true;               // a port brings lumps: gaps within them are not seen
-  uint32_t votes = 0;                // frames that tell which decoder is right
+  bool isLumpy = true;               // a port hands bytes over in bursts, within which gaps are not seen
+  uint32_t votes = 0;                // frames that show that this decoder is right
   std::vector<Piece> pieces;         // found at the last call
   std::vector<Rejected> rejections;  // the newest ones
 
@@ -50,23 +50,23 @@ class Decoders {
  public:
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // Takes the time up to which no other byte has come. Returns what was found by that.
+  // Takes the time up to which no other byte has come. Returns what it has found.
   const std::vector<Piece> &idle(uint64_t nowUs);
 
-  // Takes the good character at place `at`, which came at `nowUs`. Returns what was found by that.
+  // Takes the character at place `at`, which has no error and came at `nowUs`. Returns what it has found.
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
 
   bool has24() const;
   const sbus::Counters &counters() const { return has24() ? _finder24.counters() : _finder16.counters(); }
-  // Returns the counters of the decoder for 16 channels. Where gaps do not tell the size of frames, its frames of the
-  // other size are those of the other decoder.
+  // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, its otherSizeFrames are
+  // the frames of the other decoder.
   sbus::Counters counters16() const;
 
   // Returns the places of the decoder that is right.
   const Places &places() const {
     return has24() ? static_cast<const Places &>(_finder24.events()) : _finder16.events();
   }
-  // Takes the end of the line. Returns what waited.
+  // Takes the end of the line. Returns what was still waiting.
   const std::vector<Piece> &finish();
 
   // Returns the place of the first byte that may still belong to a frame, or `end`: of either decoder until it is known
@@ -85,7 +85,7 @@ class Decoders {
   Finder<sbus::Frame24> _finder24;
   uint64_t _nowUs;   // the newest time that the decoders have
   uint64_t _byteUs;  // of the last byte
-  bool _isDecided;   // it is known which of the two is right
+  bool _isDecided;   // which of the two is right is known
   std::vector<Piece> _none;
 };
 

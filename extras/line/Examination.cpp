@@ -6,7 +6,7 @@ namespace line {
 
 namespace {
 
-// Counters that are lower than before, since the other decoder is right now, count from 0.
+// Returns now - before. Counters that are lower than before count from 0: now the other decoder is right.
 sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
   const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
   subtract(now.frames, before.frames);
@@ -27,7 +27,7 @@ sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
 
 void Examination::begin(const Observer &observer, uint64_t nowUs) {
   _before = observer.counters16();
-  _badBefore = observer.badCharacters();
+  _errorsBefore = observer.characterErrors();
   _beganUs = nowUs;
 }
 
@@ -36,10 +36,10 @@ sbus::Trial Examination::trial(const Observer &observer, const LineSettings &por
   sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
                        static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
                        difference(observer.counters16(), _before)};
-  // Bad characters never reach a decoder, and impairedFrames() relies on that. A line of bad characters only is not
-  // silent.
+  // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line that carries nothing else
+  // is not silent.
   if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {
-    trial.counters.discardedBytes = static_cast<uint32_t>(observer.badCharacters() - _badBefore);
+    trial.counters.discardedBytes = static_cast<uint32_t>(observer.characterErrors() - _errorsBefore);
   }
   return trial;
 }

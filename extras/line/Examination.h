@@ -1,4 +1,4 @@
-// What has come of a line since a moment, as sbus::Diagnosis takes it. `sbus doctor` and the page judge by this, and a
+// Counts what a line has brought since a moment, for sbus::Diagnosis. `sbus doctor` and the page judge by this, and a
 // sketch's decoder counts in the same way: all three have the same finding for a line.
 #pragma once
 
@@ -15,16 +15,16 @@ class Examination {
   // Begins at `nowUs`, in the line's time: what came before does not count.
   void begin(const Observer &observer, uint64_t nowUs);
 
-  // Returns what has come from begin() to `nowUs` to a port with these settings.
+  // Returns what a port with these settings has received from begin() to `nowUs`.
   sbus::Trial trial(const Observer &observer, const LineSettings &port, uint64_t nowUs) const;
 
  private:
   sbus::Counters _before{};
-  unsigned long _badBefore = 0;
+  unsigned long _errorsBefore = 0;
   uint64_t _beganUs = 0;
 };
 
-// Returns true if nothing is to be done: the line has no fault, and needs no other decoder.
+// Returns true if there is nothing to do: the line has no fault, and needs no other decoder.
 constexpr bool isWell(sbus::Finding finding) {
   return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
 }

@@ -1,4 +1,4 @@
-// A line: what can be at the other end of the wire.
+// A line: characters with their times, from a receiver, a recording or a simulation.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Character {
   uint8_t value = 0;
   bool bad = false;          // its parity or a stop bit was wrong
   uint32_t lateUs = 0;       // a port held it back: it ended at most this much earlier
-  bool parityWrong = false;  // what was wrong with a bad one; both are false if its source does not tell
+  bool parityWrong = false;  // which error it has; both are false if its source does not tell
   bool stopWrong = false;
 };
 
@@ -45,13 +45,13 @@ class Line {
   // Returns what has happened to the port since the last call: it has gone, or is back. Mostly empty.
   virtual std::string news() { return {}; }
 
-  // A board's TX shares the wire, and was opened with these settings. Most lines have a wire of their own.
+  // Tells the line that a board's TX shares the wire, and was opened with these settings. Most lines ignore it.
   virtual void share(const LineSettings & /*tx*/) {}
 
-  // That board has begun to send this character.
+  // Tells the line that this board has begun to send this character.
   virtual void hear(const Character & /*character*/) {}
 
-  // Returns how the board has behaved on a wire that it shares; mostly nothing.
+  // Returns how the board has behaved on a wire that it shares; mostly empty.
   virtual std::string report() const { return {}; }
 
   // Returns a line that says why its times are not exact, and what to do; mostly empty.

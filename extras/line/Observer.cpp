@@ -23,7 +23,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _lineUs = nowUs;
   _silenceUs = 0;
   _waits = false;
-  _badCharacters = 0;
+  _characterErrors = 0;
   _quality = sbus::LinkQuality();
   _percent = 0;
   _saidUs = 0;
@@ -57,7 +57,7 @@ void Observer::put(const Character &character) {
   _silenceUs = 0;
   _last = character;
   _waits = !character.bad;
-  _badCharacters += character.bad;
+  _characterErrors += character.bad;
   _segments.put(character);
 }
 
@@ -72,7 +72,8 @@ void Observer::idleUntil(uint64_t nowUs) {
   _segments.cutBefore(_decoders.openAt(_segments.end()), _last.endUs + _silenceUs);
 }
 
-// Lets silence follow if whole frames wait for what follows them. (A part of a frame would count as an impaired one.)
+// If whole frames wait for what follows them, lets silence follow. (After a part of a frame this would count an impaired
+// frame.)
 void Observer::finish() {
   constexpr uint64_t SilenceUs = 10000;
   handOver();
@@ -110,7 +111,7 @@ void Observer::take(Stretch &stretch) {
   }
 }
 
-// Returns true if the stretch has a frame's form, behind a gap, and no frame came before it.
+// Returns true if the stretch has a frame's form, after a gap, and no frame came before it.
 bool Observer::isExtraAlone(const Stretch &stretch) const {
   constexpr uint64_t GapCharacters = 8;
   const auto &characters = stretch.characters;

@@ -1,5 +1,5 @@
-// What a decoder makes of a line, for a person to look at: in a terminal, in a browser, in a report. It asks neither
-// for the time nor for a file, and compiles to WebAssembly.
+// Decodes a line for a person to look at: in a terminal, in a browser, in a report. It uses neither the clock nor files,
+// and compiles to WebAssembly.
 //
 //   line::Observer observer;
 //   observer.listen([&observer](const line::Stretch &stretch) { ... });  // each frame, and what lies between
@@ -34,22 +34,22 @@ class Observer : public Statistics {
   // Starts over on a line whose characters take `characterUs`.
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // Takes the next character, the oldest first. A gap of eight characters before it is seen, less what it may be late.
-  // The decoders get it as ports hand it over: with the next one, or when the line has been idle for a character.
+  // Takes the next character, the oldest first. It sees a gap before it that exceeds the time that it may be late by
+  // eight characters. The decoders get it as from a port: with the next one, or after an idle character.
   void put(const Character &character);
 
   // Takes the time up to which no other character was complete.
   void idleUntil(uint64_t nowUs);
 
-  // Hands the newest character to the decoders at once, not with the next one: a frame in sync is there with its last
-  // character.
+  // Hands the newest character to the decoders at once, not with the next one, so that a frame in sync is complete with
+  // its last character.
   void handOver();
 
   // Takes the end of the line: what still waits is no frame.
   void finish();
 
   unsigned long characters() const { return static_cast<unsigned long>(_segments.end()); }
-  unsigned long badCharacters() const { return _badCharacters; }
+  unsigned long characterErrors() const { return _characterErrors; }
   // Returns true if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
   // Returns the link quality of the last second, 0..100, as sbus::LinkQuality has it.
@@ -57,7 +57,7 @@ class Observer : public Statistics {
   // Returns how many bytes belong neither to a frame nor to telemetry.
   unsigned long discardedBytes() const;
 
-  // Returns the telemetry between the frames. Within a listener its proved() are those of this stretch.
+  // Returns the telemetry between the frames. Within a listener its proved() returns the slots of this stretch.
   const TelemetrySlots &telemetry() const { return _telemetry; }
 
   // Returns the counters of the decoder that is right, with the frame with header 2F at which the line was joined.
@@ -77,15 +77,15 @@ class Observer : public Statistics {
   Segments _segments{[this](Stretch &stretch) { take(stretch); }};
   uint32_t _characterUs;
   Character _last;
-  uint64_t _lineUs;     // the decoders' time at its end: characters and what is certain to be silence, no more
+  uint64_t _lineUs;     // the decoders' time at its end: that of characters and of certain silence only
   uint64_t _silenceUs;  // the certain silence since then
   bool _waits;          // _last has not been handed over
-  unsigned long _badCharacters;
+  unsigned long _characterErrors;
   sbus::LinkQuality _quality;
   uint8_t _percent;               // the link quality when the newest frame was complete
   uint64_t _saidUs;               // the end of the last stretch
   std::optional<Stretch> _first;  // may be the frame with header 2F that comes before the first frame
-  bool _joinedAtExtra;            // it was such a frame
+  bool _joinedAtExtra;            // _first was such a frame
 };
 
 }  // namespace line

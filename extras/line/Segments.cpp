@@ -16,7 +16,7 @@ constexpr const char *Reasons[] = {"no end byte",  "unused flags set", "a gap in
                                    "not at a gap", "may be a false sync"};
 static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "a text for each reason");
 
-// What may be wrong with a bad character.
+// The errors that a character may have.
 struct Error {
   bool parity, stop;
   const char *text;
@@ -55,7 +55,8 @@ std::string places(const std::vector<Character> &characters, const Error &error)
 
 }  // namespace
 
-// With a bad character only that is named: no decoder gets it, so the bytes behind it are rejected for wrong reasons.
+// If characters have errors, only these are named: no decoder gets them, so the bytes after them are rejected for wrong
+// reasons.
 std::string why(const Stretch &stretch) {
   if (stretch.isFrame()) {
     return {};

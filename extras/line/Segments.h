@@ -1,4 +1,4 @@
-// The line cut into stretches: frames, and what lies between them. A place is the number of characters before it.
+// Cuts the line into stretches: frames, and what lies between them. A place is the number of characters before it.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,27 @@
 
 namespace line {
 
-// A header that no frame begins with.
+// A rejected header: no frame begins with it.
 struct Rejected {
   uint64_t at;  // its place
   sbus::Rejection why;
 };
 
-// A piece of the line. All stretches together are the line, each character once and in its order.
+// A piece of the line. All stretches together are the line: each character once, in order.
 struct Stretch {
   enum class Kind { Frame, Frame24, Extra, NoFrame };  // Extra: a frame with header 2F
 
   Kind kind = Kind::NoFrame;
   uint64_t at = 0;                    // place of its first character
-  std::vector<Character> characters;  // 1 or more, with those that have errors, which no frame consists of
+  std::vector<Character> characters;  // 1 or more; a frame has none with an error
   std::vector<Rejected> rejected;     // of NoFrame; places in the stretch
-  std::vector<sbus::Slot> slots;  // of NoFrame: what it is if a frame follows, telemetry that the last frame announces
+  std::vector<sbus::Slot> slots;      // of NoFrame: the telemetry that it is, if a frame follows
 
   bool isFrame() const { return kind != Kind::NoFrame; }
   uint64_t endUs() const { return characters.back().endUs; }
 };
 
-// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a bad character "unused
+// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a character error "unused
 // flags set (byte 10)", with the place of the header, or "no header". Returns "" for a frame.
 std::string why(const Stretch &stretch);
 
@@ -47,9 +47,9 @@ struct Piece {
 
 class Segments {
  public:
-  static constexpr uint64_t KeptMax = 256;  // characters; a decoder holds less than 50 good ones
+  static constexpr uint64_t KeptMax = 256;  // characters; a decoder holds less than 50 without errors
 
-  // `say`: called with each stretch.
+  // Calls `say` with each stretch.
   explicit Segments(std::function<void(Stretch &)> say) : _say(std::move(say)) {}
 
   void reset(uint32_t characterUs);
@@ -58,11 +58,11 @@ class Segments {
   // Returns the place of the next character.
   uint64_t end() const { return _at + _kept.size(); }
 
-  // Takes stretches that were found: what stands before them is no frame.
+  // Takes stretches that a decoder has found: the characters before each are no frame.
   void cut(const std::vector<Piece> &pieces);
 
-  // What stands before place `end` is no frame. Its last part waits for more characters, or for a gap: none came up to
-  // `nowUs`.
+  // Cuts what stands before place `end`: it is no frame. Its last part waits for more characters, or for a gap: none came
+  // up to `nowUs`.
   void cutBefore(uint64_t end, uint64_t nowUs);
 
   // Hands over all that still waits.

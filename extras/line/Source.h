@@ -1,4 +1,4 @@
-// Chooses a line: a recording, the simulated receiver, or nothing; and what disturbs it.
+// Chooses a line: a recording, the simulated receiver, or nothing; and its disturbances.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct Source {
   bool sbus2 = false;  // a Futaba with S.BUS2, a sensor in slots 1 and 2; TX shares the wire
   unsigned noise = 0;  // disturbances per second
   LineSettings settings;
-  // A recording begins a moment after the port is opened; that of a late port gets its gaps back.
+  // If true, a recording begins a moment after the port is opened, and that of a late port gets its gaps back.
   bool isForSketch = false;
 
   // Opens the line. Throws std::runtime_error if the recording cannot be read.

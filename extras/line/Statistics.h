@@ -11,7 +11,7 @@
 
 namespace line {
 
-// The least and the greatest of several values since the last reset.
+// The lowest and the highest of several values since the last reset.
 struct Extent {
   uint64_t count = 0;  // of values; 0: all members are 0
   uint64_t low = 0;
@@ -22,14 +22,14 @@ struct Extent {
   uint64_t mean() const { return count == 0 ? 0 : (sum + count / 2) / count; }
 };
 
-// When frames or rows came, and the state of the link by that.
+// Keeps when frames or rows came, and the state of the link that follows from it.
 class Arrivals {
  public:
   explicit Arrivals(uint16_t timeoutMs = sbus::Link::DefaultTimeout) { _link.setTimeout(timeoutMs); }
 
-  // Returns the state at `nowUs`, or at the latest time that it was asked for: for the link, time goes on only.
+  // Returns the state at `nowUs`, or at the latest time of an earlier call: for the link, time never goes back.
   sbus::LinkState state(uint64_t nowUs);
-  // Returns true if frames come, with lost ones among them or not: the newest values are the sticks'.
+  // Returns true if frames come, even if some are lost: the newest values are the sticks'.
   bool hasLink(uint64_t nowUs) {
     const sbus::LinkState link = state(nowUs);
     return link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy;
@@ -50,7 +50,7 @@ class Arrivals {
  private:
   sbus::Link _link;
   uint64_t _newestUs = 0;
-  uint64_t _askedUs = 0;         // the latest time that state() was asked for
+  uint64_t _askedUs = 0;         // the latest time that state() was called for
   std::deque<uint64_t> _lately;  // us
   Extent _gaps;
 };
@@ -68,8 +68,8 @@ struct Values {
 class Statistics : public Arrivals {
  public:
   const Values &newest() const { return _newest; }
-  // Returns the travel of a channel, counted from 0, of frames without a flag: failsafe values are no stick's
-  // positions.
+  // Returns the travel of a channel, counted from 0, in frames without a flag: failsafe values are no positions of a
+  // stick.
   const Extent &travel(size_t channel) const { return _travel[channel]; }
   void resetMarks();
 

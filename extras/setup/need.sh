@@ -20,7 +20,7 @@ clang_sanitizers() {
 }
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
-  echo "This is not Debian or Ubuntu, so nothing is installed. Needed are, by their Debian names: $*" >&2
+  echo "This is not Debian or Ubuntu, so nothing is installed. Install these packages, by their Debian names: $*" >&2
   exit 0
 fi
 
@@ -80,7 +80,7 @@ as_root() {
 
 update() {
   as_root apt-get update -q >&2 || {
-    echo "That did not work. By hand: apt-get update" >&2
+    echo "apt-get update failed. Run it by hand." >&2
     exit 1
   }
 }
@@ -88,7 +88,7 @@ update() {
 install() {
   echo "Installing what is missing: $*" >&2
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@" >&2 || {
-    echo "That did not work. By hand: apt-get install $*" >&2
+    echo "That did not work. Install them by hand: apt-get install $*" >&2
     exit 1
   }
 }

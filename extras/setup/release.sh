@@ -14,13 +14,13 @@ reject() {
 whole() { printf '%s\n' "$1" | grep -qxE "$2"; }
 
 number='(0|[1-9][0-9]{0,8})'
-whole "$version" "$number\.$number\.$number" || reject "VERSION=$version: three numbers as in 1.2.0 are expected"
+whole "$version" "$number\.$number\.$number" || reject "VERSION=$version: three numbers such as 1.2.0 are expected"
 whole "$url" 'https://[a-z0-9.-]+\.[a-z]+(:[0-9]+)?(/[A-Za-z0-9._~/-]*)?' ||
-  reject "URL=$url: the project's address is expected, as in https://github.com/NAME/DecodeSBus"
+  reject "URL=$url: the project's address is expected, such as https://github.com/NAME/DecodeSBus"
 last=$(sed -n 's/^version=//p' library.properties)
 [ "$(printf '%s\n' "$version" "$last" | sort -t. -k1,1n -k2,2n -k3,3n | tail -n 1)" = "$version" ] ||
-  reject "VERSION=$version: $last or more is expected"
-! grep -q "^## $version, " CHANGELOG.md || reject "VERSION=$version: more is expected, CHANGELOG.md has that as released"
+  reject "VERSION=$version: $last or higher is expected"
+! grep -q "^## $version, " CHANGELOG.md || reject "VERSION=$version: a higher version is expected, CHANGELOG.md has this one as released"
 [ -z "$(git status --porcelain)" ] || reject "There are changes that are not committed: see git status"
 grep -qx '## Unreleased' CHANGELOG.md || reject 'CHANGELOG.md: the heading "## Unreleased" is expected'
 

@@ -7,5 +7,5 @@ zip=build/DecodeSBus-$version.zip
 mkdir -p build
 git archive --format=zip --prefix=DecodeSBus/ -o "$zip" HEAD \
   src examples extras/docs library.properties library.json keywords.txt README.md CHANGELOG.md LICENSE
-[ -z "$(git status --porcelain)" ] || echo "What is not committed is not in it." >&2
+[ -z "$(git status --porcelain)" ] || echo "Changes that are not committed are not in the ZIP." >&2
 echo "$zip"

@@ -1,5 +1,5 @@
 /// @file
-/// What the ports of the cores hold, how much they hand over at once, and how long they wait with it.
+/// How many bytes the cores' ports hold, how many they hand over at once, and how long they hold these back.
 #pragma once
 
 #include <Arduino.h>
@@ -49,7 +49,7 @@ template <typename Port>
 auto limitBursts(Port &port, uint8_t burst, Choice<1>) -> decltype(port.setRxFIFOFull(0), void()) {
   port.setRxFIFOFull(burst);
 }
-// Other ports keep their burst.
+// Does nothing: other ports keep their burst.
 template <typename Port>
 void limitBursts(Port &, uint8_t, Choice<0>) {
 }
@@ -60,7 +60,7 @@ auto enlarge(Port &port, Choice<1>) -> decltype(port.setFIFOSize(0), 0u) {
   port.setFIFOSize(WantedBuffer);
   return WantedBuffer;
 }
-// Its SerialPIO has the size that the sketch gave it, which is unknown here.
+// Returns the smallest size: arduino-pico's SerialPIO has the size that the sketch gave it, which is unknown here.
 template <typename Port>
 unsigned enlarge(Port &, Choice<0>) {
   return SmallestBuffer;

@@ -1,5 +1,6 @@
 /// @file
-/// When a frame ended, by the fill of a UART's receive FIFO: for a driver that hands characters over at no known time.
+/// Finds out when a frame ended from how full a UART's receive FIFO is: for a driver that hands characters over at no
+/// known time.
 #pragma once
 
 #include <stdint.h>
@@ -10,16 +11,17 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are held up: if it holds one more than at the look before, a character came between both looks. A look that comes late
-// makes the bounds wide, never wrong.
+// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are held up: if it holds
+// one more than at the look before, a character came between the two looks. A look that comes late makes the bounds
+// wide, never wrong.
 //
-// That character is the last one handed over if the driver then hands over as many as the FIFO held: nothing lay before
-// them, neither where the sketch reads nor on its way there, since the driver had not been seen to take any for longer
+// That character is the last one handed over if the driver then hands over as many as the FIFO held: no other characters
+// waited before these, neither where the sketch reads nor on their way there, since the driver had taken none for longer
 // than its interrupt lasts.
 class FifoWatch {
  public:
-  // Takes a poll: by `by` the driver had handed over `found` characters, which were read. Later, at a time between
-  // `from` and `to`, the FIFO held `fill`.
+  // Takes a poll: by the time `by` the driver had handed over `found` characters, which were read. Later, at a time
+  // between `from` and `to`, the FIFO held `fill`.
   void poll(unsigned found, uint32_t by, uint32_t from, unsigned fill, uint32_t to) {
     if (found != 0) {
       _end = found == _count && by - _by <= LongestWait ? endOf(HandOver::EachCharacter, 1, _before, _by) : unknown(by);
@@ -36,11 +38,11 @@ class FifoWatch {
     _fill = fill;
   }
 
-  // Returns when the last character came of those that the newest poll has found, if it has found any.
+  // Returns when the last of the characters came that the newest poll has found, if it has found any.
   End end() const { return _end; }
 
-  // Returns bounds that are wide enough to look for the next frame, and too wide to answer this one: a port waits for
-  // two characters more, its driver's interrupt is late, and the poll as well.
+  // Returns bounds that serve to look for the next frame, but are too wide to answer this one: a port waits for two more
+  // characters, its driver's interrupt is late, and so is the poll.
   static End unknown(uint32_t by) { return {by - 1000, by}; }
 
  private:

@@ -1,5 +1,5 @@
 /// @file
-/// How long after the end of a character a port hands it over: a sensor of S.BUS2 must know when a frame ended.
+/// Says how long after its end a character is handed over by the port: an S.BUS2 sensor must know when a frame ended.
 #pragma once
 
 #include <Arduino.h>
@@ -25,7 +25,7 @@ struct Lag {
   int16_t least, most;
 };
 
-// `found`: how many characters were handed over with it.
+// Returns the lag of a character when the port has handed over `found` characters at once.
 inline Lag lagOf(HandOver handOver, unsigned found) {
   constexpr int16_t Early = -15;  // the middle of the first of two stop bits
   constexpr int16_t Late = 10;    // an interrupt comes late by so much while others run
@@ -34,12 +34,12 @@ inline Lag lagOf(HandOver handOver, unsigned found) {
   return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(idle + Late)};
 }
 
-// When a frame ended, us: within these bounds.
+// The bounds of the time at which a frame ended, us.
 struct End {
   uint32_t earliest, latest;
 };
 
-// For a poll at `by` that found the frame's end among `found` characters, where one at `before` did not.
+// Returns when a frame ended whose end was among the `found` characters of a poll at `by`, but not of one at `before`.
 inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   if (handOver == HandOver::Unknown) {
     return {by - UINT16_MAX, by};
@@ -48,9 +48,9 @@ inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by
   return {before - static_cast<uint32_t>(lag.most), by - static_cast<uint32_t>(lag.least)};
 }
 
-// For a port that calls back at once, at `before` and at `by`, where `found` characters lay between both. A callback
-// may be held up by other interrupts; so both must agree on the end, and it is no later than the earlier of the two
-// says.
+// Returns when a frame ended, for a port that calls back at once: it did at `before` and at `by`, with `found`
+// characters between the two. Other interrupts may hold up a callback; so both must agree on the end, and it is no later
+// than the earlier of the two says.
 inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t MostHeldUp = 40;  // us
   const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);
@@ -84,7 +84,7 @@ auto handOverOf(Port *port, HardwareSerial *, Choice<1>) -> decltype(port->setIn
   return HandOver::EachCharacter;
 }
 #endif
-// Of an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
+// For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
 // CONFIG_UART_ISR_IN_IRAM: it waits while flash is written, for milliseconds, and for other interrupts, and available()
 // shows nothing meanwhile. onReceive() is called later still, by a task. So SlotTimerEsp32.h looks at the FIFO itself

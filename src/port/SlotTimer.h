@@ -1,5 +1,5 @@
 /// @file
-/// What a core has to send a slot on time while loop() is busy: one file for each, and nothing on the others.
+/// Sends a slot on time while loop() is busy: one file for each core that can do that, and nothing for the others.
 #pragma once
 
 #include <Arduino.h>
@@ -13,7 +13,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// Nothing: a sensor is polled from loop(). The cores' timers derive from it what they do not have.
+// Does nothing: the sensor is polled from loop(). The timers of the cores inherit from it what they do not have.
 class NoSlotTimer {
  public:
   // The port calls back; otherwise due() polls it.
@@ -25,11 +25,11 @@ class NoSlotTimer {
   };
   static bool isHeld() { return false; }
 
-  // Keeps due() from running on another core, while this exists. For what due() may interrupt: a Hold would cost
-  // answers.
+  // Keeps due() from running on another core, while this exists. It is for code that due() may interrupt: a Hold would
+  // cost answers there.
   using Apart = Hold;
 
-  // From a look at the clock until the start bit, where other interrupts could come in between.
+  // Exists from a look at the clock until the start bit, on cores where other interrupts could come in between.
   struct Alone {
     Alone() {}
     // Returns when that is: `planned`, or later.
@@ -39,7 +39,7 @@ class NoSlotTimer {
   // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
   // false if it cannot; then neither is ever called.
   static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
-  // Calls nothing any more.
+  // Stops these calls.
   static void stop(void *) {}
   // Calls due() in `us` from now, or a little later.
   static void at(uint32_t) {}
@@ -48,7 +48,7 @@ class NoSlotTimer {
   // Sends at once. Returns false if it cannot.
   static bool send(const uint8_t *, size_t) { return false; }
 
-  // Takes that a poll has found `found` bytes, by `by`, us.
+  // Notes that a poll has found `found` bytes by the time `by`, us.
   static void polled(unsigned, uint32_t) {}
   // Returns when the last of them came; see sbus::endOf(). `isTimed`: due() has polled, not loop().
   static End endOf(bool, HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
@@ -56,7 +56,8 @@ class NoSlotTimer {
   }
 };
 
-// For an interrupt that polls: while loop() reads what it writes, it sends what is due, but does not read the port.
+// Holds an interrupt that polls: while loop() reads what the interrupt writes, it sends what is due, but does not read
+// the port.
 class HoldByFlag {
  public:
   HoldByFlag() {

@@ -1,7 +1,7 @@
 /// @file
-/// The AVR's: compare B of timer 2, in steps of 4 us. It polls the port, often while a frame's end is expected. tone()
-/// and analogWrite() of its pins (Mega: 9, 10; Uno: 3, 11) do not work beside it. (Timer 0, of millis(), is a PWM:
-/// there a new compare value waits for the overflow.)
+/// The SlotTimer of an AVR: compare B of timer 2, in steps of 4 us. It polls the port, often while a frame's end is
+/// expected. tone() and analogWrite() of its pins (Mega: 9, 10; Uno: 3, 11) do not work beside it. (Timer 0, of
+/// millis(), is a PWM: there a new compare value waits for the overflow.)
 #pragma once
 
 #include <Arduino.h>
@@ -11,7 +11,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// There is one: a second sensor is polled from loop().
+// There is only one: a second sensor is polled from loop().
 class SlotTimer : public NoSlotTimer {
  public:
   using Hold = HoldByFlag;  // an AVR reads 32 bits one by one

@@ -22,7 +22,7 @@ void *sensor;
 void (*dueCallback)(void *);
 uint32_t next;  // us, until the next call
 
-// A port does not tell its number.
+// Reads the number of a port, for which the port has no public method.
 struct Number : HardwareSerial {
   static uint8_t of(const HardwareSerial &port) { return port.*(&Number::_uart_nr); }
 };
@@ -84,7 +84,7 @@ void SlotTimer::polled(unsigned found, uint32_t by) {
   _watch.poll(found, by, from, fill, clock());
 }
 
-// The driver's methods take a mutex, which nothing may without interrupts.
+// Does not use the driver's methods: they take a mutex, which is not allowed while interrupts are off.
 bool IRAM_ATTR SlotTimer::send(const uint8_t *characters, size_t size) {
   uart_dev_t *const uart = UART_LL_GET_HW(number);
   if (!uart_ll_is_tx_idle(uart) || clock() - _looked > LongestSend) {

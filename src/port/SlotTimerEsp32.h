@@ -1,7 +1,7 @@
 /// @file
-/// The ESP32's, of arduino-esp32 2.0 and later: a one-shot of esp_timer, whose task polls the port and watches the
-/// UART's FIFO, often while a frame's end is expected. What holds that task up costs answers: tasks of a higher
-/// priority (WiFi), and writes to flash.
+/// The SlotTimer of an ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer, whose task polls the port and
+/// watches the UART's FIFO, often while a frame's end is expected. What holds that task up costs answers: tasks of a
+/// higher priority (WiFi), and writes to flash.
 #pragma once
 
 #include <Arduino.h>
@@ -16,7 +16,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// There is one: a second sensor does not answer.
+// There is only one: a second sensor does not answer.
 class SlotTimer : public NoSlotTimer {
  public:
   // The task is on another core than loop(): each waits for the other, and loop() up to 1.5 ms while a frame's end is

@@ -16,12 +16,13 @@ void *sensor;
 void (*dueCallback)(void *);
 uint32_t next;  // us, until the next call
 
-// Never in step with a loop() that is in a method of the port again and again.
+// Returns a time that changes from call to call: otherwise the interrupt could stay in step with a loop() that is in a
+// method of the port each time.
 uint32_t soon() {
   return next >= Soonest && next < 2 * Soonest ? next + 1 : Soonest;
 }
 
-// An alarm that is missed was not set.
+// If the time has already passed, the alarm is not set: then it tries again.
 void arm() {
   while (hardware_alarm_set_target(alarm, from_us_since_boot(time_us_64() + next))) {
   }

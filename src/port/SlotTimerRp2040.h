@@ -1,6 +1,6 @@
 /// @file
-/// The RP2040's and RP2350's, of arduino-pico: an alarm of the microsecond timer that nothing else has. It polls the
-/// port, often while a frame's end is expected, at the lowest priority: other interrupts come first.
+/// The SlotTimer of an RP2040 or RP2350 (arduino-pico): an alarm of the microsecond timer that nothing else uses. It
+/// polls the port, often while a frame's end is expected, at the lowest priority: other interrupts come first.
 #pragma once
 
 #include <Arduino.h>
@@ -12,7 +12,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// There is one: a second sensor is polled from loop(). Its interrupt comes to the core that has called begin().
+// There is only one: a second sensor is polled from loop(). Its interrupt runs on the core that has called begin().
 class SlotTimer : public NoSlotTimer {
  public:
   using Hold = HoldByFlag;

@@ -31,8 +31,8 @@ void elapsed(void *, uint32_t) {
 
 }  // namespace
 
-// The prescaler counts from the first elapsed period on (stm32l0_timer.c:294 sets no UG): that one is too short, and
-// due() comes too early.
+// The prescaler counts from the first elapsed period on (stm32l0_timer.c:294 sets no UG): so the first period is too
+// short, and due() comes too early.
 bool SlotTimer::start(Uart &port, void (*onReceived)(void *), void (*onDue)(void *), void *context) {
   if (listener != nullptr) {
     return sensor == context;

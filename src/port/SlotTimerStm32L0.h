@@ -1,6 +1,6 @@
 /// @file
-/// The STM32L0's: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in the core uses,
-/// calls back when a slot is due.
+/// The SlotTimer of an STM32L0: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in the
+/// core uses, calls back when a slot is due.
 #pragma once
 
 #include <Arduino.h>
@@ -10,7 +10,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// There is one: a second sensor is polled from loop().
+// There is only one: a second sensor is polled from loop().
 class SlotTimer : public NoSlotTimer {
  public:
   static constexpr bool HasCallback = true;
@@ -20,8 +20,8 @@ class SlotTimer : public NoSlotTimer {
   static void stop(void *context);
   static void at(uint32_t us);
 
-  // From its own buffer: what Uart::write(buffer, size) takes is cut in two with a pause where its ring ends
-  // (Uart.cpp:207).
+  // Sends from its own buffer: Uart::write(buffer, size) would cut the characters in two, with a gap between, where its
+  // ring ends (Uart.cpp:207).
   static bool send(const uint8_t *characters, size_t size);
 
   static End endOf(bool isTimed, HandOver handOver, unsigned found, uint32_t before, uint32_t by) {

@@ -12,7 +12,7 @@ constexpr uint32_t bits(uint8_t first, uint8_t count) {
   return (count < SlotCount ? (uint32_t{1} << count) - 1 : ~uint32_t{0}) << first;
 }
 
-// Returns a group's slots that are through `gap` us after the frame's end, though they start as late as is allowed.
+// Returns those slots of a group that are complete `gap` us after the frame's end even if they start as late as allowed.
 uint8_t throughBy(uint32_t gap) {
   uint8_t slots = 0;
   uint32_t end = FirstSlotTime + Answers::MostOff + SlotTime;
@@ -46,7 +46,7 @@ void Answers::begin() {
   _collisions = 0;
 }
 
-// plan() may come meanwhile: it takes the data before, or those after.
+// plan() may interrupt this: it takes either the old data or the new.
 Answers::Own &Answers::change() {
   Own &back = _own[_front ^ 1];
   back = _own[_front];
@@ -75,7 +75,7 @@ void Answers::stop(uint8_t first, uint8_t count) {
   changed();
 }
 
-// What is still planned from the frame before is late by far; what was never planned is skipped as well.
+// Skips what is still planned from the frame before, since it is far too late, and what was never planned.
 void Answers::taken(const uint8_t *frame) {
   skip();
   _skipped += countOf(_wanted);
@@ -91,7 +91,7 @@ void Answers::taken(const uint8_t *frame) {
   _wanted = endsVariant(_endByte, SlotsVariant) ? static_cast<uint8_t>(_own[_front].slots >> _group) : uint8_t{0};
 }
 
-// An interrupt may count meanwhile, and an AVR reads byte by byte.
+// An interrupt may change the counter meanwhile, and an AVR reads byte by byte.
 uint32_t Answers::steady(const uint32_t &counter) {
   uint32_t read;
   do {
@@ -101,7 +101,7 @@ uint32_t Answers::steady(const uint32_t &counter) {
   return read;
 }
 
-// Of a board whose RX has once heard its TX, an answer that does not come back was destroyed.
+// Once RX has heard TX, an answer that does not come back was destroyed on the line.
 void Answers::compareEcho(bool isWrong) {
   uint8_t back = 0;
   for (uint8_t i = 0; i < SlotsOfGroup; i++) {

@@ -9,26 +9,26 @@
 
 namespace sbus {
 
-/// When slots stand, from the end of the frame's last stop bit: measured on a Futaba R7008SB (PX4-Autopilot,
+/// The times of the slots, from the end of the frame's last stop bit: measured on a Futaba R7008SB (PX4-Autopilot,
 /// test_data/sbus2_r7008SB.txt) and on a line with eight occupied slots (github.com/mstrens/oXs_on_RP2040).
 constexpr uint16_t FirstSlotTime = 2030;  ///< us, of the first slot of a group
 constexpr uint16_t SlotPitch = 660;       ///< us, from the start of a slot to the next
 constexpr uint16_t SlotTime = 360;        ///< us, of its three characters
 
 /// Keeps the data of the slots that a board fills, and plans the answers to each frame that announces their group. The
-/// board hears its own characters: they are no telemetry of a sensor.
+/// board hears its own characters: these do not count as telemetry of a sensor.
 ///
-/// No answer starts more than 100 us off: where the end of a frame is known less well, or a slot's time has passed, the
-/// rest of the group is skipped. Nothing is ever sent in slot 0, which is the receiver's.
+/// No answer starts more than 100 us off its time: where the end of a frame is known less exactly, or a slot's time has
+/// passed, the rest of the group is skipped. Nothing is ever sent in slot 0, which is the receiver's.
 ///
-/// A context that reads the port calls the events and planned(), and one that sends calls start(); both may interrupt
-/// write().
+/// The context that reads the port calls the events and plan(), and the one that sends calls start(); both may
+/// interrupt write().
 class Answers : public Telemetry {
  public:
   static constexpr uint8_t MostOff = 100;  ///< us: the most that a slot may start too early or too late
 
-  /// Sets the data of `count` slots from slot `first` on, all of one moment: no answer holds some of these and some of
-  /// the data before. Returns false, and changes nothing, if slot 0 is among them or they do not lie within one group.
+  /// Sets the data of `count` slots from slot `first` on. An answer never mixes the data of two calls. Returns false,
+  /// and changes nothing, if slot 0 is among them or they do not lie within one group.
   bool write(uint8_t first, uint8_t count, const SlotData *data);
 
   /// Stops answering in `count` slots from slot `first` on.
@@ -37,13 +37,12 @@ class Answers : public Telemetry {
   /// Returns true, once, if the newest byte is the last one of an accepted frame.
   bool takeFrameEnd();
 
-  /// Plans the answers to the accepted frame, whose end lies within `earliest` and `latest`, us. If both are more than
-  /// 100 us apart, the answers are skipped. So are those that might not be through before the next frame, which begins
-  /// `gap` us after the end.
+  /// Plans the answers to the accepted frame, whose end lies between `earliest` and `latest`, us. If the two are more
+  /// than 100 us apart, the answers are skipped. So are those that might not be complete before the next frame, which
+  /// begins `gap` us after the end.
   void plan(uint32_t earliest, uint32_t latest, uint32_t gap);
 
-  /// Returns in how many us the next poll of the port must come, 0..500, for one that is polled by a timer: 0 while the
-  /// end of a frame is expected.
+  /// Returns how many us after `now` a timer must poll the port next, 0..500: 0 while the end of a frame is expected.
   uint16_t nextPoll(uint32_t now) const;
 
   /// Returns true while an answer is planned.
@@ -64,7 +63,7 @@ class Answers : public Telemetry {
 
   uint32_t sent() const { return steady(_sent); }              ///< Returns how many slots were sent since begin().
   uint32_t skipped() const { return steady(_skipped); }        ///< Returns how many slots were skipped since begin().
-  uint32_t collisions() const { return steady(_collisions); }  ///< Returns how often something else came back.
+  uint32_t collisions() const { return steady(_collisions); }  ///< See SBus2Sensor::collisions().
 
   // The events of a FrameFinder.
   void begin();                                        ///< see NoEvents
@@ -80,7 +79,7 @@ class Answers : public Telemetry {
   }
 
   uint16_t found() const { return _found; }  ///< Returns how many bytes the newest poll has found.
-  uint32_t by() const { return _by; }        ///< Returns a time, us, shortly after it asked for them.
+  uint32_t by() const { return _by; }        ///< Returns the time by which these had come, us.
 
  private:
   static constexpr uint16_t Unsure = UINT16_MAX;
@@ -89,7 +88,7 @@ class Answers : public Telemetry {
   void compareEcho(bool isWrong);
   void goTo(uint8_t left);
 
-  // What the board fills its slots with.
+  // The data of the board's own slots.
   struct Own {
     uint32_t slots;  // bit k: it fills slot k
     SlotData data[SlotCount];
@@ -99,7 +98,7 @@ class Answers : public Telemetry {
   void changed();
 
   Own _own[2] = {};
-  volatile uint8_t _front = 0;      // the one of them that is planned from; write() changes the other
+  volatile uint8_t _front = 0;      // plan() reads this one of the two; write() changes the other
   bool _isFrameEnd = false;         // the newest byte is the last one of an accepted frame
   uint8_t _endByte = 0;             // of that frame
   uint8_t _group = 0;               // first slot of the announced group

@@ -70,8 +70,9 @@ class Calibrator {
   /// end has been seen.
   bool reached(uint8_t channel, uint16_t &low, uint16_t &high) const;
 
-  /// Calibrates one channel, 0..15 for CH1..CH16, at any time. Otherwise leaves `calibrated` unchanged, and returns
-  /// what is missing first: NotRested once it has moved, NotPushed once it has rested.
+  /// Calibrates one channel, 0..15 for CH1..CH16, and returns None. If that is not possible yet, leaves `calibrated`
+  /// unchanged, and returns what is missing first: NotRested once it has moved, NotPushed once it has rested. It may be
+  /// called at any time.
   ///
   /// A channel that rests within 1/16 of an end of its travel (throttle, switch) has its centre in the middle of the
   /// travel, unless it rests at 700..1350: then it was moved one way only. Other channels must rest at least 1/4 away

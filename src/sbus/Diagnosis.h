@@ -14,7 +14,7 @@
 
 namespace sbus {
 
-/// A setting that was tried, and what came to a DecodeSBus. All trials of a round last equally long.
+/// A setting that was tried, and what a DecodeSBus has counted with it. All trials of a round last equally long.
 struct Trial {
   unsigned long baud;  ///< of the port
   bool inverted;       ///< the port inverts
@@ -22,7 +22,7 @@ struct Trial {
   Counters counters;   ///< since the port was opened with this setting
 };
 
-/// What is wrong. Of several faults the one to mend first.
+/// What is wrong with the line; of several faults, the one to mend first.
 enum class Finding : uint8_t {
   NoSignal,              ///< no byte with any setting
   NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax
@@ -46,8 +46,8 @@ const char *text(Finding finding);
 /// Returns what to do about the finding, in at most 100 ASCII characters.
 const char *remedy(Finding finding);
 
-/// Returns about how many frames were impaired, with those of header 2F: by the discarded bytes, since each 0F of an
-/// impaired frame counts as a rejected header. Returns 0 without a resync.
+/// Returns about how many frames were impaired, including those with header 2F. It derives that from the discarded
+/// bytes, since each 0F of an impaired frame counts as a rejected header. Returns 0 without a resync.
 uint32_t impairedFrames(const Counters &counters);
 
 /// One round of trials. Call all methods from one context.

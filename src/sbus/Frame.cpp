@@ -12,7 +12,7 @@ constexpr uint8_t GroupBytes = 11;
 // bench`:
 //   bit by bit                     84 bytes of flash   3068 instructions
 //   bytes shifted into a word      68                   405
-//   unpack(), this one            178                   160
+//   unpack(), this one            178                   168
 //   unpackAligned(), word by word 160                    85, for an aligned payload
 void unpackGroup(const uint8_t *in, uint16_t *out) {
   const unsigned mask = ChannelMax;

@@ -75,7 +75,7 @@ constexpr uint8_t variantOfEnd(uint8_t end) {
   return endsVariant(end, Row) ? Row : variantOfEnd<Row + 1>(end);
 }
 
-/// Ends the recursion behind the last row.
+/// Ends the recursion after the last row.
 template <>
 constexpr uint8_t variantOfEnd<UnknownVariant>(uint8_t) {
   return UnknownVariant;
@@ -117,7 +117,7 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 void unpack(const uint8_t *frame, uint16_t *channels);
 
 /// Unpacks a frame whose payload, byte 1, is aligned to four bytes, on a little-endian machine: in 85 instructions of a
-/// Cortex-M0+ instead of the 160 of unpack(), and 18 bytes less (`make bench`).
+/// Cortex-M0+ instead of the 168 of unpack(), and 18 bytes less (`make bench`).
 void unpackAligned(const uint8_t *frame, uint16_t *channels);
 
 /// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.
@@ -141,7 +141,7 @@ struct Frame16 {
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
   static constexpr bool HasExtra = true;               ///< frames with extra channels may come between
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
-  /// Returns how many characters' time `count` of them take: some receivers spread a frame over 4 ms instead of 3.
+  /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead of 3.
   static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }
   /// Returns the flags of a frame.
   static constexpr uint8_t flags(const uint8_t *frame) { return frame[Size - 2]; }
@@ -173,7 +173,7 @@ struct Frame24 {
   }
 };
 
-/// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and not always sets a flag:
+/// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and does not always set a flag:
 /// github.com/ArduPilot/ardupilot/issues/9400. Such a frame counts as lost, and its channels are not handed out.
 struct Frame16NoPulses : Frame16 {
   /// Returns true if CH1..CH16 of the frame are 0.

@@ -23,11 +23,12 @@ struct NoEvents {
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
   void lost() {}                           ///< bytes are missing before the next one
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
-  /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two prove nothing.
+  /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two of these prove
+  /// nothing.
   static constexpr bool seesEachGap() { return true; }
   /// Returns true if a DecodeSBus calls asked() in each poll.
   static constexpr bool wantsTimes() { return false; }
-  void asked(int, uint32_t) {}  ///< so many bytes wait on the port, and did so by this time, us
+  void asked(int, uint32_t) {}  ///< this number of bytes had come by this time, us, and waits on the port
 };
 
 /// Finds frames. The bytes are read directly into the incoming frame:
@@ -54,7 +55,7 @@ struct NoEvents {
 /// Rejected characters are searched again from the second on. FrameRules.h has the rules, extras/docs/receiver.md says
 /// what each is worth.
 ///
-/// `Format` is Frame16, or Frame24 with 36 bytes. `Events` is told what becomes of each byte.
+/// `Format` is Frame16, or Frame24 with 36 bytes. `Events` learns what becomes of each byte.
 ///
 /// Call all methods from the context that reads the port. Only frame() and the methods below it may also be called from
 /// a context that received() interrupts (extras/docs/interrupts.md).
@@ -116,7 +117,7 @@ class FrameFinderOf : private Events {
   /// Returns the frameTime() of extra().
   uint32_t extraTime() const { return _extraTime; }
 
-  /// Returns the time of the poll before the newest poll(), us: what that has found was not there then.
+  /// Returns the time of the poll before the newest poll(), us: the bytes that the newest found had not come then.
   uint32_t pollBefore() const { return _timing.pollBefore(); }
 
   /// Returns true if no byte is left that may begin a frame.

@@ -121,8 +121,8 @@ SBUS_IN_LINE bool mayBeNoTail(const Candidate<Format> &c, const Acquisition<Form
   return !c.isLines() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
 }
 
-/// Returns true if its end byte comes twice: noise may stand before the true header, or a stray character behind the
-/// true end; the latter is known where a stray stood behind the frame before as well, and then a gap.
+/// Returns true if its end byte comes twice: noise may stand before the true header, or a stray character after the
+/// true end. If a stray character and then a gap followed the frame before, it is the latter.
 template <typename Format>
 SBUS_IN_LINE bool endsTwice(const Candidate<Format> &c) {
   return holds(Rule::endsTwice) && c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
@@ -143,8 +143,8 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
 }
 
 /// Returns true if a gap after it would still prove that it is aligned. A gap proves nothing where the part before
-/// `inner` may be the rest of a frame, and the part behind a frame that lost as many characters: the first part is
-/// short, and stands behind more characters than noise has.
+/// `inner` may be the rest of one frame, and the part from `inner` on a frame that lost as many characters: then the
+/// first part is short, and more characters than noise has stand before it.
 template <typename Format>
 SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
   return holds(Rule::waits) && c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
@@ -152,7 +152,7 @@ SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
 
 /// Judges a frame with extra channels. It must stand where a frame is expected, or at a gap: otherwise a noise
 /// character 2F directly before a frame would make that frame its own. The line's variant must be known, and a header
-/// or a gap follow.
+/// or a gap must follow.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
@@ -196,7 +196,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
         return Verdict::wait();
       }
     } else if (!isHeaderNext(c)) {
-      // Where two headers in a row are rejected, both are: the second cannot be told from the first.
+      // A rejection here skips two characters: if both are headers, either may be the true one.
       if (c.isLines()) {
         if (!isSlotNext(c) && (endsTwice(c) || goesOn(c))) {
           return Verdict::reject(Rejection::GoesOn, 2);

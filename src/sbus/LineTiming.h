@@ -44,8 +44,8 @@ class LineTiming {
     _idleCharacters = idleCharacters;
   }
 
-  /// Returns a time after which a byte ended that `behind` others follow in this poll. The poll before did not find the
-  /// byte: the port held it back, together with those behind it, and waited for each of them.
+  /// Returns a time before the end of the byte that `behind` others follow in this poll. The poll before did not find
+  /// this byte: the port held it back, together with those that follow it, and waited for each of them.
   uint32_t endedAfter(unsigned behind) const {
     constexpr unsigned Each = MostIdleCharacters + 1;
     return _pollBefore - (MostIdleCharacters + (behind < LongestBurst ? behind : LongestBurst) * Each) * _characterTime;
@@ -95,7 +95,7 @@ class LineTiming {
   static constexpr unsigned LongestBurst = 16;       // characters: the most that a port hands over at once
   static constexpr unsigned Gap = 2;                 // characters
 
-  // 16 bits on an AVR: 65 ms count as any longer time, and 42 bytes of flash are saved.
+  // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
 
   // Returns the longest time from the start of the first of these bytes until it is handed over, plus a gap.

@@ -4,10 +4,10 @@ namespace sbus {
 
 namespace {
 
-constexpr uint16_t RateUnit = 256;  // of a frame a second
-constexpr uint8_t Decay = 6;        // of it in 250 ms: 0.1 frames a second, each second
+constexpr uint16_t RateUnit = 256;  // units of _rate in one frame a second
+constexpr uint8_t Decay = 6;        // units in 250 ms: 0.1 frames a second, each second
 
-// Of lost frames and failsafe frames most are both.
+// Most frames with one of the flags have both: so the counts are not added.
 uint32_t badOf(uint32_t lost, uint32_t failsafe) {
   return lost > failsafe ? lost : failsafe;
 }
@@ -45,7 +45,7 @@ uint8_t LinkQuality::update(const Counters &counters, LinkState state, uint32_t 
     _marks[_next] = mark;
     _next = static_cast<uint8_t>((_next + 1) % MarkCount);
   }
-  // Of the same rate a time may hold one frame more than another.
+  // At one rate, two stretches of equal length may differ by one frame.
   const uint32_t expected = _rate * ms / (uint32_t{RateUnit} * 1000);
   const uint32_t least = expected > 1 ? expected - 1 : 0;
   const uint32_t all = came > least ? came : least;

@@ -18,13 +18,13 @@ namespace sbus {
 /// quality of S.Bus likewise (src/main/rx/rx.c, setLinkQuality()); the number of ExpressLRS counts radio packets, not
 /// frames (extras/docs/link-quality.md).
 ///
-/// How often a receiver sends is not known: the highest rate that has come is expected, and after a rate that is too
-/// high one frame a second less every ten seconds.
+/// The receiver's frame rate is not known: the highest rate that was seen is expected, less one frame a second every
+/// ten seconds, until the measured rate is higher again.
 class LinkQuality {
  public:
   /// Returns the link quality at `now`, us, 0..100; 0 before the first frame and while the link is stale. Call it every
   /// 250 ms or more often, from one context. Less than a second after the link came back, and if the last call is
-  /// more than a second ago, it knows no rate: then it returns how many of the frames that came were not lost.
+  /// more than a second ago, it knows no rate: then it returns the percentage of the received frames that were not lost.
   uint8_t update(const Counters &counters, LinkState state, uint32_t now);
 
  private:

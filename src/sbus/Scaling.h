@@ -31,8 +31,8 @@ int16_t toMicroseconds(uint16_t raw, const Range &range);
 /// the range is longer than 1024.
 uint16_t fromMicroseconds(int16_t us, const Range &range);
 
-/// Returns thousandths of the travel: -1000, 0 and +1000 at the three points of `range`, and lines like
-/// toMicroseconds().
+/// Returns thousandths of the travel: -1000, 0 and +1000 at the three points of `range`, and straight lines between and
+/// beyond them, as toMicroseconds() has them.
 int16_t toNormalised(uint16_t raw, const Range &range);
 
 /// Returns the raw value, 0..2047, for thousandths of the travel: the exact inverse of toNormalised() if no side of the

@@ -26,7 +26,7 @@ SlotData swappedSlotOf(unsigned word) {
   return {static_cast<uint8_t>(word), static_cast<uint8_t>(word >> 8)};
 }
 
-// Below zero bit 14 is set anyway, so that the mark costs no value.
+// Valid14 is set in every negative value down to -16384 anyway, so the mark costs no value.
 int16_t signed14(uint16_t word) {
   return static_cast<int16_t>((word & Valid15) != 0 ? word : word & (Valid14 - 1));
 }
@@ -38,7 +38,7 @@ int16_t signed16(const SlotData &slot) {
   return static_cast<int16_t>(wordOf(slot));
 }
 
-// Of a GPS-F1675: degrees, sign and the four highest bits of the minutes, then their lower bits.
+// Returns an angle of a GPS-F1675: degrees, sign and the four highest bits of the minutes, then their lower bits.
 int32_t angleOf(const SlotData *slots) {
   const int32_t minutes = static_cast<int32_t>(slots[0].data1 & 0x0F) << 16 | wordOf(slots[1]);
   const int32_t angle = slots[0].data0 * Degree + minutes;
@@ -106,7 +106,7 @@ class BitWriter {
 
 }  // namespace
 
-// Of data0 the upper three bits are 110, 111 or 000: why is not known.
+// The upper three bits of data0 are 110, 111 or 000; why is not known.
 void ReceiverVoltage::decode(const SlotData *slots) {
   decivolts = wordOf(slots[0]) & 0x3FF;
   isExternal = (slots[0].data0 & 0x04) != 0;

@@ -4,7 +4,7 @@ namespace sbus {
 
 namespace {
 
-// An R7003SB sends a 00 before and one after its slot: the line's break, github.com/bolderflight/sbus/issues/79.
+// An R7003SB sends a 00 before its slot and one after it: the line's break, github.com/bolderflight/sbus/issues/79.
 bool isTail(uint8_t end, const uint8_t *characters, uint8_t count) {
   return endsVariant(end, TailVariant) && count == LineVariants[TailVariant].tailSize && characters[0] == 0 &&
          characters[count - 1] == 0;

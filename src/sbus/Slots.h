@@ -61,7 +61,7 @@ constexpr bool announcesSlots(uint8_t end) {
 
 /// Splits the `count` characters between a frame with this end byte and the next frame into `slots` (room for 8).
 /// Returns how many there are; -1 if the characters are not just slots of the announced group in rising order. There is
-/// no checksum, and no other proof: where a character is missing or too much, all of them are rejected.
+/// no checksum, and no other proof: if a character is missing, or there is one too many, all of them are rejected.
 int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *slots);
 
 }  // namespace sbus

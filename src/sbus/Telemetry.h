@@ -9,8 +9,8 @@
 
 namespace sbus {
 
-/// The newest data of all 32 slots. What stands between two frames is believed once the second frame is there, and only
-/// as a whole (readSlots()). It needs 138 bytes.
+/// Holds the newest data of all 32 slots. The bytes between two frames are accepted once the second frame is there, and
+/// only if all of them are slots (readSlots()). It needs 138 bytes.
 ///
 /// The context that reads the port calls the events; they may interrupt read().
 class Telemetry {
@@ -22,7 +22,7 @@ class Telemetry {
   /// unless each of them came in one of its last 16 rounds (1 s). All of them are of one moment.
   bool read(uint8_t first, uint8_t count, SlotData *data) const;
 
-  /// Returns how many groups were announced, and then held no slots, or something else than slots.
+  /// Returns how many times the bytes after a frame that announces a group were not just slots of this group.
   uint32_t rejectedGroups() const { return _rejected; }
 
   // The events of a FrameFinder.
@@ -45,7 +45,7 @@ class Telemetry {
   SlotData _data[SlotCount];
   uint8_t _misses[SlotCount];  // rounds since the slot came; above MissesMax: no data
   uint8_t _characters[GroupSizeMax];
-  uint8_t _count;  // of _characters; above GroupSizeMax: something else than a group
+  uint8_t _count;  // of _characters; above GroupSizeMax: something other than a group
   uint8_t _end;    // end byte of the frame before them
   uint16_t _changes = 0;
   uint32_t _rejected;

@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (size_t i = 0; i < again.characters.size(); i++) {
       require(again.characters[i].endUs == recording.characters[i].endUs, "times are kept");
       require(again.characters[i].value == recording.characters[i].value, "bytes are kept");
-      require(again.characters[i].bad == recording.characters[i].bad, "bad ones are kept");
+      require(again.characters[i].bad == recording.characters[i].bad, "character errors are kept");
     }
   }
   return 0;

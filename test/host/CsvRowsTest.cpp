@@ -78,7 +78,7 @@ TEST_CASE("S.Bus is never taken for rows of a sketch") {
   }
 }
 
-TEST_CASE("a bad character is no text") {
+TEST_CASE("a character with an error is no text") {
   CsvRows rows;
   for (const char c : std::string("1,2\n1,2\n")) {
     line::Character character;

@@ -214,7 +214,7 @@ TEST_CASE("of the simulated receivers every frame is found, and each character o
   }
 }
 
-TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a bad character") {
+TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a character with an error") {
   for (const auto channels : {line::Channels::Sixteen, line::Channels::TwentyFour, line::Channels::ThirtyTwo}) {
     CAPTURE(channels);
     line::NoisyLine noisy(std::make_unique<line::SimulatedReceiver>(line::Flight, 120, channels), 100, 120);
@@ -237,7 +237,7 @@ TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a b
                                                   [](const Character &character) { return character.bad; })));
     }
     CHECK(at == watched.observer.characters());
-    CHECK(watched.observer.badCharacters() > 500);
+    CHECK(watched.observer.characterErrors() > 500);
     CHECK(rejected > 100);
   }
 }

@@ -20,12 +20,12 @@ TEST_CASE("characters that belong to no frame are shown between the frames, with
     const char *reason;
   } cases[] = {
       {"telemetry", {0x03, 0xC0, 0x2E}, SIZE_MAX, "no header"},
-      {"a bad character in a frame", good, 9, "parity or framing error (byte 9)"},
+      {"a character with an error in a frame", good, 9, "parity or framing error (byte 9)"},
       {"its header", good, 0, "parity or framing error (byte 0)"},
       {"its end byte", good, 24, "parity or framing error (byte 24)"},
       {"a byte is missing", shortened, SIZE_MAX, "no end byte"},
       {"unused flags", flags, SIZE_MAX, "unused flags set, no end byte (byte 10)"},
-      {"one bad character", {0x55}, 0, "parity or framing error"},
+      {"one character, with an error", {0x55}, 0, "parity or framing error"},
   };
   for (const auto &each : cases) {
     CAPTURE(each.what);
@@ -79,7 +79,7 @@ TEST_CASE("the reason names its cause, and the place of the header") {
   }
 }
 
-TEST_CASE("the error of a bad character is named with its place, as far as its source tells") {
+TEST_CASE("a character error is named with its place, and with its kind if its source tells") {
   struct Bad {
     size_t at;
     bool parity, stop;
@@ -137,14 +137,14 @@ TEST_CASE("a frame that lost a character to an error and got another at its end 
     REQUIRE(line.stretches.size() == 6);
     CHECK(bytesOf(line.stretches[5]) == bytes);
     CHECK(why(line.stretches[5]) == "parity or framing error (byte " + std::to_string(bad) + ")");
-    CHECK(line.observer.badCharacters() == 1);
+    CHECK(line.observer.characterErrors() == 1);
     line.frame(1001);
     CHECK(line.frames() == 6);
     CHECK(line.observer.newest().raw[15] == 1001);
   }
 }
 
-TEST_CASE("a line of bad characters only: all are handed over, and none is kept for long") {
+TEST_CASE("a line on which each character has an error: all are handed over, and none is kept for long") {
   Watched line;
   for (unsigned i = 0; i < 1000; i++) {
     line.send({static_cast<uint8_t>(i)}, 0);

@@ -33,7 +33,7 @@ std::vector<Character> heard(SimulatedBus &bus, uint64_t untilUs) {
   return all;
 }
 
-// "start of the run in us: its bytes" of each run of characters that is no frame; "!" after a bad one.
+// "start of the run in us: its bytes" of each run of characters that is no frame; "!" after a character with an error.
 std::string runs(const std::vector<Character> &characters) {
   std::string text;
   uint64_t lastUs = 0;

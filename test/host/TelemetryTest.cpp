@@ -79,8 +79,8 @@ std::string measured(const char *name, const std::vector<sbus::SlotData> &data) 
 }  // namespace
 
 TEST_CASE(
-    "slots are read with the time of their last character; what is not just slots is rejected, and so is a bad "
-    "character") {
+    "slots are read with the time of their last character; what is not just slots is rejected, and so is a "
+    "character with an error") {
   // The third frame begins at 40 ms; slots begin at 45030 us.
   const struct {
     const char *what;
@@ -92,7 +92,7 @@ TEST_CASE(
       {"the receiver", 0x04, {0x03, 0xC0, 0x2E}, -1, "45390 0:192,46 rejected 0"},
       {"an SBS-01V", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, -1, "45390 1:128,56 45750 2:0,125 rejected 0"},
       {"an R7003SB", 0x08, {0x00, 0x03, 0xC0, 0x33, 0x00}, -1, "45510 0:192,51 rejected 0"},
-      {"a bad character", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, 4, "rejected 1"},
+      {"a character with an error", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, 4, "rejected 1"},
       {"a character is missing", 0x04, {0x83, 0x80, 0x43, 0x00, 0x7D}, -1, "rejected 1"},
       {"another group", 0x14, {0x83, 0x80, 0x38}, -1, "rejected 1"},
       {"a line without telemetry", 0x00, {0x03, 0xC0, 0x2E}, -1, "rejected 0"},
@@ -163,7 +163,7 @@ TEST_CASE("a stretch is named slots while only slots have come since the frame; 
       {"slots 0 and 6", {{2030, {0x03, 0xC0, 0x2E}}, {5990, {0x63, 1, 2}}}, "telemetry slot 0; telemetry slot 6; "},
       {"noise, then slot 6", {{2030, {0x55}}, {5990, {0x63, 1, 2}}}, "no header; no header; "},
       {"slot 6, then slot 0", {{2030, {0x63, 1, 2}}, {5990, {0x03, 0xC0, 0x2E}}}, "telemetry slot 6; no header; "},
-      {"a bad character", {{2030, {0x03, 0xC0, 0x2E}, 1}}, "parity or framing error (byte 1); "},
+      {"a character with an error", {{2030, {0x03, 0xC0, 0x2E}, 1}}, "parity or framing error (byte 1); "},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);

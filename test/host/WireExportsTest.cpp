@@ -149,7 +149,7 @@ TEST_CASE("characters that Saleae's analyser has decoded, but without S.Bus: the
   CHECK(Decoded(logic2, told).error == "has characters that are decoded already: leave out --invert");
   const std::string two = replaced(replaced(logic2, "0x0F", "0x0E"), title2, title2 + "\"B\",\"data\",0.001,1e-4,0x55,\n");
   CHECK(holds(Decoded(two).failure,
-              "signal Async Serial has 100 good characters and 0 bad ones: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted? No signal"));
+              "signal Async Serial has 100 good characters and 0 with errors: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted? No signal"));
 }
 
 TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal digits, in lines of any width") {

@@ -222,7 +222,7 @@ TEST_CASE("an oscilloscope's samples beyond its range, in whatever encoding, are
   }
 }
 
-TEST_CASE("the VCD of a recording reads as the recording: bytes, times, bad characters") {
+TEST_CASE("the VCD of a recording reads as the recording: bytes, times, character errors") {
   for (const unsigned long baud : {100000ul, 200000ul}) {
     for (const line::Polarity polarity : {line::Polarity::Inverted, line::Polarity::Uninverted}) {
       for (const int64_t startUs : {int64_t{-60}, int64_t{-1}, int64_t{0}, int64_t{1}, int64_t{5000000000}}) {

@@ -66,7 +66,7 @@ struct Transmission {
   uint32_t characterUs() const { return line::LineSettings{baud}.characterUs(); }
 };
 
-// A frame as it was on the line. Good characters are numbered as they come, from 0; the UART drops bad ones unseen.
+// A frame as it was on the line. Good characters are numbered as they come, from 0; the UART drops the others unseen.
 struct SentFrame {
   LongFrame bytes{};
   unsigned size = sbus::FrameSize;

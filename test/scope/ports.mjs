@@ -72,7 +72,7 @@ export default async function () {
     await counts(page, 'port breaks', 1);
     await counts(page, 'port overruns', 1);
     await counts(page, 'port system errors', 1);
-    await counts(page, 'badCharacters', 6);
+    await counts(page, 'characterErrors', 6);
     const before = await counter(page, 'frames');
     await until('no more frames come', async () => (await counter(page, 'frames')) > before + 10);
     await reads(page, '#state', 'Fine');

@@ -9,7 +9,7 @@ const seed = Number(process.env.SEED ?? 26);
 const places = 25;
 const lengthMs = 400000; // longer than the history
 const counters = ['frames', 'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes',
-  'resyncs', 'badCharacters'];
+  'resyncs', 'characterErrors'];
 
 function random(seed) {
   let state = seed;

@@ -72,10 +72,10 @@ export default async function () {
     });
   }
 
-  await check('simulated noise shows as bad characters, discarded bytes and the verdict Noise', async (page) => {
+  await check('simulated noise shows as character errors, discarded bytes and the verdict Noise', async (page) => {
     await page.selectOption('#fault', 'noise');
     await reads(page, '#verdict-text', /^Noise: frames are damaged/);
-    await counts(page, 'badCharacters', /^\d\d/);
+    await counts(page, 'characterErrors', /^\d\d/);
     await counts(page, 'discardedBytes', /^\d\d/);
     await page.waitForSelector('#lines .none');
   });

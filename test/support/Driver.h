@@ -1,7 +1,7 @@
 // How a core's driver hands over received characters.
 #pragma once
 
-// Hands over `burst` characters at once, or fewer when the line was idle for `idleCharacters`. Drops bad characters.
+// Hands over `burst` characters at once, or fewer when the line was idle for `idleCharacters`. Drops characters with errors.
 struct Driver {
   const char *name;
   unsigned burst;
@@ -12,7 +12,7 @@ struct Driver {
 
 // GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Source/stm32l0_uart.c: a DMA ring of 32 (variants/*/
 // variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, wherever a frame stands (53, 280), when
-// the line is idle for a character (653), and before a bad character, which is dropped (529). What finds no place is
+// the line is idle for a character (653), and before a character with an error, which is dropped (529). What finds no place is
 // dropped, so the newest (125). begin() empties the ring and starts it again (379). All that is host::BoardUart's.
 constexpr Driver Board = {"board", 16, 1};
 
@@ -24,8 +24,8 @@ constexpr Driver ByteByByte = {"bytes", 1, 0};
 
 // espressif/arduino-esp32, cores/esp32/HardwareSerial.cpp, begin(): "fifoFull = 120" above 57600 baud; _rxTimeout is 2
 // characters in core 2.0, and 1 in core 3. espressif/esp-idf 1021229, components/esp_driver_uart/src/uart.c:1341, then
-// empties the FIFO. A bad character stays in it (nothing calls uart_ll_discard_error_data()): that is a line with
-// flipped bits.
+// empties the FIFO. A character with an error stays in it (nothing calls uart_ll_discard_error_data()): that is a line
+// with flipped bits.
 constexpr Driver Esp32 = {"ESP32", 120, 2};       // as the sketch opens it
 constexpr Driver Esp32Told = {"ESP32, 8", 8, 2};  // as DecodeSBus::begin() does
 

@@ -109,5 +109,5 @@ while IFS='|' read -r keys options message; do
 done <<'END'
 enter|--seconds 20|nothing was written, since the third step was not completed: CH1 is where it rested: push it up or right
 enter|--seconds 14 --silent|nothing was written, since the third step was not completed: CH1 was not seen: switch the radio on
-none|--seconds 20|standard input has ended, on which Enter is pressed; call it in a terminal
+none|--seconds 20|standard input has ended, so Enter cannot be pressed; run it in a terminal
 END

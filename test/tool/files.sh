@@ -132,7 +132,7 @@ printf '30 0F E5\n' >"$work/time.txt"
 verdict $? "a time of two digits, alone, is a time"
 printf '%s %s\n' "$frame" "$frame" | sed 's/1F/1F!/' >"$work/bad.txt"
 "$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.*parity or framing error (byte 3)$'
-verdict $? "bytes without times may have a bad one"
+verdict $? "bytes without times may have one with an error"
 "$SBUS" doctor "$work/bytes.bin" >"$work/out" 2>"$work/err"
 [ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 discarded bytes' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"
 verdict $? "doctor of bytes without times has no times"
@@ -145,7 +145,7 @@ rejected() {
   verdict $? "rejects $1"
 }
 want=' is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a comment'
-offset='begins with the offset of a dump; leave offsets and text out, or make bytes of it: xxd -r DUMP FILE.bin'
+offset='begins with the offset of a dump; leave offsets and text out, or convert it to bytes: xxd -r DUMP FILE.bin'
 printf '0F E5 03\nF8 0G 07\n' | rejected letter.txt ":2: \"0G\"$want"
 printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"an\"$want"
 echo '00000000: 0fe5 031f f8c0 073e f081 0f7c e003 06f8  .......>...|....' | rejected xxd.txt ":1: $offset"

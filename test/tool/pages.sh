@@ -114,7 +114,7 @@ open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\";
 tries=0
 until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
-  frames=$("$SBUS" hex "$WORK/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 bad), $frames frames" "$WORK/page.txt"
+  frames=$("$SBUS" hex "$WORK/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 with errors), $frames frames" "$WORK/page.txt"
 verdict $? "monitor --record works while the page is shown"
 close
 

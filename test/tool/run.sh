@@ -190,7 +190,7 @@ for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordi
   characters "$recording" "$us" | tr a-f A-F >"$work/characters" && [ -s "$work/characters" ] &&
     characters "$work/again.txt" "$us" | cmp - "$work/characters" && grep -v '^#' "$work/copy.txt" >"$work/lines.copy" &&
     grep -v '^#' "$work/again.txt" | cmp - "$work/lines.copy"
-  verdict $? "a copy of a copy of ${recording#"$work/"} has each character at the same microsecond, also bad and late ones"
+  verdict $? "a copy of a copy of ${recording#"$work/"} has each character at the same microsecond, also late ones and those with errors"
 done
 awk '!/^#/ { printf "%.6f\n", ($1 + 120 * (NF - 2)) / 1e6 }' recordings/paper.txt >"$work/ends"
 "$sbus" hex recordings/paper.txt | awk '{ print $1 }' | cmp - "$work/ends" &&
@@ -199,7 +199,7 @@ awk '!/^#/ { printf "%.6f\n", ($1 + 120 * (NF - 2)) / 1e6 }' recordings/paper.tx
 verdict $? "times are those of the recording"
 "$sbus" monitor sim --simulated-time --seconds 0.2 >"$work/lines" && "$sbus" record sim "$work/record.txt" --simulated-time --seconds 0.2 2>"$work/err" &&
   "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
-  sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 bad\), [1-9][0-9]* frames$' "$work/err"
+  sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 with errors\), [1-9][0-9]* frames$' "$work/err"
 verdict $? "monitor --record writes what record writes, and shows what monitor shows"
 rejected "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
 rejected "sbus monitor: /dev/full: could not be written to its end (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full

@@ -88,7 +88,7 @@ while IFS='|' read -r text message; do
 done <<'END'
 |: has no rows; rows as sbus csv writes them are expected
 CH1\n|: has no rows; rows as sbus csv writes them are expected
-CH1,CH19\n1,2\n|:1: "CH19" is no column of sbus csv; CH1 to CH18, failsafe, lostframe, time, state and age are
+CH1,CH19\n1,2\n|:1: "CH19" is no column of sbus csv; there are CH1 to CH18, failsafe, lostframe, time, state and age
 CH1,CH2\n1,2\n3\n|:3: has 1 fields; 2 are expected
 CH1\n2048\n|:2: "2048" is no value of column 1; 0 to 2047 is expected
 CH1\n1.5\n|:2: "1.5" is no value of column 1; 0 to 2047 is expected
@@ -102,12 +102,12 @@ while IFS='|' read -r arguments message; do
 done <<'END'
 |CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv
 --from no.csv|sbus send: no.csv: cannot be read; the name of a CSV is expected
---from x.csv ch1=5|--from: is in place of ch1=5; leave one of them out
+--from x.csv ch1=5|--from: replaces ch1=5; leave one of them out
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch1=2048|"ch1=2048" is out of range; 0 to 2047, on (1811) or off (172) is expected
 ch1=|"ch1=" is out of range; 0 to 2047, on (1811) or off (172) is expected
 ch17=2|"ch17=2" is out of range; on or off is expected
-ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected
+ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected
 END

@@ -24,7 +24,7 @@ relative() { awk -v zero="$1" '{ while (match($0, / [0-9]+\.[0-9]+ s to +[0-9.]+
 zero=$("$SBUS" hex "$work/flight.txt" | awk '{ print $1; exit }')
 "$SBUS" summary "$work/flight.txt" | sed 's/^[^:]*flight.txt/FILE/' | relative "$zero" >"$work/text"
 cat >"$work/wanted" <<'END'
-FILE: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 bad characters
+FILE: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 character errors
 frames 0 to 1394 ms
 failsafe 3 times, 0.189 s in all
  540 to 720 ms 0.180 s
@@ -44,7 +44,7 @@ diff "$work/wanted" "$work/text"
 verdict $? "summary of a flight has its losses"
 "$SBUS" summary "$work/flight.txt" --json | sed 's/,"\(from\|to\)_us":[0-9]*//g' >"$work/json"
 cat >"$work/wanted" <<'END'
-{"type":"summary","line":"S.BUS","frames":100,"lost_frames":25,"failsafe_frames":23,"discarded_bytes":0,"bad_characters":0}
+{"type":"summary","line":"S.BUS","frames":100,"lost_frames":25,"failsafe_frames":23,"discarded_bytes":0,"character_errors":0}
 {"type":"span","kind":"failsafe"}
 {"type":"span","kind":"failsafe"}
 {"type":"span","kind":"failsafe"}
@@ -61,7 +61,7 @@ verdict $? "summary --json of a flight has the same figures"
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
 verdict $? "summary lists the twenty longest losses"
 cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
-[ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 bad characters" ]
+[ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 character errors" ]
 verdict $? "summary of bytes without times has no times"
 "$SBUS" summary sim --silent --simulated-time --seconds 1 2>"$work/err"
 [ $? -eq 1 ] && grep -qx 'sbus summary: sim: no frames came; sbus doctor says why' "$work/err"

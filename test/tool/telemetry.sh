@@ -54,7 +54,7 @@ while IFS='|' read -r sensor words; do
   [ $? -eq 2 ] && [ ! -s "$work/out" ] && grep -qF -- "$words" "$work/err"
   verdict $? "telemetry --sensor $sensor is rejected: $words"
 done <<'END'
-1=SBS-01X|names no sensor that is known: receiver, SBS-01T
+1=SBS-01X|is no known sensor; these are: receiver, SBS-01T
 SBS-01V|is no slot and name, such as 1=SBS-01V
 32=SBS-01V|slots are 0 to 31
 x=SBS-01V|is no slot and name

@@ -45,7 +45,7 @@ waved recordings/sbus2.txt 100000 no --uninverted
 sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 "$SBUS" wave "$work/bad.txt" >"$work/bad.vcd" &&
   [ "$("$SBUS" decode "$work/bad.vcd" --characters --csv | grep -c ',1F,1,0')" -eq "$(grep -c '!' "$work/bad.txt")" ]
-verdict $? "a bad character of a recording has a wrong parity bit on the wire"
+verdict $? "a character with an error in a recording has a wrong parity bit on the wire"
 if [ -n "$have_sigrok" ]; then
   [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
   verdict $? "sigrok finds the wrong parity bit as well"

@@ -1,4 +1,4 @@
-// A channel as a bar: its travel, its value, the least and the most.
+// Draws a channel as a bar: its travel, its value, the lowest and the highest value so far.
 #pragma once
 
 #include "cli/monitor/MonitorPage.h"
@@ -10,7 +10,7 @@ class Bar {
   // `width` in columns. All bars of a view have one scale.
   Bar(const MonitorView &view, int width, bool unicode);
 
-  // Returns what stands above the bars: "-100 0 +100", or the ends of the scale.
+  // Returns the line above the bars: "-100 0 +100", or the ends of the scale.
   std::string scale() const;
 
   void append(PageRow &row, const MonitorView::Channel &channel) const;

@@ -192,7 +192,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "r      reset marks and counters",
       "space  pause; the counters go on",
       "?      this page, and back",
-      "[ ]    least and most since the reset;",
+      "[ ]    lowest, highest since the reset;",
       "       frames with a flag do not count",
       "%      of --range; us: a servo's pulse",
       "gap    from a frame's end to the next's",

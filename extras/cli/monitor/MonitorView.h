@@ -1,4 +1,4 @@
-// What `sbus monitor` shows at a moment: of S.Bus, or of a sketch's rows.
+// What `sbus monitor` shows at one moment, of S.Bus or of a sketch's rows.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ enum class Mood { Calm, Good, Warn, Bad };
 struct MonitorView {
   struct Channel {
     double value = 0;
-    double low = 0;  // the least and the most since the marks were reset
+    double low = 0;  // the lowest and the highest since the marks were reset
     double high = 0;
     bool marked = false;  // low and high have a meaning
     std::string text;     // the value as it came

@@ -17,7 +17,7 @@ namespace tool {
 
 namespace {
 
-// How a style looks. Without colours (the terminal has none, or NO_COLOR is set) the attributes `plain` tell.
+// How a style looks. Without colours (the terminal has none, or NO_COLOR is set) the attributes `plain` are used.
 struct Look {
   Style style;
   short text;
@@ -58,7 +58,7 @@ Screen::Screen() {
   FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen("/dev/tty", "r");  // of sbus monitor -
   _screen = keys == nullptr ? nullptr : newterm(nullptr, stdout, keys);
   if (_screen == nullptr) {
-    throw std::runtime_error("the terminal cannot show a page; set TERM to what it is, or read lines: | cat");
+    throw std::runtime_error("the terminal cannot show a page; set TERM to the terminal's type, or print lines instead: | cat");
   }
   cbreak();
   noecho();

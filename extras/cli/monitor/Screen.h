@@ -1,4 +1,4 @@
-// The terminal as a page, with ncurses: every Debian has it, and it can do without colours.
+// Shows a page on the terminal, with ncurses: every Debian has it, and it works without colours.
 #pragma once
 
 #include "cli/monitor/MonitorPage.h"

@@ -60,7 +60,7 @@ void Watch::news(const std::string &text, uint64_t nowUs) {
 void Watch::reset() {
   _observer.resetMarks();
   _before = _observer.counters();
-  _badBefore = _observer.badCharacters();
+  _errorsBefore = _observer.characterErrors();
   _discardedBefore = _observer.discardedBytes();
   _columns.clear();
   _rowGaps = line::Extent();
@@ -151,7 +151,7 @@ std::string Watch::json(uint64_t nowUs) {
       .number("link_quality", _observer.linkQuality(nowUs))
       .counts(now)
       .number("discarded_bytes", _observer.discardedBytes())
-      .number("bad_characters", _observer.badCharacters())
+      .number("character_errors", _observer.characterErrors())
       .line();
 }
 
@@ -202,7 +202,7 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
         format("%3u frames/s", _observer.perSecond(nowUs)), count("lost by radio", now.lostFrames - _before.lostFrames),
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
-       {gaps(_observer.gaps()), count("bad characters", _observer.badCharacters() - _badBefore),
+       {gaps(_observer.gaps()), count("character errors", _observer.characterErrors() - _errorsBefore),
         count("bytes discarded", _observer.discardedBytes() - _discardedBefore)}},
       {"Rejected",
        {count("no end byte", now.rejectedByEnd - _before.rejectedByEnd),

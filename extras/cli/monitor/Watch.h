@@ -58,7 +58,7 @@ class Watch {
   VariantOfLine _variant;
   line::Readings _readings;
   sbus::Counters _before{};  // when the counters were reset
-  unsigned long _badBefore = 0;
+  unsigned long _errorsBefore = 0;
   unsigned long _discardedBefore = 0;
   uint64_t _characterUs = 0;  // when the newest came
   uint64_t _lostUs = 0;       // when the newest lost frame came; 0: none yet

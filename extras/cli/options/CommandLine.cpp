@@ -88,7 +88,8 @@ bool takesValue(const CLI::Option &option) {
   return option.get_items_expected_min() > 0;
 }
 
-// Returns what an argument called `type` may be: of "auto|always|never" these words; a name in capitals has its own.
+// Returns the words that an argument of this `type` may be: for "auto|always|never" these three; for a name in capitals
+// those that belong to it.
 Words wordsFor(const CLI::App &app, const std::string &type) {
   Words words;
   std::istringstream parts(type);
@@ -159,7 +160,8 @@ std::string misplacedWord(const CLI::App &app) {
     return name + ": " + left.front() + " is one argument too many; " + help + " lists what it takes";
   }
   if (!subcommands.empty() && !own.empty() && subcommands.front()->get_option_no_throw(*option) != nullptr) {
-    return "sbus: " + *option + " is an option of " + subcommands.front()->get_name() + "; write it after that";
+    const std::string &owner = subcommands.front()->get_name();
+    return "sbus: " + *option + " is an option of " + owner + "; write it after " + owner;
   }
   return name + ": " + *option + " is no option; " +
          meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help + " lists them";

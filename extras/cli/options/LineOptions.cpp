@@ -20,16 +20,18 @@ void reject(const std::vector<Option> &options, const std::string &reason) {
 
 LineOptions::LineOptions(Subcommand &subcommand) {
   const Option baud =
-      subcommand.option("--baud", _baud, "of the line: 200000 for Fast S.Bus (as a recording says, or 100000)")
+      subcommand.option("--baud", _baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
           .oneOf({100000, 200000})
           .type("100000|200000");
-  const Option channels = subcommand.option("--channels", _channels, "of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
+  const Option channels = subcommand
+                              .option("--channels", _channels,
+                                      "channels of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
                               .oneOf({16, 24, 32})
                               .type("16|24|32");
-  const Option sticks = subcommand.option("--sticks", _sticks, "what the person at the radio of sim does (flight)")
+  const Option sticks = subcommand.option("--sticks", _sticks, "how the sticks of sim move (flight)")
                             .oneOf({"flight", "calibration"})
                             .type("flight|calibration");
-  _silent = subcommand.flag("--silent", "nothing comes from sim");
+  _silent = subcommand.flag("--silent", "sim sends nothing");
   _sbus2 = subcommand.flag("--sbus2", "sim speaks S.BUS2: 16 channels, its own voltages, a sensor in slots 1 and 2")
                .excludes(baud)
                .excludes(channels)
@@ -83,7 +85,7 @@ void rejectSameFile(const std::string &read, const std::string &written) {
   struct stat one, other;
   if (stat(read.c_str(), &one) == 0 && stat(written.c_str(), &other) == 0 && one.st_dev == other.st_dev &&
       one.st_ino == other.st_ino && S_ISREG(one.st_mode)) {
-    throw std::runtime_error(written + ": is what is read; name another file");
+    throw std::runtime_error(written + ": is also the input; name another file");
   }
 }
 

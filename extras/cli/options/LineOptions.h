@@ -16,11 +16,11 @@ class LineOptions {
   LineOptions(const LineOptions &) = delete;
   LineOptions &operator=(const LineOptions &) = delete;
 
-  // Each rejects the command line if one of these options was given; they mean nothing for `what`, such as "a port".
+  // Each rejects the command line if one of these options was given: they do not apply to `what`, such as "a port".
   void rejectSimulated(const std::string &what) const;   // those of the built-in receiver
   void rejectDisturbing(const std::string &what) const;  // --noise and --uninverted
 
-  // Returns the built-in receiver, or the disturbances of a line, as the options say, for a line with these settings.
+  // Returns the built-in receiver, or the disturbances, that the options ask for, on a line with these settings.
   line::Source source(const line::LineSettings &settings) const;
 
   // Returns S.Bus at --baud. Default: 100000.
@@ -41,7 +41,7 @@ class LineOptions {
   Option _uninverted;
 };
 
-// Both throw std::runtime_error: for a pipe that would be read twice, and for output onto its input.
+// Throw std::runtime_error: for a pipe that would be read twice, and for an output that is also the input.
 void rejectPipe(const std::string &name);
 void rejectSameFile(const std::string &read, const std::string &written);
 

@@ -8,7 +8,7 @@
 namespace tool {
 
 RangeOption::RangeOption(Subcommand &subcommand) {
-  subcommand.option("--range", _text, "what is -100, 0 and +100 %: of a make, or raw values (frsky)")
+  subcommand.option("--range", _text, "the raw values at -100, 0 and +100 %: a make's, or three values (frsky)")
       .type("frsky|futaba|LOW,CENTRE,HIGH");
 }
 
@@ -21,7 +21,7 @@ sbus::Range RangeOption::range() const {
   const bool three = std::sscanf(_text.c_str(), "%4u,%4u,%4u%c", &low, &centre, &high, &more) == 3;
   if (!three || std::max({low, centre, high}) > sbus::ChannelMax || low == centre || centre == high ||
       (low < centre) != (centre < high)) {
-    rejectCommandLine("--range: frsky, futaba or raw values as 172,992,1811 are expected, not " + _text);
+    rejectCommandLine("--range: frsky, futaba or raw values such as 172,992,1811 are expected, not " + _text);
   }
   return {static_cast<uint16_t>(low), static_cast<uint16_t>(centre), static_cast<uint16_t>(high)};
 }

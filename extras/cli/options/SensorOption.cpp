@@ -17,7 +17,7 @@ std::string knownNames() {
   return names;
 }
 
-// "1=SBS-01V". A sensor's slots follow one another within a group of eight.
+// Adds "1=SBS-01V". A sensor's slots follow one another within a group of eight.
 void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
   const size_t equals = text.find('=');
   const std::string number = text.substr(0, equals);
@@ -29,7 +29,7 @@ void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
   const auto slot = static_cast<uint8_t>(std::stoul(number));
   const line::Sensor *const sensor = line::sensorOf(text.substr(equals + 1));
   if (sensor == nullptr) {
-    rejectCommandLine("--sensor: " + text + " names no sensor that is known: " + knownNames());
+    rejectCommandLine("--sensor: " + text + " is no known sensor; these are: " + knownNames());
   }
   if (slot % sbus::SlotsOfGroup + sensor->slots > sbus::SlotsOfGroup) {
     rejectCommandLine(
@@ -49,7 +49,7 @@ void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
 }  // namespace
 
 SensorOption::SensorOption(Subcommand &subcommand) {
-  subcommand.option("--sensor", _named, "what fills a telemetry slot, such as 1=SBS-01V; once for each sensor")
+  subcommand.option("--sensor", _named, "the sensor in a telemetry slot, such as 1=SBS-01V; once for each sensor")
       .type("SLOT=NAME");
 }
 

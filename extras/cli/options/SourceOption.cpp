@@ -37,7 +37,7 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
 
 enum class Kind { Port, File, Stream, Simulated };
 
-// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
+// Returns what the name stands for. One that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
 Kind kindOf(const std::string &name) {
   if (name == "sim") {
     return Kind::Simulated;
@@ -113,7 +113,7 @@ const FileSource &SourceOption::file() const {
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = kindOf(_name);
   if (kind == Kind::Port && _simulatedTime.given()) {
-    rejectCommandLine("--simulated-time: is for sim and -; a port has a time of its own");
+    rejectCommandLine("--simulated-time: is for sim and -; a port runs in real time");
   }
   const bool atOnce = _simulatedTime.given() || (kind == Kind::File && _recordings == Recordings::AtOnce);
   auto input =

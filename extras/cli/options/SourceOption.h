@@ -11,7 +11,7 @@
 
 namespace tool {
 
-// Whether a recording goes in true time, as on a page, or as fast as it can. All other sources go in true time.
+// Says whether a recording runs in real time, as on a page, or as fast as it can. All other sources run in real time.
 enum class Recordings { InTrueTime, AtOnce };
 
 class SourceOption {
@@ -19,14 +19,14 @@ class SourceOption {
   // Adds SOURCE and its options to a subcommand.
   SourceOption(Subcommand &subcommand, Recordings recordings);
 
-  // Opens the source as a port with settings() hears it. Throws std::runtime_error.
+  // Opens the source, as a port with settings() hears it. Throws std::runtime_error.
   std::unique_ptr<Input> open() const { return open(settings()); }
 
   // Opens the source with another setting. The polarity of a serial port is set in its adapter.
   std::unique_ptr<Input> open(const line::LineSettings &port) const;
 
-  // Returns 8E2, inverted, at --baud; what a file says; with --csv 115200 baud, 8N1, as a sketch's Serial. Throws
-  // std::runtime_error if it is a file that cannot be read.
+  // Returns 8E2, inverted, at --baud; for a file its own settings; with --csv 115200 baud, 8N1, as a sketch's Serial.
+  // Throws std::runtime_error if the source is a file that cannot be read.
   line::LineSettings settings() const;
 
   const std::string &name() const { return _name; }

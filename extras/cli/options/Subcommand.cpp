@@ -9,7 +9,7 @@ namespace tool {
 
 namespace {
 
-// "nan" is rejected as well.
+// Returns a check for a number within these bounds; it also rejects "nan".
 CLI::Validator numberBetween(double low, double high) {
   const auto check = [low, high](const std::string &text) {
     char *end = nullptr;
@@ -26,7 +26,7 @@ std::string checkName(const std::string &text) {
 }
 
 std::string checkFile(const std::string &name) {
-  return name.empty() || name == "-" ? "the name of a file is expected; standard output is taken" : "";
+  return name.empty() || name == "-" ? "the name of a file is expected; standard output is already in use" : "";
 }
 
 }  // namespace

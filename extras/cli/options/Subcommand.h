@@ -1,4 +1,4 @@
-// A subcommand of `sbus` and its options. CLI11 stands behind it, whose headers take four seconds in each file.
+// A subcommand of `sbus` and its options. It hides CLI11, whose headers take four seconds to compile in each file.
 #pragma once
 
 #include <functional>
@@ -24,11 +24,11 @@ class Option {
   Option &between(double low, double high);
   Option &seconds();                  // up to a year
   Option &notEmpty();                 // a name: an empty one is a variable that a script has forgotten to set
-  Option &notStandardOutput();        // of a file beside standard output, which is taken
+  Option &notStandardOutput();        // the name of a file: standard output is already in use
   Option &oneOf(std::initializer_list<int> values);
   Option &oneOf(std::initializer_list<const char *> values);
 
-  // Sets what the help shows for the value: "FILE". "": nothing.
+  // Sets what the help shows for the value: "FILE"; "" for nothing.
   Option &type(const char *name);
 
   // Both are known once the command line is read.

@@ -20,7 +20,7 @@ namespace tool {
 
 namespace {
 
-// Returns true if Enter was pressed. Throws std::runtime_error if it cannot be any more.
+// Returns true if Enter was pressed. Throws std::runtime_error if standard input has ended.
 bool isEnterPressed() {
   pollfd input = {STDIN_FILENO, POLLIN, 0};
   if (poll(&input, 1, 0) <= 0) {
@@ -29,7 +29,7 @@ bool isEnterPressed() {
   char keys[100];
   const ssize_t count = read(STDIN_FILENO, keys, sizeof keys);
   if (count <= 0) {
-    throw std::runtime_error("standard input has ended, on which Enter is pressed; call it in a terminal");
+    throw std::runtime_error("standard input has ended, so Enter cannot be pressed; run it in a terminal");
   }
   return std::find(keys, keys + count, '\n') != keys + count;
 }
@@ -64,7 +64,7 @@ void run(const SourceOption &source, const std::string &name) {
     rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
   }
   const std::unique_ptr<Input> input = source.open();
-  // The file is opened first: one that cannot be written is an error before any stick has been moved.
+  // The file is opened first, so that a file that cannot be written is an error before any stick has been moved.
   bool isOpen = false;
   try {
     writeTo(name, File::New, [&](const Put &put) {
@@ -87,7 +87,7 @@ void addCalibrate(CLI::App &app) {
   Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto name = std::make_shared<std::string>();
-  subcommand.option("FILE", *name, "what it writes; one that is there already is left alone; - is standard output")
+  subcommand.option("FILE", *name, "the file to write; an existing one is not overwritten; - is standard output")
       .required()
       .notEmpty()
       .type("");

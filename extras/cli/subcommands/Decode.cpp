@@ -155,7 +155,7 @@ void addDecode(CLI::App &app) {
       .type("");
   subcommand
       .option("-o,--output", options->output,
-              "a recording to write, in place of the table; one that is there already is left alone")
+              "a recording to write, in place of the table; an existing file is not overwritten")
       .notStandardOutput()
       .type("FILE.txt");
   line::Overrules &overrules = options->overrules;
@@ -169,7 +169,7 @@ void addDecode(CLI::App &app) {
       .type("yes|no");
   subcommand
       .option("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
-              "samples a second, each row or bit one (as the capture says)")
+              "samples a second; each row or bit is one (as the capture says)")
       .between(1, 1e10)
       .type("HZ");
   subcommand

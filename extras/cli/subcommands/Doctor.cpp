@@ -23,9 +23,9 @@ constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest receiver kno
 constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
 constexpr uint64_t FramesUs = 1500000;  // of a setting that is right from the beginning: more to judge by
 
-// Returns the settings to try, the expected one first: of sim what a sketch's begin() opens, of a recording how its line
-// was set. The polarity of a serial port is not tried, since its adapter decides, nor anything on a stream, whose bytes
-// have come already.
+// Returns the settings to try, the expected one first: for sim what a sketch's begin() opens, for a recording how its
+// line was set. The polarity of a serial port is not tried, since its adapter decides; on a stream nothing is tried,
+// since its bytes have come already.
 std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   line::LineSettings settings = source.settings();
   if (settings == line::csvSettings()) {
@@ -58,9 +58,9 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
     case sbus::Finding::NoFrames:
       return source.isWire() ? "" : "An FTDI adapter inverts RXD if its EEPROM says so: extras/docs/ftdi.md\n";
     case sbus::Finding::WrongBaud:
-      return "Here: --baud " + std::to_string(best.baud) + "\n";
+      return "With sbus: --baud " + std::to_string(best.baud) + "\n";
     case sbus::Finding::Channels24:
-      return std::string("Here: sbus shows all 24") +
+      return std::string("With sbus: it shows all 24") +
              (best.baud != meant.baud ? ", with --baud " + std::to_string(best.baud) : "") +
              (best.polarity != meant.polarity ? ", once the line has the other polarity" : "") + ".\n";
     default:
@@ -112,7 +112,7 @@ bool examine(const SourceOption &source, bool asJson) {
         throw;
       }
       write(asJson ? Json("error").text("message", error.what()).line()
-                   : std::string(error.what()) + "\n");  // this adapter cannot be set so
+                   : std::string(error.what()) + "\n");  // this adapter does not support the setting
       continue;
     }
     const bool rows = each == line::csvSettings();

@@ -1,4 +1,4 @@
-// sbus hex: the bytes, 25 a line, as RealTerm shows them; and what the decoder made of them.
+// sbus hex: the bytes, 25 a line, as RealTerm shows them; and what the decoder found in them.
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -22,7 +22,7 @@ namespace tool {
 
 namespace {
 
-// For a terminal that shows colours. Nothing is said by a colour alone.
+// The codes for a terminal that shows colours. No information is in a colour alone.
 struct Colours {
   const char *time = "";
   const char *rejected = "";
@@ -108,7 +108,7 @@ class HexView {
   static constexpr size_t LeastValues = 4;
   static constexpr size_t ValueWidth = 5;
 
-  // Writes the bytes on the left and what was made of them on the right, in as many rows as it takes.
+  // Writes the bytes on the left and their meaning on the right, in as many rows as needed.
   void showFolded(const line::Stretch &stretch, const std::string &time, size_t width) const {
     const size_t least = _options.values ? LeastValues * ValueWidth : LeastText;
     const size_t room = width - time.size() - 1;
@@ -209,7 +209,7 @@ void writeJson(const line::Stretch &stretch, const line::Values &values, uint32_
 void writeJsonEnd(const line::Observer &observer) {
   write(Json("end")
             .number("characters", observer.characters())
-            .number("bad_characters", observer.badCharacters())
+            .number("character_errors", observer.characterErrors())
             .counts(observer.counters())
             .line());
 }
@@ -248,14 +248,14 @@ void addHex(CLI::App &app) {
       .excludes(values)
       .excludes(delta);
   subcommand
-      .option("--width", options->width, "columns to fit the lines into (the terminal's; elsewhere lines are whole)")
+      .option("--width", options->width, "breaks lines at this many columns (the terminal's; elsewhere lines are whole)")
       .between(LeastWidth, 1000)
       .type("N");
   subcommand.option("--color", options->colour, "auto: on a terminal (auto)")
       .oneOf({"auto", "always", "never"})
       .type("auto|always|never");
   subcommand.footer(
-      "A line: the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
+      "Each line has the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
   subcommand.run([source, options] { run(*source, *options); });
 }

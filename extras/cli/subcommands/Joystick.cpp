@@ -1,4 +1,4 @@
-// sbus joystick: a game controller that moves as the transmitter's sticks.
+// sbus joystick: a game controller that moves like the transmitter's sticks.
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ using State = GameController::State;
 constexpr size_t ChannelMax = GameController::Axes + GameController::Buttons;  // CH1..CH32
 constexpr int Pressed = GameController::AxisEnd / 2;  // a switch of three positions is off in its middle
 
-// A program that has not read the last report never will: the kernel gives nothing more of a device that has gone
-// (drivers/input/evdev.c, evdev_read()). Of games that read 30 times a second, three reads.
+// A program that has not read the last report never will: the kernel returns nothing more from a device that has gone
+// (drivers/input/evdev.c, evdev_read()). This is three reads of a game that reads 30 times a second.
 constexpr std::chrono::milliseconds TimeToRead(100);
 
 struct Options {
@@ -62,7 +62,7 @@ const std::pair<const char *, const char *> Modes[] = {{"mode1", "4,-2,5,1,-3,6,
                                                        {"mode4", "1,-3,5,4,-2,6,7,8"}};
 
 [[noreturn]] void rejectMap(const std::string &text) {
-  rejectCommandLine("--map: mode1 to mode4, or eight different channels of 16 as 1,2,3,-4,5,6,7,8 are expected, not " +
+  rejectCommandLine("--map: mode1 to mode4, or eight different channels of 16 such as 1,2,3,-4,5,6,7,8 are expected, not " +
                     text);
 }
 
@@ -111,8 +111,9 @@ line::Values valuesAtRest(const Options &options, const Map &map, const ChannelR
   const bool moves =
       std::any_of(map.axes.begin(), map.axes.end(), [&](const Map::Axis &axis) { return axis.channel == channel; });
   if (options.throttleOption.given() && !moves) {
-    rejectCommandLine("--throttle: a channel that moves an axis is expected, or as -3 if its high end is closed; not " +
-                      std::to_string(options.throttle));
+    rejectCommandLine(
+        "--throttle: a channel that moves an axis is expected, negative if its high end is closed, such as -3; not " +
+        std::to_string(options.throttle));
   }
   line::Values values;
   std::transform(ranges.begin(), ranges.end(), values.raw.begin(),
@@ -123,7 +124,7 @@ line::Values valuesAtRest(const Options &options, const Map &map, const ChannelR
   return values;
 }
 
-// What the channels of the newest frame make of the controller.
+// Returns the controller's state for the channels of the newest frame.
 State stateOf(const line::Values &values, const Map &map, const ChannelRanges &ranges) {
   const auto part = [&](size_t channel) {
     return sbus::limited(sbus::toNormalised(values.raw[channel], ranges[channel]), -GameController::AxisEnd,
@@ -141,7 +142,8 @@ State stateOf(const line::Values &values, const Map &map, const ChannelRanges &r
   return state;
 }
 
-// From the read of a frame's last character to the event. Where the line is not known yet, later characters decide.
+// Measures the time from the read of a frame's last character to the event. Before the line is known, a frame waits for
+// later characters.
 class Latency {
  public:
   void tick() { _loop++; }
@@ -225,12 +227,12 @@ void run(const SourceOption &source, const Options &options) {
 }  // namespace
 
 void addJoystick(CLI::App &app) {
-  Subcommand subcommand(app, "joystick", "a game controller that moves as the transmitter's sticks");
+  Subcommand subcommand(app, "joystick", "a game controller that moves like the transmitter's sticks");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand
-      .option("--calibration", options->calibration, "in place of --range for the channels in FILE, of sbus calibrate")
+      .option("--calibration", options->calibration, "for the channels in FILE, from sbus calibrate, in place of --range")
       .notEmpty()
       .type("FILE");
   subcommand

@@ -96,7 +96,7 @@ class Page {
 
 using Tick = std::function<void(uint64_t nowUs)>;
 
-// `ended` is called once the line has ended, while the page stays.
+// Shows the line as a page. Calls `ended` once the line has ended, while the page stays.
 void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run,
               const std::function<void()> &ended) {
   Page page(watch);
@@ -133,7 +133,8 @@ void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> 
 }
 
 void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
-  // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: a Futaba's into 1100, 1520 and 1940.
+  // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: Futaba's three points become 1100,
+  // 1520 and 1940.
   const sbus::Range scale = options.range->range();
   const sbus::Range pulses = options.range->isMake() ? sbus::FrSky : scale;
   Watch watch(source.name(), input.settings(), scale, pulses, options.sensors->sensors());
@@ -187,7 +188,7 @@ void addMonitor(CLI::App &app) {
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<MonitorOptions>();
   options->range = std::make_unique<RangeOption>(subcommand);
-  subcommand.option("--record", options->record, "records while it shows; a file that is there already is left alone")
+  subcommand.option("--record", options->record, "records while it shows; an existing file is not overwritten")
       .notStandardOutput()
       .type("FILE");
   options->sensors = std::make_unique<SensorOption>(subcommand);

@@ -55,7 +55,7 @@ class Plotter {
   std::string finish(const std::string &name) {
     _observer.finish();
     if (!any()) {
-      throw std::runtime_error(name + ": there is nothing to be drawn: no frames came; sbus doctor says why");
+      throw std::runtime_error(name + ": there is nothing to draw: no frames came; sbus doctor says why");
     }
     _flags.finish();
     for (const FlagSpan &span : _flags.all()) {
@@ -64,7 +64,7 @@ class Plotter {
     const double end = ms(_flags.lastUs());
     _picture.title = name == "-" ? "standard input" : name.substr(name.rfind('/') + 1);
     _picture.yTitle = "raw";
-    const double margin = _flags.lastUs() > _flags.firstUs() ? 0 : 0.5;  // of a single frame: its time is in the middle
+    const double margin = _flags.lastUs() > _flags.firstUs() ? 0 : 0.5;  // a single frame is in the middle
     _picture.xBegin = std::max(0.0, ms(_flags.firstUs()) - margin);
     _picture.xEnd = end + margin;
     if (_rows.recognised() && !_rowsHaveTimes) {

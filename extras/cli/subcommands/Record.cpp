@@ -20,7 +20,7 @@ void run(const SourceOption &source, const std::string &name) {
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
     SilenceNote silence(source.name(), "frames");
     uint64_t endUs = 0;
-    const bool isFile = source.isFile();  // a file ends with its last character, however long that is waited for
+    const bool isFile = source.isFile();  // a file ends with its last character, however long reading takes
     input->run(
         [&](const line::Character &character) {
           recorder.put(character);
@@ -42,7 +42,7 @@ void addRecord(CLI::App &app) {
   Subcommand subcommand(app, "record", "keeps a line in a text file, or a sketch's rows as CSV");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto name = std::make_shared<std::string>();
-  subcommand.option("FILE", *name, "the recording; one that is there already is left alone; - is standard output")
+  subcommand.option("FILE", *name, "the recording; an existing file is not overwritten; - is standard output")
       .required()
       .notEmpty()
       .type("");

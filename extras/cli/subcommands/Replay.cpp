@@ -50,13 +50,13 @@ void addReplay(CLI::App &app) {
       .required()
       .notEmpty()
       .type("");
-  subcommand.option("--baud", options->baud, "of the recording and the port (as the recording says, or 100000)")
+  subcommand.option("--baud", options->baud, "baud rate of recording and port (as the recording says, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
   subcommand.option("--speed", options->speed, "this many times as fast (default: 1)")
       .between(0.001, 1000)
       .type("N");
-  options->loop = subcommand.flag("--loop", "again and again");
+  options->loop = subcommand.flag("--loop", "repeats it until Ctrl-C");
   subcommand.run([options] { run(*options); });
 }
 

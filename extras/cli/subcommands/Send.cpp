@@ -1,4 +1,4 @@
-// sbus send: frames with values of one's own, for what reads S.Bus.
+// sbus send: sends frames with values of the user's choice, to test what reads S.Bus.
 
 #include <memory>
 #include <stdexcept>
@@ -27,7 +27,7 @@ TimedRows rowsOf(const Options &options) {
   if (options.from.empty() == options.values.empty()) {
     rejectCommandLine(options.from.empty()
                           ? "CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv"
-                          : "--from: is in place of " + options.values.front() + "; leave one of them out");
+                          : "--from: replaces " + options.values.front() + "; leave one of them out");
   }
   if (!options.from.empty()) {
     return readTimedRows(options.from);
@@ -52,7 +52,7 @@ void run(Options options) {
   settings.baud = options.baud;
   const auto periodUs = static_cast<uint64_t>(options.periodMs * 1000);
   if (periodUs <= sbus::FrameSize * settings.characterUs()) {
-    rejectCommandLine("--period: a frame takes 3 ms (1.5 ms at 200000 baud) and a gap; more is expected");
+    rejectCommandLine("--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected");
   }
   Sending(options.port)
       .run(
@@ -66,16 +66,16 @@ void run(Options options) {
 }  // namespace
 
 void addSend(CLI::App &app) {
-  Subcommand subcommand(app, "send", "frames with the values that are named, until Ctrl-C");
+  Subcommand subcommand(app, "send", "sends frames with these values, until Ctrl-C");
   const auto options = std::make_shared<Options>();
   subcommand.option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
       .type("");
   subcommand.option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
       .type("");
-  subcommand.option("--from", options->from, "rows as sbus csv writes them, in place of values")
+  subcommand.option("--from", options->from, "a file of rows as sbus csv writes them, in place of values")
       .notEmpty()
       .type("FILE.csv");
-  subcommand.option("--period", options->periodMs, "from one frame to the next, ms (9)")
+  subcommand.option("--period", options->periodMs, "the frame period, ms (9)")
       .between(1, 1000)
       .type("MS");
   subcommand.option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
@@ -83,7 +83,7 @@ void addSend(CLI::App &app) {
       .type("100000|200000");
   subcommand.option("--seconds", options->seconds, "end after this many seconds").seconds().type("S");
   subcommand.footer(
-      "What is not named is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
+      "A channel without a value is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
       "serial port's TXD must be inverted to drive a flight controller.");
   subcommand.run([options] { run(*options); });
 }

@@ -71,7 +71,7 @@ class Summary {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
   }
-  Summary(const Summary &) = delete;  // its observer's listener leads into it
+  Summary(const Summary &) = delete;  // its observer's listener points to it
   Summary &operator=(const Summary &) = delete;
 
   line::Observer &observer() { return _observer; }
@@ -85,10 +85,10 @@ class Summary {
     const sbus::Counters &counters = _observer.counters();
     const std::string counts =
         name + ": " + _variant.text() + ", " +
-        format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu bad characters\n",
+        format("%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
                static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
                static_cast<unsigned long>(counters.failsafeFrames), _observer.discardedBytes(),
-               _observer.badCharacters());
+               _observer.characterErrors());
     return counts + (hasTimes ? times() : "");
   }
 
@@ -101,7 +101,7 @@ class Summary {
     }
     summary.counts(counters)
         .number("discarded_bytes", _observer.discardedBytes())
-        .number("bad_characters", _observer.badCharacters());
+        .number("character_errors", _observer.characterErrors());
     std::string lines = summary.line();
     if (hasTimes) {
       for (const Listed &each : AllListed) {

@@ -1,6 +1,6 @@
-// Arduino.h for the host: what a sketch and a library may expect of the board's core, on a PC.
+// Arduino.h for the host: declares on a PC what a sketch and a library may expect of the board's core.
 //
-// With HOST_PLAIN_CORE defined it is a plainer core, such as the AVR's: no SERIAL_SBUS, no read(buffer, size).
+// With HOST_PLAIN_CORE defined it declares a plainer core, such as the AVR's: no SERIAL_SBUS, no read(buffer, size).
 #pragma once
 
 #include <math.h>
@@ -37,8 +37,8 @@ void yield();
 void noInterrupts();
 void interrupts();
 
-// Pins. Only those of the serial ports lead anywhere, Servo's are looked at, and with --pulses servo pulses come to
-// 2..5. Otherwise writing does nothing, reading finds LOW, or half of the reference.
+// Pins. Only those of the serial ports are connected, the report shows what Servo does at its pins, and with --pulses
+// servo pulses come to 2..5. Otherwise writing does nothing, and reading returns LOW, or half of the reference.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0

@@ -1,4 +1,4 @@
-// The functions and objects of the board's core, put on the Board.
+// The functions and objects of the board's core, built on host::Board.
 
 #include "stm32l0_uart.h"
 
@@ -24,11 +24,11 @@ void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode);
 
 namespace {
 
-// What reading the clock or polling a port costs. It is more than 0: otherwise a sketch that waits in a loop would never
-// return.
+// The time that reading the clock or polling a port takes. It is more than 0: otherwise a sketch that waits in a loop
+// would never return.
 constexpr uint64_t PollUs = 1;
 
-// Waits until the present packet is sent.
+// Waits until the current packet is sent.
 void waitForPacket(const host::BoardTransmitter &transmitter) {
   Board &board = Board::instance();
   const uint64_t nowUs = board.clock().nowUs();

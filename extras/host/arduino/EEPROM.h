@@ -1,4 +1,5 @@
-// EEPROM: memory that keeps its contents without power; here in the file of --eeprom, or until the program ends.
+// EEPROM: memory that keeps its contents without power. Here the file of --eeprom keeps them; without it they last until
+// the program ends.
 #pragma once
 
 #include <stddef.h>
@@ -9,7 +10,7 @@ uint8_t readEeprom(int address);
 void writeEeprom(int address, const uint8_t *bytes, size_t size);  // takes as long as on the board
 }  // namespace host
 
-// A byte of the EEPROM, as EEPROM[address] returns it: reads as a uint8_t, writes what is assigned.
+// A byte of the EEPROM, as EEPROM[address] returns it: it reads as a uint8_t, and an assignment writes it.
 class EERef {
  public:
   explicit EERef(int address) : _address(address) {}

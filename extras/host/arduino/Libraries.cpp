@@ -1,4 +1,4 @@
-// The libraries that come with the board's core, put on the Board.
+// The libraries that come with the board's core, built on host::Board.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@
 using host::Board;
 
 EEPROMClass EEPROM;
-static_assert(EEPROMClass::length() == host::Eeprom::Size, "the sketch must be told what there is");
+static_assert(EEPROMClass::length() == host::Eeprom::Size, "the sketch must see the size that there is");
 
 uint8_t host::readEeprom(int address) {
   return Board::instance().eeprom().read(address);

@@ -3,7 +3,7 @@
 
 #if defined(HOST_PLAIN_CORE)
 
-// A plain core's values are plain numbers. Their bits happen to be those of stm32l0_uart.h, which no sketch can tell.
+// A plain core's values are plain numbers. Their bits happen to be those of stm32l0_uart.h, which no sketch can notice.
 #define SERIAL_8N1 0x10
 #define SERIAL_8N2 0x11
 #define SERIAL_8E1 0x12

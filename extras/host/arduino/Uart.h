@@ -1,5 +1,5 @@
-// Uart: the board's serial ports. What a port receives, and who hears what it sends, is decided by the program around
-// the sketch (board/Port.h).
+// Uart: the board's serial ports. The program around the sketch decides what a port receives, and where its bytes go
+// (board/Port.h).
 #pragma once
 
 #include "HardwareSerial.h"
@@ -19,11 +19,12 @@ class Uart : public HardwareSerial {
  public:
   explicit Uart(int number) : _number(number) {}
 
-  // begin() and end() wait, as flush() does, until what was written has been sent.
+  // begin() and end() wait, as flush() does, until all bytes that were written have been sent.
   void begin(unsigned long baud) override;
   void begin(unsigned long baud, uint32_t config) override;
   void begin(unsigned long baud, uint8_t *buffer, size_t size);
-  // Opens it with a receive buffer of the sketch instead of the 64 bytes; with less than 16 bytes the port stays closed.
+  // Opens the port with the sketch's own receive buffer instead of the 64 bytes; with less than 16 bytes the port stays
+  // closed.
   void begin(unsigned long baud, uint32_t config, uint8_t *buffer, size_t size);
   void end() override;
   int available() override;
@@ -35,7 +36,7 @@ class Uart : public HardwareSerial {
 
   // The transmit buffer has 64 places (on a plain core 63). write() waits for places that it lacks and returns how many
   // bytes it took: all, or 0 if the port is closed; in an onReceive() callback it does not wait, and takes what fits.
-  // What is written goes out at the port's rate, to where --wire and --sent lead it, or nowhere.
+  // The bytes go out at the port's rate, to where --wire and --sent lead, or nowhere.
   int availableForWrite() override;  // free places; 0 if the port is closed
   void flush() override;             // in an onReceive() callback it does not wait
   size_t write(uint8_t byte) override;

@@ -25,7 +25,7 @@ typedef struct {
 
 typedef struct {
   volatile uint8_t state;
-  stm32l0_servo_table_t set;  // the pins' present pulses
+  stm32l0_servo_table_t set;  // the pins' current pulses
 } stm32l0_servo_t;
 
 typedef void (*stm32l0_servo_event_callback_t)(void *context, uint32_t events);

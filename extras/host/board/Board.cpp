@@ -48,7 +48,7 @@ void Board::step(uint64_t us) {
     if (port(number).isUsed()) {
       share(number);
       send(number);
-      share(number);  // a packet may follow the one that is through
+      share(number);  // a packet may follow the one that has been sent
     }
   }
   for (Port &port : _ports) {
@@ -71,7 +71,7 @@ void Board::step(uint64_t us) {
   }
 }
 
-// What shares the wire with the line hears each character from its start on.
+// Hands each character, from its start on, to a line that shares the wire.
 void Board::share(int number) {
   line::Character character;
   while (port(number).sender().begun(_clock.nowUs(), character)) {
@@ -79,7 +79,7 @@ void Board::share(int number) {
   }
 }
 
-// All wires at the pin carry what is sent.
+// Sends the characters over all wires at the pin.
 void Board::send(int number) {
   line::Character character;
   while (port(number).sender().next(_clock.nowUs(), character)) {

@@ -1,4 +1,4 @@
-// The board that the sketch believes to run on: clock, serial ports and the wires between them, USB, EEPROM, servos.
+// The board on which the sketch seems to run: clock, serial ports and the wires between them, USB, EEPROM, servos.
 #pragma once
 
 #include <deque>
@@ -20,7 +20,7 @@ class Board {
  public:
   static constexpr int PortCount = 3;
 
-  // There is one. It is made when first asked for, be it by a constructor of the sketch before main().
+  // Returns the only board. The first call makes it, perhaps from a constructor of the sketch before main().
   static Board &instance();
 
   // Until it is set, a simulated clock from 0 runs: objects that the sketch constructs before main() see that clock.
@@ -34,21 +34,21 @@ class Board {
   ServoPins &servoPins() { return _servoPins; }
   PulsePins &pulsePins() { return _pulsePins; }
 
-  // Puts a wire from the TX pin of port `from` to the RX pin of port `to`.
+  // Connects the TX pin of port `from` with the RX pin of port `to`.
   void connect(int from, int to);
 
-  // Opens port `number`, without waiting for what it still has to send. Who hears it hears the new settings.
+  // Opens port `number`, without waiting for what it still has to send. Ports wired to it get the new settings.
   void open(int number, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
 
-  // Called whenever time has gone on, with microseconds since the program's start.
+  // Sets the function that is called whenever time has advanced, with microseconds since the program's start.
   void onTime(std::function<void(uint64_t)> callback) { _onTime = std::move(callback); }
 
-  // Time goes on, and while it does the ports send and receive, and the sketch's callbacks run.
+  // Advances the time; meanwhile the ports send and receive, and the sketch's callbacks run.
   void spend(uint64_t us);
 
   void enableInterrupts(bool enabled) { _interruptsEnabled = enabled; }
 
-  // True inside of a callback of the sketch's, where the board waits for nothing.
+  // Returns true inside a callback of the sketch, where the board waits for nothing.
   bool inCallback() const { return _inCallback; }
 
  private:

@@ -1,4 +1,4 @@
-// How the board sends: what becomes of the bytes that a sketch writes until they are on the wire.
+// How the board sends: the way of the bytes from the sketch's write() to the wire.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace host {
 
-// Bytes wait in a ring of 64. They are given to the UART in packets: what waits when the packet before is through, up
-// to 32 bytes, and not across the ring's end. The places of a packet become free all at once, when its last character
-// is through; on the wire the characters stand back to back, whatever packet they belong to.
+// Bytes wait in a ring of 64. The UART gets them in packets: the bytes that wait when the packet before has been sent, up
+// to 32, and not across the ring's end. The places of a packet become free all at once, when its last character has been
+// sent; on the wire the characters stand back to back, whatever packet they belong to.
 //
 // A plainer core, such as the AVR's, keeps one place of the ring free and has packets of one byte.
 //
@@ -23,28 +23,28 @@ class BoardTransmitter {
   explicit BoardTransmitter(size_t places = RingSize, size_t packetSize = PacketSize)
       : _places(places), _packetSize(packetSize) {}
 
-  // Opens with an empty ring, for characters that take so long. What was still in it is lost, as it is by close().
+  // Opens with an empty ring, for characters of this length. Bytes that were still in it are lost, as by close().
   void open(uint64_t characterNs);
   void close();
   bool isOpen() const { return _open; }
 
-  // Takes as many of the bytes as there are places for, and returns how many these are; 0 if closed. next() must have
-  // handed out all that was sent by `nowUs`.
+  // Takes as many of the bytes as there are places, and returns their number; 0 if closed. next() must have handed out
+  // all that was sent by `nowUs`.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
-  // Takes the oldest character that was through by `nowUs`; returns false without one.
+  // Takes the oldest character that was sent by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
   // Takes the oldest character that has begun by `nowUs` and has not been taken here; returns false without one.
   bool begun(uint64_t nowUs, line::Character &character);
 
-  // What the sketch is told: free places, 0 if closed.
+  // Returns the free places, as the sketch sees them; 0 if closed.
   int availableForWrite() const { return _open ? static_cast<int>(_places - _count) : 0; }
 
-  // True if all that was written has been sent.
+  // Returns true if all that was written has been sent.
   bool idle() const { return _count == 0; }
 
-  // When the packet under way will be through, and its places free; 0 if idle.
+  // Returns when the current packet will have been sent, and its places free; 0 if idle.
   uint64_t packetEndUs() const { return idle() ? 0 : endUs(_packet); }
 
  private:
@@ -57,13 +57,13 @@ class BoardTransmitter {
   uint64_t _characterNs = 0;
 
   uint8_t _ring[RingSize] = {};
-  size_t _first = 0;       // of the packet under way
+  size_t _first = 0;       // of the current packet
   size_t _count = 0;       // places taken
-  size_t _packet = 0;      // characters of the packet under way,
-  size_t _sent = 0;        // those of them that are through,
+  size_t _packet = 0;      // characters of the current packet,
+  size_t _sent = 0;        // those of them that have been sent,
   size_t _begun = 0;       // those that begun() has handed out,
   uint64_t _packetNs = 0;  // and when its first one began
-  uint64_t _freeNs = 0;    // until when the wire is taken
+  uint64_t _freeNs = 0;    // the wire is busy until then
 };
 
 }  // namespace host

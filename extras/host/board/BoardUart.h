@@ -1,4 +1,4 @@
-// How the board receives: what becomes of the characters on the wire before a sketch can read them.
+// How the board receives: the way of the characters from the wire to the sketch's read().
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace host {
 
 // The UART's DMA fills a ring of 32 bytes. The ring is handed over to the receive buffer at its middle, at its end,
-// when the line has been idle for a character, and when a character is bad. Bytes for which the buffer has no place are
-// dropped, so the newest; bad characters are dropped always. Neither leaves a trace that a sketch could see.
+// when the line has been idle for a character, and when a character has an error. If the buffer is full, the newest bytes
+// are dropped; characters with errors are always dropped. Neither leaves a trace that a sketch could see.
 //
 // Time comes in as an argument and must not go backwards.
 class BoardUart {
@@ -24,8 +24,8 @@ class BoardUart {
   BoardUart(const BoardUart &) = delete;  // it may point into itself
   BoardUart &operator=(const BoardUart &) = delete;
 
-  // Opens with an empty ring and an empty buffer, own or given, for characters that take so long. One that has begun
-  // before is not received.
+  // Opens with an empty ring and an empty buffer, its own or a given one, for characters of this length. A character
+  // that has begun before is not received.
   void open(uint64_t nowUs, uint32_t characterUs = line::CharacterUs) {
     open(nowUs, _ownBuffer, BufferSize, characterUs);
   }
@@ -33,22 +33,22 @@ class BoardUart {
   void close() { _open = false; }
   bool isOpen() const { return _open; }
 
-  // A character has come.
+  // Takes a character that has come.
   void receive(const line::Character &character);
 
-  // Nothing else has come up to now.
+  // Takes the time up to which no other character has come.
   void advance(uint64_t nowUs);
 
-  // For the sketch. A closed port has nothing to read. read() and peek() return -1 if there is nothing.
+  // These are the sketch's calls. A closed port has nothing to read: then read() and peek() return -1.
   int available() const { return _open ? static_cast<int>(_count) : 0; }
   int peek();
   int read();
   int read(uint8_t *buffer, size_t size);  // returns how many bytes were read, up to `size`
 
-  // True, once, if bytes have been handed over: the first ones after open() and after each poll of the buffer.
+  // Returns true, once, if bytes have been handed over: the first ones after open() and after each poll of the buffer.
   bool takeReceiveEvent();
 
-  // Since the program's start.
+  // Return how many bytes were dropped since the program's start.
   unsigned long droppedBad() const { return _droppedBad; }
   unsigned long droppedFull() const { return _droppedFull; }
 

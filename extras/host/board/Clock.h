@@ -6,22 +6,22 @@
 
 namespace host {
 
-// The sketch's time goes on only when something spends it: a call of loop(), a delay, reading the clock. With
-// Pace::Real it is then held back until the PC's clock has come as far. So both paces call loop() at the same times, and a
-// PC that stops for 50 ms to do something else costs no bytes: the sketch catches up.
+// The sketch's time advances only when something takes time: a call of loop(), a delay, reading the clock. With
+// Pace::Real the sketch then waits until the PC's clock has caught up. So both paces call loop() at the same times, and a
+// PC that stops for 50 ms costs no bytes: the sketch catches up.
 class Clock {
  public:
   enum class Pace { Simulated, Real };
 
   explicit Clock(Pace pace = Pace::Simulated, uint32_t startMs = 0);
 
-  // Time goes on by `us`.
+  // Advances the time by `us`.
   void spend(uint64_t us);
 
-  // Since the program's start.
+  // Returns the time since the program's start.
   uint64_t nowUs() const { return _nowUs; }
 
-  // What the sketch is told: counted from `startMs`, and wrapping at 32 bits.
+  // Returns the time that the sketch gets: it counts from `startMs`, and wraps at 32 bits.
   uint32_t millis() const { return static_cast<uint32_t>((_startUs + _nowUs) / 1000); }
   uint32_t micros() const { return static_cast<uint32_t>(_startUs + _nowUs); }
 

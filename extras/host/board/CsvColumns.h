@@ -1,4 +1,4 @@
-// The lines that a sketch prints, and the range of the numbers in their columns.
+// Counts the lines that a sketch prints, and keeps the range of the numbers in each column.
 #pragma once
 
 #include <cstddef>

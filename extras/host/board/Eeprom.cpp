@@ -14,7 +14,7 @@ namespace host {
 
 namespace {
 
-// What is written at once, and what an erased byte reads as.
+// The size that is written at once, and the value of an erased byte.
 #if defined(HOST_PLAIN_CORE)
 constexpr size_t WordSize = 1;
 constexpr uint8_t Erased = 0xFF;
@@ -22,7 +22,7 @@ constexpr uint8_t Erased = 0xFF;
 constexpr size_t WordSize = 4;
 constexpr uint8_t Erased = 0x00;
 #endif
-constexpr uint64_t WordUs = 3300;  // about what a word takes, on the STM32L0 and on the AVR
+constexpr uint64_t WordUs = 3300;  // about the time to write a word, on the STM32L0 and on the AVR
 
 std::runtime_error failure(const std::string &file, const char *what) {
   return std::runtime_error(file + ": " + what + " (" + std::strerror(errno) + "); name another file for --eeprom");
@@ -47,7 +47,7 @@ void Eeprom::keepIn(const std::string &file) {
     throw failure(file, "cannot be opened for reading and writing");
   }
   if (!S_ISREG(status.st_mode)) {
-    throw std::runtime_error(file + ": is no ordinary file; name another one for --eeprom");
+    throw std::runtime_error(file + ": is not a regular file; name another one for --eeprom");
   }
   if (status.st_size == 0) {
     if (pwrite(_handle, _bytes.data(), Size, 0) != static_cast<ssize_t>(Size)) {
@@ -87,7 +87,7 @@ uint64_t Eeprom::write(int address, const uint8_t *bytes, size_t size) {
   return us;
 }
 
-// At once: who pulls the plug keeps what was written.
+// Writes to the file at once, so that nothing is lost if the program is killed.
 void Eeprom::save(size_t address) {
   if (_handle >= 0 && pwrite(_handle, &_bytes[address], 1, static_cast<off_t>(address)) != 1) {
     std::fprintf(stderr, "%s: cannot be written (%s)\n", _file.c_str(), std::strerror(errno));

@@ -1,4 +1,4 @@
-// The memory that keeps its contents without power, in a file if it is to keep them between two runs.
+// The memory that keeps its contents without power; between two runs it keeps them in a file, if it has one.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ class Eeprom {
   Eeprom(const Eeprom &) = delete;
   Eeprom &operator=(const Eeprom &) = delete;
 
-  // Keeps the contents in this file; a file that is missing is made, erased. Throws std::runtime_error.
+  // Keeps the contents in this file; if it is missing, it is created and erased. Throws std::runtime_error.
   void keepIn(const std::string &file);
 
-  // An address that does not exist reads as 0, and nothing is written there.
+  // Returns a byte; 0 if the address does not exist. write() does nothing there.
   uint8_t read(int address) const;
 
   // Writes, also into the file. Returns how long the sketch has to wait, in us.

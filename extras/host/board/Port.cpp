@@ -49,7 +49,7 @@ void Port::close() {
   _sender.close();
 }
 
-// With the present settings of port and wire. What was on the wire before is forgotten.
+// Starts with the current settings of port and wire, and forgets what was on the wire before.
 void Port::listen(uint64_t nowUs) {
   _agrees = mismatch(_settings.rx, _wire).empty();
   _sampler.open(nowUs, _settings.rx, _wire);
@@ -84,7 +84,7 @@ void Port::receive(uint64_t nowUs) {
     return;
   }
   if (_agrees) {
-    // While the next character comes in the line is not idle (STM32L082's reference manual RM0376, USART_ISR: IDLE).
+    // While the next character comes in, the line is not idle (STM32L082's reference manual RM0376, USART_ISR: IDLE).
     _uart.advance(_hasBegun ? std::min(nowUs, _begun.endUs - _wire.characterUs()) : nowUs);
     return;
   }
@@ -95,7 +95,7 @@ void Port::receive(uint64_t nowUs) {
   _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
 }
 
-// A character is on the wire at `nowUs`, or was through before and has not been taken.
+// Returns true if a character is on the wire at `nowUs`, or ended before and has not been taken.
 bool Port::hasBegun(uint64_t nowUs) {
   _hasBegun = _hasBegun || (_line != nullptr && _line->next(nowUs + _wire.characterUs(), _begun));
   return _hasBegun;
@@ -114,7 +114,7 @@ void Port::shareWire(const line::Character &character) {
 }
 
 void Port::callBack() {
-  // As on the board, an event that finds no callback is gone, and the next one comes only after a read.
+  // As on the board, an event without a callback is lost, and the next one comes only after a read.
   if (_uart.takeReceiveEvent() && _callback != nullptr) {
     _callback();
   }

@@ -1,4 +1,4 @@
-// One of Serial1, Serial2, Serial3: the UART, what the sketch has set it to, and the line at its RX pin, if any.
+// One of Serial1, Serial2, Serial3: the UART, its settings, and the line at its RX pin, if any.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace host {
 
-// What came of the characters on the wire while wire and port had certain settings.
+// Counts what the port received of the characters on the wire, while wire and port had certain settings.
 struct Reception {
   PortSettings settings;
   line::LineSettings wire;
@@ -26,22 +26,22 @@ class Port {
  public:
   void attach(line::Line &line, const line::LineSettings &wire);
 
-  // From now on the other end of the line sends in another way.
+  // Takes other settings of the line's other end, from now on.
   void rewire(uint64_t nowUs, const line::LineSettings &wire);
 
-  // What Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. To have
-  // the transmit buffer sent first, wait for that.
+  // Do what Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. They do not
+  // wait until the transmit buffer has been sent.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
   void close();
   void onReceive(void (*callback)()) { _callback = callback; }
 
-  // False until a line is attached, or the sketch opens it: nothing can happen here.
+  // Returns false until a line is attached or the sketch opens the port: nothing can happen before.
   bool isUsed() const { return _line != nullptr || _everOpened; }
 
-  // Takes in what has come over the line by `nowUs`.
+  // Receives what has come over the line by `nowUs`.
   void receive(uint64_t nowUs);
 
-  // The line hears it, if TX shares its wire.
+  // Hands a character to the line, if TX shares its wire.
   void shareWire(const line::Character &character);
 
   // Calls the sketch's onReceive() callback if bytes have been handed over since.
@@ -52,7 +52,7 @@ class Port {
   Sender &sender() { return _sender; }
   BoardTransmitter &transmitter() { return _sender.transmitter(); }
 
-  const PortSettings &settings() const { return _settings; }  // as it was opened last
+  const PortSettings &settings() const { return _settings; }  // those of the last opening
 
   // For the report.
   line::Observer &observer() { return _observer; }
@@ -74,10 +74,10 @@ class Port {
   Sender _sender;
   line::Observer _observer;
   line::UartSampler _sampler;
-  bool _agrees = false;  // the port is set as the wire is: then nothing has to be sampled
+  bool _agrees = false;  // port and wire have the same settings: then nothing has to be sampled
   bool _everOpened = false;
   std::vector<Reception> _receptions;
-  size_t _reception = 0;  // the one with the present settings
+  size_t _reception = 0;  // the one with the current settings
   void (*_callback)() = nullptr;
   unsigned long _missedClosed = 0;
 };

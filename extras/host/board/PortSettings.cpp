@@ -29,7 +29,7 @@ line::Format formatOf(uint32_t config) {
   return format;
 }
 
-// `option`: the one that inverts the pin.
+// Returns a pin's settings; `option` is the one that inverts it.
 line::LineSettings pinSettings(unsigned long baud, uint32_t config, uint32_t option) {
   line::LineSettings settings;
   settings.baud = baud;

@@ -1,4 +1,4 @@
-// What a sketch has set a port to.
+// The settings that a sketch has given a port.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace host {
 
-// Of its two pins.
+// The settings of its two pins.
 struct PortSettings {
   line::LineSettings rx;
   line::LineSettings tx;
@@ -15,8 +15,8 @@ struct PortSettings {
   bool operator==(const PortSettings &other) const { return rx == other.rx && tx == other.tx; }
 };
 
-// What the arguments of begin() mean: `config` has the bits of stm32l0_uart.h. A plain core inverts nothing, so there
-// is an inverter at each of its pins, and both lines are inverted.
+// Returns what the arguments of begin() mean: `config` has the bits of stm32l0_uart.h. A plain core inverts nothing, so
+// there is an inverter at each of its pins, and both lines are inverted.
 PortSettings portSettings(unsigned long baud, uint32_t config);
 
 }  // namespace host

@@ -1,4 +1,4 @@
-// Says what is amiss while a real port brings no frames.
+// Says what may be wrong while no frames come from a real port.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace host {
 
 class PortWatch {
  public:
-  // `device`: empty if there is no real port; then nothing is said.
+  // `device` is empty if there is no real port; then there is nothing to say.
   PortWatch(const std::string &device, const line::Observer &observer) : _device(device), _observer(observer) {}
 
-  // What is to be said now, or nothing. Call it as often as you like.
+  // Returns what to say now, or nothing. Call it at any rate.
   std::string check(uint64_t nowUs);
 
  private:

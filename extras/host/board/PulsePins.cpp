@@ -20,7 +20,7 @@ void PulsePins::connect() {
   plan();
 }
 
-// When the next edge comes, in the simulated flight.
+// Returns when the next edge comes, in the simulated flight.
 uint32_t PulsePins::flightMs() const {
   return static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
 }

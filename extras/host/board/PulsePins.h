@@ -14,12 +14,12 @@ class PulsePins {
   void onChange(uint32_t pin, void (*callback)());
   bool isHigh(uint32_t pin) const;
 
-  // When the next pulse begins or ends, in us since the program's start; UINT64_MAX if nothing is connected.
+  // Returns when the next pulse begins or ends, in us since the program's start; UINT64_MAX if nothing is connected.
   uint64_t nextUs() const { return _nextUs; }
 
-  // Changes the pins up to that time. Of two changes before its callback a pin tells once.
+  // Changes the pins up to that time. Two changes of a pin before its callback make one call.
   void advance(uint64_t nowUs);
-  // Calls the sketch.
+  // Calls the sketch's callbacks.
   void callBack();
 
  private:

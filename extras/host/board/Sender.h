@@ -1,4 +1,4 @@
-// The sending half of a port: its transmit buffer, and what has gone out through its TX pin.
+// The sending half of a port: its transmit buffer, and what it has sent through its TX pin.
 #pragma once
 
 #include <deque>
@@ -22,13 +22,13 @@ class Sender {
  public:
   Sender();
 
-  // All that is sent is written down.
+  // Records all that is sent in this file.
   void record(std::unique_ptr<line::RecordingFile> file);
 
   void open(uint64_t nowUs, const PortSettings &settings);
   void close() { _transmitter.close(); }
 
-  // Takes the next character that was through by `nowUs`; returns false without one.
+  // Takes the next character that was sent by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
   // Takes the next character that has begun by `nowUs`.
@@ -44,7 +44,7 @@ class Sender {
   BoardTransmitter _transmitter;
   uint8_t _dataMask = 0xFF;  // the bits of a byte that are sent
   std::deque<Sending> _sendings;
-  Sending *_sending = nullptr;  // the one with the present settings
+  Sending *_sending = nullptr;  // the one with the current settings
   std::unique_ptr<line::RecordingFile> _file;
 };
 

@@ -1,4 +1,4 @@
-// The pins at which the sketch has attached servos, and what it has set these to.
+// The pins at which the sketch has attached servos, and the pulses that it has set.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Where the sketch's Serial reads from: standard input, and a pseudo-terminal if there is one.
+// The input of the sketch's Serial: standard input, and a pseudo-terminal if there is one.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace host {
 
-// Bytes are fetched when the sketch looks for some, as many as the board's USB buffer holds. What the sketch does not
-// read stays where it is.
+// It fetches bytes when the sketch asks for some, as many as the board's USB buffer holds. Bytes that the sketch does
+// not read stay where they are.
 class SketchInput {
  public:
   static constexpr size_t BufferSize = 256;
 
-  // `patient`: a look waits for a pipe or a file to fill the buffer, or to end. So each look finds the same in
-  // every run. A pipe that stays silent for a second is no longer waited for.
+  // If it is `patient`, it waits until a pipe or a file has filled the buffer, or has ended, so that every run reads the
+  // same bytes. It no longer waits for a pipe that has been silent for a second.
   void setPatient(bool patient) { _patient = patient; }
 
   // It must outlive the sketch.
@@ -24,7 +24,7 @@ class SketchInput {
   // Before begin() there is nothing to read, as on the board.
   void begin() { _begun = true; }
 
-  // For the sketch. peek() and read() return -1 if there is nothing.
+  // These are the sketch's calls. peek() and read() return -1 if there is nothing.
   int available(uint64_t nowUs);
   int peek(uint64_t nowUs);
   int read(uint64_t nowUs);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t TerminalLineMax = 256;  // a longer line goes to the pseudo-terminal in pieces
 
-// Standard output has gone. A reader that has seen enough, such as head, is no reason to talk.
+// Ends the program, since standard output is gone. If only its reader has ended, such as head, it prints no message.
 [[noreturn]] void leave() {
   if (errno != EPIPE) {
     std::fprintf(stderr, "standard output: %s\n", std::strerror(errno));

@@ -1,4 +1,4 @@
-// Where the sketch's Serial goes: standard output, and a pseudo-terminal if there is one.
+// The output of the sketch's Serial: standard output, and a pseudo-terminal if there is one.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace host {
 
 class SketchOutput {
  public:
-  // `lineByLine`: every line is to be seen at once, not when a buffer is full.
+  // With `lineByLine` each line is visible at once, not when a buffer is full.
   void setLineByLine(bool lineByLine) { _lineByLine = lineByLine; }
 
   void attach(std::unique_ptr<line::PseudoTerminal> terminal) { _terminal = std::move(terminal); }

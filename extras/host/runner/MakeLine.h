@@ -1,4 +1,4 @@
-// The line at the board's port that the options ask for.
+// Opens the line at the board's port that the options ask for.
 #pragma once
 
 #include <memory>

@@ -9,7 +9,7 @@ namespace host {
 
 namespace {
 
-// Microseconds of more than a year would overflow. "nan" is rejected as well.
+// Returns an error unless the text is 0.001 s to a year: more than that would overflow as microseconds. Rejects "nan".
 std::string checkSeconds(const std::string &text) {
   constexpr double Largest = 366.0 * 24 * 60 * 60;
   char *end = nullptr;
@@ -24,13 +24,13 @@ bool isPort(char c) {
 std::string checkWire(const std::string &text) {
   return text.size() == 3 && isPort(text[0]) && text[1] == '-' && isPort(text[2])
              ? ""
-             : "\"" + text + "\": two ports as in 2-1 are expected, for a wire from TX2 to RX1";
+             : "\"" + text + "\": two ports such as 2-1 are expected, for a wire from TX2 to RX1";
 }
 
 std::string checkSent(const std::string &text) {
   return text.size() > 2 && isPort(text[0]) && text[1] == ':'
              ? ""
-             : "\"" + text + "\": a port and a file's name as in 2:sent.txt are expected";
+             : "\"" + text + "\": a port and a file's name such as 2:sent.txt are expected";
 }
 
 int portOf(char c) {
@@ -65,7 +65,7 @@ void addSent(const std::vector<std::string> &texts, Options &options) {
   }
 }
 
-// A wire at the RX pin of --on replaces the line. Options of a line are then rejected: they would be for a second one.
+// Lets a wire at the RX pin of --on replace the line. Options of a line are then rejected: there is no line.
 void settleLine(const std::vector<CLI::Option *> &lineOptions, Options &options) {
   const bool taken = std::any_of(options.wires.begin(), options.wires.end(),
                                  [&options](const WireOption &wire) { return wire.to == options.on; });
@@ -96,17 +96,17 @@ Options parseOptions(int argc, char **argv) {
   auto *lineBaud =
       app.add_option("--line-baud", options.source.settings.baud, "the line's baud rate (100000; Fast S.Bus: 200000)");
   lineBaud->check(CLI::IsMember({100000, 200000}).description(""))->type_name("N")->excludes(port);
-  auto *uninverted = app.add_flag("--uninverted", "the line is not inverted, as on a receiver's uninverted pad");
+  auto *uninverted = app.add_flag("--uninverted", "the line is not inverted, like that of a receiver's uninverted pad");
   uninverted->excludes(port);
   auto *noise = app.add_option("--noise", options.source.noise,
                                "disturbances per second on the line, 1..100000 (default: none)");
   noise->check(CLI::Range(1, 100000).description(""))->type_name("R")->excludes(port);
-  auto *silent = app.add_flag("--silent", options.source.silent, "nothing comes from the simulated receiver");
+  auto *silent = app.add_flag("--silent", options.source.silent, "the simulated receiver sends nothing");
   silent->excludes(port)->excludes(recording);
   const std::map<std::string, line::Sticks> movements = {{"flight", line::Sticks::Flight},
                                                          {"calibration", line::Sticks::Calibration}};
   std::string sticks = "flight";
-  auto *sticksOption = app.add_option("--sticks", sticks, "what the person at the simulated radio does (flight)");
+  auto *sticksOption = app.add_option("--sticks", sticks, "how the sticks of the simulated radio move (flight)");
   sticksOption->check(CLI::IsMember({"flight", "calibration"}).description(""))
       ->type_name("flight|calibration")
       ->excludes(port)
@@ -116,7 +116,7 @@ Options parseOptions(int argc, char **argv) {
       {16, line::Channels::Sixteen}, {24, line::Channels::TwentyFour}, {32, line::Channels::ThirtyTwo}};
   int channels = 16;
   auto *channelsOption =
-      app.add_option("--channels", channels, "of the simulated receiver; 24: FrSky's, 32: Futaba's FASSTest 26 (16)");
+      app.add_option("--channels", channels, "channels of the simulated receiver; 24: FrSky's, 32: Futaba's FASSTest 26 (16)");
   channelsOption->check(CLI::IsMember({16, 24, 32}).description(""))
       ->type_name("16|24|32")
       ->excludes(port)
@@ -144,12 +144,13 @@ Options parseOptions(int argc, char **argv) {
   app.add_option("--seconds", options.seconds, "end after this many seconds (default: 15; calibration: 40)")
       ->check(CLI::Validator(checkSeconds, ""))
       ->type_name("S");
-  app.add_flag("--simulated-time", options.simulatedTime, "as fast as it goes, exactly repeatable")->excludes(port);
+  app.add_flag("--simulated-time", options.simulatedTime, "as fast as the PC can, exactly repeatable")->excludes(port);
   app.add_option("--loop-us", options.loopUs, "what a call of loop() costs, in microseconds (50)")
       ->check(CLI::Range(1, 1000000).description(""))
       ->type_name("N");
   app.add_option("--start-ms", options.startMs, "what millis() starts from (0)")->type_name("N");
-  app.add_flag("--pty", options.pty, "offer the sketch's Serial on a pseudo-terminal as well: wait for its reader, and run until Ctrl-C");
+  app.add_flag("--pty", options.pty,
+               "offer the sketch's Serial on a pseudo-terminal as well: wait for its reader, and run until Ctrl-C");
 
   try {
     app.parse(argc, argv);

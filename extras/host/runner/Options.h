@@ -29,14 +29,14 @@ struct Options {
   std::vector<SentOption> sent;
   bool pulses = false;  // a receiver without S.Bus is connected to the pins 2..5
   std::string eeprom;  // a file's name, or empty
-  double seconds = 0;  // 0: as long as there is something to come
+  double seconds = 0;  // 0: until the line has ended
   bool simulatedTime = false;
   uint32_t loopUs = 50;
   uint32_t startMs = 0;
   bool pty = false;
 };
 
-// Reads the command line. Ends the program if it asks for help or is wrong.
+// Reads the command line. Ends the program if the line is wrong, or asks for help.
 Options parseOptions(int argc, char **argv);
 
 }  // namespace host

@@ -14,8 +14,8 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   observer.idleUntil(nowUs);
   const sbus::Counters &counters = observer.counters();
   std::fprintf(stderr, "%lu characters", observer.characters());
-  if (observer.badCharacters() > 0) {
-    std::fprintf(stderr, " (%lu bad)", observer.badCharacters());
+  if (observer.characterErrors() > 0) {
+    std::fprintf(stderr, " (%lu with errors)", observer.characterErrors());
   }
   std::fprintf(stderr, ", %lu frames%s, of them %lu with lost frame, %lu with failsafe", Number{counters.frames},
                observer.has24() ? " of 24 channels" : "", Number{counters.lostFrames}, Number{counters.failsafeFrames});
@@ -24,9 +24,9 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   }
 }
 
-// Prints what the port made of the line with these settings of both.
+// Prints what the port received with these settings of port and line.
 void reportReception(const Reception &reception, int number) {
-  std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu bad", number,
+  std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu with errors", number,
                text(reception.settings.rx).c_str(), reception.sent, reception.good, reception.bad);
   const std::string wrong = mismatch(reception.settings.rx, reception.wire);
   if (!wrong.empty()) {

@@ -24,7 +24,7 @@
 void setup();
 void loop();
 
-// Null in a sketch that does not define them.
+// These are null in a sketch that does not define them.
 void serialEvent1() __attribute__((weak));
 void serialEvent2() __attribute__((weak));
 void serialEvent3() __attribute__((weak));

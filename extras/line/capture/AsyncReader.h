@@ -1,7 +1,7 @@
 // The characters that Saleae's Async Serial analyser has decoded, as Logic 1 exports them ("Time [s],Value,Parity
 // Error,Framing Error": saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103) and Logic 2 does, in a table with a
-// row for each (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). It puts them on
-// a wire again.
+// row for each (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader turns
+// them into the levels of a wire again.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -13,8 +13,8 @@ class AsyncReader : public CaptureReader {
   // Returns true if a text begins as one of these tables does.
   static bool isHead(std::string_view head);
 
-  // `head`: the beginning of the text, which names the analysers. `baud`: of the wire; 0: found by the distances of the
-  // characters.
+  // `head` is the beginning of the text, which names the analysers; `baud` is the wire's, 0: found by the distances of
+  // the characters.
   AsyncReader(std::string_view head, LevelSink &sink, unsigned long baud);
 
   std::string put(std::string_view lines) override;

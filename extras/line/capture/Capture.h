@@ -1,5 +1,5 @@
-// A recording of the wire itself, as a logic analyser or an oscilloscope makes it: text of one of several formats,
-// taken line by line with constant memory.
+// Reads a recording of the wire itself, as a logic analyser or an oscilloscope makes it: text in one of several formats,
+// line by line, with constant memory.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ constexpr size_t CaptureLineMax = size_t{1} << 16;                           // 
 constexpr size_t SignalsMax = 4096;                                          // of a capture
 constexpr size_t CaptureHeadMax = size_t{1} << 16;  // characters in which the format must show itself
 
-// Takes the levels that a reader reads.
+// Receives the levels that a reader reads.
 class LevelSink {
  public:
   virtual ~LevelSink() = default;
@@ -57,7 +57,7 @@ class CaptureReader {
   // Returns the time of the last sample that was read.
   virtual int64_t endNs() { return _endNs; }
 
-  // Returns the time between two samples; 0 if the format does not tell.
+  // Returns the time between two samples; 0 if the format does not say.
   double periodNs() const { return _periodNs; }
 
  protected:
@@ -72,8 +72,8 @@ struct OpenedCapture {
   std::unique_ptr<CaptureReader> reader;
   std::string error;
 };
-// Recognises the format of a capture. `head`: its first CaptureHeadMax characters, or all; put them to the reader
-// afterwards.
+// Recognises the format of a capture. `head` is its first CaptureHeadMax characters, or all of it; the reader must get
+// them afterwards.
 OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules = {});
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";

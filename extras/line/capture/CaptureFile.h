@@ -1,4 +1,4 @@
-// Captures in files.
+// Reads captures in files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace line {
 
-// Reads a capture to its end, or until something is wrong. `name`: a file, or "-" for standard input. Throws
+// Reads a capture to its end, or until something is wrong. `name` is a file, or "-" for standard input. Throws
 // std::runtime_error if it cannot be opened, or is no capture.
 CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder);
 

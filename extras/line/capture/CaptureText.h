@@ -1,4 +1,4 @@
-// A capture's text as it comes, in pieces of any size: from a file, or from a page.
+// Takes a capture's text in pieces of any size: from a file, or from a page.
 #pragma once
 
 #include <memory>
@@ -19,13 +19,13 @@ struct CaptureEnd {
 
 class CaptureText {
  public:
-  // `name`: of the file, for messages.
+  // `name` is the file's, for messages.
   CaptureText(std::string name, const Overrules &overrules, WireDecoder &decoder);
 
   // Takes the next bytes. Returns false once something is wrong, and then ignores all further bytes.
   bool put(std::string_view bytes);
 
-  // Takes the end. `failure`: why the file was not read to its end; empty if it was.
+  // Takes the end. `failure` says why the file was not read to its end; it is empty if it was.
   CaptureEnd finish(const std::string &failure);
 
  private:

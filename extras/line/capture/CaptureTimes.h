@@ -1,5 +1,5 @@
-// The times of a capture's characters as an Observer takes them: from 0 on, even if the capture begins before 0 (a
-// trigger's).
+// Converts the times of a capture's characters into those for an Observer: from 0 on, even if the capture begins before
+// its time 0, a trigger's.
 #pragma once
 
 #include <algorithm>

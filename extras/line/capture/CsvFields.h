@@ -1,4 +1,4 @@
-// The fields of a row of CSV, and what each may be: titles, units, levels, voltages and times.
+// Splits a row of CSV into fields, and says what a field may be: title, unit, level, voltage or time.
 #pragma once
 
 #include <initializer_list>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t RowsMax = 2000;  // rows of the head that are looked at
 
-// What stands before the rows.
+// The lines before the rows.
 struct Header {
   std::vector<std::string> titles;  // of the columns
   std::vector<std::string> units;   // from a row below the titles
@@ -75,8 +75,8 @@ void Header::row(const Fields &fields) {
   }
 }
 
-// Finds the first rows, and reads what stands before them. The rows have the same number of fields, and are at least two,
-// if there are as many.
+// Finds the first rows, and reads what stands before them. All rows have the same number of fields; it needs two of them,
+// if the file has two.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
   uint64_t lines = 0;
@@ -153,8 +153,8 @@ std::vector<std::string> namesOf(const Header &header, const std::vector<size_t>
   return names;
 }
 
-// sigrok counts whole units from sample to sample, and cuts off what is left: 41 ns at 24 MHz. The unit is the power of
-// 1000 that its rate just does not exceed.
+// sigrok counts whole units from sample to sample, and drops the rest: 41 ns at 24 MHz. The unit is the power of 1000
+// that its rate just does not exceed.
 double sigrokUnitNs(double periodNs) {
   const double rate = 1e9 / periodNs;
   double units = 1;
@@ -211,7 +211,8 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   if (layout.columns.size() > 1 && (isTime(title(first)) || (!counted && grows(rows, first, false)))) {
     layout.columns.erase(layout.columns.begin());
     layout.timeColumn = first;
-    layout.timeUnitNs = header.program == "PulseView" && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(first));
+    layout.timeUnitNs =
+        header.program == "PulseView" && header.periodNs > 0 ? sigrokUnitNs(header.periodNs) : unitOf(title(first));
     parseTimestamp(rows.front()[first], layout.zeroNs);
   }
   if (periodNs > 0) {

@@ -48,13 +48,13 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   return {};
 }
 
-// Most rows' times are not read; that of the last row is.
+// The times of most rows are not read, but that of the last row is.
 int64_t CsvReader::endNs() {
   int64_t ns;
   return !_last.empty() && rowTime(_last, ns).empty() ? ns : _endNs;
 }
 
-// Most rows equal the row before, and are not read any further.
+// Most rows are equal to the row before, and are not read any further.
 std::string DigitalReader::rows(std::string_view text) {
   const bool timed = _layout.timeColumn == 0;
   std::string_view last = _last;
@@ -119,7 +119,7 @@ AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<
   }
 }
 
-// Reads first all voltages of the rows at hand, then looks for edges in them; only at an edge the time is read.
+// First reads all voltages of the rows at hand, then looks for edges in them; it reads a time only at an edge.
 std::string AnalogueReader::rows(std::string_view text) {
   _rows.clear();
   for (Signal &signal : _signals) {

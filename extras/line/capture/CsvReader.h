@@ -1,4 +1,4 @@
-// The rows of a capture's CSV: a logic analyser's, one row a sample or a change, or an oscilloscope's.
+// Reads the rows of a capture's CSV: a logic analyser's, with one row for each sample or change, or an oscilloscope's.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -7,7 +7,7 @@
 
 namespace line {
 
-// The common part of both: rows, and their times.
+// The common part of both readers: rows, and their times.
 class CsvReader : public CaptureReader {
  public:
   CsvReader(CsvLayout layout, LevelSink &sink);

@@ -1,4 +1,4 @@
-// A file's bytes as they come: a .gz is unpacked, and so is a ZIP, one entry after the other.
+// Reads a file's bytes. It unpacks a .gz, and a ZIP, one entry after the other.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace line {
 
 class PackedFile {
  public:
-  // `name`: a file, or "-" for standard input. Throws std::runtime_error if it cannot be opened.
+  // `name` is a file, or "-" for standard input. Throws std::runtime_error if it cannot be opened.
   explicit PackedFile(const std::string &name);
   ~PackedFile();
   PackedFile(const PackedFile &) = delete;

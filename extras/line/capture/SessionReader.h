@@ -1,4 +1,4 @@
-// A session of sigrok and PulseView (.sr): "metadata" and samples, both unpacked already; libsigrok, src/session_file.c,
+// Reads a session of sigrok and PulseView (.sr): "metadata" and samples, both unpacked already; libsigrok, src/session_file.c,
 // sr_session_load(), and src/session_driver.c, stream_session_data().
 #pragma once
 
@@ -8,7 +8,7 @@ namespace line {
 
 class SessionReader : public CaptureReader {
  public:
-  // `periodNs`: between two samples, whatever the metadata say; 0: as they say.
+  // `periodNs` is the time between two samples, whatever the metadata say; 0: as they say.
   SessionReader(LevelSink &sink, double periodNs) : CaptureReader(sink) { _periodNs = periodNs; }
 
   static constexpr const char *NoMetadata =

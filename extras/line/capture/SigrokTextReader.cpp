@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view Title = "Acquisition with ";
 
-// Takes "D0:" off a line of samples; returns false on other lines, such as a trigger's "T:  ^ 5".
+// Takes "D0:" off a line of samples. Returns false for other lines, such as a trigger's "T:  ^ 5".
 bool takeName(std::string_view &line, std::string &name) {
   const size_t colon = line.rfind(':');
   if (colon == std::string_view::npos || line.find('^', colon) != std::string_view::npos) {

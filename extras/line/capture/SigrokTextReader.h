@@ -1,5 +1,5 @@
-// Samples as sigrok-cli -O bits and -O hex print them (libsigrok, src/output/bits.c and hex.c, gen_header() and
-// receive()): a line of each signal in turn.
+// Reads samples as sigrok-cli -O bits and -O hex print them (libsigrok, src/output/bits.c and hex.c, gen_header() and
+// receive()): one line for each signal in turn.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -11,7 +11,7 @@ class SigrokTextReader : public CaptureReader {
   // Returns true if a text begins as these do.
   static bool isHead(std::string_view head);
 
-  // `head`: the beginning of the text. `periodNs`: between two samples, whatever the text says; 0: as it says.
+  // `head` is the beginning of the text, `periodNs` the time between two samples, whatever the text says; 0: as it says.
   SigrokTextReader(std::string_view head, LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;

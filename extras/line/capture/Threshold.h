@@ -5,22 +5,22 @@
 
 namespace line {
 
-// Where low ends and high begins, found by the voltages alone. Voltages between the two change nothing, so that noise on
-// a slope makes one edge.
+// Finds where low ends and high begins, by the voltages alone. Voltages between the two change nothing, so that a noisy
+// slope is one edge.
 class Threshold {
  public:
   Threshold() = default;
-  // The wire goes up and down by `swing` volts around `middle`; 0: each crossing of the middle is an edge.
+  // Takes a wire that goes up and down by `swing` volts around `middle`; 0: each crossing of the middle is an edge.
   Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
 
-  // The range of voltages. An infinite voltage, beyond the instrument's range, counts as two spans beyond the others.
+  // Takes the range of voltages. An infinite voltage, beyond the instrument's range, counts as two spans beyond the others.
   struct Range {
     double least;
     double span;
   };
   static Range rangeOf(const std::vector<double> &volts);
 
-  // Looks for two levels among the voltages. Returns false if there is only one, and its noise.
+  // Looks for two levels among the voltages. Returns false if there is only one, with noise.
   bool find(const std::vector<double> &volts);
 
   // Returns the level at this voltage of a wire that was `high` before.

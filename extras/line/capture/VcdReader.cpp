@@ -224,7 +224,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
   }
 }
 
-// If the value has fewer bits than the vector, the missing ones are 0; or x or z, if the value begins with these.
+// If the value has fewer bits than the vector, the missing ones are 0, or x or z if the value begins with x or z.
 void VcdReader::setVector(size_t lowest) {
   for (size_t i = 0; lowest != None && !_bits.empty() && i < _widths[lowest]; i++) {
     const char bit = i < _bits.size() ? _bits[_bits.size() - 1 - i] : _bits.front() == '1' ? '0' : _bits.front();

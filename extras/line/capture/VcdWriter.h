@@ -1,4 +1,4 @@
-// The wire of a line as a value change dump, so that a logic analyser's software shows it.
+// Writes the wire of a line as a value change dump, so that a logic analyser's software shows it.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace line {
 
-// Takes characters in their order, and returns text. A bad character gets a wrong parity bit.
+// Takes characters in their order, and returns text. A character with an error gets a wrong parity bit.
 class VcdWriter {
  public:
   // 100000 or 200000 baud: a bit then lasts whole microseconds.
   explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
 
   // Takes the next character. If the first one begins at time 0 or before, no level would stand before its edge: then all
-  // characters are later, and the first begins after a character's time.
+  // characters are shifted, so that the first begins after a character's time.
   std::string put(Character character);
 
   // Ends the text: the line stays idle for a character.

@@ -1,4 +1,4 @@
-// The characters of a capture: of the signal that carries S.Bus, at any baud rate and polarity.
+// Decodes the characters of a capture: those of the signal that carries S.Bus, at any baud rate and polarity.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,9 @@
 
 namespace line {
 
-// It keeps the newest edges of each signal until one has frames; then it decodes the signal with most frames, and forgets
-// the others. If the capture ends before, and only one signal is looked at, it decodes that signal's characters.
+// It keeps the newest edges of each signal until one has frames; then it decodes the signal with the most frames, and
+// forgets the others. If the capture ends before that, and has only one signal to look at, it decodes that signal's
+// characters.
 class WireDecoder : public LevelSink {
  public:
   // `found` is called once, before the first character.

@@ -16,7 +16,7 @@ struct Level {
   bool high;
 };
 
-// The clocks of receiver and analyser differ by this part of 100000 or 200000 baud at most.
+// The most by which the clocks of receiver and analyser differ, as a part of 100000 or 200000 baud.
 constexpr double BaudTolerance = 0.03;
 
 constexpr uint64_t SilenceUs = 10000;  // assumed after a capture that ends with an edge; a last frame needs 3 ms
@@ -29,10 +29,10 @@ struct FoundWire {
   unsigned long frames = 0;  // of the sample: a wire without any carries no S.Bus
   unsigned channels = 16;    // 16, 24 or 32, as the frames have
 
-  // Returns true if most characters of the sample have a right parity and stop bit. Those of other lines may as well.
+  // Returns true if most characters of the sample have a right parity and stop bit. Those of other lines may have it too.
   bool hasCharacters() const { return good >= 4 && good >= 2 * bad; }
   double share() const { return good == 0 ? 0 : static_cast<double>(good) / (good + bad); }
-  // Returns by which part the wire is too fast: 0.01 is 1 %.
+  // Returns by how much the wire is too fast: 0.01 is 1 %.
   double deviation() const { return 1e9 / bitNs / static_cast<double>(settings.baud) - 1; }
 
   // Returns true if `other` has fewer frames, or as many but more errors.
@@ -41,8 +41,8 @@ struct FoundWire {
   }
 };
 
-// Returns what fits best, which may have neither frames nor characters. `levels`: each differs from the one before, the
-// first is where the sample begins. Only the overrules' baud rate and polarity are tried.
+// Returns the wire that fits best, which may have neither frames nor characters. Each of the `levels` differs from the
+// one before; the first is where the sample begins. It tries only the baud rate and polarity that `overrules` allow.
 FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules = {});
 
 bool hasPulses(const std::vector<Level> &levels);
@@ -53,7 +53,7 @@ bool hasBits(const std::vector<Level> &levels);
 // Returns what a wire without frames carries instead. `periodNs`: between two samples, 0 if it is not known.
 std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs);
 
-// What a frame is, for messages that none was found.
+// Says what a frame is, for messages that there was none.
 constexpr const char *FrameForm =
     "a frame is 25 characters (36 of 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap";
 

@@ -9,10 +9,10 @@
 
 namespace line {
 
-// A pipe brings a frame in pieces, as a port does. Bytes that come faster than on a line are held back.
+// A pipe brings a frame in pieces, as a port does. It holds back bytes that come faster than on a line.
 class ByteStream : public Line {
  public:
-  // `name`: a file, or - for standard input. `patient`: next() waits for bytes, whatever the time, and there is no
+  // `name` is a file, or - for standard input. If `patient`, next() waits for bytes, whatever the time, and there is no
   // silence between them. Throws std::runtime_error.
   ByteStream(const std::string &name, uint32_t characterUs, bool patient);
   ~ByteStream() override;
@@ -21,7 +21,7 @@ class ByteStream : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override;
-  // Returns the time up to which all bytes have come; after its end the stream is silent.
+  // Returns the time up to which all bytes have come. After its end the stream is silent.
   uint64_t knownUs(uint64_t nowUs) const override { return _ended && _waiting.empty() ? nowUs : _reads.knownUs(); }
   bool wait() override;
   std::string failure() const override { return _failure; }

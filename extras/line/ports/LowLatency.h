@@ -1,4 +1,4 @@
-// Asks a port to hand its bytes over at once, and restores the setting at its end.
+// Asks a port to hand its bytes over at once, and restores the setting in the end.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class LowLatency {
  private:
   const int _file;
   const Control _control;
-  bool _isOurs = false;  // it was not asked for before
+  bool _isOurs = false;  // this object has set it
 };
 
 // Returns the file that holds the latency timer of an FTDI adapter, in ms. `device` may be a link.

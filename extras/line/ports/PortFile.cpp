@@ -59,7 +59,7 @@ bool configure(sp_port *port, const LineSettings &settings) {
          sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE) == SP_OK;
 }
 
-// Returns true if the port has the rate: some drivers take any rate, and run at the nearest one that they have.
+// Returns true if the port runs at this rate: some drivers accept any rate, and run at the nearest one that they have.
 bool runsAt(sp_port *port, int wanted) {
   sp_port_config *config = nullptr;
   int baud = 0;
@@ -115,7 +115,7 @@ PortFile::PortFile(const std::string &device, const LineSettings &settings, Way 
       sp_get_port_handle(port, &_file) != SP_OK) {
     LineSettings wanted = settings;
     wanted.polarity = Polarity::Either;
-    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) + "; take one that can, as FTDI's do");
+    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) + "; use one that can, such as FTDI's");
   }
 }
 

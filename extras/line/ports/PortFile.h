@@ -1,4 +1,4 @@
-// A serial port of this PC, open; or a pseudo-terminal, which has no rate and no format.
+// An open serial port of this PC; or a pseudo-terminal, which has no rate and no format.
 #pragma once
 
 #include <libserialport.h>

@@ -1,5 +1,5 @@
-// The reads of a port, as characters with times. A port hands bytes over late and in lumps: an FTDI adapter every 16 ms,
-// in packets of 62. Bytes that came in one read may have any gaps between them. Between two reads the line was silent
+// Turns the reads of a port into characters with times. A port hands bytes over late and in bursts: an FTDI adapter every
+// 16 ms, in packets of 62. Bytes that came in one read may have any gaps between them. Between two reads the line was silent
 // only for as long as the port was found empty, less the port's latency.
 #pragma once
 
@@ -19,10 +19,10 @@ class PortReads {
   explicit PortReads(uint32_t characterUs = CharacterUs, uint32_t latencyUs = UsualLatencyUs)
       : _characterUs(characterUs), _lateUs(latencyUs + SystemUs) {}
 
-  // Takes a read at `nowUs` that finds nothing.
+  // Takes a read at `nowUs` that found nothing.
   void empty(uint64_t nowUs) { _emptyUs = nowUs; }
 
-  // Takes a read at `nowUs` that brings this many characters: get each by next().
+  // Takes a read at `nowUs` that brought this many characters: get each by next().
   void begin(size_t count, uint64_t nowUs) {
     const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
     _nextUs = std::max(_nextUs, earliestUs);

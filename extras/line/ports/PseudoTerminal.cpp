@@ -14,8 +14,8 @@ namespace line {
 
 namespace {
 
-// Turns off the echo and all changes of bytes. Opening and closing it once also lets the system notice when no program
-// listens.
+// Turns off the echo and all changes of bytes. Opening and closing it once also makes the system notice when no program
+// has it open.
 bool makeRaw(const char *name) {
   const int handle = open(name, O_RDWR | O_NOCTTY);
   if (handle < 0) {

@@ -18,10 +18,10 @@ class PseudoTerminal {
 
   bool hasReader() const;
 
-  // Never waits: bytes that no program reads are lost, as on the board's USB. Returns how many were written.
+  // Writes without waiting: bytes that no program reads are lost, as on the board's USB. Returns how many were written.
   size_t write(const uint8_t *bytes, size_t size);
 
-  // Never waits: reads what was written to the other end, up to `size` bytes. Returns how many.
+  // Reads without waiting what was written to the other end, up to `size` bytes. Returns how many it has read.
   size_t read(uint8_t *bytes, size_t size);
 
  private:

@@ -28,7 +28,7 @@ class Reopened {
     return _port.get();
   }
 
-  // Notes that the port has turned out to be gone.
+  // Notes that the port is gone.
   void gone() {
     _port.reset();  // while it is open, the system would give the adapter another name
     _news = _device + (comesBack() ? ": the port has gone; plug the adapter in again, it goes on by itself"
@@ -51,14 +51,14 @@ class Reopened {
       _port = _open();
       _news = _device + ": the port is back";
     } catch (const std::runtime_error &) {
-      // Not yet: right after its return a port may still belong to root.
+      // It tries again: just after its return a port may still belong to root.
     }
   }
 
   std::string _device;
   Open _open;
   std::unique_ptr<Port> _port;
-  uint64_t _retryUs = 0;  // when it is tried next
+  uint64_t _retryUs = 0;  // the time of the next attempt
   std::string _news;
 };
 

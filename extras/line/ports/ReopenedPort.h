@@ -8,7 +8,7 @@ namespace line {
 
 class ReopenedPort : public Line {
  public:
-  // Throws std::runtime_error if it cannot be opened now.
+  // Opens the port. Throws std::runtime_error if that is not possible now.
   ReopenedPort(const std::string &device, const LineSettings &settings)
       : _port(device, [=] { return std::make_unique<SerialPort>(device, settings); }) {}
 

@@ -8,11 +8,11 @@ namespace line {
 
 class SendingPort {
  public:
-  // Throws std::runtime_error if it cannot be opened now.
+  // Opens the port. Throws std::runtime_error if that is not possible now.
   SendingPort(const std::string &device, const LineSettings &settings)
       : _port(device, [=] { return std::make_unique<PortFile>(device, settings, PortFile::Way::Write); }) {}
 
-  // Never waits: bytes that the port cannot take, or that find it gone, are lost. Returns how many were written.
+  // Writes without waiting: bytes are lost if the port cannot take them, or is gone. Returns how many were written.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
   // Returns the news as Line::news() does.

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int IdleMs = 50;  // between two reads of a silent port
 
-// Makes the system mark bad characters: the board drops them, and libserialport does not look at parity.
-bool markBadCharacters(int file) {
+// Makes the system mark characters with errors: the board drops them, and libserialport does not look at parity.
+bool markCharacterErrors(int file) {
   termios settings;
   if (tcgetattr(file, &settings) != 0) {
     return false;
@@ -36,8 +36,8 @@ SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
       _latencyFile(latencyFile(device)),
       _latencyMs(latencyMs(_latencyFile)),
       _reads(settings.characterUs(), _latencyMs ? *_latencyMs * 1000 : PortReads::UsualLatencyUs) {
-  if (!markBadCharacters(_port.file())) {
-    throw std::runtime_error(device + ": the system does not tell bad characters from good ones; name another port");
+  if (!markCharacterErrors(_port.file())) {
+    throw std::runtime_error(device + ": the system does not report parity and framing errors; name another port");
   }
   tcflush(_port.file(), TCIFLUSH);
 }
@@ -92,7 +92,7 @@ void SerialPort::poll() {
     _isSilent = askedUs > _lastReadUs + uint64_t{1000} * static_cast<unsigned>(_reads.knownAfterMs());
     _reads.empty(askedUs);
   }
-  // A read does not tell a port that has gone from a silent one; poll() does.
+  // A read looks the same on a port that has gone and on a silent one; poll() shows the difference.
   pollfd state = {_port.file(), POLLIN, 0};
   if (failed || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
     _failure = _device + ": the port has gone. Plug the adapter in and start again";

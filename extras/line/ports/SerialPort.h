@@ -15,7 +15,7 @@ namespace line {
 
 class SerialPort : public Line {
  public:
-  // Throws std::runtime_error, which says what is wrong and what to do.
+  // Opens the port. Throws std::runtime_error, which says what is wrong and what to do.
   explicit SerialPort(const std::string &device, const LineSettings &settings = {});
 
   bool next(uint64_t nowUs, Character &character) override;
@@ -27,7 +27,7 @@ class SerialPort : public Line {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // An adapter marks a bad character as FF 00 character, and sends FF as FF FF.
+  // The system (PARMRK) puts FF 00 before a character with an error, and hands over FF as FF FF.
   enum class Mark { None, Escape, Bad };
 
   uint64_t nowUs() const;
@@ -39,7 +39,7 @@ class SerialPort : public Line {
   PortFile _port;
   LowLatency _lowLatency;
   std::string _latencyFile;
-  std::optional<unsigned> _latencyMs;  // none: the port does not tell
+  std::optional<unsigned> _latencyMs;  // none: not known
   PortReads _reads;
   std::string _failure;
 

@@ -27,13 +27,13 @@ enum class CsvKind { Channel, Failsafe, LostFrame, Switch17, Switch18 };
 // Returns the settings of a sketch's Serial: 115200 baud, 8N1.
 LineSettings csvSettings();
 
-// Takes the bytes of a text, and tells a sketch's rows from the bytes of S.Bus, which are no text.
+// Finds a sketch's rows among the bytes of a port; the bytes of S.Bus are no text.
 class CsvRows {
  public:
   // Takes the next byte. Returns true if it has completed a row, or a line of other words.
   bool put(uint8_t byte);
 
-  // Takes the next character of a port; a bad one is no text.
+  // Takes the next character of a port; one with an error is no text.
   bool put(const Character &character) { return put(character.bad ? uint8_t{0} : character.value); }
 
   // Returns the fields of the newest line: 64 at most, from its first 1024 bytes.

@@ -25,7 +25,7 @@ class RecordedLine : public Line {
 
   uint64_t knownUs(uint64_t nowUs) const override;
 
-  // Returns true a little after the last character, so that the sketch can show what it has made of it.
+  // Returns true a little after the last character, so that the sketch can still print its values.
   bool finished(uint64_t nowUs) const override;
 
  private:

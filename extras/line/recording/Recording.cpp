@@ -50,7 +50,7 @@ int hexDigit(char c) {
   return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-// Takes "0F", or "0F!" for a bad character.
+// Takes "0F", or "0F!" for a character with an error.
 bool parseCharacter(std::string_view word, Character &character) {
   character.bad = word.size() > 1 && word.back() == '!';
   if (character.bad) {

@@ -1,4 +1,4 @@
-// Recordings in files.
+// Reads and writes recordings in files.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ Recording readCsv(const std::string &name);
 // A text file that grows line by line. It holds whole lines even if the program is killed, or the disk full.
 class LineFile {
  public:
-  // Throws std::runtime_error if it cannot be written; with `isNew` also if it exists and is not empty.
+  // Opens the file. Throws std::runtime_error if it cannot be written; with `isNew` also if it exists and is not empty.
   explicit LineFile(const std::string &name, bool isNew = false);
   ~LineFile();
   LineFile(const LineFile &) = delete;

@@ -49,7 +49,7 @@ inline std::string_view takeLine(std::string_view &text) {
   return line;
 }
 
-// Returns a wrong word as a message may show it on a terminal: in quotation marks, of a long word the beginning.
+// Returns a wrong word in a form that a message can show on a terminal: in quotation marks, a long word cut short.
 inline std::string quoted(std::string_view word) {
   constexpr size_t Shown = 20;
   std::string text = "\"";

@@ -1,4 +1,4 @@
-// Judges what a board sends on an S.BUS2 wire: right slot, right time, and never a character that is not asked for.
+// Judges what a board sends on an S.BUS2 wire: right slot, right time, and no other character.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace line {
 
-// When slots stand, counted from the end of the frame's last stop bit: measured on a Futaba R7008SB (PX4-Autopilot,
+// The times of the slots, from the end of the frame's last stop bit: measured on a Futaba R7008SB (PX4-Autopilot,
 // test_data/sbus2_r7008SB.txt, eight of eight) and on a line with eight occupied slots (mstrens/oXs_on_RP2040).
 constexpr uint32_t FirstSlotUs = 2030;
 constexpr uint32_t SlotPitchUs = 660;
@@ -20,8 +20,8 @@ class BusJudge {
   // An answer is a run of characters without a gap.
   struct Counts {
     unsigned long right = 0;        // a slot of the announced group, within the tolerance
-    unsigned long early = 0;        // the same, but too early
-    unsigned long late = 0;         // or too late
+    unsigned long early = 0;        // in a slot of the announced group, but too early
+    unsigned long late = 0;         // in a slot of the announced group, but too late
     unsigned long receivers = 0;    // in slot 0, which is the receiver's
     unsigned long unannounced = 0;  // a slot of another group, or after an end byte that announces none
     unsigned long torn = 0;         // not three characters that begin with a slot's ID
@@ -31,36 +31,36 @@ class BusJudge {
     unsigned long wrong() const { return early + late + receivers + unannounced + torn + collided + held; }
   };
 
-  // A frame of the receiver with this end byte has ended.
+  // Takes the end of a receiver's frame, with its end byte.
   void frame(uint64_t endUs, uint8_t end);
 
-  // The board has sent a character, or begun to.
+  // Takes a character that the board has sent, or has begun to send.
   void heard(const Character &character, uint32_t characterUs, bool isCollided);
 
-  // The wire was at rest until `nowUs`.
+  // Takes the time until which the wire was at rest.
   void restedUntil(uint64_t nowUs);
 
-  // The board's TX holds the wire.
+  // Notes that the board's TX holds the wire.
   void held() { _counts.held++; }
 
   const Counts &counts() const { return _counts; }
 
-  // How far the starts of right answers were off their slots' times, us; 0 before the first.
+  // Return how far the starts of right answers were off their slots' times, us; 0 before the first.
   int64_t earliestUs() const { return _earliestUs; }
   int64_t latestUs() const { return _latestUs; }
 
-  // "12 answers in their slots, -3..7 us off; 1 late, 2 in slot 0"
+  // Returns "12 answers in their slots, -3..7 us off; 1 late, 2 in slot 0".
   std::string text() const;
 
  private:
-  static constexpr uint32_t GapUs = 30;  // two characters that are further apart are of two answers
+  static constexpr uint32_t GapUs = 30;  // characters that are further apart belong to two answers
 
   void close();
 
   uint64_t _frameEndUs = 0;
   uint8_t _end = 0;
   bool _hasFrame = false;
-  // The answer that is being heard, if it has characters.
+  // The current answer, if it has characters.
   uint64_t _startUs = 0;
   uint64_t _lastUs = 0;  // end of its last character
   unsigned _characters = 0;

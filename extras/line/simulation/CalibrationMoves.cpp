@@ -10,7 +10,7 @@ constexpr uint32_t CalibrationMs = 40000;
 constexpr size_t SticksCount = 4;  // CH1..CH4: aileron, elevator (reversed), throttle, rudder
 constexpr size_t HandCount = 6;    // and the two switches
 
-// Where they are with the sticks let go and the throttle low: trimmed, and CH4 is not.
+// The positions with the sticks let go and the throttle low; all but CH4 are trimmed.
 constexpr uint16_t Trims[SticksCount] = {1000, 985, Low, 992};
 
 void sweepAll(uint32_t, uint32_t ms, uint16_t *channels) {

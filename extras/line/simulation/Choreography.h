@@ -1,4 +1,4 @@
-// What a person at the radio does, and what becomes of it on the way to the receiver.
+// The moves of a person at the radio, and how the receiver hears the radio meanwhile.
 #pragma once
 
 #include <cstdint>

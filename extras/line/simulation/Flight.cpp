@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint32_t FlightMs = 15000;
 constexpr uint32_t RadioOffMs = 9500;
-constexpr uint32_t FailsafeMs = 10000;  // half a second of lost frames, then the receiver gives up
+constexpr uint32_t FailsafeMs = 10000;  // after half a second of lost frames the receiver is in failsafe
 constexpr uint32_t RadioOnMs = 12500;
 
 Radio radio(uint32_t frameNumber, uint32_t ms) {

@@ -1,4 +1,4 @@
-// How a line, or a port, is set: how fast its bits are, which way up, and what a character is made of.
+// The settings of a line or a port: baud rate, polarity and format of a character.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@ namespace line {
 enum class Polarity {
   Inverted,    // S.Bus: idle is LOW
   Uninverted,  // a receiver's uninverted pad, or an inverter in between: idle is HIGH
-  Either,      // of a line only: unknown, and taken for what the port expects
+  Either,      // of a line only: unknown, and assumed to be what the port expects
 };
 
 enum class Parity { None, Even, Odd };
 
-// True if the number of ones is odd: even parity then adds another one.
+// Returns true if the number of ones is odd: even parity then adds another one.
 bool isOdd(unsigned bits);
 
 // A character: a start bit, then these.
@@ -34,7 +34,7 @@ struct Format {
 
 // Default: S.Bus.
 struct LineSettings {
-  unsigned long baud = sbus::Baud;  // or 200000, Fast S.Bus; anything that a sketch hands over, 0 too
+  unsigned long baud = sbus::Baud;  // or 200000, Fast S.Bus; or any number from a sketch, even 0
   Polarity polarity = Polarity::Inverted;
   Format format{};
 
@@ -47,13 +47,13 @@ struct LineSettings {
   }
 };
 
-// True if `port` takes for idle what is idle on `line`.
+// Returns true if the idle level of `line` is that of `port`.
 bool samePolarity(const LineSettings &port, const LineSettings &line);
 
-// In what they differ: "baud rate, format, polarity"; empty if the port is right for the line.
+// Returns in what they differ: "baud rate, format, polarity"; empty if the port is right for the line.
 std::string mismatch(const LineSettings &port, const LineSettings &line);
 
-// "9600 baud, 8N1, not inverted"
+// Returns "9600 baud, 8N1, not inverted".
 std::string text(const LineSettings &settings);
 
 }  // namespace line

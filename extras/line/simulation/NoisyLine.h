@@ -1,4 +1,4 @@
-// Puts disturbances on another line: a long wire beside a motor.
+// Adds disturbances to another line, like those of a long wire beside a motor.
 #pragma once
 
 #include <memory>
@@ -27,10 +27,10 @@ class NoisyLine : public Line {
 
  private:
   std::unique_ptr<Line> _line;
-  uint32_t _longestUs;  // between two disturbances; the average is half of it
+  uint32_t _longestUs;  // the longest time between two disturbances; the average is half
   uint32_t _characterUs;
-  Random _random{20181};  // any seed: the same one, so that a run comes again
-  Character _quiet;       // the next one of the other line, if there is one
+  Random _random{20181};  // any seed, but always the same one, so that runs are repeatable
+  Character _quiet;       // the next character of the other line, if there is one
   bool _hasQuiet = false;
   uint64_t _noiseUs = 0;  // when the next disturbance comes
 };

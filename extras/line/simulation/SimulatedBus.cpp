@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t SlotsPeriodUs = 15000;     // PX4-Autopilot's capture: 15.00 to 15.01 ms
 constexpr uint32_t OnlySlot0PeriodUs = 6300;  // mstrens/oXs_on_RP2040, doc/FUTABA SBUS (1).docx, images 12 and 13
-constexpr uint32_t OnlySlot0Us = 310;         // the same
+constexpr uint32_t OnlySlot0Us = 310;         // from there as well
 constexpr uint16_t SupplyDecivolts = 46;      // 4.6 V, as in PX4-Autopilot's capture
 constexpr uint16_t ExternalDecivolts = 241;   // 24.1 V, takarakasai/sbus, doc/spec.md
 constexpr uint8_t OnlySlot0End = 0x08;
@@ -48,7 +48,7 @@ bool SimulatedBus::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
-// A frame and its slots.
+// Makes a frame and its slots.
 void SimulatedBus::makeCycle() {
   const uint8_t group = _cycles % 4;
   const uint8_t end = _mode == BusMode::Slots       ? static_cast<uint8_t>(group << 4 | 4)
@@ -91,7 +91,7 @@ void SimulatedBus::send(uint64_t startUs, const uint8_t *bytes, size_t size) {
   }
 }
 
-// What overlaps it is bad, and so is it.
+// Adds a character. If it overlaps others, they and it have errors.
 void SimulatedBus::put(const Sent &sent) {
   Sent added = sent;
   for (Sent &other : _wire) {
@@ -104,7 +104,7 @@ void SimulatedBus::put(const Sent &sent) {
   _wire.insert(place, added);
 }
 
-// A diode lets only HIGH out. A TX that is HIGH at rest holds the wire.
+// The diode passes only HIGH: a TX that is HIGH at rest holds the wire.
 void SimulatedBus::share(const LineSettings &tx) {
   _tx = tx;
   _isShared = true;
@@ -114,7 +114,7 @@ void SimulatedBus::share(const LineSettings &tx) {
   }
 }
 
-// Of another baud rate or format, it is noise.
+// A character of another baud rate or format is noise.
 void SimulatedBus::hear(const Character &character) {
   Sent sent;
   static_cast<Character &>(sent) = character;

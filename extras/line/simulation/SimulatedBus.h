@@ -23,10 +23,10 @@ enum class BusMode : uint8_t {
 struct BusSensor {
   uint8_t slot;
   sbus::SlotData data;
-  int32_t offUs = 0;  // it answers so much late, or early
+  int32_t offUs = 0;  // it answers late by this time, or early if negative
 };
 
-// Two that send at once destroy each other's characters: the wire carries HIGH if either does, and parity fails.
+// If two send at once they destroy each other's characters: the wire is HIGH if either is, and parity fails.
 class SimulatedBus : public Line {
  public:
   explicit SimulatedBus(const Choreography &choreography = Flight, BusMode mode = BusMode::Slots);
@@ -34,11 +34,10 @@ class SimulatedBus : public Line {
   // Adds a sensor; two in the same slot collide.
   void add(const BusSensor &sensor) { _sensors.push_back(sensor); }
 
-  // Delivers a character once it has ended, so never one that a board may still destroy: an UART asks a character
-  // ahead.
+  // Delivers a character once it has ended, so that no board can still destroy it: a UART asks a character ahead.
   bool next(uint64_t nowUs, Character &character) override;
 
-  // A board has its TX at the wire, through a diode.
+  // Connects a board's TX to the wire, through a diode.
   void share(const LineSettings &tx) override;
   void hear(const Character &character) override;
   std::string report() const override;

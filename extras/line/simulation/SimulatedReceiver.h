@@ -1,4 +1,4 @@
-// A receiver, so that a sketch can be seen at work without one: an FrSky R-XSR, 111 frames a second; or one with more
+// Simulates a receiver, so that a sketch can be tried without one: an FrSky R-XSR, 111 frames a second; or one with more
 // channels.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace line {
 
-// CH7 and above stand in the middle on a line of 16 channels, and move on one of more.
+// CH7 and above stay in the middle on a line of 16 channels, and move on a line of more.
 enum class Channels : uint8_t {
   Sixteen,     // and two switches
   TwentyFour,  // FrSky, set to 24 channels: 36 bytes
@@ -17,7 +17,7 @@ enum class Channels : uint8_t {
 
 class SimulatedReceiver : public Line {
  public:
-  // `periodUs`: of its frames; 0: as such receivers have it.
+  // `periodUs` is the frame period; 0: that of such receivers.
   explicit SimulatedReceiver(const Choreography &choreography = Flight, uint32_t characterUs = CharacterUs,
                              Channels channels = Channels::Sixteen, uint32_t periodUs = 0);
   bool next(uint64_t nowUs, Character &character) override;

@@ -1,4 +1,4 @@
-// What the sensors of an S.BUS2 line have measured: the newest of each quantity.
+// Keeps what the sensors of an S.BUS2 line have measured: the newest value of each quantity.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace line {
 
-// Which sensor begins at a slot. A slot does not say so; slot 0 is the receiver's own.
+// The sensor that begins at each slot. A slot does not name it; slot 0 is the receiver's own.
 using SensorsBySlot = std::map<uint8_t, const Sensor *>;
 
 // Returns what the sensors measure in slots of one moment, in rising order of Quantity::slot, which counts from the
-// line's slot 0. A sensor that lacks a slot says nothing.
+// line's slot 0. A sensor that lacks a slot has no values.
 std::vector<Quantity> quantitiesIn(const std::vector<TelemetrySlots::Slot> &slots, const SensorsBySlot &sensors);
 
 class Readings {

@@ -78,7 +78,7 @@ Quantities sbs01tas(const sbus::SlotData *data) {
   return {{0, "air speed", fixed(decoded<sbus::AirSpeedSbs01Tas>(data).kilometresPerHour, 0), "km/h"}};
 }
 
-// Without a fix a position and a speed say nothing.
+// Without a fix position and speed mean nothing.
 Quantities f1675(const sbus::SlotData *data) {
   const auto sensor = decoded<sbus::GpsF1675>(data);
   Quantities all = {{1, "altitude", fixed(sensor.metres, 0), "m"},

@@ -23,10 +23,10 @@ struct Sensor {
   std::vector<Quantity> (*quantities)(const sbus::SlotData *data);
 };
 
-// Returns all that are known.
+// Returns all known sensors.
 const std::vector<Sensor> &sensors();
 
-// Returns the sensor of that name, in upper or lower case; nullptr if none has it.
+// Returns the sensor of this name, in upper or lower case; nullptr if no sensor has it.
 const Sensor *sensorOf(std::string_view name);
 
 }  // namespace line

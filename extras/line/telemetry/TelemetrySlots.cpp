@@ -10,7 +10,7 @@ bool isGood(const std::vector<Character> &characters) {
   return std::none_of(characters.begin(), characters.end(), [](const Character &each) { return each.bad; });
 }
 
-// Returns how many slots these characters are, at most a group; -1 if they are something else.
+// Returns how many slots these characters are, at most a group; -1 if they are not slots.
 int readSlots(uint8_t end, const std::vector<Character> &characters, sbus::Slot *slots) {
   uint8_t bytes[sbus::GroupSizeMax];
   std::transform(characters.begin(), characters.end(), bytes, [](const Character &each) { return each.value; });

@@ -44,7 +44,7 @@ class TelemetrySlots {
   std::vector<Slot> _proved;
   std::vector<Character> _between;  // since the last frame
   uint8_t _end = 0;                 // its end byte
-  bool _isWhole = false;            // nothing but characters came since, none of them bad
+  bool _isWhole = false;            // nothing but characters came since, none with an error
   bool _announced = false;
   unsigned long _rejected = 0;
   unsigned long _count = 0;

@@ -8,8 +8,8 @@
 
 namespace line {
 
-// Calls level(ns, high) with the wire's level at the beginning of each of the character's bits. A bad character gets a
-// wrong parity bit, if the format has one.
+// Calls level(ns, high) with the wire's level at the beginning of each of the character's bits. A character with an
+// error gets a wrong parity bit, if the format has one.
 template <typename OnLevel>
 void encode(const Character &character, const LineSettings &line, OnLevel level) {
   const Format &format = line.format;

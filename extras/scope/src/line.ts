@@ -39,7 +39,7 @@ export interface Stretch {
 export const statusNames = [
   'state', 'ageUs',
   'linkQuality', // percent; only for frames
-  'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'badCharacters', 'frames',
+  'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'characterErrors', 'frames',
   'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
   'extraFrames', 'rows', 'otherLines', 'garbled',
   'quietUs', // since the newest character

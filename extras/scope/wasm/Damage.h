@@ -14,7 +14,7 @@ class Damage {
 
  private:
   bool _seen = false;      // a frame
-  bool _hasBad = false;    // a bad character came since the newest frame
+  bool _hasBad = false;    // a character with an error came since the newest frame
   bool _hasHeader = false;
   size_t _mostOfNone = 0;  // characters after the newest frame that may be no part of one
   size_t _count = 0;       // characters since then

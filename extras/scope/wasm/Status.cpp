@@ -37,7 +37,7 @@ EXPORT(status)(double now)->const Status * {
   answer.gapMeanUs = d(gaps.mean());
   answer.gapMaxUs = d(gaps.high);
   answer.characters = d(observer.characters());
-  answer.badCharacters = d(observer.badCharacters());
+  answer.characterErrors = d(observer.characterErrors());
   answer.frames = d(counters.frames);
   answer.lostFrames = d(counters.lostFrames);
   answer.failsafeFrames = d(counters.failsafeFrames);

@@ -214,7 +214,7 @@ TEST_CASE("an ESP32's port does not say when a frame ended: SlotTimerEsp32 finds
 }
 #endif
 
-TEST_CASE("a bad character: on a core that discards it the frame is missing, on others the frame is wrong") {
+TEST_CASE("a character with an error: on a core that discards it the frame is missing, on others the frame is wrong") {
   constexpr unsigned Frames = 60;
   for (const unsigned error : {sim::Parity, sim::Framing}) {
     for (const unsigned loopUs : {50u, 1000u, 3000u}) {

@@ -1,5 +1,4 @@
-// The example Tasks on the FreeRTOS of an ESP32: it steers by the newest frame, and closes the throttle when frames
-// stop.
+// The example Tasks on the FreeRTOS of an ESP32: the newest frame sets the throttle, which closes when none comes.
 #include <string>
 
 #include "Cores.h"
@@ -64,7 +63,7 @@ void crashes(TaskFunction_t function, uint64_t us = Second) {
 
 }  // namespace
 
-TEST_CASE("Tasks steers by the newest frame; the throttle is closed in failsafe, and 100 ms after the last frame") {
+TEST_CASE("Tasks: the newest frame sets the throttle; it is closed in failsafe, and 100 ms after the last frame") {
   constexpr uint64_t Settled = 12000, Timeout = 100000;
   for (const sim::Chip &chip : {Two, One}) {
     CAPTURE(chip.cores);

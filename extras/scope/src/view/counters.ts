@@ -13,7 +13,7 @@ const rows: [keyof Status, string, string][] = [
   ['rejectedByLength', 'rejected: size', 'more bytes follow directly, or a gap lies inside'],
   ['discardedBytes', 'discarded bytes', 'that belong to no frame and no telemetry'],
   ['resyncs', 'resyncs', 'frames were found again after some were missed'],
-  ['badCharacters', 'bad characters', 'wrong parity or stop bit, or a break'],
+  ['characterErrors', 'character errors', 'wrong parity or stop bit, or a break'],
   ['rows', 'rows', 'of numbers that a board printed'],
   ['otherLines', 'other lines', 'of text that a board printed'],
 ];

@@ -1,5 +1,5 @@
 // github.com/arduino/ArduinoCore-sam 1.6.12 (790ff2c): cores/arduino/HardwareSerial.h, UARTClass.h, USARTClass.h, Print.h.
-// Bad characters are kept (UARTClass.cpp:174), begin() clears what waits (74). Two enums are formats; Print and
+// Characters with errors are kept (UARTClass.cpp:174), begin() clears what waits (74). Two enums are formats; Print and
 // HardwareSerial know less than the ports.
 #pragma once
 

@@ -1,6 +1,5 @@
-// github.com/PaulStoffregen/cores 7f107ee: teensy3/HardwareSerial.h, serial1.c. Bad characters are kept (serial1.c:635),
-// begin() clears what waits (138). It has no 8E2. (Its uint32_t is an unsigned
-// long.)
+// github.com/PaulStoffregen/cores 7f107ee: teensy3/HardwareSerial.h, serial1.c. Characters with errors are kept
+// (serial1.c:635), begin() clears what waits (138). It has no 8E2. (Its uint32_t is an unsigned long.)
 #pragma once
 
 #include "../Stream.h"
