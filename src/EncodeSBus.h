@@ -45,8 +45,8 @@ class EncodeSBusOf {
   /// `channels` has 18 values: CH1..CH16, clamped to 2047, then CH17 and CH18, where any value but 0 is sent as 1.
   /// EncodeSBus24 takes 24 values, CH1..CH24, clamped to 2047.
   ///
-  /// It does not wait if the port has room for 25 bytes. A port that never has that much room, or cannot say how much it
-  /// has, gets the frame once its room is the largest seen, and the core waits for up to 3 ms (Uno R4, mbed). The
+  /// It does not wait if the port has room for 25 bytes. A port that never has that much room, or cannot say how much
+  /// it has, gets the frame once its room is the largest seen, and the core waits for up to 3 ms (Uno R4, mbed). The
   /// period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that frame.
   bool write(const uint16_t channels[], bool failsafe, bool lostFrame);
 

@@ -26,9 +26,9 @@ enum SingleWireTag : uint8_t {
 ///       dSBus.writeSensor(6, voltage);
 ///     }
 ///
-/// TX goes to the line through a diode, anode at TX; on a Teensy 4 TX may be the line itself (extras/docs/telemetry.md).
-/// An answer is sent only after an accepted frame that announces its group, never in slot 0, and starts within 100 us
-/// of its time, or is skipped. Nothing else may write to the port.
+/// TX goes to the line through a diode, anode at TX; on a Teensy 4 TX may be the line itself
+/// (extras/docs/telemetry.md). An answer is sent only after an accepted frame that announces its group, never in slot
+/// 0, and starts within 100 us of its time, or is skipped. Nothing else may write to the port.
 ///
 /// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
 /// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).

@@ -1,5 +1,6 @@
 // Class Servo for the Grasshopper, like Arduino's library of that name, which does not support the STM32L0: up to ten
-// servos, one pulse after the other, every 20 ms (ten of the longest: 24 ms). The core's own driver makes them, with TIM7.
+// servos, one pulse after the other, every 20 ms (ten of the longest: 24 ms). The core's own driver makes them, with
+// TIM7.
 #pragma once
 
 #include <Arduino.h>

@@ -57,10 +57,10 @@ void readCalibration(const std::string &name, ChannelRanges &ranges) {
   for (unsigned number = 1; std::getline(in, line); number++) {
     line.erase(std::min(line.find('#'), line.size()));
     if (line.find_first_not_of(" \t\r") != std::string::npos && !takeLine(line, ranges, named)) {
-      throw std::runtime_error(
-          format("%s:%u: a channel's raw values at -100, 0 and +100 %% are expected, such as CH1 172 992 1811, and each "
-                 "channel of CH1 to CH16 at most once",
-                 name.c_str(), number));
+      throw std::runtime_error(format(
+          "%s:%u: a channel's raw values at -100, 0 and +100 %% are expected, such as CH1 172 992 1811, and each "
+          "channel of CH1 to CH16 at most once",
+          name.c_str(), number));
     }
   }
   if (named == 0) {

@@ -112,7 +112,8 @@ void Heard::take(const line::Stretch &stretch) {
   }
 }
 
-// Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening ends.
+// Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening
+// ends.
 void Heard::heardUntil(uint64_t us) {
   if (us >= _lastUs + SilenceUs) {
     _silences.push_back(_lastUs);

@@ -58,8 +58,8 @@ class Decoders {
 
   bool has24() const;
   const sbus::Counters &counters() const { return has24() ? _finder24.counters() : _finder16.counters(); }
-  // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, its otherSizeFrames are
-  // the frames of the other decoder.
+  // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, its otherSizeFrames
+  // are the frames of the other decoder.
   sbus::Counters counters16() const;
 
   // Returns the places of the decoder that is right.

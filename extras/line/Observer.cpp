@@ -72,8 +72,8 @@ void Observer::idleUntil(uint64_t nowUs) {
   _segments.cutBefore(_decoders.openAt(_segments.end()), _last.endUs + _silenceUs);
 }
 
-// If whole frames wait for what follows them, lets silence follow. (After a part of a frame this would count an impaired
-// frame.)
+// If whole frames wait for what follows them, lets silence follow. (After a part of a frame this would count an
+// impaired frame.)
 void Observer::finish() {
   constexpr uint64_t SilenceUs = 10000;
   handOver();

@@ -1,5 +1,5 @@
-// Decodes a line for a person to look at: in a terminal, in a browser, in a report. It uses neither the clock nor files,
-// and compiles to WebAssembly.
+// Decodes a line for a person to look at: in a terminal, in a browser, in a report. It uses neither the clock nor
+// files, and compiles to WebAssembly.
 //
 //   line::Observer observer;
 //   observer.listen([&observer](const line::Stretch &stretch) { ... });  // each frame, and what lies between

@@ -34,8 +34,8 @@ struct Stretch {
   uint64_t endUs() const { return characters.back().endUs; }
 };
 
-// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a character error "unused
-// flags set (byte 10)", with the place of the header, or "no header". Returns "" for a frame.
+// Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a character error
+// "unused flags set (byte 10)", with the place of the header, or "no header". Returns "" for a frame.
 std::string why(const Stretch &stretch);
 
 // A stretch that a decoder has found.
@@ -61,8 +61,8 @@ class Segments {
   // Takes stretches that a decoder has found: the characters before each are no frame.
   void cut(const std::vector<Piece> &pieces);
 
-  // Cuts what stands before place `end`: it is no frame. Its last part waits for more characters, or for a gap: none came
-  // up to `nowUs`.
+  // Cuts what stands before place `end`: it is no frame. Its last part waits for more characters, or for a gap: none
+  // came up to `nowUs`.
   void cutBefore(uint64_t end, uint64_t nowUs);
 
   // Hands over all that still waits.

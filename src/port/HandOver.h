@@ -49,8 +49,8 @@ inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by
 }
 
 // Returns when a frame ended, for a port that calls back at once: it did at `before` and at `by`, with `found`
-// characters between the two. Other interrupts may hold up a callback; so both must agree on the end, and it is no later
-// than the earlier of the two says.
+// characters between the two. Other interrupts may hold up a callback; so both must agree on the end, and it is no
+// later than the earlier of the two says.
 inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t MostHeldUp = 40;  // us
   const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);

@@ -1,6 +1,6 @@
 /// @file
-/// The SlotTimer of an STM32L0: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in the
-/// core uses, calls back when a slot is due.
+/// The SlotTimer of an STM32L0: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in
+/// the core uses, calls back when a slot is due.
 #pragma once
 
 #include <Arduino.h>

@@ -12,7 +12,8 @@ constexpr uint32_t bits(uint8_t first, uint8_t count) {
   return (count < SlotCount ? (uint32_t{1} << count) - 1 : ~uint32_t{0}) << first;
 }
 
-// Returns those slots of a group that are complete `gap` us after the frame's end even if they start as late as allowed.
+// Returns those slots of a group that are complete `gap` us after the frame's end even if they start as late as
+// allowed.
 uint8_t throughBy(uint32_t gap) {
   uint8_t slots = 0;
   uint32_t end = FirstSlotTime + Answers::MostOff + SlotTime;

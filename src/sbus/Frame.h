@@ -141,7 +141,8 @@ struct Frame16 {
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
   static constexpr bool HasExtra = true;               ///< frames with extra channels may come between
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
-  /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead of 3.
+  /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
+  /// of 3.
   static constexpr unsigned spread(unsigned count) { return count + count / 4 + 1; }
   /// Returns the flags of a frame.
   static constexpr uint8_t flags(const uint8_t *frame) { return frame[Size - 2]; }

@@ -24,7 +24,8 @@ class LinkQuality {
  public:
   /// Returns the link quality at `now`, us, 0..100; 0 before the first frame and while the link is stale. Call it every
   /// 250 ms or more often, from one context. Less than a second after the link came back, and if the last call is
-  /// more than a second ago, it knows no rate: then it returns the percentage of the received frames that were not lost.
+  /// more than a second ago, it knows no rate: then it returns the percentage of the received frames that were not
+  /// lost.
   uint8_t update(const Counters &counters, LinkState state, uint32_t now);
 
  private:

@@ -85,8 +85,8 @@ double streamCost(const BadLine &line) {
   return static_cast<double>(sum) / Count;
 }
 
-// Returns the longest call found on a line: it begins at any byte of the pattern, after up to 32 bytes in calls of 16 or
-// 29, in sync or not.
+// Returns the longest call found on a line: it begins at any byte of the pattern, after up to 32 bytes in calls of 16
+// or 29, in sync or not.
 template <typename Receiver>
 uint32_t longestOn(const BadLine &line, size_t size) {
   constexpr size_t Starts = 52;      // more than twice a frame

@@ -17,8 +17,8 @@ struct Cost {
   }
 };
 
-// Call it once, before anything is measured. Returns false if instructions cannot be counted: without -icount shift=10, or
-// with a port that does not take a fixed number of instructions per call and byte.
+// Call it once, before anything is measured. Returns false if instructions cannot be counted: without -icount shift=10,
+// or with a port that does not take a fixed number of instructions per call and byte.
 bool calibrate();
 
 // Return the instructions of the port's methods themselves, without the calls.

@@ -1,5 +1,5 @@
-// Searches for the longest call of parseSBusFrame(), by annealing: it changes at random which bytes come, in which calls
-// and when, and also continues from what costs a little less, but less and less.
+// Searches for the longest call of parseSBusFrame(), by annealing: it changes at random which bytes come, in which
+// calls and when, and also continues from what costs a little less, but less and less.
 #include "Bench.h"
 
 #include <algorithm>

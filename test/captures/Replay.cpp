@@ -50,7 +50,8 @@ const std::map<std::string, Expected> Known = {
      {{{0x00, 1}}, {997, 992, 992, 992, 992, 992, 992, 992, 992, 192, 992, 192, 985, 992, 992, 992, 0, 0}}},
 };
 
-// Returns the end byte of the first frame in `characters` from `from` on with these bytes, or -1; `from` is then after it.
+// Returns the end byte of the first frame in `characters` from `from` on with these bytes, or -1; `from` is then after
+// it.
 template <typename Format>
 int endOf(const line::Characters &characters, size_t &from, const std::vector<uint16_t> &channels, bool failsafe,
           bool lostFrame) {

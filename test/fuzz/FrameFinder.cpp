@@ -6,7 +6,8 @@
 //   110xxxxx          a whole neutral frame comes in; x sets its CH1, and bit 4 its end byte 08; x = 14: a frame with
 //                     header 2F; x = 15: a frame of 36 bytes
 //   1110xxxx          2^x * 20 us pass
-//   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13 and 14), a poll without time (x = 15)
+//   1111xxxx          the line breaks after what was read (x = 0..12), reset (x = 13 and 14), a poll without time (x =
+//   15)
 #include <cstring>
 #include <vector>
 

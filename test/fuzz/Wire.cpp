@@ -1,4 +1,5 @@
-// The readers of captures on any text give characters in order, or one clear error; the size of blocks makes no difference.
+// The readers of captures on any text give characters in order, or one clear error; the size of blocks makes no
+// difference.
 #include <algorithm>
 #include <string>
 #include <vector>

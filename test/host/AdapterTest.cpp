@@ -157,7 +157,8 @@ unsigned long framesOfSketch(const line::Recording &recording) {
 
 }  // namespace
 
-TEST_CASE("with an adapter of any latency and ordinary sticks no frame is missed after the first dozen, and none is wrong") {
+TEST_CASE(
+    "with an adapter of any latency and ordinary sticks no frame is missed after the first dozen, and none is wrong") {
   std::printf("missed after the first dozen + wrong, of some 3000 frames (6000 of FASSTest 26); seed %lu\n",
               static_cast<unsigned long>(Seed));
   std::printf("%-16s   T/ms     1 ms    2 ms    4 ms    8 ms   16 ms\n", "latency");

@@ -46,7 +46,9 @@ std::array<Range, 18> ranges(unsigned fromMs, unsigned untilMs) {
 
 }  // namespace
 
-TEST_CASE("sticks and switches go to both ends, rest at their trims, are held up and right, and then fly gently; CH7 on stay") {
+TEST_CASE(
+    "sticks and switches go to both ends, rest at their trims, are held up and right, and then fly gently; CH7 on "
+    "stay") {
   const struct {
     unsigned fromMs, untilMs;
     unsigned lows[6], highs[6];

@@ -12,8 +12,9 @@ using line::LowLatency;
 
 namespace {
 
-// Answers as Linux does, usb-serial.c, serial_ioctl(), and ftdi_sio.c, get_serial_info() and set_serial_info(): users other
-// than root may change the flags of ASYNC_USR_MASK only, and a terminal that is no serial port has neither request (ENOTTY).
+// Answers as Linux does, usb-serial.c, serial_ioctl(), and ftdi_sio.c, get_serial_info() and set_serial_info(): users
+// other than root may change the flags of ASYNC_USR_MASK only, and a terminal that is no serial port has neither
+// request (ENOTTY).
 struct Driver {
   bool isSerial = true;
   int setError = 0;

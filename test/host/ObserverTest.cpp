@@ -68,7 +68,9 @@ TEST_CASE("the link has its state; frames with a flag are shown, but leave no ma
   CHECK(line.observer.ageUs(line.observer.newest().endUs + 5000000000) == 5000000000);
 }
 
-TEST_CASE("the link quality is the share of a second's frames that came and were not lost, whether it is read rarely or often") {
+TEST_CASE(
+    "the link quality is the share of a second's frames that came and were not lost, whether it is read rarely or "
+    "often") {
   const struct {
     const char *what;
     unsigned lostOf, missingOf;  // one frame in this many; 0: none

@@ -56,7 +56,8 @@ TEST_CASE("24 channels whose tenth payload byte is a header, at 16 ms, bring no 
   }
 }
 
-TEST_CASE("an adapter is pulled within a frame and plugged in again: the two parts are no frame if reads prove the silence") {
+TEST_CASE(
+    "an adapter is pulled within a frame and plugged in again: the two parts are no frame if reads prove the silence") {
   const struct {
     uint32_t latencyUs;
     uint32_t silenceUs;

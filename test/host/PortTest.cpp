@@ -30,7 +30,8 @@ class EvenLine : public line::Line {
 
 }  // namespace
 
-TEST_CASE("characters are handed over when 16 have come, or the line is idle for one: not while the next one comes in") {
+TEST_CASE(
+    "characters are handed over when 16 have come, or the line is idle for one: not while the next one comes in") {
   const struct {
     uint64_t apartUs;
     int afterThree, afterSixteen;  // when the last of them is complete, and 120 us later

@@ -83,7 +83,8 @@ std::string judged(BusMode mode, unsigned frame, int64_t afterUs, const std::vec
 
 }  // namespace
 
-TEST_CASE("the receiver sends a frame every 15 ms, end bytes 04 14 24 34 in turn, and in slot 0 both voltages in turn") {
+TEST_CASE(
+    "the receiver sends a frame every 15 ms, end bytes 04 14 24 34 in turn, and in slot 0 both voltages in turn") {
   SimulatedBus bus;
   line::Observer observer;
   std::string ends, voltages;

@@ -142,7 +142,8 @@ TEST_CASE("a plainer core keeps one place of the buffer free, and frees each pla
   }
 }
 
-TEST_CASE("a full buffer takes what fits; bytes written in time follow without a gap, later ones when they are written") {
+TEST_CASE(
+    "a full buffer takes what fits; bytes written in time follow without a gap, later ones when they are written") {
   BoardTransmitter transmitter;
   transmitter.open(SBusNs);
   CHECK(write(transmitter, 0, 70) == 64);
@@ -159,7 +160,9 @@ TEST_CASE("a full buffer takes what fits; bytes written in time follow without a
   CHECK(late[0].endUs == 9120);
 }
 
-TEST_CASE("between ports with the same settings every byte arrives, in any format and at any rate; of seven bits the low ones") {
+TEST_CASE(
+    "between ports with the same settings every byte arrives, in any format and at any rate; of seven bits the low "
+    "ones") {
   constexpr uint32_t SevenBits = STM32L0_UART_OPTION_DATA_SIZE_7 | STM32L0_UART_OPTION_PARITY_EVEN;
   const std::vector<uint8_t> bytes = {0x00, 0xFF, 0x0F, 0x55, 0xAA, 0x01, 0x80, 0x7F};
   for (const unsigned long baud : {9600ul, 100000ul, 115200ul, 200000ul}) {

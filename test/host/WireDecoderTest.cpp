@@ -1,7 +1,8 @@
 // Decodes the characters of the wire by a UART's rules; captures that are cut off or malformed.
 #include "support/Decoded.h"
 
-TEST_CASE("the paper's bits, chapter 4.1, have a framing error in byte 2, a parity error in byte 3, and no other error") {
+TEST_CASE(
+    "the paper's bits, chapter 4.1, have a framing error in byte 2, a parity error in byte 3, and no other error") {
   const Decoded decoded(
       "1 00001111 1001 00111000 0001 00111111 1101 00000111 1001 00101011 1001 11111100 1001 00011100 0001 10101111 1001");
   const Bytes expected = {0x0F, 0xE3, 0x03, 0x1F, 0x2B, 0xC0, 0xC7, 0x0A};

@@ -6,9 +6,9 @@ using line::lower;
 
 namespace {
 
-// Prints as sigrok-cli -O bits and -O hex do (libsigrok, src/output/bits.c:101 to 111 and 142 to 185, src/output/hex.c:154 to
-// 205): `width` samples a line, in groups of eight, the last hexadecimal digits filled up with zeros; a line with T where it
-// was triggered.
+// Prints as sigrok-cli -O bits and -O hex do (libsigrok, src/output/bits.c:101 to 111 and 142 to 185,
+// src/output/hex.c:154 to 205): `width` samples a line, in groups of eight, the last hexadecimal digits filled up with
+// zeros; a line with T where it was triggered.
 std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggered = false) {
   const std::string samples = sampled(wire, 1000);
   std::string levels[2];
@@ -36,9 +36,10 @@ std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggere
   return text;
 }
 
-// Returns what Saleae's analyser exports for the known frames, with a character every `characterNs`. Logic 1: saleae/serial-
-// analyzer, src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each FrameV2,
-// src/SerialAnalyzer.cpp:240 to 256; the columns of data are in quotation marks, in any order; an empty last field is kept.
+// Returns what Saleae's analyser exports for the known frames, with a character every `characterNs`. Logic 1:
+// saleae/serial- analyzer, src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each
+// FrameV2, src/SerialAnalyzer.cpp:240 to 256; the columns of data are in quotation marks, in any order; an empty last
+// field is kept.
 std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong = SIZE_MAX, size_t framingWrong = SIZE_MAX) {
   std::string text = logic2 ? "name,type,start_time,duration,\"data\",\"error\"\n" : "Time [s],Value,Parity Error,Framing Error\n";
   for (size_t i = 0; i < All.size(); i++) {
@@ -118,7 +119,9 @@ TEST_CASE("characters that Saleae's analyser has decoded give the same bytes at 
   }
 }
 
-TEST_CASE("characters that Saleae's analyser has decoded, but without S.Bus: the message has what is wrong and what is expected") {
+TEST_CASE(
+    "characters that Saleae's analyser has decoded, but without S.Bus: the message has what is wrong and what is "
+    "expected") {
   const std::string logic1 = asyncOf(false);
   const std::string title1 = logic1.substr(0, logic1.find('\n') + 1);
   const std::string logic2 = asyncOf(true);
@@ -149,7 +152,8 @@ TEST_CASE("characters that Saleae's analyser has decoded, but without S.Bus: the
   CHECK(Decoded(logic2, told).error == "has characters that are decoded already: leave out --invert");
   const std::string two = replaced(replaced(logic2, "0x0F", "0x0E"), title2, title2 + "\"B\",\"data\",0.001,1e-4,0x55,\n");
   CHECK(holds(Decoded(two).failure,
-              "signal Async Serial has 100 good characters and 0 with errors: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted? No signal"));
+              "signal Async Serial has 100 good characters and 0 with errors: is the analyser set to the baud rate, 8 "
+              "bits, even parity, 2 stop bits and inverted? No signal"));
 }
 
 TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal digits, in lines of any width") {

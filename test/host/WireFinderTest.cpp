@@ -32,7 +32,9 @@ TEST_CASE("of several signals, the one with S.Bus is decoded, or the one that --
         "there is no signal X: one of A, B, C, D, E, F, G, H, ... is expected");
 }
 
-TEST_CASE("a signal without frames is never taken for S.Bus, whatever other signals there are and however clean its characters") {
+TEST_CASE(
+    "a signal without frames is never taken for S.Bus, whatever other signals there are and however clean its "
+    "characters") {
   TestWire bytes = wireOf();  // also 8E2 at 100000 baud
   bytes.edges.clear();
   bytes.ns = 2000000;
@@ -70,7 +72,8 @@ TEST_CASE("a signal without frames is never taken for S.Bus, whatever other sign
   CHECK(Decoded(vcdOf(bytes, bytes), "B").characters.size() == 200);  // since it was named
 }
 
-TEST_CASE("of two signals with frames, the one with more frames is decoded, though its first characters have more errors") {
+TEST_CASE(
+    "of two signals with frames, the one with more frames is decoded, though its first characters have more errors") {
   TestWire few;
   few.bytes(Neutral.bytes);
   few.gap(30000000);

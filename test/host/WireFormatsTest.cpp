@@ -106,7 +106,8 @@ TEST_CASE("the threshold is found again where the wire goes much further than be
   }
 }
 
-TEST_CASE("if several signals have the same name, it gets the module's name or the column's number; a wire has one name") {
+TEST_CASE(
+    "if several signals have the same name, it gets the module's name or the column's number; a wire has one name") {
   const std::string vcd = textOf(wireOf(), TestFormat::Vcd);
   const std::string var = "$var wire 1 ! RX $end\n";
   const std::string clocked = textOf(wireOf(), TestFormat::Saleae, true);
@@ -117,7 +118,9 @@ TEST_CASE("if several signals have the same name, it gets the module's name or t
   CHECK(Decoded(replaced(clocked, "RX", "")).signal == "3");
 }
 
-TEST_CASE("the channels of an oscilloscope or DSView have numbers or names, in one row or in two, also with trailing commas") {
+TEST_CASE(
+    "the channels of an oscilloscope or DSView have numbers or names, in one row or in two, also with trailing "
+    "commas") {
   const std::string saleae = textOf(wireOf(), TestFormat::Saleae, true);
   const std::string keysight = textOf(wireOf(), TestFormat::Keysight);
   const std::string dsView = textOf(wireOf(), TestFormat::DsView, true);

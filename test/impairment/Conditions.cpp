@@ -63,7 +63,6 @@ const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByt
                                     {9000, 50, Esp32Told, 256}};
 const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, ByteByByte, 256}, {14000, 50, Fifo, 256}};
 
-
 // For Fast S.Bus, half of these periods, and those of FrSky's ACCESS receivers, 4 to 9 ms.
 const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, ByteByByte}};
 const std::vector<Setup> FastHidden = {{2000, 50}, {3500, 1500}};

@@ -8,7 +8,8 @@
 
 namespace {
 
-// The times of S.BUS2's slots after the end of a frame, as measured on a Futaba R7008SB: PX4-Autopilot, sbus2_r7008SB.txt.
+// The times of S.BUS2's slots after the end of a frame, as measured on a Futaba R7008SB: PX4-Autopilot,
+// sbus2_r7008SB.txt.
 constexpr uint32_t FirstSlotUs = 2030;
 constexpr uint32_t SlotUs = 660;
 constexpr unsigned VoltageUpperBits = 0xC0;  // slot 0 is the receiver's own: its supply or the external voltage

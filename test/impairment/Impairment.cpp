@@ -1,4 +1,5 @@
-// Prints how the receiver and the baseline perform on every line: a table in Markdown, with a row for each line as it is done.
+// Prints how the receiver and the baseline perform on every line: a table in Markdown, with a row for each line as it
+// is done.
 //   FRAMES=n    frames of each line, setup and kind of sticks; 2000
 //   SEED=n      20181
 //   ONLY=x      only the lines whose names contain x

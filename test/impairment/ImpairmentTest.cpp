@@ -85,7 +85,8 @@ TEST_CASE("no frame is missed or wrong because of telemetry, stray characters, d
   }
 }
 
-TEST_CASE("a receiver that joins a line delivers no frame that was never sent, and a false sync ends at a gap that it sees") {
+TEST_CASE(
+    "a receiver that joins a line delivers no frame that was never sent, and a false sync ends at a gap that it sees") {
   for (const JoinLine &line : joinLines()) {
     for (const Payload sticks : JoinLine::sticks()) {
       hold(line, sticks);

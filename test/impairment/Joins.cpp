@@ -16,8 +16,8 @@ constexpr unsigned LastPlace = 23;
 constexpr const char *Unseen = "no gap is seen, and what may be a false sync is rejected";
 constexpr const char *Hidden = "nor is the cut, or the gap after it; then the two parts may be as long as a frame";
 
-// (A port that hands over 8 bytes at once hides so much of a gap of 3.3 ms that a loop of 1 ms misses it now and then: one
-// join of about 2000 delivers a frame that was never sent.)
+// (A port that hands over 8 bytes at once hides so much of a gap of 3.3 ms that a loop of 1 ms misses it now and then:
+// one join of about 2000 delivers a frame that was never sent.)
 bool gapsAreSeen(const Setup &setup) {
   return setup.periodUs >= (setup.loopUs <= 300 ? 6300 : 7000) && setup.loopUs <= 1000;
 }

@@ -72,7 +72,7 @@ class Judge {
   void settleOldest();
 
   static constexpr size_t Window = 128;    // frames: half a second of the densest line
-  static constexpr uint64_t Reach = 100;  // characters: a frame that is given later is another one that looks the same
+  static constexpr uint64_t Reach = 100;   // characters: a frame that is given later is another one that looks the same
 
   const uint64_t _learning;
   const unsigned _size;

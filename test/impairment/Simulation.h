@@ -18,7 +18,7 @@ struct Run {
   bool joining = false;        // the port is opened
   uint32_t joinUs = 0;         // this long after the line's first frame has begun
   uint32_t silenceUs = 20000;  // without `joining` this long before, and up to 9 ms longer
-  bool everyLoop = false;    // makes also the calls in a silence that change nothing
+  bool everyLoop = false;      // makes also the calls in a silence that change nothing
 };
 
 enum class Decoder { Ours, Papers };

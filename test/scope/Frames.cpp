@@ -1,5 +1,5 @@
-// Prints what the library decodes from a recording, as the page's "Save CSV" writes it: seconds, CH1..CH16, switches, flags.
-// It polls after each character, and once before, when nothing has come: as a sketch whose loop() is fast does.
+// Prints what the library decodes from a recording, as the page's "Save CSV" writes it: seconds, CH1..CH16, switches,
+// flags. It polls after each character, and once before, when nothing has come: as a sketch whose loop() is fast does.
 #include <cstdio>
 #include <string>
 

@@ -53,7 +53,8 @@ inline LongChannels readBitByBit(const LongFrame &frame) {
   return readPayload<24>(frame);
 }
 
-// Returns the whole frame for `channels` (0..2047, CH17 and CH18 0 or 1), with neither lost frame nor failsafe, end byte 00.
+// Returns the whole frame for `channels` (0..2047, CH17 and CH18 0 or 1), with neither lost frame nor failsafe, end
+// byte 00.
 inline Frame writeBitByBit(const Channels &channels) {
   Frame frame = writePayload<16, 25>(channels);
   frame[23] = static_cast<uint8_t>(channels[16] | channels[17] << 1);

@@ -1,7 +1,8 @@
 // How a core's driver hands over received characters.
 #pragma once
 
-// Hands over `burst` characters at once, or fewer when the line was idle for `idleCharacters`. Drops characters with errors.
+// Hands over `burst` characters at once, or fewer when the line was idle for `idleCharacters`. Drops characters with
+// errors.
 struct Driver {
   const char *name;
   unsigned burst;
@@ -12,8 +13,9 @@ struct Driver {
 
 // GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Source/stm32l0_uart.c: a DMA ring of 32 (variants/*/
 // variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, wherever a frame stands (53, 280), when
-// the line is idle for a character (653), and before a character with an error, which is dropped (529). What finds no place is
-// dropped, so the newest (125). begin() empties the ring and starts it again (379). All that is host::BoardUart's.
+// the line is idle for a character (653), and before a character with an error, which is dropped (529). What finds no
+// place is dropped, so the newest (125). begin() empties the ring and starts it again (379). All that is
+// host::BoardUart's.
 constexpr Driver Board = {"board", 16, 1};
 
 // arduino/ArduinoCore-avr 11b9130, cores/arduino/HardwareSerial_private.h:101: an interrupt a character. Only a parity

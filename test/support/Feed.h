@@ -109,8 +109,8 @@ struct FeederOf {
 
 using Feeder = FeederOf<sbus::Frame16>;
 
-// Returns the frames in `bytes`, without a gap, polled whenever `burst` of them have come; with `byEvents`, only then. A
-// header follows, for a frame that waits for it.
+// Returns the frames in `bytes`, without a gap, polled whenever `burst` of them have come; with `byEvents`, only then.
+// A header follows, for a frame that waits for it.
 inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = false) {
   Feeder feeder;
   if (!byEvents) {

@@ -1,6 +1,6 @@
-// The baseline: the paper's listing (J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", §4.3.3), written from
-// its description. It takes 25 bytes from a 0F on, and discards them all if the last is not 00. After 15 ms without a
-// call it forgets an incomplete frame.
+// The baseline: the paper's listing (J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper", §4.3.3), written
+// from its description. It takes 25 bytes from a 0F on, and discards them all if the last is not 00. After 15 ms
+// without a call it forgets an incomplete frame.
 #pragma once
 
 #include <stdint.h>

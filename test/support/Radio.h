@@ -26,8 +26,8 @@ struct Radio {
 
   Radio() { channels.fill(Rest); }
 
-  // Moves CH1 through its travel, lets it rest, and holds it at its high end, or at its low end if it rests less than 1/4
-  // below the high end.
+  // Moves CH1 through its travel, lets it rest, and holds it at its high end, or at its low end if it rests less than
+  // 1/4 below the high end.
   Radio(Extent travel, Extent rest, int deadZone = -1) : Radio() {
     if (deadZone >= 0) {
       calibrator.setDeadZone(static_cast<uint16_t>(deadZone));

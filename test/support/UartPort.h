@@ -14,8 +14,8 @@
 
 class UartPort : public HardwareSerial {
  public:
-  // Calls `beforeRead` before every read: a class that takes in two frames in one call has then finished with the first,
-  // which can be read.
+  // Calls `beforeRead` before every read: a class that takes in two frames in one call has then finished with the
+  // first, which can be read.
   explicit UartPort(
       unsigned long lineBaud = sbus::Baud, const Driver &driver = Board, size_t buffer = 64,
       std::function<void()> beforeRead = [] {})

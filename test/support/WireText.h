@@ -48,9 +48,9 @@ struct TestWire {
 };
 
 // PicoScope: the wire goes further up and down than it can measure. Owon: its program, with times that go back.
-// OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c:158 to 209, 276 to 313 (a row for each
-// change) and 365 to 391 (each sample); DsViewOld is from before DSView 1.2. PulseView...: libsigrok, src/output/csv.c.
-// Keysight: two rows of names, channels are numbers.
+// OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c:158 to 209, 276 to 313 (a row
+// for each change) and 365 to 391 (each sample); DsViewOld is from before DSView 1.2. PulseView...: libsigrok,
+// src/output/csv.c. Keysight: two rows of names, channels are numbers.
 enum class TestFormat { Vcd, Saleae, SaleaeIso, PulseView, PulseViewTimed, Scope, PicoScope, Rigol, Owon, OwonHandheld, DecimalCommas, DsView, DsViewOld, DsViewAnalogue, Keysight };
 constexpr TestFormat TestFormats[] = {TestFormat::Vcd,          TestFormat::Saleae,    TestFormat::SaleaeIso, TestFormat::PulseView,
                                       TestFormat::PulseViewTimed, TestFormat::Scope,   TestFormat::PicoScope, TestFormat::Rigol,
@@ -64,8 +64,8 @@ std::string printed(const char *format, Values... values) {
   return text;
 }
 
-// Returns the text of a capture of `wire`; samples are taken every microsecond. `second`: a second signal, a clock, comes
-// first if the format has several.
+// Returns the text of a capture of `wire`; samples are taken every microsecond. `second`: a second signal, a clock,
+// comes first if the format has several.
 inline std::string textOf(const TestWire &wire, TestFormat format, bool second = false) {
   const char idle = wire.inverted ? '0' : '1';
   const char active = wire.inverted ? '1' : '0';

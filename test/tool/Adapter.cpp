@@ -43,7 +43,8 @@ int main(int count, char **arguments) {
   while (!terminal.hasReader()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the program drops what comes before it has set the port
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(200));  // the program drops what comes before it has set the port
   const auto start = Clock::now();
   Random random(20181);
   ImpairedLine line(transmission(arguments[1], arguments[2], arguments[4]), 5000, random);

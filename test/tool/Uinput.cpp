@@ -138,7 +138,8 @@ void flush() {  // input.c 372: SYN_REPORT alone is no report
   device.report.clear();
 }
 
-void take(const input_event &event) {  // input.c 237; codes that were never set: 428, 265, 291; unchanged values: 222, 273
+void take(
+    const input_event &event) {  // input.c 237; codes that were never set: 428, 265, 291; unchanged values: 222, 273
   const std::string text = named(event.type, event.code, event.value);
   if (event.type == EV_SYN && event.code == SYN_REPORT) {
     return flush();

@@ -179,7 +179,9 @@ TEST_CASE("only a frame's last byte tells its end: a byte that others follow doe
   CHECK(!answers.takeFrameEnd());
 }
 
-TEST_CASE("the echo of its own characters is no sensor; other characters in their place are a collision, and no sensor either") {
+TEST_CASE(
+    "the echo of its own characters is no sensor; other characters in their place are a collision, and no sensor "
+    "either") {
   const uint8_t own[] = {sbus::slotId(2), 2, 0};
   const uint8_t torn[] = {sbus::slotId(2), 2};
   const uint8_t others[] = {sbus::slotId(2), 2, 1};

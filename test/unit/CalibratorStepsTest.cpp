@@ -1,4 +1,5 @@
-// The steps of a calibration: what each remembers, when a channel counts as held in the third, and what finish() returns.
+// The steps of a calibration: what each remembers, when a channel counts as held in the third, and what finish()
+// returns.
 #include <doctest/doctest.h>
 
 #include <vector>

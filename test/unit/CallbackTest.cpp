@@ -55,7 +55,8 @@ using Calling = CallingOf<DecodeSBus>;
 
 }  // namespace
 
-TEST_CASE("each frame is handed over once, at the poll that completes it, with its flags, also lost and failsafe frames") {
+TEST_CASE(
+    "each frame is handed over once, at the poll that completes it, with its flags, also lost and failsafe frames") {
   Calling board;
   asked = &board.sbus;
   board.firstFrame(Neutral.bytes);
@@ -75,7 +76,8 @@ TEST_CASE("each frame is handed over once, at the poll that completes it, with i
 }
 
 TEST_CASE(
-    "the function is not called before a frame, for half a frame, when frames stop, or after it is removed; begin() keeps it") {
+    "the function is not called before a frame, for half a frame, when frames stop, or after it is removed; begin() "
+    "keeps it") {
   Calling board;
   board.wait(20 * Ms);
   board.take(part(Neutral.bytes, 0, 24));
@@ -96,7 +98,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "of two frames in one poll it gets the newer one; it never gets a frame that is as old as the timeout when it is read") {
+    "of two frames in one poll it gets the newer one; it never gets a frame that is as old as the timeout when it is "
+    "read") {
   Calling board;
   board.firstFrame(Neutral.bytes);
   board.block(9 * Ms);
@@ -121,7 +124,8 @@ TEST_CASE("a run of lost frames as long as the loss limit is handed over as fail
   }
 }
 
-TEST_CASE("the other decoders call it as well: 24 channels, telemetry; DecodeSBusNoPulses repeats the channels before") {
+TEST_CASE(
+    "the other decoders call it as well: 24 channels, telemetry; DecodeSBusNoPulses repeats the channels before") {
   CallingOf<DecodeSBus2> telemetry;
   telemetry.firstFrame(Neutral.bytes);
   CHECK(calls.size() == 1);

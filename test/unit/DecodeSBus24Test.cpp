@@ -1,5 +1,5 @@
-// FrSky's 24 channels: which frames of 36 bytes are found, how the class decodes them, and that no line is taken for one
-// of the other size.
+// FrSky's 24 channels: which frames of 36 bytes are found, how the class decodes them, and that no line is taken for
+// one of the other size.
 #include <doctest/doctest.h>
 
 #include <climits>
@@ -109,7 +109,8 @@ TEST_CASE("a line with frames of the other size brings no frame, and all of its 
   }
 }
 
-TEST_CASE("after frames of the other size, the first right-sized frame between two gaps comes once the second gap is seen") {
+TEST_CASE(
+    "after frames of the other size, the first right-sized frame between two gaps comes once the second gap is seen") {
   for (const unsigned others : {1u, 2u, 20u}) {
     CAPTURE(others);
     Feeder line;

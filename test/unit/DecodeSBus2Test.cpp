@@ -169,7 +169,8 @@ TEST_CASE("a sensor that falls silent is read for 16 more rounds, a second, and 
 }
 
 TEST_CASE(
-    "a group that is not just slots changes no value, and is counted: a character missing or too many, two sensors in a slot") {
+    "a group that is not just slots changes no value, and is counted: a character missing or too many, two sensors in "
+    "a slot") {
   const struct {
     const char *what;
     std::function<void(std::vector<Answer> &)> change;

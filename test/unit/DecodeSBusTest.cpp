@@ -11,7 +11,9 @@
 #include "support/ShowArrays.h"
 #include "support/UartPort.h"
 
-TEST_CASE("the constructor leaves the port alone; begin() opens it once, at 100000 baud, 8E2, inverted, or with other settings") {
+TEST_CASE(
+    "the constructor leaves the port alone; begin() opens it once, at 100000 baud, 8E2, inverted, or with other "
+    "settings") {
   FakeBoard board;
   CHECK(board.port.openings.empty());
   board.sbus.begin();
@@ -33,7 +35,8 @@ TEST_CASE("the constructor leaves the port alone; begin() opens it once, at 1000
   CHECK(board.port.closings == 0);
 }
 
-TEST_CASE("end() closes the port, and the last frame can still be decoded; begin() forgets it, and an incomplete frame") {
+TEST_CASE(
+    "end() closes the port, and the last frame can still be decoded; begin() forgets it, and an incomplete frame") {
   OpenBoard board;
   board.firstFrame(PaperHigh.bytes);
   board.take(part(PaperLow.bytes, 0, 12));
@@ -228,7 +231,9 @@ TEST_CASE("a line without gaps is read whole by polls every 5 ms, at 200000 baud
   }
 }
 
-TEST_CASE("silence within a frame rejects it: read byte by byte more than five characters, polled by events eight and some us") {
+TEST_CASE(
+    "silence within a frame rejects it: read byte by byte more than five characters, polled by events eight and some "
+    "us") {
   const struct {
     unsigned long baud;
     bool byEvents;     // the sketch polls only when a byte has come

@@ -53,7 +53,8 @@ TEST_CASE("the first frame after begin() is sent at once, byte for byte as recei
   }
 }
 
-TEST_CASE("called in every loop() it sends once every period; late calls do not add up, also across a wrap of micros()") {
+TEST_CASE(
+    "called in every loop() it sends once every period; late calls do not add up, also across a wrap of micros()") {
   const struct {
     uint16_t period;
     uint32_t loop;  // us
@@ -102,7 +103,8 @@ TEST_CASE("no gap between two frames is shorter than half of what it should be, 
   }
 }
 
-TEST_CASE("a port gets a frame once it has room for it, or its largest room; a port that reports no room, when it is due") {
+TEST_CASE(
+    "a port gets a frame once it has room for it, or its largest room; a port that reports no room, when it is due") {
   const struct {
     const char *port;
     int most;  // bytes that it takes when its buffer is empty

@@ -41,7 +41,8 @@ void receive(FakeBoard &board, unsigned number) {
 
 }  // namespace
 
-TEST_CASE("with a 2F frame before each 0F frame, whatever the gaps, all frames come, without a discarded byte or a resync") {
+TEST_CASE(
+    "with a 2F frame before each 0F frame, whatever the gaps, all frames come, without a discarded byte or a resync") {
   for (const uint8_t end : {uint8_t{0x00}, uint8_t{0x04}, uint8_t{0x34}}) {
     for (const uint64_t gapUs : {0u, 120u, 600u, 2000u, 6000u, 9000u}) {
       for (const bool neutral : {false, true}) {

@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t Never = UINT32_MAX;
 
-// The most that things are late by, at random, in us. All others are as on an ESP32 (esp-idf 01b912a, driver/uart/uart.c,
-// uart_rx_intr_handler_default()).
+// The most that things are late by, at random, in us. All others are as on an ESP32 (esp-idf 01b912a,
+// driver/uart/uart.c, uart_rx_intr_handler_default()).
 struct Lateness {
   uint32_t interrupt;  // of the driver
   uint32_t poll;       // of one poll in 32
@@ -141,8 +141,7 @@ TEST_CASE("the last character that was handed over came within the bounds, or th
   }
 }
 
-TEST_CASE(
-    "after 1.9 ms a character in the FIFO is not known to be the newest: others may have come and been lost") {
+TEST_CASE("after 1.9 ms a character in the FIFO is not known to be the newest: others may have come and been lost") {
   for (const uint32_t waitUs : {300u, 1900u, 1901u, 20000u}) {
     CAPTURE(waitUs);
     sbus::FifoWatch watch;

@@ -47,7 +47,8 @@ TEST_CASE("tail: a gap behind a tail aligns the first frame only if there is als
   CHECK(judged({tailed, 30, 9, false, true}, noneSeen()) == "aligned");
 }
 
-TEST_CASE("other, first: before the first frame a line must show its gaps, and not look like one with the other frame size") {
+TEST_CASE(
+    "other, first: before the first frame a line must show its gaps, and not look like one with the other frame size") {
   const Bytes whole = Plain + Bytes{0x0F};
   CHECK(judged({whole, Far, 9, false, false}) == "accept");           // no gap was ever seen
   CHECK(judged({whole, Far, 9, false, false}, twoGaps(25)) == "not at gap 1");

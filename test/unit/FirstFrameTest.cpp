@@ -1,4 +1,5 @@
-// The first frame of a line: after a reset, on a line joined midway, and on lines with frames of other lengths or headers.
+// The first frame of a line: after a reset, on a line joined midway, and on lines with frames of other lengths or
+// headers.
 #include <doctest/doctest.h>
 
 #include "sbus/FrameFinder.h"
@@ -54,7 +55,8 @@ TEST_CASE("the first frame waits until a header 0F or 2F, or silence, follows it
   CHECK(line.feed(bytesOf(PaperHigh.bytes)) == Frames{PaperHigh.bytes});
 }
 
-TEST_CASE("where gaps are seen, the first frame begins at a gap, and is not the end of a longer frame that lost characters") {
+TEST_CASE(
+    "where gaps are seen, the first frame begins at a gap, and is not the end of a longer frame that lost characters") {
   for (size_t before = 0; before < 60; before++) {
     for (const bool header : {false, true}) {
       INFO("before ", before, ", header ", header);
@@ -118,7 +120,9 @@ TEST_CASE("no frame of 36 bytes, FrSky's 24 channels, is accepted, whatever CH17
   }
 }
 
-TEST_CASE("frames with header 2F, or of 36 bytes without flags at 23, cost none of the frames between them, and none is wrong") {
+TEST_CASE(
+    "frames with header 2F, or of 36 bytes without flags at 23, cost none of the frames between them, and none is "
+    "wrong") {
   for (const bool longOnes : {false, true}) {
     TimedLine line;
     Frames sent;

@@ -143,7 +143,8 @@ TEST_CASE("no byte from before a break completes a frame after it; the complete 
   }
 }
 
-TEST_CASE("all frames of every make are delivered, with flags, telemetry and tail, and then also those of another make") {
+TEST_CASE(
+    "all frames of every make are delivered, with flags, telemetry and tail, and then also those of another make") {
   const struct Make {
     const char *name;
     std::vector<uint8_t> ends;

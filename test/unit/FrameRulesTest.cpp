@@ -53,7 +53,9 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant
   }
 }
 
-TEST_CASE("2F: extra channels are accepted on a line of known variant, in their place or at a gap, before a gap or a header") {
+TEST_CASE(
+    "2F: extra channels are accepted on a line of known variant, in their place or at a gap, before a gap or a "
+    "header") {
   const Bytes extra = bytesOf(withByte(plainFrame(1), 0, ExtraHeader));
   const struct {
     const char *what;
@@ -79,7 +81,8 @@ TEST_CASE("2F: extra channels are accepted on a line of known variant, in their 
   }
 }
 
-TEST_CASE("slots: on an S.BUS2 line a slot's ID may follow, every eighth byte value; elsewhere it is a character too many") {
+TEST_CASE(
+    "slots: on an S.BUS2 line a slot's ID may follow, every eighth byte value; elsewhere it is a character too many") {
   for (unsigned byte = 0; byte < 256; byte++) {
     for (const unsigned end : {0x00u, 0x04u, 0x34u, 0x08u}) {
       const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + tailOf(static_cast<uint8_t>(end)) +
@@ -153,7 +156,9 @@ TEST_CASE("falseSync: out of sync an end byte and a header inside reject, up to 
   CHECK(judged({Plain + Bytes{0x0F}, Far, 30}) == "accept");
 }
 
-TEST_CASE("waits: a gap after a frame may prove that it is aligned, unless a short part may be the rest of the frame before") {
+TEST_CASE(
+    "waits: a gap after a frame may prove that it is aligned, unless a short part may be the rest of the frame "
+    "before") {
   for (size_t place = 2; place < 24; place++) {
     for (int offBy = -2; offBy < 30; offBy++) {
       INFO("place ", place, ", offBy ", offBy);

@@ -54,7 +54,8 @@ std::array<uint16_t, 16> unpackedExtra(const Frame &frame) {
 
 }  // namespace
 
-TEST_CASE("a frame begins with 0F, has flags 00..0F and ends with 00, 04, 08, 14, 24 or 34; other bytes may have any value") {
+TEST_CASE(
+    "a frame begins with 0F, has flags 00..0F and ends with 00, 04, 08, 14, 24 or 34; other bytes may have any value") {
   for (unsigned byte = 0; byte < 256; byte++) {
     CAPTURE(byte);
     const bool isEnd = std::count(std::begin(EndBytes), std::end(EndBytes), byte) == 1;

@@ -11,7 +11,8 @@ const Bytes Low = bytesOf(PaperLow.bytes);
 
 }  // namespace
 
-TEST_CASE("a frame's age counts from the last poll without its end, or what a port holds back before; a blocked loop adds") {
+TEST_CASE(
+    "a frame's age counts from the last poll without its end, or what a port holds back before; a blocked loop adds") {
   constexpr uint32_t Idle = 4 * Feeder::CharacterUs;
   for (const uint32_t start : {uint32_t{0}, UINT32_MAX - 50000}) {
     CAPTURE(start);
@@ -64,7 +65,9 @@ TEST_CASE("a frame behind as much noise as a large buffer can hold has the age o
   }
 }
 
-TEST_CASE("if the bytes behind the second frame make it look older than the first, there is a period only from the third on") {
+TEST_CASE(
+    "if the bytes behind the second frame make it look older than the first, there is a period only from the third "
+    "on") {
   Feeder line;
   REQUIRE(line.settle().feed(Low).empty());
   REQUIRE(line.wait(4000).waited.size() == 1);

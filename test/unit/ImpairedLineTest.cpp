@@ -22,7 +22,9 @@ Frames neutralFrames(unsigned count) {
 
 }  // namespace
 
-TEST_CASE("garbage, a byte too many, or the rest of a frame before the first one cost no frame once 50 characters show no gap") {
+TEST_CASE(
+    "garbage, a byte too many, or the rest of a frame before the first one cost no frame once 50 characters show no "
+    "gap") {
   std::vector<Bytes> rows = {
       {0x00}, {0xA5, 0x5A, 0xFF}, Bytes(100, 0xFF), {0x0F}, {0x0F, 0x0F, 0x0F}, {0xA5, 0x0F, 0xA5}, Bytes(23, 0x0F)};
   for (size_t index = 1; index < 25; index++) {
@@ -42,7 +44,9 @@ TEST_CASE("garbage, a byte too many, or the rest of a frame before the first one
   }
 }
 
-TEST_CASE("after a break at any character, failsafe frames, which allow a false sync, wait for a gap, and none is a false sync") {
+TEST_CASE(
+    "after a break at any character, failsafe frames, which allow a false sync, wait for a gap, and none is a false "
+    "sync") {
   for (const size_t burst : {1u, 16u, 25u}) {
     for (size_t missing = 0; missing < 25; missing++) {
       INFO("burst ", burst, ", missing ", missing);
@@ -84,7 +88,8 @@ TEST_CASE("up to 12 bytes lost at any place of a neutral frame cost that frame a
   }
 }
 
-TEST_CASE("any number of 0F that are no headers cost at most two frames on a line without gaps, and none where gaps are") {
+TEST_CASE(
+    "any number of 0F that are no headers cost at most two frames on a line without gaps, and none where gaps are") {
   const Frames all = neutralFrames(16);
   const Frames before(all.begin(), all.begin() + 2);
   const Frames after(all.begin() + 2, all.end());
@@ -108,7 +113,9 @@ TEST_CASE("any number of 0F that are no headers cost at most two frames on a lin
   }
 }
 
-TEST_CASE("silence within a frame rejects it; a loop() that is blocked there costs nothing, or the frame if it polls by events") {
+TEST_CASE(
+    "silence within a frame rejects it; a loop() that is blocked there costs nothing, or the frame if it polls by "
+    "events") {
   for (size_t cut = 1; cut < 25; cut++) {
     for (const bool neutral : {false, true}) {
       INFO("cut ", cut, ", neutral ", neutral);

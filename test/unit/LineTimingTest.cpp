@@ -99,7 +99,9 @@ TEST_CASE("an empty call proves silence once a burst would have been handed over
   CHECK_FALSE(line.isSilent<sbus::Frame16>());
 }
 
-TEST_CASE("a byte ended after the call before, less the characters behind it and the silence that a port waits for after each") {
+TEST_CASE(
+    "a byte ended after the call before, less the characters behind it and the silence that a port waits for after "
+    "each") {
   LineTiming line = afterByte(1000);
   line.empty(5000);
   line.empty(8000);
@@ -141,7 +143,8 @@ TEST_CASE("no gap is reported on a line without gaps, even of spread characters,
   }
 }
 
-TEST_CASE("if no call is ever empty, the shortest time between two calls replaces it, and proves a gap only if it is short") {
+TEST_CASE(
+    "if no call is ever empty, the shortest time between two calls replaces it, and proves a gap only if it is short") {
   const struct {
     const char *what;
     uint32_t periodUs;  // of the calls, at 100000 baud

@@ -154,8 +154,7 @@ TEST_CASE("a blocked loop costs some percent, for half a minute") {
   CHECK(line.run(5, good) == Extent{100, 100});
 }
 
-TEST_CASE(
-    "missing frames still lower it after a minute; if a receiver stays slower, its new rate is expected") {
+TEST_CASE("missing frames still lower it after a minute; if a receiver stays slower, its new rate is expected") {
   Line line(9000, 3000);
   const auto half = [](unsigned i) { return i % 2 == 0 ? Came::Not : Came::Good; };
   line.run(5, good);

@@ -1,5 +1,5 @@
-// Whether the channels may still be trusted: DecodeSBus's link states, timeout and age, also where clocks wrap (micros()
-// after 71 minutes, millis() after 49 days).
+// Whether the channels may still be trusted: DecodeSBus's link states, timeout and age, also where clocks wrap
+// (micros() after 71 minutes, millis() after 49 days).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -157,7 +157,9 @@ TEST_CASE("newFrame() is true from when a frame comes until it is decoded, stale
   }
 }
 
-TEST_CASE("frameAge() grows until micros() wraps, and then stays; a frame that comes a whole number of wraps later is young") {
+TEST_CASE(
+    "frameAge() grows until micros() wraps, and then stays; a frame that comes a whole number of wraps later is "
+    "young") {
   constexpr unsigned long Oldest = UINT32_MAX / 1000;  // ms
   for (const uint64_t asked : {Second, 20 * 60 * Second, Hour}) {
     for (const uint64_t start : {3 * Second, MicrosWrap - 10 * Ms, MillisWrap - 10 * Ms}) {
@@ -198,7 +200,8 @@ TEST_CASE("end() keeps the last frame until it is stale; begin() forgets frames,
   }
 }
 
-// loop() is blocked while the radio fails: the port's buffer is full of frames with the last sticks, or more of them came.
+// loop() is blocked while the radio fails: the port's buffer is full of frames with the last sticks, or more of them
+// came.
 TEST_CASE("frames that waited while the loop was blocked are as old as they can be, at whatever size of the buffer") {
   for (const size_t capacity : {64u, 512u}) {
     for (const uint64_t blockedUs : {150 * Ms, 10 * Second}) {

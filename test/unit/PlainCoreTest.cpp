@@ -18,7 +18,8 @@ struct PlainBoard : SyncedBoard {
 
 }  // namespace
 
-TEST_CASE("begin() opens the port at SERIAL_8E2; frames are read byte by byte: none is missed, no byte is read too early") {
+TEST_CASE(
+    "begin() opens the port at SERIAL_8E2; frames are read byte by byte: none is missed, no byte is read too early") {
   PlainBoard board;
   CHECK(board.port.openings.back().baud == 100000);
   CHECK(board.port.openings.back().config == SERIAL_8E2);
@@ -33,7 +34,9 @@ TEST_CASE("begin() opens the port at SERIAL_8E2; frames are read byte by byte: n
   CHECK(board.port.available() == 0);
 }
 
-TEST_CASE("a buffer that holds 63 bytes at most is full with 63: what follows the break does not complete the torn third frame") {
+TEST_CASE(
+    "a buffer that holds 63 bytes at most is full with 63: what follows the break does not complete the torn third "
+    "frame") {
   PlainBoard board;
   board.frame(Sbus2.bytes);
   CHECK(board.take(join({PaperLow.bytes, PaperHigh.bytes, Neutral.bytes})) == 63);
@@ -45,7 +48,9 @@ TEST_CASE("a buffer that holds 63 bytes at most is full with 63: what follows th
   CHECK(board.channels() == Neutral.channels);
 }
 
-TEST_CASE("a port that may wait for four idle characters, read byte by byte, shows a gap from eight characters of silence on") {
+TEST_CASE(
+    "a port that may wait for four idle characters, read byte by byte, shows a gap from eight characters of silence "
+    "on") {
   for (const uint32_t quietUs : {960u, 961u}) {
     CAPTURE(quietUs);
     PlainBoard board;

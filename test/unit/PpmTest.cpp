@@ -48,7 +48,8 @@ const std::vector<int> Centred(8, 1500);
 
 }  // namespace
 
-TEST_CASE("a frame has eight channels between nine pulses of 300 us, 22500 us in all; values out of range are clamped") {
+TEST_CASE(
+    "a frame has eight channels between nine pulses of 300 us, 22500 us in all; values out of range are clamped") {
   const struct {
     std::vector<int> us, sent;
     int sync;
@@ -74,8 +75,7 @@ TEST_CASE("a frame has eight channels between nine pulses of 300 us, 22500 us in
   }
 }
 
-TEST_CASE(
-    "before the first channels there are no pulses; stop() lets a frame end, and then there are none") {
+TEST_CASE("before the first channels there are no pulses; stop() lets a frame end, and then there are none") {
   Ppm ppm;
   CHECK(isSilent(ppm));
   ppm.stop();

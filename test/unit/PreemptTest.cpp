@@ -119,7 +119,9 @@ void everyInstruction(const Reader &reader, const Check &check, const Situations
 
 }  // namespace
 
-TEST_CASE("decodeSBusFrame() gives one frame with its own flags, or none if it is stale; newFrame() says if it was the newest") {
+TEST_CASE(
+    "decodeSBusFrame() gives one frame with its own flags, or none if it is stale; newFrame() says if it was the "
+    "newest") {
   Decoded decoded;
   everyInstruction(
       [&](FakeBoard &board) { decoded = board.decode(); },
@@ -191,7 +193,8 @@ TEST_CASE("frameAge() is the age of one of the frames, never below zero, and non
                    });
 }
 
-TEST_CASE("newFrame() and counters() include the frames before the interrupt, and all, some or none of those during it") {
+TEST_CASE(
+    "newFrame() and counters() include the frames before the interrupt, and all, some or none of those during it") {
   bool fresh = false;
   uint32_t frames = 0;
   everyInstruction(
@@ -296,7 +299,8 @@ TEST_CASE("this proof finds the fault of a reader that does not repeat its read"
 }
 
 // On an ESP32 next() runs in a task on another core, which Wi-Fi may stop while loop() goes round.
-TEST_CASE("PpmOut: a frame has the channels of one write(), though two more writes come after any instruction of next()") {
+TEST_CASE(
+    "PpmOut: a frame has the channels of one write(), though two more writes come after any instruction of next()") {
   static Ppm *ppm;
   static int16_t us;
   const auto write = [] {

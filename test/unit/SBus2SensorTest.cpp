@@ -73,7 +73,8 @@ constexpr sbus::CurrentF1678 Current = {2345, 1234, 1500};
 
 }  // namespace
 
-TEST_CASE("with a loop() of up to 75 us nearly every slot is answered, within 50 us of its time, and no frame is lost") {
+TEST_CASE(
+    "with a loop() of up to 75 us nearly every slot is answered, within 50 us of its time, and no frame is lost") {
   for (const uint32_t loopUs : {10u, 37u, 50u, 75u}) {
     CAPTURE(loopUs);
     Sketch sketch;

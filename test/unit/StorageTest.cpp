@@ -28,7 +28,8 @@ struct Plain {
   }
 };
 
-// The EEPROM of ESP32, ESP8266 and arduino-pico: before begin(size) there is nothing, and without commit() nothing stays.
+// The EEPROM of ESP32, ESP8266 and arduino-pico: before begin(size) there is nothing, and without commit() nothing
+// stays.
 struct InFlash {
   uint8_t flash[Size] = {};
   uint8_t copy[Size] = {};

@@ -58,7 +58,8 @@ Screen::Screen() {
   FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen("/dev/tty", "r");  // of sbus monitor -
   _screen = keys == nullptr ? nullptr : newterm(nullptr, stdout, keys);
   if (_screen == nullptr) {
-    throw std::runtime_error("the terminal cannot show a page; set TERM to the terminal's type, or print lines instead: | cat");
+    throw std::runtime_error(
+        "the terminal cannot show a page; set TERM to the terminal's type, or print lines instead: | cat");
   }
   cbreak();
   noecho();

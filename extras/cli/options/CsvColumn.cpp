@@ -70,9 +70,10 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
     const size_t comma = text.find(',', begin);
     const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
     if (!append(word, columns)) {
-      rejectCommandLine("--columns: \"" + word +
-                        "\" is no column; there are ch1 to ch32, spans such as ch1-ch4, failsafe, lostframe, time, state, age "
-                        "and quality");
+      rejectCommandLine(
+          "--columns: \"" + word +
+          "\" is no column; there are ch1 to ch32, spans such as ch1-ch4, failsafe, lostframe, time, state, age "
+          "and quality");
     }
     begin = comma == std::string::npos ? comma : comma + 1;
   }

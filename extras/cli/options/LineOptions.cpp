@@ -23,11 +23,10 @@ LineOptions::LineOptions(Subcommand &subcommand) {
       subcommand.option("--baud", _baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
           .oneOf({100000, 200000})
           .type("100000|200000");
-  const Option channels = subcommand
-                              .option("--channels", _channels,
-                                      "channels of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
-                              .oneOf({16, 24, 32})
-                              .type("16|24|32");
+  const Option channels =
+      subcommand.option("--channels", _channels, "channels of sim; 24: FrSky's, 32: Futaba's FASSTest 26 (16)")
+          .oneOf({16, 24, 32})
+          .type("16|24|32");
   const Option sticks = subcommand.option("--sticks", _sticks, "how the sticks of sim move (flight)")
                             .oneOf({"flight", "calibration"})
                             .type("flight|calibration");

@@ -37,7 +37,8 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
 
 enum class Kind { Port, File, Stream, Simulated };
 
-// Returns what the name stands for. One that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
+// Returns what the name stands for. One that does not exist is a port's if it begins with /dev/, otherwise a missing
+// file's.
 Kind kindOf(const std::string &name) {
   if (name == "sim") {
     return Kind::Simulated;

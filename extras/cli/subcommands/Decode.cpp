@@ -168,8 +168,9 @@ void addDecode(CLI::App &app) {
       .oneOf({"yes", "no"})
       .type("yes|no");
   subcommand
-      .option("--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
-              "samples a second; each row or bit is one (as the capture says)")
+      .option(
+          "--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
+          "samples a second; each row or bit is one (as the capture says)")
       .between(1, 1e10)
       .type("HZ");
   subcommand

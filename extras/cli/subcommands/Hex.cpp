@@ -248,7 +248,8 @@ void addHex(CLI::App &app) {
       .excludes(values)
       .excludes(delta);
   subcommand
-      .option("--width", options->width, "breaks lines at this many columns (the terminal's; elsewhere lines are whole)")
+      .option("--width", options->width,
+              "breaks lines at this many columns (the terminal's; elsewhere lines are whole)")
       .between(LeastWidth, 1000)
       .type("N");
   subcommand.option("--color", options->colour, "auto: on a terminal (auto)")

@@ -62,8 +62,8 @@ const std::pair<const char *, const char *> Modes[] = {{"mode1", "4,-2,5,1,-3,6,
                                                        {"mode4", "1,-3,5,4,-2,6,7,8"}};
 
 [[noreturn]] void rejectMap(const std::string &text) {
-  rejectCommandLine("--map: mode1 to mode4, or eight different channels of 16 such as 1,2,3,-4,5,6,7,8 are expected, not " +
-                    text);
+  rejectCommandLine(
+      "--map: mode1 to mode4, or eight different channels of 16 such as 1,2,3,-4,5,6,7,8 are expected, not " + text);
 }
 
 Map mapOf(const std::string &text) {
@@ -232,7 +232,8 @@ void addJoystick(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand
-      .option("--calibration", options->calibration, "for the channels in FILE, from sbus calibrate, in place of --range")
+      .option("--calibration", options->calibration,
+              "for the channels in FILE, from sbus calibrate, in place of --range")
       .notEmpty()
       .type("FILE");
   subcommand
@@ -251,8 +252,7 @@ void addJoystick(CLI::App &app) {
                   "says at the end how long it took from the read of a frame's last byte to the event");
   subcommand.footer(
       "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
-      "for "
-      "games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how to get "
+      "for games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how to get "
       "it.");
   subcommand.run([source, options] { run(*source, *options); });
 }

@@ -25,9 +25,8 @@ struct Options {
 
 TimedRows rowsOf(const Options &options) {
   if (options.from.empty() == options.values.empty()) {
-    rejectCommandLine(options.from.empty()
-                          ? "CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv"
-                          : "--from: replaces " + options.values.front() + "; leave one of them out");
+    rejectCommandLine(options.from.empty() ? "CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv"
+                                           : "--from: replaces " + options.values.front() + "; leave one of them out");
   }
   if (!options.from.empty()) {
     return readTimedRows(options.from);
@@ -52,7 +51,8 @@ void run(Options options) {
   settings.baud = options.baud;
   const auto periodUs = static_cast<uint64_t>(options.periodMs * 1000);
   if (periodUs <= sbus::FrameSize * settings.characterUs()) {
-    rejectCommandLine("--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected");
+    rejectCommandLine(
+        "--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected");
   }
   Sending(options.port)
       .run(
@@ -75,16 +75,14 @@ void addSend(CLI::App &app) {
   subcommand.option("--from", options->from, "a file of rows as sbus csv writes them, in place of values")
       .notEmpty()
       .type("FILE.csv");
-  subcommand.option("--period", options->periodMs, "the frame period, ms (9)")
-      .between(1, 1000)
-      .type("MS");
+  subcommand.option("--period", options->periodMs, "the frame period, ms (9)").between(1, 1000).type("MS");
   subcommand.option("--baud", options->baud, "of the port: 200000 for Fast S.Bus (100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
   subcommand.option("--seconds", options->seconds, "end after this many seconds").seconds().type("S");
   subcommand.footer(
-      "A channel without a value is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are off. A "
-      "serial port's TXD must be inverted to drive a flight controller.");
+      "A channel without a value is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are "
+      "off. A serial port's TXD must be inverted to drive a flight controller.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -50,7 +50,8 @@ void addWave(CLI::App &app) {
       .notEmpty()
       .type("");
   subcommand.option("-o,--output", options->output, "a file (standard output)").type("FILE.vcd");
-  subcommand.option("--baud", options->baud, "the line's baud rate: 200000 for Fast S.Bus (as the recording says, or 100000)")
+  subcommand
+      .option("--baud", options->baud, "the line's baud rate: 200000 for Fast S.Bus (as the recording says, or 100000)")
       .oneOf({100000, 200000})
       .type("N");
   subcommand.flag("--uninverted", options->uninverted, "idle is HIGH, as on a receiver's uninverted pad");

@@ -1,5 +1,5 @@
-// EEPROM: memory that keeps its contents without power. Here the file of --eeprom keeps them; without it they last until
-// the program ends.
+// EEPROM: memory that keeps its contents without power. Here the file of --eeprom keeps them; without it they last
+// until the program ends.
 #pragma once
 
 #include <stddef.h>

@@ -1,4 +1,5 @@
-// HardwareSerial: a serial port as a library sees it. It is abstract, as on the board, so that a test can supply its own.
+// HardwareSerial: a serial port as a library sees it. It is abstract, as on the board, so that a test can supply its
+// own.
 #pragma once
 
 #include "SerialConfig.h"

@@ -8,9 +8,9 @@
 
 namespace host {
 
-// Bytes wait in a ring of 64. The UART gets them in packets: the bytes that wait when the packet before has been sent, up
-// to 32, and not across the ring's end. The places of a packet become free all at once, when its last character has been
-// sent; on the wire the characters stand back to back, whatever packet they belong to.
+// Bytes wait in a ring of 64. The UART gets them in packets: the bytes that wait when the packet before has been sent,
+// up to 32, and not across the ring's end. The places of a packet become free all at once, when its last character has
+// been sent; on the wire the characters stand back to back, whatever packet they belong to.
 //
 // A plainer core, such as the AVR's, keeps one place of the ring free and has packets of one byte.
 //

@@ -9,8 +9,8 @@
 namespace host {
 
 // The UART's DMA fills a ring of 32 bytes. The ring is handed over to the receive buffer at its middle, at its end,
-// when the line has been idle for a character, and when a character has an error. If the buffer is full, the newest bytes
-// are dropped; characters with errors are always dropped. Neither leaves a trace that a sketch could see.
+// when the line has been idle for a character, and when a character has an error. If the buffer is full, the newest
+// bytes are dropped; characters with errors are always dropped. Neither leaves a trace that a sketch could see.
 //
 // Time comes in as an argument and must not go backwards.
 class BoardUart {

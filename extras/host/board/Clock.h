@@ -7,8 +7,8 @@
 namespace host {
 
 // The sketch's time advances only when something takes time: a call of loop(), a delay, reading the clock. With
-// Pace::Real the sketch then waits until the PC's clock has caught up. So both paces call loop() at the same times, and a
-// PC that stops for 50 ms costs no bytes: the sketch catches up.
+// Pace::Real the sketch then waits until the PC's clock has caught up. So both paces call loop() at the same times, and
+// a PC that stops for 50 ms costs no bytes: the sketch catches up.
 class Clock {
  public:
   enum class Pace { Simulated, Real };

@@ -14,8 +14,8 @@ class SketchInput {
  public:
   static constexpr size_t BufferSize = 256;
 
-  // If it is `patient`, it waits until a pipe or a file has filled the buffer, or has ended, so that every run reads the
-  // same bytes. It no longer waits for a pipe that has been silent for a second.
+  // If it is `patient`, it waits until a pipe or a file has filled the buffer, or has ended, so that every run reads
+  // the same bytes. It no longer waits for a pipe that has been silent for a second.
   void setPatient(bool patient) { _patient = patient; }
 
   // It must outlive the sketch.

@@ -115,8 +115,8 @@ Options parseOptions(int argc, char **argv) {
   const std::map<int, line::Channels> kinds = {
       {16, line::Channels::Sixteen}, {24, line::Channels::TwentyFour}, {32, line::Channels::ThirtyTwo}};
   int channels = 16;
-  auto *channelsOption =
-      app.add_option("--channels", channels, "channels of the simulated receiver; 24: FrSky's, 32: Futaba's FASSTest 26 (16)");
+  auto *channelsOption = app.add_option(
+      "--channels", channels, "channels of the simulated receiver; 24: FrSky's, 32: Futaba's FASSTest 26 (16)");
   channelsOption->check(CLI::IsMember({16, 24, 32}).description(""))
       ->type_name("16|24|32")
       ->excludes(port)

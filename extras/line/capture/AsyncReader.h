@@ -1,7 +1,7 @@
 // The characters that Saleae's Async Serial analyser has decoded, as Logic 1 exports them ("Time [s],Value,Parity
 // Error,Framing Error": saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103) and Logic 2 does, in a table with a
-// row for each (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader turns
-// them into the levels of a wire again.
+// row for each (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader
+// turns them into the levels of a wire again.
 #pragma once
 
 #include "line/capture/Capture.h"

@@ -1,5 +1,5 @@
-// Reads a recording of the wire itself, as a logic analyser or an oscilloscope makes it: text in one of several formats,
-// line by line, with constant memory.
+// Reads a recording of the wire itself, as a logic analyser or an oscilloscope makes it: text in one of several
+// formats, line by line, with constant memory.
 #pragma once
 
 #include <cstdint>

@@ -75,8 +75,8 @@ void Header::row(const Fields &fields) {
   }
 }
 
-// Finds the first rows, and reads what stands before them. All rows have the same number of fields; it needs two of them,
-// if the file has two.
+// Finds the first rows, and reads what stands before them. All rows have the same number of fields; it needs two of
+// them, if the file has two.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
   uint64_t lines = 0;

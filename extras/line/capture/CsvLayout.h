@@ -31,8 +31,8 @@ struct CsvLayout {
   bool timeOf(std::string_view field, double &ns) const;
 };
 
-// Finds the layout. Returns what is wrong and what is expected, or nothing. `head` is the file's first lines, `periodNs`
-// the time between two rows, whatever the file says; 0: as the file says.
+// Finds the layout. Returns what is wrong and what is expected, or nothing. `head` is the file's first lines,
+// `periodNs` the time between two rows, whatever the file says; 0: as the file says.
 std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs = 0);
 
 }  // namespace line

@@ -1,5 +1,5 @@
-// Reads a session of sigrok and PulseView (.sr): "metadata" and samples, both unpacked already; libsigrok, src/session_file.c,
-// sr_session_load(), and src/session_driver.c, stream_session_data().
+// Reads a session of sigrok and PulseView (.sr): "metadata" and samples, both unpacked already; libsigrok,
+// src/session_file.c, sr_session_load(), and src/session_driver.c, stream_session_data().
 #pragma once
 
 #include "line/capture/Capture.h"

@@ -11,7 +11,8 @@ class SigrokTextReader : public CaptureReader {
   // Returns true if a text begins as these do.
   static bool isHead(std::string_view head);
 
-  // `head` is the beginning of the text, `periodNs` the time between two samples, whatever the text says; 0: as it says.
+  // `head` is the beginning of the text, `periodNs` the time between two samples, whatever the text says; 0: as it
+  // says.
   SigrokTextReader(std::string_view head, LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;

@@ -13,7 +13,8 @@ class Threshold {
   // Takes a wire that goes up and down by `swing` volts around `middle`; 0: each crossing of the middle is an edge.
   Threshold(double middle, double swing) : _low(middle - Hysteresis * swing), _high(middle + Hysteresis * swing) {}
 
-  // Takes the range of voltages. An infinite voltage, beyond the instrument's range, counts as two spans beyond the others.
+  // Takes the range of voltages. An infinite voltage, beyond the instrument's range, counts as two spans beyond the
+  // others.
   struct Range {
     double least;
     double span;

@@ -1,5 +1,5 @@
-// Reads a value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its signals
-// are scalar variables and the bits of vectors; it ignores reals.
+// Reads a value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its
+// signals are scalar variables and the bits of vectors; it ignores reals.
 #pragma once
 
 #include <array>

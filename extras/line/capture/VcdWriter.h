@@ -14,8 +14,8 @@ class VcdWriter {
   // 100000 or 200000 baud: a bit then lasts whole microseconds.
   explicit VcdWriter(const LineSettings &settings) : _settings(settings) {}
 
-  // Takes the next character. If the first one begins at time 0 or before, no level would stand before its edge: then all
-  // characters are shifted, so that the first begins after a character's time.
+  // Takes the next character. If the first one begins at time 0 or before, no level would stand before its edge: then
+  // all characters are shifted, so that the first begins after a character's time.
   std::string put(Character character);
 
   // Ends the text: the line stays idle for a character.

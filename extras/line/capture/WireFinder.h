@@ -29,7 +29,8 @@ struct FoundWire {
   unsigned long frames = 0;  // of the sample: a wire without any carries no S.Bus
   unsigned channels = 16;    // 16, 24 or 32, as the frames have
 
-  // Returns true if most characters of the sample have a right parity and stop bit. Those of other lines may have it too.
+  // Returns true if most characters of the sample have a right parity and stop bit. Those of other lines may have it
+  // too.
   bool hasCharacters() const { return good >= 4 && good >= 2 * bad; }
   double share() const { return good == 0 ? 0 : static_cast<double>(good) / (good + bad); }
   // Returns by how much the wire is too fast: 0.01 is 1 %.

@@ -115,7 +115,8 @@ PortFile::PortFile(const std::string &device, const LineSettings &settings, Way 
       sp_get_port_handle(port, &_file) != SP_OK) {
     LineSettings wanted = settings;
     wanted.polarity = Polarity::Either;
-    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) + "; use one that can, such as FTDI's");
+    throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) +
+                             "; use one that can, such as FTDI's");
   }
 }
 

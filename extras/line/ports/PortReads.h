@@ -1,6 +1,6 @@
-// Turns the reads of a port into characters with times. A port hands bytes over late and in bursts: an FTDI adapter every
-// 16 ms, in packets of 62. Bytes that came in one read may have any gaps between them. Between two reads the line was silent
-// only for as long as the port was found empty, less the port's latency.
+// Turns the reads of a port into characters with times. A port hands bytes over late and in bursts: an FTDI adapter
+// every 16 ms, in packets of 62. Bytes that came in one read may have any gaps between them. Between two reads the line
+// was silent only for as long as the port was found empty, less the port's latency.
 #pragma once
 
 #include <algorithm>

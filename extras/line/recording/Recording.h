@@ -90,8 +90,8 @@ constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  //
 
 constexpr size_t RecordingBeginning = 4096;  // bytes of a file that show what it is
 
-// Returns the settings of the recorded line, by a comment as RecordingWriter::opened() writes it before the first character:
-// Fast S.Bus, or a sketch's Serial, 8N1; S.Bus without such a comment.
+// Returns the settings of the recorded line, by a comment as RecordingWriter::opened() writes it before the first
+// character: Fast S.Bus, or a sketch's Serial, 8N1; S.Bus without such a comment.
 LineSettings settingsIn(std::string_view beginning);
 
 // Returns true if the text is no recording, but the rows that a sketch prints.
@@ -100,9 +100,9 @@ bool isCsvText(std::string_view beginning);
 // Takes a recording line by line.
 class RecordingReader {
  public:
-  // `characterUs` is the time of a character on the line. If `csv`, the lines are a sketch's rows. They come every 200 ms,
-  // as the examples print them, or at the times of their first column, if its name is "time" or "seconds", as sbus csv
-  // and the scope write them.
+  // `characterUs` is the time of a character on the line. If `csv`, the lines are a sketch's rows. They come every 200
+  // ms, as the examples print them, or at the times of their first column, if its name is "time" or "seconds", as sbus
+  // csv and the scope write them.
   explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
       : _characterUs(characterUs), _csv(csv) {}
 

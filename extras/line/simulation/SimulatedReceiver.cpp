@@ -49,7 +49,8 @@ bool SimulatedReceiver::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
-// Beyond the hand's six each channel swings by 100; a higher number swings higher and more slowly, so that curves differ.
+// Beyond the hand's six each channel swings by 100; a higher number swings higher and more slowly, so that curves
+// differ.
 void SimulatedReceiver::move(uint32_t ms) {
   uint16_t channels[sbus::ChannelCount];
   _choreography.move(_frameNumber, ms, channels);

@@ -1,5 +1,5 @@
-// Simulates a receiver, so that a sketch can be tried without one: an FrSky R-XSR, 111 frames a second; or one with more
-// channels.
+// Simulates a receiver, so that a sketch can be tried without one: an FrSky R-XSR, 111 frames a second; or one with
+// more channels.
 #pragma once
 
 #include "line/simulation/Choreography.h"

@@ -4,7 +4,8 @@
 
 namespace scope {
 
-// A few valid characters without a header are no lost frame: some receivers send a tail. FrameMin of them or more are one.
+// A few valid characters without a header are no lost frame: some receivers send a tail. FrameMin of them or more are
+// one.
 uint64_t Damage::take(const line::Stretch &stretch, bool followsSlots) {
   constexpr size_t FrameMin = sbus::FrameSize - sbus::rules::MostNoise;
   if (stretch.isFrame()) {

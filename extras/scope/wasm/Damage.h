@@ -7,9 +7,9 @@ namespace scope {
 
 class Damage {
  public:
-  // Takes the next stretch; `followsSlots`: it is a frame, and proves that what was before it is telemetry. Returns when
-  // the first damaged bytes since the last frame had come, in us, as soon as they are certainly damaged; otherwise 0.
-  // Bytes before the first frame are half of one, and do not count.
+  // Takes the next stretch; `followsSlots`: it is a frame, and proves that what was before it is telemetry. Returns
+  // when the first damaged bytes since the last frame had come, in us, as soon as they are certainly damaged; otherwise
+  // 0. Bytes before the first frame are half of one, and do not count.
   uint64_t take(const line::Stretch &stretch, bool followsSlots);
 
  private:

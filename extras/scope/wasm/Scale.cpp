@@ -76,7 +76,8 @@ EXPORT(calibrationErrorText)(int error)->const char * {
   return sbus::text(static_cast<sbus::CalibrationError>(error));
 }
 
-// Bit 0 of `required` is CH1. Returns the channel that failed, from 0 on, or -1: Scale::Calibrated then uses the calibration.
+// Bit 0 of `required` is CH1. Returns the channel that failed, from 0 on, or -1: Scale::Calibrated then uses the
+// calibration.
 EXPORT(finishCalibration)(unsigned required)->int {
   uint8_t channel = 0;
   finishError = calibrator.finish(static_cast<uint16_t>(required), calibration, channel);

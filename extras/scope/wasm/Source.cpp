@@ -89,8 +89,8 @@ EXPORT(needsMore)()->int {
   return theScope.played && theScope.played->needsMore();
 }
 
-// Takes all that has come by `nowUs`. Returns how many records there are then. If there are Scope::Enough, call it again
-// once they are taken away; if needsMore(), once it is fed.
+// Takes all that has come by `nowUs`. Returns how many records there are then. If there are Scope::Enough, call it
+// again once they are taken away; if needsMore(), once it is fed.
 EXPORT(advance)(double nowUs)->unsigned {
   theScope.advance(us(nowUs));
   return static_cast<unsigned>(theScope.records.size());

@@ -145,8 +145,8 @@ TEST_CASE("with a loop() blocked for up to 100 ms no frame is wrong, and only fr
           Delivered delivered;
           delivered.loop(dSBus, loopUs, blockedUs);
           CHECK(delivered.wrong == 0);
-          // A loss tears a frame before it and a frame after it. Bytes that wait behind the buffer are not read: they may
-          // be from before the loss or after it.
+          // A loss tears a frame before it and a frame after it. Bytes that wait behind the buffer are not read: they
+          // may be from before the loss or after it.
           const unsigned tornEach = 2 + SBUS_PORT.uart.behind() / 25;
           CHECK(Frames - delivered.numbers.size() <= world.dropped / 25 + tornEach * dSBus.counters().overflows);
           CHECK(dSBus.counters().overflows >= delivered.lossyPolls);

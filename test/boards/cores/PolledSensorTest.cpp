@@ -78,8 +78,8 @@ void run(Sketch &sketch, unsigned loopUs, uint64_t seconds = Seconds) {
 }  // namespace
 
 TEST_CASE_TEMPLATE(
-    "with a loop() of up to 60 us nearly every slot is answered, within 50 us of its time, and no frame is lost", Sketch,
-    WithDiode, OnSingleWire) {
+    "with a loop() of up to 60 us nearly every slot is answered, within 50 us of its time, and no frame is lost",
+    Sketch, WithDiode, OnSingleWire) {
   for (const unsigned earlyUs : {0u, 15u}) {
     for (const unsigned loopUs : {1u, 10u, 37u, 60u}) {
       CAPTURE(earlyUs);
@@ -172,8 +172,7 @@ TEST_CASE(
   CHECK(sending >= 300);
 }
 
-TEST_CASE(
-    "on a single wire, interrupts that are off for up to 100 us hold the wire no longer, and no frame is lost") {
+TEST_CASE("on a single wire, interrupts that are off for up to 100 us hold the wire no longer, and no frame is lost") {
   OnSingleWire sketch;
   sketch.wire.mayHoldUs = 100;
   sketch.run([&] {

@@ -16,7 +16,8 @@ constexpr uint64_t Seconds = 100;
 constexpr unsigned Rounds = static_cast<unsigned>(Seconds * Second / 60000);
 constexpr unsigned Slots = 5;  // that the board fills
 
-// An S.BUS2 wire at Serial1. It measures how far off their times answers start; the judge does that for right answers only.
+// An S.BUS2 wire at Serial1. It measures how far off their times answers start; the judge does that for right answers
+// only.
 struct Bus : sim::Wire {
   static constexpr int Pin = sim::CorePin;
   line::SimulatedBus bus;

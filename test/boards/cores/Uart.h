@@ -24,8 +24,8 @@ struct Facts {
   unsigned discarded;
 };
 
-// What a full buffer loses. Fifo: bytes that do not fit are stashed, later ones wait in a FIFO, and when that is full, all
-// of it is lost (esp-idf v5.1.4, components/driver/uart/uart.c:923 and 982).
+// What a full buffer loses. Fifo: bytes that do not fit are stashed, later ones wait in a FIFO, and when that is full,
+// all of it is lost (esp-idf v5.1.4, components/driver/uart/uart.c:923 and 982).
 enum Drops { Newest, Oldest, Fifo };
 
 struct Settings {
@@ -45,7 +45,8 @@ class Uart {
   // Not wired: receives nothing, and what it sends is printed().
   explicit Uart(const Facts &facts, Drops drops = Newest, bool wired = true);
 
-  // Opens with an empty buffer. Half duplex: TX is the wire; it is driven only while the port sends, and not heard then.
+  // Opens with an empty buffer. Half duplex: TX is the wire; it is driven only while the port sends, and not heard
+  // then.
   void open(const Settings &settings, bool isHalfDuplex = false);
   void change(const Settings &settings);  // of an open port, or opens it
   void close();

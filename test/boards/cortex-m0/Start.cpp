@@ -73,7 +73,8 @@ void start() {
   exit(program(known ? split(line, words, 15) : 0, words));
 }
 
-// A Cortex-M0 has this one fault for all causes: an unaligned access, an address without memory, an undefined instruction.
+// A Cortex-M0 has this one fault for all causes: an unaligned access, an address without memory, an undefined
+// instruction.
 void fault() {
   semihosting(Semihosting::Write0, "HardFault\n");
   exitWith(FaultStatus);

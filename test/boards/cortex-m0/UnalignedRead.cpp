@@ -1,5 +1,5 @@
-// Reads a word from an odd address. A Cortex-M0 faults there, so this program must not end by itself: if QEMU were lenient,
-// the unit programs would prove nothing about alignment.
+// Reads a word from an odd address. A Cortex-M0 faults there, so this program must not end by itself: if QEMU were
+// lenient, the unit programs would prove nothing about alignment.
 #include <stdint.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-// A sketch that prints what has come over Serial1. It is no .ino, so that tools that look for sketches find the examples
-// only. Sends every second
+// A sketch that prints what has come over Serial1. It is no .ino, so that tools that look for sketches find the
+// examples only. Sends every second
 //   frames,discarded  since the beginning: frames, and bytes that belong to none
 // and when SBusFrameOk() changes
 //   ok,0 or 1,us      and the time, as micros() has it

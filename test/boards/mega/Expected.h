@@ -1,5 +1,6 @@
-// What a sketch must print, send and do at its pins for a line. Each row, sent frame and pulse must come from the newest
-// frame on the line, or from the one before: the sketch may be busy, or it may not yet be certain where a frame ends.
+// What a sketch must print, send and do at its pins for a line. Each row, sent frame and pulse must come from the
+// newest frame on the line, or from the one before: the sketch may be busy, or it may not yet be certain where a frame
+// ends.
 #pragma once
 
 #include <cstdint>

@@ -169,7 +169,8 @@ TEST_CASE("a character with a parity error is lost, and one frame with it: 24 by
 }
 
 // The age counts from the poll that found the frame, a loop period after its end; every loop() calls SBusFrameOk().
-TEST_CASE("SBusFrameOk() is false 100 ms after the line went silent, less what a port may have held back and a loop()") {
+TEST_CASE(
+    "SBusFrameOk() is false 100 ms after the line went silent, less what a port may have held back and a loop()") {
   const Mega mega("Counters", lineOf("cut"), 3);
   std::vector<double> changes;
   for (const Printed &line : mega.printed()) {

@@ -1,10 +1,11 @@
 // github.com/espressif/arduino-esp32: cores/esp32/HardwareSerial.h and .cpp, esp32-hal-uart.c. ESP32_CORE is
 //    1  1.0.6 (3691149)
 //    2  2.0.14 (as TotemArduinoBoards 2.0.14-totem.2 has it); its interface is that of 2.0.3 on
-//    3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same way
+//    3  2.0.17 and 3.0.0, whose lines stand below; a later 3.x with UART_SCLK_REF_TICK restarts its driver in the same
+//    way
 //  338  3.3.8, after issue 12527 and pull request 12569; its source was not read
-// Characters with errors are kept: core 1 asks for no error (esp32-hal-uart.c, _uart_isr()), IDF only reports them (v5.1.4,
-// driver/uart/uart.c:995). Before 2.0.6 120 characters at once were 112.
+// Characters with errors are kept: core 1 asks for no error (esp32-hal-uart.c, _uart_isr()), IDF only reports them
+// (v5.1.4, driver/uart/uart.c:995). Before 2.0.6 120 characters at once were 112.
 #pragma once
 
 #include "../Stream.h"

@@ -1,5 +1,5 @@
-// github.com/esp8266/Arduino 3.2.0-dev (f946290): cores/esp8266/HardwareSerial.h and .cpp, uart.cpp. Serial1 only sends, so
-// the receiver is on Serial. Characters with errors are kept (uart.cpp:432). begin() ends an open port
+// github.com/esp8266/Arduino 3.2.0-dev (f946290): cores/esp8266/HardwareSerial.h and .cpp, uart.cpp. Serial1 only
+// sends, so the receiver is on Serial. Characters with errors are kept (uart.cpp:432). begin() ends an open port
 // (HardwareSerial.cpp:46) and goes back to pin 3 (uart.cpp:638); end() of a closed one does nothing (726).
 #pragma once
 

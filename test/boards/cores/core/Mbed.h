@@ -1,5 +1,5 @@
-// github.com/arduino/ArduinoCore-mbed b4ad4e7: cores/arduino/Serial.h and .cpp, Arduino.h; of mbed-os, serial_api.c of RP2040
-// and NRF52. With NANO33 a Nano 33 BLE: 100000 baud becomes 76800, and two stop bits are an assertion that fails
+// github.com/arduino/ArduinoCore-mbed b4ad4e7: cores/arduino/Serial.h and .cpp, Arduino.h; of mbed-os, serial_api.c of
+// RP2040 and NRF52. With NANO33 a Nano 33 BLE: 100000 baud becomes 76800, and two stop bits are an assertion that fails
 // (ArduinoCore-mbed, issue 60). on_rx() keeps characters with errors (Serial.cpp:138), begin() what waits (106).
 #pragma once
 

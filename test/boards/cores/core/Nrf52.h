@@ -1,6 +1,6 @@
-// github.com/adafruit/Adafruit_nRF52_Arduino 1.7.0 (fa129c2): cores/nRF5/HardwareSerial.h, Uart.h and .cpp, main.cpp. 100000
-// baud becomes 115200; a sketch can put that right, by NRF_UARTE0->BAUDRATE. begin() of an open port does nothing
-// (Uart.cpp:78); end() of a closed one waits for ever (168); characters with errors are kept (200).
+// github.com/adafruit/Adafruit_nRF52_Arduino 1.7.0 (fa129c2): cores/nRF5/HardwareSerial.h, Uart.h and .cpp, main.cpp.
+// 100000 baud becomes 115200; a sketch can put that right, by NRF_UARTE0->BAUDRATE. begin() of an open port does
+// nothing (Uart.cpp:78); end() of a closed one waits for ever (168); characters with errors are kept (200).
 #pragma once
 
 #include "../Stream.h"

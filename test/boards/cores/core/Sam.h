@@ -1,6 +1,6 @@
-// github.com/arduino/ArduinoCore-sam 1.6.12 (790ff2c): cores/arduino/HardwareSerial.h, UARTClass.h, USARTClass.h, Print.h.
-// Characters with errors are kept (UARTClass.cpp:174), begin() clears what waits (74). Two enums are formats; Print and
-// HardwareSerial know less than the ports.
+// github.com/arduino/ArduinoCore-sam 1.6.12 (790ff2c): cores/arduino/HardwareSerial.h, UARTClass.h, USARTClass.h,
+// Print.h. Characters with errors are kept (UARTClass.cpp:174), begin() clears what waits (74). Two enums are formats;
+// Print and HardwareSerial know less than the ports.
 #pragma once
 
 #define PRINT_WITHOUT_ROOM

@@ -1,6 +1,6 @@
-// github.com/stm32duino/Arduino_Core_STM32 2.12.0 (8c31e50): cores/arduino/HardwareSerial.h and .cpp, libraries/SrcWrapper
-// uart.c. Characters with errors are kept (uart_getc(), uart.c:968), and so is what waits when begin() is called
-// (HardwareSerial.cpp:390). With STM32F4 a chip that cannot invert: it ignores setRxInvert().
+// github.com/stm32duino/Arduino_Core_STM32 2.12.0 (8c31e50): cores/arduino/HardwareSerial.h and .cpp,
+// libraries/SrcWrapper uart.c. Characters with errors are kept (uart_getc(), uart.c:968), and so is what waits when
+// begin() is called (HardwareSerial.cpp:390). With STM32F4 a chip that cannot invert: it ignores setRxInvert().
 #pragma once
 
 #include "../Stream.h"

@@ -1,5 +1,6 @@
 // github.com/PaulStoffregen/cores 7f107ee: teensy4/HardwareSerial.h and .cpp. Characters with errors are kept
-// (.cpp:638), begin() clears what waits (130), end() of a closed port does nothing (259). (Its uint32_t is an unsigned long.)
+// (.cpp:638), begin() clears what waits (130), end() of a closed port does nothing (259). (Its uint32_t is an unsigned
+// long.)
 //
 // Half duplex: RX is the TX pin (221), which has a pull-down if the format inverts TX (217), otherwise a pull-up (156).
 // Each begin() decides on it (144), and releases the pin (224). write() drives the pin (578), before it waits for room;

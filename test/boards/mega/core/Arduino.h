@@ -1,5 +1,5 @@
-// The core's Arduino.h without its warnings, which are not ours. -isystem would do that, but avr-g++ takes what it finds
-// there for C, and an empty list of parameters for an unknown list.
+// The core's Arduino.h without its warnings, which are not ours. -isystem would do that, but avr-g++ takes what it
+// finds there for C, and an empty list of parameters for an unknown list.
 #pragma once
 
 #pragma GCC diagnostic push
