@@ -252,8 +252,8 @@ void addJoystick(CLI::App &app) {
                   "says at the end how long it took from the read of a frame's last byte to the event");
   subcommand.footer(
       "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
-      "for games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how to get "
-      "it.");
+      "for games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how "
+      "to get it.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -81,8 +81,8 @@ void addSend(CLI::App &app) {
       .type("100000|200000");
   subcommand.option("--seconds", options->seconds, "end after this many seconds").seconds().type("S");
   subcommand.footer(
-      "A channel without a value is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags are "
-      "off. A serial port's TXD must be inverted to drive a flight controller.");
+      "A channel without a value is in the middle, 992; CH3, the throttle, at its low end, 172; switches and flags "
+      "are off. A serial port's TXD must be inverted to drive a flight controller.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -85,8 +85,8 @@ void addTelemetry(CLI::App &app) {
   const auto sensors = std::make_shared<SensorOption>(subcommand);
   subcommand.footer(
       "A slot does not say which sensor fills it: name the sensors that the radio has. Slot 0 is the receiver's own "
-      "voltage. There is no checksum: the bytes between two frames are printed only if they are slots of the announced group, "
-      "once the second frame is there.");
+      "voltage. There is no checksum: the bytes between two frames are printed only if they are slots of the "
+      "announced group, once the second frame is there.");
   subcommand.run([source, sensors] { run(*source, sensors->sensors()); });
 }
 
