@@ -38,11 +38,10 @@ commands         the commands of the pages'
 quick=$(echo "$all" | grep -E '^(unit|examples)-g\+\+ ')
 [ -n "${CAPTURES:-}" ] || all=$(echo "$all" | grep -v '^captures')
 
-# build COMPILER ARGUMENTS...   g++ under the sanitizers; clang++ optimised, as users build it, which takes a quarter of the time.
+# build COMPILER ARGUMENTS...
 build() {
   compiler=$1
   shift
-  [ "$compiler" = g++ ] || set -- SANITIZE= DEBUG='-g -O2' "$@"
   "${MAKE:-make}" --no-print-directory -f build.mk CXX="$compiler" OUT="$BUILD/$compiler" "$@"
 }
 
