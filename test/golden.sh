@@ -15,7 +15,7 @@ cd "$(dirname "$0")" || exit 1
 compiler=$1
 build="${BUILD:-$(cd .. && pwd)/build/test}/golden/$compiler"
 sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
-[ "$compiler" = g++ ] || sanitize=-O2 # as run.sh's unit tests
+[ "$compiler" = g++ ] || sanitize=-O2 # as build.mk has the unit tests
 examples=$(cd ../examples && ls)
 recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')
 update="${2:-}"

@@ -12,6 +12,10 @@ build() {
   "${MAKE:-make}" --no-print-directory -s -f build.mk OUT="$out" "$@"
 }
 
+on_host() {
+  "${MAKE:-make}" --no-print-directory -s -C ../.. -f build.mk CXX=g++ OUT="$host" "$@"
+}
+
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok cortex-m0: $2"; else echo "FAILED cortex-m0: $2"; fi
 }
@@ -30,13 +34,14 @@ sums() {
 
 unit() {  # PROGRAM
   log="$out/$1.log"
-  if [ -z "$built" ] && ! build "$out/unit/$1" >"$log" 2>&1; then
+  if [ -z "$built" ] && ! { build "$out/unit/$1" && on_host "$host/unit/$1"; } >"$log" 2>&1; then
     tail -n 20 "$log"
     verdict 1 "$1 does not build"
     return
   fi
-  # The unit tests have just written it, if they ran.
-  [ "$host/unit/$1.log" -nt "$host/unit/$1" ] || timeout 300 "$host/unit/$1" >"$host/unit/$1.log" 2>&1
+  # The unit tests have just written it, if they ran to their end.
+  { [ "$host/unit/$1.log" -nt "$host/unit/$1" ] && [ -n "$(sums "$host/unit/$1.log")" ]; } ||
+    timeout 300 "$host/unit/$1" >"$host/unit/$1.log" 2>&1
   timeout 300 ./qemu.sh "$out/unit/$1" >"$log" 2>&1
   status=$?
   sums "$log" >"$log.sums"
@@ -48,10 +53,10 @@ unit() {  # PROGRAM
 
 printf '\ncortex-m0: the unit programs on a Cortex-M0 (QEMU, microbit)\n'
 mkdir -p "$out"
-build -k alignment unit >"$out/log" 2>&1 &&
-  "${MAKE:-make}" --no-print-directory -s -C ../.. -f build.mk CXX=g++ OUT="$host" unit >>"$out/log" 2>&1 && built=yes || built=
-alignment
 programs=$(build list-unit)
+# shellcheck disable=SC2086  # the programs are words
+build -k alignment unit >"$out/log" 2>&1 && on_host $(printf "$host/unit/%s " $programs) >>"$out/log" 2>&1 && built=yes || built=
+alignment
 for program in $programs; do
   unit "$program"
 done
