@@ -3,7 +3,7 @@
 
 .DEFAULT_GOAL := help
 
-work := help demo sbus install uninstall scope test check impairment fuzz size bench figures docs clean
+work := help demo sbus install uninstall scope test test-all impairment fuzz size bench figures docs clean
 .PHONY: $(work) zip release
 zip:
 	@sh extras/setup/zip.sh
@@ -34,10 +34,12 @@ help:
 	@echo "make install PREFIX=/usr/local  installs it, its manual, completion for bash, zsh and fish, a udev rule"
 	@echo "make uninstall PREFIX=/usr/local  removes these again"
 	@echo "make scope  builds build/scope/index.html, a page for the browser that shows S.Bus, and serves it; SCOPE_PORT=8000"
-	@echo "make test   builds and runs all tests; installs what it needs"
-	@echo "            CAPTURES=dir          also replays recordings of real receivers in dir"
+	@echo "make test   the tests that a change needs: a minute; installs what it needs"
+	@echo "            ONLY=LinkTest         one file of test/unit or test/host"
+	@echo "            SEED=n                another seed than today's"
 	@echo "            V=1                   prints everything"
-	@echo "make check  unit tests and examples only: less than a minute, once built"
+	@echo "make test-all  every test: sanitizers, a second compiler, simulated boards, the page, the command, fuzzing"
+	@echo "            CAPTURES=dir          also replays recordings of real receivers in dir"
 	@echo "make impairment  the table of what comes through impaired lines: ours beside the baseline, the paper's listing"
 	@echo "            FRAMES=n              frames per line, FULL=1 the whole table"
 	@echo "make fuzz   libFuzzer on receiver, packer, calibration and recording reader, SECONDS=n each"
@@ -92,22 +94,22 @@ CAPTURES ?=
 SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
 TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev 'pkg-config|pkgconf'
 AVR := gcc-avr avr-libc arduino-core-avr
+TEST := g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
 # Debian 14 has picolibc for newlib.
 ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
 # The headers of the C++ library alone, 17 MB; the library has 1.5 GB.
 ARM_CXX := 'libstdc++-arm-none-eabi-dev?'
 
 test:
-	@sh extras/setup/need.sh g++ clang clang-sanitizers doctest-dev librapidcheck-dev libcli11-dev libserialport-dev \
-	  libncurses-dev libarchive-dev libevdev-dev 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
-	@$(MAKE) --no-print-directory -j$$(nproc) -C test CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
+	@sh extras/setup/need.sh $(TEST)
+	@$(MAKE) --no-print-directory -j$$(nproc) -C test
 
-check:
-	@sh extras/setup/need.sh g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
-	@$(MAKE) --no-print-directory -j$$(nproc) -C test check
+test-all:
+	@sh extras/setup/need.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@$(MAKE) --no-print-directory -j$$(nproc) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:
-	@sh extras/setup/need.sh g++
+	@sh extras/setup/need.sh $(TEST)
 	@$(MAKE) --no-print-directory -s -C test impairment
 
 fuzz:
@@ -123,7 +125,7 @@ bench:
 	@$(MAKE) --no-print-directory -C test bench
 
 figures:
-	@sh extras/setup/need.sh g++ $(AVR) $(ARM) $(ARM_CXX) qemu-system-arm
+	@sh extras/setup/need.sh $(TEST) $(AVR) $(ARM) $(ARM_CXX) qemu-system-arm
 	@extras/docs/figures.sh
 
 docs:

@@ -13,7 +13,7 @@ seed="${FUZZ_SEED:-20181}"
 most=3000000 # runs: enough for ten seconds of a quick machine
 
 build() {
-  "${MAKE:-make}" --no-print-directory -f build.mk CXX=clang++ OUT="$BUILD/clang++" "$@"
+  "${MAKE:-make}" --no-print-directory -f build.mk OUT="$BUILD" "$@"
 }
 
 build -k fuzz

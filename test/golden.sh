@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs every example, built for this PC by extras/host with the compiler named, and says "ok ..." or "FAILED ..." of:
+# Runs every example, built for this PC by extras/host in a variant of build.mk, and says "ok ..." or "FAILED ..." of:
 #   golden/EXAMPLE.csv             what it prints with the simulated receiver for 1.1 s, or as golden/LINES says
 #   golden/EXAMPLE-LINE.csv        what it prints on a line that golden/LINES describes
 #   golden/EXAMPLE-RECORDING.csv   what it prints of recordings/RECORDING.txt; not one that has extras/host/OPTIONS, to
@@ -9,13 +9,12 @@
 #   golden/receivers.csv           what the sketch of docs/receivers.md prints of a line of FASSTest 26
 #   recordings/bad/MESSAGES        what it says of each bad recording: that line, nothing on standard output, a failure
 # A golden file holds the last 20 lines at most.
-# "golden.sh COMPILER update" writes the golden files instead.
+# "golden.sh VARIANT update" writes the golden files instead.
 set -u
 cd "$(dirname "$0")" || exit 1
-compiler=$1
-build="${BUILD:-$(cd .. && pwd)/build/test}/golden/$compiler"
-sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
-[ "$compiler" = g++ ] || sanitize=-O2 # as build.mk has the unit tests
+variant=$1
+out=${BUILD:-$(cd .. && pwd)/build/test}/$variant
+build=$out/host
 examples=$(cd ../examples && ls)
 recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')
 update="${2:-}"
@@ -44,7 +43,7 @@ golden() {
 
 # program SKETCH: builds it
 program() {
-  "${MAKE:-make}" --no-print-directory -C ../extras/host SKETCH="$1" BUILD="$build" CXX="$compiler" CXXFLAGS="$sanitize" ||
+  "${MAKE:-make}" --no-print-directory -f build.mk VARIANT="$variant" OUT="$out" sketch SKETCH="$1" ||
     { rm -f "$build/$(basename "$1")"; false; }
 }
 
@@ -56,7 +55,7 @@ bad_recording() {  # PROGRAM MESSAGE
   verdict $? "recordings/bad/$file"
 }
 
-printf '\n%s, examples: golden files and bad recordings\n' "$compiler"
+printf '\n%s, examples: golden files and bad recordings\n' "$variant"
 mkdir -p "$build" golden
 grep -v '^#' golden/LINES >"$build/lines"
 for example in $examples; do

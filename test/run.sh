@@ -1,101 +1,97 @@
 #!/bin/sh
-# Runs the tests, several steps at once, one line a step; the last line says "N passed, N failed".
-#   run.sh          all
-#   run.sh check    those that find most: unit tests, examples
-#   run.sh step N   one of all, by its number in `all`
+# Runs tests, several steps at once, one line a step; the last line says "N passed, N failed".
+#   run.sh test       what a change needs, in a minute
+#   run.sh test-all   everything
+#   run.sh step NAME  one of the steps below
+# ONLY=LinkTest runs one file of unit/ or host/; STEPS='tool|bench' runs these steps of test-all.
 # V=1 prints all output of the steps; otherwise it is in BUILD/log. CAPTURES=folder: recordings of real receivers.
-# STEPS='tool|bench' runs these of them.
+# SEED=n repeats a run's random tests: each day has another seed, and the first line says which.
 #
 # A check that is no doctest case says "ok ..." or "FAILED ..." on a line of its own. What does not build is a failure,
 # so is a program that crashes.
 set -u
 cd "$(dirname "$0")" || exit 1
 export BUILD="${BUILD:-$(cd .. && pwd)/build/test}"
-export RC_PARAMS="${RC_PARAMS:-seed=20181}"  # any number: the same one, so that a failure comes again
+export SEED="${SEED:-$(($(date +%s) / 86400))}"
+export RC_PARAMS="${RC_PARAMS:-seed=$SEED}"
 
-# The longest first, and what waits for others last. What is before the dash is a function below, what is after it its argument.
-all='scope            the page in a browser
-lines            lines against their bounds
-bench            what the library costs
-unit-g++         unit tests, g++ with sanitizers
-unit-clang++     unit tests, clang++ -O2
-boards-cortex-m0 Cortex-M0: unit tests
-boards-mega      Arduino Mega: examples
-tool             sbus: what it prints, records and rejects
-fuzz             libFuzzer
-boards-cores     other cores: library and examples on stand-ins
-examples-g++     examples and recordings, g++ with sanitizers
-examples-clang++ examples and recordings, clang++ -O2
-table            the table of bad lines, under the sanitizers
-compile          headers alone, Arduino'"'"'s macros, the cross compiler
-rules            the rules of receiver.md
-package          the ZIP, and a release
-platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
-uses             every public function is used by a sketch; keywords
-captures         recordings of real receivers
-figures          the figures of measured.md
-commands         the commands of the pages'
-quick=$(echo "$all" | grep -E '^(unit|examples)-g\+\+ ')
-[ -n "${CAPTURES:-}" ] || all=$(echo "$all" | grep -v '^captures')
+# Which of `test` and `test-all` run it, its name, its title. What is after the dash is the argument of the function
+# step_... below. The longest first, and what waits for others last.
+steps='
+all  scope            the page in a browser
+all  lines-5000       impaired lines against their bounds
+all  bench            what the library costs
+test unit-plain       unit tests
+all  unit-sanitized   unit tests, g++ with sanitizers
+all  unit-clang       unit tests, clang++ -O2
+all  boards-cortex-m0 Cortex-M0: unit tests
+all  boards-mega      Arduino Mega: examples
+all  tool             sbus: what it prints, records and rejects
+all  fuzz             libFuzzer
+all  boards-cores     other cores: library and examples on stand-ins
+test examples-plain   examples and recordings
+all  examples-sanitized examples and recordings, g++ with sanitizers
+all  examples-clang   examples and recordings, clang++ -O2
+test lines-300        impaired lines against their bounds
+all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
+both rules            the rules of receiver.md
+all  package          the ZIP, and a release
+all  platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
+both uses             every public function is used by a sketch; keywords
+all  captures         recordings of real receivers
+all  figures          the figures of measured.md
+all  commands         the commands of the pages'
 
-# build COMPILER ARGUMENTS...
+# build VARIANT TARGETS...
 build() {
-  compiler=$1
+  variant=$1
   shift
-  "${MAKE:-make}" --no-print-directory -f build.mk CXX="$compiler" OUT="$BUILD/$compiler" "$@"
+  "${MAKE:-make}" --no-print-directory -f build.mk VARIANT="$variant" OUT="$BUILD/$variant" host &&
+    "${MAKE:-make}" --no-print-directory -f build.mk VARIANT="$variant" OUT="$BUILD/$variant" "$@"
 }
 
-# doctest PROGRAM SECONDS   (against a program that hangs: a slow machine has far more time than it needs)
+# doctest PROGRAM SECONDS [ARGUMENTS...]   (against a program that hangs: a slow machine has far more time than it needs)
 doctest() {
-  timeout "$2" "$1" --no-version --no-intro >"$1.log" 2>&1
+  program=$1 seconds=$2
+  shift 2
+  printf '\n%s\n' "${program##*/}"
+  timeout "$seconds" "$program" --no-version --no-intro "$@" >"$program.log" 2>&1
   status=$?
-  cat "$1.log"
-  if ! grep -q '^\[doctest\] test cases: *[1-9]' "$1.log"; then
-    echo "FAILED ${1##*/} ended with status $status before its end, or ran nothing"
-  elif [ "$status" -ne 0 ] && grep -q '^\[doctest\] test cases:.* 0 failed' "$1.log"; then
-    echo "FAILED ${1##*/} ended with status $status"
+  cat "$program.log"
+  if ! grep -q '^\[doctest\] test cases: *[1-9]' "$program.log"; then
+    echo "FAILED ${program##*/} ended with status $status before its end, or ran nothing"
+  elif [ "$status" -ne 0 ] && grep -q '^\[doctest\] test cases:.* 0 failed' "$program.log"; then
+    echo "FAILED ${program##*/} ended with status $status"
   fi
 }
 
 step_unit() {
-  # make is asked about each program only if it has not made all: an answer takes 0.2 s.
-  build "$1" -k unit && built=yes || built=
-  for program in $(build "$1" list-unit); do
-    printf '\n%s: %s\n' "${program##*/}" "$(sed -n '1s,^// ,,p' "${program#"$BUILD/$1/"}.cpp")"
-    if [ -n "$built" ] || build "$1" -q "$program" >"$program.log" 2>&1; then
-      doctest "$program" 900
-    else
-      echo "FAILED ${program##*/} does not build with $1"
+  build "$1" -k unit
+  for program in UnitTest HostTest PlainCoreTest PreemptTest; do
+    if build "$1" -q "$BUILD/$1/$program" >/dev/null 2>&1; then doctest "$BUILD/$1/$program" 900; else
+      echo "FAILED $program does not build"
     fi
   done
 }
 
 step_lines() {
-  if build g++ "$BUILD/g++/impairment/ImpairmentTest"; then doctest "$BUILD/g++/impairment/ImpairmentTest" 1800; else
+  if build plain lines; then FRAMES=$1 doctest "$BUILD/plain/impairment/ImpairmentTest" 1800; else
     echo "FAILED ImpairmentTest does not build"
   fi
 }
 
-step_table() {
-  if build g++ "$BUILD/g++/impairment-sanitized/Impairment" && FRAMES=50 timeout 900 "$BUILD/g++/impairment-sanitized/Impairment"; then
-    echo "ok impairment/Impairment under the sanitizers"
-  else
-    echo "FAILED impairment/Impairment under the sanitizers"
-  fi
-}
-
 step_compile() {
-  build g++ -k compile && built=yes || built=
-  for target in $(build g++ list-compile); do
-    name=${target#"$BUILD/g++/"}
-    if [ -n "$built" ] || build g++ -q "$target" >/dev/null 2>&1; then echo "ok $name"; else echo "FAILED $name does not compile"; fi
+  build plain -k compile && built=yes || built=
+  for target in $(build plain list-compile); do
+    name=${target#"$BUILD/plain/"}
+    if [ -n "$built" ] || build plain -q "$target" >/dev/null 2>&1; then echo "ok $name"; else echo "FAILED $name does not compile"; fi
   done
 }
 
 step_captures() {
-  if ! build g++ captures; then
+  if ! build sanitized captures; then
     echo "FAILED captures/Replay does not build"
-  elif ! timeout 900 "$BUILD/g++/captures/Replay" "$CAPTURES" >"$BUILD/captures.log"; then
+  elif ! timeout 900 "$BUILD/sanitized/captures/Replay" "$CAPTURES" >"$BUILD/captures.log"; then
     grep -q '^FAILED ' "$BUILD/captures.log" || echo "FAILED captures/Replay ended before its end"
   fi
   cat "$BUILD/captures.log"
@@ -107,10 +103,10 @@ step_package() { ./package.sh; }
 step_platforms() { platforms/run.sh; }
 step_uses() { ./uses.sh; }
 step_tool() { tool/run.sh; }
-step_fuzz() { SECONDS_EACH=3 ./fuzz.sh; }
+step_fuzz() { SECONDS_EACH=3 FUZZ_SEED=$SEED ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
 step_boards() {
-  [ "$1" != cortex-m0 ] || { newlib && after unit-g++; } || return
+  [ "$1" != cortex-m0 ] || { newlib && after unit-sanitized && build sanitized unit; } || return
   boards/"$1"/run.sh
 }
 step_bench() { newlib && bench/bench.sh check; }
@@ -119,21 +115,20 @@ step_bench() { newlib && bench/bench.sh check; }
 newlib() {
   [ -z "$(../extras/setup/arm-specs.sh)" ] || { echo "skipped $this: there is no newlib for ARM here"; false; }
 }
-step_figures() { after lines bench && ../extras/docs/figures.sh check; }
+step_figures() { after lines-5000 bench && ../extras/docs/figures.sh check; }
 step_commands() { after scope tool package figures && ./commands.sh; }
 
-# Waits until these steps are done, which stand before this one in `all`: it takes what they have built, or their logs.
+# Waits until these steps are done, which stand before this one in `steps`: it takes what they have built, or their logs.
 after() {
   for earlier in "$@"; do
-    while echo "$CHOSEN" | grep -q "^$earlier " && ! grep -qxF "$earlier" "$STEP_LOGS/done" 2>/dev/null; do sleep 0.5; done
+    while echo "$CHOSEN" | grep -qxF "$earlier" && ! grep -qxF "$earlier" "$STEP_LOGS/done" 2>/dev/null; do sleep 0.5; done
   done
 }
 
-# Runs step N, and says how it went. (The functions above set `name`.)
+# Runs the step $this, and says how it went. (The functions above set `name`.)
 step() {
-  line=$(echo "$all" | sed -n "$1p")
-  this=${line%% *}
-  title=$(echo "${line#"$this"}" | sed 's/^ *//')
+  this=$1
+  began=$(date +%s)
   case $this in
     *-*) "step_${this%%-*}" "${this#*-}" ;;
     *) "step_$this" ;;
@@ -143,7 +138,7 @@ step() {
     flock 8
     echo "$this" >>"$STEP_LOGS/done"
     [ -z "${V:-}" ] || cat "$STEP_LOGS/$this.log"
-    echo "[$(wc -l <"$STEP_LOGS/done")/$COUNT] $title: $(echo "$sum" | tail -n 1)"
+    echo "[$(wc -l <"$STEP_LOGS/done")/$COUNT] $(echo "$steps" | sed -nE "s/^[a-z]+ +$this +//p"): $(echo "$sum" | tail -n 1) ($(($(date +%s) - began)) s)"
     case $sum in *" 0 failed"*) ;; *)
       grep -E -m 1 -A 20 'ERROR:|FAILED|error:' "$STEP_LOGS/$this.log"
       echo "... all of it: $STEP_LOGS/$this.log"
@@ -151,8 +146,29 @@ step() {
   ) 8>"$STEP_LOGS/lock"
 }
 
+# Builds what several steps of `test` need, and says how far it is.
+build_plain() {
+  compiled=' -c '
+  files=$(build plain -k -n unit lines 2>/dev/null | grep -ce "$compiled")
+  build plain -k unit lines 2>"$STEP_LOGS/build.log" |
+    awk -v files="$files" "/$compiled/"' && ++done % 20 == 0 { print "building: " done " of some " files " files"; fflush() }'
+}
+
 if [ "${1:-}" = step ]; then
   step "$2"
+  exit
+fi
+
+if [ -n "${ONLY:-}" ]; then
+  case $(ls unit/"$ONLY".cpp host/"$ONLY".cpp 2>/dev/null) in
+    '') echo "ONLY=$ONLY: there is no unit/$ONLY.cpp or host/$ONLY.cpp in test" >&2; exit 2 ;;
+    unit/PlainCoreTest.cpp | unit/PreemptTest.cpp) program=$ONLY ;;
+    unit/*) program=UnitTest ;;
+    host/*) program=HostTest ;;
+  esac
+  build plain "$BUILD/plain/$program" >/dev/null || exit 1
+  doctest "$BUILD/plain/$program" 900 --source-file="*/$ONLY.cpp" | tee "$BUILD/log"
+  awk -f count.awk "$BUILD/log"
   exit
 fi
 
@@ -167,16 +183,26 @@ fi
 export STEP_LOGS
 rm -rf "$STEP_LOGS"
 mkdir -p "$STEP_LOGS"
-[ "${1:-}" = check ] && chosen=$quick || chosen=$all
+
+tier=${1:-test}
+chosen=$(echo "$steps" | grep -E "^(${tier#test-}|both) " | sed -E 's/^[a-z]+ +([^ ]+) .*/\1/')
+[ -n "${CAPTURES:-}" ] || chosen=$(echo "$chosen" | grep -vx captures)
 if [ -n "${STEPS:-}" ]; then
-  chosen=$(echo "$chosen" | grep -E "^($STEPS) ") || { echo "STEPS: no step has the name '$STEPS'" >&2; exit 2; }
+  chosen=$(echo "$steps" | awk '{ print $2 }' | grep -xE "$STEPS") || { echo "STEPS: no step has the name '$STEPS'" >&2; exit 2; }
 fi
 COUNT=$(echo "$chosen" | wc -l)
 export COUNT CHOSEN="$chosen"
-# Several steps need what these make: make it once.
-build g++ -k unit >"$STEP_LOGS/build.log" 2>&1
-numbers() { while read -r line; do echo "$all" | grep -nF "$line" | cut -d: -f1; done; }
+case $tier in
+  test) time='about 30 s; the first time 2 minutes more, to build them' ;;
+  *) time='5 to 10 minutes; the first time 20 more, to build them' ;;
+esac
+last=$(cat "$BUILD/took-$tier" 2>/dev/null)
+[ -n "${STEPS:-}" ] && time= || time=", $time${last:+ (last time here: $last s)}"
+echo "$COUNT steps with seed $SEED$time."
+began=$(date +%s)
+case $chosen in *unit-plain*) build_plain ;; esac
 # One more than there are processors: the page's tests also wait.
-echo "$chosen" | numbers | xargs -r -P "$(($(nproc) + 1))" -n 1 "$0" step
-echo "$chosen" | while read -r name _; do cat "$STEP_LOGS/$name.log"; done >"$BUILD/log"
+echo "$chosen" | xargs -r -P "$(($(nproc) + 1))" -n 1 "$0" step
+[ -n "${STEPS:-}" ] || echo $(($(date +%s) - began)) >"$BUILD/took-$tier"
+for name in $chosen; do cat "$STEP_LOGS/$name.log"; done >"$BUILD/log"
 awk -f count.awk "$BUILD/log"

@@ -40,7 +40,7 @@ git --no-pager diff --stat
 echo "
 Set. What is left to do by hand:"
 grep '^maintainer=.*\.example>' library.properties | sed 's/^/  - an address that people can write to: /'
-echo "  - read git diff; make test
+echo "  - read git diff; make test-all
   - git commit -am 'Release $version' && git tag -a $version -m $version && git push --follow-tags
   - the first time: the Library Manager request, a pull request that adds $url to repositories.txt of
     https://github.com/arduino/library-registry; later it finds the tags by itself
