@@ -105,7 +105,7 @@ void Observer::take(Stretch &stretch) {
     _first.reset();
   }
   if (isExtraAlone(stretch)) {
-    _first = stretch;
+    _first.emplace(stretch);
   } else {
     say(stretch);
   }
