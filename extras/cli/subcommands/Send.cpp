@@ -70,7 +70,7 @@ void addSend(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   subcommand.option("DEVICE", options->port, "a serial port; without it a pseudo-terminal, whose name is printed")
       .type("");
-  subcommand.option("CH=VALUE", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
+  subcommand.option("VALUES", options->values, "ch1=0 to ch16=2047, on (1811) or off (172); ch17=on, failsafe=on ...")
       .type("");
   subcommand.option("--from", options->from, "a file of rows as sbus csv writes them, in place of values")
       .notEmpty()
