@@ -18,7 +18,6 @@ build=$out/host
 examples=$(cd ../examples && ls)
 recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')
 update="${2:-}"
-export WERROR=1  # extras/setup/flags.mk
 
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok $2"; else echo "FAILED $2"; fi
