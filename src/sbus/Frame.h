@@ -86,6 +86,8 @@ constexpr bool isEndByte(uint8_t byte) {
   return variantOfEnd(byte) != UnknownVariant;
 }
 
+constexpr uint8_t NotInEndBytes = 0xC3;  ///< bits that are 0 in every end byte
+
 /// Returns true if the unused bits of this flags byte are 0.
 constexpr bool isFlagsByte(uint8_t byte) {
   return (byte & FlagsUnused) == 0;

@@ -46,8 +46,8 @@ Run before(int stray) {
   run.line.company.strayBefore = stray;
   return run;
 }
-Run behind(int stray) {
-  Run run;
+Run behind(int stray, Kind kind = Kind::Plain) {
+  Run run = of(kind);
   run.line.company.strayBehind = stray;
   return run;
 }
@@ -74,6 +74,7 @@ const std::vector<Condition> &companyLines() {
       company("S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()),
       company("FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), everyDriver({6300}, {50, 1000, 2000, 3000})),
       stray("a character 00 straight behind each frame", behind(0)),
+      stray("S.BUS2, a character 00 straight behind each frame", behind(0, Kind::Sbus2)),
       stray("any character straight behind each frame", behind(Company::AnyStray)),
       stray("a character 00 straight before each frame", before(0)),
       stray("any character straight before each frame", before(Company::AnyStray)),

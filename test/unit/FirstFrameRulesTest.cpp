@@ -32,9 +32,25 @@ TEST_CASE("stray: one stray character may follow the first frame, between two ga
   for (const unsigned run : {25u, 27u, 52u, 255u}) {
     CHECK(judged({stray, 26, 9, false, false}, twoGaps(run)) == "goes on 2");
   }
-  Bytes twice = stray;  // the first of two headers may be the stray one
-  twice[1] = 0x0F;
-  CHECK(judged({twice, 26, 9, false, false}, twoGaps(26)) == "goes on 2");
+}
+
+TEST_CASE("stray: of two headers the first may be the stray character, if a frame can begin with the second") {
+  const auto judgedTwice = [](unsigned end, unsigned after) {
+    Bytes twice = bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + Bytes{static_cast<uint8_t>(after)};
+    twice[1] = 0x0F;
+    INFO("end byte ", end, ", then ", after);
+    const std::string verdict = judged({twice, 26, 9, false, false}, twoGaps(26));
+    CHECK_FALSE((verdict == "aligned" && isFrame(twice.data() + 1)));
+    return verdict;
+  };
+  for (const unsigned end : {0x00u, 0x04u, 0x14u, 0x24u, 0x34u}) {
+    for (unsigned after = 0; after < 256; after++) {
+      judgedTwice(end, after);
+    }
+  }
+  CHECK(judgedTwice(0x00, 0x00) == "goes on 2");
+  CHECK(judgedTwice(0x00, 0x01) == "aligned");
+  CHECK(judgedTwice(0x14, 0x00) == "aligned");
 }
 
 TEST_CASE("tail: a gap behind a tail aligns the first frame only if there is also a gap before the frame") {
