@@ -1,15 +1,14 @@
 #!/bin/sh
-# Runs every command that README.md, CONTRIBUTING.md and `make help` name as the table COMMANDS says, and says "ok ..." or
-# "FAILED ...". A command that the table lacks is a failure; so is a row that no page names.
-# The commands run in a copy of the repository and build nothing that other steps have built: run.sh calls this last.
+# Runs every command that README.md, CONTRIBUTING.md and `make help` name, and says "ok ..." or "FAILED ...". A command that
+# no line below runs is a failure; so is one below that no page names. Placeholders have a number or a name here, and what
+# takes long is made short.
+# The commands run in a copy of the repository, on what other steps have built there: run.sh calls this last.
 # BUILD: an absolute folder for what is built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 export BUILD="${BUILD:-$PWD/build/test}" STEP_LOGS="${STEP_LOGS:-$BUILD/steps}"
 unset MAKEFLAGS MAKELEVEL CAPTURES V STEPS SKETCH RECORDING PORT PTY SCOPE_PORT PREFIX DESTDIR FRAMES SEED ONLY FULL WITHOUT TRIES
 root=$PWD
-out=$BUILD/commands
-tab=$(printf '\t')
 
 # Prints "PAGE:LINE<tab>COMMAND" of each line of a fenced block, each inline code that is a command, and each line of
 # `make help` (page "help"). Comments there name more: `make bench`, or FULL=1 and --baud 200000 of the line's command.
@@ -17,7 +16,7 @@ named() {
   awk '
     function emit(command) { print FILENAME ":" FNR "\t" command }
     function more(command, comment,    word) {
-      while (match(comment, /make (-C [a-z]+ )?[a-z]+|[A-Z_]+=(\047[^\047]*\047|[^ ,;)]*)|--[a-z-]+( [0-9]+)?/)) {
+      while (match(comment, /make (-C [a-z]+ )?[a-z][a-z-]+|[A-Z_]+=(\047[^\047]*\047|[^ ,;)]*)|--[a-z-]+( [0-9]+)?/)) {
         word = substr(comment, RSTART, RLENGTH)
         comment = substr(comment, RSTART + RLENGTH)
         emit(word ~ /^make/ ? word : command " " word)
@@ -41,41 +40,65 @@ named() {
     }' README.md CONTRIBUTING.md help
 }
 
-# ---- What the rows of COMMANDS call, in the copy; `line` is the command, with a stand-in for the adapter and for /sys
-
-# it [ARGUMENTS]: runs the command with further arguments
-it() { timeout 300 sh -c "$line \"\$@\"" sh "$@"; }
-
-# live PATTERN THEN [ARGUMENTS]: runs a command that does not end: when its output has PATTERN, does THEN; then Ctrl-C
-live() {
-  pattern=$1 then=$2
+# check REGEX SHELL COMMAND...   SHELL is what the pages' COMMANDs are here. It ends well, and a line of its output is like
+# REGEX. (Without a COMMAND it is SHELL.)
+check() {
+  regex=$1 shell=$2
   shift 2
-  rm -f said pipe
-  mkfifo pipe
-  cat pipe >said &
-  reader=$!  # ends with the last program that writes
-  timeout 300 sh -c "$line \"\$@\"" sh "$@" >pipe 2>&1 &
-  until grep -qE "$pattern" said || ! kill -0 $!; do sleep 0.1; done
-  grep -qE "$pattern" said && eval "$then"
+  [ $# -gt 0 ] || set -- "$shell"
+  (eval "$shell") >output 2>&1 </dev/null
   status=$?
-  kill -INT $!
-  wait $reader
-  cat said
-  return $status
+  for command in "$@"; do
+    echo "$command" >>tested
+    if grep -q '^skipped: ' output; then
+      echo "skipped commands: $command: $(sed -n 's/^skipped: //p' output)"
+    elif [ $status -eq 0 ] && tr -d '\r' <output | grep -qE -e "$regex"; then
+      echo "ok commands: $command"
+    else
+      tail -n 20 output | sed 's/^/  /'
+      echo "FAILED commands: $command: status $status, or no line of its output is like $regex"
+    fi
+  done
 }
 
-# adapter: a pseudo-terminal with a receiver, for 2 seconds from when it is opened
+# wait_for COMMAND...: until it succeeds, for 5 minutes
+wait_for() {
+  tries=0
+  until "$@"; do
+    tries=$((tries + 1))
+    [ $tries -lt 3000 ] || return 1
+    sleep 0.1
+  done
+}
+
+# until_says REGEX COMMAND...: runs a command that does not end until it says that, then presses Ctrl-C; $then is done before
+then=:
+until_says() {
+  regex=$1
+  shift
+  timeout 300 "$@" >said 2>&1 &
+  command=$!
+  says_or_ended() { grep -qE "$regex" said || ! kill -0 $command 2>/dev/null; }
+  wait_for says_or_ended && grep -qE "$regex" said && eval "$then"
+  result=$?
+  kill -INT $command
+  wait $command
+  cat said
+  return $result
+}
+
+# adapter [ARGUMENTS]: a pseudo-terminal with a receiver, for 2 seconds from when it is opened; its name is in $adapter
 adapter() {
   rm -f terminal
   timeout 60 build/sbus/sbus simulate --seconds 2 "$@" >terminal 2>/dev/null &
-  until [ -s terminal ]; do sleep 0.1; done
-  line=$(echo "$line" | sed "s,/dev/ttyUSB0,$(cat terminal),")
+  wait_for test -s terminal
+  adapter=$(cat terminal)
 }
 
-# small: leaves one unit test, one example and one recording in the copy, so that what takes all of them is quick
+# small: leaves one unit test, one example and one recording, so that what takes all of them is quick
 small() {
   rm -rf test/host
-  find test/unit/*Test.cpp ! -name FrameTest.cpp -delete
+  find test/unit/*Test.cpp ! -name FrameTest.cpp ! -name LinkTest.cpp -delete
   find test/recordings/*.txt ! -name paper.txt -delete
   find test/golden/*.csv ! -name DecodeSBus.csv ! -name DecodeSBus-paper.csv ! -name README.csv ! -name receivers.csv -delete
   find examples -mindepth 1 -maxdepth 1 ! -name DecodeSBus -exec rm -r {} +
@@ -83,12 +106,10 @@ small() {
   sed -i '/^DecodeSBus /!d' test/golden/LINES
 }
 
-# step NAME COMMAND: prints the log of that step of run.sh; if there is none, the output of COMMAND
-step() { cat "$STEP_LOGS/$1.log" 2>/dev/null || $2; }
+# log STEP COMMAND: the log of that step of run.sh, which has run it; if there is none, the output of COMMAND
+log() { cat "$STEP_LOGS/$1.log" 2>/dev/null || $2; }
 
 newlib() { [ -z "$(extras/setup/arm-specs.sh)" ] || { echo "skipped: there is no newlib for ARM here"; false; }; }
-
-# ----
 
 printf '\ncommands: those of the pages are run\n'
 copy=$(mktemp -d)
@@ -98,20 +119,21 @@ forget() {
   rm -rf "$copy"
 }
 trap forget EXIT
-mkdir -p "$out" "$copy/build" "$copy/bin" "$BUILD/golden/g++" "$BUILD/tool" "$BUILD/scope"
+mkdir -p "$copy/build" "$copy/bin" "$BUILD/sanitized/host" "$BUILD/tool" "$BUILD/scope"
 tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$copy"
-make -s help >"$copy/help"
-(cd "$copy" && named) >"$out/named"
-grep -v '^#' test/COMMANDS >"$out/rows"
-
 # What golden.sh, tool/run.sh and scope/run.sh have built, with their flags.
-ln -s "$BUILD/golden/g++" "$copy/build/host"
+ln -s "$BUILD/sanitized/host" "$copy/build/host"
 ln -s "$BUILD/tool" "$copy/build/sbus"
 ln -s "$BUILD/scope" "$copy/build/scope"
+sanitized=$(make -s -f - -C extras/setup <<'END'
+include flags.mk
+all: ; @echo -g -O1 $(SANITIZE)
+END
+)
 cat >"$copy/bin/make" <<END
 #!/bin/sh
 case " \$* " in
-  *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/golden/g++' CXXFLAGS='$(sed -n 's/^sanitize="\(.*\)"/\1/p' test/golden.sh)' ;;
+  *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/sanitized/host' CXXFLAGS='$sanitized' ;;
   *" sbus "* | *" install "*) set -- "\$@" BUILD='$BUILD/tool' CXXFLAGS='$(sed -n 's/^flags="\(.*\)".*/\1/p' test/tool/run.sh)' ;;
   *" scope "*) set -- "\$@" BUILD='$BUILD/scope' ;;
   *) set -- "\$@" BUILD='$BUILD' ;;
@@ -120,27 +142,76 @@ exec '$(command -v make)' --no-print-directory "\$@"
 END
 chmod +x "$copy/bin/make"
 export PATH="$copy/bin:$copy/build/sbus:$PATH"
+cd "$copy" || exit 1
+make -s help >help
 
-sort -t "$tab" -k 2 -u "$out/named" | while IFS=$tab read -r where command; do
-  cut -f1 "$out/rows" | grep -qxF -e "$command" ||
-    echo "FAILED commands: $where names \"$command\", which no test runs: add a row to test/COMMANDS"
+check decodeSBusFrame 'make docs && cat build/docs/html/classDecodeSBus.html ||
+  [ "$(doxygen --version)" = 1.9.4 ] || echo "skipped: the warnings of this Doxygen are others"' 'make docs'
+
+check '^build/sbus/sbus$' 'make sbus'
+check '^(sbus )?[0-9]+\.[0-9]+\.[0-9]+$' 'make install PREFIX=/usr/local DESTDIR="$PWD/a place" && cd "a place/usr/local" &&
+  [ -s share/man/man1/sbus.1 ] && [ -s share/bash-completion/completions/sbus ] && [ -s share/zsh/site-functions/_sbus ] &&
+  [ -s share/fish/vendor_completions.d/sbus.fish ] && [ -s lib/udev/rules.d/60-sbus-uinput.rules ] && bin/sbus --version' \
+  'make install PREFIX=/usr/local'
+check "^removed '.*/a place/usr/local/bin/sbus'$" '[ -n "$(find "a place" -type f)" ] &&
+  make uninstall PREFIX=/usr/local DESTDIR="$PWD/a place" && [ -z "$(find "a place" -type f)" ]' 'make uninstall PREFIX=/usr/local'
+check '<title>.*S.Bus' '
+  then='"'"'node -e "fetch(process.argv[1]).then((answer) => answer.text()).then(console.log)" "$(grep -o "http://.*/" said)"'"'"'
+  until_says http:// make scope SCOPE_PORT=0' 'make scope' 'make scope SCOPE_PORT=8000'
+
+check 'simulated FrSky R-XSR, 15 s' "until_says '^([0-9]+,){5}[0-9]' make demo" 'make demo'
+check '^([0-9]+,){5}[0-9]+$' 'then="wait_for test -s curves.csv"
+  until_says R-XSR sh -c "exec make demo >curves.csv" && ! grep -vE "^([0-9]+,){5}[0-9]+.$" curves.csv && cat curves.csv' 'make demo > curves.csv'
+check '^plotted ([0-9]+,){5}[0-9]+$' '
+  then='"'"'timeout 60 head -n 2 "$(sed -n "s/^waiting until a program opens \(.*\);.*/\1/p" said)" | sed "s/^/plotted /"'"'"'
+  until_says "waiting until a program opens" make demo PTY=1' 'make demo PTY=1'
+check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo PORT=\$adapter" 'make demo PORT=/dev/ttyUSB0'
+check '^PASS: [1-9][0-9]* frames sent' 'until_says PASS make demo SKETCH=examples/Loopback' 'make demo SKETCH=examples/Loopback'
+check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" \
+  'make demo SKETCH=examples/Calibrate' 'make demo SKETCH=examples/NAME'
+check '^995,993,1811,992,0,0$' 'make demo RECORDING=test/recordings/paper.txt' \
+  'make demo RECORDING=test/recordings/paper.txt' 'make demo RECORDING=file'
+
+check '^/dev/|no serial port' 'sbus ports'
+# There is no adapter here: the path is compared with the source of what `sbus ports` prints.
+check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/line/ports/LowLatency.cpp' \
+  'echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer'
+check '\(0 with errors\), [1-9][0-9]* frames$' 'adapter; timeout 60 build/sbus/sbus record $adapter receiver.txt' \
+  'build/sbus/sbus record /dev/ttyUSB0 receiver.txt'
+check '( [0-9A-F]{2}){25}  frame end 00' 'build/sbus/sbus hex receiver.txt'
+check '^([0-9]+,){17}[0-9]+$' 'make demo RECORDING=receiver.txt SKETCH=examples/AllChannels'
+check '\(0 with errors\), [1-9][0-9]* frames$' 'rm receiver.txt; adapter --baud 200000
+  timeout 60 build/sbus/sbus record $adapter receiver.txt --baud 200000' 'build/sbus/sbus record /dev/ttyUSB0 receiver.txt --baud 200000'
+check 'build/host/Diagnose' 'make -C extras/host SKETCH=examples/Diagnose && ls build/host/Diagnose' 'make -C extras/host SKETCH=examples/Diagnose'
+check '^Serial1 at 200000 baud, 8E2, inverted: .* [1-9][0-9]* good, 0 with errors$' \
+  'build/host/Diagnose --recording receiver.txt --line-baud 200000 --simulated-time' 'build/host/Diagnose --recording receiver.txt --line-baud 200000'
+
+check '^\| Fast S.Bus, dropped 1/300 \| T 7 ms, ' "make impairment FRAMES=50 SEED=7 FULL=1 ONLY='dropped 1/300' | tee full &&
+  grep '^seed 7, 50 frames of each line' full && ! grep '^| ' full | grep -vE '^\| (line |---|.*dropped 1/300)'" \
+  'make impairment' 'make impairment FRAMES=n' 'make impairment FULL=1' 'make impairment SEED=n' \
+  "make impairment ONLY='dropped 1/300'" "ONLY='dropped 1/300' FULL=1 make impairment"
+check '\| [1-9][0-9]* \| 0 \| 0 \|$' "make impairment WITHOUT=falseSync FRAMES=200 ONLY='joined midway, short gaps'" 'make impairment WITHOUT=rule'
+check 'FrameFinder: .* \(1 s, seed ' 'make fuzz SECONDS=1' 'make fuzz' 'make fuzz SECONDS=60' 'make fuzz SECONDS=n'
+check '^\| 64 bytes( \| [1-9][0-9]*){4} \|$' 'newlib && make bench TRIES=100' 'make bench' 'make bench TRIES=200000'
+check '^(ok figures: make size|skipped figures: size, these compilers)' 'log figures "extras/docs/figures.sh check"' 'make size'
+check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
+check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z URL=https://...'
+
+small
+check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&
+  grep '^ok captures/paper.txt, loop() of 50 us' all" 'make test-all' 'make test-all CAPTURES=dir' 'make test-all CAPTURES=folder'
+check '^[1-9][0-9]* passed, 0 failed$' "STEPS=rules make test V=1 SEED=7 | tee rules && grep '^1 steps with seed 7' rules &&
+  grep '^ok impairment/RULES: ' rules" 'make test' 'make test V=1' 'make test SEED=n'
+check '^8 passed, 0 failed$' 'make test ONLY=LinkTest'
+check 'golden/DecodeSBus.csv$' 'rm test/golden/DecodeSBus.csv; make -C test golden-update && cmp test/golden/DecodeSBus.csv "$root/test/golden/DecodeSBus.csv"' \
+  'make -C test golden-update'
+check '[, ]10 frames of each line' 'newlib && make figures FRAMES=10 TRIES=10 && cat extras/docs/measured.md' 'make figures'
+check '^rm -rf build' 'make clean && [ ! -e build ]' 'make clean'
+
+named >names
+sort -t "$(printf '\t')" -k 2 -u names | while IFS="$(printf '\t')" read -r where command; do
+  grep -qxF -e "$command" tested || echo "FAILED commands: $where names \"$command\", which no test runs: add it to test/commands.sh"
 done
-while IFS=$tab read -r command run holds; do
-  if ! cut -f2 "$out/named" | grep -qxF -e "$command"; then
-    echo "FAILED commands: $command: no page names it: take it out of test/COMMANDS"
-    continue
-  fi
-  line=$(echo "$command" | sed "s,sudo tee /sys/,tee $copy/sys/,")
-  if [ "$run" != '"' ]; then
-    (cd "$copy" && eval "$run") >"$out/output" 2>&1 </dev/null
-    status=$?
-  fi
-  if grep '^skipped: ' "$out/output" >"$out/skipped"; then
-    echo "skipped commands: $command: $(cut -d' ' -f2- "$out/skipped")"
-  elif [ $status -eq 0 ] && [ -n "$holds" ] && tr -d '\r' <"$out/output" | grep -qE -e "$holds"; then
-    echo "ok commands: $command"
-  else
-    tail -n 20 "$out/output" | sed 's/^/  /'
-    echo "FAILED commands: $command: status $status, or nothing in its output is like $holds"
-  fi
-done <"$out/rows"
+while read -r command; do
+  cut -f2 names | grep -qxF -e "$command" || echo "FAILED commands: $command: no page names it: take it out of test/commands.sh"
+done <tested

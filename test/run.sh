@@ -103,7 +103,7 @@ step_package() { ./package.sh; }
 step_platforms() { platforms/run.sh; }
 step_uses() { ./uses.sh; }
 step_tool() { tool/run.sh; }
-step_fuzz() { SECONDS_EACH=3 FUZZ_SEED=$SEED ./fuzz.sh; }
+step_fuzz() { SECONDS_EACH=3 ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
 step_boards() {
   [ "$1" != cortex-m0 ] || { newlib && after unit-sanitized && build sanitized unit; } || return

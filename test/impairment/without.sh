@@ -11,7 +11,9 @@ rules=$(sed -n '/^enum class Rule/,/^};/s/^  \([A-Za-z]*\),.*/\1/p' ../../src/sb
 lines_of() { sed -n "s/^$1$tab//p" RULES; }
 
 impairment() {  # OUT [RULE]
-  make --no-print-directory -s -C .. -f build.mk CXX=g++ OUT="$1" WITHOUT="${2:-}" "$1/impairment/Impairment" 1>&2 || exit 1
+  for target in host "$1/impairment/Impairment"; do
+    make --no-print-directory -s -C .. -f build.mk OUT="$1" FLAGS="-O1${2:+ -DSBUS_WITHOUT=$2}" "$target" 1>&2 || exit 1
+  done
   SUMMARY=1 ONLY=$lines "$1/impairment/Impairment" | grep '^|' | tail -n +3
 }
 
@@ -27,7 +29,7 @@ if [ "$1" = check ]; then
 elif echo "$rules" | grep -qx "$1"; then
   lines=${ONLY:-$(lines_of "$1")}
   echo "as it is | damaged | missed | wrong | late |"
-  impairment "$BUILD/g++" || exit 1
+  impairment "$BUILD/plain" || exit 1
   echo "without the rule \"$1\""
   impairment "$BUILD/without/$1" "$1" || exit 1
 else
