@@ -27,7 +27,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _quality = sbus::LinkQuality();
   _percent = 0;
   _saidUs = 0;
-  _first.reset();
+  _first = Stretch();
   _joinedAtExtra = false;
 }
 
@@ -83,10 +83,7 @@ void Observer::finish() {
   }
   _segments.cut(_decoders.finish());
   _segments.finish();
-  if (_first) {
-    say(*_first);
-    _first.reset();
-  }
+  sayFirst();
 }
 
 void Observer::handOver() {
@@ -98,16 +95,22 @@ void Observer::handOver() {
 // In FASSTest 26 a frame with header 2F comes before each frame. A decoder does not take the first of them, since it
 // does not know the line yet.
 void Observer::take(Stretch &stretch) {
-  if (_first) {
+  if (!_first.characters.empty()) {
     _joinedAtExtra = stretch.kind == Stretch::Kind::Frame;
-    _first->kind = _joinedAtExtra ? Stretch::Kind::Extra : _first->kind;
-    say(*_first);
-    _first.reset();
+    _first.kind = _joinedAtExtra ? Stretch::Kind::Extra : _first.kind;
+    sayFirst();
   }
   if (isExtraAlone(stretch)) {
-    _first.emplace(stretch);
+    _first = stretch;
   } else {
     say(stretch);
+  }
+}
+
+void Observer::sayFirst() {
+  if (!_first.characters.empty()) {
+    say(_first);
+    _first = Stretch();
   }
 }
 

@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "line/Decoders.h"
@@ -69,6 +68,7 @@ class Observer : public Statistics {
  private:
   void take(Stretch &stretch);
   void say(Stretch &stretch);
+  void sayFirst();
   bool isExtraAlone(const Stretch &stretch) const;
 
   Listener _listener;
@@ -82,10 +82,10 @@ class Observer : public Statistics {
   bool _waits;          // _last has not been handed over
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;
-  uint8_t _percent;               // the link quality when the newest frame was complete
-  uint64_t _saidUs;               // the end of the last stretch
-  std::optional<Stretch> _first;  // may be the frame with header 2F that comes before the first frame
-  bool _joinedAtExtra;            // _first was such a frame
+  uint8_t _percent;     // the link quality when the newest frame was complete
+  uint64_t _saidUs;     // the end of the last stretch
+  Stretch _first;       // may be the frame with header 2F that comes before the first frame; without characters none waits
+  bool _joinedAtExtra;  // _first was such a frame
 };
 
 }  // namespace line
