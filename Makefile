@@ -13,15 +13,10 @@ release:
 # make cannot handle names with spaces. If this folder's name has one, the work is done in a copy whose name has none, and
 # the results are in build/ here.
 ifneq ($(words $(CURDIR)),1)
-copy := /tmp/DecodeSBus-$(shell id -u)-$(shell pwd | cksum | cut -d' ' -f1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
 $(work):
-	@mkdir -p build '$(copy)'
-	@find '$(copy)' -mindepth 1 -maxdepth 1 -exec rm -rf {} +
-	@tar cf - --exclude=./build --exclude=./.git . | tar xf - -C '$(copy)'
-	@ln -s '$(CURDIR)/build' '$(copy)/build'
-	@$(MAKE) --no-print-directory -C '$(copy)' $@ $(call absolute,CAPTURES) $(call absolute,RECORDING) \
-	  $(call absolute,PREFIX) $(call absolute,DESTDIR)
+	@copy=$$(sh extras/setup/copy.sh) && $(MAKE) --no-print-directory -C "$$copy" $@ $(call absolute,CAPTURES) \
+	  $(call absolute,RECORDING) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
 else
 
 help:
