@@ -125,14 +125,12 @@ after() {
   done
 }
 
-# Runs the step $this, and says how it went. (The functions above set `name`.)
+# Runs this step, an hour at most, and says how it went.
 step() {
   this=$1
   began=$(date +%s)
-  case $this in
-    *-*) "step_${this%%-*}" "${this#*-}" ;;
-    *) "step_$this" ;;
-  esac >"$STEP_LOGS/$this.log" 2>&1
+  timeout --foreground 3600 "$0" work "$this" >>"$STEP_LOGS/$this.log" 2>&1
+  [ $? -ne 124 ] || echo "FAILED $this did not end" >>"$STEP_LOGS/$this.log"
   sum=$(awk -f count.awk "$STEP_LOGS/$this.log")
   (
     flock 8
@@ -154,10 +152,18 @@ build_plain() {
     awk -v files="$files" "/$compiled/"' && ++done % 20 == 0 { print "building: " done " of some " files " files"; fflush() }'
 }
 
-if [ "${1:-}" = step ]; then
-  step "$2"
-  exit
-fi
+case ${1:-} in
+  step)
+    step "$2"
+    exit ;;
+  work)
+    this=$2
+    case $this in
+      *-*) "step_${this%%-*}" "${this#*-}" ;;
+      *) "step_$this" ;;
+    esac
+    exit ;;
+esac
 
 if [ -n "${ONLY:-}" ]; then
   case $(ls unit/"$ONLY".cpp host/"$ONLY".cpp 2>/dev/null) in
@@ -178,7 +184,7 @@ if [ -n "${STEP_LOGS:-}" ]; then
 else
   STEP_LOGS=$BUILD/steps
   exec 9>"$BUILD/lock"
-  flock -n 9 || { echo "Other tests are running here: waiting for their end."; flock 9; }
+  flock -n 9 || { echo "Other tests are running here: waiting for their end, two hours at most."; flock -w 7200 9 || exit; }
 fi
 export STEP_LOGS
 rm -rf "$STEP_LOGS"
@@ -202,7 +208,7 @@ echo "$COUNT steps with seed $SEED$time."
 began=$(date +%s)
 case $chosen in *unit-plain*) build_plain ;; esac
 # One more than there are processors: the page's tests also wait.
-echo "$chosen" | xargs -r -P "$(($(nproc) + 1))" -n 1 "$0" step
+echo "$chosen" | xargs -r -P "$(($(nproc) + 1))" -n 1 "$0" step 9>&-  # what is left over must not keep the lock
 [ -n "${STEPS:-}" ] || echo $(($(date +%s) - began)) >"$BUILD/took-$tier"
 for name in $chosen; do cat "$STEP_LOGS/$name.log"; done >"$BUILD/log"
 awk -f count.awk "$BUILD/log"

@@ -8,10 +8,11 @@ verdict() {  # STATUS WHAT
 bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '\n' | grep .; }
 
 # player SUBCOMMAND ARGUMENTS...: starts sbus on a pseudo-terminal; sets `player` to its process, `terminal` to the name.
+# Without a reader it would wait for ever.
 # SBUS: the program; WORK: a folder.
 player() {
   rm -f "$WORK/terminal"
-  "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
+  timeout --foreground 300 "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
   player=$!
   tries=0
   until { read -r terminal <"$WORK/terminal"; } 2>/dev/null || [ $tries -ge 600 ]; do  # a whole line

@@ -101,7 +101,7 @@ as_user() {
 player simulate
 "$SBUS" hex "$terminal" >"$WORK/reader" 2>&1 &
 reader=$!
-until [ -s "$WORK/reader" ]; do sleep 0.1; done
+until [ -s "$WORK/reader" ] || ! kill -0 $reader; do sleep 0.1; done
 "$SBUS" doctor "$terminal" 2>&1 | grep -qx "sbus doctor: $terminal: in use; close the other program that has it open"
 verdict $? "doctor says that a pseudo-terminal is in use if another sbus reads it"
 kill $reader
