@@ -153,10 +153,10 @@ done <"$work/statuses"
 [ "$("$sbus" --version)" = "$(sed -n 's/^version=//p' ../library.properties)" ]
 verdict $? "--version prints the version alone on its line"
 for subcommand in hex explain doctor; do
-  "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -q "^Usage: sbus $subcommand " "$work/help"
+  "$sbus" help $subcommand >"$work/help" && "$sbus" $subcommand --help | cmp - "$work/help" && grep -qE "^(Usage: )?sbus $subcommand " "$work/help"
   verdict $? "help $subcommand and $subcommand --help print the same"
 done
-"$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -q '^Usage: sbus ' "$work/help"
+"$sbus" help >"$work/help" && "$sbus" --help | cmp - "$work/help" && grep -qE '^(Usage: )?sbus ' "$work/help"
 verdict $? "help and --help print the same"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
@@ -297,7 +297,7 @@ SBUS=$sbus WORK=$work tool/explain.sh
 
 "$sbus" --help-all | awk '
   /^[a-z]+$/ { subcommand = $1; print subcommand }
-  /^ *(-[a-z],)?--[a-z]/ { option = $1; sub(/.*,/, "", option); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : subcommand " ") option }' |
+  /^ *(-[a-z], *)?--[a-z]/ { match($0, /--[a-z0-9-]+/); option = substr($0, RSTART, RLENGTH); print (option == "--help" || option == "--help-all" || option == "--version" ? "" : subcommand " ") option }' |
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
 verdict $? "--help-all lists subcommands and options"
