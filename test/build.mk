@@ -3,9 +3,9 @@
 #   VARIANT=sanitized   g++ with AddressSanitizer and UBSan
 #   VARIANT=clang       clang++ -O2
 # The targets:
-#   host      OUT/host, the library and all of extras/host and extras/line, by extras/host's own Makefile. The others take
+#   host      OUT/sketches, the library and all of extras/host and extras/line, by extras/host's own Makefile. The others take
 #             its objects: make it first, in a call of its own
-#   sketch    OUT/host/NAME, the sketch SKETCH=folder
+#   sketch    OUT/sketches/NAME, the sketch SKETCH=folder
 #   unit      OUT/UnitTest (unit/*Test.cpp), OUT/HostTest (host/*Test.cpp), and two with a library of their own
 #   lines     OUT/impairment/ImpairmentTest; OUT/impairment/Impairment prints the table
 #   captures  OUT/captures/Replay
@@ -43,7 +43,7 @@ LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRA
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-build_host = +@$(MAKE) --no-print-directory -C $(HOST) BUILD='$(OUT)/host' CXX='$(CXX)' CXXFLAGS='$(FLAGS)'
+build_host = +@$(MAKE) --no-print-directory -C $(HOST) BUILD='$(OUT)/sketches' CXX='$(CXX)' CXXFLAGS='$(FLAGS)'
 host:
 	$(build_host) objects left_out=
 sketch:
@@ -53,7 +53,7 @@ sketch:
 # what a HardwareSerial is made of.
 HOST_OBJECTS := $(SOURCES:%.cpp=src/%.o) $(LINE_SOURCES:%.cpp=%.o) arduino/Print.o \
   $(addprefix board/,BoardUart.o BoardTransmitter.o Port.o PortSettings.o PortWatch.o Sender.o)
-$(OUT)/board.a: $(HOST_OBJECTS:%=$(OUT)/host/objects/%)
+$(OUT)/board.a: $(HOST_OBJECTS:%=$(OUT)/sketches/objects/%)
 	@rm -f $@
 	ar rcs $@ $^
 
@@ -151,4 +151,4 @@ $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/Bit
 	clang++ -std=c++17 $(WARNINGS) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -g -O1 \
 	  $(INCLUDES) $(filter %.cpp,$^) -o $@
 
--include $(shell find $(OUT) -path $(OUT)/host -prune -o -name '*.d' -print 2>/dev/null)
+-include $(shell find $(OUT) -path $(OUT)/sketches -prune -o -name '*.d' -print 2>/dev/null)

@@ -119,10 +119,10 @@ forget() {
   rm -rf "$copy"
 }
 trap forget EXIT
-mkdir -p "$copy/build" "$copy/bin" "$BUILD/sanitized/host" "$BUILD/tool" "$BUILD/scope"
+mkdir -p "$copy/build" "$copy/bin" "$BUILD/sanitized/sketches" "$BUILD/tool" "$BUILD/scope"
 tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$copy"
 # What golden.sh, tool/run.sh and scope/run.sh have built, with their flags.
-ln -s "$BUILD/sanitized/host" "$copy/build/host"
+ln -s "$BUILD/sanitized/sketches" "$copy/build/host"
 ln -s "$BUILD/tool" "$copy/build/sbus"
 ln -s "$BUILD/scope" "$copy/build/scope"
 sanitized=$(make -s -f - -C extras/setup <<'END'
@@ -133,7 +133,7 @@ END
 cat >"$copy/bin/make" <<END
 #!/bin/sh
 case " \$* " in
-  *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/sanitized/host' CXXFLAGS='$sanitized' ;;
+  *" demo "* | *extras/host*) set -- "\$@" BUILD='$BUILD/sanitized/sketches' CXXFLAGS='$sanitized' ;;
   *" sbus "* | *" install "*) set -- "\$@" BUILD='$BUILD/tool' CXXFLAGS='$(sed -n 's/^flags="\(.*\)".*/\1/p' test/tool/run.sh)' ;;
   *" scope "*) set -- "\$@" BUILD='$BUILD/scope' ;;
   *) set -- "\$@" BUILD='$BUILD' ;;

@@ -14,7 +14,7 @@ set -u
 cd "$(dirname "$0")" || exit 1
 variant=$1
 out=${BUILD:-$(cd .. && pwd)/build/test}/$variant
-build=$out/host
+build=$out/sketches
 examples=$(cd ../examples && ls)
 recordings=$(cd recordings && ls ./*.txt | sed 's,^\./,,;s,\.txt$,,')
 update="${2:-}"
