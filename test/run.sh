@@ -37,6 +37,7 @@ all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
 both rules            the rules of receiver.md
 all  package          the ZIP, and a release
 all  platforms        without Arduino: CMake, ESP-IDF, Zephyr; PlatformIO
+all  setup            what is said where packages are missing; a folder with a blank
 both uses             every public function is used by a sketch; keywords
 all  captures         recordings of real receivers
 all  figures          the figures of measured.md
@@ -101,6 +102,7 @@ step_rules() { impairment/without.sh check; }
 step_scope() { scope/run.sh; }
 step_package() { ./package.sh; }
 step_platforms() { platforms/run.sh; }
+step_setup() { ./setup.sh; }
 step_uses() { ./uses.sh; }
 step_tool() { tool/run.sh; }
 step_fuzz() { SECONDS_EACH=3 ./fuzz.sh; }

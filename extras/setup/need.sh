@@ -20,7 +20,7 @@ clang_sanitizers() {
 }
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
-  echo "This is not Debian or Ubuntu, so nothing is installed. Install these packages, by their Debian names: $*" >&2
+  echo "This is not Debian or Ubuntu: if something is missing, install it by hand. The Debian packages: $(echo "$*" | sed 's/|[^ ]*//g; s/?//g')" >&2
   exit 0
 fi
 
@@ -66,46 +66,40 @@ to_install() {
   done
 }
 
-# shellcheck disable=SC2086  # a list of packages, to be split
-as_root() {
-  if [ "$(id -u)" = 0 ]; then
-    "$@"
-  elif command -v sudo >/dev/null 2>&1; then
-    sudo "$@"
-  else
-    echo "Missing packages, and no sudo to install them with. As root: apt-get install $(to_install $list 2>/dev/null | tr '\n' ' ')" >&2
-    exit 1
-  fi
+# Ends it: WHY nothing could be installed, and what to do. Without an 'a?' the work goes on.
+give_up() {
+  # shellcheck disable=SC2046,SC2086  # lists of packages, to be split
+  echo "$1. Run as root: apt-get update && apt-get install --no-install-recommends" $(to_install $list 2>/dev/null) >&2
+  for package in $list; do
+    case $package in *\?) ;; *) exit 1 ;; esac
+  done
+  exit 0
 }
 
-update() {
-  as_root apt-get update -q >&2 || {
-    echo "apt-get update failed. Run it by hand." >&2
-    exit 1
-  }
+# Runs apt-get. It fails with status 100; sudo, which then has said why, with 1.
+apt() {
+  [ "$(id -u)" = 0 ] || sudo=sudo
+  ${sudo:-} env DEBIAN_FRONTEND=noninteractive apt-get -q "$@" >&2
+  status=$?
+  [ $status -ne 1 ] || give_up "Packages are missing, and sudo does not install them"
+  return $status
 }
 
-install() {
-  echo "Installing what is missing: $*" >&2
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@" >&2 || {
-    echo "That did not work. Install them by hand: apt-get install $*" >&2
-    exit 1
-  }
-}
-
-[ -z "$(missing "$@")" ] && exit 0
-list=$(missing "$@")
-# Not for packages that apt is known to lack: that would take time in every run.
-# shellcheck disable=SC2086  # lists of packages, to be split
-if [ -z "$(apt-cache madison make 2>/dev/null)" ] || [ -n "$(to_install $list 2>/dev/null)" ]; then
-  update
-fi
 # At most twice: only an installed clang can say which run-time library it needs.
+# shellcheck disable=SC2034,SC2086  # lists of packages, to be split
 for round in first second; do
   list=$(missing "$@")
-  # shellcheck disable=SC2086
+  [ -n "$list" ] || exit 0
+  # apt has no lists on a fresh machine, and old ones elsewhere. For packages that it is known to lack they are not read in
+  # every run.
+  if [ -z "${updated:-}" ] && { [ -z "$(apt-cache madison make 2>/dev/null)" ] || [ -n "$(to_install $list 2>/dev/null)" ]; }; then
+    command -v apt-get >/dev/null 2>&1 || give_up "Packages are missing, and there is no apt-get"
+    [ "$(id -u)" = 0 ] || command -v sudo >/dev/null 2>&1 || give_up "Packages are missing, and there is no sudo"
+    apt update  # fails where one of several repositories has gone: the others may have the packages
+    updated=yes
+  fi
   chosen=$(to_install $list)
-  [ -z "$chosen" ] && exit 0
-  # shellcheck disable=SC2086
-  install $chosen
+  [ -n "$chosen" ] || exit 0
+  echo "Installing what is missing:" $chosen >&2
+  apt install -y --no-install-recommends $chosen || give_up "apt-get could not install all packages (is there a network?)"
 done

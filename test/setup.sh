@@ -1,0 +1,130 @@
+#!/bin/sh
+# What extras/setup says where it cannot install, with stand-ins for apt and sudo, and a folder with a blank in its name. Says
+# "ok ..." or "FAILED ...".
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset MAKEFLAGS MAKELEVEL
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok setup: $2"; else echo "FAILED setup: $2"; fi
+}
+
+# ---- need.sh
+
+# fake NAME, with a script on standard input: the only commands that need.sh finds are these and the links below. HAS and KNOWS
+# name what dpkg has, and what apt knows once it has read its lists, if there is a NETWORK.
+fake() { { echo '#!/bin/sh'; cat; } >"$work/fakes/$1" && chmod +x "$work/fakes/$1"; }
+mkdir "$work/fakes" "$work/tools"
+for tool in sh cat cut env grep sed tail touch tr; do ln -s "$(command -v "$tool")" "$work/tools"; done
+fake id <<'END'
+echo "${UNDER:-1000}"
+END
+fake dpkg-query <<'END'
+for package; do :; done
+grep -qxF "$package" "$STATE/has" && echo installed
+END
+fake apt-cache <<'END'
+[ -e "$STATE/lists" ] && grep -qxF "$2" "$STATE/knows" && echo "$2 | 1.0 | http://mirror.example/debian stable/main amd64 Packages"
+END
+# apt-get(8): 100 on error; an update that reaches no server only warns.
+fake apt-get <<'END'
+echo "apt-get $*" >>"$STATE/calls"
+case "$*" in
+  "-q update")
+    [ -e "$STATE/network" ] || { echo "W: Some index files failed to download." >&2; exit 0; }
+    touch "$STATE/lists"
+    [ ! -e "$STATE/gone" ] || { echo "E: The repository 'http://gone.example stable Release' does not have a Release file." >&2; exit 100; } ;;
+  "-q install -y --no-install-recommends "*)
+    shift 4
+    for package; do
+      [ -e "$STATE/lists" ] && grep -qxF "$package" "$STATE/knows" || { echo "E: Unable to locate package $package" >&2; exit 100; }
+    done
+    printf '%s\n' "$@" >>"$STATE/has" ;;
+  *) exit 100 ;;
+esac
+END
+# sudo(8): 1 if it may not run the command.
+fake sudo <<'END'
+[ ! -e "$STATE/refuses" ] || { echo "sudo: a terminal is required to read the password" >&2; exit 1; }
+exec "$@"
+END
+
+# machine WITHOUT STATE... : a fresh one, without these commands, and with these files in its state
+machine() {
+  rm -rf "$work/state" "$work/path"
+  mkdir "$work/state"
+  cp -R "$work/fakes" "$work/path"
+  for command in $1; do rm "$work/path/$command"; done
+  shift
+  for file in "$@"; do touch "$work/state/$file"; done
+  echo make >"$work/state/has"
+  printf '%s\n' make g++ libcli11-dev pkgconf >"$work/state/knows"
+}
+
+# needs STATUS LAST PACKAGES...: need.sh ends with this status, and its last line is LAST
+needs() {
+  expected=$1 last=$2
+  shift 2
+  timeout 60 env STATE="$work/state" PATH="$work/path:$work/tools" sh extras/setup/need.sh "$@" >"$work/out" 2>"$work/err" </dev/null
+  [ $? -eq "$expected" ] && [ ! -s "$work/out" ] && [ "$(tail -n 1 "$work/err")" = "$last" ] || { cat "$work/out" "$work/err"; false; }
+}
+says() { [ "$(wc -l <"$work/err")" -eq "$1" ] || { cat "$work/err"; false; }; }
+remedy="Run as root: apt-get update && apt-get install --no-install-recommends g++ libcli11-dev"
+
+machine "" network
+needs 0 "Installing what is missing: g++ libcli11-dev pkgconf" make g++ libcli11-dev 'pkg-config|pkgconf' && says 1
+verdict $? "what is missing is installed, by the name that apt knows"
+needs 0 "" make g++ libcli11-dev 'pkg-config|pkgconf' && [ "$(wc -l <"$work/state/calls")" -eq 2 ]
+verdict $? "nothing is said or called once it is there"
+needs 0 "apt has no chromium: what needs it is left out" g++ 'chromium?' && says 1 && [ "$(wc -l <"$work/state/calls")" -eq 2 ]
+verdict $? "a package that apt lacks and that may be left out is left out, without reading the lists again"
+machine "" network gone
+needs 0 "Installing what is missing: g++" g++
+verdict $? "a repository that has gone is no reason not to install from the others"
+machine "" network refuses
+needs 1 "Packages are missing, and sudo does not install them. $remedy" g++ libcli11-dev && says 2
+verdict $? "a sudo that may not install names the packages"
+machine "" network lists refuses
+echo chromium >>"$work/state/knows"
+needs 0 "Packages are missing, and sudo does not install them. ${remedy%g++*}chromium" make 'chromium?'
+verdict $? "... and is no failure if only what may be left out is missing"
+machine sudo network
+needs 1 "Packages are missing, and there is no sudo. $remedy" g++ libcli11-dev && says 1 && [ ! -e "$work/state/calls" ]
+verdict $? "without sudo it names the packages"
+UNDER=0 needs 0 "Installing what is missing: g++" g++
+verdict $? "root needs no sudo"
+machine apt-get
+needs 1 "Packages are missing, and there is no apt-get. $remedy" g++ libcli11-dev && says 1
+verdict $? "without apt it names the packages"
+machine ""
+needs 1 "apt-get could not install all packages (is there a network?). $remedy" g++ libcli11-dev && says 4
+verdict $? "without a network it names the packages"
+machine dpkg-query
+needs 0 "This is not Debian or Ubuntu: if something is missing, install it by hand. The Debian packages: g++ chromium pkg-config" \
+  g++ 'chromium?' 'pkg-config|pkgconf' && says 1
+verdict $? "elsewhere it names the packages, and the work goes on"
+
+# ---- A folder with a blank
+
+folder="$work/a folder"
+mkdir "$folder"
+tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$folder"
+# made: runs make there, and sets `copy` to the copy's folder
+made() { make -s -C "$folder" help >"$work/out" 2>&1 && copy=$(cat "$folder/build/copy") || { cat "$work/out"; false; }; }
+made && grep -q '^make demo ' "$work/out" && [ "$(stat -c %a "$copy")" = 700 ] && [ "$(readlink "$copy/build")" = "$folder/build" ]
+verdict $? "in a folder with a blank make works in a copy that no other user can read, with build/ here"
+first=$copy
+made && [ "$copy" = "$first" ]
+verdict $? "the copy's folder is used again"
+mv "$copy" "$work/moved" && ln -s "$work/moved" "$copy" && touch "$work/moved/theirs" "$folder/build/x.o" "$folder/build/x.o.d"
+made && [ "$copy" != "$first" ] && [ -e "$work/moved/theirs" ] && [ ! -e "$folder/build/x.o" ]
+verdict $? "a folder of that name that is not ours is left alone, and what was compiled in the old one is compiled again"
+rm "$first"
+rm -rf "$copy"
+echo "$work/moved" >"$folder/build/copy"
+made && [ -d "$copy" ] && [ -e "$work/moved/theirs" ]
+verdict $? "no other folder is emptied, whatever build/copy says"
+make -s -C "$folder" clean >"$work/out" 2>&1 && [ ! -e "$copy" ] && [ -z "$(ls "$folder/build" 2>/dev/null)" ]
+verdict $? "make clean removes the copy"
