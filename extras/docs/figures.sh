@@ -61,7 +61,7 @@ check_readme() {
 }
 
 if [ "${1:-}" = check ]; then
-  unset FRAMES SEED ONLY FULL WITHOUT
+  unset FRAMES SEED ONLY FULL SUMMARY BOUNDS RATES WITHOUT
   printf '\nfigures: are the tables of extras/docs/measured.md up to date?\n'
   check size
   check bench

@@ -4,13 +4,8 @@
 
 namespace {
 
-constexpr uint64_t Most = 500;  // frames
-constexpr const char *Doubtful = "a frame that allows a false sync is in doubt where other characters touch it";
-constexpr Limits Touched = {5e-4, 0, Doubtful};
-constexpr Limits NeverWrong = {NotBound, 0, Doubtful};
-constexpr const char *First = "the first of a line, and those that allow a false sync until a gap is seen";
-constexpr Limits AtFirst = {1e-4, 0, First};
-constexpr Limits InDoubt = {0.25, 5e-5, First};
+constexpr Promise Faultless = Promise::Faultless;
+constexpr Promise NeverWrong = Promise::NeverWrong;
 
 const std::vector<Setup> &sbus2() {
   static const std::vector<Setup> list = everyDriver({15000}, {50, 1000, 2000, 3100, 4000, 4900});
@@ -52,37 +47,30 @@ Run behind(int stray, Kind kind = Kind::Plain) {
   return run;
 }
 
-Condition company(const char *name, const Run &run, const std::vector<Setup> &setups) {
-  return {name, run, setups, AtFirst, InDoubt, {}, Most};
-}
-Condition stray(const char *name, const Run &run) {
-  return {name, run, gaps(), Touched, NeverWrong, {}, Most};
-}
-
 }  // namespace
 
 const std::vector<Condition> &companyLines() {
   static const std::vector<Condition> list = {
-      company("S.BUS2, 1 slot behind 04", slots(1), sbus2()),
-      company("S.BUS2, 2 slots behind 04", slots(2), sbus2()),
-      company("S.BUS2, 8 slots behind 04", slots(8), sbus2()),
-      company("S.BUS2, 1 slot behind each frame", slotsBehindEach(1), sbus2()),
-      company("S.BUS2, 2 slots behind each frame", slotsBehindEach(2), sbus2()),
-      company("S.BUS2, 8 slots behind each frame", slotsBehindEach(8), sbus2()),
-      company("S.BUS2, 2 slots behind each frame, 0.5 ms late", late(500), sbus2()),
-      company("S.BUS2, 2 slots behind each frame, 1 ms early", late(-1000), sbus2()),
-      company("S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()),
-      company("FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), everyDriver({6300}, {50, 1000, 2000, 3000})),
-      stray("a character 00 straight behind each frame", behind(0)),
-      stray("S.BUS2, a character 00 straight behind each frame", behind(0, Kind::Sbus2)),
-      stray("any character straight behind each frame", behind(Company::AnyStray)),
-      stray("a character 00 straight before each frame", before(0)),
-      stray("any character straight before each frame", before(Company::AnyStray)),
-      company("delay of 1 to 5 ms every 31 ms", blocked(1, 5, 31), quick()),
-      company("delay of 1 to 5 ms every 97 ms", blocked(1, 5, 97), quick()),
-      company("unplugged for 1 period, again at the same character", cut(1), gaps()),
-      company("unplugged for 3 periods, again at the same character", cut(3), gaps()),
-      company("unplugged for 9 periods, again at the same character", cut(9), gaps()),
+      {"S.BUS2, 1 slot behind 04", slots(1), sbus2()},
+      {"S.BUS2, 2 slots behind 04", slots(2), sbus2()},
+      {"S.BUS2, 8 slots behind 04", slots(8), sbus2()},
+      {"S.BUS2, 1 slot behind each frame", slotsBehindEach(1), sbus2()},
+      {"S.BUS2, 2 slots behind each frame", slotsBehindEach(2), sbus2()},
+      {"S.BUS2, 8 slots behind each frame", slotsBehindEach(8), sbus2()},
+      {"S.BUS2, 2 slots behind each frame, 0.5 ms late", late(500), sbus2()},
+      {"S.BUS2, 2 slots behind each frame, 1 ms early", late(-1000), sbus2()},
+      {"S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()},
+      {"FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), everyDriver({6300}, {50, 1000, 2000, 3000})},
+      {"a character 00 straight behind each frame", behind(0), gaps(), NeverWrong},
+      {"S.BUS2, a character 00 straight behind each frame", behind(0, Kind::Sbus2), gaps(), NeverWrong},
+      {"any character straight behind each frame", behind(Company::AnyStray), gaps(), NeverWrong},
+      {"a character 00 straight before each frame", before(0), gaps(), NeverWrong},
+      {"any character straight before each frame", before(Company::AnyStray), gaps(), NeverWrong},
+      {"delay of 1 to 5 ms every 31 ms", blocked(1, 5, 31), quick(), Faultless},
+      {"delay of 1 to 5 ms every 97 ms", blocked(1, 5, 97), quick(), Faultless},
+      {"unplugged for 1 period, again at the same character", cut(1), gaps(), NeverWrong},
+      {"unplugged for 3 periods, again at the same character", cut(3), gaps(), NeverWrong},
+      {"unplugged for 9 periods, again at the same character", cut(9), gaps(), NeverWrong},
   };
   return list;
 }

@@ -3,6 +3,4 @@
 
 #include "Conditions.h"
 
-// No frame is damaged. None is wrong, and none is missed, except frames that allow a false sync and that a stray
-// character touches.
 const std::vector<Condition> &companyLines();

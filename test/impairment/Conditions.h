@@ -1,4 +1,4 @@
-// The impaired lines for receivers, and the bounds for ours on each.
+// The impaired lines, and what our receiver promises on them. Rates.inc has what it has been measured to do.
 #pragma once
 
 #include <cstdint>
@@ -7,29 +7,31 @@
 
 #include "Simulation.h"
 
-// Frames per impaired frame, noise character and blocked loop; otherwise per intact frame. The bounds hold for all setups
-// and all sticks of a group together. No frame may be late or too young.
-constexpr double NotBound = 1e9;  // only printed
-struct Limits {
-  double missed;
-  double wrong;
-  const char *reason = "";  // why these are not the usual bounds
+// Only what follows from the rules, whatever is drawn: on a whole line the parts of two frames have an end byte and a
+// header inside, and where every gap is seen nothing but a frame stands between two.
+enum class Promise {
+  None,        // the measured rates are all
+  NeverWrong,  // no frame is wrong or too young, at any seed
+  Faultless,   // nor is any missed or late
 };
 
+// Lines that have something in common. What differs is drawn for each line.
 struct Condition {
   std::string name;
   Run run;
   std::vector<Setup> setups;
-  Limits ordinary;
-  Limits deceptive;
-  std::vector<Payload> only = {};  // empty: all
-  uint64_t most = UINT64_MAX;      // frames of each setup and kind of sticks
+  Promise promise = Promise::None;
+  std::vector<Payload> only = {};  // sticks; empty: all
+  void (*vary)(Run &run, Random &random) = nullptr;
 
-  std::vector<Payload> sticks() const;
+  std::vector<Payload> ordinarySticks() const;
+  std::vector<Payload> deceptiveSticks() const;
 };
 
+// Returns them all, of this file, Company.h and Joins.h.
 const std::vector<Condition> &conditions();
 
-// One condition, one setup, one kind of sticks: `frames` or a few more. Each has a seed of its own, made of `seed`.
-Tally impairment(const Condition &condition, const Setup &setup, Payload sticks, Decoder decoder, uint64_t frames,
-              uint64_t seed);
+// Sums up lines with `frames` frames, or a few more, for each of these sticks. A line's setup is one of these, drawn
+// like all that differs: the lines are independent of each other.
+Tally impairment(const Condition &condition, const std::vector<Setup> &setups, const std::vector<Payload> &sticks,
+              Decoder decoder, uint64_t frames, uint64_t seed);

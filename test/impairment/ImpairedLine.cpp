@@ -43,7 +43,7 @@ ImpairedLine::ImpairedLine(const Transmission &transmission, uint64_t startUs, R
       _joinedUs(startUs + transmission.cut.toFrame * transmission.periodUs +
                 transmission.cut.toCharacter * transmission.characterUs()),
       _random(random),
-      _sticks(transmission.sticks, random, transmission.place),
+      _sticks(transmission.sticks, random),
       _moreSticks(transmission.sticks, random),
       _framesLeft(transmission.frames),
       _frameUs(startUs),

@@ -54,11 +54,10 @@ struct Transmission {
   Impairments impairments{};
   Kind kind = Kind::Plain;
   Payload sticks = Payload::Neutral;
-  unsigned place = 0;  // where their false sync begins, as PayloadFrames has it
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
   uint32_t spreadUs = 0;  // between the characters of a frame
-  uint64_t frames = UINT64_MAX;
+  uint64_t frames = 100;
   uint64_t stopEvery = 0;  // after this many frames the line is silent for 100 ms
   Company company{};
   Cut cut{};

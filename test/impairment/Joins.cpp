@@ -10,11 +10,6 @@ namespace {
 constexpr uint64_t FramesInSync = 20;
 constexpr uint64_t FramesAfter = 30;
 constexpr uint32_t LongestCut = 9;  // periods
-constexpr unsigned FirstPlace = 2;  // where a false sync may begin
-constexpr unsigned LastPlace = 23;
-
-constexpr const char *Unseen = "no gap is seen, and what may be a false sync is rejected";
-constexpr const char *Hidden = "nor is the cut, or the gap after it; then the two parts may be as long as a frame";
 
 // (A port that hands over 8 bytes at once hides so much of a gap of 3.3 ms that a loop of 1 ms misses it now and then:
 // one join of about 2000 delivers a frame that was never sent.)
@@ -39,86 +34,53 @@ std::vector<Setup> hidden() {
   return setups;
 }
 
-// Joins at this character.
-Run joined(Join join, const Setup &setup, unsigned character, Random &random) {
+// begin() while the line runs.
+Run atBegin(bool inStep, Kind kind = Kind::Plain) {
   Run run;
-  run.setup = setup;
-  run.line.periodUs = setup.periodUs;
+  run.line.kind = kind;
   run.line.frames = FramesAfter + 1;
-  Cut &cut = run.line.cut;
-  switch (join) {
-    case Join::InStep:
-      run.inStep = true;
-      run.joining = true;
-      run.joinUs = character * run.line.characterUs();
-      break;
-    case Join::AtBegin:
-      run.joining = true;
-      run.joinUs = character * run.line.characterUs() + random.below(run.line.characterUs());
-      break;
-    case Join::AfterSilence:
-      run.silenceUs = random.chance(0.5) ? 5000 : 300000;
-      cut.toCharacter = character;
-      break;
-    case Join::AfterCut:
-    case Join::SameCharacter:
-      cut.fromFrame = FramesInSync;
-      cut.fromCharacter = join == Join::SameCharacter ? character : random.below(sbus::FrameSize);
-      cut.toFrame = FramesInSync + 1 + random.below(LongestCut);
-      cut.toCharacter = character;
-      run.line.frames = cut.toFrame + 1 + FramesAfter;
-      break;
-  }
+  run.joining = true;
+  run.inStep = inStep;
   return run;
+}
+void pluggedIn(Run &run, Random &random) {
+  run.silenceUs = random.chance(0.5) ? 5000 : 300000;
+  run.line.cut.toCharacter = random.below(sbus::FrameSize);
+  run.line.frames = FramesAfter + 1;
+}
+void unplugged(Run &run, Random &random) {
+  Cut &cut = run.line.cut;
+  cut.fromFrame = FramesInSync;
+  cut.fromCharacter = random.below(sbus::FrameSize);
+  cut.toFrame = FramesInSync + 1 + random.below(LongestCut);
+  cut.toCharacter = random.below(sbus::FrameSize);
+  run.line.frames = cut.toFrame + 1 + FramesAfter;
+}
+void unpluggedAtSameCharacter(Run &run, Random &random) {
+  unplugged(run, random);
+  run.line.cut.toCharacter = run.line.cut.fromCharacter;
 }
 
 }  // namespace
 
-const std::vector<Payload> &JoinLine::sticks() {
+const std::vector<Condition> &joinLines() {
   static const std::vector<Payload> sticks = {Payload::ShiftedStill, Payload::Shifted, Payload::OtherEnd};
-  return sticks;
-}
-
-const std::vector<JoinLine> &joinLines() {
-  static const std::vector<JoinLine> lines = {
-      {"joined: begin() while the line runs", Join::AtBegin, all(), 0, 0.17, Unseen},
-      {"joined: plugged in after silence", Join::AfterSilence, all(), 0, 0.17, Unseen},
-      {"joined: unplugged, and again", Join::AfterCut, seen(), 0, 0},
-      {"joined: unplugged, and again, gaps not seen", Join::AfterCut, hidden(), 0.04, 0.25, Hidden},
-      {"joined: unplugged, and again at the same character", Join::SameCharacter, seen(), 0, 0},
-      {"joined: unplugged, and again at the same character, gaps not seen", Join::SameCharacter, hidden(), 0.04, 0.25,
-       Hidden},
-      {"joined: loop in step", Join::InStep, all(), 0, 0.19, Unseen},
-      {"joined: begin() while an S.BUS2 line runs", Join::AtBegin, sbus2(), 0, 0, "", Kind::Sbus2},
+  constexpr Promise None = Promise::None;
+  constexpr Promise NeverWrong = Promise::NeverWrong;
+  static const auto join = [](const char *name, const Run &run, const std::vector<Setup> &setups, Promise promise,
+                              void (*vary)(Run &, Random &) = nullptr) {
+    return Condition{name, run, setups, promise, sticks, vary};
+  };
+  static const std::vector<Condition> lines = {
+      join("joined: begin() while the line runs", atBegin(false), all(), NeverWrong),
+      join("joined: plugged in after silence", Run(), all(), NeverWrong, pluggedIn),
+      join("joined: unplugged, and again", Run(), seen(), NeverWrong, unplugged),
+      join("joined: unplugged, and again, gaps not seen", Run(), hidden(), None, unplugged),
+      join("joined: unplugged, and again at the same character", Run(), seen(), NeverWrong, unpluggedAtSameCharacter),
+      join("joined: unplugged, and again at the same character, gaps not seen", Run(), hidden(), None,
+           unpluggedAtSameCharacter),
+      join("joined: loop in step", atBegin(true), all(), NeverWrong),
+      join("joined: begin() while an S.BUS2 line runs", atBegin(false, Kind::Sbus2), sbus2(), NeverWrong),
   };
   return lines;
-}
-
-JoinTally &JoinTally::operator+=(const JoinTally &other) {
-  joins += other.joins;
-  misled += other.misled;
-  unseen += other.unseen;
-  frames += other.frames;
-  return *this;
-}
-
-JoinTally impairment(const JoinLine &line, const Setup &setup, Payload sticks, Decoder decoder, unsigned stride,
-                  uint64_t seed) {
-  Random random(ownSeed(line.name, setup, sticks, seed));
-  JoinTally sum;
-  for (unsigned place = FirstPlace; place <= LastPlace; place++) {
-    for (unsigned character = random.below(stride); character < sbus::FrameSize; character += stride) {
-      Run run = joined(line.join, setup, character, random);
-      run.line.sticks = sticks;
-      run.line.place = place;
-      run.line.kind = line.kind;
-      const Tally tally = simulate(run, decoder, random.next());
-      sum += {1, tally.wrong != 0, tally.joined == 0, tally};
-    }
-  }
-  return sum;
-}
-
-unsigned joinStride(uint64_t frames) {
-  return static_cast<unsigned>(std::clamp<uint64_t>(60000 / frames, 1, 1000));
 }

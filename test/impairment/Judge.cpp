@@ -5,9 +5,11 @@
 
 namespace {
 
-constexpr uint64_t Tally::*Counts[] = {&Tally::damaged, &Tally::intact,   &Tally::missed,  &Tally::wrong,
-                                       &Tally::late,    &Tally::tooYoung, &Tally::altered, &Tally::disturbed,
-                                       &Tally::joined,  &Tally::outlived};
+constexpr uint64_t Tally::*Counts[] = {
+    &Tally::damaged,     &Tally::intact,    &Tally::missed,     &Tally::wrong,     &Tally::late,
+    &Tally::tooYoung,    &Tally::altered,   &Tally::disturbed,  &Tally::outlived,  &Tally::lines,
+    &Tally::linesMissed, &Tally::linesDead, &Tally::linesWrong, &Tally::linesLate, &Tally::linesTooYoung,
+    &Tally::linesOutlived};
 
 }  // namespace
 
@@ -21,6 +23,16 @@ Tally &Tally::operator+=(const Tally &other) {
 bool Tally::operator==(const Tally &other) const {
   return std::all_of(std::begin(Counts), std::end(Counts),
                      [&](uint64_t Tally::*count) { return this->*count == other.*count; });
+}
+
+void Tally::countLine() {
+  lines = 1;
+  linesMissed = missed != 0;
+  linesDead = 2 * missed > intact;
+  linesWrong = wrong != 0;
+  linesLate = late != 0;
+  linesTooYoung = tooYoung != 0;
+  linesOutlived = outlived != 0;
 }
 
 void Judge::sent(const SentFrame &frame) {
@@ -72,7 +84,6 @@ void Judge::given(const uint8_t *frame, uint64_t position, uint64_t sinceUs) {
         isThat(frame, entry.frame.bytes)) {
       entry.given = true;
       _firstGiven = std::min(_firstGiven, entry.number);
-      _tally.joined += entry.number >= _joinedFrom;
       _tally.altered += entry.frame.altered;
       _tally.tooYoung += entry.frame.endUs <= sinceUs;
       _tally.late += entry.frame.after <= _hadBefore && entry.frame.straight && i != 0 && _entries[i - 1].given;

@@ -15,14 +15,25 @@ struct Tally {
   uint64_t tooYoung = 0;   // given with an age below the time since its last character was complete
   uint64_t altered = 0;    // damaged, and given: all its characters were there, and it looked like a frame
   uint64_t disturbed = 0;  // characters in gaps, and blocked loops
-  uint64_t joined = 0;     // intact, begun after a cut's end, and given
   uint64_t outlived = 0;   // wrong, and given after a gap that can be seen: false sync should have ended there
+
+  // On how many lines that happened.
+  uint64_t lines = 0;
+  uint64_t linesMissed = 0;
+  uint64_t linesDead = 0;  // more than half of the intact frames were missed
+  uint64_t linesWrong = 0;
+  uint64_t linesLate = 0;
+  uint64_t linesTooYoung = 0;
+  uint64_t linesOutlived = 0;
 
   Tally &operator+=(const Tally &other);
   bool operator==(const Tally &other) const;
 
   // Returns what a loss is compared with.
   uint64_t damages() const { return damaged + disturbed; }
+
+  // Counts all this as one line.
+  void countLine();
 };
 
 // Characters are numbered as in SentFrame: those that the port could receive.
@@ -44,9 +55,6 @@ class Judge {
 
   // Notes that the receiver assumes a loss of characters in the port.
   void broken();
-
-  // Notes a join: frames that began before do not count as joined.
-  void countJoinedFrom(uint64_t number) { _joinedFrom = number; }
 
   // Notes that a gap which a receiver can see has been on the line since it was joined.
   void gap() { _gap = true; }
@@ -80,7 +88,6 @@ class Judge {
   std::deque<Entry> _entries;
   uint64_t _sent = 0;
   uint64_t _firstGiven = UINT64_MAX;  // number of the frame
-  uint64_t _joinedFrom = 0;
   bool _gap = false;
   bool _broken = false;  // since the newest frame began
   bool _lastSettledGiven = false;

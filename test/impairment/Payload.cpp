@@ -32,8 +32,7 @@ const std::vector<Payload> &deceptiveSticks() {
   return sticks;
 }
 
-PayloadFrames::PayloadFrames(Payload sticks, Random &random, unsigned place)
-    : _sticks(sticks), _random(random), _fixedPlace(place) {
+PayloadFrames::PayloadFrames(Payload sticks, Random &random) : _sticks(sticks), _random(random) {
   std::generate_n(_channels.begin(), sbus::ProportionalCount,
                   [this] { return static_cast<uint16_t>(_random.below(2048)); });
 }
@@ -80,7 +79,7 @@ Frame PayloadFrames::next() {
 
 // Gives new values to the channels that do not move.
 void PayloadFrames::change() {
-  _place = _fixedPlace != 0 ? _fixedPlace : 2 + _random.below(22);
+  _place = 2 + _random.below(22);
   _zeros = _random.below(1u << 16) & _random.below(1u << 16);
   _still = anyFrame();
   if (_sticks == Payload::ShiftedStill || _sticks == Payload::OtherEnd) {

@@ -34,9 +34,7 @@ const std::vector<Payload> &deceptiveSticks();
 // Makes frames with end byte 00. 2 % of the moving frames have random flags.
 class PayloadFrames {
  public:
-  // `place`: where a false sync begins, 2 to 23 (at the flags, which are 0F then). 0: anywhere, and now and then
-  // elsewhere.
-  PayloadFrames(Payload sticks, Random &random, unsigned place = 0);
+  PayloadFrames(Payload sticks, Random &random);
   Frame next();
 
  private:
@@ -51,9 +49,8 @@ class PayloadFrames {
 
   const Payload _sticks;
   Random &_random;
-  const unsigned _fixedPlace;
   unsigned _number = 0;
-  unsigned _place = 0;  // of the header of the false sync, if shifted
+  unsigned _place = 0;  // of the header of the false sync, if shifted: 2 to 23, which is the flags
   unsigned _zeros = 0;  // bits: these channels stand at 0
   Channels _channels{};
   Frame _still{};

@@ -43,14 +43,8 @@ inline Run stopping() {
   run.line.stopEvery = 20;
   return run;
 }
-// Lines with this number of frames each.
-inline Run lines(uint64_t frames, Run run) {
-  run.line.frames = frames;
-  return run;
-}
-// Each line begins at another place of a frame.
 inline Run inStep() {
-  Run run = lines(2000, plain());
+  Run run;
   run.inStep = true;
   return run;
 }
@@ -61,12 +55,14 @@ inline Run spread() {
   return run;
 }
 inline Run joined() {
-  Run run = lines(25, plain());
+  Run run;
+  run.line.frames = 25;
   run.joining = true;
   return run;
 }
 inline Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
   Run run;
+  run.line.frames = 250;  // 0.75 s of the densest line
   run.blockFromUs = 1000 * fromMs;
   run.blockToUs = 1000 * toMs;
   run.blockEveryUs = 1000 * everyMs;
@@ -76,6 +72,7 @@ inline Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
 inline Run cut(unsigned periods) {
   Run run;
   run.line.cut = {12, 1, 12 + uint64_t{periods}, 1, 13 + uint64_t{periods}};
+  run.line.frames = 24 * run.line.cut.every;  // at each character
   return run;
 }
 inline Run by24(Run run) {

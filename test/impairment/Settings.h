@@ -1,9 +1,10 @@
-// Settings from the environment: FRAMES=1000000 SEED=7 make impairment
+// Settings from the environment: FRAMES=1000000 SEED=7
 #pragma once
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 // Returns a number of `least` or more. Another text ends the program with status 2.
 inline uint64_t setting(const char *name, uint64_t otherwise, uint64_t least = 0) {
@@ -20,10 +21,8 @@ inline uint64_t setting(const char *name, uint64_t otherwise, uint64_t least = 0
   return value;
 }
 
-inline uint64_t framesPerCase(uint64_t otherwise) {
-  return setting("FRAMES", otherwise, 1);
-}
-
-inline uint64_t seedOfAll() {
-  return setting("SEED", 20181);
+// Returns SEED, by default the number of the day since 1970 (UTC).
+inline uint64_t seedOfDay() {
+  static const uint64_t day = static_cast<uint64_t>(std::time(nullptr)) / 86400;
+  return setting("SEED", day);
 }

@@ -24,11 +24,3 @@ std::string name(const Setup &setup) {
   return "T " + inUs(setup.periodUs) + ", loop " + inUs(setup.loopUs) + ", " + setup.driver.name + ", " +
          std::to_string(setup.buffer) + (setup.polling == Polling::ByEvents ? ", by events" : "");
 }
-
-uint64_t ownSeed(const std::string &line, const Setup &setup, Payload sticks, uint64_t seed) {
-  uint64_t mixed = seed;
-  for (const char c : line + name(setup) + name(sticks)) {
-    mixed = Random(mixed + static_cast<unsigned char>(c)).next();
-  }
-  return mixed;
-}

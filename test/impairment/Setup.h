@@ -29,6 +29,3 @@ std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::i
 
 // Returns "T 9 ms, loop 50 us, board, 64".
 std::string name(const Setup &setup);
-
-// Returns a seed made of `seed` for each line, setup and kind of sticks. It does not change when their lists do.
-uint64_t ownSeed(const std::string &line, const Setup &setup, Payload sticks, uint64_t seed);

@@ -18,9 +18,7 @@ class Simulation {
         _port(run.line.baud, run.setup.driver, run.setup.buffer, [this] { takeFrame(); }),
         _judge(Learning, Receiver::Size, Receiver::FlagsMask),
         _extraJudge(Learning, Receiver::Size, 0),
-        _joinedUs(run.joining ? _beginUs : _line.joinedUs()) {
-    _judge.countJoinedFrom(run.line.cut.toFrame + 1);
-  }
+        _joinedUs(run.joining ? _beginUs : _line.joinedUs()) {}
 
   Tally run() {
     fakeMicros = _beginUs;
@@ -39,6 +37,7 @@ class Simulation {
       tally += extra;
     }
     tally.disturbed = _line.noiseCharacters() + _blocks;
+    tally.countLine();
     return tally;
   }
 
