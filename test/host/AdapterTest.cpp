@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "impairment/ImpairedLine.h"
+#include "impairment/Settings.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/Recording.h"
 #include "line/recording/RestoredLine.h"
@@ -17,7 +18,7 @@
 
 namespace {
 
-constexpr uint64_t Seed = 20181;
+const uint64_t Seed = seedOfDay();
 constexpr uint32_t Latencies[] = {1000, 2000, 4000, 8000, 16000};  // us
 constexpr unsigned Dozen = 12;
 #ifdef __SANITIZE_ADDRESS__
