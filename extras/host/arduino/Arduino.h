@@ -15,11 +15,17 @@
 #endif
 #include "Uart.h"
 #include "UsbSerial.h"
+#include "WCharacter.h"
+#include "WString.h"
+#include "avr/dtostrf.h"  // AVR, ESP32 and Pico have dtostrf() without it
 #include "avr/pgmspace.h"
+#include "binary.h"
+#include "itoa.h"
 
 typedef bool boolean;
 typedef uint8_t byte;
 typedef uint16_t word;
+#include "WMath.h"  // makes word() a macro
 
 // The sketch.
 void setup();
@@ -37,8 +43,9 @@ void yield();
 void noInterrupts();
 void interrupts();
 
-// Pins. Only those of the serial ports are connected, the report shows what Servo does at its pins, and with --pulses
-// servo pulses come to 2..5. Otherwise writing does nothing, and reading returns LOW, or half of the reference.
+// Pins. A pin that is an output reads as what was written, INPUT_PULLUP reads HIGH, other inputs LOW, as nothing is
+// connected; with --pulses servo pulses come to 2..5. The report shows what was done at which pin. analogRead() returns
+// half of the reference.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0
@@ -46,17 +53,29 @@ void interrupts();
 #define INPUT_PULLUP 0x2
 #define INPUT_PULLDOWN 0x3
 #define LED_BUILTIN 13
-inline void pinMode(uint32_t, uint32_t) {}
-inline void digitalWrite(uint32_t, uint32_t) {}
+static const uint8_t A0 = 16;  // as on the Grasshopper: D14 and D15 are I2C's
+static const uint8_t A1 = 17;
+static const uint8_t A2 = 18;
+static const uint8_t A3 = 19;
+static const uint8_t A4 = 20;
+static const uint8_t A5 = 21;
+void pinMode(uint32_t pin, uint32_t mode);
+void digitalWrite(uint32_t pin, uint32_t value);
 int digitalRead(uint32_t pin);
+int analogRead(uint32_t pin);
+void analogReadResolution(int bits);  // 1..12; 10
+void analogWrite(uint32_t pin, uint32_t value);
+void tone(uint32_t pin, uint32_t frequency, uint32_t duration = 0);
+void noTone(uint32_t pin);
+// Returns the length of the next pulse, in us, or 0 if there was none by the timeout, in us.
+uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout = 1000000);
+
 #define CHANGE 0x2
+#define FALLING 0x3
+#define RISING 0x4
 #define digitalPinToInterrupt(pin) (pin)
 void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode);
-static const uint8_t A0 = 14;
-static const uint8_t A1 = 15;
-inline int analogRead(uint32_t) {
-  return 512;
-}
+void detachInterrupt(uint32_t pin);
 
 #define PI 3.14159265358979323846
 #define HALF_PI (PI / 2)
@@ -81,4 +100,5 @@ inline int analogRead(uint32_t) {
 #define bitRead(value, b) (((value) >> (b)) & 1)
 #define bitSet(value, b) ((value) |= bit(b))
 #define bitClear(value, b) ((value) &= ~bit(b))
+#define bitToggle(value, b) ((value) ^= bit(b))
 #define bitWrite(value, b, x) ((x) ? bitSet(value, b) : bitClear(value, b))

@@ -19,8 +19,17 @@ void delayMicroseconds(unsigned int us);
 void yield();
 void noInterrupts();
 void interrupts();
+void pinMode(uint32_t pin, uint32_t mode);
+void digitalWrite(uint32_t pin, uint32_t value);
 int digitalRead(uint32_t pin);
+int analogRead(uint32_t pin);
+void analogReadResolution(int bits);
+void analogWrite(uint32_t pin, uint32_t value);
+void tone(uint32_t pin, uint32_t frequency, uint32_t duration);
+void noTone(uint32_t pin);
+uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout);
 void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode);
+void detachInterrupt(uint32_t pin);
 
 namespace {
 
@@ -67,12 +76,72 @@ void interrupts() {
   Board::instance().enableInterrupts(true);
 }
 
-int digitalRead(uint32_t pin) {
-  return Board::instance().pulsePins().isHigh(pin) ? 1 : 0;
+void pinMode(uint32_t pin, uint32_t mode) {
+  Board::instance().pins().setMode(pin, static_cast<host::Pins::Mode>(mode));
 }
 
-void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t) {
-  Board::instance().pulsePins().onChange(pin, callback);
+void digitalWrite(uint32_t pin, uint32_t value) {
+  Board::instance().pins().write(pin, value != 0);
+}
+
+int digitalRead(uint32_t pin) {
+  return Board::instance().pulsePins().isHigh(pin) || Board::instance().pins().isHigh(pin) ? 1 : 0;
+}
+
+namespace {
+
+int analogBits = 10;
+
+}  // namespace
+
+void analogReadResolution(int bits) {
+  if (bits >= 1 && bits <= 12) {
+    analogBits = bits;
+  }
+}
+
+int analogRead(uint32_t) {
+  return 1 << (analogBits - 1);
+}
+
+void analogWrite(uint32_t pin, uint32_t value) {
+  Board::instance().pins().use(host::Pins::Analog, pin, static_cast<int>(value));
+}
+
+void tone(uint32_t pin, uint32_t frequency, uint32_t) {
+  if (frequency != 0) {
+    Board::instance().pins().use(host::Pins::Tone, pin, static_cast<int>(frequency));
+  }
+}
+
+void noTone(uint32_t) {
+}
+
+uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout) {
+  const bool high = state != 0;
+  const uint32_t startUs = micros();
+  // Waits while the pin is, or is not, in that state. Returns false at the timeout.
+  const auto passes = [=](bool in) {
+    while ((digitalRead(pin) != 0) == (in == high)) {
+      if (micros() - startUs >= timeout) {
+        return false;
+      }
+    }
+    return true;
+  };
+  if (!passes(true) || !passes(false)) {
+    return 0;
+  }
+  const uint32_t beginUs = micros();
+  return passes(true) ? micros() - beginUs : 0;
+}
+
+void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode) {
+  Board::instance().pulsePins().onEdge(pin, callback, static_cast<host::PulsePins::Edge>(mode));
+}
+
+void detachInterrupt(uint32_t pin) {
+  Board::instance().pulsePins().onEdge(pin, nullptr, host::PulsePins::Change);
 }
 
 Uart Serial1(1);

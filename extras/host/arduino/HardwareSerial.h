@@ -19,5 +19,19 @@ class HardwareSerial : public Stream {
   virtual void flush() = 0;
   virtual size_t write(uint8_t byte) = 0;
   using Print::write;
+  // Without these write(0) could also mean a null pointer (arduino/ArduinoCore-avr,
+  // cores/arduino/HardwareSerial.h:130).
+  size_t write(int byte) {
+    return write(static_cast<uint8_t>(byte));
+  }
+  size_t write(unsigned byte) {
+    return write(static_cast<uint8_t>(byte));
+  }
+  size_t write(long byte) {
+    return write(static_cast<uint8_t>(byte));
+  }
+  size_t write(unsigned long byte) {
+    return write(static_cast<uint8_t>(byte));
+  }
   virtual operator bool() = 0;
 };

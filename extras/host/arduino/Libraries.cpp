@@ -32,7 +32,7 @@ uint8_t Servo::attach(int pin, int min, int max) {
   _pin = pin;
   _min = min;
   _max = max;
-  Board::instance().servoPins().attached(pin);
+  Board::instance().pins().attachServo(static_cast<uint32_t>(pin));
   return static_cast<uint8_t>(pin);
 }
 
@@ -43,7 +43,7 @@ void Servo::write(int value) {
 void Servo::writeMicroseconds(int us) {
   _us = std::max(_min, std::min(us, _max));
   if (attached()) {
-    Board::instance().servoPins().set(_pin, _us);
+    Board::instance().pins().use(host::Pins::Servo, static_cast<uint32_t>(_pin), _us);
   }
 }
 
@@ -83,7 +83,7 @@ bool stm32l0_servo_configure(stm32l0_servo_t *servo, const stm32l0_servo_table_t
   for (uint32_t i = 0; i < table->entries; i++) {
     const auto &slot = table->slot[i];
     if (i >= servo->set.entries || slot.pin != servo->set.slot[i].pin || slot.width != servo->set.slot[i].width) {
-      Board::instance().servoPins().set(slot.pin, slot.width);
+      Board::instance().pins().use(host::Pins::Servo, slot.pin, slot.width);
     }
   }
   servo->set = *table;

@@ -1,17 +1,102 @@
-#include "Arduino.h"
+#include "Stream.h"
+
+uint32_t millis();
+
+int Stream::timedRead() {
+  const uint32_t startMs = millis();
+  int next = read();
+  while (next < 0 && millis() - startMs < _timeout) {
+    next = read();
+  }
+  return next;
+}
+
+int Stream::timedPeek() {
+  const uint32_t startMs = millis();
+  int next = peek();
+  while (next < 0 && millis() - startMs < _timeout) {
+    next = peek();
+  }
+  return next;
+}
 
 size_t Stream::readBytes(uint8_t *buffer, size_t size) {
   size_t count = 0;
-  uint32_t lastMs = millis();
-  while (count < size) {
-    const int next = read();
-    const uint32_t nowMs = millis();
-    if (next >= 0) {
-      buffer[count++] = static_cast<uint8_t>(next);
-      lastMs = nowMs;
-    } else if (nowMs - lastMs >= _timeout) {
-      break;
-    }
+  for (int next = 0; count < size && (next = timedRead()) >= 0; count++) {
+    buffer[count] = static_cast<uint8_t>(next);
   }
   return count;
+}
+
+size_t Stream::readBytesUntil(char terminator, uint8_t *buffer, size_t size) {
+  size_t count = 0;
+  for (int next = 0; count < size && (next = timedRead()) >= 0 && next != static_cast<uint8_t>(terminator); count++) {
+    buffer[count] = static_cast<uint8_t>(next);
+  }
+  return count;
+}
+
+String Stream::readString() {
+  String text;
+  for (int next = timedRead(); next >= 0; next = timedRead()) {
+    text += static_cast<char>(next);
+  }
+  return text;
+}
+
+String Stream::readStringUntil(char terminator) {
+  String text;
+  for (int next = timedRead(); next >= 0 && next != static_cast<uint8_t>(terminator); next = timedRead()) {
+    text += static_cast<char>(next);
+  }
+  return text;
+}
+
+// A minus counts in front only, a point once and only if `point`.
+double Stream::parseNumber(bool point) {
+  int next = timedPeek();
+  while (next >= 0 && next != '-' && isdigit(next) == 0 && !(point && next == '.')) {
+    read();
+    next = timedPeek();
+  }
+  const bool negative = next == '-';
+  double number = 0;
+  double place = 0;  // of the next digit behind the point; 0 in front of it
+  do {
+    if (next == '.') {
+      place = 0.1;
+    } else if (next >= 0 && next != '-') {
+      const int digit = next - '0';
+      number = place == 0 ? number * 10 + digit : number + digit * place;
+      place /= 10;
+    }
+    read();
+    next = timedPeek();
+  } while (next >= 0 && (isdigit(next) != 0 || (point && next == '.' && place == 0)));
+  return negative ? -number : number;
+}
+
+long Stream::parseInt() {
+  return static_cast<long>(parseNumber(false));
+}
+
+float Stream::parseFloat() {
+  return static_cast<float>(parseNumber(true));
+}
+
+bool Stream::find(char c) {
+  const char text[] = {c, '\0'};
+  return find(text);
+}
+
+bool Stream::findUntil(const char *text, const char *terminator) {
+  String read;
+  const auto found = [&read](const char *end) { return end != nullptr && read.endsWith(end); };
+  for (int next = 0; !found(text); read += static_cast<char>(next)) {
+    next = found(terminator) ? -1 : timedRead();
+    if (next < 0) {
+      return false;
+    }
+  }
+  return true;
 }

@@ -8,14 +8,33 @@ class Stream : public Print {
   virtual int read() = 0;
   virtual int peek() = 0;
 
-  // How long readBytes() waits for the next byte, in ms.
+  // How long the methods below wait for the next byte, in ms.
   void setTimeout(unsigned long ms) { _timeout = ms; }
   unsigned long getTimeout() const { return _timeout; }
 
-  // Reads until `size` bytes have come or the timeout has passed without one. Returns how many came.
+  // Reads until `size` bytes have come, or the terminator, which is taken and not counted. Returns how many came.
   size_t readBytes(uint8_t *buffer, size_t size);
   size_t readBytes(char *buffer, size_t size) { return readBytes(reinterpret_cast<uint8_t *>(buffer), size); }
+  size_t readBytesUntil(char terminator, uint8_t *buffer, size_t size);
+  size_t readBytesUntil(char terminator, char *buffer, size_t size) {
+    return readBytesUntil(terminator, reinterpret_cast<uint8_t *>(buffer), size);
+  }
+  String readString();
+  String readStringUntil(char terminator);
+
+  // Skip to the first digit or minus, and read the number; what follows it stays. Return 0 without one.
+  long parseInt();
+  float parseFloat();
+
+  // Read up to the end of `text`; false if the timeout has passed, or the terminator has come before.
+  bool find(const char *text) { return findUntil(text, nullptr); }
+  bool find(char c);
+  bool findUntil(const char *text, const char *terminator);
 
  private:
+  int timedRead();
+  int timedPeek();
+  double parseNumber(bool point);
+
   unsigned long _timeout = 1000;
 };

@@ -41,7 +41,7 @@ class Uart : public HardwareSerial {
   void flush() override;             // in an onReceive() callback it does not wait
   size_t write(uint8_t byte) override;
   size_t write(const uint8_t *buffer, size_t size) override;
-  using Print::write;
+  using HardwareSerial::write;
   operator bool() override { return true; }
 
   // `callback` runs when received bytes have been handed over: once, then again after the next read. On the board that

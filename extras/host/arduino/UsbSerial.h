@@ -20,7 +20,7 @@ class UsbSerial : public HardwareSerial {
   }
   size_t write(uint8_t byte) override;
   size_t write(const uint8_t *buffer, size_t size) override;
-  using Print::write;
+  using HardwareSerial::write;
   operator bool() override {
     return true;
   }

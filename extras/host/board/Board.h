@@ -1,4 +1,4 @@
-// The board on which the sketch seems to run: clock, serial ports and the wires between them, USB, EEPROM, servos.
+// The board on which the sketch seems to run: clock, serial ports and the wires between them, USB, EEPROM, pins.
 #pragma once
 
 #include <deque>
@@ -8,9 +8,9 @@
 #include "Clock.h"
 #include "Eeprom.h"
 #include "JumperWire.h"
+#include "Pins.h"
 #include "Port.h"
 #include "PulsePins.h"
-#include "ServoPins.h"
 #include "SketchInput.h"
 #include "SketchOutput.h"
 
@@ -31,7 +31,7 @@ class Board {
   SketchOutput &output() { return _output; }
   SketchInput &input() { return _input; }
   Eeprom &eeprom() { return _eeprom; }
-  ServoPins &servoPins() { return _servoPins; }
+  Pins &pins() { return _pins; }
   PulsePins &pulsePins() { return _pulsePins; }
 
   // Connects the TX pin of port `from` with the RX pin of port `to`.
@@ -68,7 +68,7 @@ class Board {
   SketchOutput _output;
   SketchInput _input;
   Eeprom _eeprom;
-  ServoPins _servoPins;
+  Pins _pins;
   PulsePins _pulsePins;
   std::function<void(uint64_t)> _onTime;
   bool _interruptsEnabled = true;

@@ -6,9 +6,10 @@
 
 namespace host {
 
-void PulsePins::onChange(uint32_t pin, void (*callback)()) {
+void PulsePins::onEdge(uint32_t pin, void (*callback)(), Edge edge) {
   if (pin - First < Count) {
     _callbacks[pin - First] = callback;
+    _edges[pin - First] = edge;
   }
 }
 
@@ -36,7 +37,8 @@ void PulsePins::advance(uint64_t nowUs) {
   while (_nextUs <= nowUs) {
     const uint32_t pin = _edge / 2;
     const bool isHigh = _edge % 2 == 0 && line::Flight.radio(0, flightMs()) == line::Radio::Heard;
-    _waits[pin] = _waits[pin] || isHigh != _isHigh[pin];
+    const bool asked = _edges[pin] == Change || _edges[pin] == (isHigh ? Rising : Falling);
+    _waits[pin] = _waits[pin] || (isHigh != _isHigh[pin] && asked);
     _isHigh[pin] = isHigh;
     _edge = (_edge + 1) % (2 * Count);
     _frame += _edge == 0;

@@ -11,13 +11,14 @@ class PulsePins {
   // Connects the receiver: pulses come one channel after the other, every 20 ms, and none while the radio is off.
   void connect();
 
-  void onChange(uint32_t pin, void (*callback)());
+  enum Edge : uint32_t { Change = 2, Falling = 3, Rising = 4 };  // as in Arduino.h
+  void onEdge(uint32_t pin, void (*callback)(), Edge edge);
   bool isHigh(uint32_t pin) const;
 
   // Returns when the next pulse begins or ends, in us since the program's start; UINT64_MAX if nothing is connected.
   uint64_t nextUs() const { return _nextUs; }
 
-  // Changes the pins up to that time. Two changes of a pin before its callback make one call.
+  // Changes the pins up to that time. Two edges of a pin before its callback make one call.
   void advance(uint64_t nowUs);
   // Calls the sketch's callbacks.
   void callBack();
@@ -35,6 +36,7 @@ class PulsePins {
   bool _isHigh[Count] = {};
   bool _waits[Count] = {};
   void (*_callbacks[Count])() = {};
+  Edge _edges[Count] = {};
 };
 
 }  // namespace host

@@ -111,12 +111,29 @@ void reportSenders(Board &board, const Options &options) {
   }
 }
 
-void reportServos(const ServoPins &servoPins) {
-  for (const auto &[pin, use] : servoPins.uses()) {
+void reportPins(const Pins &pins) {
+  const auto report = [](const char *way, uint32_t pin, const Pins::Use &use, const char *unit) {
     if (use.times == 0) {
-      std::fprintf(stderr, "servo at pin %d: never set\n", pin);
+      std::fprintf(stderr, "%s at pin %u: never set\n", way, pin);
     } else {
-      std::fprintf(stderr, "servo at pin %d: %d..%d us, %lu times set\n", pin, use.low, use.high, use.times);
+      std::fprintf(stderr, "%s at pin %u: %d..%d%s, %lu times set\n", way, pin, use.low, use.high, unit, use.times);
+    }
+  };
+  for (const auto &[key, use] : pins.uses()) {
+    const auto &[way, pin] = key;
+    switch (way) {
+      case Pins::Digital:
+        report("digitalWrite()", pin, use, "");
+        break;
+      case Pins::Analog:
+        report("analogWrite()", pin, use, "");
+        break;
+      case Pins::Tone:
+        report("tone()", pin, use, " Hz");
+        break;
+      case Pins::Servo:
+        report("servo", pin, use, " us");
+        break;
     }
   }
 }
@@ -170,7 +187,7 @@ void printReport(Board &board, const Options &options) {
     reportWire(board, wire);
   }
   reportSenders(board, options);
-  reportServos(board.servoPins());
+  reportPins(board.pins());
   reportOutput(board.output());
   reportSilence(board, options);
 }

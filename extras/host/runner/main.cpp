@@ -18,6 +18,7 @@
 #include "Options.h"
 #include "Report.h"
 #include "Uart.h"
+#include "UsbSerial.h"
 #include "board/Board.h"
 #include "board/PortWatch.h"
 
@@ -25,6 +26,7 @@ void setup();
 void loop();
 
 // These are null in a sketch that does not define them.
+void serialEvent() __attribute__((weak));
 void serialEvent1() __attribute__((weak));
 void serialEvent2() __attribute__((weak));
 void serialEvent3() __attribute__((weak));
@@ -94,6 +96,9 @@ class Ending {
 };
 
 void runSerialEvents() {
+  if (serialEvent && Serial.available() > 0) {
+    serialEvent();
+  }
   if (serialEvent1 && Serial1.available() > 0) {
     serialEvent1();
   }

@@ -1,0 +1,81 @@
+// printf() as the board has it, where a long has 32 bits, as an int has: %lu takes a uint32_t there, and %ld of -1 is
+// -1. A sketch's calls of sprintf() and the like lead here (../Makefile).
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <string>
+
+#include "Print.h"
+
+extern "C" {
+int sketch_sprintf(char *text, const char *format, ...);
+int sketch_snprintf(char *text, size_t size, const char *format, ...);
+int sketch_vsprintf(char *text, const char *format, va_list arguments);
+int sketch_vsnprintf(char *text, size_t size, const char *format, va_list arguments);
+}
+
+namespace {
+
+// Returns the format with %lu as %u, and so on. Every argument has 8 bytes of its own on a PC of 64 bits, and of these
+// the lower 4 are read; %llu stays.
+std::string with32Bits(const char *format) {
+  std::string result;
+  while (*format != '\0') {
+    const bool conversion = *format == '%';
+    result += *format++;
+    if (conversion) {
+      const size_t length = strspn(format, "-+ #0123456789.*");
+      result.append(format, length);
+      format += length;
+      if (*format == 'l' && format[1] != 'l') {
+        format++;
+      } else if (*format != '\0') {
+        result += *format++;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+int sketch_vsnprintf(char *text, size_t size, const char *format, va_list arguments) {
+  return vsnprintf(text, size, with32Bits(format).c_str(), arguments);
+}
+
+int sketch_vsprintf(char *text, const char *format, va_list arguments) {
+  return vsprintf(text, with32Bits(format).c_str(), arguments);
+}
+
+int sketch_snprintf(char *text, size_t size, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const int length = sketch_vsnprintf(text, size, format, arguments);
+  va_end(arguments);
+  return length;
+}
+
+int sketch_sprintf(char *text, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const int length = sketch_vsprintf(text, format, arguments);
+  va_end(arguments);
+  return length;
+}
+
+#if !defined(HOST_PLAIN_CORE)
+size_t Print::printf(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  va_list again;
+  va_copy(again, arguments);
+  const int length = sketch_vsnprintf(nullptr, 0, format, arguments);
+  std::string text(length > 0 ? static_cast<size_t>(length) + 1 : 0, '\0');
+  sketch_vsnprintf(&text[0], text.size(), format, again);
+  va_end(again);
+  va_end(arguments);
+  return text.empty() ? 0 : write(text.c_str(), text.size() - 1);
+}
+#endif
