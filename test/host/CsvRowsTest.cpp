@@ -39,8 +39,9 @@ TEST_CASE("a sketch's rows are recognised, and other text is not") {
   } cases[] = {
       {"1,2,3,4,0,0\r\n1,2,3,4,0,0\r\n", true},
       {"0.732,0.469\n-0.675,0.369\n", true},
-      {"3,4,0,0\r\n1,2,3,4,0,0\r\n1,2,3,4,0,0\r\n", true},  // from the middle of a row on
-      {"1,2,3,4,0,0\r\n1,2,3,4,0,0", false},                // the second is not complete
+      {"995,992,172,992,0,0\r995,993,1811,992,0,0\r", true},  // as the paper's sketch ends them
+      {"3,4,0,0\r\n1,2,3,4,0,0\r\n1,2,3,4,0,0\r\n", true},    // from the middle of a row on
+      {"1,2,3,4,0,0\r\n1,2,3,4,0,0", false},                  // the second is not complete
       {"1,2,3,4,0,0\r\n", false},
       {"1,2,3\n1,2\n", false},
       {"120\n240\n", false},  // a number alone proves nothing

@@ -30,12 +30,13 @@ size_t SketchOutput::write(const uint8_t *bytes, size_t size) {
   if (std::fwrite(bytes, 1, size, stdout) != size) {
     leave();
   }
-  if (_lineByLine && std::memchr(bytes, '\n', size) != nullptr) {
+  if (_lineByLine && (std::memchr(bytes, '\n', size) != nullptr || std::memchr(bytes, '\r', size) != nullptr)) {
     flush();
   }
   for (size_t i = 0; _terminal != nullptr && i < size; i++) {
     _terminalLine += static_cast<char>(bytes[i]);
-    if (bytes[i] == '\n' || _terminalLine.size() == TerminalLineMax) {
+    const bool returns = bytes[i] == '\r' && i + 1 == size;  // the paper's lines end so; println() sends \r\n at once
+    if (bytes[i] == '\n' || returns || _terminalLine.size() == TerminalLineMax) {
       _terminal->write(reinterpret_cast<const uint8_t *>(_terminalLine.data()), _terminalLine.size());
       _terminalLine.clear();
     }

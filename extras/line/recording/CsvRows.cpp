@@ -67,16 +67,21 @@ LineSettings csvSettings() {
 }
 
 bool CsvRows::put(uint8_t byte) {
-  if (byte == '\n') {
+  const bool ended = byte == '\n' && _returned;
+  _returned = byte == '\r';
+  if (ended) {
+    return false;
+  }
+  if (byte == '\n' || byte == '\r') {
     endLine();
     return true;
   }
-  const bool isText = byte == '\r' || byte == '\t' || (byte >= ' ' && byte <= '~');
+  const bool isText = byte == '\t' || (byte >= ' ' && byte <= '~');
   if (!isText) {
     _text = false;
     _garbled++;
     _recognised = false;
-  } else if (byte != '\r' && _line.size() < LineMax) {
+  } else if (_line.size() < LineMax) {
     _line += static_cast<char>(byte);
   }
   return false;

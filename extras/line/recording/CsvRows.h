@@ -1,5 +1,5 @@
 // The rows of numbers that a sketch prints, as serial plotters take them: 1048,992,172,992,0,1 or 1048 992 or
-// throttle:172,roll:992, with commas, tabs or blanks.
+// throttle:172,roll:992, with commas, tabs or blanks. A row ends with \n, \r\n, or \r as in the paper.
 #pragma once
 
 #include <cstddef>
@@ -65,7 +65,8 @@ class CsvRows {
   void split();
 
   std::string _line;
-  bool _text = true;  // only text has come on this line
+  bool _returned = false;  // the newest byte was a \r, and has ended its line
+  bool _text = true;       // only text has come on this line
   CsvRow _row;
   CsvRow _names;  // the line before the rows
   unsigned _garbled = 0;
