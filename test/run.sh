@@ -31,6 +31,7 @@ all  fuzz             libFuzzer
 all  boards-cores     other cores: library and examples on stand-ins
 test examples-plain   examples and recordings
 all  examples-sanitized examples and recordings, g++ with sanitizers
+all  sketches-sanitized sketches in the style of forums
 all  examples-clang   examples and recordings, clang++ -O2
 test lines-300        impaired lines against their bounds
 all  compile          headers alone, Arduino'"'"'s macros, the cross compiler
@@ -107,6 +108,7 @@ step_uses() { ./uses.sh; }
 step_tool() { tool/run.sh; }
 step_fuzz() { SECONDS_EACH=3 ./fuzz.sh; }
 step_examples() { ./golden.sh "$1"; }
+step_sketches() { after "examples-$1" && sketches/run.sh "$1"; }
 step_boards() {
   [ "$1" != cortex-m0 ] || { newlib && after unit-sanitized && build sanitized unit; } || return
   boards/"$1"/run.sh

@@ -55,7 +55,7 @@ void loop ()
     if (dSBus.SBusFrameOk())
     {
       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
-      char tmp[48];  // the paper's 24 are two short of the longest line
+      char tmp[48];  // the paper's 24 are one short of the longest line
       sprintf(tmp, "%i,%i,%i,%i,%i,%i\r", channels[0], channels[1], channels[2], channels[3],
         failsafe, lostFrame);
       Serial.print(tmp);
