@@ -189,7 +189,9 @@ check '^Serial1 at 200000 baud, 8E2, inverted: .* [1-9][0-9]* good, 0 with error
 check '^\| Fast S.Bus, dropped 1/300 \| T 7 ms, ' "make impairment FRAMES=50 SEED=7 FULL=1 ONLY='dropped 1/300' | tee full &&
   grep '^seed 7, 50 frames of each line' full && ! grep '^| ' full | grep -vE '^\| (line |---|.*dropped 1/300)'" \
   'make impairment' 'make impairment FRAMES=n' 'make impairment FULL=1' 'make impairment SEED=n' \
-  "make impairment ONLY='dropped 1/300'" "ONLY='dropped 1/300' FULL=1 make impairment"
+  "make impairment ONLY='dropped 1/300'"
+check '^[{]"clean, odd 2F frames between", "ordinary", [1-9]' \
+  'make -C test rates ONLY="odd 2F" && cat test/impairment/Rates.inc' 'make -C test rates'
 check '\| [1-9][0-9]* \| 0 \| 0 \|$' "make impairment WITHOUT=falseSync FRAMES=200 ONLY='joined midway, short gaps'" 'make impairment WITHOUT=rule'
 check 'FrameFinder: .* \(1 s, seed ' 'make fuzz SECONDS=1' 'make fuzz' 'make fuzz SECONDS=60' 'make fuzz SECONDS=n'
 check '^\| 64 bytes( \| [1-9][0-9]*){4} \|$' 'newlib && make bench TRIES=100' 'make bench' 'make bench TRIES=200000'
