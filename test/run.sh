@@ -151,7 +151,7 @@ step() {
 # Builds what several steps of `test` need, and says how far it is.
 build_plain() {
   compiled=' -c '
-  files=$(build plain -k -n unit lines 2>/dev/null | grep -ce "$compiled")
+  files=$(export MAKEFLAGS=n; build plain -k unit lines 2>/dev/null | grep -ce "$compiled")
   build plain -k unit lines 2>"$STEP_LOGS/build.log" |
     awk -v files="$files" "/$compiled/"' && ++done % 20 == 0 { print "building: " done " of some " files " files"; fflush() }'
 }
