@@ -7,6 +7,8 @@
 #include <limits.h>
 
 #include "SBusPort.h"
+#include "port/Listener.h"
+#include "sbus/Barrier.h"
 #include "sbus/FrameFinder.h"
 #include "sbus/Link.h"
 
@@ -19,8 +21,10 @@
 ///       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
 ///     }
 ///
-/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN();
-/// extras/docs/interrupts.md says which of them an interrupt handler may call.
+/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN().
+///
+/// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): no method has to be called in
+/// time, and the object must live until end(). extras/docs/interrupts.md has the details, and the other boards.
 template <typename Format, typename Events = sbus::NoEvents>
 class DecodeSBusOf {
  public:
@@ -60,9 +64,10 @@ class DecodeSBusOf {
 
   /// Reads the bytes that wait on the port, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
   /// ms at 200000 baud): a core's buffer of 64 bytes is full after 7.7 ms of a line without gaps, and then loses bytes.
+  /// On a Grasshopper it need not be called, unless the sketch has set the port's onReceive() itself.
   ///
   /// Call it also when nothing waits: only an empty call proves that the line was silent. A sketch that calls it only
-  /// when bytes wait (serialEvent1(), an interrupt) loses a frame each time its loop() is late by 2 ms.
+  /// when bytes wait (serialEvent1()) loses a frame each time its loop() is late by 2 ms.
   ///
   /// A frame is complete at the first call after its last byte. The very first frame, the first with the end byte of
   /// another variant, and one after discarded bytes or 50 ms of silence may have to wait for the next frame or for 3 ms
@@ -84,7 +89,10 @@ class DecodeSBusOf {
 
   /// Returns true if decodeSBusFrame() has not yet handed out the newest frame; false before the first frame, and once
   /// the newest is as old as the timeout.
-  bool newFrame() { return _finder.counters().frames != _decoded && SBusFrameOk(); }
+  bool newFrame() {
+    sbus::barrier();  // a sketch may wait for it, and call nothing else
+    return _finder.counters().frames != _decoded && SBusFrameOk();
+  }
 
   // ---- The link
 
@@ -93,11 +101,21 @@ class DecodeSBusOf {
   sbus::LinkState linkState();
 
   /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never too small: it
-  /// counts from the last call of parseSBusFrame() before the frame's end came. Call it at least once an hour.
+  /// counts from the last poll before the frame's end came. Call it at least once an hour.
   unsigned long frameAge();
 
-  /// Returns the counters of the line since begin(); all are 0 before the first byte.
-  sbus::Counters counters() const { return _finder.counters(); }
+  /// Returns the counters of the line since begin(), all of one moment; all are 0 before the first byte.
+  sbus::Counters counters() const {
+    for (;;) {
+      const uint8_t polls = _port.polls();
+      sbus::barrier();
+      const sbus::Counters counters = _finder.counters();
+      sbus::barrier();
+      if (polls == _port.polls()) {
+        return counters;
+      }
+    }
+  }
 
   // ---- Settings; begin() keeps them
 
@@ -113,9 +131,18 @@ class DecodeSBusOf {
   friend class DecodeSBus2Of;  // for the telemetry
   friend class SBus2Sensor;    // for the answers
 
+  void start(unsigned long baud);
+  void reset(unsigned long baud);
+  template <typename Object>
+  void hear(void (Object::*method)(), Object *object);
+  void arrived();
+  void take(bool isPrompt);
+  void poll(bool isPrompt);
+  int read(int waiting);
+
   // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
   sbus::FrameFinderOf<Format, Events> _finder;
-  sbus::Port _port;
+  sbus::ListeningPort _port;
   sbus::Link _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last
   uint32_t _staleExtra = 0;  // number of the frame with extra channels that was found stale
@@ -167,7 +194,7 @@ class DecodeSBusCallbackOf : public Decoder {
 
   /// Sets the function that parseSBusFrame() calls. Default: nullptr, which calls nothing. begin() keeps it.
   ///
-  /// - It runs in the context that calls parseSBusFrame(): loop(), serialEvent1(), a task or onReceive()
+  /// - It runs in the context that calls parseSBusFrame(): loop(), serialEvent1() or a task
   ///   (extras/docs/interrupts.md). It must return before the next poll is due, within 5 ms.
   /// - It also gets frames with a flag set, so check the flags first. If two frames have come since the last call, it
   ///   gets only the newer one.

@@ -13,12 +13,25 @@ inline bool isYoung(sbus::LinkState state) {
 
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::begin(unsigned long baud, uint32_t config) {
+  _port.enter();
   _port.open(baud, config);
-  listen(baud);
+  start(baud);
 }
 
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::listen(unsigned long baud) {
+  _port.enter();
+  start(baud);
+}
+
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::start(unsigned long baud) {
+  reset(baud);
+  hear(&DecodeSBusOf::arrived, this);
+}
+
+template <typename Format, typename Events>
+inline void DecodeSBusOf<Format, Events>::reset(unsigned long baud) {
   const unsigned long us = baud > sbus::SlowestBaud ? sbus::BitsPerCharacter * 1000000UL / baud : UINT8_MAX;
   _finder.reset(micros(), static_cast<uint8_t>(us), _port.idleCharacters());
   _link.reset();
@@ -26,15 +39,58 @@ void DecodeSBusOf<Format, Events>::listen(unsigned long baud) {
   _staleExtra = 0;
 }
 
+// Lets the port call `method`. The first poll comes at once: a port that has bytes does not call before they are read.
+template <typename Format, typename Events>
+template <typename Object>
+inline void DecodeSBusOf<Format, Events>::hear(void (Object::*method)(), Object *object) {
+  const bool callsBack = _port.start(_port.stream(), method, object);
+  _port.leave();
+  if (callsBack) {
+    take(false);
+  }
+}
+
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::end() {
+  _port.enter();
   _port.close();
+  _port.stop(_port.stream());
+  _port.leave();
+}
+
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::parseSBusFrame() {
+  take(false);
+}
+
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::arrived() {
+  take(true);
+}
+
+// Polls, and once more if the port has called back meanwhile.
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::take(bool isPrompt) {
+  while (_port.enter()) {
+    poll(isPrompt);
+    if (!_port.leave()) {
+      return;
+    }
+    isPrompt = true;
+  }
+}
+
+// Reads the next of the bytes that wait. Returns how many, or 0 or less if the port fails.
+template <typename Format, typename Events>
+__attribute__((always_inline)) inline int DecodeSBusOf<Format, Events>::read(int waiting) {
+  const int room = _finder.room();
+  return _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
 }
 
 // Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. Asked for more,
 // the STM32L0's core would write past the end of the buffer.
 template <typename Format, typename Events>
-void DecodeSBusOf<Format, Events>::parseSBusFrame() {
+void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
   const uint32_t now = micros();
   const int found = _port.available();
   if (Events::wantsTimes()) {
@@ -49,10 +105,9 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
   if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
     _finder.broken();  // the bytes that wait stand after the loss
   }
-  _finder.poll(static_cast<unsigned>(found), now);
+  _finder.poll(static_cast<unsigned>(found), now, isPrompt);
   for (int waiting = found; waiting > 0;) {
-    const int room = _finder.room();
-    const int count = _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
+    const int count = read(waiting);
     if (count <= 0) {
       return;  // the port fails
     }
@@ -67,8 +122,12 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
     int more = _port.available();
     if (static_cast<unsigned>(found + more) > 2 * _port.half()) {
       _finder.broken();
-      for (; more > 0; more--) {
-        _port.skip();
+      while (more > 0) {
+        const int count = read(more);
+        if (count <= 0) {
+          return;
+        }
+        more -= count;
       }
     }
   }
@@ -95,7 +154,15 @@ bool DecodeSBusOf<Format, Events>::SBusFrameOk() {
 
 template <typename Format, typename Events>
 unsigned long DecodeSBusOf<Format, Events>::frameAge() {
-  return linkState() == sbus::LinkState::NeverSeen ? ULONG_MAX : _link.age() / 1000;
+  for (;;) {
+    const uint32_t time = _finder.frameTime();
+    const sbus::LinkState state = linkState();
+    const uint32_t age = _link.age();
+    sbus::barrier();
+    if (time == _finder.frameTime()) {
+      return state == sbus::LinkState::NeverSeen ? ULONG_MAX : age / 1000;
+    }
+  }
 }
 
 template <typename Format, typename Events>
@@ -124,7 +191,10 @@ void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &fa
   template void DecodeSBusOf<__VA_ARGS__>::begin(unsigned long, uint32_t);              \
   template void DecodeSBusOf<__VA_ARGS__>::listen(unsigned long);                       \
   template void DecodeSBusOf<__VA_ARGS__>::end();                                       \
+  template void DecodeSBusOf<__VA_ARGS__>::start(unsigned long);                        \
   template void DecodeSBusOf<__VA_ARGS__>::parseSBusFrame();                            \
+  template void DecodeSBusOf<__VA_ARGS__>::arrived();                                   \
+  template void DecodeSBusOf<__VA_ARGS__>::take(bool);                                  \
   template bool DecodeSBusOf<__VA_ARGS__>::SBusFrameOk();                               \
   template void DecodeSBusOf<__VA_ARGS__>::decodeSBusFrame(uint16_t[], bool &, bool &); \
   template sbus::LinkState DecodeSBusOf<__VA_ARGS__>::linkState();                      \

@@ -24,21 +24,32 @@ constexpr uint32_t FrameTime = sbus::FrameSize * uint32_t{sbus::CharacterTime}; 
 
 // The timer is stopped first: no interrupt comes while everything is cleared.
 void SBus2Sensor::begin(unsigned long baud, uint32_t config) {
-  sbus::SlotTimer::stop(this);
-  Decoder::begin(baud, config);
-  _isTimed = _start(_stream, this);
+  stop();
+  _port.open(baud, config);
+  start(baud);
 }
 
 void SBus2Sensor::listen(unsigned long baud) {
+  stop();
+  start(baud);
+}
+
+void SBus2Sensor::stop() {
   sbus::SlotTimer::stop(this);
-  Decoder::listen(baud);
+  _isTimed = false;
+  _port.enter();
+}
+
+void SBus2Sensor::start(unsigned long baud) {
+  reset(baud);
+  hear(&SBus2Sensor::arrived, this);
   _isTimed = _start(_stream, this);
 }
 
 void SBus2Sensor::end() {
-  sbus::SlotTimer::stop(this);
-  _isTimed = false;
+  stop();
   _finder.events().skip();
+  _port.leave();
   Decoder::end();
 }
 
@@ -48,8 +59,12 @@ void SBus2Sensor::parseSBusFrame() {
   if (_isTimed) {
     return;  // due() does all that
   }
-  receive();
+  receive(false);
+  _port.enter();
   answerWithin(LongestWait);
+  if (_port.leave()) {
+    receive(true);
+  }
 }
 
 void SBus2Sensor::answerWithin(int32_t wait) {
@@ -68,8 +83,8 @@ void SBus2Sensor::answerWithin(int32_t wait) {
   answer(alone.start(until > 0 ? _finder.events().due() : now));
 }
 
-void SBus2Sensor::receive() {
-  Decoder::parseSBusFrame();
+void SBus2Sensor::receive(bool isPrompt) {
+  take(isPrompt);
   sbus::Answers &answers = _finder.events();
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
@@ -78,16 +93,18 @@ void SBus2Sensor::receive() {
     return;
   }
   const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
-  const sbus::End end = sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), _finder.pollBefore(), answers.by());
+  const uint32_t before = _finder.pollBefore();
+  const sbus::End end = isPrompt && _isTimed  // so no poll comes between two callbacks
+                            ? sbus::promptEndOf(handOver, answers.found(), before, answers.by())
+                            : sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), before, answers.by());
   const uint32_t period = _finder.counters().period;  // 0 before the second frame
   answers.plan(end.earliest, end.latest, period > FrameTime ? period - FrameTime : 0);
 }
 
-// Runs at PendSV level, above loop().
-void SBus2Sensor::received(void *sensor) {
-  SBus2Sensor &self = *static_cast<SBus2Sensor *>(sensor);
-  self.receive();
-  self.armTimer();
+// The port calls this when it has handed bytes over.
+void SBus2Sensor::arrived() {
+  receive(true);
+  armTimer();
 }
 
 // Runs in the timer's interrupt. If the slot is not due yet, the timer was too fast.
@@ -125,7 +142,7 @@ void SBus2Sensor::tick() {
         sbus::SlotTimer::at(0);
         return;
       }
-      receive();
+      receive(false);
       poll = answers.nextPoll(micros());
     } while (poll == 0);
   }
@@ -135,7 +152,7 @@ void SBus2Sensor::tick() {
 }
 
 void SBus2Sensor::armTimer() {
-  if (_finder.events().isPlanned()) {
+  if (_isTimed && _finder.events().isPlanned()) {
     const int32_t until = static_cast<int32_t>(_finder.events().due() - micros() - TimerLead);
     sbus::SlotTimer::at(until > 0 ? static_cast<uint32_t>(until) : 0);
   }

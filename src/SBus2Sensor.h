@@ -164,12 +164,14 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
  private:
   template <typename Port>
   static bool start(Stream &stream, SBus2Sensor *sensor) {
-    return sbus::SlotTimer::start(static_cast<Port &>(stream), received, due, sensor);
+    return sbus::SlotTimer::start(static_cast<Port &>(stream), due, sensor);
   }
 
-  static void received(void *sensor);
+  void stop();
+  void start(unsigned long baud);
+  void arrived();
   static void due(void *sensor);
-  void receive();
+  void receive(bool isPrompt);
   void answer(uint32_t now);
   void armTimer();
   void answerWithin(int32_t wait);
@@ -178,6 +180,6 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
 
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
-  bool _isTimed = false;  // a timer calls due(), and perhaps the port received()
+  bool _isTimed = false;  // a timer calls due()
   const sbus::HandOver _handOver;
 };

@@ -67,10 +67,9 @@ $(OUT)/%.o: %.cpp build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(PCS) $(FLAGS) -c $< -o $@
 
-OWN_LIBRARY := PlainCoreTest PreemptTest
 link = $(CXX) $(FLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@
 objects = $(patsubst %.cpp,$(OUT)/%.o,$(wildcard $1))
-$(OUT)/UnitTest: $(filter-out $(OWN_LIBRARY:%=$(OUT)/unit/%.o),$(call objects,unit/*Test.cpp))
+$(OUT)/UnitTest: $(filter-out $(OUT)/unit/PlainCore%.o $(OUT)/unit/Preempt%.o,$(call objects,unit/*Test.cpp))
 # A line as the impairment bench has it.
 $(OUT)/HostTest: $(call objects,host/*Test.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp)
 $(OUT)/UnitTest $(OUT)/HostTest: $(call objects,support/Main.cpp support/FakeClock.cpp) $(OUT)/board.a
@@ -97,7 +96,7 @@ $(OUT)/$1/Print.o: $(HOST)/arduino/Print.cpp build.mk
 $(OUT)/$1/%.o: %.cpp build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $$(PCS) $2 -c $$< -o $$@
-$(OUT)/$1Test: $(addprefix $(OUT)/$1/,unit/$1Test.o support/Main.o support/FakeClock.o Print.o $(SOURCES:%.cpp=src/%.o))
+$(OUT)/$1Test: $(addprefix $(OUT)/$1/,$(patsubst %.cpp,%.o,$(wildcard unit/$1*Test.cpp)) support/Main.o support/FakeClock.o Print.o $(SOURCES:%.cpp=src/%.o))
 	$(CXX) $2 $$^ -o $$@
 endef
 $(eval $(call own_library,PlainCore,$(FLAGS) -DHOST_PLAIN_CORE))

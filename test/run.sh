@@ -172,7 +172,8 @@ esac
 if [ -n "${ONLY:-}" ]; then
   case $(ls unit/"$ONLY".cpp host/"$ONLY".cpp 2>/dev/null) in
     '') echo "ONLY=$ONLY: there is no unit/$ONLY.cpp or host/$ONLY.cpp in test" >&2; exit 2 ;;
-    unit/PlainCoreTest.cpp | unit/PreemptTest.cpp) program=$ONLY ;;
+    unit/PlainCoreTest.cpp) program=PlainCoreTest ;;
+    unit/Preempt*) program=PreemptTest ;;
     unit/*) program=UnitTest ;;
     host/*) program=HostTest ;;
   esac

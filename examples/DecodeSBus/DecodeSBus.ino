@@ -26,8 +26,8 @@ bool lostFrame;
 
 elapsedMillis timerDisplay;
 
-// As in the paper: the core calls it after every loop() while bytes wait on Serial1; it is no interrupt. The cores of
-// Uno R4, SAMD, mbed and ESP8266 never call it: there loop() does it all.
+// As in the paper: the core calls it after every loop() while bytes wait on Serial1. Other cores read here, or in
+// loop(); the Grasshopper's port has called the library already when the bytes came.
 void serialEvent1() {
   dSBus.parseSBusFrame();
 }

@@ -61,8 +61,8 @@ class Port : private CoreKind::Pins {
     return read(_hardware, buffer, size, Choice<1>());
   }
 
-  // Reads a byte and drops it.
-  void skip() { _stream.read(); }
+  // Returns the port.
+  Stream &stream() { return _stream; }
 
   // Returns half of the bytes that fill the receive buffer. A core may keep one place free (AVR).
   unsigned half() const { return _half; }

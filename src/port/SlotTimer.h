@@ -16,7 +16,7 @@ namespace sbus {
 // Does nothing: the sensor is polled from loop(). The timers of the cores inherit from it what they do not have.
 class NoSlotTimer {
  public:
-  // The port calls back; otherwise due() polls it.
+  // The port calls back (Listener.h); otherwise due() polls it.
   static constexpr bool HasCallback = false;
 
   // Keeps due() from reading the port, while this exists.
@@ -36,9 +36,8 @@ class NoSlotTimer {
     uint32_t start(uint32_t planned) const { return planned; }
   };
 
-  // Calls received(context) when the port has handed over bytes, and due(context) at the time given to at(). Returns
-  // false if it cannot; then neither is ever called.
-  static bool start(Stream &, void (*)(void *), void (*)(void *), void *) { return false; }
+  // Calls due(context) at the time given to at(). Returns false if it cannot.
+  static bool start(Stream &, void (*)(void *), void *) { return false; }
   // Stops these calls.
   static void stop(void *) {}
   // Calls due() in `us` from now, or a little later.

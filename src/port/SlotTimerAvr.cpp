@@ -20,7 +20,7 @@ uint8_t modeA, modeB;  // what the core had set: the PWM of analogWrite()
 
 volatile bool HoldByFlag::isHeld = false;
 
-bool SlotTimer::start(HardwareSerial &port, void (*)(void *), void (*due)(void *), void *context) {
+bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) {
   if (sender != nullptr && sensor != context) {
     return false;
   }

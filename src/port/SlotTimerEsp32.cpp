@@ -44,7 +44,7 @@ FifoWatch SlotTimer::_watch;
 
 // The driver takes the first half of a frame out of the FIFO while the second comes, so that the end is seen to come
 // even if its interrupt is a millisecond late.
-bool SlotTimer::start(HardwareSerial &port, void (*)(void *), void (*due)(void *), void *context) {
+bool SlotTimer::start(HardwareSerial &port, void (*due)(void *), void *context) {
   if (!isFree) {
     return sensor == context;
   }

@@ -57,7 +57,7 @@ class SlotTimer : public NoSlotTimer {
   };
 
   using NoSlotTimer::start;
-  static bool start(HardwareSerial &port, void (*received)(void *), void (*due)(void *), void *context);
+  static bool start(HardwareSerial &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void at(uint32_t us);
   static bool send(const uint8_t *characters, size_t size);

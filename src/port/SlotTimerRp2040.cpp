@@ -45,7 +45,7 @@ volatile bool HoldByFlag::isHeld = false;
 
 // Below the UART's interrupt: above it, it would wait forever for the mutex that this one holds (SerialUART.cpp:352 and
 // 518).
-bool SlotTimer::start(SerialUART &port, void (*)(void *), void (*due)(void *), void *context) {
+bool SlotTimer::start(SerialUART &port, void (*due)(void *), void *context) {
   if (sender != nullptr) {
     return sensor == context;
   }

@@ -35,7 +35,7 @@ class SlotTimer : public NoSlotTimer {
   };
 
   using NoSlotTimer::start;
-  static bool start(SerialUART &port, void (*received)(void *), void (*due)(void *), void *context);
+  static bool start(SerialUART &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void at(uint32_t us);
   // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).

@@ -14,16 +14,10 @@ constexpr uint32_t LongestUs = 60000;  // the timer has 16 bits
 constexpr size_t Longest = 3;          // characters of a slot
 
 stm32l0_timer_t timer;
-Uart *listener = nullptr;  // null: free
+Uart *sender = nullptr;  // null: free
 void *sensor;
-void (*receivedCallback)(void *);
 void (*dueCallback)(void *);
 uint8_t sent[Longest];
-
-// Uart::onReceive() has no context.
-void received() {
-  receivedCallback(sensor);
-}
 
 void elapsed(void *, uint32_t) {
   dueCallback(sensor);
@@ -33,8 +27,8 @@ void elapsed(void *, uint32_t) {
 
 // The prescaler counts from the first elapsed period on (stm32l0_timer.c:294 sets no UG): so the first period is too
 // short, and due() comes too early.
-bool SlotTimer::start(Uart &port, void (*onReceived)(void *), void (*onDue)(void *), void *context) {
-  if (listener != nullptr) {
+bool SlotTimer::start(Uart &port, void (*due)(void *), void *context) {
+  if (sender != nullptr) {
     return sensor == context;
   }
   if (!stm32l0_timer_create(&timer, STM32L0_TIMER_INSTANCE_TIM7, Priority, 0)) {
@@ -45,23 +39,20 @@ bool SlotTimer::start(Uart &port, void (*onReceived)(void *), void (*onDue)(void
     stm32l0_timer_destroy(&timer);
     return false;
   }
-  listener = &port;
+  sender = &port;
   sensor = context;
-  receivedCallback = onReceived;
-  dueCallback = onDue;
-  port.onReceive(received);
+  dueCallback = due;
   return true;
 }
 
 void SlotTimer::stop(void *context) {
-  if (listener == nullptr || sensor != context) {
+  if (sender == nullptr || sensor != context) {
     return;
   }
-  listener->onReceive(Callback());
   stm32l0_timer_stop(&timer);
   stm32l0_timer_disable(&timer);
   stm32l0_timer_destroy(&timer);
-  listener = nullptr;
+  sender = nullptr;
 }
 
 void SlotTimer::at(uint32_t us) {
@@ -69,11 +60,11 @@ void SlotTimer::at(uint32_t us) {
 }
 
 bool SlotTimer::send(const uint8_t *characters, size_t size) {
-  if (!listener->done()) {
+  if (!sender->done()) {
     return false;
   }
   memcpy(sent, characters, size < Longest ? size : Longest);
-  return listener->write(sent, size, Callback());
+  return sender->write(sent, size, Callback());
 }
 
 }  // namespace sbus

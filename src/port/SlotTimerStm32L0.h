@@ -1,6 +1,5 @@
 /// @file
-/// The SlotTimer of an STM32L0: the port calls back at PendSV level when bytes have come, and TIM7, which nothing in
-/// the core uses, calls back when a slot is due.
+/// The SlotTimer of an STM32L0: TIM7, which nothing in the core uses, calls when a slot is due.
 #pragma once
 
 #include <Arduino.h>
@@ -16,17 +15,13 @@ class SlotTimer : public NoSlotTimer {
   static constexpr bool HasCallback = true;
 
   using NoSlotTimer::start;
-  static bool start(Uart &port, void (*received)(void *), void (*due)(void *), void *context);
+  static bool start(Uart &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void at(uint32_t us);
 
   // Sends from its own buffer: Uart::write(buffer, size) would cut the characters in two, with a gap between, where its
   // ring ends (Uart.cpp:207).
   static bool send(const uint8_t *characters, size_t size);
-
-  static End endOf(bool isTimed, HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
-    return (isTimed ? promptEndOf : sbus::endOf)(handOver, found, before, by);
-  }
 };
 
 /// @endcond

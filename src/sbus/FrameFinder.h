@@ -75,8 +75,9 @@ class FrameFinderOf : private Events {
   /// Returns how many bytes fit there, 1 or more.
   int room() const { return _buffer.room(); }
 
-  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next.
-  void poll(unsigned found, uint32_t now);
+  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next. `isPrompt`: the
+  /// port has just handed them over, and called back.
+  void poll(unsigned found, uint32_t now, bool isPrompt = false);
 
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
   const uint8_t *idle(uint32_t now) {
@@ -166,10 +167,10 @@ class FrameFinderOf : private Events {
 
 // Inlined like received(): most polls then cost some 100 cycles a frame less.
 template <typename Format, typename Events>
-SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now) {
+SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now, bool isPrompt) {
   _rejected = 0;
   _found = static_cast<uint16_t>(found);
-  const Silence silence = _timing.silenceBefore<Format>(found, now);
+  const Silence silence = _timing.silenceBefore<Format>(found, now, isPrompt);
   if (silence == Silence::Long && holds(Rule::silence)) {
     startOver(rules::FirstOffBy);
   } else if (silence == Silence::Gap) {

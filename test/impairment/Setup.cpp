@@ -20,7 +20,19 @@ std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::i
   return setups;
 }
 
+std::vector<Setup> calledBack(std::initializer_list<uint32_t> periodsUs) {
+  constexpr uint32_t LoopUs = 20000;
+  std::vector<Setup> setups;
+  for (const uint32_t periodUs : periodsUs) {
+    setups.push_back({periodUs, LoopUs, Board, 64, Polling::Never});
+  }
+  return setups;
+}
+
 std::string name(const Setup &setup) {
   return "T " + inUs(setup.periodUs) + ", loop " + inUs(setup.loopUs) + ", " + setup.driver.name + ", " +
-         std::to_string(setup.buffer) + (setup.polling == Polling::ByEvents ? ", by events" : "");
+         std::to_string(setup.buffer) +
+         (setup.polling == Polling::ByEvents ? ", by events"
+          : setup.callsBack()                ? ", called back"
+                                             : "");
 }

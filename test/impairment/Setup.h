@@ -14,6 +14,7 @@
 enum class Polling {
   InLoop,    // in every loop()
   ByEvents,  // after a loop() if bytes wait, as from serialEvent1()
+  Never,     // the port calls back
 };
 
 struct Setup {
@@ -22,7 +23,12 @@ struct Setup {
   Driver driver = Board;
   size_t buffer = 64;
   Polling polling = Polling::InLoop;
+
+  bool callsBack() const { return polling == Polling::Never; }
 };
+
+// A port that calls back, whatever loop() does.
+std::vector<Setup> calledBack(std::initializer_list<uint32_t> periodsUs);
 
 // Returns every driver with each of these periods and loops, and buffers of 256.
 std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs);

@@ -75,6 +75,7 @@ class Simulation {
     while (_nextUs <= fakeMicros) {
       line::Character character;
       _line.next(fakeMicros, character);
+      handOver(character.endUs - _characterUs);
       for (SentFrame frame; _line.nextSent(frame);) {
         (frame.extra ? _extraJudge : _judge).sent(frame);
       }
@@ -85,8 +86,27 @@ class Simulation {
       _beforeJoin += character.endUs < _joinedUs + _characterUs && !character.bad;
       _port.receive(character);
       _lastEndUs = character.endUs;
+      callBack(character.endUs);
     }
-    _port.advance(std::min(fakeMicros, _nextUs - _characterUs));  // then it is no longer idle
+    handOver(std::min(fakeMicros, _nextUs - _characterUs));  // then it is no longer idle
+  }
+
+  void handOver(uint64_t us) {
+    const uint64_t idleUs = _port.idleFromUs();
+    _port.advance(us);
+    callBack(std::min(us, idleUs));
+  }
+
+  // The port has handed bytes over at `us`.
+  void callBack(uint64_t us) {
+    if (!_run.setup.callsBack() || !_port.takeEvent()) {
+      return;
+    }
+    const uint64_t nowUs = fakeMicros;
+    fakeMicros = us;
+    _lastEmptyUs = us;
+    call();
+    fakeMicros = nowUs;
   }
 
   void call() {
@@ -107,9 +127,9 @@ class Simulation {
     }
   }
 
-  // Returns true if a certain gap stands before the bytes that wait: the silence from the last call that found bytes to the
-  // last empty call, less what a driver may hold back, is longer than two characters, and no longer than any frame period.
-  // It lies between characters if some were found since the line was joined.
+  // Returns true if a certain gap stands before the bytes that wait: the silence from the last call that found bytes to
+  // the last empty call, less what a driver may hold back, is longer than two characters, and no longer than any frame
+  // period. It lies between characters if some were found since the line was joined.
   bool isGap() {
     const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
     const auto found = static_cast<uint64_t>(_port.available());
@@ -125,7 +145,7 @@ class Simulation {
     _judge.poll(has);
     _extraJudge.poll(has);
     const uint32_t breaks = _receiver.breaks();
-    _receiver.parse();
+    _run.setup.callsBack() ? _port.call() : _receiver.parse();
     takeFrame();
     if (_receiver.breaks() != breaks) {
       _judge.broken();
@@ -153,8 +173,8 @@ class Simulation {
     _lost += characters;
   }
 
-  static constexpr uint64_t Learning = 4;            // frames
-  static constexpr uint64_t LongestIdle = 5;         // characters; no driver waits longer
+  static constexpr uint64_t Learning = 4;     // frames
+  static constexpr uint64_t LongestIdle = 5;  // characters; no driver waits longer
   static constexpr uint64_t LongestPeriodUs = 50000;
 
   const Run _run;
@@ -162,10 +182,12 @@ class Simulation {
   Random _random;
   const uint64_t _beginUs;  // such that micros() wraps during the run
   ImpairedLine _line;
-  UartPort _port;
-  Receiver _receiver = _run.setup.driver.isBoards() ? Receiver(static_cast<BoardsPort &>(_port)) : Receiver(_port);
+  CallingPort _port;
+  Receiver _receiver = _run.setup.callsBack()         ? Receiver(_port)
+                       : _run.setup.driver.isBoards() ? Receiver(static_cast<BoardsPort &>(_port))
+                                                      : Receiver(static_cast<UartPort &>(_port));
   Judge _judge;
-  Judge _extraJudge;  // of frames with header 2F
+  Judge _extraJudge;                  // of frames with header 2F
   uint64_t _nextUs = _line.nextUs();  // when the line's next character will be complete
   const uint64_t _joinedUs;
   uint64_t _beforeJoin = 0;  // characters
@@ -183,7 +205,12 @@ class Simulation {
 
 Tally simulate(const Run &run, Decoder decoder, uint64_t seed) {
   if (decoder == Decoder::Papers) {
-    return Simulation<Papers>(run, seed).run();
+    Run papers = run;
+    if (run.setup.callsBack()) {
+      papers.setup.polling = Polling::ByEvents;
+      papers.setup.loopUs = 50;
+    }
+    return Simulation<Papers>(papers, seed).run();
   }
   return run.reads24 ? Simulation<Ours24>(run, seed).run() : Simulation<Ours>(run, seed).run();
 }

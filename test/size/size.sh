@@ -79,8 +79,7 @@ piece() {  # USE WHAT [LIBRARIES]
 example() {  # NAME
   mega=$BUILD/mega/$1.elf
   program arm "$out/arm-$1" "" -x c++ -include Arduino.h "../../examples/$1/$1.ino"
-  if [ -f "$mega" ]; then on_mega="$(flash "$mega") | $(ram "$mega")"; else on_mega="does not run there |"; fi
-  echo "| examples/$1 | $on_mega | $(flash "$out/arm-$1") | $(ram "$out/arm-$1") |"
+  echo "| examples/$1 | $(flash "$mega") | $(ram "$mega") | $(flash "$out/arm-$1") | $(ram "$out/arm-$1") |"
 }
 
 echo "avr-g++ $(avr-g++ -dumpfullversion -dumpversion), arm-none-eabi-g++ $(arm-none-eabi-g++ -dumpfullversion -dumpversion)"

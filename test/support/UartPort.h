@@ -56,6 +56,9 @@ class UartPort : public HardwareSerial {
   uint64_t bytesRead() const { return _bytesRead; }
   uint64_t droppedFull() const { return _uart.droppedFull(); }
 
+  // Returns when the line will have been idle for a character, if no other comes.
+  uint64_t idleFromUs() const { return _uart.idleFromUs(); }
+
   void end() override { _uart.close(); }
   int available() override { return _uart.available(); }
   int peek() override { return _uart.peek(); }
@@ -64,11 +67,23 @@ class UartPort : public HardwareSerial {
     return take(&value, 1) == 1 ? value : -1;
   }
 #if !defined(HOST_PLAIN_CORE)
-  int read(uint8_t *buffer, size_t size) override { return take(buffer, size); }
+  int read(uint8_t *buffer, size_t size) override {
+    return take(buffer, size);
+  }
 #endif
-  void flush() override {}
-  size_t write(uint8_t) override { return 0; }
-  operator bool() override { return _uart.isOpen(); }
+  void flush() override {
+  }
+  size_t write(uint8_t) override {
+    return 0;
+  }
+  operator bool() override {
+    return _uart.isOpen();
+  }
+
+ protected:
+  host::BoardUart &uart() {
+    return _uart;
+  }
 
  private:
   int take(uint8_t *buffer, size_t size) {
@@ -99,8 +114,49 @@ class UartPort : public HardwareSerial {
   std::vector<line::Character> _fifo;
 };
 
-// The board's port: by its onReceive() the library knows how long it waits for more characters.
+// The board's port: by its onReceive() the library knows how long it waits for more characters. The event that calls
+// back never comes.
 class BoardsPort : public UartPort {
  public:
+  using UartPort::UartPort;
   void onReceive(void (*)()) {}
 };
+
+#if !defined(HOST_PLAIN_CORE)
+// The board's port, which calls back: it notes the event when bytes are handed over, until they are read
+// (GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, stm32l0_uart.c:99, 1171), and PendSV makes the call, which does not
+// interrupt itself (Uart.cpp:385, armv6m_pendsv.c:133). begin() and end() keep the callback. Call callBack() wherever
+// PendSV would come.
+class CallingPort : public BoardsPort {
+ public:
+  using BoardsPort::BoardsPort;
+
+  using UartPort::begin;
+  void begin(unsigned long baud, uint32_t config, uint8_t *, size_t) { begin(baud, config); }
+  using BoardsPort::onReceive;
+  void onReceive(Callback callback) { _callback = callback; }
+
+  // Returns true if an event waits; with `isLost` PendSV's queue was full, and it is gone.
+  bool takeEvent(bool isLost = false) {
+    _event = uart().takeReceiveEvent() || _event;
+    const bool event = _event && !_isCalling;
+    _event = _event && _isCalling && !isLost;
+    return event && !isLost;
+  }
+  void call() {
+    _isCalling = true;
+    _callback.call();
+    _isCalling = false;
+  }
+  void callBack() {
+    while (takeEvent()) {
+      call();
+    }
+  }
+
+ private:
+  Callback _callback;
+  bool _event = false;
+  bool _isCalling = false;
+};
+#endif

@@ -224,9 +224,15 @@ void Uart::flush() {
   }
 }
 
+#if !defined(HOST_PLAIN_CORE)
 void Uart::onReceive(void (*callback)()) {
-  port().onReceive(callback);
+  onReceive(Callback(callback));
 }
+
+void Uart::onReceive(Callback callback) {
+  port().onReceive([callback] { callback.call(); });
+}
+#endif
 
 UsbSerial Serial;
 

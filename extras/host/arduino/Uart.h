@@ -2,6 +2,9 @@
 // (board/Port.h).
 #pragma once
 
+#if !defined(HOST_PLAIN_CORE)
+#include "Callback.h"
+#endif
 #include "HardwareSerial.h"
 
 // The receive buffer, by the name that the core gives it.
@@ -46,7 +49,10 @@ class Uart : public HardwareSerial {
 
   // `callback` runs when received bytes have been handed over: once, then again after the next read. On the board that
   // is at PendSV level, in the middle of anything; here whenever the sketch asks for the time or polls a port.
+#if !defined(HOST_PLAIN_CORE)
   void onReceive(void (*callback)());
+  void onReceive(Callback callback);
+#endif
 
  private:
   host::Port &port() const;

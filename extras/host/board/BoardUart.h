@@ -39,6 +39,9 @@ class BoardUart {
   // Takes the time up to which no other character has come.
   void advance(uint64_t nowUs);
 
+  // Returns when the line will have been idle for a character, if no other comes.
+  uint64_t idleFromUs() const { return _lastEndUs + _characterUs; }
+
   // These are the sketch's calls. A closed port has nothing to read: then read() and peek() return -1.
   int available() const { return _open ? static_cast<int>(_count) : 0; }
   int peek();

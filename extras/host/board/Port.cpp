@@ -95,6 +95,12 @@ void Port::receive(uint64_t nowUs) {
   _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
 }
 
+uint64_t Port::nextUs(uint64_t nowUs) {
+  const uint64_t idleUs = _uart.idleFromUs();
+  const uint64_t endUs = hasBegun(nowUs) ? _begun.endUs : UINT64_MAX;
+  return idleUs > nowUs ? std::min(idleUs, endUs) : endUs;
+}
+
 // Returns true if a character is on the wire at `nowUs`, or ended before and has not been taken.
 bool Port::hasBegun(uint64_t nowUs) {
   _hasBegun = _hasBegun || (_line != nullptr && _line->next(nowUs + _wire.characterUs(), _begun));
@@ -115,8 +121,9 @@ void Port::shareWire(const line::Character &character) {
 
 void Port::callBack() {
   // As on the board, an event without a callback is lost, and the next one comes only after a read.
-  if (_uart.takeReceiveEvent() && _callback != nullptr) {
-    _callback();
+  if (_uart.takeReceiveEvent() && _callback) {
+    const std::function<void()> callback = _callback;  // it may set another one
+    callback();
   }
 }
 

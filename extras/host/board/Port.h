@@ -1,6 +1,8 @@
 // One of Serial1, Serial2, Serial3: the UART, its settings, and the line at its RX pin, if any.
 #pragma once
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "BoardUart.h"
@@ -33,13 +35,16 @@ class Port {
   // wait until the transmit buffer has been sent.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
   void close();
-  void onReceive(void (*callback)()) { _callback = callback; }
+  void onReceive(std::function<void()> callback) { _callback = std::move(callback); }
 
   // Returns false until a line is attached or the sketch opens the port: nothing can happen before.
   bool isUsed() const { return _line != nullptr || _everOpened; }
 
   // Receives what has come over the line by `nowUs`.
   void receive(uint64_t nowUs);
+
+  // Returns when it may hand bytes over next, if no character begins before.
+  uint64_t nextUs(uint64_t nowUs);
 
   // Hands a character to the line, if TX shares its wire.
   void shareWire(const line::Character &character);
@@ -78,7 +83,7 @@ class Port {
   bool _everOpened = false;
   std::vector<Reception> _receptions;
   size_t _reception = 0;  // the one with the current settings
-  void (*_callback)() = nullptr;
+  std::function<void()> _callback;
   unsigned long _missedClosed = 0;
 };
 

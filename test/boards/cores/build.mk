@@ -7,7 +7,7 @@
 #   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
-#   OUT/CORE/NAME.rejected  what the compiler says to those that are not for this core, and to SingleWire.cpp
+#   OUT/CORE/SingleWire.rejected  what the compiler says to SingleWire.cpp
 # `make list` names all of these.
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
@@ -49,15 +49,13 @@ teensy32_usb := -DJOYSTICK_INTERFACE=3
 teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-# Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
-rejected = $(if $(filter nano33 samd51 stm32f4 stm32l0,$1),,Background)
 # To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
-compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(filter-out $(call rejected,$1),$(EXAMPLES)))
+compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(EXAMPLES))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
   $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
-  $(patsubst %,$(OUT)/$(core)/%.rejected,$(call rejected,$(core)) $(if $(filter stm32 teensy32 teensy4,$(core)),SingleWire)))
+  $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected))
 
 all: $(ALL)
 list:

@@ -23,7 +23,6 @@ for target in $targets; do
   case $name in
     *.ok) what="${name%.ok} compiles without a warning" ;;
     SingleWire.rejected) what="a single wire does not compile on a port that may not let go of it" ;;
-    *.rejected) what="${name%.rejected} does not compile, and says that only the STM32L0 core has what it needs" ;;
     *) what="$name is built" ;;
   esac
   # What is no program is removed before it is made.

@@ -1,6 +1,5 @@
 # Builds for an Arduino Mega, and what runs it, into the folder OUT (absolute)
 #   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketches Counters and Busy
-#   OUT/*.rejected   what the compiler says to the examples that are not for this board
 #   OUT/Joystick.leonardo  the example Joystick for the Leonardo, whose USB makes one
 #   OUT/MegaTest    the program that runs the sketches
 # `make list` names all of these.
@@ -11,12 +10,10 @@ ROOT := $(abspath $(HERE)/../../..)
 HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
-# Background needs Serial1.onReceive(), which only the STM32L0 core has, and says so with an #error.
-REJECTED := Background
-EXAMPLES := $(filter-out $(REJECTED),$(notdir $(wildcard $(ROOT)/examples/*)))
+EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 SKETCHES := $(EXAMPLES) Counters Busy
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
-ALL := $(ELVES) $(REJECTED:%=$(OUT)/%.rejected) $(OUT)/Joystick.leonardo $(OUT)/MegaTest
+ALL := $(ELVES) $(OUT)/Joystick.leonardo $(OUT)/MegaTest
 
 all: $(ALL)
 elves: $(ELVES)
@@ -64,12 +61,6 @@ $(OUT)/Joystick.leonardo: $(ROOT)/examples/Joystick/Joystick.ino $(HERE)/build.m
 	@mkdir -p $(@D)
 	$(call leonardo,$(AVR_CXX) $(OURS)) -w -DUSBCON -DUSB_VID=0x2341 -DUSB_PID=0x8036 -I$(ARDUINO)/libraries/HID/src $(DEPENDENCIES) \
 	  -x c++ -include Arduino.h -c $< -o $@
-
-# Is there if the compiler rejects the example, and says why.
-$(OUT)/%.rejected: $(wildcard $(ROOT)/examples/*/*.ino $(ROOT)/src/*.h $(ROOT)/src/*/*.h) $(HERE)/build.mk
-	@mkdir -p $(@D)
-	! $(call sketch,$(ROOT)/examples/$*/$*.ino) -o /dev/null 2>$@
-	grep -m 1 'error:' $@ | grep -q '#error "[^"]*only the STM32L0 core'
 
 $(OUT)/library/%.cpp.o: $(ROOT)/src/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)

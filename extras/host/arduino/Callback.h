@@ -1,0 +1,42 @@
+// Callback: a function, or an object's method, as the board's core takes it (cores/arduino/Callback.h). And the
+// processor's interrupt mask (CMSIS): here a callback comes only when time passes, so there is nothing to hold back.
+#pragma once
+
+#include <stdint.h>
+
+class Callback {
+ public:
+  Callback() {}
+  Callback(void (*function)()) : _function(function) {}
+  template <typename T>
+  Callback(void (T::*method)(), T *object)
+      : _method(reinterpret_cast<Method>(method)), _object(object), _call(callMethod<T>) {}
+
+  void call() const {
+    if (_function != nullptr) {
+      _function();
+    } else if (_call != nullptr) {
+      _call(*this);
+    }
+  }
+
+ private:
+  using Method = void (Callback::*)();
+  template <typename T>
+  static void callMethod(const Callback &callback) {
+    (static_cast<T *>(callback._object)->*reinterpret_cast<void (T::*)()>(callback._method))();
+  }
+
+  void (*_function)() = nullptr;
+  Method _method = nullptr;
+  void *_object = nullptr;
+  void (*_call)(const Callback &callback) = nullptr;
+};
+
+inline uint32_t __get_PRIMASK() {
+  return 0;
+}
+inline void __set_PRIMASK(uint32_t) {
+}
+inline void __disable_irq() {
+}

@@ -1,0 +1,125 @@
+/// @file
+/// Lets a port call back when it has handed bytes over, and keeps that call out of what loop() does meanwhile.
+#pragma once
+
+#include <Arduino.h>
+#include <stdint.h>
+
+#include "../sbus/Barrier.h"
+#include "Choice.h"
+#include "Port.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+#if defined(SERIAL_SBUS)  // STM32L0
+
+// The STM32L0's port calls back at PendSV level, above loop(): at once, and then not until bytes have been read
+// (Uart.cpp: 385, stm32l0_uart.c:99, 1171). With the event that finds no callback, or no place in PendSV's queue, all
+// later ones are lost until bytes are read: a poll in loop() does that.
+class Listener {
+ public:
+  // Remembers whether a port of this class calls back.
+  template <typename Port>
+  explicit Listener(Port &port) : _set(setterOf(&port, Choice<1>())) {}
+
+  // From now on `port` calls this method. Returns false if it cannot call back.
+  template <typename Object>
+  bool start(Stream &port, void (Object::*method)(), Object *object) const {
+    return _set != nullptr && _set(port, Callback(method, object));
+  }
+  // Stops these calls.
+  void stop(Stream &port) const {
+    if (_set != nullptr) {
+      _set(port, Callback());
+    }
+  }
+
+  // Returns true if nothing else is between enter() and leave(). Otherwise that is being interrupted, and its leave()
+  // returns true.
+  bool enter() {
+    if (_isBusy) {
+      _wasCalled = true;
+      return false;
+    }
+    _isBusy = true;
+    _polls = static_cast<uint8_t>(_polls + 1);
+    barrier();
+    return true;
+  }
+  // Returns how often enter() has returned true, modulo 256.
+  uint8_t polls() const { return _polls; }
+  // Returns true if enter() has returned false meanwhile: bytes have come.
+  bool leave() {
+    barrier();
+    _isBusy = false;
+    barrier();
+    const bool wasCalled = _wasCalled;
+    _wasCalled = false;
+    return wasCalled;
+  }
+
+ private:
+  using Set = bool(Stream &port, const Callback &callback);
+
+  // A port that calls back, and has a buffer of its own. (USB calls back, too, but its bytes come in packets, late.)
+  template <typename Port>
+  static auto setterOf(Port *port, Choice<1>)
+      -> decltype(port->onReceive(Callback()), port->begin(0, 0, static_cast<uint8_t *>(nullptr), 0),
+                  static_cast<Set *>(nullptr)) {
+    return set<Port>;
+  }
+  template <typename Port>
+  static Set *setterOf(Port *, Choice<0>) {
+    return nullptr;
+  }
+
+  // A callback is two words: an interrupt between the two would call the new function with the old object.
+  template <typename Port>
+  static bool set(Stream &port, const Callback &callback) {
+    const uint32_t masked = __get_PRIMASK();
+    __disable_irq();
+    static_cast<Port &>(port).onReceive(callback);
+    __set_PRIMASK(masked);
+    return true;
+  }
+
+  Set *const _set;  // null: the port cannot call back
+  volatile bool _isBusy = false;
+  volatile bool _wasCalled = false;
+  volatile uint8_t _polls = 0;
+};
+
+#else
+
+// No port calls back: loop() polls.
+class Listener {
+ public:
+  template <typename Port>
+  explicit Listener(Port &) {}
+  template <typename Object>
+  bool start(Stream &, void (Object::*)(), Object *) const {
+    return false;
+  }
+  void stop(Stream &) const {}
+  bool enter() { return true; }
+  static constexpr uint8_t polls() { return 0; }
+  bool leave() { return false; }
+};
+
+#endif
+
+// A port that calls back, where it can. (A base class without members takes no byte; as a member it would.)
+struct ListeningPort : Port, Listener {
+  // Remembers `port`.
+  template <typename Class>
+  explicit ListeningPort(Class &port) : Port(port), Listener(port) {}
+  // Remembers `port` and its pins.
+  template <typename Class>
+  ListeningPort(Class &port, int8_t rx, int8_t tx) : Port(port, rx, tx), Listener(port) {}
+};
+
+/// @endcond
+
+}  // namespace sbus

@@ -1,0 +1,75 @@
+// A DecodeSBus on a port that calls back, and a line that runs at its own pace, whatever the sketch does.
+#pragma once
+
+#include <DecodeSBus.h>
+
+#include "Bytes.h"
+#include "FakeClock.h"
+#include "KnownFrames.h"
+#include "UartPort.h"
+
+template <typename Decoder = DecodeSBus>
+struct ListeningBoardOf {
+  static constexpr uint32_t CharacterUs = 120;
+
+  CallingPort port;
+  Decoder sbus{port};
+  uint64_t heldUpUs = 0;         // how late PendSV's calls are
+  bool isHeld = false;           // interrupts are masked
+  bool losesEvents = false;      // PendSV's queue is full
+  std::function<void()> called;  // after each call
+
+  // Lets time pass on a silent line.
+  void pass(uint64_t us) {
+    go(us, [this] { port.advance(fakeMicros); });
+  }
+
+  // Sends characters, one directly after the other.
+  void send(const Bytes &bytes) {
+    for (const uint8_t value : bytes) {
+      go(CharacterUs, [] {});
+      port.receive({fakeMicros, value});
+      callBack();
+    }
+  }
+
+  // Sends a frame, and the silence until the next one begins.
+  void frame(const Bytes &bytes, uint64_t periodUs) {
+    send(bytes);
+    pass(periodUs - CharacterUs * bytes.size());
+  }
+
+ private:
+  template <typename Work>
+  void go(uint64_t us, const Work &work) {
+    constexpr uint64_t Step = 10;
+    for (const uint64_t untilUs = fakeMicros + us; fakeMicros < untilUs;) {
+      fakeMicros += std::min(Step, untilUs - fakeMicros);
+      work();
+      callBack();
+    }
+  }
+
+  void callBack() {
+    if (!_hasEvent) {
+      _hasEvent = port.takeEvent(losesEvents);
+      _dueUs = fakeMicros + heldUpUs;
+    }
+    if (isHeld) {
+      return;
+    }
+    if (_hasEvent && fakeMicros >= _dueUs) {
+      _hasEvent = false;
+      port.call();
+      if (called) {
+        called();
+      }
+      callBack();
+    }
+  }
+
+  bool _hasEvent = false;
+  uint64_t _dueUs = 0;
+};
+
+using ListeningBoard = ListeningBoardOf<>;

@@ -1,0 +1,247 @@
+// A port that calls back, as the Grasshopper's: no method of DecodeSBus has to be called in time. Each frame is handed
+// over when it ends, the first after a join as well, and what loop() does meanwhile changes nothing.
+#include <doctest/doctest.h>
+
+#include <climits>
+#include <vector>
+
+#include "line/simulation/Random.h"
+#include "support/Bytes.h"
+#include "support/KnownFrames.h"
+#include "support/ShowArrays.h"
+
+#include "support/FakeSerial.h"
+#include "support/ListeningBoard.h"
+
+namespace {
+
+// A real R-XSR's failsafe frame: from its flags byte on, the line looks like frames as well.
+constexpr Frame SecondReading = {0x0F, 0xD8, 0x1B, 0x1F, 0x2B, 0xB2, 0xC7, 0x0A, 0x0F, 0x7C, 0x00, 0x00, 0x00,
+                                 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x0F, 0x00};
+
+constexpr uint64_t Ms = 1000;  // us
+
+// An open board that notes each frame, as it is handed over.
+struct Listening : ListeningBoard {
+  std::vector<Channels> frames;
+
+  Listening() {
+    sbus.setTimeout(0);
+    sbus.begin();
+    called = [this] { take(); };
+    pass(20 * Ms);
+  }
+
+  void take() {
+    if (sbus.newFrame()) {
+      Channels channels{};
+      bool failsafe, lostFrame;
+      sbus.decodeSBusFrame(channels.data(), failsafe, lostFrame);
+      frames.push_back(channels);
+    }
+  }
+
+  // Returns how many of the frames are not `right`.
+  long wrong(const Channels &right) const {
+    return std::count_if(frames.begin(), frames.end(), [&](const Channels &each) { return each != right; });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("without a call each frame is there with its last byte or an idle character, at each frame period") {
+  for (const uint64_t periodUs : {4000, 6000, 6300, 7000, 9000, 14000, 15000, 30000}) {
+    CAPTURE(periodUs);
+    Listening board;
+    for (unsigned number = 0; number < 200; number++) {
+      board.send(bytesOf(plainFrame(number)));
+      board.pass(120);
+      if (number > 0) {  // the first one waits for what follows
+        CHECK(board.frames.size() == number + 1);
+      }
+      board.pass(periodUs - 26 * 120);
+    }
+    for (unsigned number = 0; number < board.frames.size(); number++) {
+      CHECK(board.frames[number] == readBitByBit(plainFrame(number)));
+    }
+    CHECK(board.sbus.counters().discardedBytes == 0);
+  }
+}
+
+TEST_CASE("the first frame waits for the next one's first bytes, or for a call that finds the line silent") {
+  for (const bool isPolled : {false, true}) {
+    CAPTURE(isPolled);
+    Listening board;
+    board.frame(bytesOf(PaperLow.bytes), 9 * Ms);
+    if (isPolled) {
+      board.sbus.parseSBusFrame();
+    }
+    CHECK(board.sbus.counters().frames == isPolled);
+    board.send(bytesOf(PaperHigh.bytes));
+    CHECK(board.sbus.counters().frames >= 1);
+    board.pass(1 * Ms);
+    CHECK(board.sbus.counters().frames == 2);
+  }
+}
+
+TEST_CASE(
+    "a connector that opens after a frame, and closes within a frame with a second reading: no frame is wrong, and the "
+    "first whole one is handed over") {
+  line::Random random(20181);
+  const Channels right = readBitByBit(SecondReading);
+  for (const uint64_t periodUs : {4000, 6000, 6300, 7000, 9000, 14000, 15000}) {
+    for (const uint64_t pollUs : {0, 1000, 3000, 4000, 5000, 12000, 20000}) {
+      CAPTURE(periodUs);
+      CAPTURE(pollUs);
+      Listening board;
+      size_t sent = 0;
+      uint64_t nextUs = fakeMicros + pollUs;
+      const auto frame = [&](size_t from) {
+        board.frame(part(SecondReading, from), periodUs - 120 * from);
+        sent += from == 0;
+        if (pollUs != 0 && fakeMicros >= nextUs) {
+          board.sbus.parseSBusFrame();
+          board.take();
+          nextUs = fakeMicros + pollUs;
+        }
+      };
+      for (size_t place = 1; place < SecondReading.size(); place++) {
+        for (unsigned frames = 0; frames < 4; frames++) {
+          frame(0);
+        }
+        board.pass(4000 + random.below(46000));
+        frame(place);
+      }
+      frame(0);
+      frame(0);
+      CHECK(board.wrong(right) == 0);
+      CHECK(board.sbus.counters().frames == sent);
+    }
+  }
+}
+
+TEST_CASE("calls of the port that come late by up to 0.3 ms cost no frame, and hand over none that was not sent") {
+  line::Random random(20182);
+  for (const uint64_t latestUs : {40, 90, 200, 300}) {
+    CAPTURE(latestUs);
+    Listening board;
+    for (unsigned number = 0; number < 300; number++) {
+      for (const uint8_t value : plainFrame(number)) {
+        board.heldUpUs = random.below(static_cast<uint32_t>(latestUs));
+        board.send({value});
+      }
+      board.pass(6 * Ms);
+    }
+    CHECK(board.frames.size() == 300);
+    for (unsigned number = 0; number < board.frames.size(); number++) {
+      CHECK(board.frames[number] == readBitByBit(plainFrame(number)));
+    }
+  }
+}
+
+TEST_CASE("frameAge() is never less than a frame's age, however late the calls are, and not much more") {
+  const struct {
+    uint32_t latestUs;
+    unsigned long mostMs;  // too much; if one call finds a whole frame, a frame period
+  } rows[] = {{1, 4}, {300, 4}, {1500, 10}};
+  for (const auto &row : rows) {
+    CAPTURE(row.latestUs);
+    line::Random random(20183);
+    Listening board;
+    unsigned long most = 0;
+    for (unsigned number = 0; number < 300; number++) {
+      board.heldUpUs = random.below(row.latestUs);
+      board.send(bytesOf(plainFrame(number)));
+      const uint64_t endUs = fakeMicros;
+      const size_t before = board.frames.size();
+      for (unsigned i = 0; i < 50; i++) {
+        board.pass(120);
+        if (board.frames.size() != before && board.frames.back() == readBitByBit(plainFrame(number))) {
+          const unsigned long least = static_cast<unsigned long>((fakeMicros - endUs) / 1000);
+          CHECK(board.sbus.frameAge() >= least);
+          most = std::max(most, board.sbus.frameAge() - least);
+        }
+      }
+    }
+    CHECK(most <= row.mostMs);
+  }
+}
+
+TEST_CASE("if the port's event is lost, the next poll reads what waits, and all goes on") {
+  Listening board;
+  for (unsigned number = 0; number < 3; number++) {
+    board.frame(bytesOf(plainFrame(number)), 9 * Ms);
+  }
+  board.losesEvents = true;
+  board.frame(bytesOf(plainFrame(3)), 9 * Ms);
+  board.losesEvents = false;
+  board.frame(bytesOf(plainFrame(4)), 9 * Ms);
+  CHECK(board.sbus.counters().frames == 3);  // no event comes before bytes are read
+  board.sbus.parseSBusFrame();
+  for (unsigned number = 5; number < 10; number++) {
+    board.frame(bytesOf(plainFrame(number)), 9 * Ms);
+  }
+  CHECK(board.sbus.counters().frames == 10);
+}
+
+TEST_CASE("a sketch's own onReceive() replaces the library's, and frames come by its calls of parseSBusFrame()") {
+  static Listening *self;
+  Listening board;
+  self = &board;
+  board.port.onReceive(Callback([] { self->sbus.parseSBusFrame(); }));
+  for (unsigned number = 0; number < 20; number++) {
+    board.frame(bytesOf(plainFrame(number)), 9 * Ms);
+  }
+  CHECK(board.sbus.counters().frames == 20);
+  board.port.onReceive(Callback([] {}));
+  board.frame(bytesOf(plainFrame(20)), 9 * Ms);
+  CHECK(board.sbus.counters().frames == 20);
+  board.sbus.parseSBusFrame();
+  CHECK(board.sbus.counters().frames == 21);
+}
+
+TEST_CASE("listen() takes what waits, so that the port calls; end() stops the calls; begin() starts them again") {
+  ListeningBoard board;
+  board.port.begin(100000, SERIAL_SBUS);
+  board.frame(bytesOf(PaperLow.bytes), 9 * Ms);  // the event finds no callback
+  board.sbus.listen();
+  for (unsigned number = 0; number < 5; number++) {
+    board.frame(bytesOf(plainFrame(number)), 9 * Ms);
+  }
+  CHECK(board.sbus.counters().frames >= 5);
+  board.sbus.end();
+  board.port.begin(100000, SERIAL_SBUS);
+  const uint32_t before = board.sbus.counters().frames;
+  board.frame(bytesOf(PaperLow.bytes), 9 * Ms);
+  CHECK(board.sbus.counters().frames == before);
+  CHECK(board.port.available() == 25);
+  board.sbus.begin();
+  for (unsigned number = 0; number < 5; number++) {
+    board.frame(bytesOf(plainFrame(number)), 9 * Ms);
+  }
+  CHECK(board.sbus.counters().frames == 5);
+}
+
+TEST_CASE(
+    "a port that calls back without a buffer of its own, as USB does, is polled: its bytes come in packets, late") {
+  struct Usb : FakeSerial {
+    unsigned callbacks = 0;
+    using FakeSerial::onReceive;
+    void onReceive(Callback) { callbacks++; }
+  } usb;
+  DecodeSBus sbus(usb);
+  sbus.begin();
+  CHECK(usb.callbacks == 0);
+}
+
+TEST_CASE("DecodeSBus24 and DecodeSBus2 listen by themselves as well") {
+  ListeningBoardOf<DecodeSBus24> board;
+  board.sbus.begin();
+  board.pass(20 * Ms);
+  for (unsigned number = 0; number < 10; number++) {
+    board.frame(bytesOf(Published24.bytes), 9 * Ms);
+  }
+  board.send({0x0F});
+  board.pass(1 * Ms);
+  CHECK(board.sbus.counters().frames == 10);
+}
