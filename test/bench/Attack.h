@@ -42,7 +42,7 @@ inline Attack inSync(const Frame &frame) {
   return attack;
 }
 
-// Returns the cost of the last call.
+// Returns the cost of the last call. If it finds a full buffer, the driver hands over a burst more meanwhile.
 template <typename Receiver>
 Cost costOf(const Attack &attack) {
   fakeMicros = 0;
@@ -50,9 +50,10 @@ Cost costOf(const Attack &attack) {
   both.receiver.begin();
   Cost cost;
   const uint8_t *next = attack.bytes.data();
+  constexpr size_t Full = 64, Burst = 16;
   for (const Attack::Call &call : attack.calls) {
     fakeMicros += call.gapUs();
-    cost = take(both, next, call.size);
+    cost = take(both, next, call.size, call.size == Full ? Burst : 0);
     next += call.size;
   }
   return cost;

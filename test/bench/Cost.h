@@ -25,12 +25,13 @@ bool calibrate();
 uint32_t portsOwn(const MemorySerial::Calls &calls);
 uint32_t portsOwnOfSending();  // asked for room, and given a frame
 
-// Hands `count` bytes over, at fakeMicros, and measures the one call that takes them in.
+// Hands `count` bytes over, at fakeMicros, and measures the one call that takes them in, while `landing` more come.
 template <typename Receiver>
-Cost take(Receiver &receiver, const uint8_t *bytes, size_t count) {
+Cost take(Receiver &receiver, const uint8_t *bytes, size_t count, size_t landing = 0) {
   Cost cost;
   const uint32_t before = receiver.frames();
   receiver.port.put(bytes, count);
+  receiver.port.land(landing);
   cost.instructions = instructions::of([&] { receiver.parse(); });
   const MemorySerial::Calls &calls = receiver.port.calls;
   cost.instructions -= portsOwn(calls);

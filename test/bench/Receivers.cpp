@@ -1,7 +1,13 @@
 #include "Receivers.h"
 
 int MemorySerial::available() {
+  static const uint8_t zeros[16] = {};
   calls.available++;
+  if (_next == _end && _landing != 0) {
+    _next = zeros;
+    _end = zeros + _landing;
+    _landing = 0;
+  }
   return static_cast<int>(_end - _next);
 }
 

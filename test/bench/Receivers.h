@@ -23,8 +23,12 @@ class MemorySerial : public HardwareSerial {
   void put(const uint8_t *bytes, size_t count) {
     _next = bytes;
     _end = bytes + count;
+    _landing = 0;
     calls = Calls();
   }
+
+  // The driver hands over so many zeros more, up to 16, while the bytes are read.
+  void land(size_t count) { _landing = count; }
 
   int available() override;
   int peek() override { return -1; }
@@ -39,6 +43,7 @@ class MemorySerial : public HardwareSerial {
  private:
   const uint8_t *_next = nullptr;
   const uint8_t *_end = nullptr;
+  size_t _landing = 0;
 };
 
 struct Ours {
