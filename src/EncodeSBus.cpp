@@ -27,7 +27,9 @@ bool EncodeSBusOf<Format>::write(const uint16_t channels[], bool failsafe, bool 
   }
   uint8_t frame[Format::Size];
   Format::pack(frame, channels, failsafe, lostFrame);
-  _port.write(frame, Format::Size);
+  if (!_port.write(frame, Format::Size)) {
+    return false;
+  }
   // If this frame is a little late, the next one is due as if it had been on time; otherwise a period from now. So no
   // gap is shorter than half of what the period gives: receivers need it.
   constexpr uint32_t FrameTime = uint32_t{Format::Size} * sbus::CharacterTime;

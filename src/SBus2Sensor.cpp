@@ -163,9 +163,9 @@ void SBus2Sensor::answer(uint32_t now) {
   if (!_finder.events().start(now, characters)) {
     return;
   }
-  if (!_isTimed) {
-    _port.write(characters, sizeof characters);
-  } else if (!sbus::SlotTimer::send(characters, sizeof characters)) {
+  const bool isSent = _isTimed ? sbus::SlotTimer::send(characters, sizeof characters)
+                               : _port.write(characters, sizeof characters);
+  if (!isSent) {
     _finder.events().unsent();
   }
 }

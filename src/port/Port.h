@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "DmaSender.h"
 #include "PortKind.h"
 
 namespace sbus {
@@ -44,6 +45,9 @@ class Port : private CoreKind::Pins {
   // Closes a hardware serial port.
   void close() {
     if (_hardware != nullptr) {
+#if defined(SBUS_DMA_SENDER)
+      DmaSender::flush(_hardware);
+#endif
       _hardware->end();
     }
   }
@@ -77,10 +81,25 @@ class Port : private CoreKind::Pins {
   uint8_t idleCharacters() const { return _idleCharacters; }
 
   // Returns how many bytes the port reports it takes at once. Many cores report 0 always.
-  int room() { return room(_stream, Choice<1>()); }
+  int room() {
+#if defined(SBUS_DMA_SENDER)
+    if (DmaSender::knows(_hardware)) {
+      return static_cast<int>(DmaSender::room(_hardware));
+    }
+#endif
+    return room(_stream, Choice<1>());
+  }
 
-  // Writes all bytes; may wait.
-  void write(const uint8_t *bytes, size_t size) { _stream.write(bytes, size); }
+  // Writes all bytes, and may wait. Returns false if it sends nothing.
+  bool write(const uint8_t *bytes, size_t size) {
+#if defined(SBUS_DMA_SENDER)
+    if (DmaSender::knows(_hardware)) {
+      return DmaSender::send(_hardware, bytes, size);
+    }
+#endif
+    _stream.write(bytes, size);
+    return true;
+  }
 
  private:
   using Pins = CoreKind::Pins;

@@ -3,7 +3,8 @@
 #if defined(SERIAL_SBUS) && defined(TIM7)
 
 #include <stm32l0_timer.h>
-#include <string.h>
+
+#include "DmaSender.h"
 
 namespace sbus {
 
@@ -11,13 +12,11 @@ namespace {
 
 constexpr unsigned Priority = 1;       // as the UARTs' interrupts: neither interrupts the other
 constexpr uint32_t LongestUs = 60000;  // the timer has 16 bits
-constexpr size_t Longest = 3;          // characters of a slot
 
 stm32l0_timer_t timer;
 Uart *sender = nullptr;  // null: free
 void *sensor;
 void (*dueCallback)(void *);
-uint8_t sent[Longest];
 
 void elapsed(void *, uint32_t) {
   dueCallback(sensor);
@@ -60,11 +59,7 @@ void SlotTimer::at(uint32_t us) {
 }
 
 bool SlotTimer::send(const uint8_t *characters, size_t size) {
-  if (!sender->done()) {
-    return false;
-  }
-  memcpy(sent, characters, size < Longest ? size : Longest);
-  return sender->write(sent, size, Callback());
+  return DmaSender::send(sender, characters, size);
 }
 
 }  // namespace sbus

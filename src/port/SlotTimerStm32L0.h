@@ -19,8 +19,6 @@ class SlotTimer : public NoSlotTimer {
   static void stop(void *context);
   static void at(uint32_t us);
 
-  // Sends from its own buffer: Uart::write(buffer, size) would cut the characters in two, with a gap between, where its
-  // ring ends (Uart.cpp:207).
   static bool send(const uint8_t *characters, size_t size);
 };
 

@@ -53,6 +53,7 @@ EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(EXAMPLES))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
+  $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
   $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
   $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected))
@@ -76,7 +77,7 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb)
+$1_core = $(if $(filter stm32l0,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
@@ -84,6 +85,8 @@ $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/Tran
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),PicoAlarms,Esp32Task).o \
   $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/Uart.o \
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
@@ -128,10 +131,6 @@ $(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	! $(CXX) $$($1_board) -include Arduino.h -fsyntax-only $$< 2>$$@
 	grep 'error:' $$@ | grep -q 'This port has no single wire'
-$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(HERE)/build.mk
-	@mkdir -p $$(@D) && rm -f $$@
-	! $(CXX) $$($1_board) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
-	grep -m 1 'error:' $$@ | grep -q '#error "[^"]*only the STM32L0 core'
 endef
 $(foreach core,$(CORES),$(eval $(call core_rules,$(core))))
 
