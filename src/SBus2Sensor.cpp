@@ -18,7 +18,7 @@ constexpr uint32_t PollLead = 5;
 // The time from when the timer elapses until the start bit, us: two interrupts of a Cortex-M0+ at 32 MHz (l0emu).
 constexpr uint32_t TimerLead = 35;
 
-constexpr uint32_t FrameTime = sbus::FrameSize * uint32_t{sbus::CharacterTime};  // us
+constexpr uint16_t FrameTime = sbus::FrameSize * uint16_t{sbus::CharacterTime};  // us
 
 }  // namespace
 
@@ -42,6 +42,7 @@ void SBus2Sensor::stop() {
 
 void SBus2Sensor::start(unsigned long baud) {
   reset(baud);
+  _rhythm.reset();
   hear(&SBus2Sensor::arrived, this);
   _isTimed = _start(_stream, this);
 }
@@ -89,6 +90,7 @@ void SBus2Sensor::receive(bool isPrompt) {
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
   }
+  _echo = answers.found() < _echo ? static_cast<uint8_t>(_echo - answers.found()) : uint8_t{0};
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
@@ -97,8 +99,19 @@ void SBus2Sensor::receive(bool isPrompt) {
   const sbus::End end = isPrompt && _isTimed  // so no poll comes between two callbacks
                             ? sbus::promptEndOf(handOver, answers.found(), before, answers.by())
                             : sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), before, answers.by());
-  const uint32_t period = _finder.counters().period;  // 0 before the second frame
-  answers.plan(end.earliest, end.latest, period > FrameTime ? period - FrameTime : 0);
+  _echo = 0;
+  const uint32_t apart = end.latest - end.earliest;
+  const uint32_t frames = _finder.counters().frames;
+  if (frames != _timedFrame + 1 || apart > sbus::Answers::MostOff) {
+    _rhythm.miss();
+  }
+  if (apart <= sbus::Answers::MostOff) {
+    _timedFrame = frames;
+    _rhythm.frame(end.earliest + apart / 2, answers.outcome());
+  }
+  constexpr uint16_t Taken = FrameTime + sbus::Answers::MostOff;  // us: an interval is known to 0.1 ms
+  const uint16_t interval = _rhythm.interval();
+  answers.plan(end.earliest, end.latest, interval > Taken ? interval - Taken : 0);
 }
 
 // The port calls this when it has handed bytes over.
@@ -158,14 +171,22 @@ void SBus2Sensor::armTimer() {
   }
 }
 
+// Does not speak into what another one sends: a frame that comes early, or a sensor in the wrong slot.
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
+  if (_finder.events().isPlanned() &&
+      !(_isTimed ? sbus::SlotTimer::isQuiet(_echo) : static_cast<unsigned>(_port.available()) <= _echo)) {
+    _finder.events().skip();
+    return;
+  }
   if (!_finder.events().start(now, characters)) {
     return;
   }
-  const bool isSent = _isTimed ? sbus::SlotTimer::send(characters, sizeof characters)
-                               : _port.write(characters, sizeof characters);
-  if (!isSent) {
+  const bool isSent =
+      _isTimed ? sbus::SlotTimer::send(characters, sizeof characters) : _port.write(characters, sizeof characters);
+  if (isSent) {
+    _echo = static_cast<uint8_t>(_echo + sizeof characters);
+  } else {
     _finder.events().unsent();
   }
 }

@@ -6,6 +6,7 @@
 #include "port/HandOver.h"
 #include "port/SlotTimer.h"
 #include "sbus/Answers.h"
+#include "sbus/FrameRhythm.h"
 
 namespace sbus {
 
@@ -28,7 +29,8 @@ enum SingleWireTag : uint8_t {
 ///
 /// TX goes to the line through a diode, anode at TX; on a Teensy 4 TX may be the line itself
 /// (extras/docs/telemetry.md). An answer is sent only after an accepted frame that announces its group, never in slot
-/// 0, and starts within 100 us of its time, or is skipped. Nothing else may write to the port.
+/// 0, starts within 100 us of its time, and ends before the next frame could begin; otherwise it is skipped. After
+/// begin() the sensor first listens for 17 frames. Nothing else may write to the port.
 ///
 /// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
 /// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
@@ -157,8 +159,9 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   uint32_t skippedSlots() const { return _finder.events().skipped(); }
 
   /// Returns how often since begin() something other than the answers came back: another sensor has the same slot, or
-  /// the line was disturbed. If RX does not hear TX, as on a single wire, it counts only what RX hears in addition:
-  /// another sensor that sends in the same slot at the same time goes unnoticed.
+  /// the line was disturbed. Each time the sensor then only listens for a while, 16 to 1024 frames. If RX does not hear
+  /// TX, as on a single wire, it counts only what RX hears in addition: another sensor that sends in the same slot at
+  /// the same time goes unnoticed.
   uint32_t collisions() const { return _finder.events().collisions(); }
 
  private:
@@ -181,5 +184,8 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
   bool _isTimed = false;  // a timer calls due()
+  sbus::FrameRhythm _rhythm;
+  uint8_t _echo = 0;         // characters that were sent and may still come back
+  uint32_t _timedFrame = 0;  // number of the last frame whose end was known
   const sbus::HandOver _handOver;
 };

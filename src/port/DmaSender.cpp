@@ -26,7 +26,8 @@ struct Sender {
 
 Sender usart1 = {USART1, {STM32L0_DMA_CHANNEL_DMA1_CH2_USART1_TX, STM32L0_DMA_CHANNEL_DMA1_CH4_USART1_TX}, 0, 0, {}};
 Sender usart2 = {USART2, {STM32L0_DMA_CHANNEL_DMA1_CH7_USART2_TX, STM32L0_DMA_CHANNEL_DMA1_CH4_USART2_TX}, 0, 0, {}};
-Sender lpuart1 = {LPUART1, {STM32L0_DMA_CHANNEL_DMA1_CH7_LPUART1_TX, STM32L0_DMA_CHANNEL_DMA1_CH2_LPUART1_TX}, 0, 0, {}};
+Sender lpuart1 = {
+    LPUART1, {STM32L0_DMA_CHANNEL_DMA1_CH7_LPUART1_TX, STM32L0_DMA_CHANNEL_DMA1_CH2_LPUART1_TX}, 0, 0, {}};
 
 const stm32l0_uart_params_t *settings(const HardwareSerial *port) {
 #if SERIAL_INTERFACES_COUNT > 1
@@ -61,9 +62,9 @@ Sender *senderOf(const HardwareSerial *port) {
   }
 }
 
-// Claims a channel. When the core enables one it also changes the request of the next one (stm32l0_dma.c:206, channel >> 4
-// has 8 bits): after USART1's that is the receiver's. So what was there is put back; and what begin() of the port that
-// receives by the channel before did to ours, select() mends.
+// Claims a channel. When the core enables one it also changes the request of the next one (stm32l0_dma.c:206, channel
+// >> 4 has 8 bits): after USART1's that is the receiver's. So what was there is put back; and what begin() of the port
+// that receives by the channel before did to ours, select() mends.
 bool claim(uint16_t channel) {
   const uint32_t masked = __get_PRIMASK();
   __disable_irq();
@@ -133,6 +134,11 @@ bool DmaSender::send(const HardwareSerial *port, const uint8_t *characters, size
                     static_cast<uint16_t>(size), Options);
   armv6m_atomic_or(&sender.registers->CR3, USART_CR3_DMAT);
   return true;
+}
+
+bool DmaSender::hears(const HardwareSerial *port) {
+  const Sender *const sender = senderOf(port);
+  return sender != nullptr && (sender->registers->ISR & USART_ISR_BUSY) != 0;
 }
 
 void DmaSender::flush(const HardwareSerial *port) {

@@ -1,7 +1,7 @@
 /// @file
-/// Sends on a port of the STM32L0 by DMA. The core's own way needs an interrupt for each character: if that comes late by
-/// a character, once, the port sends the contents of the flash for ever (stm32l0_uart.c:703: TC is served while TXEIE is
-/// on, then `tx_data` counts up from address 0).
+/// Sends on a port of the STM32L0 by DMA. The core's own way needs an interrupt for each character: if that comes late
+/// by a character, once, the port sends the contents of the flash for ever (stm32l0_uart.c:703: TC is served while
+/// TXEIE is on, then `tx_data` counts up from address 0).
 #pragma once
 
 #include <Arduino.h>
@@ -29,6 +29,8 @@ class DmaSender {
   static size_t room(const HardwareSerial *port);
   // Sends up to Room characters. Returns false, and sends nothing, if room() is 0.
   static bool send(const HardwareSerial *port, const uint8_t *characters, size_t size);
+  // Returns true while a character comes in.
+  static bool hears(const HardwareSerial *port);
   // Waits until the last character has gone out.
   static void flush(const HardwareSerial *port);
 };

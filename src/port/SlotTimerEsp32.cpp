@@ -84,6 +84,11 @@ void SlotTimer::polled(unsigned found, uint32_t by) {
   _watch.poll(found, by, from, fill, clock());
 }
 
+// What the driver has taken out of the FIFO, due() has read; the FIFO itself holds what came since.
+bool IRAM_ATTR SlotTimer::isQuiet(unsigned echo) {
+  return uart_ll_get_rxfifo_len(UART_LL_GET_HW(number)) <= echo;
+}
+
 // Does not use the driver's methods: they take a mutex, which is not allowed while interrupts are off.
 bool IRAM_ATTR SlotTimer::send(const uint8_t *characters, size_t size) {
   uart_dev_t *const uart = UART_LL_GET_HW(number);

@@ -36,6 +36,7 @@ uint8_t countOf(uint8_t slots) {
 
 void Answers::begin() {
   Telemetry::begin();
+  _outcome = Outcome::None;
   _isFrameEnd = false;
   _left = 0;
   _out = 0;
@@ -82,8 +83,10 @@ void Answers::taken(const uint8_t *frame) {
   _skipped += countOf(_wanted);
   const uint32_t rejected = rejectedGroups();
   Telemetry::taken(frame);
+  _outcome = Outcome::None;
   if (_out != 0) {
-    compareEcho(rejectedGroups() != rejected);
+    _outcome = isEchoWrong(rejectedGroups() != rejected) ? Outcome::Collided : Outcome::Fine;
+    _collisions += _outcome == Outcome::Collided;
     _out = 0;
   }
   _isFrameEnd = true;
@@ -103,7 +106,7 @@ uint32_t Answers::steady(const uint32_t &counter) {
 }
 
 // Once RX has heard TX, an answer that does not come back was destroyed on the line.
-void Answers::compareEcho(bool isWrong) {
+bool Answers::isEchoWrong(bool isWrong) {
   uint8_t back = 0;
   for (uint8_t i = 0; i < SlotsOfGroup; i++) {
     SlotData data;
@@ -114,7 +117,7 @@ void Answers::compareEcho(bool isWrong) {
     }
   }
   _hasEcho = _hasEcho || back != 0;
-  _collisions += isWrong || (_hasEcho && back != _out);
+  return isWrong || (_hasEcho && back != _out);
 }
 
 void Answers::extra() {

@@ -34,6 +34,14 @@ class Answers : public Telemetry {
   /// Stops answering in `count` slots from slot `first` on.
   void stop(uint8_t first, uint8_t count);
 
+  /// What became of the answers between the two newest frames.
+  enum class Outcome : uint8_t {
+    None,     ///< nothing was sent
+    Fine,     ///< nothing else was heard
+    Collided  ///< see SBus2Sensor::collisions()
+  };
+  Outcome outcome() const { return _outcome; }  ///< Returns that.
+
   /// Returns true, once, if the newest byte is the last one of an accepted frame.
   bool takeFrameEnd();
 
@@ -85,7 +93,7 @@ class Answers : public Telemetry {
   static constexpr uint16_t Unsure = UINT16_MAX;
 
   static uint32_t steady(const uint32_t &counter);
-  void compareEcho(bool isWrong);
+  bool isEchoWrong(bool isWrong);
   void goTo(uint8_t left);
 
   // The data of the board's own slots.
@@ -98,7 +106,8 @@ class Answers : public Telemetry {
   void changed();
 
   Own _own[2] = {};
-  volatile uint8_t _front = 0;      // plan() reads this one of the two; write() changes the other
+  volatile uint8_t _front = 0;  // plan() reads this one of the two; write() changes the other
+  Outcome _outcome = Outcome::None;
   bool _isFrameEnd = false;         // the newest byte is the last one of an accepted frame
   uint8_t _endByte = 0;             // of that frame
   uint8_t _group = 0;               // first slot of the announced group

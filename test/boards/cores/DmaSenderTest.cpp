@@ -1,10 +1,9 @@
 // port/DmaSender on a stand-in of the STM32L0's registers: what is given goes out whole, and nothing else does.
 #include <Arduino.h>
 #include <doctest/doctest.h>
+#include <stm32l0_dma.h>
 
 #include <algorithm>
-
-#include <stm32l0_dma.h>
 
 Uart Serial1, Serial2, Serial3;
 extern const stm32l0_uart_params_t g_Serial1Params = {STM32L0_UART_INSTANCE_USART1},

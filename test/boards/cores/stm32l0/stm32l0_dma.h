@@ -9,7 +9,8 @@
 struct USART_TypeDef {
   uint32_t CR1, CR3, ISR, TDR;
 };
-constexpr uint32_t USART_CR1_UE = 1, USART_CR3_DMAT = 0x80, USART_CR3_DMAR = 0x40, USART_ISR_TC = 0x40;
+constexpr uint32_t USART_CR1_UE = 1, USART_CR3_DMAT = 0x80, USART_CR3_DMAR = 0x40, USART_ISR_TC = 0x40,
+                   USART_ISR_BUSY = 0x10000;
 #define DMA1_Channel2 1
 
 namespace sim {

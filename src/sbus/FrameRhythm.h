@@ -1,0 +1,90 @@
+/// @file
+/// How soon the next frame may begin: a sensor's answers must not meet it.
+#pragma once
+
+#include <stdint.h>
+
+#include "Answers.h"
+
+namespace sbus {
+
+/// Keeps the shortest interval between the frames of the last 1024 to 2048. An answer that destroys a frame makes an
+/// interval longer, never shorter: so a period is known from frames that answers cannot have damaged. Before anything
+/// is answered, and after an answer that collided, or after which a frame was lost, it only listens for some frames:
+/// 16, then twice as many each time, up to 1024; half as many again after 64 frames whose answers were fine.
+///
+/// Times are in us and wrap. The context that reads the port calls it.
+class FrameRhythm {
+ public:
+  /// Forgets all frames.
+  void reset() {
+    _shortest = Unknown;
+    _candidate = Unknown;
+    _frames = 0;
+    _fine = 0;
+    _isKnown = false;
+    _pause = FirstPause;
+    _left = FirstPause;
+  }
+
+  /// Takes the end of a frame, and what became of the answers since the frame before.
+  void frame(uint32_t end, Answers::Outcome outcome) {
+    const uint32_t interval = end - _end;
+    _end = end;
+    if (!_isKnown) {
+      _isKnown = true;
+      return;
+    }
+    if (interval >= Unknown) {  // another receiver may send now
+      reset();
+      _isKnown = true;
+      return;
+    }
+    const uint16_t us = static_cast<uint16_t>(interval);
+    const bool isLost = outcome == Answers::Outcome::Fine && us > _shortest && us - _shortest > _shortest / 2;
+    if (isLost || outcome == Answers::Outcome::Collided) {
+      listen();
+    } else if (_left > 0) {
+      _left--;
+    } else if (outcome == Answers::Outcome::Fine && ++_fine == ManyFine) {
+      _fine = 0;
+      _pause = _pause > FirstPause ? static_cast<uint16_t>(_pause / 2) : FirstPause;
+    }
+    _shortest = us < _shortest ? us : _shortest;
+    _candidate = us < _candidate ? us : _candidate;
+    if (++_frames == Memory) {  // an interval that does not come any more is forgotten
+      _shortest = _candidate;
+      _candidate = Unknown;
+      _frames = 0;
+    }
+  }
+
+  /// Takes a frame whose end is not known: the next interval is not known, either.
+  void miss() { _isKnown = false; }
+
+  /// Returns the shortest interval from the end of a frame to the end of the next one, us; 0 while it only listens.
+  uint16_t interval() const { return _left > 0 ? 0 : _shortest; }
+
+ private:
+  static constexpr uint16_t Unknown = UINT16_MAX;  // us
+  static constexpr uint16_t Memory = 1024;         // frames
+  static constexpr uint16_t FirstPause = 16;       // frames
+  static constexpr uint8_t ManyFine = 64;          // frames
+
+  void listen() {
+    _fine = 0;
+    _left = _pause;
+    _pause = _pause < Memory ? static_cast<uint16_t>(2 * _pause) : Memory;
+  }
+
+  uint32_t _end = 0;
+  uint16_t _shortest = Unknown;   // us
+  uint16_t _candidate = Unknown;  // us, of the newest frames
+  uint16_t _frames = 0;           // these
+  uint8_t _fine = 0;              // frames with answers, and nothing wrong
+  uint16_t _pause = FirstPause;   // frames: the next pause
+  uint16_t _left = FirstPause;    // frames of this one
+  bool _isKnown = false;          // when the frame before ended
+};
+
+}  // namespace sbus
