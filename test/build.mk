@@ -2,6 +2,7 @@
 #   VARIANT=plain       g++ -O1: `make test`
 #   VARIANT=sanitized   g++ with AddressSanitizer and UBSan
 #   VARIANT=clang       clang++ -O2
+# SRC is the library, another copy than the repository's for impairment/without.sh.
 # The targets:
 #   host      OUT/sketches, the library and all of extras/host and extras/line, by extras/host's own Makefile. The others take
 #             its objects: make it first, in a call of its own
@@ -43,7 +44,7 @@ LINE_SOURCES := $(patsubst $(EXTRAS)/%,%,$(wildcard $(EXTRAS)/line/*.cpp $(EXTRA
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-build_host = +@$(MAKE) --no-print-directory -C $(HOST) BUILD='$(OUT)/sketches' CXX='$(CXX)' CXXFLAGS='$(FLAGS)'
+build_host = +@$(MAKE) --no-print-directory -C $(HOST) SRC='$(abspath $(SRC))' BUILD='$(OUT)/sketches' CXX='$(CXX)' CXXFLAGS='$(FLAGS)'
 host:
 	$(build_host) objects left_out=
 sketch:

@@ -171,7 +171,7 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
   _rejected = 0;
   _found = static_cast<uint16_t>(found);
   const Silence silence = _timing.silenceBefore<Format>(found, now, isPrompt);
-  if (silence == Silence::Long && holds(Rule::silence)) {
+  if (silence == Silence::Long) {
     startOver(rules::FirstOffBy);
   } else if (silence == Silence::Gap) {
     gapBefore();

@@ -109,8 +109,7 @@ bool FrameFinderOf<Format, Events>::scan(int waiting) {
 // Returns true if a frame is complete. The buffer then begins with it, and otherwise with what may become a frame.
 template <typename Format, typename Events>
 inline bool FrameFinderOf<Format, Events>::find() {
-  while (Format::HasExtra && _variant == SlotsVariant && _expectedAt == 0 && isSlotId(_buffer[0]) &&
-         holds(Rule::slots)) {
+  while (rules::isSlot<Format>(_variant, _buffer[0]) && _expectedAt == 0) {
     // A sensor's answer: the next frame is expected behind it, and behind a gap where the answer lacks a character.
     int size = SlotSize;
     if (static_cast<unsigned>(_buffer.gapAt() - 1) < SlotSize - 1U && _buffer.isGapCertain()) {

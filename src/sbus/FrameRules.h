@@ -7,7 +7,6 @@
 
 #include "Acquisition.h"
 #include "Frame.h"
-#include "Rule.h"
 #include "Slots.h"
 
 /// For functions whose call would cost more than their body.
@@ -65,13 +64,14 @@ struct Candidate {
   SBUS_IN_LINE const LineVariant &line() const { return LineVariants[variant]; }  ///< its variant
   SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }            ///< its end byte
   /// Returns the size with the tail.
-  SBUS_IN_LINE int size() const { return Format::Size + (holds(Rule::tail) ? line().tailSize : 0); }
+  SBUS_IN_LINE int size() const { return Format::Size + line().tailSize; }
   /// Returns true if a gap follows it, or cuts its tail short.
   SBUS_IN_LINE bool isGapAfter() const { return isGapCertain && gapAt >= Format::Size && gapAt <= size(); }
   SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< a gap stands before it
 };
 
-/// The rules. All but isUsual() matter only on unusual lines.
+/// The rules, a function each: without a rule its function always returns what test/impairment/RULES says. All but
+/// isUsual() matter only on unusual lines.
 namespace rules {
 
 constexpr int MostNoise = 4;  ///< characters in a row that may be noise
@@ -80,25 +80,26 @@ constexpr int FirstOffBy = 2;
 
 /// Returns true if the unused bits of the flags are 0.
 SBUS_IN_LINE bool areFlags(uint8_t byte) {
-  return !holds(Rule::flags) || isFlagsByte(byte);
+  return isFlagsByte(byte);
 }
 
 /// Returns true if a gap lies inside: the end of one frame and the start of the next.
 template <typename Format>
 SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
-  return holds(Rule::inside) && c.gapAt > 0 && c.gapAt < Format::Size;
+  return c.gapAt > 0 && c.gapAt < Format::Size;
 }
 
-/// Returns true if a header follows it; 2F counts on lines with such frames.
+/// Returns true if a header follows it; 2F counts on lines with such frames (needed where the gap before is not
+/// seen).
 template <typename Format>
 SBUS_IN_LINE bool isHeaderNext(const Candidate<Format> &c) {
-  return (c.bytes[c.size()] & (holds(Rule::extraHeader) ? c.line().headerMask : 0xFF)) == HeaderByte;
+  return (c.bytes[c.size()] & c.line().headerMask) == HeaderByte;
 }
 
-/// Returns true if the ID of a telemetry slot follows it, on S.BUS2 lines.
+/// Returns true if only what follows can prove it: while the line variant is unknown.
 template <typename Format>
-SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
-  return holds(Rule::slots) && Format::HasExtra && c.variant == SlotsVariant && isSlotId(c.bytes[c.size()]);
+SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
+  return !c.isLines();
 }
 
 /// Returns true if, before the first frame, one stray character may follow it directly. No frame may begin with its
@@ -106,7 +107,7 @@ SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
 /// costs 52 bytes on a Cortex-M0+.)
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
-  return holds(Rule::stray) && c.lineVariant == UnknownVariant &&
+  return c.lineVariant == UnknownVariant &&
          (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
@@ -127,13 +128,7 @@ SBUS_IN_LINE bool mayBeNoTail(const Candidate<Format> &c, const Acquisition<Form
 /// true end. If a stray character and then a gap followed the frame before, it is the latter.
 template <typename Format>
 SBUS_IN_LINE bool endsTwice(const Candidate<Format> &c) {
-  return holds(Rule::endsTwice) && c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
-}
-
-/// Returns true if more characters follow than noise has, and no header is the second of them.
-template <typename Format>
-SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
-  return holds(Rule::goesOn) && c.count > c.size() + MostNoise && c.bytes[c.size() + 1] != HeaderByte;
+  return c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
 }
 
 /// Returns the index of a header behind an end byte inside it, where the next frame may begin; otherwise Size. Any end
@@ -141,7 +136,7 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
   const uint8_t variant = c.isLines() || Format::Variants == 1 ? c.variant : UnknownVariant;
-  return holds(Rule::falseSync) ? innerHeader(c.bytes, Format::Size, variant) : Format::Size;
+  return innerHeader(c.bytes, Format::Size, variant);
 }
 
 /// Returns true if a gap after it would still prove that it is aligned. A gap proves nothing where the part before
@@ -149,8 +144,31 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
 /// first part is short, and more characters than noise has stand before it.
 template <typename Format>
 SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
-  return holds(Rule::waits) && c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
+  return c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
 }
+
+// ---- For gaps that are not seen, as when a port is polled too seldom: where each gap is seen, these rules and isInTurn()
+// change nothing.
+
+/// Returns true if `byte` may be the ID of a telemetry slot, on a line of this variant.
+template <typename Format>
+SBUS_IN_LINE bool isSlot(uint8_t variant, uint8_t byte) {
+  return Format::HasExtra && variant == SlotsVariant && isSlotId(byte);
+}
+
+/// Returns true if a slot follows it. Acquisition::isInTurn() says when that proves the first frame.
+template <typename Format>
+SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
+  return isSlot<Format>(c.variant, c.bytes[c.size()]);
+}
+
+/// Returns true if more characters follow than noise has, and no header is the second of them.
+template <typename Format>
+SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
+  return c.count > c.size() + MostNoise && c.bytes[c.size() + 1] != HeaderByte;
+}
+
+// ---- The verdict
 
 /// Judges a frame with extra channels. It must stand where a frame is expected, or at a gap: otherwise a noise
 /// character 2F directly before a frame would make that frame its own. The line's variant must be known, and a header
@@ -194,7 +212,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
   bool isInTurn = false;
   if (!isGapAfter) {
     if (c.count <= c.size()) {
-      if (holds(Rule::variant) && !c.isLines()) {
+      if (mustBeFollowed(c)) {
         return Verdict::wait();
       }
     } else if (!isHeaderNext(c)) {
@@ -209,7 +227,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
       } else if (c.gapAt == 0 && c.count == c.size() + 1 && mayHaveStray(c)) {
         return Verdict::wait();
       } else {
-        isInTurn = isSlotNext(c) && (acquisition.isInTurn(c.end()) || !holds(Rule::turn));
+        isInTurn = isSlotNext(c) && acquisition.isInTurn(c.end());
         if (!isInTurn) {
           return Verdict::reject(Rejection::GoesOn, 2);
         }

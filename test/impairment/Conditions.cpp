@@ -175,6 +175,7 @@ const std::vector<Condition> &impairedLines() {
       {"24 channels into 16, quick loops", of(Kind::Channels24), Channels24Fast, None, NotMadeUp},
       {"24 channels into 16, short gaps", of(Kind::Channels24), Channels24Hidden, None, NotMadeUp},
       {"24 channels into 16, dropped 1/300", dropped(1 / 300., Kind::Channels24), Channels24, None, NotMadeUp},
+      {"24 channels into 16, a slot inside", of(Kind::Channels24), Channels24, None, {Payload::SlotInside}},
       {"loop of 5 ms", plain(), Slow, NeverWrong},
       {"loop of 20 ms", plain(), Slower},
       {"loop of 20 ms, large buffers", plain(), SlowerLarge},

@@ -106,6 +106,11 @@ void ImpairedLine::sendFrame() {
     if (_transmission.sticks == Payload::LowChannel16) {  // CH24 as CH16
       bytes[sbus::FrameSize24 - 3] = frame[sbus::FlagsIndex - 1];
     }
+    if (_transmission.sticks == Payload::SlotInside) {
+      bytes[sbus::FlagsIndex] = 0;
+      bytes[sbus::EndIndex] = static_cast<uint8_t>(Sbus2End | (more[sbus::EndIndex - 1] & 0x30));
+      bytes[sbus::FrameSize] = slotId(more[sbus::EndIndex - 2] % 32);
+    }
     bytes[sbus::FrameSize24 - 2] = frame[sbus::FlagsIndex];
     bytes[sbus::FrameSize24 - 1] = 0;
     size = sent.size = sbus::FrameSize24;

@@ -64,6 +64,14 @@ void unpluggedAtSameCharacter(Run &run, Random &random) {
   unplugged(run, random);
   run.line.cut.toCharacter = run.line.cut.fromCharacter;
 }
+// For longer than any frame period, and with no part of a frame before that: nothing but the silence tells it.
+void unpluggedBetweenFrames(Run &run, Random &random) {
+  Cut &cut = run.line.cut;
+  cut.fromFrame = FramesInSync;
+  cut.toFrame = FramesInSync + 1 + (60000 + random.below(400000)) / run.line.periodUs;
+  cut.toCharacter = random.below(sbus::FrameSize);
+  run.line.frames = cut.toFrame + 1 + FramesAfter;
+}
 
 }  // namespace
 
@@ -83,6 +91,7 @@ const std::vector<Condition> &joinLines() {
       join("joined: unplugged, and again at the same character", Run(), seen(), NeverWrong, unpluggedAtSameCharacter),
       join("joined: unplugged, and again at the same character, gaps not seen", Run(), hidden(), None,
            unpluggedAtSameCharacter),
+      join("joined: unplugged between two frames, gaps not seen", Run(), hidden(), NeverWrong, unpluggedBetweenFrames),
       join("joined: loop in step", atBegin(true), all(), NeverWrong),
       join("joined: begin() while an S.BUS2 line runs", atBegin(false, Kind::Sbus2), sbus2(), NeverWrong),
   };

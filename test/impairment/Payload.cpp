@@ -9,7 +9,8 @@
 namespace {
 
 constexpr const char *Names[] = {"uniform", "smooth",   "neutral", "still",  "equal",   "zeros",
-                                 "CH16 low", "failsafe", "0F/00",   "all 0F", "shifted", "shifted still", "other end"};
+                                 "CH16 low", "failsafe", "0F/00",   "all 0F", "shifted", "shifted still", "other end",
+                                 "slot inside"};
 
 constexpr uint8_t OtherEnds[] = {0x04, 0x14, 0x24, 0x34, 0x08};
 constexpr uint16_t EqualValues[] = {0, 992, 1024};
@@ -60,6 +61,7 @@ Frame PayloadFrames::next() {
     case Payload::Equal:
     case Payload::ShiftedStill:
     case Payload::OtherEnd:
+    case Payload::SlotInside:
       return _still;
     case Payload::Failsafe:
       return FailsafeFrame;

@@ -16,9 +16,9 @@ Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
 }
 
 // FrSky's 24 channels: 0F, 33 bytes of channels, flags and end. CH17 and CH18 stand where others have flags and end.
-Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace) {
+Bytes frame36(unsigned number, unsigned flagsPlace, unsigned endPlace, uint8_t next = 0x3E) {
   const Frame beginning = withByte(withByte(neutralFrame(number), 23, flagsPlace), 24, endPlace);
-  return bytesOf(beginning) + Bytes(9, 0x3E) + Bytes{0x08, 0x00};  // failsafe
+  return bytesOf(beginning) + Bytes{next} + Bytes(8, 0x3E) + Bytes{0x08, 0x00};  // failsafe
 }
 
 }  // namespace
@@ -115,6 +115,45 @@ TEST_CASE("no frame of 36 bytes, FrSky's 24 channels, is accepted, whatever CH17
           line.send(frame36(number, flagsPlace, endPlace)).gap(9000 - 36 * 120);
         }
         CHECK(line.frames(loopUs).empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("still frames of 36 bytes that look like 25 of S.BUS2 with a slot's ID behind are never accepted") {
+  for (const unsigned end : {0x04u, 0x14u, 0x24u, 0x34u}) {
+    for (uint8_t slot = 0; slot < sbus::SlotCount; slot++) {
+      for (const uint32_t loopUs : {50u, 2000u, 5000u}) {
+        INFO("end ", end, ", slot ", unsigned{slot}, ", loopUs ", loopUs);
+        TimedLine line;
+        for (unsigned count = 0; count < 20; count++) {
+          line.send(frame36(1, 0x00, end, sbus::slotId(slot))).gap(9000 - 36 * 120);
+        }
+        CHECK(line.frames(loopUs).empty());
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "a connector that opens between two frames, and 300 ms later closes within one, causes no false sync, seen gaps or "
+    "not") {
+  for (const uint32_t periodUs : {4000u, 6000u, 9000u}) {
+    for (const uint32_t loopUs : {50u, 1000u, 3000u, 5000u}) {
+      for (size_t at = 1; at < 25; at++) {
+        INFO("periodUs ", periodUs, ", loopUs ", loopUs, ", at ", at);
+        const uint32_t gapUs = periodUs - 25 * Feeder::CharacterUs;
+        TimedLine line;
+        for (unsigned count = 0; count < 20; count++) {
+          line.send(FailsafeFrame).gap(gapUs);  // it allows a false sync
+        }
+        line.gap(300000).send(part(FailsafeFrame, at)).gap(gapUs);
+        for (unsigned count = 0; count < 20; count++) {
+          line.send(FailsafeFrame).gap(gapUs);
+        }
+        const Frames found = line.frames(loopUs);
+        CHECK(found.size() >= 20);
+        CHECK(found == Frames(found.size(), FailsafeFrame));
       }
     }
   }
