@@ -8,6 +8,7 @@
 #include "../sbus/LineTiming.h"
 #include "Choice.h"
 #include "Format.h"
+#include "HandOver.h"
 
 namespace sbus {
 
@@ -66,17 +67,9 @@ unsigned enlarge(Port &, Choice<0>) {
   return SmallestBuffer;
 }
 
-// Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h). The
-// STM32L0's port has an interrupt for an idle line (stm32l0_uart.c); the other cores' are not known.
-#if defined(SERIAL_SBUS)
-template <typename Port>
-auto idleCharacters(Port *port, Choice<1>) -> decltype(port->onReceive(nullptr), uint8_t{1}) {
-  return 1;
-}
-#endif
-template <typename Port>
-uint8_t idleCharacters(Port *, Choice<0>) {
-  return MostIdleCharacters;
+// Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h).
+constexpr uint8_t idleCharacters(HandOver handOver) {
+  return handOver == HandOver::EachCharacter ? 0 : handOver == HandOver::Dma16 ? 1 : MostIdleCharacters;
 }
 
 /// @endcond

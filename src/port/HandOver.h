@@ -1,5 +1,6 @@
 /// @file
-/// Says how long after its end a character is handed over by the port: an S.BUS2 sensor must know when a frame ended.
+/// Says how long after its end a character is handed over by the port: so gaps are seen, and an S.BUS2 sensor knows
+/// when a frame ended.
 #pragma once
 
 #include <Arduino.h>
@@ -77,13 +78,12 @@ HandOver handOverOf(Port *, HardwareSerial *, Choice<1>) {
 inline HandOver handOverOf(HardwareSerialIMXRT *, HardwareSerial *, Choice<1>) {
   return HandOver::EachCharacter;
 }
-#else
+#endif
 // arduino-pico, whose available() looks into the FIFO.
 template <typename Port>
-auto handOverOf(Port *port, HardwareSerial *, Choice<1>) -> decltype(port->setInvertRX(true), HandOver()) {
+auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->setInvertRX(true), HandOver()) {
   return HandOver::EachCharacter;
 }
-#endif
 // For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set
 // CONFIG_UART_ISR_IN_IRAM: it waits while flash is written, for milliseconds, and for other interrupts, and available()

@@ -117,7 +117,7 @@ class Port : private CoreKind::Pins {
         _hardware(hardware(&port)),
         _open(open<Class>),
         _half(static_cast<uint16_t>(half(KindOf<Class>::Buffer))),
-        _idleCharacters(sbus::idleCharacters(&port, Choice<1>())) {}
+        _idleCharacters(sbus::idleCharacters(handOverOf(&port, &port, Choice<2>()))) {}
 
   static HardwareSerial *hardware(HardwareSerial *port) { return port; }
   static HardwareSerial *hardware(Stream *) { return nullptr; }
