@@ -69,6 +69,9 @@ class DecodeSBusOf {
   /// Call it also when nothing waits: only an empty call proves that the line was silent. A sketch that calls it only
   /// when bytes wait (serialEvent1()) loses a frame each time its loop() is late by 2 ms.
   ///
+  /// While interrupts are off, bytes are lost, and two frames may be joined, above all on an AVR
+  /// (extras/docs/boards.md).
+  ///
   /// A frame is complete at the first call after its last byte. The very first frame, the first with the end byte of
   /// another variant, and one after discarded bytes or 50 ms of silence may have to wait for the next frame or for 3 ms
   /// of silence.

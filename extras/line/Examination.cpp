@@ -18,6 +18,7 @@ sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
   subtract(now.discardedBytes, before.discardedBytes);
   subtract(now.resyncs, before.resyncs);
   subtract(now.overflows, before.overflows);
+  subtract(now.shortfalls, before.shortfalls);
   subtract(now.extraFrames, before.extraFrames);
   subtract(now.otherSizeFrames, before.otherSizeFrames);
   return now;

@@ -132,6 +132,8 @@ class FrameFinderOf : private Events {
 
   void startOver(int offBy);
   void gapBefore();
+  void checkFound();
+  void lost(uint32_t &counter);
   const uint8_t *settle();
   const uint8_t *search(int waiting);
   bool scan(int waiting);
@@ -154,6 +156,7 @@ class FrameFinderOf : private Events {
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll
   uint16_t _found;     // bytes that this poll has found
+  bool _owed;          // the port has lost bytes after those of this poll
   bool _onlyNoise;     // since the last frame: neither a gap nor a header
   Acquisition<Format> _acquisition;
   LineTiming _timing;
@@ -170,6 +173,9 @@ template <typename Format, typename Events>
 SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now, bool isPrompt) {
   _rejected = 0;
   _found = static_cast<uint16_t>(found);
+  if (LineTiming::ClockRuns && _owed) {
+    lost(_counters.shortfalls);
+  }
   const Silence silence = _timing.silenceBefore<Format>(found, now, isPrompt);
   if (silence == Silence::Long) {
     startOver(rules::FirstOffBy);
@@ -177,6 +183,9 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
     gapBefore();
   } else if (silence != Silence::Unknown) {
     _buffer.markGap(false);
+  }
+  if (_timing.hasEmptyPolls() && !isPrompt) {
+    checkFound();
   }
   _acquisition.characters(found);
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int JudgedWorth = 4;           // headers: one that judge() rejects costs as much as four without an end byte
 constexpr int FarOff = FrameSize24 + 1;  // characters: the most that _expectedAt counts
+constexpr int32_t ShortestPeriod = 5376;  // us: an X8R has 6 ms; what is shorter was measured between late polls
 
 // Counts rare events. Not inlined: 40 bytes less on an AVR, 8 on a Cortex-M0+.
 __attribute__((noinline)) void countUp(uint32_t &counter) {
@@ -39,14 +40,38 @@ void FrameFinderOf<Format, Events>::startOver(int offBy) {
   _buffer.clear();
   _expectedAt = static_cast<int8_t>(-offBy);
   _onlyNoise = false;
+  _owed = false;
   _acquisition.forget(offBy == rules::FirstOffBy);
 }
 
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::broken() {
-  countUp(_counters.overflows);
+  lost(_counters.overflows);
+}
+
+// Drops the incoming frame, because the port has lost bytes after it.
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::lost(uint32_t &counter) {
+  countUp(counter);
   startOver(FarOff);
   Events::lost();
+}
+
+// While interrupts are off, a UART keeps a few characters and loses the others. If the line goes on at the same place
+// of a later frame, 25 characters of two frames stand there without a gap, and only the time shows that. A frame that
+// broke off may also have lost a character on the line: then there is an apparent gap. Otherwise the port has lost
+// bytes.
+template <typename Format, typename Events>
+void FrameFinderOf<Format, Events>::checkFound() {
+  const int filled = _buffer.filled();
+  const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
+  if (_timing.template fallsShort<Format>(_found, missing, _counters.period)) {
+    if (!LineTiming::ClockRuns || static_cast<int>(_found) < missing) {
+      _buffer.markGap(false);
+    } else {
+      _owed = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
+    }
+  }
 }
 
 // Takes a certain gap before the next character. A run of the other size forgets the variant: on a line of that size
@@ -234,6 +259,8 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::reset(uint32_t, uint8_t, uint8_t); \
   template void sbus::FrameFinderOf<__VA_ARGS__>::startOver(int);                    \
   template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                          \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                  \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                      \
   template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                       \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();                \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

@@ -80,6 +80,30 @@ class LineTiming {
     return isLong(silence) ? Silence::Long : Silence::Gap;
   }
 
+  /// Returns true if some polls have found nothing: then the time of the poll before is known.
+  bool hasEmptyPolls() const { return _shortest == HasEmptyPolls; }
+
+  /// False on an AVR, which has ints of 16 bits: while interrupts are off, its micros() counts 2 ms at most.
+  static constexpr bool ClockRuns = UINT_MAX > UINT16_MAX;
+
+  /// Returns true if the newest poll must have found more than its `found` bytes. The first of them belong to a frame
+  /// that lacked `missing` bytes, 0 if none was incomplete. In a frame the characters follow each other, and a frame is
+  /// complete at most one `period`, us, after the frame before it. Call it only if hasEmptyPolls().
+  template <typename Format>
+  bool fallsShort(int found, int missing, uint32_t period) const {
+    const int handedOver = _idleCharacters != 0 ? found + static_cast<int>(LongestBurst) : found;
+    const unsigned enough = inTime<Format>(static_cast<unsigned>(handedOver)) * _characterTime;
+    int late = static_cast<int>(_lastPoll - _pollBefore - enough);
+    if (ClockRuns) {
+      for (int whole = missing; whole <= found; whole += Format::Size) {
+        late -= static_cast<int>(period);
+      }
+    } else if (found >= missing) {
+      return false;
+    }
+    return late > 0;
+  }
+
   /// Returns the time of the poll before the newest one that found bytes.
   uint32_t pollBefore() const { return _pollBefore; }
 
@@ -105,10 +129,16 @@ class LineTiming {
   // of 50 ms: a tenth fewer wrong frames where gaps are not seen, for 32 bytes on a Cortex-M0+ and 106 on an AVR.)
   static bool isLong(unsigned silence) { return silence >= LongSilence; }
 
+  // Returns within how many characters' time these follow each other and are handed over, plus a gap.
+  template <typename Format>
+  unsigned inTime(unsigned found) const {
+    return Format::spread(found) + _idleCharacters + Gap;
+  }
+
   // Returns the longest time from the start of the first of these bytes until it is handed over, plus a gap.
   template <typename Format>
   unsigned burstTime(unsigned found) const {
-    const unsigned characters = Format::spread(found) + _idleCharacters + Gap;
+    const unsigned characters = inTime<Format>(found);
     return (characters < Format::LongestSpread ? characters : Format::LongestSpread) * _characterTime;
   }
 
@@ -139,7 +169,7 @@ class LineTiming {
   }
 
   uint8_t _characterTime;  // us
-  uint8_t _idleCharacters;
+  uint8_t _idleCharacters;  // 0: the port hands over each character at once
   uint16_t _shortest;    // us between polls; HasEmptyPolls: not needed, as some polls were empty
   uint32_t _pollBefore;  // us
   uint32_t _lastPoll;    // us

@@ -66,6 +66,15 @@ const std::vector<Setup> Blocked = {{6000, 50}, {9000, 50}, {9000, 50, ByteByByt
                                     {9000, 50, Esp32Told, 256}};
 const std::vector<Setup> BlockedLarge = {{9000, 50, Board, 256}, {9000, 50, ByteByByte, 256}, {14000, 50, Fifo, 256}};
 
+// Interrupts are off now and then.
+std::vector<Setup> off(const Driver &driver) {
+  return {{6000, 50, driver, 256},   {7000, 1000, driver, 256}, {9000, 50, driver, 256},
+          {9000, 1000, driver, 256}, {9000, 3000, driver, 256}, {14000, 1000, driver, 256}};
+}
+std::vector<Setup> offAt9(const Driver &driver) {
+  return {{9000, 50, driver, 256}, {9000, 1000, driver, 256}};
+}
+
 // For Fast S.Bus, half of these periods, and those of FrSky's ACCESS receivers, 4 to 9 ms.
 const std::vector<Setup> FastSeen = {{3000, 50}, {4500, 1500, Board, 256}, {7500, 50}, {7000, 1500, ByteByByte}};
 const std::vector<Setup> FastHidden = {{2000, 50}, {3500, 1500}};
@@ -110,6 +119,8 @@ uint64_t ownSeed(const std::string &name, uint64_t seed) {
 // - The gap between a 2F frame and the next may be 0.6 ms, and is not seen.
 // - The port's buffer overflows, or is taken for full: 63 bytes may be all that it holds.
 // - By events, a block within a frame looks like a gap.
+// - With interrupts off a UART loses characters, and an AVR's clock stands still: frames are joined where too little is
+//   missing, or too little time has passed, to tell. Ages are too small by the time that the clock has lost.
 // - A UART cannot insert a character in a frame: these lines only show what would happen.
 const std::vector<Condition> &impairedLines() {
   static const std::vector<Condition> list = {
@@ -188,6 +199,11 @@ const std::vector<Condition> &impairedLines() {
       {"blocked 10 to 60 ms, large buffers", blocked(10, 60, 500), BlockedLarge},
       {"blocked 200 ms every 500 ms", blocked(200, 200, 500), Blocked},
       {"blocked 200 ms, large buffers", blocked(200, 200, 500), BlockedLarge},
+      {"interrupts off for 10 to 150 ms, FIFO 32", interruptsOff(10, 150, 500), off(Pico)},
+      {"interrupts off for 5 to 30 ms, FIFO 3", interruptsOff(5, 30, 197), off(Three)},
+      {"interrupts off for 9 to 10 ms, FIFO 3", interruptsOff(9, 10, 97), offAt9(Three)},
+      {"interrupts off for 5 to 30 ms, AVR", interruptsOff(5, 30, 197), off(Avr)},
+      {"interrupts off for 9 to 10 ms, AVR", interruptsOff(9, 10, 97), offAt9(Avr)},
       {"Fast S.Bus, clean", fast(plain()), FastSeen, Faultless},
       {"Fast S.Bus, clean, short gaps", fast(plain()), FastHidden, Faultless},
       {"Fast S.Bus, dropped 1/300", fast(dropped(1 / 300.)), FastSeen},

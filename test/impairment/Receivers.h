@@ -40,7 +40,7 @@ class OursOf {
   bool newExtra(LongFrame &) { return false; }
   // Returns an age that the newest frame has not reached, by its age in full ms.
   uint64_t youngerThanUs() { return (uint64_t{_sbus.frameAge()} + 1) * 1000; }
-  uint32_t breaks() const { return _sbus.counters().overflows; }
+  uint32_t breaks() const { return _sbus.counters().overflows + _sbus.counters().shortfalls; }
 
  protected:
   Decoder _sbus;

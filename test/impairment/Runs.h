@@ -68,6 +68,11 @@ inline Run blocked(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
   run.blockEveryUs = 1000 * everyMs;
   return run;
 }
+inline Run interruptsOff(uint32_t fromMs, uint32_t toMs, uint32_t everyMs) {
+  Run run = blocked(fromMs, toMs, everyMs);
+  run.blocksInterrupts = true;
+  return run;
+}
 // Unplugged for this number of periods in every 12 frames and these, and plugged in at the same character.
 inline Run cut(unsigned periods) {
   Run run;

@@ -22,6 +22,7 @@ class Simulation {
 
   Tally run() {
     fakeMicros = _beginUs;
+    fakeStoodStillUs = 0;
     _receiver.begin(_run.line.baud);
     _nextBlockUs = _run.blockEveryUs != 0 ? fakeMicros + _run.blockEveryUs : UINT64_MAX;
     do {
@@ -42,17 +43,40 @@ class Simulation {
   }
 
  private:
+  Receiver receiver() {
+    UartPort &port = _port;
+    const Driver &driver = _run.setup.driver;
+    return _run.setup.callsBack() ? Receiver(_port)
+           : driver.isBoards()    ? Receiver(static_cast<BoardsPort &>(port))
+           : driver.isPrompt()    ? Receiver(static_cast<PromptPort &>(port))
+                                  : Receiver(port);
+  }
   uint64_t randomUs(uint64_t limitUs) { return _random.below(static_cast<uint32_t>(limitUs)); }
 
   void loop() {
     const uint32_t periodUs = _run.setup.loopUs;
     if (fakeMicros >= _nextBlockUs) {
       _nextBlockUs = fakeMicros + _run.blockEveryUs - randomUs(_run.setup.periodUs);
+      const uint64_t beganUs = fakeMicros;
       fakeMicros += _run.blockFromUs + randomUs(_run.blockToUs - _run.blockFromUs + 1);
       _blocks++;
+      if (_run.blocksInterrupts) {
+        receiveWithoutInterrupts(beganUs);
+      }
       return;
     }
     fakeMicros += _run.inStep ? periodUs : periodUs * 9 / 10 + randomUs(periodUs / 5 + 1);
+  }
+
+  void receiveWithoutInterrupts(uint64_t beganUs) {
+    _port.interruptsOff();
+    receive();
+    _lostLater = _port.interruptsOn();
+    _lostAfterRead = _port.bytesRead() + static_cast<uint64_t>(_port.available());
+    if (const uint64_t overflowUs = _run.setup.driver.overflowUs) {
+      const uint64_t overflows = fakeMicros / overflowUs - beganUs / overflowUs;
+      fakeStoodStillUs += overflows > 1 ? (overflows - 1) * overflowUs : 0;
+    }
   }
 
   // Returns true if every driver has handed over what came, and a call has found nothing.
@@ -141,7 +165,7 @@ class Simulation {
   }
 
   void poll() {
-    const uint64_t has = position() + static_cast<uint64_t>(_port.available());
+    const uint64_t has = position() + static_cast<uint64_t>(_port.available()) + _lostLater;
     _judge.poll(has);
     _extraJudge.poll(has);
     const uint32_t breaks = _receiver.breaks();
@@ -151,11 +175,13 @@ class Simulation {
       _judge.broken();
     }
     // Bytes that found the buffer full came after those in it, which have been read now.
+    loseBehindKept(true);
     lose(_port.droppedFull() - _droppedFull);
     _droppedFull = _port.droppedFull();
   }
 
   void takeFrame() {
+    loseBehindKept(false);
     LongFrame frame;
     if (_receiver.newExtra(frame)) {
       _extraJudge.given(frame.data(), position());
@@ -173,8 +199,21 @@ class Simulation {
     _lost += characters;
   }
 
-  static constexpr uint64_t Learning = 4;     // frames
-  static constexpr uint64_t LongestIdle = 5;  // characters; no driver waits longer
+  // What the UART lost while interrupts were off came before the bytes that have been read after it, if any have.
+  void loseBehindKept(bool isAllRead) {
+    const uint64_t readAfter = _port.bytesRead() - _lostAfterRead;
+    if (_lostLater == 0 || _port.bytesRead() < _lostAfterRead || (readAfter == 0 && !isAllRead)) {
+      return;
+    }
+    const uint64_t first = position() - readAfter;
+    _judge.lost(first, first + _lostLater);
+    _extraJudge.lost(first, first + _lostLater);
+    _lost += _lostLater;
+    _lostLater = 0;
+  }
+
+  static constexpr uint64_t Learning = 4;            // frames
+  static constexpr uint64_t LongestIdle = 5;         // characters; no driver waits longer
   static constexpr uint64_t LongestPeriodUs = 50000;
 
   const Run _run;
@@ -183,9 +222,7 @@ class Simulation {
   const uint64_t _beginUs;  // such that micros() wraps during the run
   ImpairedLine _line;
   CallingPort _port;
-  Receiver _receiver = _run.setup.callsBack()         ? Receiver(_port)
-                       : _run.setup.driver.isBoards() ? Receiver(static_cast<BoardsPort &>(_port))
-                                                      : Receiver(static_cast<UartPort &>(_port));
+  Receiver _receiver = receiver();
   Judge _judge;
   Judge _extraJudge;                  // of frames with header 2F
   uint64_t _nextUs = _line.nextUs();  // when the line's next character will be complete
@@ -198,6 +235,8 @@ class Simulation {
   uint64_t _lastEndUs = 0;
   uint64_t _emptyLoops = 0;  // since the last one that found bytes
   uint64_t _lost = 0;
+  uint64_t _lostLater = 0;      // behind
+  uint64_t _lostAfterRead = 0;  // so many bytes read
   uint64_t _droppedFull = 0;
 };
 

@@ -15,6 +15,7 @@ struct Run {
   uint32_t blockFromUs = 0;  // a blocked loop takes from this
   uint32_t blockToUs = 0;    // to this time
   uint32_t blockEveryUs = 0;
+  bool blocksInterrupts = false;  // they are off while the loop is blocked
   bool joining = false;        // the port is opened
   uint32_t joinUs = 0;         // this long after the line's first frame has begun
   uint32_t silenceUs = 20000;  // without `joining` this long before, and up to 9 ms longer

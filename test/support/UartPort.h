@@ -35,6 +35,14 @@ class UartPort : public HardwareSerial {
     if (_baud != _lineBaud || character.endUs < _openedUs + _characterUs) {
       return;  // a character that began before the port was opened is not received
     }
+    if (!_interrupts) {
+      if (_kept.size() < _driver.keeps) {
+        _kept.push_back(character);
+      } else {
+        _lostBehindKept += !character.bad;
+      }
+      return;
+    }
     advance(character.endUs - _characterUs);
     if (_driver.isBoards()) {
       _uart.receive(character);
@@ -51,6 +59,21 @@ class UartPort : public HardwareSerial {
     } else if (!_fifo.empty() && nowUs >= _fifo.back().endUs + _driver.idleCharacters * _characterUs) {
       handOver();
     }
+  }
+
+  // While interrupts are off no character is handed over.
+  void interruptsOff() {
+    _interrupts = false;
+    _lostBehindKept = 0;
+  }
+  // Hands over what the UART has kept. Returns how many good characters it has lost behind it.
+  uint64_t interruptsOn() {
+    _interrupts = true;
+    for (const line::Character &character : _kept) {
+      receive(character);
+    }
+    _kept.clear();
+    return _lostBehindKept;
   }
 
   uint64_t bytesRead() const { return _bytesRead; }
@@ -112,6 +135,18 @@ class UartPort : public HardwareSerial {
   uint64_t _bytesRead = 0;
   host::BoardUart _uart;
   std::vector<line::Character> _fifo;
+  bool _interrupts = true;
+  std::vector<line::Character> _kept;  // while they are off
+  uint64_t _lostBehindKept = 0;
+};
+
+// A port that hands over each character at once: by its setInvertRX() the library knows that.
+class PromptPort : public UartPort {
+ public:
+  using UartPort::UartPort;
+  bool setInvertRX(bool) { return true; }
+  bool setInvertTX(bool) { return true; }
+  bool setFIFOSize(size_t) { return true; }
 };
 
 // The board's port: by its onReceive() the library knows how long it waits for more characters. The event that calls

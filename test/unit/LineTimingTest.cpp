@@ -89,6 +89,43 @@ TEST_CASE("before the first character the silence is long, and one that outlasts
   }
 }
 
+TEST_CASE(
+    "a call is late by more than what it found takes, and a period for each frame that ends meanwhile: it must have "
+    "found more") {
+  const struct {
+    const char *what;
+    int found, missing;
+    uint8_t idle;  // characters that the port waits for; 0: it hands over each at once
+    uint32_t us16, us24;
+  } rows[] = {
+      {"3 of a frame that lacks 20", 3, 20, 0, 6 * 120, 5 * 120},
+      {"of a port that may hold back 16", 3, 20, 1, 27 * 120, 22 * 120},
+      {"and waits for four characters", 3, 20, 4, 30 * 120, 25 * 120},
+      {"no frame had begun", 3, 0, 0, 9000 + 6 * 120, 9000 + 5 * 120},
+      {"the end of one, and 12 of the next", 32, 20, 0, 9000 + 43 * 120, 9000 + 34 * 120},
+      {"the end of one, a whole one of 16 channels, and 2", 32, 5, 0, 2 * 9000 + 43 * 120, 9000 + 34 * 120},
+  };
+  for (const auto &row : rows) {
+    for (const uint32_t start : {uint32_t{5000}, UINT32_MAX - 300}) {  // the clock wraps
+      CAPTURE(row.what);
+      CAPTURE(start);
+      const auto fallsShort = [&](uint32_t us, bool is24) {
+        LineTiming line = afterByte(start, 120, row.idle);
+        REQUIRE(line.hasEmptyPolls());
+        line.empty(start + 700);
+        line.silenceBefore<sbus::Frame16>(static_cast<unsigned>(row.found), start + 700 + us);
+        return is24 ? line.fallsShort<sbus::Frame24>(row.found, row.missing, 9000)
+                    : line.fallsShort<sbus::Frame16>(row.found, row.missing, 9000);
+      };
+      CHECK_FALSE(fallsShort(row.us16, false));
+      CHECK(fallsShort(row.us16 + 1, false));
+      CHECK_FALSE(fallsShort(row.us24, true));
+      CHECK(fallsShort(row.us24 + 1, true));
+    }
+  }
+  CHECK_FALSE(timing(5000).hasEmptyPolls());
+}
+
 TEST_CASE("an empty call proves silence once a burst would have been handed over meanwhile") {
   LineTiming line = afterByte(1000);
   line.empty(1000 + 22 * 120);

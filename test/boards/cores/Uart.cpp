@@ -202,6 +202,17 @@ unsigned Uart::fifo() {
   return _filled - _taken;
 }
 
+void Uart::turnOff(uint64_t us) {
+  receive();
+  world.offFromUs = world.nowUs;
+  world.nowUs += us;
+  world.offUntilUs = world.nowUs;
+  if (_overflowUs != 0) {
+    const uint64_t overflows = world.offUntilUs / _overflowUs - world.offFromUs / _overflowUs;
+    world.stoodStillUs += overflows > 1 ? (overflows - 1) * _overflowUs : 0;
+  }
+}
+
 void Uart::receive() {
   if (!_wired || !_open) {
     return;
@@ -217,9 +228,13 @@ void Uart::receive() {
     }
     interrupts(us);
   };
+  unsigned kept = 0;  // while interrupts were off
   const auto take = [&](uint64_t beginUs, uint64_t endUs, uint8_t value, bool heard) {
     world.next++;
     if (beginUs < _openedUs || !heard || isDeaf(beginUs, endUs, value)) {
+      return;
+    }
+    if (endUs > world.offFromUs && endUs <= world.offUntilUs && kept++ >= _keeps) {
       return;
     }
     idleUntil(beginUs);
@@ -343,11 +358,11 @@ void digitalWrite(uint32_t pin, uint32_t level);
 
 uint32_t micros() {
   sim::world.pass(sim::world.tickUs);
-  return static_cast<uint32_t>(sim::world.nowUs);
+  return static_cast<uint32_t>(sim::world.nowUs - sim::world.stoodStillUs);
 }
 uint32_t millis() {
   sim::world.pass(sim::world.tickUs);
-  return static_cast<uint32_t>(sim::world.nowUs / 1000);
+  return static_cast<uint32_t>((sim::world.nowUs - sim::world.stoodStillUs) / 1000);
 }
 void delay(unsigned long ms) {
   sim::world.pass(ms * 1000);

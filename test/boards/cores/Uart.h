@@ -59,6 +59,14 @@ class Uart {
   unsigned size() const { return _size; }
   void setBurst(unsigned burst) { _burst = burst; }
   unsigned burst() const { return _burst; }
+  // While interrupts are off, this many characters are kept, and later ones are lost. micros() is made of interrupts
+  // that come every `overflowUs`, of which one is kept; 0: it runs on.
+  void keep(unsigned characters, unsigned overflowUs = 0) {
+    _keeps = characters;
+    _overflowUs = overflowUs;
+  }
+  unsigned keeps() const { return _keeps; }  // 0: nothing is known
+  void turnOff(uint64_t us);                 // interrupts, for this time
   void lookIntoFifo() { _seesFifo = true; }  // available() counts what waits for a burst, and read() takes it
   bool isHalfDuplex() const { return _isHalfDuplex; }
   unsigned behind() const { return _drops == Fifo ? FifoSize + _burst : 0; }  // bytes that wait behind a full buffer
@@ -97,6 +105,7 @@ class Uart {
   uint64_t _openedUs = 0, _lastUs = 0, _freeNs = 0;
   unsigned _size, _burst;
   uint8_t _buffer[Largest] = {}, _fifo[Largest] = {};
+  unsigned _keeps = 0, _overflowUs = 0;
   unsigned _first = 0, _count = 0, _filled = 0, _stashed = 0, _position = 0;
   unsigned _taken = 0;                           // of _filled, by a late driver
   uint64_t _takesUs = Never, _countsUs = Never;  // when it takes them, and when it counts them

@@ -53,6 +53,8 @@ struct World {
   uint64_t othersAtUs = 0;  // the next of them
   uint64_t alarmAtUs = Never;
   bool inAlarm = false;
+  uint64_t offFromUs = 0, offUntilUs = 0;  // interrupts were off (Uart::turnOff())
+  uint64_t stoodStillUs = 0;               // so long has micros() stood still
   void (*alarm)() = nullptr;
 
   // What comes in: characters of even parity, at the pin.

@@ -1,5 +1,5 @@
 # Builds for an Arduino Mega, and what runs it, into the folder OUT (absolute)
-#   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our sketches Counters and Busy
+#   elves           OUT/NAME.elf: the examples as they stand, with Debian's AVR core, and our own sketches
 #   OUT/Joystick.leonardo  the example Joystick for the Leonardo, whose USB makes one
 #   OUT/MegaTest    the program that runs the sketches
 # `make list` names all of these.
@@ -11,7 +11,8 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-SKETCHES := $(EXAMPLES) Counters Busy
+OURS_ALONE := Counters Busy InterruptsOff
+SKETCHES := $(EXAMPLES) $(OURS_ALONE)
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
 ALL := $(ELVES) $(OUT)/Joystick.leonardo $(OUT)/MegaTest
 
@@ -42,7 +43,7 @@ LIBRARY := $(patsubst $(ROOT)/src/%,%,$(wildcard $(ROOT)/src/*.cpp $(ROOT)/src/*
 $(OUT)/%.elf: $(OUT)/sketch/%.o $(OUT)/library.a $(OUT)/core.a
 	avr-gcc $(AVR) -Wl,--gc-sections $^ -lm -o $@
 
-$(OUT)/sketch/Counters.o $(OUT)/sketch/Busy.o: $(OUT)/sketch/%.o: $(HERE)/%.cpp $(HERE)/build.mk
+$(OURS_ALONE:%=$(OUT)/sketch/%.o): $(OUT)/sketch/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(AVR_CXX) $(WARNINGS) $(DEPENDENCIES) $(OURS) -c $< -o $@
 
@@ -85,7 +86,7 @@ $(OUT)/core.a: $(CORE_SOURCES:%=$(OUT)/core/%.o)
 	avr-ar rcs $@ $^
 
 # With the host's lines, and what of the core they and the expectations need.
-TEST := $(filter-out %/Counters.cpp %/Busy.cpp,$(wildcard $(HERE)/*.cpp)) \
+TEST := $(filter-out $(OURS_ALONE:%=\%/%.cpp),$(wildcard $(HERE)/*.cpp)) \
   $(wildcard $(ROOT)/extras/line/*.cpp $(addprefix $(ROOT)/extras/line/,simulation/*.cpp recording/*.cpp uart/*.cpp telemetry/*.cpp)) $(wildcard $(ROOT)/src/sbus/*.cpp)
 $(OUT)/MegaTest: $(TEST:$(ROOT)/%.cpp=$(OUT)/pc/%.o)
 	$(CXX) $^ -lsimavr -o $@

@@ -12,7 +12,9 @@
 
 class SerialUART : public Simulated<HardwareSerial> {
  public:
-  SerialUART() : Simulated<HardwareSerial>({31, 1, 1, 32, sim::NoBaud, false, sim::Parity | sim::Framing}) {}
+  SerialUART() : Simulated<HardwareSerial>({31, 1, 1, 32, sim::NoBaud, false, sim::Parity | sim::Framing}) {
+    uart.keep(32);  // RP2040 datasheet, 4.2.2.4; micros() is a hardware timer's
+  }
   bool setRX(uint8_t) { return !uart.isOpen(); }
   bool setTX(uint8_t) { return !uart.isOpen(); }
   bool setInvertRX(bool invert = true) { return set(_invertRx, invert); }

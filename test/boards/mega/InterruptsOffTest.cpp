@@ -1,0 +1,54 @@
+// Runs a sketch that turns interrupts off, on a simulated Arduino Mega: the USART keeps three characters, and micros()
+// stands still.
+#include <doctest/doctest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "Expected.h"
+#include "Mega.h"
+#include "support/BitByBit.h"
+
+namespace {
+
+using mega::Mega;
+
+// Frames in which all channels are equal, every 9 ms. No two of a second have the same.
+class EqualChannels : public line::Line {
+ public:
+  bool next(uint64_t nowUs, line::Character &character) override {
+    const uint64_t frame = _sent / sbus::FrameSize, index = _sent % sbus::FrameSize;
+    const uint64_t endUs = 5000 + frame * 9000 + (index + 1) * line::CharacterUs;
+    if (endUs > nowUs) {
+      return false;
+    }
+    Channels channels;
+    channels.fill(static_cast<uint16_t>(frame * 463 % 2048));
+    channels[16] = channels[17] = 0;
+    character = line::Character();
+    character.endUs = endUs;
+    character.value = writeBitByBit(channels)[index];
+    _sent++;
+    return true;
+  }
+
+ private:
+  uint64_t _sent = 0;
+};
+
+}  // namespace
+
+// Without LineTiming::fallsShort() there are 95 wrong frames of 789 stops; extras/docs/boards.md says what is left.
+TEST_CASE("interrupts off for 9.3 to 9.56 ms, a period and three characters, join two frames in few of the stops") {
+  mega::Line line;
+  line.source = std::make_unique<EqualChannels>();
+  const Mega mega("InterruptsOff", std::move(line), 52);
+  const mega::Numbers last = mega::numbersIn(mega.printed().back().text);
+  MESSAGE("stops, frames, wrong: ", mega.printed().back().text);
+  REQUIRE(last.size() == 3);
+  CHECK(last[0] > 750);
+  CHECK(last[1] > 4500);
+  CHECK(last[2] * 30 < last[0]);
+  CHECK(mega.mistakes().find("characters were not read in time") != std::string::npos);
+}
