@@ -44,6 +44,8 @@ constexpr Words WordsOf[] = {
      "Open the port with the setting that has frames: Fast S.Bus has 200000 baud."},
     {"Polled too seldom: the port's buffer overflows.",
      "Poll the port at least every 5 ms, at 200000 baud every 2.5 ms."},
+    {"Interrupts off: the port lost bytes meanwhile.",
+     "Write flash or EEPROM, and update long LED strips, only while frames may be missed."},
     {"Noise: frames are damaged.", "Connect the grounds, check the supply, shorten the wire."},
     {"Failsafe: the receiver works, but has lost the link.", "Switch the radio on, or bind them."},
     {"No radio: the receiver works, but hears nothing.", "Switch the radio on, or bind them."},
@@ -104,6 +106,9 @@ Finding Diagnosis::finding() const {
   }
   if (counters.overflows != 0) {
     return Finding::PolledTooSeldom;
+  }
+  if (counters.shortfalls != 0) {
+    return Finding::InterruptsOff;
   }
   if (!framesCome) {
     // Of 55 frames 54 are recognised by their size, and 45 with 30 disturbances a second; in a wrong setting at most

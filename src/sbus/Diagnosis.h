@@ -31,6 +31,7 @@ enum class Finding : uint8_t {
   WrongBaud,             ///< frames come with the other baud rate
   WrongPolarityAndBaud,  ///< frames come with the other polarity and the other baud rate
   PolledTooSeldom,       ///< the port's buffer overflowed
+  InterruptsOff,         ///< the port lost bytes while interrupts were off (not noticed on an AVR)
   Noise,                 ///< more than one frame in a hundred is impaired
   Failsafe,              ///< the receiver is in failsafe
   NoRadio,               ///< more than half of the frames have the lost-frame flag, without failsafe
@@ -39,7 +40,7 @@ enum class Finding : uint8_t {
   AllWell,               ///< no fault
 };
 
-/// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters. On an AVR all words take 1.3
+/// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters. On an AVR all words take 1.5
 /// KB of RAM in a sketch that calls text() or remedy(), and nothing in others.
 const char *text(Finding finding);
 

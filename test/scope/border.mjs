@@ -9,7 +9,7 @@ export default async function () {
     ['value LinkState Stale 4', 'value LinkState Stale 5', 'the values of LinkState differ: Stale is 4 in the page and 5 in WebAssembly'],
     ['value Kind Row 4', 'value Mind Row 4', 'the values of Kind differ: Row is 4 in the page and undefined in WebAssembly'],
     ['value Flag Failsafe 8', 'value Flag Failsafe 4', 'the values of Flag differ: Failsafe is 8 in the page and 4 in WebAssembly'],
-    ['value Finding Noise 7', 'value Finding Voice 7', 'the values of Finding differ: Noise is 7 in the page and undefined in WebAssembly'],
+    ['value Finding Noise 8', 'value Finding Voice 8', 'the values of Finding differ: Noise is 8 in the page and undefined in WebAssembly'],
     ['value CalibrationError NotHeld 9', 'value CalibrationError NotHeld 8', 'the values of CalibrationError differ: NotHeld is 9 in the page and 8 in WebAssembly'],
     ['value Scale Futaba 1', 'value Scale Futaba 2', 'the values of Scale differ: Futaba is 1 in the page and 2 in WebAssembly'],
     ['constant Enough ', 'constant Mostly ', 'WebAssembly has no Enough'],

@@ -30,6 +30,7 @@ struct Came {
   Came skipped(uint32_t count) const { return with(&Counters::discardedBytes, count); }
   Came resyncs(uint32_t count) const { return with(&Counters::resyncs, count); }
   Came overflows(uint32_t count) const { return with(&Counters::overflows, count); }
+  Came shortfalls(uint32_t count) const { return with(&Counters::shortfalls, count); }
   Came other(uint32_t count) const { return with(&Counters::otherSizeFrames, count); }
   Came extra(uint32_t count) const { return with(&Counters::extraFrames, count); }
 
@@ -102,6 +103,12 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
        {Came::frames(14).byEnd(40).skipped(900).resyncs(7).overflows(8).failsafe(14)},
        Finding::PolledTooSeldom,
        0},
+      {"bytes were lost while interrupts were off", {Good.shortfalls(1)}, Finding::InterruptsOff, 0},
+      {"which looks like noise",
+       {Came::frames(50).byEnd(15).skipped(124).resyncs(5).shortfalls(5)},
+       Finding::InterruptsOff,
+       0},
+      {"slow polls come before that", {Good.shortfalls(1).overflows(1)}, Finding::PolledTooSeldom, 0},
       {"one damaged", {Came::frames(54).byEnd(3).skipped(24).resyncs(1)}, Finding::AllWell, 0},
       {"two damaged", {Came::frames(53).byEnd(2).skipped(48).resyncs(2)}, Finding::Noise, 0},
       {"10 beside 990 damaged", {Came::frames(990).byEnd(30).skipped(10 * 24).resyncs(10)}, Finding::AllWell, 0},

@@ -13,6 +13,7 @@ export enum Finding {
   WrongBaud,
   WrongPolarityAndBaud,
   PolledTooSeldom,
+  InterruptsOff,
   Noise,
   Failsafe,
   NoRadio,

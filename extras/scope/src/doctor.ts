@@ -25,6 +25,7 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.WrongBaud]: 'alarm',
   [Finding.WrongPolarityAndBaud]: 'alarm',
   [Finding.PolledTooSeldom]: 'warning',
+  [Finding.InterruptsOff]: 'warning',
   [Finding.Noise]: 'warning',
   [Finding.Failsafe]: 'alarm',
   [Finding.NoRadio]: 'alarm',

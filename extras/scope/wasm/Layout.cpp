@@ -60,7 +60,8 @@ const char *nameOf(sbus::Finding value) {
   using T = sbus::Finding;
   switch (value) {
     VALUE(NoSignal) VALUE(NoFrames) VALUE(Channels24) VALUE(WrongPolarity) VALUE(WrongBaud) VALUE(WrongPolarityAndBaud)
-    VALUE(PolledTooSeldom) VALUE(Noise) VALUE(Failsafe) VALUE(NoRadio) VALUE(Lossy) VALUE(AllWellAndMore) VALUE(AllWell)
+    VALUE(PolledTooSeldom) VALUE(InterruptsOff) VALUE(Noise) VALUE(Failsafe) VALUE(NoRadio) VALUE(Lossy)
+    VALUE(AllWellAndMore) VALUE(AllWell)
   }
   return nullptr;
 }
