@@ -21,7 +21,8 @@
 ///       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
 ///     }
 ///
-/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN().
+/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN() (which a Grasshopper's
+/// core does not call: no bytes wait there).
 ///
 /// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): no method has to be called in
 /// time, and the object must live until end(). extras/docs/interrupts.md has the details, and the other boards.
@@ -93,7 +94,11 @@ class DecodeSBusOf {
   /// Returns true if decodeSBusFrame() has not yet handed out the newest frame; false before the first frame, and once
   /// the newest is as old as the timeout.
   bool newFrame() {
-    sbus::barrier();  // a sketch may wait for it, and call nothing else
+    if (_port.callsBack()) {  // a sketch may wait for it, and call nothing else
+      const bool isOk = SBusFrameOk();
+      sbus::barrier();
+      return isOk && _finder.counters().frames != _decoded;
+    }
     return _finder.counters().frames != _decoded && SBusFrameOk();
   }
 
@@ -197,7 +202,7 @@ class DecodeSBusCallbackOf : public Decoder {
 
   /// Sets the function that parseSBusFrame() calls. Default: nullptr, which calls nothing. begin() keeps it.
   ///
-  /// - It runs in the context that calls parseSBusFrame(): loop(), serialEvent1() or a task
+  /// - It runs in the context that calls parseSBusFrame(): loop() or a task
   ///   (extras/docs/interrupts.md). It must return before the next poll is due, within 5 ms.
   /// - It also gets frames with a flag set, so check the flags first. If two frames have come since the last call, it
   ///   gets only the newer one.

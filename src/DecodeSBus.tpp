@@ -72,7 +72,7 @@ void DecodeSBusOf<Format, Events>::arrived() {
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::take(bool isPrompt) {
   while (_port.enter()) {
-    poll(isPrompt);
+    poll(sbus::Listener::Calls && isPrompt);
     if (!_port.leave()) {
       return;
     }
@@ -142,6 +142,10 @@ sbus::LinkState DecodeSBusOf<Format, Events>::linkState() {
     const sbus::LinkState state = _link.state(time, micros());
     sbus::barrier();
     if (time == _finder.frameTime()) {
+      constexpr uint32_t Old = 100000;  // us
+      if (_port.callsBack() && (state == sbus::LinkState::NeverSeen || _link.age() >= Old)) {
+        take(false);  // if the port's call was lost, the next one comes only after a poll
+      }
       return state;
     }
   }

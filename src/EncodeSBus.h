@@ -40,7 +40,7 @@ class EncodeSBusOf {
   void setPeriod(uint16_t us) { _period = us; }
 
   /// Sends a frame if the period is over and the port takes the whole frame. Returns true if it has sent one; the first
-  /// call sends at once. Call it in every loop(), after begin().
+  /// call sends at once. Call it in every loop(), after begin(). Nothing else may write to the port.
   ///
   /// `channels` has 18 values: CH1..CH16, clamped to 2047, then CH17 and CH18, where any value but 0 is sent as 1.
   /// EncodeSBus24 takes 24 values, CH1..CH24, clamped to 2047.

@@ -35,14 +35,16 @@ void SBus2Sensor::listen(unsigned long baud) {
 }
 
 void SBus2Sensor::stop() {
-  sbus::SlotTimer::stop(this);
-  _isTimed = false;
   _port.enter();
+  _isTimed = false;
+  sbus::barrier();
+  sbus::SlotTimer::stop(this);
 }
 
 void SBus2Sensor::start(unsigned long baud) {
   reset(baud);
   _rhythm.reset();
+  _timedFrame = 0;
   hear(&SBus2Sensor::arrived, this);
   _isTimed = _start(_stream, this);
 }
@@ -84,9 +86,25 @@ void SBus2Sensor::answerWithin(int32_t wait) {
   answer(alone.start(until > 0 ? _finder.events().due() : now));
 }
 
+// If the port calls meanwhile, what it has found is planned afterwards.
 void SBus2Sensor::receive(bool isPrompt) {
-  take(isPrompt);
+  for (;;) {
+    take(isPrompt);
+    if (!_port.enter()) {
+      return;
+    }
+    plan(isPrompt);
+    if (!_port.leave()) {
+      return;
+    }
+    isPrompt = true;
+  }
+}
+
+void SBus2Sensor::plan(bool isPrompt) {
   sbus::Answers &answers = _finder.events();
+  const bool wasFresh = _isFresh;  // the call before: two that are equally late would agree
+  _isFresh = isPrompt && sbus::SlotTimer::isFresh();
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
   }
@@ -94,9 +112,11 @@ void SBus2Sensor::receive(bool isPrompt) {
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
-  const sbus::HandOver handOver = answers.found() > 0 ? _handOver : sbus::HandOver::Unknown;
+  const bool isCalled = isPrompt && _isTimed;  // so no poll comes between two calls
+  const bool isKnown = answers.found() > 0 && (wasFresh || !isCalled);
+  const sbus::HandOver handOver = isKnown ? _handOver : sbus::HandOver::Unknown;
   const uint32_t before = _finder.pollBefore();
-  const sbus::End end = isPrompt && _isTimed  // so no poll comes between two callbacks
+  const sbus::End end = isCalled
                             ? sbus::promptEndOf(handOver, answers.found(), before, answers.by())
                             : sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), before, answers.by());
   _echo = 0;

@@ -175,6 +175,7 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   void arrived();
   static void due(void *sensor);
   void receive(bool isPrompt);
+  void plan(bool isPrompt);
   void answer(uint32_t now);
   void armTimer();
   void answerWithin(int32_t wait);
@@ -184,6 +185,7 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
   bool _isTimed = false;  // a timer calls due()
+  bool _isFresh = false;  // the port's last call came at once
   sbus::FrameRhythm _rhythm;
   uint8_t _echo = 0;         // characters that were sent and may still come back
   uint32_t _timedFrame = 0;  // number of the last frame whose end was known

@@ -30,6 +30,7 @@ Sender lpuart1 = {
     LPUART1, {STM32L0_DMA_CHANNEL_DMA1_CH7_LPUART1_TX, STM32L0_DMA_CHANNEL_DMA1_CH2_LPUART1_TX}, 0, 0, {}};
 
 const stm32l0_uart_params_t *settings(const HardwareSerial *port) {
+  static_cast<void>(port);
 #if SERIAL_INTERFACES_COUNT > 1
   if (port == &Serial1) {
     return &g_Serial1Params;
@@ -134,6 +135,12 @@ bool DmaSender::send(const HardwareSerial *port, const uint8_t *characters, size
                     static_cast<uint16_t>(size), Options);
   armv6m_atomic_or(&sender.registers->CR3, USART_CR3_DMAT);
   return true;
+}
+
+bool DmaSender::isFresh(const HardwareSerial *port) {
+  constexpr unsigned Half = 16;
+  const stm32l0_uart_params_t *const found = settings(port);
+  return found != nullptr && found->rx_dma != STM32L0_DMA_CHANNEL_NONE && stm32l0_dma_count(found->rx_dma) % Half == 0;
 }
 
 bool DmaSender::hears(const HardwareSerial *port) {

@@ -17,13 +17,17 @@ namespace sbus {
 
 // The STM32L0's port calls back at PendSV level, above loop(): at once, and then not until bytes have been read
 // (Uart.cpp: 385, stm32l0_uart.c:99, 1171). With the event that finds no callback, or no place in PendSV's queue, all
-// later ones are lost until bytes are read: a poll in loop() does that.
+// later ones are lost until bytes are read: any method that finds the newest frame old does that.
 class Listener {
  public:
+  static constexpr bool Calls = true;  // some ports call back
+
   // Remembers whether a port of this class calls back.
   template <typename Port>
   explicit Listener(Port &port) : _set(setterOf(&port, Choice<1>())) {}
 
+  // Returns true if start() makes the port call.
+  bool callsBack() const { return _set != nullptr; }
   // From now on `port` calls this method. Returns false if it cannot call back.
   template <typename Object>
   bool start(Stream &port, void (Object::*method)(), Object *object) const {
@@ -96,6 +100,8 @@ class Listener {
 // No port calls back: loop() polls.
 class Listener {
  public:
+  static constexpr bool Calls = false;
+  static constexpr bool callsBack() { return false; }
   template <typename Port>
   explicit Listener(Port &) {}
   template <typename Object>

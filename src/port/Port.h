@@ -29,6 +29,9 @@ class Port : private CoreKind::Pins {
   // Opens a hardware serial port. `config` is a format of the core, or PortConfig. Ignores a baud rate far below S.Bus:
   // cores would divide by 0, or wait for 20 s (ESP32).
   void open(unsigned long baud, uint32_t config) {
+#if defined(SBUS_DMA_SENDER)
+    DmaSender::flush(_hardware);
+#endif
     const unsigned half = baud > SlowestBaud ? _open(opened(*this), baud, config) : 0;
     if (half != 0) {
       _half = static_cast<uint16_t>(half);

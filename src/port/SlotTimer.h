@@ -44,6 +44,8 @@ class NoSlotTimer {
   static void at(uint32_t) {}
   // Waits, in loop() or in due().
   static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
+  // Returns true if a call of the port that has found half of its ring came within a character's time.
+  static bool isFresh() { return false; }
   // Returns true if no character comes in, and no more than `echo` have come that due() has not read.
   static bool isQuiet(unsigned) { return true; }
   // Sends at once. Returns false if it cannot.

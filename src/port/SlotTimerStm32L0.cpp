@@ -58,6 +58,10 @@ void SlotTimer::at(uint32_t us) {
   stm32l0_timer_start(&timer, us < 1 ? 1 : us > LongestUs ? LongestUs : us, true);
 }
 
+bool SlotTimer::isFresh() {
+  return DmaSender::isFresh(sender);
+}
+
 bool SlotTimer::isQuiet(unsigned) {
   return !DmaSender::hears(sender);
 }

@@ -19,6 +19,7 @@ class SlotTimer : public NoSlotTimer {
   static void stop(void *context);
   static void at(uint32_t us);
 
+  static bool isFresh();
   static bool isQuiet(unsigned echo);
   static bool send(const uint8_t *characters, size_t size);
 };

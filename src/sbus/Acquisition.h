@@ -49,6 +49,10 @@ class Acquisition {
     return isOther;
   }
 
+  /// Returns true if as many characters as a frame has have come since the last gap: if another gap follows, the two
+  /// prove each other, though a call of the port may have come late.
+  bool isFrame() const { return _run == Format::Size || (_run > Format::Size && _run == _lastRun); }
+
   /// Returns how many characters stood between the two newest gaps; 255 if unknown.
   int lastRun() const { return _lastRun; }
 

@@ -131,7 +131,7 @@ class FrameFinderOf : private Events {
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
   void startOver(int offBy);
-  void gapBefore();
+  void gapBefore(bool isCertain);
   void checkFound();
   void lost(uint32_t &counter);
   const uint8_t *settle();
@@ -180,7 +180,7 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
   if (silence == Silence::Long) {
     startOver(rules::FirstOffBy);
   } else if (silence == Silence::Gap) {
-    gapBefore();
+    gapBefore(!isPrompt || _acquisition.isFrame());
   } else if (silence != Silence::Unknown) {
     _buffer.markGap(false);
   }

@@ -77,8 +77,8 @@ void FrameFinderOf<Format, Events>::checkFound() {
 // Takes a certain gap before the next character. A run of the other size forgets the variant: on a line of that size
 // two impaired frames may look like one of this size again and again.
 template <typename Format, typename Events>
-void FrameFinderOf<Format, Events>::gapBefore() {
-  _buffer.markGap(true);
+void FrameFinderOf<Format, Events>::gapBefore(bool isCertain) {
+  _buffer.markGap(isCertain);
   if (!Events::seesEachGap()) {
     _acquisition.forget();
   }
@@ -94,7 +94,7 @@ const uint8_t *FrameFinderOf<Format, Events>::settle() {
   if (!_timing.template isSilent<Format>() || _buffer.gapAt() == _buffer.filled()) {
     return nullptr;
   }
-  gapBefore();
+  gapBefore(true);
   _rejected = 0;
   _found = 0;
   return search(0);
@@ -261,6 +261,6 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                          \
   template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                  \
   template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                      \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore();                       \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(bool);                   \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();                \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);
