@@ -12,6 +12,12 @@
 #include "sbus/FrameFinder.h"
 #include "sbus/Link.h"
 
+namespace sbus {
+
+class Ticker;
+
+}  // namespace sbus
+
 /// Decodes one receiver on one serial port. Several objects can work on different ports. A sketch needs three calls:
 ///
 ///     DecodeSBus dSBus(Serial1);
@@ -25,7 +31,8 @@
 /// core does not call: no bytes wait there).
 ///
 /// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): no method has to be called in
-/// time, and the object must live until end(). extras/docs/interrupts.md has the details, and the other boards.
+/// time, and the object must live until end(). DecodeSBusBackground does so on other boards:
+/// extras/docs/interrupts.md.
 template <typename Format, typename Events = sbus::NoEvents>
 class DecodeSBusOf {
  public:
@@ -138,6 +145,7 @@ class DecodeSBusOf {
   template <typename>
   friend class DecodeSBus2Of;  // for the telemetry
   friend class SBus2Sensor;    // for the answers
+  friend class sbus::Ticker;   // for the port
 
   void start(unsigned long baud);
   void reset(unsigned long baud);

@@ -4,9 +4,15 @@
 
 #include "DecodeSBus2.h"
 #include "port/HandOver.h"
+#include "port/Held.h"
 #include "port/SlotTimer.h"
 #include "sbus/Answers.h"
 #include "sbus/FrameRhythm.h"
+
+#if defined(SBUS_BACKGROUND)
+#error "DecodeSBusBackground would delay the answers of an SBus2Sensor: extras/docs/interrupts.md"
+#endif
+#define SBUS_SENSOR
 
 namespace sbus {
 
@@ -14,6 +20,17 @@ namespace sbus {
 enum SingleWireTag : uint8_t {
   SingleWire  ///< TX is the line.
 };
+
+/// @cond  Not for sketches.
+
+// Keeps the slot timer from reading the port (Held.h).
+struct SlotHolder {
+  struct Hold : SlotTimer::Hold {
+    explicit Hold(const SlotHolder &) {}
+  };
+};
+
+/// @endcond
 
 }  // namespace sbus
 
@@ -34,9 +51,11 @@ enum SingleWireTag : uint8_t {
 ///
 /// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
 /// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
-class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
-  using Decoder = DecodeSBus2Of<sbus::Answers>;
-  using Hold = sbus::SlotTimer::Hold;
+///
+/// Where an interrupt or a task reads the port, the methods of DecodeSBus2 keep it from doing so meanwhile. On an ESP32
+/// they wait for that task, up to 1.5 ms. Do not call them from an interrupt.
+class SBus2Sensor : public sbus::HeldOf<DecodeSBus2Of<sbus::Answers>, sbus::SlotHolder> {
+  using Decoder = sbus::HeldOf<DecodeSBus2Of<sbus::Answers>, sbus::SlotHolder>;
 
  public:
   /// See DecodeSBusOf().
@@ -82,56 +101,6 @@ class SBus2Sensor : public DecodeSBus2Of<sbus::Answers> {
   /// a later poll cannot know when the frame ended, and skips its answers. If a slot begins within 100 us, it waits for
   /// that. Do not call it from an interrupt.
   void parseSBusFrame();
-
-  // ---- The methods of DecodeSBus2. Where an interrupt or a task reads the port, they keep it from doing so meanwhile.
-  // ---- On an ESP32 they wait for that task, up to 1.5 ms. Do not call them from an interrupt
-
-  /// See DecodeSBusOf.
-  bool SBusFrameOk() {
-    const Hold hold;
-    return Decoder::SBusFrameOk();
-  }
-  /// See DecodeSBusOf.
-  void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
-    const Hold hold;
-    Decoder::decodeSBusFrame(channels, failsafe, lostFrame);
-  }
-  /// See DecodeSBusOf.
-  bool newFrame() {
-    const Hold hold;
-    return Decoder::newFrame();
-  }
-  /// See DecodeSBusOf.
-  sbus::LinkState linkState() {
-    const Hold hold;
-    return Decoder::linkState();
-  }
-  /// See DecodeSBusOf.
-  unsigned long frameAge() {
-    const Hold hold;
-    return Decoder::frameAge();
-  }
-  /// See DecodeSBusOf.
-  sbus::Counters counters() const {
-    const Hold hold;
-    return Decoder::counters();
-  }
-  /// See DecodeSBusOf. It may also be called while frames come in.
-  void setLossLimit(uint16_t frames) {
-    const Hold hold;  // an AVR writes its two bytes one by one
-    Decoder::setLossLimit(frames);
-  }
-  /// See DecodeSBus2Of.
-  template <typename Sensor>
-  bool readSensor(uint8_t slot, Sensor &sensor) {
-    const Hold hold;
-    return Decoder::readSensor(slot, sensor);
-  }
-  /// See DecodeSBus2Of.
-  uint32_t rejectedGroups() const {
-    const Hold hold;
-    return Decoder::rejectedGroups();
-  }
 
   // ---- Answering
 

@@ -3,6 +3,7 @@
 #include <hardware/irq.h>
 #include <hardware/sync.h>
 #include <hardware/timer.h>
+#include <pico.h>
 
 #include "World.h"
 
@@ -68,6 +69,10 @@ uint hardware_alarm_get_irq_num(uint alarm) {
 
 void irq_set_priority(unsigned number, uint8_t priority) {
   alarms.priority[number] = priority;
+}
+
+unsigned get_core_num() {
+  return alarms.core;
 }
 
 uint64_t time_us_64() {

@@ -1,4 +1,4 @@
-// The alarms of the pico-sdk's microsecond timer.
+// The alarms of the pico-sdk's microsecond timer, and the core that runs.
 #pragma once
 
 namespace sim {
@@ -8,6 +8,7 @@ struct Alarms {
   unsigned claimed = 8;                                 // bits; 3 is the default pool's (pico_time/time.c:84)
   unsigned priority[Count] = {0x80, 0x80, 0x80, 0x80};  // of their interrupts
   void (*callback[Count])(unsigned) = {};
+  unsigned core = 0;
 };
 extern Alarms alarms;
 

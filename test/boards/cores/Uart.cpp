@@ -12,7 +12,7 @@ void World::pass(uint64_t us) {
   uint64_t left = us;
   for (;;) {
     const uint64_t others = othersUs + randomUs != 0 && masked == 0 ? std::max(othersAtUs, nowUs) : Never;
-    const bool calls = masked == 0 && locked == 0 && !inAlarm && alarmAtUs != Never;
+    const bool calls = masked == 0 && (locked == 0 || !alarmWaits) && !inAlarm && alarmAtUs != Never;
     const uint64_t own = calls ? std::max(alarmAtUs, nowUs) : Never;
     const uint64_t complete = masked == 0 && completeAtUs != Never ? std::max(completeAtUs, nowUs) : Never;
     const uint64_t first = std::min({others, own, complete});
@@ -268,6 +268,7 @@ void Uart::receive() {
 
 int Uart::available() {
   fault(Available);
+  world.crashes += world.inUart;
   receive();
   return _open ? static_cast<int>(_count + (_seesFifo ? _filled : 0)) : 0;
 }

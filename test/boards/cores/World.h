@@ -46,7 +46,8 @@ struct World {
   // Interrupts come while time passes. The alarm has the lowest priority.
   void pass(uint64_t us);
   unsigned masked = 0;      // no interrupts
-  unsigned locked = 0;      // a mutex is held, for which the alarm waits
+  unsigned locked = 0;      // a mutex is held, for which the alarm waits,
+  bool alarmWaits = true;   // unless it only looks
   unsigned locks = 0;       // how often that was
   unsigned othersUs = 0;    // how long other interrupts take, every 997 us
   unsigned randomUs = 0;    // the most that they take, at random times instead
@@ -55,6 +56,7 @@ struct World {
   bool inAlarm = false;
   uint64_t offFromUs = 0, offUntilUs = 0;  // interrupts were off (Uart::turnOff())
   uint64_t stoodStillUs = 0;               // so long has micros() stood still
+  bool inUart = false;  // the alarm may have interrupted the port's own interrupt: the port must not be read
   void (*alarm)() = nullptr;
 
   // What comes in: characters of even parity, at the pin.

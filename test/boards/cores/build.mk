@@ -3,11 +3,13 @@
 #   OUT/CORE/CoresTest     the program that runs frames through them, both ways, and Diagnose on them
 #   OUT/CORE/SensorTest    an S.BUS2 sensor on them, where the core times it
 #   OUT/CORE/PolledSensorTest  the same, where loop() times it, and on a single wire
+#   OUT/CORE/BackgroundTest  DecodeSBusBackground on them, where the core can poll
+#   OUT/CORE/PreemptBackgroundTest  the same, interrupted after each instruction
 #   OUT/CORE/TasksTest     the example Tasks on FreeRTOS, where the core has it
 #   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
-#   OUT/CORE/SingleWire.rejected  what the compiler says to SingleWire.cpp
+#   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
 # `make list` names all of these.
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
@@ -40,6 +42,10 @@ uno-r4 := UnoR4 gnu++17
 
 # Those with esp_timer.
 TASKS := esp32-2.0 esp32-3.0 esp32-3.3
+# Those that poll each millisecond, but for an AVR's, which boards/mega runs.
+TICKERS := pico $(TASKS) samd samd51 teensy32 teensy4
+ticker = $(if $(filter pico,$1),Rp2040,$(if $(filter $(TASKS),$1),Esp32,$(if $(filter samd%,$1),Samd,Teensy)))
+ticks = $(if $(filter pico,$1),PicoAlarms,$(if $(filter $(TASKS),$1),Esp32Task,Ticks))
 # Those with a USB joystick, and what their cores define where the board or the user's choice has it.
 JOYSTICKS := avr esp32-3.0 pico samd teensy32 teensy4
 avr_usb := -DUSBCON
@@ -54,9 +60,12 @@ compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(EXAMPLES))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
   $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest) \
+  $(if $(filter $(TICKERS),$(core)),$(OUT)/$(core)/BackgroundTest) \
+  $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PreemptBackgroundTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
   $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
-  $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected))
+  $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected) \
+  $(if $(filter stm32l0,$(core)),,$(OUT)/$(core)/NoBackground.rejected))
 
 all: $(ALL)
 list:
@@ -77,7 +86,7 @@ with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/
 # $1: the core. on%Pins.o is the example Diagnose, in a namespace of that name. The host's Servo.h serves all but the ESP32,
 # which has ESP32Servo.h.
 define core_rules
-$1_core = $(if $(filter stm32l0,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb)
+$1_core = $(if $(filter stm32l0,$1),-I$(HERE)/stm32l0) -DCORE='"core/$(firstword $($1)).h"' $(wordlist 3,9,$($1)) $(if $(filter Esp32,$($1)),-I$(HERE)/esp32,-idirafter $(HOST)/arduino) $(if $(filter pico,$1),-I$(HERE)/pico -I$(HERE)/usb) $(if $(filter teensy%,$1),-I$(HERE)/teensy)
 $1_board = $(BOARD:-std=%=-std=$(word 2,$($1))) $(FLAGS) $$($1_core)
 $(OUT)/$1/CoresTest: $(OUT)/$1/CoresTest.o $(OUT)/$1/ReopenTest.o $(OUT)/$1/TransmitTest.o $(OUT)/$1/onCorePins.o \
   $(if $(filter esp%,$1),$(OUT)/$1/onGivenPins.o) $(OUT)/$1/DecodeSBus.o $(OUT)/$1/EncodeSBus.o $(OUT)/$1/README.o \
@@ -90,6 +99,12 @@ $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/Uart.o \
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/$(call ticks,$1).o $(OUT)/$1/DecodeSBus.o \
+  $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/PreemptBackgroundTest: $(OUT)/$1/PreemptBackgroundTest.o $(OUT)/$1/Ticks.o $(OUT)/$1/DecodeSBus.o \
+  $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 # The clock comes first: the sketch's objects read it before main().
 $(OUT)/$1/TasksTest: $(OUT)/Uart.o $(OUT)/$1/TasksTest.o $(OUT)/$1/Tasks.o $(OUT)/$1/TasksSketch.o \
@@ -106,7 +121,7 @@ $(OUT)/$1/JoystickTest: $(OUT)/Uart.o $(OUT)/$1/JoystickTest.o $(OUT)/$1/DecodeS
 $(OUT)/$1/JoystickTest.o: $(HERE)/JoystickTest.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$($1_usb) -I$(HERE)/usb $$(DEPENDENCIES) -c $$< -o $$@
-$(addprefix $(OUT)/$1/,PicoAlarms.o Tasks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
+$(addprefix $(OUT)/$1/,PicoAlarms.o Ticks.o Tasks.o Esp32Task.o): $(OUT)/$1/%.o: $(HERE)/%.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D)
 	$(CXX) $(TEST) $$($1_core) $$(DEPENDENCIES) -c $$< -o $$@
 $(OUT)/$1/%Test.o: $(HERE)/%Test.cpp $(HERE)/build.mk
@@ -131,6 +146,11 @@ $(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	! $(CXX) $$($1_board) -include Arduino.h -fsyntax-only $$< 2>$$@
 	grep 'error:' $$@ | grep -q 'This port has no single wire'
+$(OUT)/$1/NoBackground.rejected: $(HERE)/NoBackground.cpp $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
+	sed -n 's,^// \($(if $(filter $(TICKERS),$1),[1-9],0)\) ,\1 ,p' $$< | while read -r case text; do \
+	  ! $(CXX) $$($1_board) -DCASE=$$$$case -include Arduino.h -fsyntax-only $$< 2>$$@.said && \
+	  grep 'error:' $$@.said | grep "$$$$text" || exit; done >$$@
 endef
 $(foreach core,$(CORES),$(eval $(call core_rules,$(core))))
 

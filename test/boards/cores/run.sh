@@ -1,9 +1,10 @@
 #!/bin/sh
 # Compiles the library and the examples, as they stand, against stand-ins of the cores that people own, and says "ok cores:
 # ..." or "FAILED cores: ..." of each; then runs frames through each core's ports, CoresTest.cpp, an S.BUS2 sensor on those
-# that time it, SensorTest.cpp, and on a Teensy 4, where loop() does, PolledSensorTest.cpp, what an STM32L0 sends by DMA,
-# DmaSenderTest.cpp, and the examples that live on a core's timers, tasks or USB: PpmOutTest.cpp, TasksTest.cpp,
-# JoystickTest.cpp. BUILD is the folder for what is built, absolute; CXX a compiler for this PC.
+# that time it, SensorTest.cpp, and on a Teensy 4, where loop() does, PolledSensorTest.cpp; DecodeSBusBackground on those that
+# poll each millisecond, BackgroundTest.cpp; what an STM32L0 sends by DMA, DmaSenderTest.cpp; and the examples that live on a
+# core's timers, tasks or USB: PpmOutTest.cpp, TasksTest.cpp, JoystickTest.cpp. BUILD is the folder for what is built,
+# absolute; CXX a compiler for this PC.
 set -u
 cd "$(dirname "$0")" || exit 1
 out="${BUILD:-$(cd ../../.. && pwd)/build/test}/cores"
@@ -23,6 +24,7 @@ for target in $targets; do
   case $name in
     *.ok) what="${name%.ok} compiles without a warning" ;;
     SingleWire.rejected) what="a single wire does not compile on a port that may not let go of it" ;;
+    NoBackground.rejected) what="DecodeSBusBackground does not compile where nothing can poll" ;;
     *) what="$name is built" ;;
   esac
   # What is no program is removed before it is made.

@@ -11,7 +11,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Counters Busy InterruptsOff
+OURS_ALONE := Background Counters Busy InterruptsOff
 SKETCHES := $(EXAMPLES) $(OURS_ALONE)
 ELVES := $(SKETCHES:%=$(OUT)/%.elf)
 ALL := $(ELVES) $(OUT)/Joystick.leonardo $(OUT)/MegaTest

@@ -1,6 +1,7 @@
 // github.com/arduino/ArduinoCore-samd 1.8.14 (993398c): cores/arduino/Uart.h and .cpp, SERCOM.cpp, main.cpp.
 // A framing error is discarded (Uart.cpp:93), a parity error kept (101). begin() keeps what waits (48). With SAMD51
-// github.com/adafruit/ArduinoCore-samd 1.7.17 (26c39c0): the same (Uart.cpp:93, 101, 70) but for its buffer (RingBuffer.h:32).
+// github.com/adafruit/ArduinoCore-samd 1.7.17 (26c39c0): the same (Uart.cpp:93, 101, 70) but for its buffer
+// (RingBuffer.h:32).
 #pragma once
 
 #include "Api.h"
@@ -25,5 +26,27 @@ class Uart : public Simulated<HardwareSerial> {
   operator bool() override { return true; }
 };
 extern Uart Serial1, Serial2;
+
+// CMSIS, and cores/arduino/hooks.c:43, cortex_handlers.c:42: what calls each millisecond.
+enum IRQn_Type { PendSV_IRQn = -2 };
+#if defined(SAMD51)
+#define __NVIC_PRIO_BITS 3
+#else
+#define __NVIC_PRIO_BITS 2
+#endif
+#define SCB_ICSR_PENDSVSET_Msk (1u << 28)
+#define SCB sim::scb()
+namespace sim {
+struct Icsr {
+  Icsr &operator=(uint32_t bits);
+};
+struct Scb {
+  Icsr ICSR;
+};
+Scb *scb();
+}  // namespace sim
+void NVIC_SetPriority(IRQn_Type number, uint32_t priority);
+extern "C" int sysTickHook();
+extern "C" void PendSV_Handler();
 
 constexpr sim::Known Core = {false, false, 100000, 2, 0, true, true};

@@ -46,4 +46,6 @@ class HardwareSerialIMXRT : public Simulated<HardwareSerial> {
 };
 extern HardwareSerialIMXRT Serial1, Serial2;
 
+extern uint32_t SCB_ICSR;
+
 constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};

@@ -1,0 +1,111 @@
+/// @file
+/// Decodes S.Bus while loop() does other things.
+#pragma once
+
+#include "DecodeSBus.h"
+
+#if !defined(SERIAL_SBUS)
+#include "port/Held.h"
+#include "port/Ticker.h"
+#if !defined(SBUS_TICKER)
+#error "DecodeSBusBackground knows no timer of this core. Poll a DecodeSBus in loop(): extras/docs/interrupts.md"
+#elif defined(SBUS_SENSOR)
+#error "DecodeSBusBackground would delay the answers of an SBus2Sensor: extras/docs/interrupts.md"
+#endif
+#define SBUS_BACKGROUND
+#endif
+
+#if !defined(SBUS_TICKER)
+
+/// A Grasshopper's port calls by itself: there this is `Decoder`.
+template <typename Decoder>
+using DecodeSBusBackgroundOf = Decoder;
+
+#else
+
+/// Decodes as `Decoder` does, while loop() does other things: the port is read each millisecond, in an interrupt or, on
+/// an ESP32, in a task. On a Grasshopper this is `Decoder` itself, which does that already.
+///
+///     DecodeSBusBackground dSBus(Serial1);
+///     void setup() { dSBus.begin(); }
+///     void loop() {
+///       delay(500);
+///       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
+///     }
+///
+/// Call all methods from setup() and loop(), at any moment. Several objects can work on different ports, and each must
+/// live until end(). extras/docs/interrupts.md says what reads on which board; on others this header does not compile.
+///
+/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBus2.
+template <typename Decoder>
+class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
+  using Held = sbus::HeldOf<Decoder, sbus::Ticked>;
+  template <typename>
+  struct IsCallback {
+    static constexpr bool Value = false;
+  };
+  template <typename Any>
+  struct IsCallback<DecodeSBusCallbackOf<Any> > {
+    static constexpr bool Value = true;
+  };
+  static_assert(!IsCallback<Decoder>::Value,
+                "Its function would run in an interrupt: DecodeSBusCallbackOf<DecodeSBusBackground>, "
+                "extras/docs/interrupts.md");
+
+ public:
+  /// See DecodeSBusOf(). `port` must be a hardware serial port of the core, on a Pico Serial1 or Serial2.
+  template <typename Port>
+  explicit DecodeSBusBackgroundOf(Port &port) : Held(port) {
+    check<Port>();
+  }
+
+  /// See DecodeSBusOf(), with pins.
+  template <typename Port>
+  DecodeSBusBackgroundOf(Port &port, int8_t rx, int8_t tx) : Held(port, rx, tx) {
+    check<Port>();
+  }
+
+  /// Opens the port, as DecodeSBusOf::begin() does, and listens from then on. If a Teensy's IntervalTimers or a Pico's
+  /// alarms are all taken, or another decoder listens on a Pico's other core, nothing listens: call parseSBusFrame() in
+  /// loop() then, as for a DecodeSBus.
+  void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig) {
+    this->stopTicks();
+    Decoder::begin(baud, config);
+    this->startTicks(poll);
+  }
+
+  /// Starts on a port that the sketch has opened, as DecodeSBusOf::listen() does, and listens as after begin().
+  void listen(unsigned long baud = sbus::Baud) {
+    this->stopTicks();
+    Decoder::listen(baud);
+    this->startTicks(poll);
+  }
+
+  /// Stops listening, and closes the port, as DecodeSBusOf::end() does.
+  void end() {
+    this->stopTicks();
+    Decoder::end();
+  }
+
+  /// Reads the bytes that wait, as DecodeSBusOf::parseSBusFrame() does. It may be called at any rate, or never.
+  void parseSBusFrame() {
+    const sbus::Ticked::Hold hold(*this);
+    Decoder::parseSBusFrame();
+  }
+
+ private:
+  template <typename Port>
+  static void check() {
+    static_assert(sbus::Ticker::canPoll(static_cast<Port *>(nullptr)),
+                  "An interrupt cannot read this port. Use DecodeSBus: extras/docs/interrupts.md");
+  }
+
+  static bool poll(sbus::Ticked &ticked) {
+    return sbus::Ticker::poll<Decoder>(static_cast<DecodeSBusBackgroundOf &>(ticked));
+  }
+};
+
+#endif
+
+/// Decodes as DecodeSBus does, while loop() does other things.
+using DecodeSBusBackground = DecodeSBusBackgroundOf<DecodeSBus>;

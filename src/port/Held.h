@@ -1,0 +1,75 @@
+/// @file
+/// Keeps an interrupt or a task from reading the port while loop() is in one of a decoder's methods.
+#pragma once
+
+#include <stdint.h>
+
+#include "../sbus/Counters.h"
+#include "../sbus/Link.h"
+
+namespace sbus {
+
+/// The methods of `Decoder` for a sketch whose port an interrupt or a task polls: while one of them runs, that waits.
+/// Call them from setup() and loop() only. `Holder::Hold` says how that is done.
+template <typename Decoder, typename Holder>
+class HeldOf : public Decoder, protected Holder {
+  using Hold = typename Holder::Hold;
+
+ public:
+  /// Constructs a `Decoder`.
+  using Decoder::Decoder;
+
+  /// See DecodeSBusOf.
+  bool SBusFrameOk() {
+    const Hold hold(*this);
+    return Decoder::SBusFrameOk();
+  }
+  /// See DecodeSBusOf.
+  void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
+    const Hold hold(*this);
+    Decoder::decodeSBusFrame(channels, failsafe, lostFrame);
+  }
+  /// See DecodeSBus.
+  bool decodeExtraChannels(uint16_t channels[]) {
+    const Hold hold(*this);
+    return Decoder::decodeExtraChannels(channels);
+  }
+  /// See DecodeSBusOf.
+  bool newFrame() {
+    const Hold hold(*this);
+    return Decoder::newFrame();
+  }
+  /// See DecodeSBusOf.
+  LinkState linkState() {
+    const Hold hold(*this);
+    return Decoder::linkState();
+  }
+  /// See DecodeSBusOf.
+  unsigned long frameAge() {
+    const Hold hold(*this);
+    return Decoder::frameAge();
+  }
+  /// See DecodeSBusOf.
+  Counters counters() const {
+    const Hold hold(*this);
+    return Decoder::counters();
+  }
+  /// See DecodeSBusOf. It may also be called while frames come in.
+  void setLossLimit(uint16_t frames) {
+    const Hold hold(*this);  // an AVR writes its two bytes one by one
+    Decoder::setLossLimit(frames);
+  }
+  /// See DecodeSBus2Of.
+  template <typename Sensor>
+  bool readSensor(uint8_t slot, Sensor &sensor) {
+    const Hold hold(*this);
+    return Decoder::readSensor(slot, sensor);
+  }
+  /// See DecodeSBus2Of.
+  uint32_t rejectedGroups() const {
+    const Hold hold(*this);
+    return Decoder::rejectedGroups();
+  }
+};
+
+}  // namespace sbus

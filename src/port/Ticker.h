@@ -1,0 +1,139 @@
+/// @file
+/// Polls decoders each millisecond, whatever loop() does: one file for each core that can do that.
+#pragma once
+
+#include <Arduino.h>
+#include <stdint.h>
+
+#include "../sbus/Barrier.h"
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// What each core's Ticker has, unless it says otherwise.
+class AnyTicker {
+ public:
+  // Exists while the list of decoders changes.
+  struct Change {
+    Change() {}
+  };
+
+  // Returns true if tickAll() may call the methods of such a port.
+  static constexpr bool canPoll(const HardwareSerial *) { return true; }
+  static constexpr bool canPoll(const void *) { return false; }
+
+  // Polls. Returns false if the port could not be read: tickAll() is to be called again soon.
+  template <typename Decoder>
+  static bool poll(Decoder &decoder) {
+    decoder.parseSBusFrame();
+    return true;
+  }
+};
+
+/// @endcond
+
+}  // namespace sbus
+
+// With FreeRTOS loop() of an RP2040 is a task that may change its core.
+#if defined(__AVR__) && defined(TIMER0_COMPB_vect) && defined(TIMSK0)
+#define SBUS_TICKER_AVR
+#include "TickerAvr.h"
+#elif defined(ARDUINO_ARCH_RP2040) && !defined(ARDUINO_ARCH_MBED) && !defined(__FREERTOS) && PICO_SDK_VERSION_MAJOR >= 2
+#define SBUS_TICKER_RP2040  // arduino-pico from 4.0 on
+#include "TickerRp2040.h"
+#elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)
+#define SBUS_TICKER_ESP32  // from 2.0 on
+#include "TickerEsp32.h"
+#elif defined(CORE_TEENSY) && !defined(__AVR__)
+#define SBUS_TICKER_TEENSY
+#include "TickerTeensy.h"
+#elif defined(ARDUINO_ARCH_SAMD)
+#define SBUS_TICKER_SAMD
+#include "TickerSamd.h"
+#endif
+
+#if defined(SBUS_TICKER_AVR) || defined(SBUS_TICKER_RP2040) || defined(SBUS_TICKER_ESP32) || \
+    defined(SBUS_TICKER_TEENSY) || defined(SBUS_TICKER_SAMD)
+#define SBUS_TICKER
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// A decoder that is polled each millisecond while loop() does other things.
+class Ticked {
+ public:
+  using Poll = bool(Ticked &);
+
+  Ticked() {}
+  Ticked(const Ticked &) = delete;
+  Ticked &operator=(const Ticked &) = delete;
+
+  // Polls all of them; the core's timer calls it. Returns false if it is to be called again soon.
+  static bool tickAll();
+
+  // These keep the others from polling, while they exist. A poll that was due meanwhile is made at the end: otherwise a
+  // sketch that calls methods all the time would leave the port full.
+#if defined(SBUS_TICKER_ESP32)
+  class Hold {
+   public:
+    explicit Hold(const Ticked &) {}
+    ~Hold() {
+      if (Ticker::wasDue) {
+        Ticker::wasDue = false;
+        tickAll();
+      }
+    }
+    Hold(const Hold &) = delete;
+    Hold &operator=(const Hold &) = delete;
+
+   private:
+    const Ticker::Change _lock;
+  };
+#else
+  class Hold {
+   public:
+    explicit Hold(const Ticked &held) : _held(const_cast<Ticked &>(held)) { set(true); }
+    ~Hold() {
+      set(false);
+      while (_held._wasDue) {
+        set(true);
+        _held._wasDue = false;
+        _held._poll(_held);
+        set(false);
+      }
+    }
+    Hold(const Hold &) = delete;
+    Hold &operator=(const Hold &) = delete;
+
+   private:
+    void set(bool isHeld) {
+      barrier();
+      _held._isHeld = isHeld;
+      barrier();
+    }
+    Ticked &_held;
+  };
+#endif
+
+ protected:
+  // From now on `poll` is called each millisecond, if a timer is free. Call stopTicks() first.
+  void startTicks(Poll *poll);
+  // Stops these calls.
+  void stopTicks();
+
+ private:
+  static Ticked *first;
+
+  Ticked *_next = nullptr;
+  Poll *_poll = nullptr;
+  volatile bool _isHeld = false;
+  volatile bool _wasDue = false;
+};
+
+/// @endcond
+
+}  // namespace sbus
+
+#endif
