@@ -6,9 +6,9 @@
 #include <algorithm>
 
 Uart Serial1, Serial2, Serial3;
-extern const stm32l0_uart_params_t g_Serial1Params = {STM32L0_UART_INSTANCE_USART1},
-                                   g_Serial2Params = {STM32L0_UART_INSTANCE_USART2},
-                                   g_Serial3Params = {STM32L0_UART_INSTANCE_LPUART1};
+extern const stm32l0_uart_params_t g_Serial1Params = {STM32L0_UART_INSTANCE_USART1, 0x0f32},
+                                   g_Serial2Params = {STM32L0_UART_INSTANCE_USART2, 0x0f45},
+                                   g_Serial3Params = {STM32L0_UART_INSTANCE_LPUART1, STM32L0_DMA_CHANNEL_NONE};
 
 #include "port/DmaSender.cpp"
 
@@ -182,6 +182,18 @@ TEST_CASE("what is left when the port is opened again is never sent, and it send
   CHECK(sbus::DmaSender::room(&Serial1) == 36);
   CHECK(send(Serial1, Next));
   CHECK(sim::sent(99) == Next);
+}
+
+TEST_CASE("a call is fresh while the receiver's ring stands at its half or its end; without a ring it never is") {
+  sim::reset();
+  sim::begin(0);
+  sim::DmaChannel &receiver = sim::dma.channels[2];
+  receiver.size = 32;
+  for (uint16_t filled = 0; filled < 32; filled++) {
+    receiver.left = static_cast<uint16_t>(32 - filled);
+    CHECK(sbus::DmaSender::isFresh(&Serial1) == (filled % 16 == 0));
+  }
+  CHECK_FALSE(sbus::DmaSender::isFresh(&Serial3));
 }
 
 TEST_CASE("a port that is none of the board's is left to its own write()") {

@@ -42,7 +42,9 @@ std::vector<uint8_t> sent(unsigned count);
 
 struct stm32l0_uart_params_t {
   uint8_t instance;
+  uint16_t rx_dma;
 };
+constexpr uint16_t STM32L0_DMA_CHANNEL_NONE = 0xffff;
 enum { STM32L0_UART_INSTANCE_USART1, STM32L0_UART_INSTANCE_USART2, STM32L0_UART_INSTANCE_LPUART1 };
 #define SERIAL_INTERFACES_COUNT 4
 
