@@ -8,9 +8,9 @@ SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
 namespace {
 
-// The time from the end of the wait until the start bit, us: 480 cycles of an AVR (simavr), a few us on other boards.
+// The time from the end of the wait until the start bit, us: 640 cycles of an AVR (simavr), a few us on other boards.
 #if defined(__AVR__)
-constexpr uint32_t PollLead = 480 / (F_CPU / 1000000);
+constexpr uint32_t PollLead = 640 / (F_CPU / 1000000);
 #else
 constexpr uint32_t PollLead = 5;
 #endif
@@ -86,22 +86,7 @@ void SBus2Sensor::answerWithin(int32_t wait) {
   answer(alone.start(until > 0 ? _finder.events().due() : now));
 }
 
-// If the port calls meanwhile, what it has found is planned afterwards.
-void SBus2Sensor::receive(bool isPrompt) {
-  for (;;) {
-    take(isPrompt);
-    if (!_port.enter()) {
-      return;
-    }
-    plan(isPrompt);
-    if (!_port.leave()) {
-      return;
-    }
-    isPrompt = true;
-  }
-}
-
-void SBus2Sensor::plan(bool isPrompt) {
+__attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
   sbus::Answers &answers = _finder.events();
   const bool wasFresh = _isFresh;  // the call before: two that are equally late would agree
   _isFresh = isPrompt && sbus::SlotTimer::isFresh();
@@ -132,6 +117,21 @@ void SBus2Sensor::plan(bool isPrompt) {
   constexpr uint16_t Taken = FrameTime + sbus::Answers::MostOff;  // us: an interval is known to 0.1 ms
   const uint16_t interval = _rhythm.interval();
   answers.plan(end.earliest, end.latest, interval > Taken ? interval - Taken : 0);
+}
+
+// If the port calls meanwhile, what it has found is planned afterwards.
+void SBus2Sensor::receive(bool isPrompt) {
+  for (;;) {
+    take(isPrompt);
+    if (!_port.enter()) {
+      return;
+    }
+    plan(isPrompt);  // inlined: on an AVR the polls must not be farther apart
+    if (!_port.leave()) {
+      return;
+    }
+    isPrompt = true;
+  }
 }
 
 // The port calls this when it has handed bytes over.

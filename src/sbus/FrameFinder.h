@@ -184,7 +184,7 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
   } else if (silence != Silence::Unknown) {
     _buffer.markGap(false);
   }
-  if (_timing.hasEmptyPolls() && !isPrompt) {
+  if (!isPrompt && _timing.mayFallShort()) {
     checkFound();
   }
   _acquisition.characters(found);

@@ -80,15 +80,19 @@ class LineTiming {
     return isLong(silence) ? Silence::Long : Silence::Gap;
   }
 
-  /// Returns true if some polls have found nothing: then the time of the poll before is known.
-  bool hasEmptyPolls() const { return _shortest == HasEmptyPolls; }
+  /// Returns true if fallsShort() may be true: some polls have found nothing, so that the time of the poll before is
+  /// known, and the newest poll came later than one character and a gap explain. (Asked first: an AVR's sensor polls each
+  /// 100 us while the end of a frame is expected.)
+  bool mayFallShort() const {
+    return _shortest == HasEmptyPolls && capped(_lastPoll - _pollBefore) > unsigned{_characterTime} * (Gap + 2);
+  }
 
   /// False on an AVR, which has ints of 16 bits: while interrupts are off, its micros() counts 2 ms at most.
   static constexpr bool ClockRuns = UINT_MAX > UINT16_MAX;
 
   /// Returns true if the newest poll must have found more than its `found` bytes. The first of them belong to a frame
   /// that lacked `missing` bytes, 0 if none was incomplete. In a frame the characters follow each other, and a frame is
-  /// complete at most one `period`, us, after the frame before it. Call it only if hasEmptyPolls().
+  /// complete at most one `period`, us, after the frame before it. Call it only if mayFallShort().
   template <typename Format>
   bool fallsShort(int found, int missing, uint32_t period) const {
     const int handedOver = _idleCharacters != 0 ? found + static_cast<int>(LongestBurst) : found;
