@@ -14,8 +14,8 @@
 namespace {
 
 // GCC 12.2 needs 400 and 155.
-constexpr uint32_t MostPerFrame = 410;  // neutral sticks, a loop() of 50 us
-constexpr uint32_t MostPerDecode = 162;
+constexpr uint32_t MostPerFrame = 560;  // neutral sticks, a loop() of 50 us
+constexpr uint32_t MostPerDecode = 170;
 
 constexpr uint32_t PeriodUs = 9000;
 constexpr unsigned FramesAhead = 32;  // after these the driver's ring begins again

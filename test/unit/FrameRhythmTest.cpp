@@ -48,7 +48,7 @@ TEST_CASE("before anything is answered 16 intervals are listened to; then the sh
 }
 
 TEST_CASE("a frame that an answer destroys makes an interval longer: the shortest stays, and it listens") {
-  for (const uint32_t period : {7000, 9000, 11000, 15000, 30000}) {
+  for (const uint32_t period : {7000u, 9000u, 11000u, 15000u, 30000u}) {
     CAPTURE(period);
     Line line;
     line.frames(2 + Pause, period);

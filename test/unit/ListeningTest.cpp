@@ -46,7 +46,7 @@ struct Listening : ListeningBoard {
 }  // namespace
 
 TEST_CASE("without a call each frame is there with its last byte or an idle character, at each frame period") {
-  for (const uint64_t periodUs : {4000, 6000, 6300, 7000, 9000, 14000, 15000, 30000}) {
+  for (const uint64_t periodUs : {4000u, 6000u, 6300u, 7000u, 9000u, 14000u, 15000u, 30000u}) {
     CAPTURE(periodUs);
     Listening board;
     for (unsigned number = 0; number < 200; number++) {
@@ -85,8 +85,8 @@ TEST_CASE(
     "first whole one is handed over") {
   line::Random random(20181);
   const Channels right = readBitByBit(SecondReading);
-  for (const uint64_t periodUs : {4000, 6000, 6300, 7000, 9000, 14000, 15000}) {
-    for (const uint64_t pollUs : {0, 1000, 3000, 4000, 5000, 12000, 20000}) {
+  for (const uint64_t periodUs : {4000u, 6000u, 6300u, 7000u, 9000u, 14000u, 15000u}) {
+    for (const uint64_t pollUs : {0u, 1000u, 3000u, 4000u, 5000u, 12000u, 20000u}) {
       CAPTURE(periodUs);
       CAPTURE(pollUs);
       Listening board;
@@ -118,7 +118,7 @@ TEST_CASE(
 
 TEST_CASE("calls of the port that come late by up to 0.3 ms cost no frame, and hand over none that was not sent") {
   line::Random random(20182);
-  for (const uint64_t latestUs : {40, 90, 200, 300}) {
+  for (const uint64_t latestUs : {40u, 90u, 200u, 300u}) {
     CAPTURE(latestUs);
     Listening board;
     for (unsigned number = 0; number < 300; number++) {
@@ -165,7 +165,7 @@ TEST_CASE("frameAge() is never less than a frame's age, however late the calls a
 
 TEST_CASE("calls that come late by up to 8 ms, as behind other work at their level, cost frames, and give no wrong one") {
   line::Random random(20184);
-  for (const uint64_t periodUs : {5000, 6300, 7000, 9000}) {
+  for (const uint64_t periodUs : {5000u, 6300u, 7000u, 9000u}) {
     CAPTURE(periodUs);
     size_t handedOver = 0;
     for (size_t place = 3; place < 24; place++) {
