@@ -91,10 +91,12 @@ __attribute__((always_inline)) inline int DecodeSBusOf<Format, Events>::read(int
 // the STM32L0's core would write past the end of the buffer.
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
-  const uint32_t now = micros();
+  uint32_t now = micros();
   const int found = _port.available();
   if (Events::wantsTimes()) {
     _finder.events().asked(found, micros());
+  } else if (found > 0 && !isPrompt) {
+    now = micros();  // by then the bytes had come: an interrupt may have held up the question
   }
   if (found <= 0) {
     if (const uint8_t *const frame = _finder.idle(now)) {
