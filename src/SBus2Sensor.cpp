@@ -121,11 +121,8 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
 
 // If the port calls meanwhile, what it has found is planned afterwards.
 void SBus2Sensor::receive(bool isPrompt) {
-  for (;;) {
-    take(isPrompt);
-    if (!_port.enter()) {
-      return;
-    }
+  while (_port.enter()) {
+    poll(sbus::Listener::Calls && isPrompt);
     plan(isPrompt);  // inlined: on an AVR the polls must not be farther apart
     if (!_port.leave()) {
       return;
@@ -195,7 +192,7 @@ void SBus2Sensor::armTimer() {
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
   if (_finder.events().isPlanned() &&
-      !(_isTimed ? sbus::SlotTimer::isQuiet(_echo) : static_cast<unsigned>(_port.available()) <= _echo)) {
+      !(_isTimed ? sbus::SlotTimer::isQuiet(_port, _echo) : sbus::NoSlotTimer::isQuiet(_port, _echo))) {
     _finder.events().skip();
     return;
   }

@@ -110,6 +110,10 @@ bool isBusy(const Sender &sender) {
   return isOpen(sender) && isLinked(sender) && sender.channel != 0 && stm32l0_dma_count(sender.channel) < sender.size;
 }
 
+size_t roomOf(Sender &sender) {
+  return isOpen(sender) && !isBusy(sender) && hasChannel(sender) ? DmaSender::Room : 0;
+}
+
 }  // namespace
 
 bool DmaSender::knows(const HardwareSerial *port) {
@@ -118,15 +122,16 @@ bool DmaSender::knows(const HardwareSerial *port) {
 
 size_t DmaSender::room(const HardwareSerial *port) {
   Sender *const sender = senderOf(port);
-  return sender != nullptr && isOpen(*sender) && !isBusy(*sender) && hasChannel(*sender) ? Room : 0;
+  return sender != nullptr ? roomOf(*sender) : 0;
 }
 
 // Interrupts may come at any of these lines: the transfer has not begun, or needs none.
 bool DmaSender::send(const HardwareSerial *port, const uint8_t *characters, size_t size) {
-  if (size > room(port)) {
+  Sender *const found = senderOf(port);
+  if (found == nullptr || size > roomOf(*found)) {
     return false;
   }
-  Sender &sender = *senderOf(port);
+  Sender &sender = *found;
   stm32l0_dma_stop(sender.channel);
   select(sender.channel);
   memcpy(sender.characters, characters, size);

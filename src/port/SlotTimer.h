@@ -8,6 +8,7 @@
 #include "../sbus/Barrier.h"
 #include "Format.h"  // brings the STM32L0's registers
 #include "HandOver.h"
+#include "Port.h"
 
 namespace sbus {
 
@@ -46,8 +47,8 @@ class NoSlotTimer {
   static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
   // Returns true if a call of the port that has found half of its ring came within a character's time.
   static bool isFresh() { return false; }
-  // Returns true if no character comes in, and no more than `echo` have come that due() has not read.
-  static bool isQuiet(unsigned) { return true; }
+  // Returns true if no more characters than `echo` have come that were not read, and none comes in, if the port can tell.
+  static bool isQuiet(Port &port, unsigned echo) { return static_cast<unsigned>(port.available()) <= echo; }
   // Sends at once. Returns false if it cannot.
   static bool send(const uint8_t *, size_t) { return false; }
 

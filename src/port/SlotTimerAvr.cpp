@@ -52,10 +52,6 @@ void SlotTimer::at(uint32_t us) {
   ticks = static_cast<uint8_t>(wanted < Soonest ? Soonest : wanted > Latest ? Latest : wanted);
 }
 
-bool SlotTimer::isQuiet(unsigned echo) {
-  return static_cast<unsigned>(sender->available()) <= echo;
-}
-
 void SlotTimer::write(const uint8_t *characters, size_t size) {
   sender->write(characters, size);
 }

@@ -21,7 +21,6 @@ class SlotTimer : public NoSlotTimer {
   static bool start(HardwareSerial &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void at(uint32_t us);
-  static bool isQuiet(unsigned echo);
   static bool send(const uint8_t *characters, size_t size) {
     write(characters, size);
     return true;

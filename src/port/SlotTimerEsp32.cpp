@@ -85,7 +85,7 @@ void SlotTimer::polled(unsigned found, uint32_t by) {
 }
 
 // What the driver has taken out of the FIFO, due() has read; the FIFO itself holds what came since.
-bool IRAM_ATTR SlotTimer::isQuiet(unsigned echo) {
+bool IRAM_ATTR SlotTimer::isQuiet(Port &, unsigned echo) {
   return uart_ll_get_rxfifo_len(UART_LL_GET_HW(number)) <= echo;
 }
 

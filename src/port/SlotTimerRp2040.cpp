@@ -80,11 +80,6 @@ void SlotTimer::at(uint32_t us) {
   next = us < Soonest ? soon() : us;
 }
 
-// available() looks into the UART's FIFO.
-bool SlotTimer::isQuiet(unsigned echo) {
-  return static_cast<unsigned>(sender->available()) <= echo;
-}
-
 // The UART's FIFO takes 32.
 bool SlotTimer::send(const uint8_t *characters, size_t size) {
   return sender->write(characters, size) == size;

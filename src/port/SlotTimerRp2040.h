@@ -40,7 +40,6 @@ class SlotTimer : public NoSlotTimer {
   static void at(uint32_t us);
   // delayMicroseconds() sleeps, which no interrupt may (pico-sdk, src/common/pico_time/time.c:395).
   static void wait(uint32_t us) { busy_wait_us_32(us); }
-  static bool isQuiet(unsigned echo);
   static bool send(const uint8_t *characters, size_t size);
 };
 

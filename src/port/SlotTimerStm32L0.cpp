@@ -62,7 +62,7 @@ bool SlotTimer::isFresh() {
   return DmaSender::isFresh(sender);
 }
 
-bool SlotTimer::isQuiet(unsigned) {
+bool SlotTimer::isQuiet(Port &, unsigned) {
   return !DmaSender::hears(sender);
 }
 
