@@ -71,6 +71,7 @@ Json Heard::json() const {
       .number("frames", counters().frames)
       .flag("has_24_channels", _observer.has24())
       .number("telemetry_bytes", _observer.telemetry().characters())
+      .number("rejected_groups", _observer.telemetry().rejectedGroups())
       .number("discarded_bytes", _observer.discardedBytes())
       .number("character_errors", _observer.characterErrors())
       .number("lost_frames", counters().lostFrames)
@@ -96,12 +97,21 @@ std::string Heard::figures() const {
 }
 
 std::string Heard::telemetry() const {
-  const std::string slots = _readings.slots(0);
-  std::string text;
-  for (const std::string &quantity : _readings.quantities(0)) {
-    text += quantity + "; ";
+  const line::TelemetrySlots &telemetry = _observer.telemetry();
+  const unsigned long rejected = telemetry.rejectedGroups();
+  std::vector<std::string> parts = _readings.quantities(0);
+  if (const std::string slots = _readings.slots(0); !slots.empty()) {
+    parts.push_back(slots);
   }
-  return slots.empty() ? "" : "Telemetry: " + text + slots + "\n";
+  if (rejected > 0) {
+    parts.push_back(std::to_string(rejected) + " of " + std::to_string(rejected + telemetry.groups()) +
+                    " groups rejected: a byte is missing or too many, or two sensors share a slot");
+  }
+  std::string text;
+  for (const std::string &part : parts) {
+    text += (text.empty() ? "Telemetry: " : "; ") + part;
+  }
+  return text.empty() ? "" : text + "\n";
 }
 
 void Heard::take(const line::Stretch &stretch) {

@@ -42,8 +42,12 @@ class Heard {
   // All figures come from the times of the frames, so a single frame has no rate.
   std::string figures() const;
 
-  // Returns a line: "Telemetry: receiver voltage 4.6 V; slots 0, 1"; empty without a slot.
+  // Returns a line: "Telemetry: receiver voltage 4.6 V; slots 0, 1; 3 of 40 groups rejected: ..."; empty without a
+  // slot.
   std::string telemetry() const;
+
+  // Returns true if more groups of telemetry slots were rejected than read.
+  bool rejectsTelemetry() const { return _observer.telemetry().rejectedGroups() > _observer.telemetry().groups(); }
 
   // Returns a line that says why the times of this source are not exact; empty if they are.
   std::string note() const { return _note.empty() ? "" : _note + "\n"; }

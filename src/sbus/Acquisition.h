@@ -64,8 +64,8 @@ class Acquisition {
   }
 
   /// Takes the end byte of a frame that a slot's ID follows. Returns true if the frame before announced the group
-  /// before. Frames of 24 channels whose sticks stand still may look like one of S.BUS2 and an ID, but not in turn: without
-  /// this rule 2141 of 10000 such frames are accepted (`make impairment WITHOUT=turn`).
+  /// before. Frames of 24 channels whose sticks stand still may look like one of S.BUS2 and an ID, but not in turn:
+  /// without this rule 2141 of 10000 such frames are accepted (`make impairment WITHOUT=turn`).
   bool isInTurn(uint8_t end) {
     const uint8_t before = _group;
     _group = static_cast<uint8_t>(end + 0x10) & 0x3F;

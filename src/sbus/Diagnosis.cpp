@@ -1,5 +1,7 @@
 #include "Diagnosis.h"
 
+#include "Slots.h"
+
 namespace sbus {
 
 namespace {
@@ -119,8 +121,7 @@ Finding Diagnosis::finding() const {
   if (damaged > 1 + counters.frames / ImpairedPart) {
     return Finding::Noise;
   }
-  // S.BUS2 sends at most 24 bytes after a frame.
-  if (counters.discardedBytes > (counters.frames + 1) * FrameSize) {
+  if (counters.discardedBytes > (counters.frames + 1) * GroupSizeMax) {
     return Finding::NoFrames;
   }
   if (counters.failsafeFrames != 0) {

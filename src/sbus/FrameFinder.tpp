@@ -25,6 +25,7 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _acquisition.reset();
   _variant = UnknownVariant;
   _aligned = false;
+  _hasBreaks = false;
   _buffer.clear();
   startOver(rules::FirstOffBy);
   _counters = Counters();
@@ -134,11 +135,24 @@ bool FrameFinderOf<Format, Events>::scan(int waiting) {
 // Returns true if a frame is complete. The buffer then begins with it, and otherwise with what may become a frame.
 template <typename Format, typename Events>
 inline bool FrameFinderOf<Format, Events>::find() {
-  while (rules::isSlot<Format>(_variant, _buffer[0]) && _expectedAt == 0) {
-    // A sensor's answer: the next frame is expected behind it, and behind a gap where the answer lacks a character.
+  while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
+    // A sensor's answer: the next frame is expected behind it, and behind a gap where the answer lacks a character. So
+    // it is behind a break, if an answer or a gap follows.
+    const int untilGap = _buffer.isGapCertain() ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
     int size = SlotSize;
-    if (static_cast<unsigned>(_buffer.gapAt() - 1) < SlotSize - 1U && _buffer.isGapCertain()) {
-      size = _buffer.gapAt();
+    if (rules::isBreak(_buffer[0])) {
+      if (_buffer.filled() < 2) {
+        return false;
+      }
+      if (!isSlotId(_buffer[1]) && untilGap != 1) {
+        break;
+      }
+      _hasBreaks = true;
+      size = 1;
+    } else if (!isSlotId(_buffer[0])) {
+      break;
+    } else if (untilGap == 1 || untilGap == 2) {
+      size = untilGap;
     }
     if (_buffer.filled() < size) {
       return false;
@@ -153,7 +167,11 @@ inline bool FrameFinderOf<Format, Events>::find() {
     int step = 1, worth = 1;
     const uint8_t variant = variantAt(start);
     if (variant != UnknownVariant) {
-      const Verdict verdict = judge(start, variant);
+      Verdict verdict = judge(start, variant);
+      if (verdict.isAccepted() && rules::mayEndInBreak<Format>(variant, _hasBreaks)) {  // in judge(): 56 bytes more
+        _hasBreaks = false;
+        verdict = Verdict::reject(Rejection::NoEnd);
+      }
       if (verdict.isAccepted()) {
         _variant = variant;
         _aligned = verdict.isAligned();

@@ -102,12 +102,12 @@ SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
   return !c.isLines();
 }
 
-/// Returns true if, before the first frame, one stray character may follow it directly. No frame may begin with its
-/// second byte: otherwise the first byte could be the stray one. (isEndByte() instead of the mask
-/// costs 52 bytes on a Cortex-M0+.)
+/// Returns true if one stray character may follow it directly: before the first frame, or where the frame before is
+/// missing, since the line's variant may be mistaken. No frame may begin with its second byte: otherwise the first byte
+/// could be the stray one. (isEndByte() instead of the mask costs 52 bytes on a Cortex-M0+.)
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
-  return c.lineVariant == UnknownVariant &&
+  return (c.lineVariant == UnknownVariant || c.offBy != 0) &&
          (c.bytes[1] != HeaderByte || !isFlagsByte(c.end()) || (c.bytes[Format::Size] & NotInEndBytes) != 0);
 }
 /// Returns true if one stray character follows it directly: the gaps before and after prove that.
@@ -147,19 +147,32 @@ SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
   return c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
 }
 
-// ---- For gaps that are not seen, as when a port is polled too seldom: where each gap is seen, these rules and isInTurn()
-// change nothing.
-
-/// Returns true if `byte` may be the ID of a telemetry slot, on a line of this variant.
-template <typename Format>
-SBUS_IN_LINE bool isSlot(uint8_t variant, uint8_t byte) {
-  return Format::HasExtra && variant == SlotsVariant && isSlotId(byte);
+/// Returns true if this may be the break that some receivers send after each frame and each slot (a Futaba R7008SB).
+SBUS_IN_LINE bool isBreak(uint8_t byte) {
+  return byte == 0;
 }
 
-/// Returns true if a slot follows it. Acquisition::isInTurn() says when that proves the first frame.
+/// Returns true if its end byte may be a break: it may be an S.BUS2 frame that has lost a character.
+template <typename Format>
+SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
+  return Format::HasExtra && hasBreaks && variant != SlotsVariant;
+}
+
+// ---- For gaps that are not seen, as when a port is polled too seldom: where each gap is seen, these rules and
+// isInTurn() change nothing, except that breaks would not be noticed.
+
+/// Returns true if telemetry slots may follow the frames of this variant.
+template <typename Format>
+SBUS_IN_LINE bool hasSlots(uint8_t variant) {
+  return Format::HasExtra && variant == SlotsVariant;
+}
+
+/// Returns true if a slot follows it, perhaps behind a break. Acquisition::isInTurn() says when that proves the first
+/// frame.
 template <typename Format>
 SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
-  return isSlot<Format>(c.variant, c.bytes[c.size()]);
+  const int id = c.size() + (isBreak(c.bytes[c.size()]) ? 1 : 0);
+  return hasSlots<Format>(c.variant) && id < c.count && isSlotId(c.bytes[id]);
 }
 
 /// Returns true if more characters follow than noise has, and no header is the second of them.
@@ -224,8 +237,8 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
       } else if (hasStray(c, acquisition)) {
         isAtGap = true;
         isPlaced = true;
-      } else if (c.gapAt == 0 && c.count == c.size() + 1 && mayHaveStray(c)) {
-        return Verdict::wait();
+      } else if (c.count == c.size() + 1 && mayHaveStray(c)) {
+        return Verdict::wait();  // for a gap, or a slot behind a break (20 bytes less than waiting for these only)
       } else {
         isInTurn = isSlotNext(c) && acquisition.isInTurn(c.end());
         if (!isInTurn) {

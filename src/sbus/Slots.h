@@ -17,7 +17,7 @@ namespace sbus {
 constexpr uint8_t SlotCount = 32;     ///< of a line: four groups of eight
 constexpr uint8_t SlotsOfGroup = 8;   ///< after one frame
 constexpr uint8_t SlotSize = 3;       ///< characters: ID, data0, data1
-constexpr uint8_t GroupSizeMax = 26;  ///< characters between two frames: eight slots, and two that an R7003SB adds
+constexpr uint8_t GroupSizeMax = 33;  ///< characters between two frames: eight slots, and a break before and after each
 
 /// The data of a slot. A slot does not say which sensor fills it: the user knows.
 struct SlotData {
@@ -62,6 +62,10 @@ constexpr bool announcesSlots(uint8_t end) {
 /// Splits the `count` characters between a frame with this end byte and the next frame into `slots` (room for 8).
 /// Returns how many there are; -1 if the characters are not just slots of the announced group in rising order. There is
 /// no checksum, and no other proof: if a character is missing, or there is one too many, all of them are rejected.
-int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *slots);
+///
+/// On some lines a break, 00, follows each transmission: the frame, and each slot (Futaba R7008SB, R7003SB:
+/// github.com/bolderflight/sbus/issues/79). Bit k of `breaks`, 0 at first, says that one has followed slot k: then one
+/// must follow it, or the slot may have lost a character and taken the break for data.
+int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *slots, uint32_t &breaks);
 
 }  // namespace sbus

@@ -11,6 +11,7 @@ void Telemetry::begin() {
   _count = 0;
   _end = 0;
   _rejected = 0;
+  _breaks = 0;
 }
 
 // The data may change while they are copied: then they are copied again.
@@ -53,14 +54,18 @@ void Telemetry::discarded(const uint8_t *bytes, int count) {
 
 void Telemetry::taken(const uint8_t *frame) {
   if (announcesSlots(_end)) {
-    Slot slots[SlotsOfGroup];
-    const int8_t found = _count > GroupSizeMax ? int8_t{-1} : readSlots(_end, _characters, _count, slots);
-    _rejected += found < 0;
     const uint8_t first = firstSlotOf(_end);
     for (uint8_t i = 0; i < SlotsOfGroup; i++) {
       uint8_t &misses = _misses[first + i];
-      misses = static_cast<uint8_t>(misses + (misses <= MissesMax));
+      if (misses <= MissesMax) {
+        misses++;
+      } else {
+        _breaks &= ~(uint32_t{1} << (first + i));  // it may be another receiver by now
+      }
     }
+    Slot slots[SlotsOfGroup];
+    const int8_t found = _count > GroupSizeMax ? int8_t{-1} : readSlots(_end, _characters, _count, slots, _breaks);
+    _rejected += found < 0;
     for (int8_t i = 0; i < found; i++) {
       _data[slots[i].number] = slots[i].data;
       _misses[slots[i].number] = 0;

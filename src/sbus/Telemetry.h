@@ -10,7 +10,7 @@
 namespace sbus {
 
 /// Holds the newest data of all 32 slots. The bytes between two frames are accepted once the second frame is there, and
-/// only if all of them are slots (readSlots()). It needs 138 bytes.
+/// only if all of them are slots (readSlots()). It needs 144 bytes.
 ///
 /// The context that reads the port calls the events; they may interrupt read().
 class Telemetry {
@@ -49,6 +49,7 @@ class Telemetry {
   uint8_t _end;    // end byte of the frame before them
   uint16_t _changes = 0;
   uint32_t _rejected;
+  uint32_t _breaks;  // see readSlots()
 };
 
 }  // namespace sbus

@@ -92,11 +92,13 @@ TEST_CASE(
       {"the receiver", 0x04, {0x03, 0xC0, 0x2E}, -1, "45390 0:192,46 rejected 0"},
       {"an SBS-01V", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, -1, "45390 1:128,56 45750 2:0,125 rejected 0"},
       {"an R7003SB", 0x08, {0x00, 0x03, 0xC0, 0x33, 0x00}, -1, "45510 0:192,51 rejected 0"},
+      {"breaks", 0x04, {0x00, 0x83, 0x80, 0x38, 0x00, 0x43, 0x00, 0x7D, 0x00}, -1,
+       "45510 1:128,56 45990 2:0,125 rejected 0"},
       {"a character with an error", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, 4, "rejected 1"},
       {"a character is missing", 0x04, {0x83, 0x80, 0x43, 0x00, 0x7D}, -1, "rejected 1"},
       {"another group", 0x14, {0x83, 0x80, 0x38}, -1, "rejected 1"},
       {"a line without telemetry", 0x00, {0x03, 0xC0, 0x2E}, -1, "rejected 0"},
-      {"more than a group", 0x04, std::vector<uint8_t>(27, 0x83), -1, "rejected 1"},
+      {"more than a group", 0x04, std::vector<uint8_t>(34, 0x83), -1, "rejected 1"},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -160,6 +162,8 @@ TEST_CASE("a stretch is named slots while only slots have come since the frame; 
     const char *said;
   } rows[] = {
       {"slots 0 to 2", {{2030, {0x03, 0xC0, 0x2E}}, {2690, {0x83, 1, 2, 0x43, 3, 4}}}, "telemetry slots 0, 1, 2; "},
+      {"breaks", {{0, {0x00}}, {2030, {0x03, 0xC0, 0x2E, 0x00}}, {2690, {0x83, 1, 2, 0x00}}},
+       "no header; telemetry slots 0, 1; "},
       {"slots 0 and 6", {{2030, {0x03, 0xC0, 0x2E}}, {5990, {0x63, 1, 2}}}, "telemetry slot 0; telemetry slot 6; "},
       {"noise, then slot 6", {{2030, {0x55}}, {5990, {0x63, 1, 2}}}, "no header; no header; "},
       {"slot 6, then slot 0", {{2030, {0x63, 1, 2}}, {5990, {0x03, 0xC0, 0x2E}}}, "telemetry slot 6; no header; "},

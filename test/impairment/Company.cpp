@@ -47,6 +47,16 @@ Run behind(int stray, Kind kind = Kind::Plain) {
   return run;
 }
 
+// A 00 after each transmission, as a Futaba R7008SB has it: after each frame, and after each slot or after none.
+Run withBreaks(unsigned count, bool afterEach, bool afterSlots, double cutSlots = 0, double drop = 0) {
+  Run run = afterEach ? slotsBehindEach(count) : slots(count);
+  run.line.company.strayBehind = 0;
+  run.line.company.breakAfterSlots = afterSlots;
+  run.line.company.cutSlots = cutSlots;
+  run.line.impairments.dropped = drop;
+  return run;
+}
+
 }  // namespace
 
 const std::vector<Condition> &companyLines() {
@@ -60,6 +70,16 @@ const std::vector<Condition> &companyLines() {
       {"S.BUS2, 2 slots behind each frame, 0.5 ms late", late(500), sbus2()},
       {"S.BUS2, 2 slots behind each frame, 1 ms early", late(-1000), sbus2()},
       {"S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()},
+      {"S.BUS2, breaks, no slots", withBreaks(0, false, true), sbus2()},
+      {"S.BUS2, breaks, no slots, dropped 1/300", withBreaks(0, false, true, 0, 1 / 300.), sbus2()},
+      {"S.BUS2, breaks, 1 slot behind 04", withBreaks(1, false, true), sbus2()},
+      {"S.BUS2, breaks, 1 slot behind 04, dropped 1/300", withBreaks(1, false, true, 0, 1 / 300.), sbus2()},
+      {"S.BUS2, breaks, 2 slots behind each frame", withBreaks(2, true, true), sbus2()},
+      {"S.BUS2, breaks, 8 slots behind each frame", withBreaks(8, true, true), sbus2()},
+      {"S.BUS2, breaks, 8 slots behind each frame, 1/10 of them cut", withBreaks(8, true, true, 1 / 10.), sbus2()},
+      {"S.BUS2, breaks, 8 slots behind each frame, dropped 1/300", withBreaks(8, true, true, 0, 1 / 300.), sbus2()},
+      {"S.BUS2, a break behind each frame, 1 slot behind 04", withBreaks(1, false, false), sbus2()},
+      {"S.BUS2, a break behind each frame, 2 slots behind each frame", withBreaks(2, true, false), sbus2()},
       {"FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), everyDriver({6300}, {50, 1000, 2000, 3000})},
       {"a character 00 straight behind each frame", behind(0), gaps(), NeverWrong},
       {"S.BUS2, a character 00 straight behind each frame", behind(0, Kind::Sbus2), gaps(), NeverWrong},

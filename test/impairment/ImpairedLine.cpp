@@ -223,9 +223,18 @@ void ImpairedLine::sendSlots(unsigned group) {
   for (unsigned slot = 0; slot < company.slots; slot++) {
     _timeUs = firstUs + slot * SlotUs;
     const unsigned number = (group + company.group) % Groups * SlotsInGroup + slot;
-    send(slotId(number));
-    send(number == 0 ? static_cast<uint8_t>(VoltageUpperBits | _random.below(8)) : _random.byte());
-    send(_random.byte());
+    uint8_t bytes[] = {slotId(number), _random.byte(), _random.byte()};
+    if (number == 0) {
+      bytes[1] = static_cast<uint8_t>(VoltageUpperBits | _random.below(8));
+    }
+    const bool isCut = company.cutSlots > 0 && _random.chance(company.cutSlots);
+    const unsigned lost = isCut ? 1 + _random.below(7) : 0;  // bits
+    for (unsigned i = 0; i < 3; i++) {
+      send(bytes[i], (lost >> i & 1) != 0);
+    }
+    if (company.breakAfterSlots) {
+      send(0, lost == 7);
+    }
   }
 }
 

@@ -36,6 +36,8 @@ struct Company {
   uint8_t group = 0;       // added to the group of which their slots should be
   int strayBefore = NoStray;  // a character straight before each frame; AnyStray: anything but a header
   int strayBehind = NoStray;  // a character straight after each frame
+  bool breakAfterSlots = false;  // a 00 straight after each slot
+  double cutSlots = 0;           // of a slot: one or two of its characters are lost, or all with the 00 behind them
 
   static constexpr int NoStray = -1, AnyStray = 256;
 };

@@ -68,8 +68,21 @@ printf '%s\n' 'telemetry slots 0, 1, 2' 'telemetry slots 0, 1, 2' 'no header' 't
 verdict $? "hex names the slots, and rejects a group that lacks characters"
 
 "$SBUS" doctor "$work/line.txt" >"$work/out"
-grep -qF '20 frames, 81 bytes of telemetry, 5 discarded bytes' "$work/out" && grep -qxF 'Telemetry: receiver voltage 4.6 V; slots 0, 1, 2, 24, 25, 26' "$work/out"
-verdict $? "doctor names slots and the receiver's voltage, and counts bytes that are neither a frame nor telemetry"
+grep -qF '20 frames, 81 bytes of telemetry, 5 discarded bytes' "$work/out" && grep -qxF 'Telemetry: receiver voltage 4.6 V; slots 0, 1, 2, 24, 25, 26; 1 of 9 groups rejected: a byte is missing or too many, or two sensors share a slot' "$work/out"
+verdict $? "doctor names slots and the receiver's voltage, and counts rejected groups and bytes that are neither a frame nor telemetry"
+
+# A break, 00, after each transmission.
+while IFS='|' read -r slots expected finding telemetry; do
+  awk -v slots="$slots" 'BEGIN { for (i = 0; i < 80; i++) {
+    print 120 + 15000 * i, "0F 11 04 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00", (i % 4) "4 00"
+    if (i % 4 == 0) print 5150 + 15000 * i, slots } }' >"$work/breaks.txt"
+  "$SBUS" doctor "$work/breaks.txt" >"$work/out"
+  [ $? -eq "$expected" ] && grep -qxF "$finding" "$work/out" && grep -qxF "Telemetry: $telemetry" "$work/out"
+  verdict $? "doctor, breaks and after 04 the bytes $slots: $finding"
+done <<'END'
+03 C0 2E 00|0|All well, and other bytes come between the frames.|receiver voltage 4.6 V; slot 0
+03 C0|1|Telemetry rejected: the frames are well, but what follows them is not just slots.|19 of 19 groups rejected: a byte is missing or too many, or two sensors share a slot
+END
 
 { cat "$work/line.txt"; awk 'BEGIN { for (i = 20; i < 120; i++) print 120 + 15000 * i, "0F 11 04 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00", (i % 4) "4" }'; } >"$work/long.txt"
 "$SBUS" monitor "$work/long.txt" --sensor 24=F1678 >"$work/out"

@@ -24,6 +24,7 @@ struct Answer {
 
 // A receiver with an SBS-01V in slots 1 and 2 and a CURR-F1678 in 24 to 26; a test may change what they send.
 struct Bus {
+  bool hasBreaks = false;  // 00 after the frame and after each answer
   std::function<void(unsigned round, std::vector<Answer> &)> change = [](unsigned, std::vector<Answer> &) {};
 
   std::vector<Answer> answers(unsigned group, unsigned round) const {
@@ -89,9 +90,10 @@ struct Sketch {
       for (unsigned group = 0; group < 4; group++) {
         const uint64_t startUs = nextUs;
         nextUs += PeriodUs;
-        hear(startUs, bytesOf(plainFrame(frames++, static_cast<uint8_t>(group << 4 | 4))));
+        const Bytes behind(bus.hasBreaks ? 1 : 0, 0x00);
+        hear(startUs, bytesOf(plainFrame(frames++, static_cast<uint8_t>(group << 4 | 4))) + behind);
         for (const Answer &answer : bus.answers(group, round)) {
-          hear(startUs + 25 * 120 + ToSlotsUs + PitchUs * (answer.slot % 8), answer.characters);
+          hear(startUs + 25 * 120 + ToSlotsUs + PitchUs * (answer.slot % 8), answer.characters + behind);
         }
         runTo(nextUs - 1);
       }
@@ -147,6 +149,63 @@ TEST_CASE("in loops of 50 us to 4.9 ms, on every driver, all sensors are read, n
   }
 }
 
+TEST_CASE(
+    "a Futaba R7008SB sends a 00 after each transmission: all is read as without, with all slots in use as well") {
+  for (const bool areAll : {false, true}) {
+    for (const Driver &driver : {Board, ByteByByte, Esp32Told, Esp32}) {
+      for (const uint32_t loopUs : {50u, 1000u, 3000u, 4000u, 4900u}) {
+        INFO(driver.name, ", loopUs ", loopUs, ", areAll ", areAll);
+        Sketch sketch(loopUs, driver);
+        Bus bus;
+        bus.hasBreaks = true;
+        bus.change = [areAll](unsigned, std::vector<Answer> &answers) {
+          for (uint8_t slot = 3; areAll && slot < 8 && answers.size() >= 3 && answers[0].slot == 0; slot++) {
+            answers.push_back({slot, {sbus::slotId(slot), 0x00, slot}});
+          }
+        };
+        sketch.rounds(10, bus);
+        CHECK(hasVoltage(sketch));
+        CHECK(hasCurrent(sketch));
+        CHECK(hasSlots<8>(sketch.sbus, 0) == areAll);
+        CHECK(sketch.sbus.rejectedGroups() == 0);
+        CHECK(sketch.sbus.counters().frames >= 38);
+        CHECK(sketch.sbus.counters().resyncs == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "on a line with breaks a slot that lacks a character changes no value, and other receivers are read in a second") {
+  for (size_t lost = 0; lost < sbus::SlotSize; lost++) {
+    CAPTURE(lost);
+    Sketch sketch(1000);
+    Bus bus;
+    bus.hasBreaks = true;
+    sketch.rounds(5, bus);
+    bus.change = [lost](unsigned, std::vector<Answer> &answers) {
+      if (answers.size() == 3 && answers[0].slot == 0) {
+        answers[1].characters[1] = 0x99;  // a value that must not be read
+        answers[2].characters.erase(answers[2].characters.begin() + static_cast<std::ptrdiff_t>(lost));
+      }
+    };
+    sketch.rounds(3, bus);
+    CHECK(hasVoltage(sketch));
+    CHECK(hasCurrent(sketch));
+    CHECK(sketch.sbus.rejectedGroups() == 3);
+  }
+  Sketch sketch(1000);
+  Bus bus;
+  bus.hasBreaks = true;
+  sketch.rounds(5, bus);
+  sketch.rounds(20);
+  CHECK(hasVoltage(sketch));
+  CHECK(sketch.sbus.rejectedGroups() > 0);
+  const uint32_t rejected = sketch.sbus.rejectedGroups();
+  sketch.rounds(5);
+  CHECK(sketch.sbus.rejectedGroups() == rejected);
+}
+
 TEST_CASE("a sensor that falls silent is read for 16 more rounds, a second, and again when it comes back") {
   Sketch sketch(1000);
   Bus bus;
@@ -178,7 +237,7 @@ TEST_CASE(
       {"data1 of slot 1 is missing", [](std::vector<Answer> &answers) { answers[1].characters.pop_back(); }},
       {"the ID of slot 1 is missing",
        [](std::vector<Answer> &answers) { answers[1].characters.erase(answers[1].characters.begin()); }},
-      {"a stray 00 after slot 2", [](std::vector<Answer> &answers) { answers[2].characters.push_back(0); }},
+      {"a stray 55 after slot 2", [](std::vector<Answer> &answers) { answers[2].characters.push_back(0x55); }},
       {"slot 1 sends slot 2's ID", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x43; }},
       {"slot 1 sends an ID of group 1", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x93; }},
   };

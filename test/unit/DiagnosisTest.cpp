@@ -128,9 +128,9 @@ TEST_CASE("a setting is right if a frame comes every 100 ms; the finding is the 
       {"FASSTest 26, some noise", {Came::frames(27).extra(18).skipped(226).resyncs(8)}, Finding::Noise, 0},
       {"exactly that number of bytes", {Came::frames(33).skipped(58)}, Finding::AllWellAndMore, 0},
       {"one less", {Came::frames(33).skipped(57)}, Finding::AllWell, 0},
-      {"S.BUS2, all slots after each frame", {Came::frames(33).skipped(33 * 24 + 25)}, Finding::AllWellAndMore, 0},
-      {"as many bytes as of frames", {Came::frames(33).skipped(34 * 25)}, Finding::AllWellAndMore, 0},
-      {"one more", {Came::frames(33).skipped(34 * 25 + 1).failsafe(33)}, Finding::NoFrames, 0},
+      {"S.BUS2, all slots and breaks after each frame", {Came::frames(33).skipped(33 * 33 + 25)}, Finding::AllWellAndMore, 0},
+      {"as many bytes as then", {Came::frames(33).skipped(34 * 33)}, Finding::AllWellAndMore, 0},
+      {"one more", {Came::frames(33).skipped(34 * 33 + 1).failsafe(33)}, Finding::NoFrames, 0},
       {"bytes of one impaired frame", {Came::frames(54).byEnd(1).skipped(24 + 60).resyncs(1)}, Finding::AllWell, 0},
   };
   for (const auto &row : rows) {

@@ -14,7 +14,7 @@ TEST_CASE("turn: before the first frame, a slot's ID ends a frame if the frame b
       INFO("first ", first, ", second ", second);
       Acquisition<Frame16> acquisition = noneSeen();
       const auto judge = [&](unsigned group) {
-        const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03};
+        const Bytes bytes = bytesOf(plainFrame(1, static_cast<uint8_t>(group << 4 | 4))) + Bytes{0x03, 0xC0};
         const Case c = {bytes, Far, 0, true, false};
         return rules::judge(c.candidate(), acquisition).isAccepted();
       };
@@ -27,10 +27,25 @@ TEST_CASE("turn: before the first frame, a slot's ID ends a frame if the frame b
 TEST_CASE("stray: one stray character may follow the first frame, between two gaps 26 characters apart") {
   const Bytes stray = Plain + Bytes{0x00};
   CHECK(judged({stray, 0, 9, false, false}, twoGaps(25)) == "wait");
-  CHECK(judged({stray, Far, 9, false, false}, twoGaps(25)) == "goes on 2");
+  CHECK(judged({stray, Far, 9, false, false}, twoGaps(25)) == "wait");
+  CHECK(judged({stray + Bytes{0x55}, Far, 9, false, false}, twoGaps(25)) == "goes on 2");
   CHECK(judged({stray, 26, 9, false, false}, twoGaps(26)) == "aligned");
   for (const unsigned run : {25u, 27u, 52u, 255u}) {
-    CHECK(judged({stray, 26, 9, false, false}, twoGaps(run)) == "goes on 2");
+    CHECK(judged({stray, 26, 9, false, false}, twoGaps(run)) == "wait");
+    CHECK(judged({stray + Bytes{0x0F}, 26, 9, false, false}, twoGaps(run)) == "goes on 2");
+  }
+}
+
+TEST_CASE("stray: on a line whose variant is known, only where the frame before is missing: it may be mistaken") {
+  for (const unsigned end : {0x00u, 0x04u, 0x14u}) {
+    for (const int offBy : {-1, 0, 1, 25}) {
+      INFO("end ", end, ", offBy ", offBy);
+      const Case stray = {bytesOf(plainFrame(1, static_cast<uint8_t>(end))) + Bytes{0x00}, 26, offBy, false, false};
+      Candidate<Frame16> c = stray.candidate();
+      CHECK(rules::mayHaveStray(c));
+      c.lineVariant = TailVariant;
+      CHECK(rules::mayHaveStray(c) == (offBy != 0));
+    }
   }
 }
 

@@ -37,14 +37,15 @@ TEST_CASE("variant, tail, 2F: what must follow a frame, on a line of its variant
       {"2F", Plain + Bytes{0x2F}, Far, "aligned", "aligned"},
       {"a gap", Plain, 25, "aligned", "aligned"},
       {"a gap, then anything", Plain + Bytes{0x55}, 25, "aligned", "aligned"},
-      {"something else", Plain + Bytes{0x55}, Far, "aligned", "goes on 2"},
+      {"something else", Plain + Bytes{0x55}, Far, "aligned", "wait"},
+      {"something else, and one more", Plain + Bytes{0x55, 0x0F}, Far, "aligned", "goes on 2"},
       {"a tail's beginning", part(tailed, 0, 29), Far, "aligned", "wait"},
       {"the tail", tailed, Far, "aligned", "wait"},
       {"the tail and a header", tailed + Bytes{0x0F}, Far, "aligned", "aligned"},
-      {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F}, Far, "aligned", "goes on 2"},
+      {"the tail and 2F, which such a line does not have", tailed + Bytes{0x2F, 0x55}, Far, "aligned", "goes on 2"},
       {"a gap within the tail", part(tailed, 0, 27), 27, "aligned", "aligned"},
-      {"the ID of a slot, the first time", s2 + Bytes{0x13}, Far, "aligned", "goes on 2"},
-      {"no ID", s2 + Bytes{0x15}, Far, "aligned", "goes on 2"},
+      {"the ID of a slot, the first time", s2 + Bytes{0x13, 0xC0}, Far, "aligned", "goes on 2"},
+      {"no ID", s2 + Bytes{0x15, 0xC0}, Far, "aligned", "goes on 2"},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -89,6 +90,25 @@ TEST_CASE(
                           Bytes{static_cast<uint8_t>(byte)};
       CHECK(rules::isSlotNext(Case{bytes}.candidate()) == ((end & 0x0F) == 4 && byte % 8 == 3));
     }
+  }
+}
+
+TEST_CASE("breaks: a 00 may stand before the slot's ID, one only, and on S.BUS2 lines only") {
+  for (const unsigned end : {0x00u, 0x04u, 0x34u}) {
+    const Bytes frame = bytesOf(plainFrame(1, static_cast<uint8_t>(end)));
+    const auto isSlotNext = [&frame](const Bytes &behind) { return rules::isSlotNext(Case{frame + behind}.candidate()); };
+    CHECK(isSlotNext({0x00, 0x13}) == (end != 0x00));
+    CHECK_FALSE(isSlotNext({0x00, 0x15}));
+    CHECK_FALSE(isSlotNext({0x00, 0x00, 0x13}));
+    CHECK_FALSE(isSlotNext({0x55, 0x13}));
+    CHECK_FALSE(isSlotNext({0x00}));
+  }
+}
+
+TEST_CASE("twice: on a line with breaks the end byte of another variant may be one") {
+  for (uint8_t variant = 0; variant < UnknownVariant; variant++) {
+    CHECK(rules::mayEndInBreak<Frame16>(variant, true) == (variant != SlotsVariant));
+    CHECK_FALSE(rules::mayEndInBreak<Frame16>(variant, false));
   }
 }
 

@@ -14,9 +14,9 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 
 // Returns "slot:data0 data1" of each slot, or "rejected" if the characters are no slots.
-std::string read(uint8_t end, const Bytes &characters) {
+std::string read(uint8_t end, const Bytes &characters, uint32_t &breaks) {
   sbus::Slot slots[sbus::SlotsOfGroup];
-  const int count = sbus::readSlots(end, characters.data(), static_cast<uint8_t>(characters.size()), slots);
+  const int count = sbus::readSlots(end, characters.data(), static_cast<uint8_t>(characters.size()), slots, breaks);
   if (count < 0) {
     return "rejected";
   }
@@ -30,11 +30,19 @@ std::string read(uint8_t end, const Bytes &characters) {
   return text;
 }
 
-Bytes wholeGroup(uint8_t group) {
-  Bytes characters;
+std::string read(uint8_t end, const Bytes &characters) {
+  uint32_t breaks = 0;
+  return read(end, characters, breaks);
+}
+
+Bytes wholeGroup(uint8_t group, bool hasBreaks = false) {
+  Bytes characters(hasBreaks ? 1 : 0, 0x00);
   for (uint8_t i = 0; i < sbus::SlotsOfGroup; i++) {
     const auto data = static_cast<uint8_t>(i + 1);
     characters.insert(characters.end(), {sbus::slotId(static_cast<uint8_t>(8 * group + i)), data, data});
+    if (hasBreaks) {
+      characters.push_back(0x00);
+    }
   }
   return characters;
 }
@@ -92,7 +100,7 @@ TEST_CASE("the characters between two frames are slots of the announced group, o
       {"a character is missing: it does not take the next ID", 0x04, {0x03, 0xC0, 0x83, 0x80, 0x38}, "rejected"},
       {"an ID is missing", 0x04, {0xC0, 0x2E, 0x83, 0x80, 0x38}, "rejected"},
       {"two are missing, of different slots", 0x04, {0x03, 0xC0, 0x83, 0x80, 0x43, 0x00, 0x7D}, "rejected"},
-      {"a character too much", 0x04, {0x03, 0xC0, 0x2E, 0x00}, "rejected"},
+      {"a character too much", 0x04, {0x03, 0xC0, 0x2E, 0x2E}, "rejected"},
       {"another group", 0x14, {0x83, 0x80, 0x38}, "rejected"},
       {"the same slot twice: two sensors", 0x04, {0x83, 0x80, 0x38, 0x83, 0x00, 0x7D}, "rejected"},
       {"slots in falling order", 0x04, {0x43, 0x80, 0x38, 0x83, 0x00, 0x7D}, "rejected"},
@@ -101,7 +109,13 @@ TEST_CASE("the characters between two frames are slots of the announced group, o
       {"an R7003SB with the radio off", 0x08, {0x00, 0x03, 0x04, 0x00, 0x00}, "0:0400"},
       {"FASSTest 12CH without the two 00", 0x08, {0x03, 0xE0, 0x31}, "0:E031"},
       {"a sensor in FASSTest 12CH", 0x08, {0x83, 0x80, 0x38}, "rejected"},
-      {"two 00 in an S.BUS2 group", 0x04, {0x00, 0x03, 0xC0, 0x33, 0x00}, "rejected"},
+      {"an R7008SB with breaks", 0x04, {0x00, 0x03, 0xC0, 0x31, 0x00}, "0:C031"},
+      {"... no sensor answers", 0x14, {0x00}, ""},
+      {"... data that are 00", 0x04, {0x00, 0x03, 0x00, 0x00, 0x00, 0x83, 0x80, 0x00, 0x00}, "0:0000 1:8000"},
+      {"... a sensor that sends none", 0x04, {0x00, 0x03, 0xC0, 0x31, 0x00, 0x83, 0x80, 0x38}, "0:C031 1:8038"},
+      {"a break after the frame only", 0x04, {0x00, 0x03, 0xC0, 0x31, 0x83, 0x80, 0x38}, "0:C031 1:8038"},
+      {"two before a slot", 0x04, {0x00, 0x00, 0x03, 0xC0, 0x31}, "rejected"},
+      {"two after a slot", 0x04, {0x03, 0xC0, 0x31, 0x00, 0x00}, "rejected"},
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
@@ -128,4 +142,28 @@ TEST_CASE("a whole group is rejected if any one character is lost or doubled, or
       }
     }
   }
+}
+
+TEST_CASE("once a break has followed a slot, a group is rejected if any one character is lost but the frame's break") {
+  for (uint8_t group = 0; group < 4; group++) {
+    for (const size_t slots : {size_t{1}, size_t{2}, size_t{8}}) {
+      const auto end = static_cast<uint8_t>(group << 4 | 4);
+      Bytes whole = wholeGroup(group, true);
+      whole.resize(1 + 4 * slots);
+      uint32_t breaks = 0;
+      const std::string all = read(end, whole, breaks);
+      CHECK(all != "rejected");
+      for (size_t i = 0; i < whole.size(); i++) {
+        INFO("group ", int{group}, ", slots ", slots, ", i ", i);
+        Bytes impaired = whole;
+        impaired.erase(impaired.begin() + static_cast<std::ptrdiff_t>(i));
+        CHECK(read(end, impaired, breaks) == (i == 0 ? all : "rejected"));
+      }
+      CHECK(read(end, whole, breaks) == all);
+    }
+  }
+}
+
+TEST_CASE("the whole group with breaks is the longest that is read") {
+  CHECK(wholeGroup(0, true).size() == sbus::GroupSizeMax);
 }

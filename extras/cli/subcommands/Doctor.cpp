@@ -88,13 +88,18 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
   }
   const sbus::Finding finding = diagnosis.finding();
   const Heard &best = *heard[diagnosis.best()];
-  const bool well = line::isWell(finding);
+  const bool rejects = line::isWell(finding) && best.rejectsTelemetry();
+  const bool well = line::isWell(finding) && !rejects;
+  const std::string what =
+      rejects ? "Telemetry rejected: the frames are well, but what follows them is not just slots." : text(finding);
+  const std::string cure = rejects
+                               ? "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"
+                               : remedy(finding);
   if (asJson) {
-    write(verdict(well, text(finding), remedy(finding)).text("line", best.variant()).line());
+    write(verdict(well, what, cure).text("line", best.variant()).line());
     return well;
   }
-  write(std::string(text(finding)) + "\n" + remedy(finding) + "\n" +
-        advice(finding, source, settings.front(), settings[diagnosis.best()]) +
+  write(what + "\n" + cure + "\n" + advice(finding, source, settings.front(), settings[diagnosis.best()]) +
         (source.hasTimes() ? best.figures() : "") + best.telemetry() + best.note());
   return well;
 }

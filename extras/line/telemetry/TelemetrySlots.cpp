@@ -10,11 +10,18 @@ bool isGood(const std::vector<Character> &characters) {
   return std::none_of(characters.begin(), characters.end(), [](const Character &each) { return each.bad; });
 }
 
-// Returns how many slots these characters are, at most a group; -1 if they are not slots.
-int readSlots(uint8_t end, const std::vector<Character> &characters, sbus::Slot *slots) {
-  uint8_t bytes[sbus::GroupSizeMax];
-  std::transform(characters.begin(), characters.end(), bytes, [](const Character &each) { return each.value; });
-  return sbus::readSlots(end, bytes, static_cast<uint8_t>(characters.size()), slots);
+// Returns the index of the last character of each whole slot. A break, 00, may stand before and after each.
+std::vector<size_t> endsOf(const std::vector<Character> &characters) {
+  std::vector<size_t> ends;
+  for (size_t at = 0; at + sbus::SlotSize <= characters.size();) {
+    if (characters[at].value == 0) {
+      at++;
+    } else {
+      at += sbus::SlotSize;
+      ends.push_back(at - 1);
+    }
+  }
+  return ends;
 }
 
 }  // namespace
@@ -46,14 +53,23 @@ std::vector<sbus::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
     return {};
   }
   sbus::Slot slots[sbus::SlotsOfGroup];
-  const int count = readSlots(_end, all, slots);
-  const int before = static_cast<int>(_between.size() / sbus::SlotSize);
+  uint32_t breaks = 0;  // a break may still come
+  const int count = read(all, slots, breaks);
+  const int before = static_cast<int>(endsOf(_between).size());
   return count <= before ? std::vector<sbus::Slot>() : std::vector<sbus::Slot>(slots + before, slots + count);
 }
 
 unsigned long TelemetrySlots::characters() const {
   sbus::Slot slots[sbus::SlotsOfGroup];
-  return _characters + (_isWhole && readSlots(_end, _between, slots) > 0 ? _between.size() : 0);
+  uint32_t breaks = 0;  // one may still come
+  return _characters + (_isWhole && read(_between, slots, breaks) > 0 ? _between.size() : 0);
+}
+
+// Returns how many slots these characters are, at most a group; -1 if they are not slots.
+int TelemetrySlots::read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const {
+  uint8_t bytes[sbus::GroupSizeMax];
+  std::transform(characters.begin(), characters.end(), bytes, [](const Character &each) { return each.value; });
+  return sbus::readSlots(_end, bytes, static_cast<uint8_t>(characters.size()), slots, breaks);
 }
 
 std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
@@ -62,14 +78,17 @@ std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
   }
   _announced = true;
   sbus::Slot slots[sbus::SlotsOfGroup];
-  const int count = _isWhole ? readSlots(_end, _between, slots) : -1;
+  const int count = _isWhole ? read(_between, slots, _breaks) : -1;
+  _groups += count > 0;
   _rejected += count < 0;
+  _rejectedInRow = count < 0 ? _rejectedInRow + 1 : count > 0 ? 0 : _rejectedInRow;
+  if (_rejectedInRow == MostRejected) {
+    _breaks = 0;  // it may be another receiver by now
+  }
+  const std::vector<size_t> ends = endsOf(_between);
   std::vector<Slot> found;
   for (int i = 0; i < count; i++) {
-    // The slots end with the last character, but for the 00 that an R7003SB adds.
-    const size_t tail = _between.size() % sbus::SlotSize != 0;
-    const size_t last = tail + (static_cast<size_t>(i) + 1) * sbus::SlotSize - 1;
-    found.push_back({slots[i], _between[last].endUs});
+    found.push_back({slots[i], _between[ends[static_cast<size_t>(i)]].endUs});
   }
   return found;
 }

@@ -29,6 +29,9 @@ class TelemetrySlots {
   // Returns true if a frame has announced a group.
   bool announced() const { return _announced; }
 
+  // Returns how many times characters came between two frames and were just slots of the announced group.
+  unsigned long groups() const { return _groups; }
+
   // Returns how many times the characters between two frames were not just slots of the announced group.
   unsigned long rejectedGroups() const { return _rejected; }
 
@@ -39,6 +42,10 @@ class TelemetrySlots {
   unsigned long characters() const;
 
  private:
+  static constexpr unsigned MostRejected = 64;  // groups with characters in a row, in 1 to 4 s
+
+  int read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const;
+
   std::vector<Slot> prove();
 
   std::vector<Slot> _proved;
@@ -46,6 +53,9 @@ class TelemetrySlots {
   uint8_t _end = 0;                 // its end byte
   bool _isWhole = false;            // nothing but characters came since, none with an error
   bool _announced = false;
+  uint32_t _breaks = 0;  // see sbus::readSlots()
+  unsigned _rejectedInRow = 0;
+  unsigned long _groups = 0;
   unsigned long _rejected = 0;
   unsigned long _count = 0;
   unsigned long _characters = 0;  // of groups that are proved
