@@ -3,12 +3,12 @@
 SBUS_COMPILE_DECODER(sbus::Frame16)
 
 // A stale frame is remembered by its number, since the clock may wrap afterwards; a newer frame may come meanwhile.
-bool DecodeSBus::decodeExtraChannels(uint16_t channels[]) {
+bool DecodeSBus::decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels) {
   uint32_t number;
   for (;;) {
     number = _finder.counters().extraFrames;
     sbus::barrier();
-    if (number == _staleExtra) {
+    if (number == _staleExtra || channels == nullptr) {
       return false;
     }
     if (!_link.isStale(micros() - _finder.extraTime())) {

@@ -10,22 +10,27 @@
 #include "port/Listener.h"
 #include "sbus/Barrier.h"
 #include "sbus/FrameFinder.h"
+#include "sbus/FrameValue.h"
 #include "sbus/Link.h"
 
 namespace sbus {
 
+class LinkQuality;
 class Ticker;
 
 }  // namespace sbus
 
-/// Decodes one receiver on one serial port. Several objects can work on different ports. A sketch needs three calls:
+/// Decodes one receiver on one serial port. Several objects can work on different ports. A sketch needs two calls:
 ///
 ///     DecodeSBus dSBus(Serial1);
+///     SBusFrame frame;
 ///     void setup() { dSBus.begin(); }
 ///     void loop() {
-///       dSBus.parseSBusFrame();
-///       dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
+///       dSBus.read(frame);
+///       const uint16_t throttle = frame.failsafe ? 172 : frame.channels[2];
 ///     }
+///
+/// The paper's sketch calls parseSBusFrame() and decodeSBusFrame() instead.
 ///
 /// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN() (which a Grasshopper's
 /// core does not call: no bytes wait there).
@@ -36,6 +41,9 @@ class Ticker;
 template <typename Format, typename Events = sbus::NoEvents>
 class DecodeSBusOf {
  public:
+  using ChannelArray = sbus::ChannelArray<uint16_t, Format::Channels>;  ///< an array or a pointer: 18 values, or 24
+  using Frame = sbus::FrameValue<Format::Channels>;                     ///< an SBusFrame, or an SBusFrame24
+
   // ---- Open and close
 
   /// Remembers `port`, and opens nothing yet. A hardware serial port is opened by begin(); any other Stream is opened
@@ -70,6 +78,11 @@ class DecodeSBusOf {
 
   // ---- Called in every loop()
 
+  /// Reads the bytes that wait, as parseSBusFrame() does, and writes the newest frame to `frame`, as decodeSBusFrame()
+  /// does: an SBusFrame, of DecodeSBus24 an SBusFrame24. Returns true if it is new. Flags and age are right after each
+  /// call, also if no frame comes: check frame.failsafe whatever it returns. Call it as often as parseSBusFrame().
+  bool read(Frame &frame);
+
   /// Reads the bytes that wait on the port, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
   /// ms at 200000 baud): a core's buffer of 64 bytes is full after 7.7 ms of a line without gaps, and then loses bytes.
   /// On a Grasshopper it need not be called, unless the sketch has set the port's onReceive() itself.
@@ -96,9 +109,9 @@ class DecodeSBusOf {
   ///   for too long (setLossLimit()).
   ///
   /// Before the first frame, and once the newest is as old as the timeout, both are true and `channels` is unchanged.
-  void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame);
+  void decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame);
 
-  /// Returns true if decodeSBusFrame() has not yet handed out the newest frame; false before the first frame, and once
+  /// Returns true if decodeSBusFrame() and read() have not yet handed out the newest frame; false before the first frame, and once
   /// the newest is as old as the timeout.
   bool newFrame() {
     if (_port.callsBack()) {  // a sketch may wait for it, and call nothing else
@@ -140,13 +153,10 @@ class DecodeSBusOf {
   /// Sets how many lost frames in a row count as failsafe, 1..65535. Default: 100. 0 disables it.
   void setLossLimit(uint16_t frames) { _link.setLossLimit(frames); }
 
- private:
-  friend class DecodeSBus;  // for the extra channels
-  template <typename>
-  friend class DecodeSBus2Of;  // for the telemetry
-  friend class SBus2Sensor;    // for the answers
-  friend class sbus::Ticker;   // for the port
+ protected:
+  /// @cond  For the classes of this library.
 
+  bool newest(Frame &frame);
   void start(unsigned long baud);
   void reset(unsigned long baud);
   template <typename Object>
@@ -162,24 +172,26 @@ class DecodeSBusOf {
   sbus::Link _link;
   uint32_t _decoded = 0;     // number of the frame that was decoded last
   uint32_t _staleExtra = 0;  // number of the frame with extra channels that was found stale
+
+  /// @endcond
+
+ private:
+  friend class sbus::LinkQuality;  // for the clock
+  friend class sbus::Ticker;       // for the port
+
+  static uint32_t clock() { return micros(); }
 };
 
 /// Decodes sixteen channels and two switches, as nearly all receivers send them, and the extra channels of Futaba's
 /// FASSTest 26.
 class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
  public:
-  /// See DecodeSBusOf().
-  template <typename Port>
-  explicit DecodeSBus(Port &port) : DecodeSBusOf(port) {}
-
-  /// See DecodeSBusOf(), with pins.
-  template <typename Port>
-  DecodeSBus(Port &port, int8_t rx, int8_t tx) : DecodeSBusOf(port, rx, tx) {}
+  using DecodeSBusOf::DecodeSBusOf;  ///< see DecodeSBusOf()
 
   /// Writes the newest CH17..CH32 to `channels`, 16 values, 0..2047: Futaba's FASSTest 26 sends them in separate
   /// frames. Returns true if such a frame came within the timeout; otherwise `channels` is unchanged. The flags and
   /// switches are those of decodeSBusFrame(). Call it at least once an hour.
-  bool decodeExtraChannels(uint16_t channels[]);
+  bool decodeExtraChannels(sbus::ChannelArray<uint16_t, sbus::ProportionalCount> channels);
 };
 
 /// Decodes the 24 channels of FrSky's ACCESS and TD receivers that are set to "SBUS 24". On a line of 16 channels it
@@ -190,49 +202,3 @@ using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 /// counters().lostFrames, and its channels are not handed out: the sketch's array keeps its values. A FrSky receiver
 /// that is set to "No pulses" may send such frames, and does not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;
-
-/// Calls a function with each new frame, for a sketch with an RTOS task, or with little in its loop():
-///
-///     DecodeSBusCallback dSBus(Serial1);
-///     void received(const uint16_t channels[], bool failsafe, bool lostFrame) { ... }
-///     void setup() { dSBus.onFrame(received); dSBus.begin(); }
-///     void loop() { dSBus.parseSBusFrame(); }
-///
-/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBus2.
-template <typename Decoder>
-class DecodeSBusCallbackOf : public Decoder {
- public:
-  /// Constructs a `Decoder`.
-  using Decoder::Decoder;
-
-  /// Takes the frame as decodeSBusFrame() writes it: 18 values, DecodeSBus24 24, which change with the next frame.
-  using Function = void (*)(const uint16_t channels[], bool failsafe, bool lostFrame);
-
-  /// Sets the function that parseSBusFrame() calls. Default: nullptr, which calls nothing. begin() keeps it.
-  ///
-  /// - It runs in the context that calls parseSBusFrame(): loop() or a task
-  ///   (extras/docs/interrupts.md). It must return before the next poll is due, within 5 ms.
-  /// - It also gets frames with a flag set, so check the flags first. If two frames have come since the last call, it
-  ///   gets only the newer one.
-  /// - It is not called once frames stop. Notice that elsewhere, by linkState() or by the timeout of a queue.
-  /// - Within it linkState(), frameAge() and decodeSBusFrame() refer to this frame, and newFrame() returns false. It
-  ///   must not call parseSBusFrame(), begin(), listen() or end().
-  void onFrame(Function function) { _function = function; }
-
-  /// Reads the bytes that wait, as DecodeSBus::parseSBusFrame() does, and calls the function if a frame is new.
-  void parseSBusFrame() {
-    Decoder::parseSBusFrame();
-    if (_function != nullptr && this->newFrame()) {
-      bool failsafe, lostFrame;
-      this->decodeSBusFrame(_channels, failsafe, lostFrame);
-      _function(_channels, failsafe, lostFrame);
-    }
-  }
-
- private:
-  Function _function = nullptr;
-  uint16_t _channels[sbus::ChannelCount24] = {};  // kept: not every frame has channels (Frame16NoPulses)
-};
-
-/// Decodes as DecodeSBus does, and calls a function with each new frame.
-using DecodeSBusCallback = DecodeSBusCallbackOf<DecodeSBus>;

@@ -172,8 +172,23 @@ unsigned long DecodeSBusOf<Format, Events>::frameAge() {
 }
 
 template <typename Format, typename Events>
-void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
-  if (!isYoung(linkState())) {
+bool DecodeSBusOf<Format, Events>::read(Frame &frame) {
+  parseSBusFrame();
+  return newest(frame);
+}
+
+// The age is asked for first: a frame that comes in between is younger.
+template <typename Format, typename Events>
+bool DecodeSBusOf<Format, Events>::newest(Frame &frame) {
+  const uint32_t before = _decoded;
+  frame.age = frameAge();
+  decodeSBusFrame(frame.channels, frame.failsafe, frame.lostFrame);
+  return _decoded != before;
+}
+
+template <typename Format, typename Events>
+void DecodeSBusOf<Format, Events>::decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame) {
+  if (!isYoung(linkState()) || channels == nullptr) {
     failsafe = true;
     lostFrame = true;
     return;
@@ -193,15 +208,17 @@ void DecodeSBusOf<Format, Events>::decodeSBusFrame(uint16_t channels[], bool &fa
 }
 
 // Member by member: if the whole class were instantiated, nothing would be inlined.
-#define SBUS_COMPILE_DECODER(...)                                                       \
-  template void DecodeSBusOf<__VA_ARGS__>::begin(unsigned long, uint32_t);              \
-  template void DecodeSBusOf<__VA_ARGS__>::listen(unsigned long);                       \
-  template void DecodeSBusOf<__VA_ARGS__>::end();                                       \
-  template void DecodeSBusOf<__VA_ARGS__>::start(unsigned long);                        \
-  template void DecodeSBusOf<__VA_ARGS__>::parseSBusFrame();                            \
-  template void DecodeSBusOf<__VA_ARGS__>::arrived();                                   \
-  template void DecodeSBusOf<__VA_ARGS__>::take(bool);                                  \
-  template bool DecodeSBusOf<__VA_ARGS__>::SBusFrameOk();                               \
-  template void DecodeSBusOf<__VA_ARGS__>::decodeSBusFrame(uint16_t[], bool &, bool &); \
-  template sbus::LinkState DecodeSBusOf<__VA_ARGS__>::linkState();                      \
+#define SBUS_COMPILE_DECODER(...)                                                                                    \
+  template void DecodeSBusOf<__VA_ARGS__>::begin(unsigned long, uint32_t);                                           \
+  template void DecodeSBusOf<__VA_ARGS__>::listen(unsigned long);                                                    \
+  template void DecodeSBusOf<__VA_ARGS__>::end();                                                                    \
+  template void DecodeSBusOf<__VA_ARGS__>::start(unsigned long);                                                     \
+  template bool DecodeSBusOf<__VA_ARGS__>::read(DecodeSBusOf<__VA_ARGS__>::Frame &);                                 \
+  template bool DecodeSBusOf<__VA_ARGS__>::newest(DecodeSBusOf<__VA_ARGS__>::Frame &);                               \
+  template void DecodeSBusOf<__VA_ARGS__>::parseSBusFrame();                                                         \
+  template void DecodeSBusOf<__VA_ARGS__>::arrived();                                                                \
+  template void DecodeSBusOf<__VA_ARGS__>::take(bool);                                                               \
+  template bool DecodeSBusOf<__VA_ARGS__>::SBusFrameOk();                                                            \
+  template void DecodeSBusOf<__VA_ARGS__>::decodeSBusFrame(DecodeSBusOf<__VA_ARGS__>::ChannelArray, bool &, bool &); \
+  template sbus::LinkState DecodeSBusOf<__VA_ARGS__>::linkState();                                                   \
   template unsigned long DecodeSBusOf<__VA_ARGS__>::frameAge();

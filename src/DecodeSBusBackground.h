@@ -36,21 +36,10 @@ using DecodeSBusBackgroundOf = Decoder;
 /// Call all methods from setup() and loop(), at any moment. Several objects can work on different ports, and each must
 /// live until end(). extras/docs/interrupts.md says what reads on which board; on others this header does not compile.
 ///
-/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBus2.
+/// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBusTelemetry.
 template <typename Decoder>
 class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
   using Held = sbus::HeldOf<Decoder, sbus::Ticked>;
-  template <typename>
-  struct IsCallback {
-    static constexpr bool Value = false;
-  };
-  template <typename Any>
-  struct IsCallback<DecodeSBusCallbackOf<Any> > {
-    static constexpr bool Value = true;
-  };
-  static_assert(!IsCallback<Decoder>::Value,
-                "Its function would run in an interrupt: DecodeSBusCallbackOf<DecodeSBusBackground>, "
-                "extras/docs/interrupts.md");
 
  public:
   /// See DecodeSBusOf(). `port` must be a hardware serial port of the core, on a Pico Serial1 or Serial2.

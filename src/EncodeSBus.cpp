@@ -12,10 +12,11 @@ void EncodeSBusOf<Format>::end() {
 }
 
 template <typename Format>
-bool EncodeSBusOf<Format>::write(const uint16_t channels[], bool failsafe, bool lostFrame) {
+bool EncodeSBusOf<Format>::write(sbus::ChannelArray<const uint16_t, Format::Channels> channels, bool failsafe,
+                                 bool lostFrame) {
   const uint32_t now = micros();
   const uint32_t late = now - _last - _period;  // us; wraps if it is early
-  if (_sent && now - _last < _period) {
+  if ((_sent && now - _last < _period) || channels == nullptr) {
     return false;
   }
   // Some ports never have room for 25 bytes, and some report none: then the largest room seen is enough.

@@ -5,7 +5,7 @@
 #include <Arduino.h>
 
 #include "SBusPort.h"
-#include "sbus/Frame.h"
+#include "sbus/FrameValue.h"
 
 /// Sends to one serial port. A sketch needs two calls:
 ///
@@ -48,7 +48,12 @@ class EncodeSBusOf {
   /// It does not wait if the port has room for 25 bytes. A port that never has that much room, or cannot say how much
   /// it has, gets the frame once its room is the largest seen, and the core waits for up to 3 ms (Uno R4, mbed). The
   /// period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that frame.
-  bool write(const uint16_t channels[], bool failsafe, bool lostFrame);
+  bool write(sbus::ChannelArray<const uint16_t, Format::Channels> channels, bool failsafe, bool lostFrame);
+
+  /// Sends `frame`, an SBusFrame or, with EncodeSBus24, an SBusFrame24, likewise.
+  bool write(const sbus::FrameValue<Format::Channels> &frame) {
+    return write(frame.channels, frame.failsafe, frame.lostFrame);
+  }
 
  private:
   sbus::Port _port;

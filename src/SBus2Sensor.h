@@ -2,7 +2,7 @@
 /// Answers as a sensor on an S.BUS2 line, and decodes the line.
 #pragma once
 
-#include "DecodeSBus2.h"
+#include "DecodeSBusTelemetry.h"
 #include "port/HandOver.h"
 #include "port/Held.h"
 #include "port/SlotTimer.h"
@@ -34,7 +34,7 @@ struct SlotHolder {
 
 }  // namespace sbus
 
-/// Decodes an S.BUS2 line as DecodeSBus2 does, and answers as a sensor on the same port:
+/// Decodes an S.BUS2 line as DecodeSBusTelemetry does, and answers as a sensor on the same port:
 ///
 ///     SBus2Sensor dSBus(Serial1);
 ///     void setup() { dSBus.begin(); }
@@ -52,10 +52,10 @@ struct SlotHolder {
 /// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
 /// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
 ///
-/// Where an interrupt or a task reads the port, the methods of DecodeSBus2 keep it from doing so meanwhile. On an ESP32
+/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry keep it from doing so meanwhile. On an ESP32
 /// they wait for that task, up to 1.5 ms. Do not call them from an interrupt.
-class SBus2Sensor : public sbus::HeldOf<DecodeSBus2Of<sbus::Answers>, sbus::SlotHolder> {
-  using Decoder = sbus::HeldOf<DecodeSBus2Of<sbus::Answers>, sbus::SlotHolder>;
+class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder> {
+  using Decoder = sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder>;
 
  public:
   /// See DecodeSBusOf().
@@ -101,6 +101,13 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBus2Of<sbus::Answers>, sbus::Slot
   /// a later poll cannot know when the frame ended, and skips its answers. If a slot begins within 100 us, it waits for
   /// that. Do not call it from an interrupt.
   void parseSBusFrame();
+
+  /// See DecodeSBusOf.
+  bool read(SBusFrame &frame) {
+    parseSBusFrame();
+    const sbus::SlotHolder::Hold hold(*this);
+    return newest(frame);
+  }
 
   // ---- Answering
 

@@ -13,7 +13,7 @@
 #   fuzz      OUT/fuzz/*, libFuzzer's programs, with clang's sanitizers; `make list-fuzz` names them
 #   compile   what only has to compile: OUT/alone/*.ok, each header of the core, and the lines, without Arduino or board;
 #             OUT/macros/*.o, the core after Arduino's macros; OUT/cross/*.o, the library for the board's processor (by
-#             CROSS, not CXX). `make list-compile` names these
+#             CROSS, not CXX); and what must not, OUT/Arrays.rejected. `make list-compile` names these
 
 SRC := ../src
 EXTRAS := ../extras
@@ -106,7 +106,7 @@ $(eval $(call own_library,Preempt,-g -Os))
 # ---- What only has to compile
 
 COMPILE := $(CORE_HEADERS:%=$(OUT)/alone/%.ok) $(LINE_SOURCES:%=$(OUT)/alone/%.ok) \
-  $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o)
+  $(CORE_SOURCES:%.cpp=$(OUT)/macros/%.o) $(SOURCES:%.cpp=$(OUT)/cross/%.o) $(OUT)/Arrays.rejected
 compile: $(COMPILE)
 list-compile:
 	@printf '%s\n' $(COMPILE)
@@ -125,6 +125,14 @@ $(OUT)/alone/%.ok: $(SRC)/% build.mk
 $(OUT)/macros/%.o: $(SRC)/%.cpp compile/ArduinoMacros.h build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(BOARD) $(WARNINGS) $(DEPENDENCIES) -include compile/ArduinoMacros.h -c $< -o $@
+
+# As a user builds, without warnings.
+$(OUT)/Arrays.rejected: compile/Arrays.cpp $(wildcard $(SRC)/*.h $(SRC)/sbus/*.h $(SRC)/port/*.h) build.mk
+	@mkdir -p $(@D) && rm -f $@
+	$(CXX) $(BOARD) $(INCLUDES) -DCASE=0 -include Arduino.h -fsyntax-only $<
+	sed -n 's,^// \([1-9][0-9]*\) ,\1 ,p' $< | while read -r case text; do \
+	  ! $(CXX) $(BOARD) $(INCLUDES) -DCASE=$$case -include Arduino.h -fsyntax-only $< 2>$@.said && \
+	  grep -e 'error:' -e note: $@.said | grep "$$text" || exit; done >$@
 
 cross = $(CROSS) $(shell $(EXTRAS)/setup/arm-specs.sh) $(BOARD) $(WARNINGS) -Os -mcpu=cortex-m0plus -mthumb $(DEPENDENCIES) $1 -c $< -o $@
 $(OUT)/cross/sbus/%.o: $(SRC)/sbus/%.cpp build.mk

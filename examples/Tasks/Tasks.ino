@@ -13,9 +13,9 @@
 #include <elapsedMillis.h>
 
 #if defined(ESP32)
-DecodeSBusCallback dSBus(Serial1, 16, 17);  // RX, TX
+DecodeSBus dSBus(Serial1, 16, 17);  // RX, TX
 #else
-DecodeSBusCallback dSBus(Serial1);  // RX: D0 of a Grasshopper; others: extras/docs/boards.md
+DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; others: extras/docs/boards.md
 #endif
 
 const int THROTTLE = 2;                    // CH3, counted from 0
@@ -24,28 +24,15 @@ const unsigned long PERIOD_DISPLAY = 200;  // ms
 
 elapsedMillis timerDisplay;
 
-struct Frame {
-  uint16_t channels[18];
-  bool failsafe;
-};
-
-// Called with the newest frame, or with nullptr if none came in time.
-void drive(const Frame *frame) {
-  const bool failsafe = frame == nullptr || frame->failsafe;
-  const uint16_t throttle = failsafe ? CLOSED : frame->channels[THROTTLE];
+// Called with the newest frame; if none came in time, with one that says failsafe.
+void drive(const SBusFrame &frame) {
+  const uint16_t throttle = frame.failsafe ? CLOSED : frame.channels[THROTTLE];
   if (timerDisplay >= PERIOD_DISPLAY) {
     timerDisplay = 0;
     Serial.print(throttle);
     Serial.print(',');
-    Serial.println(failsafe ? 1 : 0);
+    Serial.println(frame.failsafe ? 1 : 0);
   }
-}
-
-Frame frameOf(const uint16_t channels[], bool failsafe) {
-  Frame frame;
-  memcpy(frame.channels, channels, sizeof frame.channels);
-  frame.failsafe = failsafe;
-  return frame;
 }
 
 #if defined(ESP32)
@@ -56,32 +43,29 @@ const UBaseType_t READS = 3, DRIVES = 2;  // priorities: above loop(), 1, and fa
 
 QueueHandle_t newest;
 
-void received(const uint16_t channels[], bool failsafe, bool) {
-  const Frame frame = frameOf(channels, failsafe);
-  xQueueOverwrite(newest, &frame);
-}
-
 void readTask(void *) {
-  dSBus.onFrame(received);
+  SBusFrame frame;
   dSBus.begin();  // here: the port's interrupt then runs on this core
   for (;;) {
-    dSBus.parseSBusFrame();
+    if (dSBus.read(frame)) {
+      xQueueOverwrite(newest, &frame);
+    }
     vTaskDelay(1);  // a tick, 1 ms; 0 would never let a task below run
   }
 }
 
 void driveTask(void *) {
   for (;;) {
-    Frame frame;
-    const bool came = xQueueReceive(newest, &frame, pdMS_TO_TICKS(TIMEOUT)) == pdTRUE;
-    drive(came ? &frame : nullptr);
+    SBusFrame frame;
+    xQueueReceive(newest, &frame, pdMS_TO_TICKS(TIMEOUT));
+    drive(frame);
   }
 }
 
 void setup() {
   Serial.begin(115200);
   const BaseType_t core = xPortGetCoreID();  // 1, where Wi-Fi is not; 0 if there is only one
-  newest = xQueueCreate(1, sizeof(Frame));
+  newest = xQueueCreate(1, sizeof(SBusFrame));
   if (newest == nullptr ||
       xTaskCreatePinnedToCore(driveTask, "drive", STACK, nullptr, DRIVES, nullptr, core) != pdPASS ||
       xTaskCreatePinnedToCore(readTask, "read", STACK, nullptr, READS, nullptr, core) != pdPASS) {
@@ -95,21 +79,16 @@ void loop() {
 
 #else
 
-Frame newest;
-
-void received(const uint16_t channels[], bool failsafe, bool) {
-  newest = frameOf(channels, failsafe);
-}
+SBusFrame frame;
 
 void setup() {
   Serial.begin(115200);
-  dSBus.onFrame(received);
   dSBus.begin();
 }
 
 void loop() {
-  dSBus.parseSBusFrame();
-  drive(dSBus.SBusFrameOk() ? &newest : nullptr);
+  dSBus.read(frame);
+  drive(frame);
 }
 
 #endif

@@ -15,10 +15,10 @@
   in V, "-" for a value that has not come for a second; and how often the bytes between frames were no telemetry.
 */
 
-#include <DecodeSBus2.h>
+#include <DecodeSBusTelemetry.h>
 #include <elapsedMillis.h>
 
-DecodeSBus2 dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+DecodeSBusTelemetry dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
 
 typedef sbus::VoltageSbs01V Sensor;  // others: src/sbus/Sensors.h
 const uint8_t SLOT = 1;              // its first slot, as the radio has it

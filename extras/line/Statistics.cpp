@@ -50,7 +50,7 @@ void Statistics::add(const Stretch &frame) {
   const size_t count = is24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
   const uint8_t flags = bytes[frame.characters.size() - 2];
   std::array<uint16_t, sbus::ChannelCount24> channels;
-  (is24 ? sbus::unpack24 : sbus::unpack)(bytes.data(), channels.data());
+  is24 ? sbus::unpack24(bytes.data(), channels.data()) : sbus::unpack(bytes.data(), channels.data());
   std::copy_n(channels.begin(), count, _newest.raw.begin());
   _newest.count = std::max(static_cast<unsigned>(count), is24 ? 0 : _newest.count);
   _newest.switches = {!is24 && (flags & sbus::FlagChannel17) != 0, !is24 && (flags & sbus::FlagChannel18) != 0};

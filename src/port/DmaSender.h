@@ -2,6 +2,8 @@
 /// Sends on a port of the STM32L0 by DMA. The core's own way needs an interrupt for each character: if that comes late
 /// by a character, once, the port sends the contents of the flash for ever (stm32l0_uart.c:703: TC is served while
 /// TXEIE is on, then `tx_data` counts up from address 0).
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,6 +1,8 @@
 /// @file
 /// Finds out when a frame ended from how full a UART's receive FIFO is: for a driver that hands characters over at no
 /// known time.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

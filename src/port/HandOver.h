@@ -1,6 +1,8 @@
 /// @file
 /// Says how long after its end a character is handed over by the port: so gaps are seen, and an S.BUS2 sensor knows
 /// when a frame ended.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

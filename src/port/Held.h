@@ -1,5 +1,7 @@
 /// @file
 /// Keeps an interrupt or a task from reading the port while loop() is in one of a decoder's methods.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>
@@ -20,17 +22,22 @@ class HeldOf : public Decoder, protected Holder {
   using Decoder::Decoder;
 
   /// See DecodeSBusOf.
+  bool read(typename Decoder::Frame &frame) {
+    const Hold hold(*this);
+    return Decoder::read(frame);
+  }
+  /// See DecodeSBusOf.
   bool SBusFrameOk() {
     const Hold hold(*this);
     return Decoder::SBusFrameOk();
   }
   /// See DecodeSBusOf.
-  void decodeSBusFrame(uint16_t channels[], bool &failsafe, bool &lostFrame) {
+  void decodeSBusFrame(typename Decoder::ChannelArray channels, bool &failsafe, bool &lostFrame) {
     const Hold hold(*this);
     Decoder::decodeSBusFrame(channels, failsafe, lostFrame);
   }
   /// See DecodeSBus.
-  bool decodeExtraChannels(uint16_t channels[]) {
+  bool decodeExtraChannels(ChannelArray<uint16_t, ProportionalCount> channels) {
     const Hold hold(*this);
     return Decoder::decodeExtraChannels(channels);
   }
@@ -59,13 +66,13 @@ class HeldOf : public Decoder, protected Holder {
     const Hold hold(*this);  // an AVR writes its two bytes one by one
     Decoder::setLossLimit(frames);
   }
-  /// See DecodeSBus2Of.
+  /// See DecodeSBusTelemetryOf.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
     const Hold hold(*this);
     return Decoder::readSensor(slot, sensor);
   }
-  /// See DecodeSBus2Of.
+  /// See DecodeSBusTelemetryOf.
   uint32_t rejectedGroups() const {
     const Hold hold(*this);
     return Decoder::rejectedGroups();

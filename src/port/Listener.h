@@ -1,5 +1,7 @@
 /// @file
 /// Lets a port call back when it has handed bytes over, and keeps that call out of what loop() does meanwhile.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <Arduino.h>

@@ -1,5 +1,7 @@
 /// @file
 /// Keeps the compiler in order.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 namespace sbus {

@@ -86,7 +86,7 @@ void Calibrator::begin(Step step) {
   }
 }
 
-void Calibrator::feed(const uint16_t channels[], bool failsafe, bool lostFrame) {
+void Calibrator::feed(ChannelArray<const uint16_t, ProportionalCount> channels, bool failsafe, bool lostFrame) {
   if (failsafe || lostFrame) {
     return;
   }

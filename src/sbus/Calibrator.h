@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "Calibration.h"
+#include "ChannelArray.h"
 
 namespace sbus {
 
@@ -60,7 +61,7 @@ class Calibrator {
 
   /// Takes a frame of decodeSBusFrame(): call it once for each frame. Ignores frames with a flag set. A wrong value in
   /// one or two frames does no harm in the first and third step; in the second it gives NotStill.
-  void feed(const uint16_t channels[], bool failsafe, bool lostFrame);
+  void feed(ChannelArray<const uint16_t, ProportionalCount> channels, bool failsafe, bool lostFrame);
 
   /// Sets the dead zone on either side of the centre, 0..99 raw counts, clamped. Default: DefaultDeadZone. A stick that
   /// jitters more gets a larger one. A channel that rests at an end has none.

@@ -71,12 +71,12 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant) {
   return i;
 }
 
-void unpack(const uint8_t *frame, uint16_t *channels) {
+void unpack(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels) {
   unpackGroups(frame, channels, 2);
   unpackSwitches(frame[FlagsIndex], channels);
 }
 
-void unpackAligned(const uint8_t *frame, uint16_t *channels) {
+void unpackAligned(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels) {
   if (sizeof(int) < sizeof(uint32_t)) {
     return unpack(frame, channels);  // words are not faster on an AVR
   }
@@ -102,21 +102,21 @@ void unpackAligned(const uint8_t *frame, uint16_t *channels) {
   unpackSwitches(static_cast<uint8_t>(w5 >> 16), channels);
 }
 
-void unpackExtra(const uint8_t *frame, uint16_t *channels) {
+void unpackExtra(const uint8_t *frame, ChannelArray<uint16_t, ProportionalCount> channels) {
   unpackGroups(frame, channels, 2);
 }
 
-void unpack24(const uint8_t *frame, uint16_t *channels) {
+void unpack24(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount24> channels) {
   unpackGroups(frame, channels, 3);
 }
 
-void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
+void pack(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount> channels, bool failsafe, bool lostFrame) {
   uint8_t *const flags = packChannels(frame, channels, ProportionalCount);
   packEnd(flags, (channels[16] != 0 ? FlagChannel17 : 0) | (channels[17] != 0 ? FlagChannel18 : 0), failsafe,
           lostFrame);
 }
 
-void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame) {
+void pack24(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount24> channels, bool failsafe, bool lostFrame) {
   packEnd(packChannels(frame, channels, ChannelCount24), 0, failsafe, lostFrame);
 }
 

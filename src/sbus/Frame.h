@@ -10,6 +10,8 @@
 
 #include <stdint.h>
 
+#include "ChannelArray.h"
+
 /// The core: decodes frames, finds them in a stream of bytes, judges the link, scales and calibrates channels. It does
 /// not use Arduino.
 namespace sbus {
@@ -116,24 +118,24 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 
 /// Writes all channels of `frame` (25 bytes; header and end byte are ignored) to `channels`: 18 values, CH1..CH16
 /// as 0..2047, CH17 and CH18 as 0 or 1.
-void unpack(const uint8_t *frame, uint16_t *channels);
+void unpack(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
 /// Unpacks a frame whose payload, byte 1, is aligned to four bytes, on a little-endian machine: in 85 instructions of a
 /// Cortex-M0+ instead of the 168 of unpack(), and 18 bytes less (`make bench`).
-void unpackAligned(const uint8_t *frame, uint16_t *channels);
+void unpackAligned(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
 /// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.
-void unpackExtra(const uint8_t *frame, uint16_t *channels);
+void unpackExtra(const uint8_t *frame, ChannelArray<uint16_t, ProportionalCount> channels);
 
 /// Writes a frame, 25 bytes with end byte 00, from 18 `channels`: the exact inverse of unpack(). It clamps CH1..CH16 to
 /// 2047, and sends any CH17 or CH18 but 0 as 1.
-void pack(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame);
+void pack(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount> channels, bool failsafe, bool lostFrame);
 
 /// Writes the 24 channels of a 36-byte `frame` to `channels`: CH1..CH24, 0..2047.
-void unpack24(const uint8_t *frame, uint16_t *channels);
+void unpack24(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount24> channels);
 
 /// Writes a 36-byte frame from 24 `channels`, clamped to 2047: the exact inverse of unpack24().
-void pack24(uint8_t *frame, const uint16_t *channels, bool failsafe, bool lostFrame);
+void pack24(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount24> channels, bool failsafe, bool lostFrame);
 
 /// The format of a frame of 16 channels, for templates.
 struct Frame16 {

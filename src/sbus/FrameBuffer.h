@@ -1,5 +1,7 @@
 /// @file
 /// Two places for frames that take turns, so that no frame is copied.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,7 @@
 /// @file
 /// How soon the next frame may begin: a sensor's answers must not meet it.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

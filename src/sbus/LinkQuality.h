@@ -12,7 +12,7 @@ namespace sbus {
 /// Measures the link quality over the last second, from what a decoder counts anyway:
 ///
 ///     sbus::LinkQuality quality;
-///     uint8_t percent = quality.update(dSBus.counters(), dSBus.linkState(), micros());
+///     uint8_t percent = quality.update(dSBus);
 ///
 /// 100 means that every expected frame came, without the lost-frame or failsafe flag. Betaflight computes the link
 /// quality of S.Bus likewise (src/main/rx/rx.c, setLinkQuality()); the number of ExpressLRS counts radio packets, not
@@ -27,6 +27,12 @@ class LinkQuality {
   /// more than a second ago, it knows no rate: then it returns the percentage of the received frames that were not
   /// lost.
   uint8_t update(const Counters &counters, LinkState state, uint32_t now);
+
+  /// Returns that of a DecodeSBus, or of another decoder, now.
+  template <typename Decoder>
+  uint8_t update(Decoder &decoder) {
+    return update(decoder.counters(), decoder.linkState(), decoder.clock());
+  }
 
  private:
   static constexpr uint8_t MarkCount = 4;

@@ -1,5 +1,7 @@
 /// @file
 /// Keeps the newest telemetry of an S.BUS2 line, from the events of a FrameFinder.
+///
+/// Not part of the interface: it may change in any release.
 #pragma once
 
 #include <stdint.h>

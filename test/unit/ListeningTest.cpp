@@ -264,7 +264,7 @@ TEST_CASE(
   CHECK(usb.callbacks == 0);
 }
 
-TEST_CASE("DecodeSBus24 and DecodeSBus2 listen by themselves as well") {
+TEST_CASE("DecodeSBus24 and DecodeSBusTelemetry listen by themselves as well") {
   ListeningBoardOf<DecodeSBus24> board;
   board.sbus.begin();
   board.pass(20 * Ms);

@@ -2,14 +2,11 @@
 // library does not know the first line holds for all.
 // 0 knows no timer of this core.*extras/docs/interrupts.md
 // 1 An interrupt cannot read this port.*extras/docs/interrupts.md
-// 2 Its function would run in an interrupt.*extras/docs/interrupts.md
-// 3 would delay the answers of an SBus2Sensor.*extras/docs/interrupts.md
+// 2 would delay the answers of an SBus2Sensor.*extras/docs/interrupts.md
 #include <DecodeSBusBackground.h>
 
 #if CASE == 1
 DecodeSBusBackground dSBus(static_cast<Stream &>(Serial1));
 #elif CASE == 2
-DecodeSBusBackgroundOf<DecodeSBusCallback> dSBus(Serial1);
-#elif CASE == 3
 #include <SBus2Sensor.h>
 #endif

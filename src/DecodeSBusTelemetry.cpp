@@ -1,4 +1,4 @@
-#include "DecodeSBus2.h"
+#include "DecodeSBusTelemetry.h"
 
 #include "DecodeSBus.tpp"
 #include "sbus/FrameFinder.tpp"

@@ -1,4 +1,4 @@
-// DecodeSBus2 on an S.BUS2 line: sensors are read in any loop, and their values grow old when they fall silent.
+// DecodeSBusTelemetry on an S.BUS2 line: sensors are read in any loop, and their values grow old when they fall silent.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "support/UartPort.h"
 
 // After Arduino.h.
-#include <DecodeSBus2.h>
+#include <DecodeSBusTelemetry.h>
 
 namespace {
 
@@ -49,7 +49,7 @@ struct Raw {
 };
 
 template <uint8_t Count>
-bool hasSlots(DecodeSBus2 &sbus, uint8_t first) {
+bool hasSlots(DecodeSBusTelemetry &sbus, uint8_t first) {
   Raw<Count> raw;
   return sbus.readSensor(first, raw);
 }
@@ -57,7 +57,7 @@ bool hasSlots(DecodeSBus2 &sbus, uint8_t first) {
 // A sketch with a loop of some period, and the line that it reads.
 struct Sketch {
   UartPort port;
-  DecodeSBus2 sbus{port};
+  DecodeSBusTelemetry sbus{port};
   uint32_t loopUs;
   uint64_t loopedUs;
 

@@ -8,24 +8,18 @@
 
 /// Decodes sixteen channels and two switches as DecodeSBus does, and the telemetry of an S.BUS2 line:
 ///
-///     DecodeSBus2 dSBus(Serial1);
+///     DecodeSBusTelemetry dSBus(Serial1);
 ///     sbus::ReceiverVoltage voltage;
 ///     if (dSBus.readSensor(0, voltage)) { Serial.println(voltage.decivolts); }
 ///
 /// A slot does not say which sensor fills it: read it as the type that the radio has for this slot. There is no
 /// checksum: if a wrong value would do harm, believe a value when it has come twice.
 template <typename Events>
-class DecodeSBus2Of : public DecodeSBusOf<sbus::Frame16, Events> {
+class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   using Decoder = DecodeSBusOf<sbus::Frame16, Events>;
 
  public:
-  /// See DecodeSBusOf().
-  template <typename Port>
-  explicit DecodeSBus2Of(Port &port) : Decoder(port) {}
-
-  /// See DecodeSBusOf(), with pins.
-  template <typename Port>
-  DecodeSBus2Of(Port &port, int8_t rx, int8_t tx) : Decoder(port, rx, tx) {}
+  using Decoder::Decoder;  ///< see DecodeSBusOf()
 
   /// Reads the sensor whose first slot is `slot`, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
   /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
@@ -48,4 +42,4 @@ class DecodeSBus2Of : public DecodeSBusOf<sbus::Frame16, Events> {
 };
 
 /// Decodes an S.BUS2 line, and only listens; SBus2Sensor also answers.
-using DecodeSBus2 = DecodeSBus2Of<sbus::Telemetry>;
+using DecodeSBusTelemetry = DecodeSBusTelemetryOf<sbus::Telemetry>;
