@@ -51,7 +51,6 @@ unsigned Observer::linkQuality(uint64_t nowUs) {
 }
 
 void Observer::put(const Character &character) {
-  handOver();
   idleUntil(earlier(_characterUs + character.lateUs, character.endUs));
   _lineUs += _silenceUs + _characterUs;
   _silenceUs = 0;
@@ -63,9 +62,6 @@ void Observer::put(const Character &character) {
 
 void Observer::idleUntil(uint64_t nowUs) {
   const uint64_t silenceUs = earlier(_last.endUs, nowUs);
-  if (_waits && silenceUs < _characterUs) {
-    return;
-  }
   handOver();
   _silenceUs = std::max(_silenceUs, silenceUs);
   _segments.cut(_decoders.idle(_lineUs + _silenceUs));

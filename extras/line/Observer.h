@@ -34,15 +34,11 @@ class Observer : public Statistics {
   void reset(uint64_t nowUs, uint32_t characterUs);
 
   // Takes the next character, the oldest first. It sees a gap before it that exceeds the time that it may be late by
-  // eight characters. The decoders get it as from a port: with the next one, or after an idle character.
+  // eight characters. The decoders get it with the next one, or with idleUntil().
   void put(const Character &character);
 
-  // Takes the time up to which no other character was complete.
+  // Takes the time up to which no other character was complete. A frame in sync is complete with its last character.
   void idleUntil(uint64_t nowUs);
-
-  // Hands the newest character to the decoders at once, not with the next one, so that a frame in sync is complete with
-  // its last character.
-  void handOver();
 
   // Takes the end of the line: what still waits is no frame.
   void finish();
@@ -66,6 +62,7 @@ class Observer : public Statistics {
   sbus::Counters counters16() const { return _decoders.counters16(); }
 
  private:
+  void handOver();
   void take(Stretch &stretch);
   void say(Stretch &stretch);
   void sayFirst();

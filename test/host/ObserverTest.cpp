@@ -158,6 +158,17 @@ TEST_CASE("FASSTest 26: a frame with header 2F that ended before the link's stat
   CHECK(line.observer.linkQuality(line.us + 5000) == 100);
 }
 
+TEST_CASE("a frame in sync is handed over with its last character, not only once the line is silent") {
+  Watched line;
+  line.frame(992).frame(1000);
+  for (size_t number = 3; number < 50; number++) {
+    line.send(Watched::frameOf(992)).gap(0);
+    REQUIRE(line.stretches.size() == number);
+    CHECK(line.stretches.back().isFrame());
+    line.gap(PeriodUs - 3000);
+  }
+}
+
 TEST_CASE("telemetry is handed over at the next gap, not only with the next frame") {
   Watched line;
   line.frame(992).frame(1000).frame(992).send({0x03, 0xC0, 0x2E}).gap(2000);

@@ -45,7 +45,6 @@ sbus::Calibration measure(Input &input) {
   });
   input.run([&](const line::Character &character) { observer.put(character); },
             [&](uint64_t nowUs) {
-              observer.handOver();
               observer.idleUntil(input.knownUs());
               if (!guide.wantsEnter()) {
                 guide.tick(nowUs, observer.hasLink(nowUs));

@@ -208,7 +208,6 @@ void run(const SourceOption &source, const Options &options) {
         observer.put(character);
       },
       [&](uint64_t nowUs) {
-        observer.handOver();
         observer.idleUntil(input->knownUs());
         show(nowUs);
         silence.tick(nowUs, observer.counters().frames > 0);
