@@ -52,8 +52,10 @@ void Watch::put(const line::Character &character) {
   }
 }
 
+// The page has the name of the source above it.
 void Watch::news(const std::string &text, uint64_t nowUs) {
-  _news = text;
+  const std::string name = _source + ": ";
+  _news = text.compare(0, name.size(), name) == 0 ? text.substr(name.size()) : text;
   _newsUs = nowUs;
 }
 
