@@ -20,7 +20,8 @@ class Ticker;
 
 }  // namespace sbus
 
-/// Decodes one receiver on one serial port. Several objects can work on different ports. A sketch needs two calls:
+/// Decodes one receiver on one serial port. Several objects can work on different ports; name none of them `sbus`, which
+/// is a namespace. A sketch needs two calls:
 ///
 ///     DecodeSBus dSBus(Serial1);
 ///     SBusFrame frame;
