@@ -80,7 +80,8 @@ release() {  # VERSION
     grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
     grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/cli/sbus.1" &&
     [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1$' | tr -d '\n')" = " M CHANGELOG.md M idf_component.yml M library.json M library.properties" ] &&
-    grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release"
+    grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release" &&
+    grep -q 'compote component upload --namespace somebody --name decodesbus,' "$out/release"
 }
 release "$version"
 verdict $? "the version of library.properties can be released, if it is not released yet"

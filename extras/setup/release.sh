@@ -40,10 +40,12 @@ git --no-pager diff --stat
 echo "
 Set. What is left to do by hand:"
 grep '^maintainer=.*\.example>' library.properties | sed 's/^/  - an address that people can write to: /'
+owner=$(printf '%s\n' "$url" | sed -n 's,^https://[^/]*/\([^/]*\)/.*,\1,p')
 echo "  - read git diff; make test-all
   - git commit -am 'Release $version' && git tag -a $version -m $version && git push --follow-tags
   - the first time: the Library Manager request, a pull request that adds $url to repositories.txt of
     https://github.com/arduino/library-registry; later it finds the tags by itself
-  - PlatformIO: pio pkg publish; ESP-IDF: compote component upload --name decodesbus
+  - PlatformIO: pio pkg publish; ESP-IDF: compote component upload --namespace ${owner:-NAMESPACE} --name decodesbus,
+    with your namespace at components.espressif.com
   - make zip, and attach build/DecodeSBus-$version.zip to the release's page
   - begin the next section of CHANGELOG.md with ## Unreleased"

@@ -58,14 +58,34 @@ cmake -S "$out/copy" -B "$out/library" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedant
   cmake --install "$out/library" --prefix "$out/installed" && members "$out/library" &&
   mv "$out/installed" "$out/moved" && rm -r "$out/library" "$out/copy"
 verdict $? "the library is installed"
-[ "$(cd "$out/moved/include" && find . -type f | sort)" = "$(cd src && find ./sbus -name '*.h' -o -name '*.tpp' | sort)" ]
+[ "$(cd "$out/moved/include/decodesbus" && find . -type f | sort)" = "$(cd src && find ./sbus -name '*.h' -o -name '*.tpp' | sort)" ]
 verdict $? "the installed library has the headers of the core, and no others"
+[ "$(ls "$out/moved/include")" = decodesbus ]
+verdict $? "... in a folder of its own"
 run "a project that finds 2.1 of it installed, and moved, runs" consumer found -DCMAKE_PREFIX_PATH="$out/moved" -DVERSION=2.1
 for other in 1.9 2.2 3.0; do
   configure consumer "not-$other" -DCMAKE_PREFIX_PATH="$out/moved" -DVERSION="$other" >"$out/said" 2>&1
-  [ $? -eq 1 ] && grep -q 'sbusConfig.cmake, version: 2.1.3' "$out/said"
+  [ $? -eq 1 ] && grep -q 'decodesbusConfig.cmake, version: 2.1.3' "$out/said"
   verdict $? "a project that asks for $other is told that there is 2.1.3"
 done
+
+# by_pkg_config: compiles and links page and receiver with what pkg-config says, and runs them
+by_pkg_config() {
+  PKG_CONFIG_PATH=$(dirname "$(find "$out/moved" -name decodesbus.pc)")
+  export PKG_CONFIG_PATH
+  [ "$(pkg-config --modversion decodesbus)" = 2.1.3 ] || return
+  mkdir "$out/pkg-config"
+  # shellcheck disable=SC2046  # the flags are words
+  g++ -std=c++11 $(pkg-config --cflags decodesbus) -c "$page" -o "$out/pkg-config/page.o" &&
+    g++ -std=c++17 -I"$root/test" $(pkg-config --cflags decodesbus) "$here/Receiver.cpp" "$out/pkg-config/page.o" \
+      $(pkg-config --libs decodesbus) -o "$out/pkg-config/receiver" && "$out/pkg-config/receiver"
+}
+if command -v pkg-config >/dev/null; then
+  by_pkg_config
+  verdict $? "a project that finds 2.1.3 of it by pkg-config, moved, runs"
+else
+  echo "skipped platforms: there is no pkg-config"
+fi
 
 # The files that the registry of components takes.
 mkdir -p "$out/components/decodesbus"
