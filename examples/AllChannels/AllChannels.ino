@@ -12,9 +12,10 @@
 */
 
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 
 const int FIRST = 1;                       // the first channel on the line, 1..18
 const unsigned long PERIOD_DISPLAY = 200;  // ms

@@ -7,12 +7,13 @@
 */
 
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <sbus/Calibrator.h>
 
 #include "Guide.h"
 #include "Storage.h"
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 Guide guide = {dSBus, calibrator, {}};

@@ -9,10 +9,15 @@
 */
 
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <sbus/Diagnosis.h>
 
-auto &input = Serial1;    // RX: D0 of a Grasshopper; other boards: extras/docs/boards.md
-DecodeSBus dSBus(input);  // ESP32: dSBus(input, 16, 17), where RX is 16
+#if defined(RAMSTART) && RAMEND - RAMSTART < 3000
+#error "Diagnose needs 3 KB of RAM, more than this board has: extras/docs/it-does-not-work.md says what else helps"
+#endif
+
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+auto &input = sbus::portOf(SBUS_UART);
 
 struct Setting {
   unsigned long baud;

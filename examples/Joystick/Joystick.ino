@@ -13,12 +13,13 @@
 */
 
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
 #include "UsbJoystick.h"
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 
 const int THROTTLE = 2;                  // CH3, counted from 0
 const int PRESSED = 500;                 // of 1000: a switch of three positions is off in its middle

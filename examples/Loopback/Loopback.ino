@@ -8,9 +8,10 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
+#include <SBusUart.h>
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
-EncodeSBus eSBus(Serial1);  // TX: D1
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+EncodeSBus eSBus(SBUS_UART);
 
 const uint16_t FRAMES = 100;
 const uint32_t PATIENCE = 50;  // ms, for the last frame to come back

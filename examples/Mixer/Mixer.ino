@@ -12,11 +12,12 @@
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
-EncodeSBus eSBus(Serial1);  // TX: D1. Another port needs eSBus.begin()
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+EncodeSBus eSBus(SBUS_UART);  // another port needs eSBus.begin()
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 

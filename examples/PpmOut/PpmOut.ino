@@ -2,7 +2,7 @@
   PpmOut: eight channels of S.Bus as a PPM sum signal, for the trainer port of a radio or an old flight controller.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
-    D2 (Mega: 11, Uno and Leonardo: 9) -> 1 kOhm -> the PPM input, GND -> its GND
+    D2 (Mega: 11, Leonardo: 9) -> 1 kOhm -> the PPM input, GND -> its GND
 
   A frame of CH1..CH8 comes every 22.5 ms: nine pulses of 0.3 ms, 0.8 to 2.2 ms from one to the next, then at least 4.6
   ms without a pulse. In failsafe, and when no frame has come for 100 ms, there are no pulses at all: only that shows
@@ -12,12 +12,13 @@
 */
 
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
 #include "PpmTimer.h"
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 Ppm ppm;
 
 const bool INVERTED = false;               // true: HIGH at rest, the pulses are LOW

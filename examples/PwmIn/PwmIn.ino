@@ -14,6 +14,7 @@
 */
 
 #include <EncodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
@@ -23,11 +24,14 @@
 #define IRAM_ATTR  // an ESP8266 demands it of interrupts; what they call lies in flash, and waits while that is written
 #endif
 
-EncodeSBus eSBus(Serial1);  // TX: D1 of a Grasshopper; ESP32: eSBus(Serial1, 16, 17); others: extras/docs/boards.md
+EncodeSBus eSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+#if defined(__AVR_ATmega32U4__)
+#error "PwmIn needs four pins with interrupts; this board has three: extras/docs/converters.md names other boards"
+#endif
 #if defined(__AVR_ATmega2560__)
 const uint8_t PINS[] = {2, 3, 20, 21};
 #else
-const uint8_t PINS[] = {2, 3, 4, 5};  // pins that have interrupts
+const uint8_t PINS[] = {SBUS_PINS};  // pins that have interrupts
 #endif
 
 const uint8_t INPUTS = 4;

@@ -20,9 +20,10 @@
 */
 
 #include <SBus2Sensor.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 
-SBus2Sensor dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+SBus2Sensor dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 
 const uint8_t PIN_VOLTAGE = A0;
 #if defined(ESP8266)

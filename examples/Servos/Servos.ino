@@ -3,24 +3,31 @@
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
     D2..D5 -> the signal wires of CH1..CH4; the servos have a supply of their own, and its GND goes to GND
+    Uno R3, Nano: S.Bus -> inverter -> 0. Take this wire off while you upload. All boards: extras/docs/boards.md
+
+  Needs the library Servo, or ESP32Servo on an ESP32, from the Library Manager, unless the board's core has one.
 
   On failsafe, and when no frame has come for 100 ms, the throttle closes and the rest holds where it is. Take the
-  propeller off to try that. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second.
+  propeller off to try that. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second, where a port is
+  left for that: not on an Uno.
 */
 
+#define SBUS_MAY_TAKE_USB
+
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 #if defined(SERIAL_SBUS)
 #include "GrasshopperServo.h"  // the STM32L0 core has no Servo library
 #elif defined(ESP32)
-#include <ESP32Servo.h>  // from the Library Manager
+#include <ESP32Servo.h>  // No such file? Install the library ESP32Servo from the Library Manager
 #else
-#include <Servo.h>
+#include <Servo.h>  // No such file? Install the library Servo from the Library Manager
 #endif
 
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
-const int PINS[] = {2, 3, 4, 5};  // of the servos; other boards: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);     // the port of this board, Serial1 of most: extras/docs/boards.md
+const int PINS[] = {SBUS_PINS};  // of the servos: 2, 3, 4, 5 on most boards
 
 const int THROTTLE = 2;                    // CH3, counted from 0
 const unsigned long PERIOD_DISPLAY = 200;  // ms
@@ -28,11 +35,15 @@ const unsigned long PERIOD_DISPLAY = 200;  // ms
 // us, until a frame comes
 int16_t pulses[] = {sbus::CentrePulse, sbus::CentrePulse, sbus::LowPulse, sbus::CentrePulse};
 Servo servos[4];
+#if !SBUS_TAKES_USB
 bool tellsRoom = false;
 elapsedMillis timerDisplay;
+#endif
 
 void setup() {
+#if !SBUS_TAKES_USB
   Serial.begin(115200);
+#endif
   dSBus.begin();
   for (int i = 0; i < 4; i++) {
     servos[i].writeMicroseconds(pulses[i]);  // before it sends any: the throttle begins closed
@@ -54,6 +65,7 @@ void loop() {
     }
     servos[i].writeMicroseconds(pulses[i]);
   }
+#if !SBUS_TAKES_USB
   // Printing must not delay the servos. It may wait only where Serial always reports no room (mbed, Uno R4 WiFi).
   tellsRoom = tellsRoom || Serial.availableForWrite() > 0;
   if (timerDisplay >= PERIOD_DISPLAY && (Serial.availableForWrite() > 24 || !tellsRoom)) {
@@ -63,4 +75,5 @@ void loop() {
       Serial.print(i < 3 ? "," : "\r\n");
     }
   }
+#endif
 }

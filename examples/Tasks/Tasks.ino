@@ -10,13 +10,10 @@
 */
 
 #include <DecodeSBus.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 
-#if defined(ESP32)
-DecodeSBus dSBus(Serial1, 16, 17);  // RX, TX
-#else
-DecodeSBus dSBus(Serial1);  // RX: D0 of a Grasshopper; others: extras/docs/boards.md
-#endif
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 
 const int THROTTLE = 2;                    // CH3, counted from 0
 const uint16_t CLOSED = 172;               // Futaba: 352

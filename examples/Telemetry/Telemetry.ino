@@ -16,9 +16,10 @@
 */
 
 #include <DecodeSBusTelemetry.h>
+#include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBusTelemetry dSBus(Serial1);  // RX: D0 of a Grasshopper; ESP32: dSBus(Serial1, 16, 17); others: extras/docs/boards.md
+DecodeSBusTelemetry dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 
 typedef sbus::VoltageSbs01V Sensor;  // others: src/sbus/Sensors.h
 const uint8_t SLOT = 1;              // its first slot, as the radio has it

@@ -9,6 +9,9 @@
 #   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
 #   OUT/CORE/NAME.ok       examples that compile
+#   OUT/CORE/NAME.rejected  examples that say why they cannot run on this board, and what to do
+#   OUT/CORE/SBusUart.ok   SBUS_UART and SBUS_PINS are as boards.md says
+#   OUT/uno/NoServo.rejected  what the compiler says to Servos without the library Servo
 #   OUT/CORE/SingleWire.rejected, NoBackground.rejected  what the compiler says to SingleWire.cpp, NoBackground.cpp
 # `make list` names all of these.
 
@@ -40,9 +43,46 @@ teensy32 := Teensy32 gnu++17
 teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
+# Further boards, on which only the examples are compiled.
+BOARDS := attiny ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-psram esp32-s2 esp32-s3 leonardo nano-esp32 stm32-nucleo stm32-no-usb uno xiao-esp32
+attiny := MegaAvr gnu++17 -DDXCORE -DONE_PORT
+ch32v := Nrf52 gnu++17 -DARDUINO_ARCH_CH32V
+esp32-c3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1
+esp32-c6 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C6=1
+esp32-h2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32H2=1
+esp32-p4 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32P4=1
+esp32-psram := Esp32 gnu++11 -DESP32_CORE=2 -DBOARD_HAS_PSRAM
+esp32-s2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S2=1
+esp32-s3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1
+leonardo := Avr gnu++11 -D__AVR_ATmega32U4__ -DRAMSTART=0x100 -DRAMEND=0xAFF
+nano-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1 -DARDUINO_NANO_ESP32
+stm32-nucleo := Stm32 gnu++17 -DNUCLEO
+stm32-no-usb := Stm32 gnu++17 -DNO_USB
+uno := Avr gnu++11 -DONE_PORT
+xiao-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1 -DARDUINO_XIAO_ESP32C3
+
+# What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
+reason = $(strip $(if $(filter nrf52 nano33 ch32v,$1),core cannot receive S.Bus,$(if $(filter esp32-p4,$1),define SBUS_UART Serial1, \
+  $(if $(filter stm32-nucleo,$1),must make this board.s Serial1,$(if $(filter attiny esp8266 stm32-no-usb uno,$1), \
+  $(if $(filter Led Servos,$2),,one port cannot receive and print),$(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts, \
+  $(if $(filter leonardo-Diagnose,$1-$2),needs 3 KB of RAM)))))))
+# How boards.md calls it, in the row of SBUS_UART and SBUS_PINS.
+page = $(or $($1_page),$(if $(filter esp32-%,$1),ESP32,Serial1))
+attiny_page := ATtiny 0, 1
+esp32-c3_page := ESP32-C3
+esp32-c6_page := ESP32-C6
+esp32-h2_page := ESP32-H2
+esp32-psram_page := PSRAM
+esp32-s2_page := ESP32-S2
+esp32-s3_page := S3
+esp8266_page := ESP8266
+nano-esp32_page := Nano ESP32
+uno_page := Uno R3
+xiao-esp32_page := XIAO ESP32
+
 # Those with esp_timer.
 TASKS := esp32-2.0 esp32-3.0 esp32-3.3
-# Those that poll each millisecond, but for an AVR's, which boards/mega runs.
+# Those that poll each millisecond, but for an AVR's, which boards/avr runs.
 TICKERS := pico $(TASKS) samd samd51 teensy32 teensy4
 ticker = $(if $(filter pico,$1),Rp2040,$(if $(filter $(TASKS),$1),Esp32,$(if $(filter samd%,$1),Samd,Teensy)))
 ticks = $(if $(filter pico,$1),PicoAlarms,$(if $(filter $(TASKS),$1),Esp32Task,Ticks))
@@ -55,17 +95,19 @@ teensy32_usb := -DJOYSTICK_INTERFACE=3
 teensy4_usb := -DJOYSTICK_INTERFACE=3
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-# To them a Nano 33 is as the Pico, a SAMD51 as a SAMD21, and an STM32F4 as an STM32.
-compiled = $(if $(filter nano33 samd51 stm32f4,$1),,$(EXAMPLES))
+# To them a SAMD51 is as a SAMD21, and an STM32F4 as an STM32.
+compiled = $(if $(filter samd51 stm32f4,$1),,$(foreach name,$(EXAMPLES),$(name).$(if $(call reason,$1,$(name)),rejected,ok)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
   $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest) \
   $(if $(filter $(TICKERS),$(core)),$(OUT)/$(core)/BackgroundTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PreemptBackgroundTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
-  $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) $(patsubst %,$(OUT)/$(core)/%.ok,$(call compiled,$(core))) \
+  $(if $(filter $(JOYSTICKS),$(core)),$(OUT)/$(core)/JoystickTest) \
   $(if $(filter stm32 teensy32 teensy4,$(core)),$(OUT)/$(core)/SingleWire.rejected) \
-  $(if $(filter stm32l0,$(core)),,$(OUT)/$(core)/NoBackground.rejected))
+  $(if $(filter stm32l0,$(core)),,$(OUT)/$(core)/NoBackground.rejected)) \
+  $(foreach board,$(CORES) $(BOARDS),$(patsubst %,$(OUT)/$(board)/%,$(call compiled,$(board)) \
+  $(if $(call reason,$(board),Led),,SBusUart.ok))) $(OUT)/uno/NoServo.rejected
 
 all: $(ALL)
 list:
@@ -79,6 +121,7 @@ FLAGS := $(WARNINGS) -I$(HERE) -I$(ROOT)/src -I$(HOST)/standin
 TEST := -std=gnu++14 -O1 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
 
+comma := ,
 SIMULATION := SimulatedBus SimulatedReceiver BusJudge Flight LineSettings
 
 # On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
@@ -135,13 +178,24 @@ $(OUT)/$1/README.o: $(OUT)/README.cpp
 	$(call with_its_ports,$1) $$< | $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -c - -o $$@
 $(OUT)/$1/on%Pins.o: $(ROOT)/examples/Diagnose/Diagnose.ino $(HERE)/build.mk
 	@mkdir -p $$(@D)
-	(echo '#include <DecodeSBus.h>'; echo '#include <sbus/Diagnosis.h>'; echo 'namespace on$$*Pins {'; \
-	  $(call with_its_ports,$1) $$< | sed '$$(if $$(filter Given,$$*),s/dSBus(input)/dSBus(input, PINS_GIVEN)/)'; echo '}') >$$(@:.o=.cpp)
+	(echo '#define SBUS_UART SBUS_PORT$$(if $$(filter Given,$$*),$$(comma) PINS_GIVEN)'; echo '#include <DecodeSBus.h>'; \
+	  echo '#include <SBusUart.h>'; echo '#include <sbus/Diagnosis.h>'; echo 'namespace on$$*Pins {'; \
+	  $(call with_its_ports,$1) $$<; echo '}') >$$(@:.o=.cpp)
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -include Arduino.h -c $$(@:.o=.cpp) -o $$@
 $(OUT)/$1/%.ok: $(ROOT)/examples/%/ $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	$(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino
 	@touch $$@
+$(OUT)/$1/%.rejected: $(ROOT)/examples/%/ $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
+	! $(CXX) $$($1_board) $$(DEPENDENCIES) -x c++ -include Arduino.h -fsyntax-only $(ROOT)/examples/$$*/$$*.ino 2>$$@
+	grep -m 1 'error' $$@ | grep 'DecodeSBus: \|$$* needs ' | grep -q '$$(call reason,$1,$$*)'
+	[ $$$$(grep -c 'error' $$@) -eq $$$$(grep -c '#error' $$@) ]
+$(OUT)/$1/SBusUart.ok: $(ROOT)/src/SBusUart.h $(ROOT)/extras/docs/boards.md $(HERE)/build.mk
+	@mkdir -p $$(@D) && rm -f $$@
+	echo '#include <SBusUart.h>' | $(CXX) $$($1_board) -DSBUS_MAY_TAKE_USB -include Arduino.h -E -dM -x c++ - | \
+	  sed -nE 's/^#define SBUS_(PINS|UART) (.*[^ ]) *$$$$/\1 \2/p' | sort -r | sed 's/[A-Z]* //' | tr '\n' '|' >$$@.is
+	grep "^|.*$(call page,$1).* | \`$$$$(sed 's/|/` | `/; s/|$$$$/` |/' $$@.is)" $(ROOT)/extras/docs/boards.md >$$@
 $(OUT)/$1/SingleWire.rejected: $(HERE)/SingleWire.cpp $(HERE)/build.mk
 	@mkdir -p $$(@D) && rm -f $$@
 	! $(CXX) $$($1_board) -include Arduino.h -fsyntax-only $$< 2>$$@
@@ -152,7 +206,12 @@ $(OUT)/$1/NoBackground.rejected: $(HERE)/NoBackground.cpp $(HERE)/build.mk
 	  ! $(CXX) $$($1_board) -DCASE=$$$$case -include Arduino.h -fsyntax-only $$< 2>$$@.said && \
 	  grep 'error:' $$@.said | grep "$$$$text" || exit; done >$$@
 endef
-$(foreach core,$(CORES),$(eval $(call core_rules,$(core))))
+$(foreach core,$(CORES) $(BOARDS),$(eval $(call core_rules,$(core))))
+
+$(OUT)/uno/NoServo.rejected: $(ROOT)/examples/Servos/Servos.ino $(HERE)/build.mk
+	@mkdir -p $(@D) && rm -f $@
+	! $(CXX) $(subst -idirafter $(HOST)/arduino,,$(uno_board)) -x c++ -include Arduino.h -fsyntax-only $< 2>$@
+	grep -A 1 'Servo.h: No such file' $@ | grep -q 'Install the library Servo from the Library Manager'
 
 # The first sketch of README.md.
 $(OUT)/README.cpp: $(ROOT)/README.md $(HERE)/build.mk

@@ -22,9 +22,12 @@ for target in $targets; do
   core=${name%%/*}
   name=${name#*/}
   case $name in
+    SBusUart.ok) what="SBUS_UART and SBUS_PINS are as boards.md says" ;;
     *.ok) what="${name%.ok} compiles without a warning" ;;
+    NoServo.rejected) what="without the library Servo the compiler says where it is" ;;
     SingleWire.rejected) what="a single wire does not compile on a port that may not let go of it" ;;
     NoBackground.rejected) what="DecodeSBusBackground does not compile where nothing can poll" ;;
+    *.rejected) what="${name%.rejected} says why it cannot run, and what to do" ;;
     *) what="$name is built" ;;
   esac
   # What is no program is removed before it is made.

@@ -24,6 +24,12 @@ class HardwareSerial : public Simulated<Stream> {
   int availableForWrite() override { return uart.room(); }
   operator bool() { return true; }
 };
+#if defined(ONE_PORT)  // an Uno
+#define SBUS_PORT Serial
+extern HardwareSerial Serial;
+#else
+#define HAVE_HWSERIAL1  // HardwareSerial.h:154
 extern HardwareSerial Serial1, Serial2;
+#endif
 
 constexpr sim::Known Core = {false, true, 100000, 2, 0, true, true};

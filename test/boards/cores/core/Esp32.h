@@ -25,6 +25,15 @@
 enum SerialConfig { SERIAL_8N1 = 0x800001c, SERIAL_8E1 = 0x800001e, SERIAL_8E2 = 0x800003e };
 #endif
 #define PINS_GIVEN 16, 17
+#if defined(ARDUINO_NANO_ESP32)
+static const uint8_t D0 = 44, D1 = 43, D2 = 5, D3 = 6, D4 = 7, D5 = 8;
+#elif defined(ARDUINO_XIAO_ESP32C3)
+static const uint8_t D1 = 3, D2 = 4, D3 = 5, D4 = 6, D6 = 21, D7 = 20;
+#endif
+#if !defined(CONFIG_IDF_TARGET_ESP32C3) && !defined(CONFIG_IDF_TARGET_ESP32C6) && !defined(CONFIG_IDF_TARGET_ESP32H2) && \
+    !defined(CONFIG_IDF_TARGET_ESP32P4) && !defined(CONFIG_IDF_TARGET_ESP32S2) && !defined(CONFIG_IDF_TARGET_ESP32S3)
+#define CONFIG_IDF_TARGET_ESP32 1
+#endif
 
 class HardwareSerial : public Simulated<Stream> {
  public:

@@ -7,7 +7,9 @@
 
 #define ARDUINO_ARCH_MBED
 #define NO_EEPROM
-#if !defined(NANO33)
+#if defined(NANO33)
+#define ARDUINO_ARDUINO_NANO33BLE
+#else
 #define ARDUINO_ARCH_RP2040
 #endif
 

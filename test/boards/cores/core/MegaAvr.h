@@ -59,10 +59,18 @@ class MegaAvr : public Simulated<Base> {
 
 #if defined(DXCORE)
 class HardwareSerial : public MegaAvr<Stream> {};
+#if defined(ONE_PORT)  // an ATtiny 0 or 1
+#define SBUS_PORT Serial
+extern HardwareSerial Serial;
+#define Serial1 Serial
+#else
+#define USART1 (*(USART_t *)0x0820)  // of the chip; HardwareSerial.h asks for it, and defines no HAVE_HWSERIAL1
 extern HardwareSerial Serial1, Serial2;
+#endif
 constexpr bool CallsSerialEvent1 = false;
 #else
 class UartClass : public MegaAvr<HardwareSerial> {};
+#define HAVE_HWSERIAL1
 extern UartClass Serial1, Serial2;
 constexpr bool CallsSerialEvent1 = true;
 #endif

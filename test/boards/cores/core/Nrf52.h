@@ -5,7 +5,9 @@
 
 #include "../Stream.h"
 
+#if !defined(ARDUINO_ARCH_CH32V)  // it serves the examples, which do not run there
 #define ARDUINO_ARCH_NRF52
+#endif
 #define NRF52_SERIES
 #define NO_EEPROM
 #define SERIAL_BUFFER_SIZE 64  // one place stays free

@@ -38,6 +38,19 @@ class HardwareSerial : public Simulated<Stream> {
   bool _rxInverted = false, _txInverted = false;
 };
 extern HardwareSerial Serial1, Serial2;
+// cores/arduino/WSerial.h. A Nucleo's Serial is not Serial1; with NO_USB it is.
+#if defined(NUCLEO)
+#define SERIAL_UART_INSTANCE 2
+#else
+#define SERIAL_UART_INSTANCE 1
+#define HAVE_HWSERIAL1
+#endif
+#if defined(NO_USB)
+#define SBUS_PORT Serial1
+#define Serial Serial1
+#else
+#define HAVE_SERIALUSB
+#endif
 
 #if defined(STM32F4)
 constexpr sim::Known Core = {false, true, 100000, 2, 0, true, true};

@@ -1,0 +1,42 @@
+/*
+  Led: the board's LED shows the link and obeys CH5. It prints nothing, so it runs on boards with one port: Uno R3,
+  Nano, ESP8266.
+
+  Wiring (Uno R3, Nano): S.Bus -> inverter -> 0, +5V -> 5V, GND -> GND. Take the wire off pin 0 while you upload.
+    Inverters: extras/docs/wiring.md. All boards: extras/docs/boards.md
+
+  The LED
+    changes once a second         no frame has come yet
+    changes ten times a second    the link is lost: no frame has come for 100 ms, or the receiver is in failsafe
+    is on, or off                 CH5 is above its centre, or below
+*/
+
+#define SBUS_MAY_TAKE_USB
+
+#include <DecodeSBus.h>
+#include <SBusUart.h>
+#include <sbus/Scaling.h>
+
+DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+
+#if defined(LED_BUILTIN)
+const uint8_t LED = LED_BUILTIN;
+#else
+const uint8_t LED = 2;  // of most ESP32 boards
+#endif
+const int SWITCH = 4;  // CH5, counted from 0
+
+void setup() {
+  pinMode(LED, OUTPUT);
+  dSBus.begin();
+}
+
+void loop() {
+  dSBus.parseSBusFrame();
+  uint16_t channels[18];
+  bool failsafe, lostFrame;
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
+  const unsigned long period = dSBus.linkState() == sbus::LinkState::NeverSeen ? 1000 : 100;  // ms
+  const bool isOn = failsafe ? millis() / period % 2 != 0 : channels[SWITCH] > sbus::FrSky.centre;
+  digitalWrite(LED, isOn ? HIGH : LOW);
+}

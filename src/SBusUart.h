@@ -1,0 +1,106 @@
+/// @file
+/// Names this board's S.Bus port, so that the examples run on every board as they are. No other file of the library
+/// knows boards; extras/docs/boards.md has the table. A sketch that names its port itself does not need this header.
+///
+///     #include <SBusUart.h>
+///     DecodeSBus dSBus(SBUS_UART);
+#pragma once
+
+#include <Arduino.h>
+
+/// @def SBUS_UART
+/// The arguments of the constructors of DecodeSBus and EncodeSBus: the port, and RX and TX where pins must be named,
+/// such as `Serial1, 16, 17`. To choose others, define it before this header.
+
+/// @def SBUS_PINS
+/// Four pins that SBUS_UART leaves free. To choose others, define it before this header.
+
+/// @def SBUS_TAKES_USB
+/// 1 if SBUS_UART is also the port that Serial prints on: an Uno cannot print and receive. Then this header rejects the
+/// sketch, unless it has defined SBUS_MAY_TAKE_USB before; such a sketch must not print. Otherwise 0.
+
+#if !defined(SBUS_UART)
+#if defined(ARDUINO_ARCH_NRF52) || defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || \
+    defined(ARDUINO_ARCH_CH32V) || defined(ARDUINO_ARCH_CH32)
+#error "DecodeSBus: this board's core cannot receive S.Bus. Choose a board of the first table in extras/docs/boards.md"
+#define SBUS_UART Serial1
+
+#elif defined(ESP8266)
+#define SBUS_UART Serial, 13, 15  // Serial1 only sends
+#define SBUS_TAKES_USB 1
+
+#elif defined(ESP32)
+#if defined(ARDUINO_NANO_ESP32)
+#define SBUS_UART Serial1, D0, D1
+#elif defined(ARDUINO_XIAO_ESP32C3) || defined(ARDUINO_XIAO_ESP32C6) || defined(ARDUINO_XIAO_ESP32S3)
+#define SBUS_UART Serial1, D7, D6
+#elif defined(CONFIG_IDF_TARGET_ESP32C3)
+#define SBUS_UART Serial1, 10, 3  // 11 to 17 belong to the flash
+#elif defined(CONFIG_IDF_TARGET_ESP32C6) || defined(CONFIG_IDF_TARGET_ESP32H2)
+#define SBUS_UART Serial1, 10, 11  // 15 and more of an H2 belong to the flash, 16 and 17 of a C6 to Serial
+#elif defined(CONFIG_IDF_TARGET_ESP32S2) || defined(CONFIG_IDF_TARGET_ESP32S3)
+#define SBUS_UART Serial1, 16, 17
+#elif defined(CONFIG_IDF_TARGET_ESP32) || !defined(ESP_ARDUINO_VERSION_MAJOR)  // core 1 has no other chip
+#if defined(BOARD_HAS_PSRAM)
+#define SBUS_UART Serial1, 25, 26  // a WROVER has its PSRAM on 16 and 17
+#else
+#define SBUS_UART Serial1, 16, 17
+#endif
+#else
+#error "DecodeSBus: write '#define SBUS_UART Serial1, RX, TX' first, with two free pins: extras/docs/boards.md"
+#define SBUS_UART Serial1
+#endif
+
+// AVR, Nano Every and STM32duino say which ports there are; for DxCore and megaTinyCore the chip does (USART1).
+#elif (defined(ARDUINO_ARCH_AVR) || defined(ARDUINO_ARCH_MEGAAVR)) && !defined(HAVE_HWSERIAL1) && !defined(USART1)
+#define SBUS_UART Serial
+#define SBUS_TAKES_USB 1
+
+#elif defined(ARDUINO_ARCH_STM32) && !defined(HAVE_HWSERIAL1)
+#error "DecodeSBus: the sketch must make this board's Serial1: extras/docs/boards.md, 'STM32: a port that is not there'"
+#define SBUS_UART Serial
+
+#elif defined(ARDUINO_ARCH_STM32) && SERIAL_UART_INSTANCE == 1 && !defined(HAVE_SERIALUSB)
+#define SBUS_UART Serial1  // Serial is the same port
+#define SBUS_TAKES_USB 1
+
+#else
+#define SBUS_UART Serial1
+#endif
+#endif
+
+#if !defined(SBUS_TAKES_USB)
+#define SBUS_TAKES_USB 0
+#elif !defined(SBUS_MAY_TAKE_USB)
+#error "DecodeSBus: one port cannot receive and print. Take the example Led or Servos: extras/docs/boards.md, One port"
+#endif
+
+#if !defined(SBUS_PINS)
+#if defined(ESP8266)
+#define SBUS_PINS 4, 5, 12, 14
+#elif defined(ARDUINO_NANO_ESP32)
+#define SBUS_PINS D2, D3, D4, D5
+#elif defined(ARDUINO_XIAO_ESP32C3) || defined(ARDUINO_XIAO_ESP32C6) || defined(ARDUINO_XIAO_ESP32S3)
+#define SBUS_PINS D1, D2, D3, D4
+#elif defined(CONFIG_IDF_TARGET_ESP32C6)
+#define SBUS_PINS 20, 21, 22, 23
+#elif defined(CONFIG_IDF_TARGET_ESP32H2)
+#define SBUS_PINS 1, 4, 5, 12
+#elif defined(CONFIG_IDF_TARGET_ESP32C3) || defined(CONFIG_IDF_TARGET_ESP32S2) || defined(CONFIG_IDF_TARGET_ESP32S3)
+#define SBUS_PINS 4, 5, 6, 7
+#elif defined(ESP32)
+#define SBUS_PINS 18, 19, 21, 22
+#else
+#define SBUS_PINS 2, 3, 4, 5
+#endif
+#endif
+
+namespace sbus {
+
+/// Returns the port alone, of SBUS_UART.
+template <typename Port, typename... Pins>
+constexpr Port &portOf(Port &port, Pins...) {
+  return port;
+}
+
+}  // namespace sbus
