@@ -25,7 +25,7 @@ test unit-plain       unit tests
 all  unit-sanitized   unit tests, g++ with sanitizers
 all  unit-clang       unit tests, clang++ -O2
 all  boards-cortex-m0 Cortex-M0: unit tests
-all  boards-mega      Arduino Mega: examples
+all  boards-avr       Arduino Mega, Leonardo, Uno: examples
 all  tool             sbus: what it prints, records and rejects
 all  fuzz             libFuzzer
 all  boards-cores     other cores: library and examples on stand-ins

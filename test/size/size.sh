@@ -4,7 +4,7 @@
 #   Cortex-M0+    arm-none-eabi-g++ -Os; without the board's core, which is no part of this repository
 # A piece of the library is what a program takes more with it than without. What the C library and the compiler's own
 # add is not counted: division, memmove(), floating point; but it is for the whole programs, and in the rows of scaling.
-# BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/mega/build.mk).
+# BUILD: an absolute folder for what is built; the examples for the ATmega2560 are there already (boards/avr/build.mk).
 set -eu
 cd "$(dirname "$0")"
 root=$(cd ../.. && pwd)
@@ -77,7 +77,7 @@ piece() {  # USE WHAT [LIBRARIES]
 }
 
 example() {  # NAME
-  mega=$BUILD/mega/$1.elf
+  mega=$BUILD/avr/mega/$1.elf
   program arm "$out/arm-$1" "" -x c++ -include Arduino.h "../../examples/$1/$1.ino"
   echo "| examples/$1 | $(flash "$mega") | $(ram "$mega") | $(flash "$out/arm-$1") | $(ram "$out/arm-$1") |"
 }

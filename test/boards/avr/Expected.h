@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "Mega.h"
+#include "Board.h"
 #include "sbus/Calibration.h"
 #include "support/BitByBit.h"
 
-namespace mega {
+namespace avr {
 
 // A frame of the line, read bit by bit: the library has no part in it.
 struct SeenFrame {
@@ -62,4 +62,4 @@ class Expected {
   std::vector<SeenFrame> _frames;
 };
 
-}  // namespace mega
+}  // namespace avr

@@ -1,4 +1,4 @@
-#include "Mega.h"
+#include "Board.h"
 
 #include <simavr/avr_eeprom.h>
 #include <simavr/avr_extint.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace mega {
+namespace avr {
 
 namespace {
 
@@ -28,12 +28,9 @@ constexpr uint32_t TransmitterOn = 0x08;                         // TXENn
 constexpr avr_io_addr_t CompareFlags = 0x36;                     // TIFR1,
 constexpr avr_io_addr_t CompareInterrupts = 0x6F;                // TIMSK1,
 constexpr uint32_t CompareMatch = 0x02;                          // and their bits OCF1A, OCIE1A
+constexpr uint8_t Untouched = 0xA5;                              // RAM
+constexpr size_t LeastRam = 64;       // bytes between variables and stack that no sketch may touch
 constexpr size_t HardwareBuffer = 3;  // characters that the USART holds: two, and one in its shift register
-constexpr struct {
-  uint32_t port;
-  int bit;
-} Pins[] = {{'E', 4}, {'E', 5}, {'G', 5}, {'E', 3}},      // the pins 2..5
-    Inputs[] = {{'E', 4}, {'E', 5}, {'D', 1}, {'D', 0}};  // the pins 2, 3, 20, 21
 
 // The expected settings of Serial: 115200 baud, as near as 16 MHz come to it (2.1 %), 8N1.
 bool isSerial(const line::LineSettings &settings) {
@@ -43,8 +40,8 @@ bool isSerial(const line::LineSettings &settings) {
 
 }  // namespace
 
-Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom)
-    : _avr(avr_make_mcu_by_name("atmega2560")), _line(std::move(line)) {
+Board::Board(const Model &model, const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom)
+    : _model(model), _avr(avr_make_mcu_by_name(model.chip)), _line(std::move(line)) {
   avr_global_logger_set([](avr_t *, int, const char *, va_list) {});
   avr_init(_avr);
   _avr->sleep = [](avr_t *, avr_cycle_count_t) {};  // otherwise waiting for an interrupt takes real time
@@ -55,26 +52,36 @@ Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uin
   load(sketch);
   findUsarts();
   on(written(TimerControl), [this](uint32_t value) { _clockZero = (value & TimerClocked) != 0 ? _avr->cycle : 0; });
-  for (size_t number = 0; number < 3; number++) {
+  for (size_t number = 0; number < None; number++) {
+    if (_usarts[number] == nullptr) {
+      continue;
+    }
     const avr_uart_t &usart = *_usarts[number];
     on(written(usart.r_ucsrb), [this, number](uint32_t value) { control(number, value); });
     on(avr_io_getirq(_avr, AVR_IOCTL_UART_GETIRQ(static_cast<uint32_t>(usart.name)), UART_IRQ_OUTPUT),
        [this, number](uint32_t value) { send(number, static_cast<uint8_t>(value)); });
   }
-  auto &read = _avr->io[AVR_DATA_TO_IO(_usarts[1]->r_udr)].r;
+  auto &read = _avr->io[AVR_DATA_TO_IO(_usart->r_udr)].r;
   read.c = dataRead;
   read.param = this;
   for (size_t pin = 0; pin < 4; pin++) {
-    on(avr_io_getirq(_avr, AVR_IOCTL_IOPORT_GETIRQ(Pins[pin].port), Pins[pin].bit),
-       [this, pin](uint32_t value) { edge(pin, (value & 1) != 0); });
+    on(port(_model.servos[pin]), [this, pin](uint32_t value) { edge(pin, (value & 1) != 0); });
   }
-  // The compare unit moves pin 11 at a match, which raises OCF1A first. Libsimavr 1.6 also moves it when OCR1A is
+  on(port(_model.led), [this](uint32_t value) { edge(Led, (value & 1) != 0); });
+  // The compare unit moves its pin at a match, which raises OCF1A first. Libsimavr 1.6 also moves it when OCR1A is
   // written (avr_timer.c, avr_timer_comp_on_tov()), as only the overflow of a PWM does.
   on(avr_io_getirq(_avr, AVR_IOCTL_TIMER_GETIRQ('1'), TIMER_IRQ_OUT_COMP), [this](uint32_t value) {
     if ((_avr->data[CompareFlags] & _avr->data[CompareInterrupts] & CompareMatch) != 0) {
-      edge(4, (value & 1) != 0);
+      edge(OC1A, (value & 1) != 0);
     }
   });
+  _usb.connect(
+      _avr, [this](uint8_t byte) { print(byte); },
+      [this](uint8_t endpoint, const std::vector<uint8_t> &bytes) {
+        if (endpoint == UsbHost::ReportIn) {
+          _reports.push_back({clockUs(_avr->cycle), bytes});
+        }
+      });
   if (!_line.levels.empty()) {
     avr_cycle_timer_register(_avr, 1, levelChanges, this);
   }
@@ -83,21 +90,23 @@ Mega::Mega(const std::string &sketch, Line line, double seconds, std::vector<uin
   run(seconds);
 }
 
-Mega::~Mega() {
+Board::~Board() {
   avr_terminate(_avr);
 }
 
-void Mega::load(const std::string &sketch) {
-  const std::string file = std::string(ELVES "/") + sketch + ".elf";
+void Board::load(const std::string &sketch) {
+  const std::string file = std::string(ELVES "/") + _model.name + "/" + sketch + ".elf";
   elf_firmware_t firmware = {};
   if (elf_read_firmware(file.c_str(), &firmware) != 0 || firmware.flashsize == 0) {
     throw std::runtime_error(file + " cannot be read");
   }
   avr_load_firmware(_avr, &firmware);
+  _variablesEnd = _avr->ioend + 1u + firmware.datasize + firmware.bsssize;
+  std::fill(_avr->data + _variablesEnd, _avr->data + _avr->ramend + 1, Untouched);
   _avr->frequency = CyclesPerUs * 1000000;
 }
 
-void Mega::findUsarts() {
+void Board::findUsarts() {
   for (avr_io_t *io = _avr->io_port; io != nullptr; io = io->next) {
     if (std::strcmp(io->kind, "uart") == 0) {
       avr_uart_t *const usart = reinterpret_cast<avr_uart_t *>(io);  // its first member
@@ -105,13 +114,18 @@ void Mega::findUsarts() {
       _usarts[usart->name - '0'] = usart;
     }
   }
+  _usart = _usarts[_model.receiver];
 }
 
-avr_irq_t *Mega::written(avr_io_addr_t address) const {
+avr_irq_t *Board::port(const Pin &pin) const {
+  return avr_io_getirq(_avr, AVR_IOCTL_IOPORT_GETIRQ(static_cast<uint32_t>(pin.port)), pin.bit);
+}
+
+avr_irq_t *Board::written(avr_io_addr_t address) const {
   return avr_iomem_getirq(_avr, address, nullptr, AVR_IOMEM_IRQ_ALL);
 }
 
-void Mega::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
+void Board::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
   _callbacks.push_back(std::move(callback));
   const auto call = [](avr_irq_t *, uint32_t value, void *to) {
     (*static_cast<std::function<void(uint32_t)> *>(to))(value);
@@ -119,7 +133,7 @@ void Mega::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
   avr_irq_register_notify(irq, call, &_callbacks.back());
 }
 
-void Mega::run(double seconds) {
+void Board::run(double seconds) {
   const auto end = static_cast<uint64_t>(seconds * 1e6);
   for (uint64_t us = 0; us < end; us = clockUs(_avr->cycle)) {
     const int state = avr_run(_avr);
@@ -129,27 +143,38 @@ void Mega::run(double seconds) {
   }
 }
 
-uint64_t Mega::clockUs(avr_cycle_count_t cycle) const {
+uint64_t Board::clockUs(avr_cycle_count_t cycle) const {
   return (cycle - _clockZero) / CyclesPerUs;
 }
 
-std::vector<uint8_t> Mega::eeprom() const {
-  std::vector<uint8_t> bytes(4096);
+std::vector<uint8_t> Board::eeprom() const {
+  std::vector<uint8_t> bytes(_model.eepromBytes);
   avr_eeprom_desc_t description = {bytes.data(), 0, static_cast<uint32_t>(bytes.size())};
   avr_ioctl(_avr, AVR_IOCTL_EEPROM_GET, &description);
   return bytes;
 }
 
-std::string Mega::mistakes() const {
+size_t Board::unusedRam() const {
+  const uint8_t *const end = _avr->data + _avr->ramend + 1, *const variablesEnd = _avr->data + _variablesEnd;
+  return static_cast<size_t>(std::find_if(variablesEnd, end, [](uint8_t byte) { return byte != Untouched; }) -
+                             variablesEnd);
+}
+
+std::string Board::mistakes() const {
   std::string all;
-  for (size_t number = 0; number < 3; number++) {
-    all += _mismatch[number].empty() ? "" : "Serial" + std::to_string(number) + ": " + _mismatch[number] + "\n";
+  for (size_t number = 0; number < None; number++) {
+    all += _mismatch[number].empty() ? "" : "USART" + std::to_string(number) + ": " + _mismatch[number] + "\n";
   }
-  return all + (_lost == 0 ? "" : "Serial1: " + std::to_string(_lost) + " characters were not read in time\n");
+  if (unusedRam() < LeastRam) {
+    all += "RAM: " + std::to_string(unusedRam()) + " bytes between variables and stack\n";
+  }
+  return all + (_lost == 0 ? ""
+                           : "USART" + std::to_string(_model.receiver) + ": " + std::to_string(_lost) +
+                                 " characters were not read in time\n");
 }
 
 // Returns what the port's registers say.
-line::LineSettings Mega::settings(size_t number) const {
+line::LineSettings Board::settings(size_t number) const {
   constexpr line::Parity Parities[] = {line::Parity::None, line::Parity::None, line::Parity::Even, line::Parity::Odd};
   const avr_uart_t &usart = *_usarts[number];
   const uint32_t divisor = 1u + _avr->data[usart.ubrrl.reg] + 256u * (_avr->data[usart.ubrrh.reg] & 0x0Fu);
@@ -164,13 +189,13 @@ line::LineSettings Mega::settings(size_t number) const {
 
 // The core sets baud rate and format first, then RXENn and TXENn. libsimavr counts a parity bit that is not there, and
 // misses a stop bit that is set after the baud rate: we calculate the time of a character.
-void Mega::control(size_t number, uint32_t value) {
+void Board::control(size_t number, uint32_t value) {
   if ((value & TransmitterOn) != 0) {
     const line::LineSettings now = settings(number);
     _usarts[number]->cycles_per_byte = now.format.bits() * (_avr->frequency / now.baud);
   }
-  if (number == 1) {
-    const bool asBefore = _isOpen && settings(1) == _settings;
+  if (number == _model.receiver) {
+    const bool asBefore = _isOpen && settings(number) == _settings;
     _isOpen = (value & ReceiverOn) != 0;
     if (_isOpen && !asBefore) {
       open();
@@ -178,9 +203,9 @@ void Mega::control(size_t number, uint32_t value) {
   }
 }
 
-void Mega::open() {
+void Board::open() {
   const uint64_t us = clockUs(_avr->cycle);
-  _settings = settings(1);
+  _settings = settings(_model.receiver);
   _sampler.open(us, _settings, {});
   _received.clear();
   showReceived();
@@ -194,7 +219,7 @@ void Mega::open() {
   _opened.push_back(us);
 }
 
-bool Mega::next(line::Character &character) {
+bool Board::next(line::Character &character) {
   if (_line.source) {
     return _line.source->next(std::min(_line.cutUs, clockUs(_avr->cycle) + line::CharacterUs), character);
   }
@@ -206,8 +231,8 @@ bool Mega::next(line::Character &character) {
   return true;
 }
 
-avr_cycle_count_t Mega::characterThrough(avr_t *, avr_cycle_count_t when, void *mega) {
-  Mega &self = *static_cast<Mega *>(mega);
+avr_cycle_count_t Board::characterThrough(avr_t *, avr_cycle_count_t when, void *board) {
+  Board &self = *static_cast<Board *>(board);
   if (self._isComing) {
     self._next.bad = self._next.bad || self._characters.size() == self._line.bad;
     self._characters.push_back(self._next);
@@ -220,24 +245,23 @@ avr_cycle_count_t Mega::characterThrough(avr_t *, avr_cycle_count_t when, void *
   return self._isComing ? std::max(self._clockZero + self._next.endUs * CyclesPerUs, when + 1) : poll;
 }
 
-avr_cycle_count_t Mega::levelChanges(avr_t *avr, avr_cycle_count_t when, void *mega) {
-  Mega &self = *static_cast<Mega *>(mega);
+avr_cycle_count_t Board::levelChanges(avr_t *, avr_cycle_count_t when, void *board) {
+  Board &self = *static_cast<Board *>(board);
   const std::vector<Level> &levels = self._line.levels;
   const auto cycleOf = [](const Level &level) { return static_cast<avr_cycle_count_t>(level.us * CyclesPerUs); };
   while (self._nextLevel < levels.size() && cycleOf(levels[self._nextLevel]) <= when) {
     const Level &level = levels[self._nextLevel++];
-    avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ(Inputs[level.pin].port), Inputs[level.pin].bit),
-                  level.isHigh ? 1 : 0);
+    avr_raise_irq(self.port(self._model.inputs[level.pin]), level.isHigh ? 1 : 0);
   }
   return self._nextLevel < levels.size() ? cycleOf(levels[self._nextLevel]) : 0;
 }
 
-void Mega::receive(const line::Character &character) {
+void Board::receive(const line::Character &character) {
   if (!_isOpen) {
     return;
   }
-  if (const std::string mismatch = line::mismatch(settings(1), {}); !mismatch.empty()) {
-    _mismatch[1] = mismatch;
+  if (const std::string mismatch = line::mismatch(settings(_model.receiver), {}); !mismatch.empty()) {
+    _mismatch[_model.receiver] = mismatch;
   }
   _sampler.put(character);
   for (line::Character seen; _sampler.next(character.endUs, seen);) {
@@ -250,9 +274,9 @@ void Mega::receive(const line::Character &character) {
   }
 }
 
-// RXC1, and UPE1 of the oldest character: libsimavr has no parity, and its own times for received characters.
-void Mega::showReceived() {
-  avr_uart_t &usart = *_usarts[1];
+// RXC, and UPE of the oldest character: libsimavr has no parity, and its own times for received characters.
+void Board::showReceived() {
+  avr_uart_t &usart = *_usart;
   avr_regbit_setto(_avr, usart.upe, !_received.empty() && _received.front().bad);
   if (_received.empty()) {
     avr_regbit_clear(_avr, usart.rxc.raised);
@@ -262,28 +286,29 @@ void Mega::showReceived() {
   }
 }
 
-uint8_t Mega::dataRead(avr_t *, avr_io_addr_t, void *mega) {
-  std::deque<line::Character> &received = static_cast<Mega *>(mega)->_received;
+uint8_t Board::dataRead(avr_t *, avr_io_addr_t, void *board) {
+  std::deque<line::Character> &received = static_cast<Board *>(board)->_received;
   if (received.empty()) {
     return 0;
   }
   const uint8_t value = received.front().value;
   received.pop_front();
-  static_cast<Mega *>(mega)->showReceived();
+  static_cast<Board *>(board)->showReceived();
   return value;
 }
 
 // A character begins to leave a TX pin.
-void Mega::send(size_t number, uint8_t byte) {
+void Board::send(size_t number, uint8_t byte) {
   const uint64_t us = clockUs(_avr->cycle);
-  const bool isRight = number == 0 ? isSerial(settings(0)) : settings(number) == line::LineSettings();
+  const bool isRight = number == _model.console ? isSerial(settings(number)) : settings(number) == line::LineSettings();
   if (!isRight) {
     _mismatch[number] = "sends with " + text(settings(number));
   }
-  if (number != 0) {
-    _sent.push_back({us, byte});
+  if (number == _model.console) {
+    return print(byte);
   }
-  if (number == 1) {
+  _sent.push_back({us, byte});
+  if (number == _model.receiver) {
     line::Character character;
     _wireUs = std::max(us + 1, _wireUs) + line::CharacterUs;  // rounded up: then it really is complete
     character.endUs = _wireUs;
@@ -292,21 +317,23 @@ void Mega::send(size_t number, uint8_t byte) {
     if (_line.isShared) {
       _line.source->hear(character);
     }
-  } else {
-    if (_row.text.empty()) {
-      _row.us = us;
-    }
-    if (byte == '\n') {
-      _printed.push_back(_row);
-      _row.text.clear();
-    } else if (byte != '\r') {
-      _row.text += static_cast<char>(byte);
-    }
+  }
+}
+
+void Board::print(uint8_t byte) {
+  if (_row.text.empty()) {
+    _row.us = clockUs(_avr->cycle);
+  }
+  if (byte == '\n') {
+    _printed.push_back(_row);
+    _row.text.clear();
+  } else if (byte != '\r') {
+    _row.text += static_cast<char>(byte);
   }
 }
 
 // Called whenever something is written to the port, be it to another pin.
-void Mega::edge(size_t pin, bool high) {
+void Board::edge(size_t pin, bool high) {
   if (high && _rose[pin] == 0) {
     _rose[pin] = _avr->cycle;
   } else if (!high && _rose[pin] != 0) {
@@ -316,4 +343,4 @@ void Mega::edge(size_t pin, bool high) {
   }
 }
 
-}  // namespace mega
+}  // namespace avr

@@ -7,7 +7,7 @@
 
 #include "sbus/Scaling.h"
 
-namespace mega {
+namespace avr {
 
 namespace {
 
@@ -193,4 +193,4 @@ unsigned Expected::count(uint64_t fromUs, uint64_t toUs) const {
   }));
 }
 
-}  // namespace mega
+}  // namespace avr

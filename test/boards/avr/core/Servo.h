@@ -1,5 +1,6 @@
 // A stand-in for Arduino's Servo library, which Debian does not have: a pulse every 20 ms at each of four pins, one
-// after the other, timed by timer 5 as that library does it on a Mega.
+// after the other, timed by timer 5 as that library does it on a Mega, or timer 1 as on other boards
+// (src/avr/ServoTimers.h).
 #pragma once
 
 #include <Arduino.h>
@@ -7,6 +8,14 @@
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"  // of the core's macros
+
+#if defined(TCCR5A)
+#define SERVO_TIMER(name, letter) name##5##letter
+#define SERVO_INTERRUPT TIMER5_COMPB_vect
+#else
+#define SERVO_TIMER(name, letter) name##1##letter
+#define SERVO_INTERRUPT TIMER1_COMPB_vect
+#endif
 
 class Servo {
  public:
@@ -19,13 +28,13 @@ class Servo {
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
       pulses[_number].mask = digitalPinToBitMask(number);
       pulses[_number].port = portOutputRegister(digitalPinToPort(number));
-      if (TIMSK5 == 0) {
-        TCCR5A = 0;
-        TCCR5B = _BV(WGM52) | _BV(CS51);  // up to OCR5A, and again; every 8 cycles
-        TCNT5 = 0;
-        OCR5A = Count * Slot - 1;
-        OCR5B = edge - Ahead;
-        TIMSK5 = _BV(OCIE5B);
+      if (SERVO_TIMER(TIMSK, ) == 0) {
+        SERVO_TIMER(TCCR, A) = 0;
+        SERVO_TIMER(TCCR, B) = _BV(SERVO_TIMER(WGM, 2)) | _BV(SERVO_TIMER(CS, 1));  // up to OCRnA, and again; every 8 cycles
+        SERVO_TIMER(TCNT, ) = 0;
+        SERVO_TIMER(OCR, A) = Count * Slot - 1;
+        SERVO_TIMER(OCR, B) = edge - Ahead;
+        SERVO_TIMER(TIMSK, ) = _BV(SERVO_TIMER(OCIE, B));
       }
     }
   }
@@ -38,10 +47,10 @@ class Servo {
     }
   }
 
-  // Called by the interrupt of timer 5: makes the edge, and sets the time of the next.
+  // Called by the interrupt of the timer: makes the edge, and sets the time of the next.
   static void next() {
     const Pulse &pulse = pulses[current];
-    while (TCNT5 < edge) {
+    while (SERVO_TIMER(TCNT, ) < edge) {
     }
     if (pulse.port != nullptr) {
       *pulse.port = static_cast<uint8_t>(rises ? *pulse.port | pulse.mask : *pulse.port & ~pulse.mask);
@@ -49,12 +58,12 @@ class Servo {
     current = rises ? current : static_cast<uint8_t>((current + 1) % Count);
     edge = Gap + current * Slot + (rises ? pulse.ticks : 0);
     rises = !rises;
-    OCR5B = edge - Ahead;
+    SERVO_TIMER(OCR, B) = edge - Ahead;
   }
 
  private:
   static constexpr uint8_t Count = 4;
-  static constexpr uint16_t TicksPerUs = 2;            // timer 5 counts 16 MHz / 8
+  static constexpr uint16_t TicksPerUs = 2;            // the timer counts 16 MHz / 8
   static constexpr uint16_t Slot = 5000 * TicksPerUs;  // of each servo
   // Before each pulse, so that none begins right after the end of one of the simulated receiver's frames: there a
   // sketch may have read neither that frame nor the one before.
@@ -84,7 +93,7 @@ uint8_t Servo::current = 0;
 bool Servo::rises = true;
 uint16_t Servo::edge = Servo::Gap;
 
-ISR(TIMER5_COMPB_vect) {
+ISR(SERVO_INTERRUPT) {
   Servo::next();
 }
 

@@ -1,18 +1,18 @@
-// Runs a sketch that turns interrupts off, on a simulated Arduino Mega: the USART keeps three characters, and micros()
-// stands still.
+// Runs a sketch that turns interrupts off, on a simulated Mega and Leonardo: the USART keeps three characters, and
+// micros() stands still.
 #include <doctest/doctest.h>
 
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "Board.h"
 #include "Expected.h"
-#include "Mega.h"
 #include "support/BitByBit.h"
 
 namespace {
 
-using mega::Mega;
+using avr::Board;
 
 // Frames in which all channels are equal, every 9 ms. No two of a second have the same.
 class EqualChannels : public line::Line {
@@ -41,14 +41,17 @@ class EqualChannels : public line::Line {
 
 // Without LineTiming::fallsShort() there are 95 wrong frames of 789 stops; extras/docs/boards.md says what is left.
 TEST_CASE("interrupts off for 9.3 to 9.56 ms, a period and three characters, join two frames in few of the stops") {
-  mega::Line line;
-  line.source = std::make_unique<EqualChannels>();
-  const Mega mega("InterruptsOff", std::move(line), 52);
-  const mega::Numbers last = mega::numbersIn(mega.printed().back().text);
-  MESSAGE("stops, frames, wrong: ", mega.printed().back().text);
-  REQUIRE(last.size() == 3);
-  CHECK(last[0] > 750);
-  CHECK(last[1] > 4500);
-  CHECK(last[2] * 30 < last[0]);
-  CHECK(mega.mistakes().find("characters were not read in time") != std::string::npos);
+  for (const avr::Model &model : {avr::Mega, avr::Leonardo}) {
+    CAPTURE(std::string(model.name));
+    avr::Line line;
+    line.source = std::make_unique<EqualChannels>();
+    const Board board(model, "InterruptsOff", std::move(line), 52);
+    const avr::Numbers last = avr::numbersIn(board.printed().back().text);
+    MESSAGE(std::string(model.name), ": stops, frames, wrong: ", board.printed().back().text);
+    REQUIRE(last.size() == 3);
+    CHECK(last[0] > 750);
+    CHECK(last[1] > 4500);
+    CHECK(last[2] * 30 < last[0]);
+    CHECK(board.mistakes().find("characters were not read in time") != std::string::npos);
+  }
 }

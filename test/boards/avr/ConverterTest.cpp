@@ -1,4 +1,5 @@
-// Runs the examples that convert S.Bus to other signals and back, on a simulated Arduino Mega, and measures how far off
+// Runs the examples that convert S.Bus to other signals and back, on a simulated Mega (PpmOut
+// also on a Leonardo), and measures how far off
 // the edges are.
 #include <doctest/doctest.h>
 
@@ -8,31 +9,31 @@
 #include <string>
 #include <vector>
 
+#include "Board.h"
 #include "Expected.h"
-#include "Mega.h"
 #include "line/Source.h"
 #include "sbus/Scaling.h"
 
 namespace {
 
-using mega::Expected;
-using mega::Mega;
-using mega::Numbers;
-using mega::Pulse;
+using avr::Board;
+using avr::Expected;
+using avr::Numbers;
+using avr::Pulse;
 
-constexpr size_t PpmPin = 4;
+constexpr size_t PpmPin = Board::OC1A;
 constexpr double LeastSync = 4500;  // us
 // libsimavr moves an edge to the end of the instruction that it falls into, of up to 5 cycles.
 constexpr double Instruction = 0.32;  // us
 
-mega::Line flight(uint64_t cutUs = UINT64_MAX) {
-  mega::Line line;
+avr::Line flight(uint64_t cutUs = UINT64_MAX) {
+  avr::Line line;
   line.source = line::Source().open();
   line.cutUs = cutUs;
   return line;
 }
 
-Numbers ppm(const mega::SeenFrame &frame) {
+Numbers ppm(const avr::SeenFrame &frame) {
   Numbers channels;
   for (size_t i = 0; i < 8 && !frame.failsafe && !frame.stale; i++) {
     channels.push_back(sbus::toMicroseconds(frame.channels[i], sbus::FrSky));
@@ -47,7 +48,7 @@ struct OldReceiver {
     double width;
   };
   std::mt19937 random{4711};
-  std::vector<mega::Level> levels;
+  std::vector<avr::Level> levels;
   std::vector<Sent> pulses[4];
 
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
@@ -79,10 +80,10 @@ struct OldReceiver {
       }
     }
   }
-  mega::Line line() {
+  avr::Line line() {
     std::stable_sort(levels.begin(), levels.end(),
-                     [](const mega::Level &one, const mega::Level &other) { return one.us < other.us; });
-    mega::Line line;
+                     [](const avr::Level &one, const avr::Level &other) { return one.us < other.us; });
+    avr::Line line;
     line.levels = levels;
     return line;
   }
@@ -94,9 +95,9 @@ struct SentFrame {
   bool failsafe, lostFrame;
 };
 
-std::vector<SentFrame> framesOf(const Mega &mega) {
+std::vector<SentFrame> framesOf(const Board &board) {
   std::vector<SentFrame> frames;
-  const std::vector<mega::Sent> &sent = mega.sent();
+  const std::vector<avr::Sent> &sent = board.sent();
   for (size_t first = 0; first + 25 <= sent.size(); first += 25) {
     Frame frame;
     for (size_t i = 0; i < frame.size(); i++) {
@@ -131,6 +132,7 @@ struct Off {
 
 TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms; in failsafe there is no frame") {
   struct Run {
+    avr::Model model;
     std::string name;
     uint64_t cutUs;
     double seconds;
@@ -139,11 +141,13 @@ TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms;
   };
   // 9 frames of 9 ms lost, then the failsafe flag at 10 s; or nothing from 2 s on
   for (const Run &run :
-       {Run{"flight", UINT64_MAX, 13, 460, 10.05e6, 12.5e6}, Run{"cut", 2000000, 3, 80, 2.13e6, 3e6}}) {
+       {Run{avr::Mega, "flight", UINT64_MAX, 13, 460, 10.05e6, 12.5e6},
+        Run{avr::Mega, "cut", 2000000, 3, 80, 2.13e6, 3e6}, Run{avr::Leonardo, "cut", 2000000, 3, 80, 2.13e6, 3e6}}) {
+    CAPTURE(std::string(run.model.name));
     CAPTURE(run.name);
-    const Mega mega("PpmOut", flight(run.cutUs), run.seconds);
-    const Expected expected(mega.characters());
-    const std::vector<Pulse> &pulses = mega.pulses(PpmPin);
+    const Board board(run.model, "PpmOut", flight(run.cutUs), run.seconds);
+    const Expected expected(board.characters());
+    const std::vector<Pulse> &pulses = board.pulses(PpmPin);
     std::string wrong;
     Off off;
     size_t frames = 0;
@@ -172,9 +176,9 @@ TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms;
     CHECK(off.pulse <= Instruction);
     CHECK(off.channel <= Instruction);
     CHECK(off.period <= Instruction);
-    MESSAGE("PPM of a Mega, ", run.name, ": ", frames, " frames; off at most: pulses ", off.pulse, " us, channels ",
-            off.channel, " us, period ", off.period, " us");
-    CHECK(mega.mistakes() == "");
+    MESSAGE("PPM of a ", std::string(run.model.name), ", ", run.name, ": ", frames, " frames; off at most: pulses ",
+            off.pulse, " us, channels ", off.channel, " us, period ", off.period, " us");
+    CHECK(board.mistakes() == "");
   }
 }
 
@@ -183,8 +187,8 @@ TEST_CASE("PwmIn: each pulse of an old receiver is sent as S.Bus, as exactly as 
     CAPTURE(atOnce);
     OldReceiver receiver;
     receiver.fly(100000, 10000000, atOnce);
-    const Mega mega("PwmIn", receiver.line(), 10);
-    const std::vector<SentFrame> frames = framesOf(mega);
+    const Board board(avr::Mega, "PwmIn", receiver.line(), 10);
+    const std::vector<SentFrame> frames = framesOf(board);
     CHECK(frames.size() >= 1090);
     std::vector<double> offs;
     double sum = 0;
@@ -215,8 +219,8 @@ TEST_CASE("PwmIn: a channel without pulses has the lost-frame flag after 60 ms, 
   receiver.fly(2000000, 4000000, false, 1);
   const double againUs = 4000000;
   receiver.fly(againUs, 5000000, false);
-  const Mega mega("PwmIn", receiver.line(), 5);
-  for (const SentFrame &frame : framesOf(mega)) {
+  const Board board(avr::Mega, "PwmIn", receiver.line(), 5);
+  for (const SentFrame &frame : framesOf(board)) {
     CAPTURE(frame.us);
     const double age = frame.us > againUs + 10000 ? 0 : frame.us - lastUs;
     if (std::abs(age - 60000) > 1000 && (frame.us < againUs || frame.us > againUs + 10000)) {
@@ -233,10 +237,10 @@ TEST_CASE("PwmIn: spikes of 0.5 to 60 us in a fifth of the pulses change no chan
   OldReceiver receiver;
   receiver.fly(100000, 10000000, false);
   receiver.disturb(20);
-  const Mega mega("PwmIn", receiver.line(), 10);
+  const Board board(avr::Mega, "PwmIn", receiver.line(), 10);
   double most = 0;
   size_t lost = 0;
-  const std::vector<SentFrame> frames = framesOf(mega);
+  const std::vector<SentFrame> frames = framesOf(board);
   for (const SentFrame &frame : frames) {
     lost += frame.lostFrame;
     CHECK_FALSE(frame.failsafe);

@@ -1,4 +1,4 @@
-// Runs the examples, as they stand, on a simulated Arduino Mega.
+// Runs the examples, as they stand, on a simulated Mega, Leonardo and Uno.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -11,49 +11,39 @@
 #include <utility>
 #include <vector>
 
+#include "Board.h"
 #include "Expected.h"
-#include "Mega.h"
-#include "line/Source.h"
+#include "Lines.h"
 
 namespace {
 
-using mega::Expected;
-using mega::Line;
-using mega::Mega;
-using mega::Printed;
-using mega::Rule;
+using avr::Board;
+using avr::Expected;
+using avr::Leonardo;
+using avr::Line;
+using avr::lineOf;
+using avr::Mega;
+using avr::Model;
+using avr::Printed;
+using avr::Rule;
+using avr::Uno;
 
 constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
 
-// "flight", "calibration": the simulated receiver; "cut": a flight that falls silent after 2 s; "silent"; "wire": from
-// TX1; otherwise a recording.
-Line lineOf(const std::string &name) {
-  line::Source source;
-  source.silent = name == "silent";
-  source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
-  if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
-    source.recording = "../../recordings/" + name + ".txt";
-  }
-  Line line;
-  line.source = name == "wire" ? nullptr : source.open();
-  line.cutUs = name == "cut" ? 2000000 : line.cutUs;
-  return line;
-}
-
 // Checks all that it prints.
-std::string textOf(const Mega &mega) {
+std::string textOf(const Board &board) {
   std::string text;
-  for (const Printed &line : mega.printed()) {
+  for (const Printed &line : board.printed()) {
     text += line.text + "\n";
   }
   return text;
 }
 
 // Checks all that it prints, except what Counters prints about SBusFrameOk().
-std::vector<Printed> rowsOf(const Mega &mega) {
+std::vector<Printed> rowsOf(const Board &board) {
   std::vector<Printed> rows;
-  std::copy_if(mega.printed().begin(), mega.printed().end(), std::back_inserter(rows),
+  std::copy_if(board.printed().begin(), board.printed().end(), std::back_inserter(rows),
                [](const Printed &line) { return line.text.rfind("ok,", 0) != 0; });
   return rows;
 }
@@ -62,13 +52,13 @@ std::vector<Printed> rowsOf(const Mega &mega) {
 std::string wrongRow(const Expected &expected, const std::vector<Printed> &rows, const Rule &rule) {
   std::string wrong;
   for (size_t i = 0; i < rows.size() && wrong.empty(); i++) {
-    wrong = expected.wrong(rows[i].us, mega::numbersIn(rows[i].text), rule, RowTolerance);
+    wrong = expected.wrong(rows[i].us, avr::numbersIn(rows[i].text), rule, RowTolerance);
   }
   return wrong;
 }
 
 // Each frame begins 9 ms after the one before it.
-std::string wrongSent(const Expected &expected, const std::vector<mega::Sent> &sent) {
+std::string wrongSent(const Expected &expected, const std::vector<avr::Sent> &sent) {
   std::string wrong;
   Frame frame;
   for (size_t first = 0; first + frame.size() <= sent.size() && wrong.empty(); first += frame.size()) {
@@ -78,14 +68,14 @@ std::string wrongSent(const Expected &expected, const std::vector<mega::Sent> &s
     const uint64_t us = sent[first].us;
     const uint64_t inTime = sent[0].us + first / frame.size() * 9000;
     wrong = us + 50 < inTime || us > inTime + 1500 ? std::to_string(us) + " us: at the wrong time"
-                                                   : expected.wrong(us, mega::numbersOf(frame), mega::mixerSends, 0);
+                                                   : expected.wrong(us, avr::numbersOf(frame), avr::mixerSends, 0);
   }
   return wrong;
 }
 
 // One comes every 20 ms.
-std::string wrongPulse(const Expected &expected, const std::vector<mega::Pulse> &pulses, size_t channel) {
-  const Rule rule = [channel](const mega::SeenFrame &frame) { return mega::Numbers{mega::servos(frame)[channel]}; };
+std::string wrongPulse(const Expected &expected, const std::vector<avr::Pulse> &pulses, size_t channel) {
+  const Rule rule = [channel](const avr::SeenFrame &frame) { return avr::Numbers{avr::servos(frame)[channel]}; };
   std::string wrong;
   for (size_t i = 0; i < pulses.size() && wrong.empty(); i++) {
     const uint64_t us = pulses[i].us;
@@ -100,6 +90,7 @@ std::string wrongPulse(const Expected &expected, const std::vector<mega::Pulse> 
 
 TEST_CASE("the examples print, send and do at their pins what the line says, and in time") {
   struct Run {
+    Model model;
     std::string sketch;
     std::string line;
     double seconds;
@@ -109,80 +100,100 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
     size_t pulses = 0;
   };
   const Run runs[] = {
-      {"AllChannels", "flight", 4, 19, mega::allChannels},
-      {"AllChannels", "frsky-neutral", 1.2, 1, mega::allChannels},
-      {"AllChannels", "paper", 1.2, 2, mega::allChannels},
-      {"AllChannels", "sbus2", 1.2, 4, mega::allChannels},
-      {"DecodeSBus", "flight", 13, 64, mega::decodeSBus},  // from 9.5 s to 12.5 s the radio is off
-      {"DecodeSBus", "frsky-neutral", 1.2, 1, mega::decodeSBus},
-      {"DecodeSBus", "paper", 1.2, 2, mega::decodeSBus},
-      {"DecodeSBus", "sbus2", 1.2, 4, mega::decodeSBus},
-      {"DecodeSBus", "cut", 3, 10, mega::decodeSBus},  // and no row when the line has fallen silent
-      {"Mixer", "flight", 13, 64, mega::mixer, 1430},
-      {"Mixer", "frsky-neutral", 1.2, 2, mega::mixer, 35},
-      {"Mixer", "paper", 1.2, 3, mega::mixer, 57},
-      {"Mixer", "sbus2", 1.2, 5, mega::mixer, 104},
-      {"Mixer", "cut", 3, 14, mega::mixer, 330},  // goes on: after 100 ms both flags are set, the throttle is closed
-      {"Normalized", "flight", 4, 19, mega::normalized},
-      {"Normalized", "frsky-neutral", 1.2, 1, mega::normalized},
-      {"Normalized", "paper", 1.2, 2, mega::normalized},
-      {"Normalized", "sbus2", 1.2, 4, mega::normalized},
-      {"Servos", "flight", 13, 64, mega::servos, 0, 649},
-      {"Servos", "frsky-neutral", 1.2, 2, mega::servos, 0, 23},
-      {"Servos", "paper", 1.2, 3, mega::servos, 0, 33},
-      {"Servos", "sbus2", 1.2, 5, mega::servos, 0, 54},
-      {"Servos", "cut", 3, 14, mega::servos, 0, 149},   // after 100 ms the throttle is closed, and the others hold
-      {"Servos", "silent", 1, 4, mega::servos, 0, 49},  // the throttle is closed, and the others are centred
-      {"Counters", "flight", 5.5, 5, mega::counters},   // each frame is seen, and not a byte is left over
+      {Mega, "AllChannels", "flight", 4, 19, avr::allChannels},
+      {Mega, "AllChannels", "frsky-neutral", 1.2, 1, avr::allChannels},
+      {Mega, "AllChannels", "paper", 1.2, 2, avr::allChannels},
+      {Mega, "AllChannels", "sbus2", 1.2, 4, avr::allChannels},
+      {Mega, "DecodeSBus", "flight", 13, 64, avr::decodeSBus},  // from 9.5 s to 12.5 s the radio is off
+      {Mega, "DecodeSBus", "frsky-neutral", 1.2, 1, avr::decodeSBus},
+      {Mega, "DecodeSBus", "paper", 1.2, 2, avr::decodeSBus},
+      {Mega, "DecodeSBus", "sbus2", 1.2, 4, avr::decodeSBus},
+      {Mega, "DecodeSBus", "cut", 3, 10, avr::decodeSBus},  // and no row when the line has fallen silent
+      {Mega, "Mixer", "flight", 13, 64, avr::mixer, 1430},
+      {Mega, "Mixer", "frsky-neutral", 1.2, 2, avr::mixer, 35},
+      {Mega, "Mixer", "paper", 1.2, 3, avr::mixer, 57},
+      {Mega, "Mixer", "sbus2", 1.2, 5, avr::mixer, 104},
+      {Mega, "Mixer", "cut", 3, 14, avr::mixer,
+       330},  // goes on: after 100 ms both flags are set, the throttle is closed
+      {Mega, "Normalized", "flight", 4, 19, avr::normalized},
+      {Mega, "Normalized", "frsky-neutral", 1.2, 1, avr::normalized},
+      {Mega, "Normalized", "paper", 1.2, 2, avr::normalized},
+      {Mega, "Normalized", "sbus2", 1.2, 4, avr::normalized},
+      {Mega, "Servos", "flight", 13, 64, avr::servos, 0, 649},
+      {Mega, "Servos", "frsky-neutral", 1.2, 2, avr::servos, 0, 23},
+      {Mega, "Servos", "paper", 1.2, 3, avr::servos, 0, 33},
+      {Mega, "Servos", "sbus2", 1.2, 5, avr::servos, 0, 54},
+      {Mega, "Servos", "cut", 3, 14, avr::servos, 0, 149},   // after 100 ms the throttle is closed, and the others hold
+      {Mega, "Servos", "silent", 1, 4, avr::servos, 0, 49},  // the throttle is closed, and the others are centred
+      {Mega, "Counters", "flight", 5.5, 5, avr::counters},   // each frame is seen, and not a byte is left over
+      {Leonardo, "AllChannels", "sbus2", 1.2, 4, avr::allChannels},  // rows that are longer than a packet
+      {Leonardo, "DecodeSBus", "flight", 4, 19, avr::decodeSBus},
+      {Leonardo, "DecodeSBus", "cut", 3, 10, avr::decodeSBus},
+      {Leonardo, "Mixer", "flight", 4, 19, avr::mixer, 430},
+      {Leonardo, "Normalized", "paper", 1.2, 2, avr::normalized},
+      {Leonardo, "Servos", "flight", 4, 19, avr::servos, 0, 199},
+      {Leonardo, "Servos", "silent", 1, 4, avr::servos, 0, 49},
+      {Leonardo, "Counters", "flight", 5.5, 5, avr::counters},
+      {Uno, "Servos", "flight", 13, 0, avr::servos, 0, 649},  // it has no port to print on
+      {Uno, "Servos", "sbus2", 1.2, 0, avr::servos, 0, 54},
+      {Uno, "Servos", "cut", 3, 0, avr::servos, 0, 149},
+      {Uno, "Servos", "silent", 1, 0, avr::servos, 0, 49},
   };
   for (const Run &run : runs) {
+    CAPTURE(std::string(run.model.name));
     CAPTURE(run.sketch);
     CAPTURE(run.line);
-    const Mega mega(run.sketch, lineOf(run.line), run.seconds);
-    const Expected expected(mega.characters());
-    const std::vector<Printed> rows = rowsOf(mega);
+    const Board board(run.model, run.sketch, lineOf(run.line), run.seconds);
+    const Expected expected(board.characters());
+    const std::vector<Printed> rows = rowsOf(board);
     CHECK(wrongRow(expected, rows, run.rule) == "");
     CHECK(rows.size() >= run.rows);
-    CHECK(wrongSent(expected, mega.sent()) == "");
-    CHECK(mega.sent().size() >= run.sent * sbus::FrameSize);
+    CHECK(rows.empty() == (run.rows == 0));
+    CHECK(wrongSent(expected, board.sent()) == "");
+    CHECK(board.sent().size() >= run.sent * sbus::FrameSize);
     for (size_t pin = 0; pin < 4; pin++) {
       CAPTURE(pin);
-      CHECK(wrongPulse(expected, mega.pulses(pin), pin) == "");
-      CHECK(mega.pulses(pin).size() >= run.pulses);
+      CHECK(wrongPulse(expected, board.pulses(pin), pin) == "");
+      CHECK(board.pulses(pin).size() >= run.pulses);
     }
-    CHECK(mega.mistakes() == "");
+    CHECK(board.mistakes() == "");
   }
 }
 
 TEST_CASE("a character with a parity error is lost, and one frame with it: 24 bytes are discarded") {
-  for (const size_t character : {500u, 501u, 523u, 524u}) {  // of the 20th frame
+  for (const auto &run :
+       {std::make_pair(Mega, 500u), {Mega, 501u}, {Mega, 523u}, {Leonardo, 524u}}) {  // of the 20th frame
+    const size_t character = run.second;
     CAPTURE(character);
     Line line = lineOf("flight");
     line.bad = character;
-    const Mega mega("Counters", std::move(line), 1.1);
-    const std::vector<Printed> rows = rowsOf(mega);
+    const Board board(run.first, "Counters", std::move(line), 1.1);
+    const std::vector<Printed> rows = rowsOf(board);
     REQUIRE(rows.size() == 1);
-    CHECK(wrongRow(Expected(mega.characters()), rows, mega::counters) == "");
-    CHECK(mega::numbersIn(rows[0].text)[1] == 24);
-    CHECK(mega.mistakes() == "");
+    CHECK(wrongRow(Expected(board.characters()), rows, avr::counters) == "");
+    CHECK(avr::numbersIn(rows[0].text)[1] == 24);
+    CHECK(board.mistakes() == "");
   }
 }
 
 // The age counts from the poll that found the frame, a loop period after its end; every loop() calls SBusFrameOk().
 TEST_CASE(
     "SBusFrameOk() is false 100 ms after the line went silent, less what a port may have held back and a loop()") {
-  const Mega mega("Counters", lineOf("cut"), 3);
-  std::vector<double> changes;
-  for (const Printed &line : mega.printed()) {
-    if (line.text.rfind("ok,", 0) == 0) {
-      CHECK(line.text[3] == (changes.empty() ? '1' : '0'));
-      changes.push_back(mega::numbersIn(line.text.substr(5))[0]);
+  for (const Model &model : {Mega, Leonardo}) {
+    CAPTURE(std::string(model.name));
+    const Board board(model, "Counters", lineOf("cut"), 3);
+    std::vector<double> changes;
+    for (const Printed &line : board.printed()) {
+      if (line.text.rfind("ok,", 0) == 0) {
+        CHECK(line.text[3] == (changes.empty() ? '1' : '0'));
+        changes.push_back(avr::numbersIn(line.text.substr(5))[0]);
+      }
     }
+    REQUIRE(changes.size() == 2);
+    const double afterUs = changes[1] - static_cast<double>(Expected(board.characters()).lastUs());
+    CHECK(afterUs >= 100000 - 4 * 120 - 200);
+    CHECK(afterUs <= 100000 - 4 * 120 + 200);
   }
-  REQUIRE(changes.size() == 2);
-  const double afterUs = changes[1] - static_cast<double>(Expected(mega.characters()).lastUs());
-  CHECK(afterUs >= 100000 - 4 * 120 - 200);
-  CHECK(afterUs <= 100000 - 4 * 120 + 200);
 }
 
 TEST_CASE("Loopback says once a second whether its frames come back") {
@@ -194,9 +205,12 @@ TEST_CASE("Loopback says once a second whether its frames come back") {
   for (const auto &run : runs) {
     CAPTURE(run.first);
     const bool passes = run.first == "wire";
-    const Mega mega("Loopback", lineOf(run.first), passes ? 2 : 1);
-    CHECK(textOf(mega) == (passes ? run.second + run.second : run.second));
-    CHECK(mega.mistakes() == "");
+    for (const Model &model : {Mega, Leonardo}) {
+      CAPTURE(std::string(model.name));
+      const Board board(model, "Loopback", lineOf(run.first), passes ? 2 : 1);
+      CHECK(textOf(board) == (passes ? run.second + run.second : run.second));
+      CHECK(board.mistakes() == "");
+    }
   }
 }
 
@@ -232,22 +246,22 @@ TEST_CASE("Diagnose prints what came with each setting, and what to do") {
   for (const auto &run : runs) {
     CAPTURE(run.first);
     const std::regex period("[0-9]+ us");  // it depends on the polls
-    CHECK(std::regex_replace(textOf(Mega("Diagnose", lineOf(run.first), 1.2)), period, "some us") == run.second);
+    CHECK(std::regex_replace(textOf(Board(Mega, "Diagnose", lineOf(run.first), 1.2)), period, "some us") == run.second);
   }
 }
 
 TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the radio is off") {
-  const Mega mega("Diagnose", lineOf("flight"), 15);
-  const Expected expected(mega.characters());
+  const Board board(Mega, "Diagnose", lineOf("flight"), 15);
+  const Expected expected(board.characters());
   size_t trials = 0;
   std::string words;
-  for (const Printed &line : mega.printed()) {
+  for (const Printed &line : board.printed()) {
     unsigned long baud = 0, frames = 0;
     if (std::sscanf(line.text.c_str(), "begin(%lu): %lu frames", &baud, &frames) == 2) {
-      REQUIRE(trials < mega.opened().size());
+      REQUIRE(trials < board.opened().size());
       CHECK(baud == (trials % 2 == 0 ? 100000 : 200000));
       constexpr uint64_t LastPollUs = 200;  // before the line is printed; a frame that ends in between may count or not
-      const uint64_t opened = mega.opened()[trials];
+      const uint64_t opened = board.opened()[trials];
       const bool isRight = trials % 2 == 0;
       CHECK(frames >= (isRight ? expected.count(opened, line.us - LastPollUs) : 0));
       CHECK(frames <= (isRight ? expected.count(opened, line.us) : 0));
@@ -263,12 +277,12 @@ TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the
                   : "Failsafe: the receiver works, but has lost the link.\nSwitch the radio on, or bind them.\n";
   }
   CHECK(words == said);
-  CHECK(mega.mistakes() == "Serial1: baud rate\n");  // a port that is set wrongly does not go unnoticed
+  CHECK(board.mistakes() == "USART1: baud rate\n");  // a port that is set wrongly does not go unnoticed
 }
 
 TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses them for what it prints") {
   const std::string move = "1. Move all sticks, sliders and switches to all their ends.\n";
-  const Mega first("Calibrate", lineOf("calibration"), 29);
+  const Board first(Mega, "Calibrate", lineOf("calibration"), 29);
   std::vector<Printed> rows = first.printed();
   const std::string ok = "  CH1 ok 172..1811,  CH2 ok 172..1811,  CH3 ok 172..1811,  CH4 ok 172..1811\n";
   const std::string text = textOf(first);
@@ -283,7 +297,7 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses t
   const std::vector<uint8_t> eeprom = first.eeprom();
   sbus::Calibration stored;
   std::memcpy(&stored, eeprom.data(), sizeof stored);
-  CHECK(wrongRow(Expected(first.characters()), rows, mega::calibrated(stored)) == "");
+  CHECK(wrongRow(Expected(first.characters()), rows, avr::calibrated(stored)) == "");
   CHECK(first.mistakes() == "");
   CHECK(stored.version == 1);
   for (size_t i = 0; i < 4; i++) {  // as extras/line/simulation/CalibrationMoves.cpp has them
@@ -295,12 +309,12 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses t
   CHECK(eeprom.begin() + sizeof stored + std::count(eeprom.begin() + sizeof stored, eeprom.end(), 0xFF) ==
         eeprom.end());
 
-  const Mega again("Calibrate", lineOf("paper"), 1, eeprom);  // prints numbers at once
-  CHECK(wrongRow(Expected(again.characters()), again.printed(), mega::calibrated(stored)) == "");
+  const Board again(Mega, "Calibrate", lineOf("paper"), 1, eeprom);  // prints numbers at once
+  CHECK(wrongRow(Expected(again.characters()), again.printed(), avr::calibrated(stored)) == "");
   CHECK(again.printed().size() >= 2);
   CHECK(again.eeprom() == eeprom);
 
   std::vector<uint8_t> changed = eeprom;
   changed[50] = 1;  // of CH7, was 0: begins again
-  CHECK(textOf(Mega("Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
+  CHECK(textOf(Board(Mega, "Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
 }

@@ -1,0 +1,30 @@
+#!/bin/sh
+# Builds the examples, as they stand, for an Arduino Mega, a Leonardo and an Uno R3, and says "ok avr: ..." or "FAILED avr:
+# ..." of each; then runs them on simulated ones, *Test.cpp. BUILD is the folder for what is built, absolute; CXX a compiler
+# for this PC.
+set -u
+cd "$(dirname "$0")" || exit 1
+out="${BUILD:-$(cd ../../.. && pwd)/build/test}/avr"
+
+build() {
+  "${MAKE:-make}" --no-print-directory -f build.mk OUT="$out" CXX="${CXX:-g++}" "$@"
+}
+
+printf '\navr: the examples on simulated ATmega2560, 32U4 and 328P, with the AVR core of Arduino\n'
+mkdir -p "$out"
+build -s -k all 2>&1 && built=yes || built=
+targets=$(build list) || echo "FAILED avr: build.mk"
+for target in $targets; do
+  name=${target#"$out/"}
+  case $name in
+    *.elf) what="${name%.elf} compiles without a warning" ;;
+    *.rejected) what="${name%.rejected} says why it cannot run, and what to do" ;;
+    *) what="$name is built" ;;
+  esac
+  if [ -n "$built" ] || build -q "$target" >/dev/null 2>&1; then echo "ok avr: $what"; else echo "FAILED avr: $what"; fi
+done
+timeout 1800 "$out/BoardTest" --no-version --no-intro >"$out/log" 2>&1
+status=$?
+cat "$out/log"
+[ "$status" -eq 0 ] || grep -q '^\[doctest\] test cases:.*[1-9][0-9]* failed' "$out/log" ||
+  echo "FAILED avr: BoardTest ended with status $status before its end"
