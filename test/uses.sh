@@ -25,7 +25,7 @@ for name in $functions; do
 done
 
 # Headers for sketches, and for the core without Arduino. The others say that they may change.
-public='Calibration Calibrator ChannelArray Counters Diagnosis Frame FrameFinder FrameValue Link LinkQuality Scaling Sensors Slots'
+public='Calibration Calibrator ChannelArray Counters Diagnosis Frame FrameFinder FrameValue Link LinkQuality Scaling Sensors Slots Text'
 for header in port/*.h sbus/*.h; do
   name=${header##*/}
   case " $public " in *" ${name%.h} "*) continue ;; esac

@@ -32,7 +32,11 @@ struct Guide {
       const sbus::CalibrationError error = calibrator.result(i % 4, found);
       Serial.print("  CH");
       Serial.print(i % 4 + 1);
-      Serial.print(error == next ? " ok" : text(error));
+      if (error == next) {
+        Serial.print(" ok");
+      } else {
+        Serial.print(text(error));
+      }
       Serial.print(' ');
       Serial.print(low);
       Serial.print("..");

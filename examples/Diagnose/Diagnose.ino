@@ -12,10 +12,6 @@
 #include <SBusUart.h>
 #include <sbus/Diagnosis.h>
 
-#if defined(RAMSTART) && RAMEND - RAMSTART < 3000
-#error "Diagnose needs 3 KB of RAM, more than this board has: extras/docs/it-does-not-work.md says what else helps"
-#endif
-
 DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
 auto &input = sbus::portOf(SBUS_UART);
 

@@ -26,17 +26,16 @@ const uint8_t LED = 2;  // of most ESP32 boards
 #endif
 const int SWITCH = 4;  // CH5, counted from 0
 
+SBusFrame frame;
+
 void setup() {
   pinMode(LED, OUTPUT);
   dSBus.begin();
 }
 
 void loop() {
-  dSBus.parseSBusFrame();
-  uint16_t channels[18];
-  bool failsafe, lostFrame;
-  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
+  dSBus.read(frame);  // failsafe also if no frame has come, or none for 100 ms
   const unsigned long period = dSBus.linkState() == sbus::LinkState::NeverSeen ? 1000 : 100;  // ms
-  const bool isOn = failsafe ? millis() / period % 2 != 0 : channels[SWITCH] > sbus::FrSky.centre;
+  const bool isOn = frame.failsafe ? millis() / period % 2 != 0 : frame.channels[SWITCH] > sbus::FrSky.centre;
   digitalWrite(LED, isOn ? HIGH : LOW);
 }

@@ -29,30 +29,30 @@ constexpr bool isInMiddle(uint16_t value) {
 
 }  // namespace
 
-const char *text(CalibrationError error) {
+Text text(CalibrationError error) {
   switch (error) {
     case CalibrationError::None:
-      return "";
+      return SBUS_TEXT("");
     case CalibrationError::NeverSeen:
-      return " was not seen: switch the radio on";
+      return SBUS_TEXT(" was not seen: switch the radio on");
     case CalibrationError::HardlyMoved:
-      return " hardly moved: move it to both ends";
+      return SBUS_TEXT(" hardly moved: move it to both ends");
     case CalibrationError::CentreOutside:
-      return " went further than while it moved: move it to both ends";
+      return SBUS_TEXT(" went further than while it moved: move it to both ends");
     case CalibrationError::NotStill:
-      return " did not stand still: let go of it";
+      return SBUS_TEXT(" did not stand still: let go of it");
     case CalibrationError::NotCentred:
-      return " rests neither near the middle nor at an end: centre it";
+      return SBUS_TEXT(" rests neither near the middle nor at an end: centre it");
     case CalibrationError::NotPushed:
-      return " is where it rested: push it up or right";
+      return SBUS_TEXT(" is where it rested: push it up or right");
     case CalibrationError::MovedOneWay:
-      return " moved one way only: move it to both ends";
+      return SBUS_TEXT(" moved one way only: move it to both ends");
     case CalibrationError::NotRested:
-      return " has not rested: let go of it";
+      return SBUS_TEXT(" has not rested: let go of it");
     case CalibrationError::NotHeld:
-      return " was not held: hold it up or right until told";
+      return SBUS_TEXT(" was not held: hold it up or right until told");
   }
-  return "";
+  return SBUS_TEXT("");
 }
 
 void Calibrator::Extent::include(uint16_t lowest, uint16_t highest) {

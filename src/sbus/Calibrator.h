@@ -14,6 +14,7 @@
 
 #include "Calibration.h"
 #include "ChannelArray.h"
+#include "Text.h"
 
 namespace sbus {
 
@@ -33,7 +34,7 @@ enum class CalibrationError : uint8_t {
 
 /// Returns what is wrong and what to do, to follow a channel's name: "CH3" " hardly moved: move it to both ends".
 /// Returns "" for None.
-const char *text(CalibrationError error);
+Text text(CalibrationError error);
 
 /// Measures the travel of all channels in three steps. Call all methods from one context. The caller decides how long a
 /// step lasts: the second needs half a second of frames, the third one second, or two if the frame period exceeds 14

@@ -26,47 +26,73 @@ uint32_t framesOfEitherSize(const Counters &counters) {
   return counters.frames + counters.otherSizeFrames;
 }
 
-// By Finding.
-struct Words {
-  const char *text;
-  const char *remedy;
-};
-constexpr Words WordsOf[] = {
-    {"No signal: not a byte with any setting.",
-     "Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?"},
-    {"No frames: bytes come, but few frames or none.",
-     "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2."},
-    {"24 channels: frames come, but of 24 channels, not of 16.",
-     "Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels."},
-    {"Wrong polarity: frames come only with the other polarity.",
-     "Open the port with the other polarity, or add or remove an inverter."},
-    {"Wrong baud rate: frames come only with the other baud rate.",
-     "Open the port with the setting that has frames: Fast S.Bus has 200000 baud."},
-    {"Wrong polarity and baud rate: frames come only with the others.",
-     "Open the port with the setting that has frames: Fast S.Bus has 200000 baud."},
-    {"Polled too seldom: the port's buffer overflows.",
-     "Poll the port at least every 5 ms, at 200000 baud every 2.5 ms."},
-    {"Interrupts off: the port lost bytes meanwhile.",
-     "Write flash or EEPROM, and update long LED strips, only while frames may be missed."},
-    {"Noise: frames are damaged.", "Connect the grounds, check the supply, shorten the wire."},
-    {"Failsafe: the receiver works, but has lost the link.", "Switch the radio on, or bind them."},
-    {"No radio: the receiver works, but hears nothing.", "Switch the radio on, or bind them."},
-    {"Lossy: the receiver works, but misses radio frames.", "Check distance and aerials."},
-    {"All well, and other bytes come between the frames.",
-     "No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame."},
-    {"All well.", "Nothing to do."},
-};
-static_assert(sizeof WordsOf / sizeof WordsOf[0] == static_cast<uint8_t>(Finding::AllWell) + 1,
-              "a row for each finding");
-
 }  // namespace
 
-const char *text(Finding finding) {
-  return WordsOf[static_cast<uint8_t>(finding)].text;
+Text text(Finding finding) {
+  switch (finding) {
+    case Finding::NoSignal:
+      return SBUS_TEXT("No signal: not a byte with any setting.");
+    case Finding::NoFrames:
+      return SBUS_TEXT("No frames: bytes come, but few frames or none.");
+    case Finding::Channels24:
+      return SBUS_TEXT("24 channels: frames come, but of 24 channels, not of 16.");
+    case Finding::WrongPolarity:
+      return SBUS_TEXT("Wrong polarity: frames come only with the other polarity.");
+    case Finding::WrongBaud:
+      return SBUS_TEXT("Wrong baud rate: frames come only with the other baud rate.");
+    case Finding::WrongPolarityAndBaud:
+      return SBUS_TEXT("Wrong polarity and baud rate: frames come only with the others.");
+    case Finding::PolledTooSeldom:
+      return SBUS_TEXT("Polled too seldom: the port's buffer overflows.");
+    case Finding::InterruptsOff:
+      return SBUS_TEXT("Interrupts off: the port lost bytes meanwhile.");
+    case Finding::Noise:
+      return SBUS_TEXT("Noise: frames are damaged.");
+    case Finding::Failsafe:
+      return SBUS_TEXT("Failsafe: the receiver works, but has lost the link.");
+    case Finding::NoRadio:
+      return SBUS_TEXT("No radio: the receiver works, but hears nothing.");
+    case Finding::Lossy:
+      return SBUS_TEXT("Lossy: the receiver works, but misses radio frames.");
+    case Finding::AllWellAndMore:
+      return SBUS_TEXT("All well, and other bytes come between the frames.");
+    case Finding::AllWell:
+      return SBUS_TEXT("All well.");
+  }
+  return SBUS_TEXT("");
 }
 
-const char *remedy(Finding finding) {
-  return WordsOf[static_cast<uint8_t>(finding)].remedy;
+Text remedy(Finding finding) {
+  switch (finding) {
+    case Finding::NoSignal:
+      return SBUS_TEXT("Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?");
+    case Finding::NoFrames:
+      return SBUS_TEXT(
+          "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.");
+    case Finding::Channels24:
+      return SBUS_TEXT("Use DecodeSBus24 and the setting with the most bytes, or set the receiver to 16 channels.");
+    case Finding::WrongPolarity:
+      return SBUS_TEXT("Open the port with the other polarity, or add or remove an inverter.");
+    case Finding::WrongBaud:
+    case Finding::WrongPolarityAndBaud:
+      return SBUS_TEXT("Open the port with the setting that has frames: Fast S.Bus has 200000 baud.");
+    case Finding::PolledTooSeldom:
+      return SBUS_TEXT("Poll the port at least every 5 ms, at 200000 baud every 2.5 ms.");
+    case Finding::InterruptsOff:
+      return SBUS_TEXT("Write flash or EEPROM, and update long LED strips, only while frames may be missed.");
+    case Finding::Noise:
+      return SBUS_TEXT("Connect the grounds, check the supply, shorten the wire.");
+    case Finding::Failsafe:
+    case Finding::NoRadio:
+      return SBUS_TEXT("Switch the radio on, or bind them.");
+    case Finding::Lossy:
+      return SBUS_TEXT("Check distance and aerials.");
+    case Finding::AllWellAndMore:
+      return SBUS_TEXT("No fault: telemetry (S.BUS2), or the tail that some Futaba receivers send after a frame.");
+    case Finding::AllWell:
+      return SBUS_TEXT("Nothing to do.");
+  }
+  return SBUS_TEXT("");
 }
 
 uint32_t impairedFrames(const Counters &counters) {

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "Counters.h"
+#include "Text.h"
 
 namespace sbus {
 
@@ -40,12 +41,11 @@ enum class Finding : uint8_t {
   AllWell,               ///< no fault
 };
 
-/// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters. On an AVR all words take 1.5
-/// KB of RAM in a sketch that calls text() or remedy(), and nothing in others.
-const char *text(Finding finding);
+/// Returns the finding in words, as "Title: a sentence.", in at most 100 ASCII characters.
+Text text(Finding finding);
 
 /// Returns what to do about the finding, in at most 100 ASCII characters.
-const char *remedy(Finding finding);
+Text remedy(Finding finding);
 
 /// Returns about how many frames were impaired, including those with header 2F. It derives that from the discarded
 /// bytes, since each 0F of an impaired frame counts as a rejected header. Returns 0 without a resync.

@@ -246,7 +246,11 @@ TEST_CASE("Diagnose prints what came with each setting, and what to do") {
   for (const auto &run : runs) {
     CAPTURE(run.first);
     const std::regex period("[0-9]+ us");  // it depends on the polls
-    CHECK(std::regex_replace(textOf(Board(Mega, "Diagnose", lineOf(run.first), 1.2)), period, "some us") == run.second);
+    for (const Model &model : {Mega, Leonardo}) {
+      CAPTURE(std::string(model.name));
+      const std::string text = textOf(Board(model, "Diagnose", lineOf(run.first), 1.2));
+      CHECK(std::regex_replace(text, period, "some us") == run.second);
+    }
   }
 }
 

@@ -20,7 +20,7 @@ leonardo := atmega32u4 LEONARDO leonardo -DUSBCON -DUSB_VID=0x2341 -DUSB_PID=0x8
 uno := atmega328p UNO standard
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
 reason = $(strip $(if $(filter uno,$1),$(if $(filter Led Servos,$2),,one port cannot receive and print), \
-  $(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts,$(if $(filter leonardo-Diagnose,$1-$2),needs 3 KB of RAM))))
+  $(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts)))
 # Busy has a timer 2, and all print.
 ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background Counters InterruptsOff))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))

@@ -54,7 +54,7 @@ esp32-p4 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32P4=1
 esp32-psram := Esp32 gnu++11 -DESP32_CORE=2 -DBOARD_HAS_PSRAM
 esp32-s2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S2=1
 esp32-s3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1
-leonardo := Avr gnu++11 -D__AVR_ATmega32U4__ -DRAMSTART=0x100 -DRAMEND=0xAFF
+leonardo := Avr gnu++11 -D__AVR_ATmega32U4__
 nano-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1 -DARDUINO_NANO_ESP32
 stm32-nucleo := Stm32 gnu++17 -DNUCLEO
 stm32-no-usb := Stm32 gnu++17 -DNO_USB
@@ -64,8 +64,7 @@ xiao-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1 -DARDUI
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
 reason = $(strip $(if $(filter nrf52 nano33 ch32v,$1),core cannot receive S.Bus,$(if $(filter esp32-p4,$1),define SBUS_UART Serial1, \
   $(if $(filter stm32-nucleo,$1),must make this board.s Serial1,$(if $(filter attiny esp8266 stm32-no-usb uno,$1), \
-  $(if $(filter Led Servos,$2),,one port cannot receive and print),$(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts, \
-  $(if $(filter leonardo-Diagnose,$1-$2),needs 3 KB of RAM)))))))
+  $(if $(filter Led Servos,$2),,one port cannot receive and print),$(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts))))))
 # How boards.md calls it, in the row of SBUS_UART and SBUS_PINS.
 page = $(or $($1_page),$(if $(filter esp32-%,$1),ESP32,Serial1))
 attiny_page := ATtiny 0, 1

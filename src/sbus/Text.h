@@ -1,0 +1,21 @@
+/// @file
+/// Words for a person, which an AVR keeps in flash.
+#pragma once
+
+#if defined(__AVR__)
+#include <avr/pgmspace.h>
+class __FlashStringHelper;  // Arduino's
+#endif
+
+namespace sbus {
+
+/// What Serial.print() and println() take: a string; on an AVR one in flash, as F() gives it.
+#if defined(__AVR__)
+using Text = const __FlashStringHelper *;
+#define SBUS_TEXT(words) reinterpret_cast<Text>(PSTR(words))
+#else
+using Text = const char *;
+#define SBUS_TEXT(words) words
+#endif
+
+}  // namespace sbus
