@@ -143,6 +143,7 @@ TEST_CASE("a board that sends is judged by slot, time, and what the frame before
   const std::vector<uint8_t> slot9 = {0x93, 1, 2};
   const std::vector<uint8_t> slot0 = {0x03, 1, 2};
   constexpr int64_t Due = line::FirstSlotUs + line::SlotPitchUs;  // of slots 1, 9, 17, 25
+  constexpr int64_t BehindUs = PeriodUs - FrameUs;                // the next frame begins
   line::LineSettings uninverted;
   uninverted.polarity = line::Polarity::Uninverted;
   line::LineSettings slow;
@@ -162,12 +163,20 @@ TEST_CASE("a board that sends is judged by slot, time, and what the frame before
       {"no group", judged(BusMode::NoTelemetry, 0, Due, slot1), "0 answers in their slots; 1 not announced"},
       {"12CH", judged(BusMode::OnlySlot0, 0, Due, slot1), "0 answers in their slots; 1 not announced"},
       {"slot 0", judged(BusMode::Slots, 1, Due, slot0), "0 answers in their slots; 1 in slot 0"},
-      {"two characters", judged(BusMode::Slots, 0, Due, {0x83, 1}), "0 answers in their slots; 1 torn"},
+      {"two characters", judged(BusMode::Slots, 0, Due, {0x83, 1}), "0 answers in their slots; 1 cut short"},
+      {"two late characters", judged(BusMode::Slots, 0, Due + 51, {0x83, 1}), "0 answers in their slots; 1 late"},
+      {"two others", judged(BusMode::Slots, 0, Due, {0x84, 1}), "0 answers in their slots; 1 torn"},
       {"four characters", judged(BusMode::Slots, 0, Due, {0x83, 1, 2, 3}), "0 answers in their slots; 1 torn"},
       {"no slot's ID", judged(BusMode::Slots, 0, Due, {0x84, 1, 2}), "0 answers in their slots; 1 torn"},
       {"over the receiver", judged(BusMode::Slots, 0, Due - 500, slot1), "0 answers in their slots; 1 collided"},
       {"over a sensor", judged(BusMode::Slots, 0, Due, slot1, {{1, {1, 2}}}), "0 answers in their slots; 1 collided"},
       {"over a frame", judged(BusMode::Slots, 0, -500, slot1), "0 answers in their slots; 1 collided"},
+      {"a frame begins within it", judged(BusMode::Slots, 0, BehindUs - 359, slot1),
+       "0 answers in their slots; 1 met by a frame"},
+      {"as it does", judged(BusMode::Slots, 0, BehindUs, slot1), "0 answers in their slots; 1 met by a frame"},
+      {"just after a frame begins", judged(BusMode::Slots, 0, BehindUs + 119, slot1),
+       "0 answers in their slots; 1 in a frame's first character"},
+      {"a character later", judged(BusMode::Slots, 0, BehindUs + 120, slot1), "0 answers in their slots; 1 collided"},
       {"held", judged(BusMode::Slots, 0, Due, {}, {}, uninverted),
        "0 answers in their slots; 1 while TX held the wire"},
       {"slow", judged(BusMode::Slots, 0, Due, slot1, {}, slow), "0 answers in their slots; 1 collided"},
@@ -176,6 +185,21 @@ TEST_CASE("a board that sends is judged by slot, time, and what the frame before
     CAPTURE(row.what);
     CHECK(row.found == row.expected);
   }
+}
+
+TEST_CASE("frames come at the intervals that pace() gives, each with its slots") {
+  SimulatedBus bus;
+  uint32_t calls = 0;
+  bus.pace([&] { return ++calls == 2 ? 8000u : 20000u; });
+  bus.add({9, {1, 2}});
+  std::string starts;
+  uint64_t lastUs = 0;
+  for (const Character &character : heard(bus, 70000)) {
+    const uint64_t startUs = character.endUs - line::CharacterUs;
+    starts += startUs > lastUs + 1 ? std::to_string(startUs) + ":" + std::to_string(character.value) + " " : "";
+    lastUs = character.endUs;
+  }
+  CHECK(starts == "5000:15 10030:3 25000:15 30690:147 33000:15 53000:15 ");
 }
 
 TEST_CASE("a TX that is HIGH while idle destroys every character on the wire") {

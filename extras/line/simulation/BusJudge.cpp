@@ -11,17 +11,19 @@ void BusJudge::frame(uint64_t endUs, uint8_t end) {
   _hasFrame = true;
 }
 
-void BusJudge::heard(const Character &character, uint32_t characterUs, bool isCollided) {
+void BusJudge::heard(const Character &character, uint32_t characterUs, bool isCollided, uint64_t frameUs) {
   const uint64_t startUs = character.endUs - characterUs;
   restedUntil(startUs);
   if (_characters == 0) {
     _startUs = startUs;
     _id = character.value;
     _isCollided = false;
+    _frameUs = NoFrame;
   }
   _characters++;
   _lastUs = character.endUs;
   _isCollided = _isCollided || isCollided;
+  _frameUs = std::min(_frameUs, frameUs);
 }
 
 void BusJudge::restedUntil(uint64_t nowUs) {
@@ -31,13 +33,20 @@ void BusJudge::restedUntil(uint64_t nowUs) {
 }
 
 void BusJudge::close() {
-  const bool isSlot = _characters == sbus::SlotSize && sbus::isSlotId(_id);
-  _characters = 0;
-  if (_isCollided) {
+  if (_isCollided && _frameUs != NoFrame && _frameUs + CharacterUs > _startUs) {
+    (_frameUs >= _startUs ? _counts.met : _counts.unseen)++;
+  } else if (_isCollided) {
     _counts.collided++;
-  } else if (!isSlot) {
+  } else if (_characters > sbus::SlotSize || !sbus::isSlotId(_id)) {
     _counts.torn++;
-  } else if (sbus::slotOfId(_id) == 0) {
+  } else {
+    closeSlot();
+  }
+  _characters = 0;
+}
+
+void BusJudge::closeSlot() {
+  if (sbus::slotOfId(_id) == 0) {
     _counts.receivers++;
   } else if (!_hasFrame || !sbus::endsVariant(_end, sbus::SlotsVariant) ||
              sbus::slotOfId(_id) / sbus::SlotsOfGroup != sbus::firstSlotOf(_end) / sbus::SlotsOfGroup) {
@@ -49,6 +58,8 @@ void BusJudge::close() {
       _counts.early++;
     } else if (offUs > SlotToleranceUs) {
       _counts.late++;
+    } else if (_characters < sbus::SlotSize) {
+      _counts.cut++;
     } else {
       _earliestUs = _counts.right == 0 ? offUs : std::min(_earliestUs, offUs);
       _latestUs = _counts.right == 0 ? offUs : std::max(_latestUs, offUs);
@@ -71,7 +82,10 @@ std::string BusJudge::text() const {
                 {_counts.unannounced, "not announced"},
                 {_counts.torn, "torn"},
                 {_counts.collided, "collided"},
-                {_counts.held, "while TX held the wire"}};
+                {_counts.unseen, "in a frame's first character"},
+                {_counts.held, "while TX held the wire"},
+                {_counts.met, "met by a frame"},
+                {_counts.cut, "cut short"}};
   const char *separator = "; ";
   for (const auto &fault : faults) {
     if (fault.count > 0) {

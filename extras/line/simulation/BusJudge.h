@@ -24,18 +24,24 @@ class BusJudge {
     unsigned long late = 0;         // in a slot of the announced group, but too late
     unsigned long receivers = 0;    // in slot 0, which is the receiver's
     unsigned long unannounced = 0;  // a slot of another group, or after an end byte that announces none
-    unsigned long torn = 0;         // not three characters that begin with a slot's ID
+    unsigned long torn = 0;         // not characters of a slot, which begin with its ID
     unsigned long collided = 0;     // on the wire at the same time as something else
+    unsigned long unseen = 0;       // in a frame whose first character had not ended: few ports show that
     unsigned long held = 0;         // TX held the wire HIGH at rest: every character is destroyed
+    // Not the board's fault, or harmless.
+    unsigned long met = 0;  // a frame began while it was sent
+    unsigned long cut = 0;  // in a slot's time, but only one or two characters: a receiver discards them
 
-    unsigned long wrong() const { return early + late + receivers + unannounced + torn + collided + held; }
+    unsigned long wrong() const { return early + late + receivers + unannounced + torn + collided + unseen + held; }
   };
 
   // Takes the end of a receiver's frame, with its end byte.
   void frame(uint64_t endUs, uint8_t end);
 
-  // Takes a character that the board has sent, or has begun to send.
-  void heard(const Character &character, uint32_t characterUs, bool isCollided);
+  static constexpr uint64_t NoFrame = UINT64_MAX;
+
+  // Takes a character that the board has sent, or has begun to send. `frameUs`: when the frame began that it destroys.
+  void heard(const Character &character, uint32_t characterUs, bool isCollided, uint64_t frameUs = NoFrame);
 
   // Takes the time until which the wire was at rest.
   void restedUntil(uint64_t nowUs);
@@ -56,6 +62,7 @@ class BusJudge {
   static constexpr uint32_t GapUs = 30;  // characters that are further apart belong to two answers
 
   void close();
+  void closeSlot();
 
   uint64_t _frameEndUs = 0;
   uint8_t _end = 0;
@@ -66,6 +73,7 @@ class BusJudge {
   unsigned _characters = 0;
   uint8_t _id = 0;
   bool _isCollided = false;
+  uint64_t _frameUs = NoFrame;
   Counts _counts;
   int64_t _earliestUs = 0;
   int64_t _latestUs = 0;

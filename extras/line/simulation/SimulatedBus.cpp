@@ -14,6 +14,7 @@ constexpr uint32_t OnlySlot0Us = 310;         // from there as well
 constexpr uint16_t SupplyDecivolts = 46;      // 4.6 V, as in PX4-Autopilot's capture
 constexpr uint16_t ExternalDecivolts = 241;   // 24.1 V, takarakasai/sbus, doc/spec.md
 constexpr uint8_t OnlySlot0End = 0x08;
+constexpr size_t MostFrames = 8;  // that are remembered
 
 constexpr uint32_t periodUs(BusMode mode) {
   return mode == BusMode::OnlySlot0 ? OnlySlot0PeriodUs : SlotsPeriodUs;
@@ -57,12 +58,20 @@ void SimulatedBus::makeCycle() {
   Sent sent;
   for (uint8_t i = 0; i < sbus::FrameSize; i++) {
     _receiver.next(UINT64_MAX, sent);
+    sent.endUs += static_cast<uint64_t>(_shiftUs);
     sent.isFramesEnd = i == sbus::EndIndex;
     sent.value = sent.isFramesEnd ? end : sent.value;
     put(sent);
   }
   const uint64_t frameEndUs = sent.endUs;
-  _madeUs = frameEndUs - sbus::FrameSize * CharacterUs + periodUs(_mode);
+  const uint64_t frameUs = frameEndUs - sbus::FrameSize * CharacterUs;
+  const uint32_t intervalUs = _interval ? _interval() : periodUs(_mode);
+  _shiftUs += int64_t{intervalUs} - int64_t{periodUs(_mode)};
+  _madeUs = frameUs + intervalUs;
+  _framesUs.push_back(frameUs);
+  if (_framesUs.size() > MostFrames) {
+    _framesUs.pop_front();
+  }
   if (_mode != BusMode::NoTelemetry && (group == 0 || _mode == BusMode::OnlySlot0)) {
     sbus::ReceiverVoltage voltage = {};
     voltage.isExternal = _cycles / 4 % 2 != 0;
@@ -104,6 +113,14 @@ void SimulatedBus::put(const Sent &sent) {
   _wire.insert(place, added);
 }
 
+// Returns when the frame begins that a character which ends at `endUs` meets.
+uint64_t SimulatedBus::frameAt(uint64_t endUs) const {
+  const auto met = std::find_if(_framesUs.begin(), _framesUs.end(), [&](uint64_t us) {
+    return us < endUs && endUs - CharacterUs < us + sbus::FrameSize * CharacterUs;
+  });
+  return met == _framesUs.end() ? BusJudge::NoFrame : *met;
+}
+
 // The diode passes only HIGH: a TX that is HIGH at rest holds the wire.
 void SimulatedBus::share(const LineSettings &tx) {
   _tx = tx;
@@ -126,7 +143,7 @@ void SimulatedBus::hear(const Character &character) {
   const auto heard = std::find_if(_wire.begin(), _wire.end(), [&](const Sent &other) {
     return other.endUs == sent.endUs && other.value == sent.value;
   });
-  _judge.heard(character, CharacterUs, heard->bad);
+  _judge.heard(character, CharacterUs, heard->bad, frameAt(character.endUs));
 }
 
 std::string SimulatedBus::report() const {

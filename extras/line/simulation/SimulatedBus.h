@@ -2,7 +2,9 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "line/Line.h"
@@ -34,6 +36,9 @@ class SimulatedBus : public Line {
   // Adds a sensor; two in the same slot collide.
   void add(const BusSensor &sensor) { _sensors.push_back(sensor); }
 
+  // Frames come no more every 15 ms: `interval` returns the time from the start of one to the next, us, 4000 or more.
+  void pace(std::function<uint32_t()> interval) { _interval = std::move(interval); }
+
   // Delivers a character once it has ended, so that no board can still destroy it: a UART asks a character ahead.
   bool next(uint64_t nowUs, Character &character) override;
 
@@ -52,13 +57,17 @@ class SimulatedBus : public Line {
   void makeCycle();
   void send(uint64_t startUs, const uint8_t *bytes, size_t size);
   void put(const Sent &sent);
+  uint64_t frameAt(uint64_t endUs) const;
 
   const BusMode _mode;
   SimulatedReceiver _receiver;
   std::vector<BusSensor> _sensors;
   uint32_t _cycles = 0;
-  uint64_t _madeUs = 0;    // all before is in `_wire`
-  std::deque<Sent> _wire;  // in the order of their ends
+  uint64_t _madeUs = 0;  // all before is in `_wire`
+  std::function<uint32_t()> _interval;
+  int64_t _shiftUs = 0;            // of frames that do not come every 15 ms
+  std::deque<uint64_t> _framesUs;  // when the newest frames begin
+  std::deque<Sent> _wire;          // in the order of their ends
   LineSettings _tx;
   bool _isHeld = false;
   bool _isShared = false;
