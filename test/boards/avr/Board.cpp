@@ -18,6 +18,7 @@ namespace avr {
 namespace {
 
 constexpr uint32_t CyclesPerUs = 16;
+constexpr avr_cycle_count_t Never = avr_cycle_count_t{1} << 60;
 constexpr avr_cycle_count_t PollCycles = 10 * CyclesPerUs;       // of a silent line
 constexpr avr_cycle_count_t SharedPollCycles = 2 * CyclesPerUs;  // of a line that hands characters over at their end
 constexpr uint8_t ExternalInterrupts = 8;                        // INT0..INT7
@@ -188,11 +189,18 @@ line::LineSettings Board::settings(size_t number) const {
 }
 
 // The core sets baud rate and format first, then RXENn and TXENn. libsimavr counts a parity bit that is not there, and
-// misses a stop bit that is set after the baud rate: we calculate the time of a character.
+// misses a stop bit that is set after the baud rate: we calculate the time of a character. Nor does it raise UDREn before
+// all has been sent (1.6, avr_uart.c, avr_uart_txc_raise()): its own timer never elapses, and shifted() does that.
 void Board::control(size_t number, uint32_t value) {
+  avr_uart_t &usart = *_usarts[number];
   if ((value & TransmitterOn) != 0) {
     const line::LineSettings now = settings(number);
-    _usarts[number]->cycles_per_byte = now.format.bits() * (_avr->frequency / now.baud);
+    _transmitters[number].usart = &usart;
+    _transmitters[number].character = now.format.bits() * (_avr->frequency / now.baud);
+    usart.cycles_per_byte = Never;
+    if (avr_regbit_get(_avr, usart.udrc.raised) != 0) {
+      avr_raise_interrupt(_avr, &usart.udrc);  // if UDRIEn is on
+    }
   }
   if (number == _model.receiver) {
     const bool asBefore = _isOpen && settings(number) == _settings;
@@ -297,9 +305,27 @@ uint8_t Board::dataRead(avr_t *, avr_io_addr_t, void *board) {
   return value;
 }
 
-// A character begins to leave a TX pin.
+// A character has been sent. UDR, if it holds another one, is empty then: UDREn, otherwise TXCn (ATmega2560 datasheet,
+// 22.6.3).
+avr_cycle_count_t Board::shifted(avr_t *avr, avr_cycle_count_t when, void *transmitter) {
+  Transmitter &self = *static_cast<Transmitter *>(transmitter);
+  avr_raise_interrupt(avr, self.hasNext ? &self.usart->udrc : &self.usart->txc);
+  self.isSending = self.hasNext;
+  self.hasNext = false;
+  return self.isSending ? when + self.character : 0;
+}
+
+// A character is written to UDR. It begins to leave the TX pin at once, or after the one before.
 void Board::send(size_t number, uint8_t byte) {
   const uint64_t us = clockUs(_avr->cycle);
+  Transmitter &transmitter = _transmitters[number];
+  if (transmitter.isSending) {
+    transmitter.hasNext = true;
+  } else {
+    transmitter.isSending = true;
+    avr_cycle_timer_register(_avr, transmitter.character, shifted, &transmitter);
+    avr_raise_interrupt(_avr, &transmitter.usart->udrc);
+  }
   const bool isRight = number == _model.console ? isSerial(settings(number)) : settings(number) == line::LineSettings();
   if (!isRight) {
     _mismatch[number] = "sends with " + text(settings(number));

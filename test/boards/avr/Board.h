@@ -85,6 +85,7 @@ class Board {
 
  private:
   static uint8_t dataRead(avr_t *avr, avr_io_addr_t address, void *board);
+  static avr_cycle_count_t shifted(avr_t *avr, avr_cycle_count_t when, void *transmitter);
   static avr_cycle_count_t levelChanges(avr_t *avr, avr_cycle_count_t when, void *board);
   static avr_cycle_count_t characterThrough(avr_t *avr, avr_cycle_count_t when, void *board);
 
@@ -105,10 +106,18 @@ class Board {
   void print(uint8_t byte);
   void edge(size_t pin, bool high);
 
+  // A shift register, and UDR behind it.
+  struct Transmitter {
+    avr_uart_t *usart;
+    avr_cycle_count_t character;  // cycles
+    bool isSending, hasNext;
+  };
+
   const Model _model;
   avr_t *_avr;
   avr_uart_t *_usarts[None] = {};  // null: the chip has no such
   avr_uart_t *_usart = nullptr;    // the receiver
+  Transmitter _transmitters[None] = {};
   UsbHost _usb;
   std::deque<std::function<void(uint32_t)>> _callbacks;  // libsimavr has been given their addresses
   avr_cycle_count_t _clockZero = 0;                      // micros() counts from here, some before setup()
