@@ -8,9 +8,9 @@ SBUS_COMPILE_DECODER(sbus::Frame16, sbus::Answers)
 
 namespace {
 
-// The time from the end of the wait until the start bit, us: 640 cycles of an AVR (simavr), a few us on other boards.
+// The time from the end of the wait until the start bit, us: 820 cycles of an AVR (simavr), a few us on other boards.
 #if defined(__AVR__)
-constexpr uint32_t PollLead = 640 / (F_CPU / 1000000);
+constexpr uint32_t PollLead = 820 / (F_CPU / 1000000);
 #else
 constexpr uint32_t PollLead = 5;
 #endif
@@ -62,11 +62,21 @@ void SBus2Sensor::parseSBusFrame() {
   if (_isTimed) {
     return;  // due() does all that
   }
+  checkClock(_gap.isLong());
   receive(false);
+  _isLate = false;
   _port.enter();
   answerWithin(LongestWait);
   if (_port.leave()) {
     receive(true);
+  }
+}
+
+// While interrupts are off micros() may stand still: then no time from before is right.
+void SBus2Sensor::checkClock(bool isLate) {
+  if (isLate) {
+    _finder.events().skip();
+    _isLate = true;
   }
 }
 
@@ -92,27 +102,29 @@ __attribute__((always_inline)) inline void SBus2Sensor::plan(bool isPrompt) {
   _isFresh = isPrompt && sbus::SlotTimer::isFresh();
   if (_isTimed) {
     sbus::SlotTimer::polled(answers.found(), answers.by());
+  } else if (answers.found() > 0) {
+    _heardBy = answers.by();
   }
-  _echo = answers.found() < _echo ? static_cast<uint8_t>(_echo - answers.found()) : uint8_t{0};
   if (!answers.takeFrameEnd() || !_finder.isEmpty()) {
     return;
   }
   const bool isCalled = isPrompt && _isTimed;  // so no poll comes between two calls
-  const bool isKnown = answers.found() > 0 && (wasFresh || !isCalled);
+  const bool isKnown = answers.found() > 0 && !_isLate && (wasFresh || !isCalled);
   const sbus::HandOver handOver = isKnown ? _handOver : sbus::HandOver::Unknown;
   const uint32_t before = _finder.pollBefore();
-  const sbus::End end = isCalled
-                            ? sbus::promptEndOf(handOver, answers.found(), before, answers.by())
-                            : sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), before, answers.by());
-  _echo = 0;
+  const sbus::End end = isCalled ? sbus::promptEndOf(handOver, answers.found(), before, answers.by())
+                                 : sbus::SlotTimer::endOf(_isTimed, handOver, answers.found(), before, answers.by());
   const uint32_t apart = end.latest - end.earliest;
   const uint32_t frames = _finder.counters().frames;
-  if (frames != _timedFrame + 1 || apart > sbus::Answers::MostOff) {
+  constexpr uint32_t Widest = 1000;  // us: while no frame is expected, polls are farther apart
+  if (frames != _timedFrame + 1 || apart > Widest) {
     _rhythm.miss();
   }
   if (apart <= sbus::Answers::MostOff) {
     _timedFrame = frames;
     _rhythm.frame(end.earliest + apart / 2, answers.outcome());
+  } else if (apart <= Widest) {
+    _rhythm.early(end.earliest, end.latest);
   }
   constexpr uint16_t Taken = FrameTime + sbus::Answers::MostOff;  // us: an interval is known to 0.1 ms
   const uint16_t interval = _rhythm.interval();
@@ -158,13 +170,16 @@ int32_t SBus2Sensor::untilDue() const {
   return static_cast<int32_t>(_finder.events().due() - micros() - PollLead - Sooner);
 }
 
-// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. While a frame's end
-// is expected it does not go back to loop(), or polls would be too far apart.
+// Sends first, and does not read the port shortly before a slot: an AVR may need 0.3 ms for that. It looks there twice
+// instead, so far apart that a frame's character comes in between, and so close to the slot that the one before has
+// ended. While a frame's end is expected it does not go back to loop(), or polls would be too far apart.
 void SBus2Sensor::tick() {
-  constexpr int32_t LongestWait = 40;   // us
-  constexpr int32_t ReadingTime = 400;  // us
-  const sbus::Answers &answers = _finder.events();
+  constexpr int32_t LongestWait = 40;                   // us
+  constexpr int32_t ReadingTime = 400;                  // us
+  constexpr int32_t LookAhead = 180, LatestLook = 110;  // us
+  sbus::Answers &answers = _finder.events();
   uint32_t poll = 0;
+  checkClock(sbus::SlotTimer::isLate());
   answerWithin(LongestWait);
   if (!answers.isPlanned() || untilDue() > ReadingTime) {
     do {
@@ -173,10 +188,17 @@ void SBus2Sensor::tick() {
         return;
       }
       receive(false);
+      _isLate = false;
       poll = answers.nextPoll(micros());
     } while (poll == 0);
   }
-  const int32_t until = answers.isPlanned() ? untilDue() : INT32_MAX;
+  int32_t until = answers.isPlanned() ? untilDue() : INT32_MAX;
+  if (until > LookAhead) {
+    _waiting = NoLook;
+    until -= LookAhead;
+  } else if (_waiting == NoLook && until > LatestLook) {
+    _waiting = static_cast<int16_t>(sbus::SlotTimer::waiting(_port));
+  }
   const bool isSooner = poll == 0 || until < static_cast<int32_t>(poll);
   sbus::SlotTimer::at(!isSooner ? poll : until > 0 ? static_cast<uint32_t>(until) : 0);
 }
@@ -188,11 +210,18 @@ void SBus2Sensor::armTimer() {
   }
 }
 
-// Does not speak into what another one sends: a frame that comes early, or a sensor in the wrong slot.
+// Returns true if nothing else sends: no frame that comes early, and no sensor in the wrong slot. Their characters
+// follow each other without a gap.
+bool SBus2Sensor::isQuiet(uint32_t now) {
+  constexpr uint32_t Silence = sbus::CharacterTime + 10;  // us
+  return _isTimed ? sbus::SlotTimer::isQuiet(_port, _waiting) : _port.available() <= 0 && now - _heardBy > Silence;
+}
+
 void SBus2Sensor::answer(uint32_t now) {
   uint8_t characters[sbus::SlotSize];
-  if (_finder.events().isPlanned() &&
-      !(_isTimed ? sbus::SlotTimer::isQuiet(_port, _echo) : sbus::NoSlotTimer::isQuiet(_port, _echo))) {
+  const bool mayStart = !_finder.events().isPlanned() || isQuiet(now);
+  _waiting = NoLook;
+  if (!mayStart) {
     _finder.events().skip();
     return;
   }
@@ -201,9 +230,7 @@ void SBus2Sensor::answer(uint32_t now) {
   }
   const bool isSent =
       _isTimed ? sbus::SlotTimer::send(characters, sizeof characters) : _port.write(characters, sizeof characters);
-  if (isSent) {
-    _echo = static_cast<uint8_t>(_echo + sizeof characters);
-  } else {
+  if (!isSent) {
     _finder.events().unsent();
   }
 }

@@ -99,7 +99,8 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   /// On a Grasshopper, on a Pico and on an AVR that has a timer 2, interrupts do all that; on an ESP32 a task does it.
   /// There this method does nothing, and the sketch need not call it. On all other boards call it at least every 75 us:
   /// a later poll cannot know when the frame ended, and skips its answers. If a slot begins within 100 us, it waits for
-  /// that. Do not call it from an interrupt.
+  /// that. There do not disable interrupts for longer than 0.1 ms; a Teensy 4 notices it, and skips answers. Do not
+  /// call it from an interrupt.
   void parseSBusFrame();
 
   /// See DecodeSBusOf.
@@ -146,6 +147,8 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
     return sbus::SlotTimer::start(static_cast<Port &>(stream), due, sensor);
   }
 
+  static constexpr int16_t NoLook = -1;
+
   void stop();
   void start(unsigned long baud);
   void arrived();
@@ -154,16 +157,21 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   void plan(bool isPrompt);
   void answer(uint32_t now);
   void armTimer();
+  void checkClock(bool isLate);
   void answerWithin(int32_t wait);
   void tick();
   int32_t untilDue() const;
+  bool isQuiet(uint32_t now);
 
   Stream &_stream;
   bool (*const _start)(Stream &stream, SBus2Sensor *sensor);
   bool _isTimed = false;  // a timer calls due()
   bool _isFresh = false;  // the port's last call came at once
+  bool _isLate = false;   // the next poll comes so late that its time says nothing
+  sbus::SlotTimer::Gap _gap;
   sbus::FrameRhythm _rhythm;
-  uint8_t _echo = 0;         // characters that were sent and may still come back
-  uint32_t _timedFrame = 0;  // number of the last frame whose end was known
+  uint32_t _heardBy = 0;      // us: no character that was read has come later
+  int16_t _waiting = NoLook;  // characters that waited shortly before the slot that is due
+  uint32_t _timedFrame = 0;   // number of the last frame whose end was known
   const sbus::HandOver _handOver;
 };

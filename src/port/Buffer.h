@@ -71,7 +71,9 @@ unsigned enlarge(Port &, Choice<0>) {
 
 // Returns for how many characters a port waits for more before it hands over less than a burst (LineTiming.h).
 constexpr uint8_t idleCharacters(HandOver handOver) {
-  return handOver == HandOver::EachCharacter ? 0 : handOver == HandOver::Dma16 ? 1 : MostIdleCharacters;
+  return handOver == HandOver::EachCharacter || handOver == HandOver::Fifo ? 0
+         : handOver == HandOver::Dma16                                     ? 1
+                                                                           : MostIdleCharacters;
 }
 
 /// @endcond

@@ -20,6 +20,7 @@ namespace sbus {
 enum class HandOver : uint8_t {
   Unknown,        // at some time: a sensor does not answer there (but on an ESP32: below)
   EachCharacter,  // by an interrupt for each, in its first stop bit
+  Fifo,           // in its first stop bit, even while interrupts are off
   Dma16,          // with the sixteenth since the last time, or when the line was idle for a character
 };
 
@@ -32,9 +33,10 @@ struct Lag {
 inline Lag lagOf(HandOver handOver, unsigned found) {
   constexpr int16_t Early = -15;  // the middle of the first of two stop bits
   constexpr int16_t Late = 10;    // an interrupt comes late by so much while others run
+  constexpr int16_t Shown = -10;  // the end of the first stop bit
   constexpr unsigned Half = 16;   // characters, of the STM32L0's ring
   const int16_t idle = handOver == HandOver::Dma16 && found % Half != 0 ? CharacterTime : 0;
-  return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(idle + Late)};
+  return {static_cast<int16_t>(idle + Early), static_cast<int16_t>(handOver == HandOver::Fifo ? Shown : idle + Late)};
 }
 
 // The bounds of the time at which a frame ended, us.
@@ -81,10 +83,11 @@ inline HandOver handOverOf(HardwareSerialIMXRT *, HardwareSerial *, Choice<1>) {
   return HandOver::EachCharacter;
 }
 #endif
-// arduino-pico, whose available() looks into the FIFO.
+// arduino-pico, whose available() looks into the FIFO. Its UART does not check the second stop bit (RP2040 datasheet,
+// 4.2.2).
 template <typename Port>
 auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->setInvertRX(true), HandOver()) {
-  return HandOver::EachCharacter;
+  return HandOver::Fifo;
 }
 // For an ESP32 no bound is known, whatever setRxFIFOFull() and setRxTimeout() say. The driver's interrupt takes
 // characters out of the FIFO, notes no time, and lies in flash, since Arduino's libraries do not set

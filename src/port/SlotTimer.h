@@ -49,8 +49,16 @@ class NoSlotTimer {
   static void wait(uint32_t us) { delayMicroseconds(static_cast<unsigned>(us)); }
   // Returns true if a call of the port that has found half of its ring came within a character's time.
   static bool isFresh() { return false; }
-  // Returns true if no more characters than `echo` have come that were not read, and none comes in, if the port can tell.
-  static bool isQuiet(Port &port, unsigned echo) { return static_cast<unsigned>(port.available()) <= echo; }
+  // Returns how many characters have come that were not read.
+  static int waiting(Port &port) { return port.available(); }
+  // Returns true if no character has come since there were `waiting`, and none comes in, if the port can tell.
+  static bool isQuiet(Port &port, int waiting) { return port.available() == waiting; }
+  // Returns true if due() came so late that micros() may have stood still meanwhile.
+  static bool isLate() { return false; }
+  // The time between two polls from loop(), where it can be told whether micros() may have stood still.
+  struct Gap {
+    static bool isLong() { return false; }
+  };
   // Sends at once. Returns false if it cannot.
   static bool send(const uint8_t *, size_t) { return false; }
 
@@ -94,6 +102,34 @@ class HoldByFlag {
 #elif defined(ARDUINO_ARCH_ESP32) && defined(ESP_ARDUINO_VERSION_MAJOR)
 #define SBUS_SLOT_TIMER_ESP32  // from 2.0 on
 #include "SlotTimerEsp32.h"
+#elif defined(SBUS_TEENSY4)
+
+namespace sbus {
+
+/// @cond  Not for sketches.
+
+// No timer, but a counter that runs on while interrupts are off. micros() stops 1 ms after the newest interrupt of its
+// own, and goes on from there (cores 7f107ee, teensy4/delay.c:118).
+class SlotTimer : public NoSlotTimer {
+ public:
+  class Gap {
+   public:
+    bool isLong() {
+      const uint32_t now = ARM_DWT_CYCCNT;
+      const uint32_t cycles = now - _newest;
+      _newest = now;
+      return cycles > F_CPU_ACTUAL / 1000 - F_CPU_ACTUAL / 10000;
+    }
+
+   private:
+    uint32_t _newest = 0;
+  };
+};
+
+/// @endcond
+
+}  // namespace sbus
+
 #else
 
 namespace sbus {

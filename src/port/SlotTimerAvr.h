@@ -23,13 +23,12 @@ class SlotTimer : public NoSlotTimer {
   static bool start(HardwareSerial &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void at(uint32_t us);
-  static bool send(const uint8_t *characters, size_t size) {
-    write(characters, size);
-    return true;
-  }
+  static bool isLate() { return _isLate; }
+  static bool send(const uint8_t *characters, size_t size);
+  static void tick();  // the interrupt
 
  private:
-  static void write(const uint8_t *characters, size_t size);
+  static bool _isLate;
 };
 
 /// @endcond

@@ -84,9 +84,14 @@ void SlotTimer::polled(unsigned found, uint32_t by) {
   _watch.poll(found, by, from, fill, clock());
 }
 
-// What the driver has taken out of the FIFO, due() has read; the FIFO itself holds what came since.
-bool IRAM_ATTR SlotTimer::isQuiet(Port &, unsigned echo) {
-  return uart_ll_get_rxfifo_len(UART_LL_GET_HW(number)) <= echo;
+int IRAM_ATTR SlotTimer::waiting(Port &) {
+  return static_cast<int>(uart_ll_get_rxfifo_len(UART_LL_GET_HW(number)));
+}
+
+// The driver may have taken all characters out of the FIFO meanwhile.
+bool IRAM_ATTR SlotTimer::isQuiet(Port &port, int waiting) {
+  const int now = SlotTimer::waiting(port);
+  return now == waiting || (now == 0 && waiting > 0);
 }
 
 // Does not use the driver's methods: they take a mutex, which is not allowed while interrupts are off.

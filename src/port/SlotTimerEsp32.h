@@ -62,7 +62,8 @@ class SlotTimer : public NoSlotTimer {
   static bool start(HardwareSerial &port, void (*due)(void *), void *context);
   static void stop(void *context);
   static void at(uint32_t us);
-  static bool isQuiet(Port &, unsigned echo);
+  static int waiting(Port &);
+  static bool isQuiet(Port &port, int waiting);
   static bool send(const uint8_t *characters, size_t size);
 
   static void polled(unsigned found, uint32_t by);

@@ -62,7 +62,7 @@ bool SlotTimer::isFresh() {
   return DmaSender::isFresh(sender);
 }
 
-bool SlotTimer::isQuiet(Port &, unsigned) {
+bool SlotTimer::isQuiet(Port &, int) {
   return !DmaSender::hears(sender);
 }
 

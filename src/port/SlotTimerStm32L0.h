@@ -22,7 +22,7 @@ class SlotTimer : public NoSlotTimer {
   static void at(uint32_t us);
 
   static bool isFresh();
-  static bool isQuiet(Port &, unsigned echo);
+  static bool isQuiet(Port &, int);
   static bool send(const uint8_t *characters, size_t size);
 };
 

@@ -61,6 +61,17 @@ class FrameRhythm {
     }
   }
 
+  /// Takes a frame that ended between `earliest` and `latest`. It counts if it came early in any case. The next
+  /// interval is not known.
+  void early(uint32_t earliest, uint32_t latest) {
+    if (_isKnown && latest - _end < _shortest) {
+      const uint32_t us = earliest - _end;
+      _shortest = us < _shortest ? static_cast<uint16_t>(us) : uint16_t{0};
+      _candidate = _shortest < _candidate ? _shortest : _candidate;
+    }
+    miss();
+  }
+
   /// Takes a frame whose end is not known: the next interval is not known, either.
   void miss() { _isKnown = false; }
 

@@ -47,6 +47,29 @@ TEST_CASE("before anything is answered 16 intervals are listened to; then the sh
   CHECK(jittering.rhythm.interval() == shortest);
 }
 
+TEST_CASE("a frame whose end is not known exactly counts if it comes early in any case") {
+  const auto early = [](Line &line, uint32_t us, uint32_t apart) {
+    line.now += us;
+    line.rhythm.early(line.now - apart, line.now);
+  };
+  Line line;
+  line.frames(2 + Pause, 15000);
+  early(line, 15000, 600);
+  line.frame(9000);  // nothing is known of these
+  CHECK(line.rhythm.interval() == 15000);
+  line.frame(15000);
+  early(line, 14999, 600);
+  CHECK(line.rhythm.interval() == 14399);
+  line.frames(2, 15000);
+  early(line, 9000, 1000);
+  CHECK(line.rhythm.interval() == 8000);
+  line.frames(2, 15000);
+  early(line, 500, 600);
+  CHECK(line.rhythm.interval() == 0);
+  line.frames(1 + 2 * Memory, 15000);
+  CHECK(line.rhythm.interval() == 15000);
+}
+
 TEST_CASE("a frame that an answer destroys makes an interval longer: the shortest stays, and it listens") {
   for (const uint32_t period : {7000u, 9000u, 11000u, 15000u, 30000u}) {
     CAPTURE(period);
@@ -76,7 +99,9 @@ TEST_CASE("a period that becomes shorter holds at once, and after a collision, t
   CHECK(collided.rhythm.interval() == 7000);
 }
 
-TEST_CASE("each time that it has to listen again it listens twice as long, up to 1024 frames; after fine answers less again") {
+TEST_CASE(
+    "each time that it has to listen again it listens twice as long, up to 1024 frames; after fine answers less "
+    "again") {
   Line line;
   line.frames(2 + Pause, 15000);
   std::vector<unsigned> pauses;

@@ -33,7 +33,7 @@ void BusJudge::restedUntil(uint64_t nowUs) {
 }
 
 void BusJudge::close() {
-  if (_isCollided && _frameUs != NoFrame && _frameUs + CharacterUs > _startUs) {
+  if (_isCollided && _frameUs != NoFrame && _frameUs + UnseenUs > _startUs) {
     (_frameUs >= _startUs ? _counts.met : _counts.unseen)++;
   } else if (_isCollided) {
     _counts.collided++;
@@ -54,6 +54,7 @@ void BusJudge::closeSlot() {
   } else {
     const uint64_t dueUs = _frameEndUs + FirstSlotUs + SlotPitchUs * (sbus::slotOfId(_id) % sbus::SlotsOfGroup);
     const int64_t offUs = static_cast<int64_t>(_startUs) - static_cast<int64_t>(dueUs);
+    _mostOffUs = std::max(_mostOffUs, offUs < 0 ? -offUs : offUs);
     if (offUs < -SlotToleranceUs) {
       _counts.early++;
     } else if (offUs > SlotToleranceUs) {

@@ -26,7 +26,7 @@ class BusJudge {
     unsigned long unannounced = 0;  // a slot of another group, or after an end byte that announces none
     unsigned long torn = 0;         // not characters of a slot, which begin with its ID
     unsigned long collided = 0;     // on the wire at the same time as something else
-    unsigned long unseen = 0;       // in a frame whose first character had not ended: few ports show that
+    unsigned long unseen = 0;       // in a frame whose first character few ports could have shown
     unsigned long held = 0;         // TX held the wire HIGH at rest: every character is destroyed
     // Not the board's fault, or harmless.
     unsigned long met = 0;  // a frame began while it was sent
@@ -55,11 +55,15 @@ class BusJudge {
   int64_t earliestUs() const { return _earliestUs; }
   int64_t latestUs() const { return _latestUs; }
 
+  // Returns how far the start of any announced answer was off its slot's time, us.
+  int64_t mostOffUs() const { return _mostOffUs; }
+
   // Returns "12 answers in their slots, -3..7 us off; 1 late, 2 in slot 0".
   std::string text() const;
 
  private:
-  static constexpr uint32_t GapUs = 30;  // characters that are further apart belong to two answers
+  static constexpr uint32_t UnseenUs = CharacterUs + 50;  // from a frame's start: its first character, and a look
+  static constexpr uint32_t GapUs = 30;                   // characters that are further apart belong to two answers
 
   void close();
   void closeSlot();
@@ -77,6 +81,7 @@ class BusJudge {
   Counts _counts;
   int64_t _earliestUs = 0;
   int64_t _latestUs = 0;
+  int64_t _mostOffUs = 0;
 };
 
 }  // namespace line

@@ -189,8 +189,9 @@ line::LineSettings Board::settings(size_t number) const {
 }
 
 // The core sets baud rate and format first, then RXENn and TXENn. libsimavr counts a parity bit that is not there, and
-// misses a stop bit that is set after the baud rate: we calculate the time of a character. Nor does it raise UDREn before
-// all has been sent (1.6, avr_uart.c, avr_uart_txc_raise()): its own timer never elapses, and shifted() does that.
+// misses a stop bit that is set after the baud rate: we calculate the time of a character. Nor does it raise UDREn
+// before all has been sent (1.6, avr_uart.c, avr_uart_txc_raise()): its own timer never elapses, and shifted() does
+// that.
 void Board::control(size_t number, uint32_t value) {
   avr_uart_t &usart = *_usarts[number];
   if ((value & TransmitterOn) != 0) {
@@ -198,8 +199,8 @@ void Board::control(size_t number, uint32_t value) {
     _transmitters[number].usart = &usart;
     _transmitters[number].character = now.format.bits() * (_avr->frequency / now.baud);
     usart.cycles_per_byte = Never;
-    if (avr_regbit_get(_avr, usart.udrc.raised) != 0) {
-      avr_raise_interrupt(_avr, &usart.udrc);  // if UDRIEn is on
+    if (!_transmitters[number].hasNext) {
+      avr_raise_interrupt(_avr, &usart.udrc);  // also when UDRIEn is set
     }
   }
   if (number == _model.receiver) {

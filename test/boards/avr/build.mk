@@ -12,7 +12,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Counters Busy InterruptsOff
+OURS_ALONE := Background Counters Busy InterruptsOff Masked
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega
@@ -21,7 +21,7 @@ uno := atmega328p UNO standard
 # What an example says on a board that it cannot run on; empty: it compiles. $1: the board, $2: the example.
 reason = $(strip $(if $(filter uno,$1),$(if $(filter Led Servos,$2),,one port cannot receive and print), \
   $(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts)))
-# Busy has a timer 2, and all print.
+# Busy and Masked have a timer 2, and all print.
 ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background Counters InterruptsOff))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
 sketches = $(filter-out $(call rejected,$1),$(EXAMPLES)) $(call ours,$1)

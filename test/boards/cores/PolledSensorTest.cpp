@@ -106,6 +106,19 @@ TEST_CASE_TEMPLATE("with a slower loop() slots are skipped and counted; no answe
   }
 }
 
+TEST_CASE("interrupts disabled at random, and frames that come early: answers are whole, in time, and meet no frame") {
+  for (const auto &each : Disturbances) {
+    CAPTURE(each.longestUs);
+    CAPTURE(each.apartUs);
+    CAPTURE(each.isUnsteady);
+    WithDiode sketch;
+    disturb(sketch, each.longestUs, each.apartUs, each.isUnsteady, each.least, [&] {
+      delayMicroseconds(20);
+      sketch.sensor.parseSBusFrame();
+    });
+  }
+}
+
 TEST_CASE_TEMPLATE("after end() nothing is sent; after begin() answers continue", Sketch, WithDiode, OnSingleWire) {
   Sketch sketch;
   run(sketch, 37, 10);

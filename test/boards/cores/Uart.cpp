@@ -351,6 +351,7 @@ void Uart::flush() {
 
 // Time, for sketch and library.
 uint32_t micros();
+uint32_t cycleCount();
 uint32_t millis();
 void delay(unsigned long ms);
 void delayMicroseconds(unsigned us);
@@ -360,6 +361,10 @@ void digitalWrite(uint32_t pin, uint32_t level);
 uint32_t micros() {
   sim::world.pass(sim::world.tickUs);
   return static_cast<uint32_t>(sim::world.nowUs - sim::world.stoodStillUs);
+}
+// Of 600 MHz.
+uint32_t cycleCount() {
+  return static_cast<uint32_t>(sim::world.nowUs * 600);
 }
 uint32_t millis() {
   sim::world.pass(sim::world.tickUs);

@@ -34,6 +34,7 @@ class HardwareSerialIMXRT : public Simulated<HardwareSerial> {
   // of 4, and what is being sent (685). A closed port has no clock.
   HardwareSerialIMXRT() : Simulated<HardwareSerial>({63, 3, 1, 63 + 4 + 1, sim::Available | sim::Write, false, 0}) {
     uart.lookIntoFifo();
+    uart.keep(4 + 1, 1000);  // the FIFO, and the shift register; micros() goes on by 1 ms (delay.c:118)
   }
   void begin(unsigned long baud, uint16_t format = 0) override {
     const unsigned stops = (format & 0x100) != 0 ? 2 : 1;
@@ -47,5 +48,10 @@ class HardwareSerialIMXRT : public Simulated<HardwareSerial> {
 extern HardwareSerialIMXRT Serial1, Serial2;
 
 extern uint32_t SCB_ICSR;
+
+// The counter of cycles runs on while micros() stands still. (Uart.cpp)
+uint32_t cycleCount();
+#define F_CPU_ACTUAL 600000000u
+#define ARM_DWT_CYCCNT cycleCount()
 
 constexpr sim::Known Core = {true, true, 100000, 2, 0, true, true};
