@@ -113,14 +113,15 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   // ---- Answering
 
   /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().
-  /// An answer never mixes the values of two calls. Returns false, and changes nothing, for slot 0, and if the sensor's
-  /// slots do not lie within one group of eight. It may be called at any rate.
+  /// An answer never mixes the values of two calls. Returns false if a value is out of its range: then it answers with
+  /// the nearest one within. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not lie
+  /// within one group of eight. It may be called at any rate.
   template <typename Sensor>
   bool writeSensor(uint8_t slot, const Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
-    sensor.encode(data);
+    const bool fits = sensor.encode(data);
     const sbus::SlotTimer::Apart apart;
-    return _finder.events().write(slot, Sensor::Slots, data);
+    return _finder.events().write(slot, Sensor::Slots, data) && fits;
   }
 
   /// Stops answering in `count` slots from slot `slot` on. The radio then shows that the sensor is gone.

@@ -124,6 +124,18 @@ TEST_CASE("with a loop() that is blocked now and then, only the slots that it mi
   CHECK(sketch.sensor.skippedSlots() > 0);
 }
 
+TEST_CASE("writeSensor() returns false for 200 A, which it answers, and where no sensor can stand, which it does not") {
+  Sketch sketch;
+  CHECK(!sketch.sensor.writeSensor(24, sbus::CurrentF1678{20000, 1234, 1500}));
+  CHECK(!sketch.sensor.writeSensor(0, Voltage));
+  CHECK(!sketch.sensor.writeSensor(7, Voltage));
+  sketch.run(Second, 50u);
+  CHECK(sketch.counts().right == sketch.sensor.sentSlots());
+  CHECK(sketch.sensor.sentSlots() % 3 == 0);
+  CHECK(sketch.sensor.sentSlots() > 0);
+  CHECK(sketch.counts().wrong() == 0);
+}
+
 TEST_CASE("a receiver that announces no slots gets no answer") {
   for (const auto mode : {line::BusMode::NoTelemetry, line::BusMode::OnlySlot0}) {
     Sketch sketch(mode);
