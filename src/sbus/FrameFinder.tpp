@@ -86,6 +86,7 @@ void FrameFinderOf<Format, Events>::gapBefore(bool isCertain) {
   if (_acquisition.gap(_buffer.filled(), _variant == UnknownVariant)) {
     countUp(_counters.otherSizeFrames);
     _variant = UnknownVariant;
+    _aligned = false;  // out of sync: isUsual() needs a variant
   }
 }
 

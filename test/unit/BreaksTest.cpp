@@ -117,3 +117,21 @@ TEST_CASE(
   }
   CHECK(found == 7);  // all but the first
 }
+
+TEST_CASE(
+    "36 characters between two gaps, which forget the variant, cost no frame that follows the telemetry directly") {
+  Line line(true);
+  line.send(plainFrame(line.number, endOf(line.number)));
+  Bytes group;
+  for (unsigned slot = 0; slot < 12; slot++) {
+    group = group + slotOf(line.number, slot % 8);
+  }
+  line.feed(group);
+  line.wait(5000);
+  unsigned found = 0;
+  for (unsigned number = line.number + 1; number < line.number + 5; number++) {
+    found += line.send(plainFrame(number, endOf(number))) == Frames{plainFrame(number, endOf(number))};
+  }
+  CHECK(line.finder.counters().otherSizeFrames == 1);
+  CHECK(found == 4);
+}
