@@ -13,7 +13,7 @@
 ///     if (dSBus.readSensor(0, voltage)) { Serial.println(voltage.decivolts); }
 ///
 /// A slot does not say which sensor fills it: read it as the type that the radio has for this slot. There is no
-/// checksum: if a wrong value would do harm, believe a value when it has come twice.
+/// checksum: if a wrong value would do harm, believe a value that has come twice (`trust.times` of readSensor()).
 template <typename Events>
 class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   using Decoder = DecodeSBusOf<sbus::Frame16, Events>;
@@ -24,8 +24,9 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   /// Reads the sensor whose first slot is `slot`, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
   /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
   /// sensor's slots have come within the last second; otherwise `sensor` is unchanged. The values of one sensor are of
-  /// one moment, and can be read one frame, 15 ms, after they were sent. Call it at any rate, from where
-  /// decodeSBusFrame() may be called.
+  /// one moment, and can be read one frame, 15 ms, after they were sent. From the first call for a sensor on, its slots
+  /// are kept together; the first ones may have come apart: then it returns false, until they come together. Call it at
+  /// any rate, from where decodeSBusFrame() may be called.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];
@@ -36,7 +37,23 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
     return true;
   }
 
-  /// Returns how many times since begin() the bytes between two frames were not just slots of the announced group. The
+  /// Reads the same, and how old the values are and how often they were confirmed: `trust.age` in ms, `trust.times`
+  /// from 1 on. Both change only if it returns true.
+  template <typename Sensor>
+  bool readSensor(uint8_t slot, Sensor &sensor, sbus::Trust &trust) {
+    sbus::SlotData data[Sensor::Slots];
+    sbus::Trust now;
+    if (!this->SBusFrameOk() || !this->_finder.events().read(slot, Sensor::Slots, data, now)) {
+      return false;
+    }
+    now.age = static_cast<uint16_t>(now.age + this->frameAge());
+    trust = now;
+    sensor.decode(data);
+    return true;
+  }
+
+  /// Returns how many times since begin() the bytes between two frames were not just slots of the announced group.
+  /// Slots of such a group that are certainly whole are read all the same. (An SBus2Sensor reads none of them.) The
   /// cause is a disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
   uint32_t rejectedGroups() const { return this->_finder.events().rejectedGroups(); }
 };

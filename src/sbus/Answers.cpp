@@ -82,7 +82,7 @@ void Answers::taken(const uint8_t *frame) {
   skip();
   _skipped += countOf(_wanted);
   const uint32_t rejected = rejectedGroups();
-  Telemetry::taken(frame);
+  takeWhole(frame);
   _outcome = Outcome::None;
   if (_out != 0) {
     _outcome = isEchoWrong(rejectedGroups() != rejected) ? Outcome::Collided : Outcome::Fine;

@@ -34,4 +34,63 @@ int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *sl
   return found;
 }
 
+// A slot that has lost a character takes the next one's ID for data; from the other end, its own.
+uint8_t wholeSlots(uint8_t end, bool isOpen, const uint8_t *characters, uint8_t count, uint8_t expected, uint8_t breaks,
+                   SlotData *data) {
+  const uint8_t first = firstSlotOf(end);
+  const uint8_t *const behind = characters + count;
+  const auto sizeOf = [breaks](uint8_t k) -> uint8_t { return (breaks >> k & 1) != 0 ? SlotSize + 1 : SlotSize; };
+  const auto isId = [&](const uint8_t *at, uint8_t k) {
+    return at < behind && at[0] == slotId(static_cast<uint8_t>(first + k));
+  };
+  const auto isComplete = [&](const uint8_t *at, uint8_t k) {
+    const uint8_t size = sizeOf(k);
+    return behind - at >= size && (size == SlotSize || at[SlotSize] == 0);
+  };
+
+  // From the beginning on: each slot that the next one follows where it should.
+  uint8_t whole = 0, last = 0;
+  const uint8_t *at = characters[0] == 0 ? characters + 1 : characters;  // behind the frame's break
+  SlotData before = {0, 0};
+  uint8_t k = 0;
+  for (; k < SlotsOfGroup; k++) {
+    if ((expected >> k & 1) == 0) {
+      continue;
+    }
+    if (!isId(at, k) || before.data0 == at[0] || before.data1 == at[0]) {
+      break;
+    }
+    whole |= last;
+    last = 0;
+    if (!isComplete(at, k)) {
+      break;
+    }
+    last = static_cast<uint8_t>(1 << k);
+    before = {at[1], at[2]};
+    data[k] = before;
+    at += sizeOf(k);
+  }
+  if (isOpen) {
+    const bool isLast = k == SlotsOfGroup && at < behind && at[0] == HeaderByte && before.data1 != HeaderByte;
+    return isLast ? whole | last : whole;
+  }
+  // From the end on.
+  at = behind;
+  for (k = SlotsOfGroup; k-- > 0;) {
+    if ((expected >> k & 1) == 0) {
+      continue;
+    }
+    if (at - characters < sizeOf(k)) {
+      break;
+    }
+    at -= sizeOf(k);
+    if (!isId(at, k) || !isComplete(at, k) || at[1] == at[0] || (at > characters && at[-1] == at[0])) {
+      break;
+    }
+    whole = static_cast<uint8_t>(whole | 1 << k);
+    data[k] = {at[1], at[2]};
+  }
+  return whole;
+}
+
 }  // namespace sbus

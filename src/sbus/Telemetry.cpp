@@ -6,74 +6,191 @@
 
 namespace sbus {
 
+namespace {
+
+constexpr uint8_t FramePeriod = 15;  // ms, of S.BUS2
+// Characters between a frame and the next but one: two groups, and a frame that lacks at least one.
+constexpr uint8_t MostBeforeNext = 2 * GroupSizeMax + FrameSize - 1;
+
+// Returns the end byte that follows this one: 04, 14, 24, 34, 04.
+constexpr uint8_t nextEnd(uint8_t end) {
+  return static_cast<uint8_t>((end + 0x10) & 0x3F);
+}
+
+}  // namespace
+
 void Telemetry::begin() {
-  memset(_misses, MissesMax + 1, sizeof _misses);
+  memset(_seen, Old, sizeof _seen);
   _count = 0;
   _end = 0;
   _rejected = 0;
   _breaks = 0;
+  memset(_joined, 0, sizeof _joined);
 }
 
 // The data may change while they are copied: then they are copied again.
-bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) const {
+bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data) {
   if (first + count > SlotCount) {
     return false;
   }
-  for (uint8_t i = 0; i < count; i++) {
-    if (_misses[first + i] > MissesMax) {
-      return false;
-    }
+  for (uint8_t slot = first; slot + 1 < first + count; slot++) {
+    uint8_t &joined = _joined[slot / SlotsOfGroup];
+    joined = static_cast<uint8_t>(joined | 1 << slot % SlotsOfGroup);
   }
   uint16_t changes;
   do {
     changes = _changes;
     barrier();
+    for (uint8_t i = 0; i < count; i++) {
+      if (misses(first + i) > MissesMax || misses(first + i) != misses(first)) {
+        return false;
+      }
+    }
     memcpy(data, _data + first, count * sizeof *data);
     barrier();
   } while (changes != _changes);
   return true;
 }
 
+bool Telemetry::read(uint8_t first, uint8_t count, SlotData *data, Trust &trust) {
+  uint16_t changes;
+  do {
+    changes = _changes;
+    barrier();
+    if (!read(first, count, data)) {
+      return false;
+    }
+    // The frame that announced them: 1 to 4 frames ago, and a round for each miss.
+    const uint8_t frames = static_cast<uint8_t>(((_end >> 4) - first / SlotsOfGroup - 1) & 3);
+    trust.age = static_cast<uint16_t>(FramePeriod * (4 * misses(first) + frames + 1));
+    trust.times = UINT8_MAX;
+    for (uint8_t i = 0; i < count; i++) {
+      const uint8_t times = static_cast<uint8_t>(_seen[first + i] / Time + 1);
+      trust.times = times < trust.times ? times : trust.times;
+    }
+    barrier();
+  } while (changes != _changes);
+  return true;
+}
+
 bool Telemetry::forget(uint8_t slot, SlotData &data) {
-  if (_misses[slot] != 0) {
+  if (misses(slot) != 0) {
     return false;
   }
   data = _data[slot];
-  _misses[slot] = MissesMax + 1;
+  _seen[slot] = Old;
   return true;
 }
 
 void Telemetry::discarded(const uint8_t *bytes, int count) {
-  if (count > GroupSizeMax - _count) {
-    lost();
+  if (_count == Lost) {
     return;
   }
-  memcpy(_characters + _count, bytes, static_cast<size_t>(count));
-  _count = static_cast<uint8_t>(_count + count);
+  const int room = static_cast<int>(sizeof _characters) - _count;
+  if (room > 0) {
+    memcpy(_characters + _count, bytes, static_cast<size_t>(count < room ? count : room));
+  }
+  _count = static_cast<uint8_t>(count < Lost - _count ? _count + count : Lost);
+}
+
+void Telemetry::put(uint8_t slot, const SlotData &data) {
+  SlotData &mine = _data[slot];
+  const bool isSame = misses(slot) <= MissesMax && mine.data0 == data.data0 && mine.data1 == data.data1;
+  mine = data;
+  const uint8_t times = _seen[slot] & MostTimes;
+  _seen[slot] = !isSame ? uint8_t{0} : times < MostTimes ? static_cast<uint8_t>(times + Time) : times;
+}
+
+// Counts a round of a group. Returns which of its slots come on this line.
+uint8_t Telemetry::pass(uint8_t first) {
+  uint8_t expected = 0;
+  for (uint8_t i = 0; i < SlotsOfGroup; i++) {
+    if (misses(first + i) <= MissesMax) {
+      _seen[first + i]++;
+      expected = static_cast<uint8_t>(expected | 1 << i);
+    } else {
+      _breaks &= ~(uint32_t{1} << (first + i));  // it may be another receiver by now
+    }
+  }
+  return expected;
+}
+
+// Finds the slots before the next frame, and writes their data. `expected`: which come on this line. Returns false if
+// the characters are not just slots.
+bool Telemetry::findAll(uint8_t &found, SlotData *data, uint8_t &expected) {
+  found = 0;
+  if (!announcesSlots(_end)) {
+    return true;
+  }
+  expected = pass(firstSlotOf(_end));
+  Slot slots[SlotsOfGroup];
+  const int8_t count = _count > GroupSizeMax ? int8_t{-1} : readSlots(_end, _characters, _count, slots, _breaks);
+  for (int8_t i = 0; i < count; i++) {
+    const uint8_t k = slots[i].number % SlotsOfGroup;
+    found = static_cast<uint8_t>(found | 1 << k);
+    data[k] = slots[i].data;
+  }
+  _rejected += count < 0;
+  return count >= 0;
+}
+
+// Finds the slots that are whole nevertheless. Only one frame may be missing after the group: otherwise its data would
+// be older than they seem.
+uint8_t Telemetry::findSome(uint8_t newest, SlotData *data, uint8_t expected) const {
+  const bool isNextLost = newest == nextEnd(nextEnd(_end));
+  if (_count > (isNextLost ? MostBeforeNext : GroupSizeMax)) {
+    return 0;
+  }
+  const uint8_t count = _count < sizeof _characters ? _count : static_cast<uint8_t>(sizeof _characters);
+  return wholeSlots(_end, isNextLost, _characters, count, expected, static_cast<uint8_t>(_breaks >> firstSlotOf(_end)),
+                    data);
+}
+
+// Keeps the data that were found. Slots that are read together change together.
+void Telemetry::keep(uint8_t found, const SlotData *data) {
+  const uint8_t first = firstSlotOf(_end);
+  const uint8_t joined = _joined[first / SlotsOfGroup] & 0x7F;
+  if (joined != 0) {
+    for (uint8_t i = 1; i < SlotsOfGroup; i++) {
+      found = static_cast<uint8_t>(found & ~(joined & ~(found >> 1)));
+      found = static_cast<uint8_t>(found & ~((joined & ~found) << 1));
+    }
+  }
+  for (uint8_t k = 0; found != 0; k++, found = static_cast<uint8_t>(found >> 1)) {
+    if ((found & 1) != 0) {
+      put(static_cast<uint8_t>(first + k), data[k]);
+    }
+  }
+}
+
+// Counts the rounds of groups whose frames are missing, and begins the next one.
+void Telemetry::next(uint8_t newest) {
+  if (endsVariant(_end, SlotsVariant) && endsVariant(newest, SlotsVariant)) {
+    for (uint8_t end = nextEnd(_end); end != newest; end = nextEnd(end)) {
+      pass(firstSlotOf(end));
+    }
+  }
+  _changes++;
+  _end = newest;
+  _count = 0;
 }
 
 void Telemetry::taken(const uint8_t *frame) {
-  if (announcesSlots(_end)) {
-    const uint8_t first = firstSlotOf(_end);
-    for (uint8_t i = 0; i < SlotsOfGroup; i++) {
-      uint8_t &misses = _misses[first + i];
-      if (misses <= MissesMax) {
-        misses++;
-      } else {
-        _breaks &= ~(uint32_t{1} << (first + i));  // it may be another receiver by now
-      }
-    }
-    Slot slots[SlotsOfGroup];
-    const int8_t found = _count > GroupSizeMax ? int8_t{-1} : readSlots(_end, _characters, _count, slots, _breaks);
-    _rejected += found < 0;
-    for (int8_t i = 0; i < found; i++) {
-      _data[slots[i].number] = slots[i].data;
-      _misses[slots[i].number] = 0;
-    }
-    _changes++;
+  SlotData data[SlotsOfGroup];
+  uint8_t found, expected;
+  if (!findAll(found, data, expected)) {
+    found = findSome(frame[EndIndex], data, expected);
   }
-  _end = frame[EndIndex];
-  _count = 0;
+  keep(found, data);
+  next(frame[EndIndex]);
+}
+
+void Telemetry::takeWhole(const uint8_t *frame) {
+  SlotData data[SlotsOfGroup];
+  uint8_t found, expected;
+  findAll(found, data, expected);
+  keep(found, data);
+  next(frame[EndIndex]);
 }
 
 }  // namespace sbus

@@ -11,8 +11,15 @@
 
 namespace sbus {
 
-/// Holds the newest data of all 32 slots. The bytes between two frames are accepted once the second frame is there, and
-/// only if all of them are slots (readSlots()). It needs 144 bytes.
+/// How far the data of some slots can be trusted: Telemetry::read().
+struct Trust {
+  uint16_t age;   ///< ms, of Telemetry::read() before the newest frame
+  uint8_t times;  ///< 1..8, 8 or more: how often in a row each of the slots has come with these data
+};
+
+/// Holds the newest data of all 32 slots. The bytes between two frames are accepted once the second frame is there: if
+/// all of them are slots (readSlots()), otherwise those slots that are certainly whole (wholeSlots()). It needs 148
+/// bytes.
 ///
 /// The context that reads the port calls the events; they may interrupt read().
 class Telemetry {
@@ -21,8 +28,12 @@ class Telemetry {
   static constexpr uint8_t MissesMax = 16;
 
   /// Copies the data of `count` slots from slot `first` on to `data`. Returns false, and leaves `data` unchanged,
-  /// unless each of them came in one of its last 16 rounds (1 s). All of them are of one moment.
-  bool read(uint8_t first, uint8_t count, SlotData *data) const;
+  /// unless each of them came in one of its last 16 rounds (1 s). All of them are of one moment: from the first call
+  /// on, these slots only change together.
+  bool read(uint8_t first, uint8_t count, SlotData *data);
+
+  /// Reads the same, and how far it can be trusted.
+  bool read(uint8_t first, uint8_t count, SlotData *data, Trust &trust);
 
   /// Returns how many times the bytes after a frame that announces a group were not just slots of this group.
   uint32_t rejectedGroups() const { return _rejected; }
@@ -31,7 +42,7 @@ class Telemetry {
   void begin();                                         ///< see NoEvents
   void taken(const uint8_t *frame);                     ///< see NoEvents
   void extra() { lost(); }                              ///< see NoEvents
-  void lost() { _count = GroupSizeMax + 1; }            ///< see NoEvents
+  void lost() { _count = Lost; }                        ///< see NoEvents
   void discarded(const uint8_t *bytes, int count);      ///< see NoEvents
   void rejected(int, Rejection) {}                      ///< see NoEvents
   static constexpr bool seesEachGap() { return true; }  ///< see NoEvents
@@ -39,19 +50,35 @@ class Telemetry {
   void asked(int, uint32_t) {}                          ///< see NoEvents
 
  protected:
-  /// Forgets what slot `slot` has brought between the two newest frames, and copies it to `data`. Returns false if it has
-  /// brought nothing.
+  /// Forgets what slot `slot` has brought between the two newest frames, and copies it to `data`. Returns false if it
+  /// has brought nothing.
   bool forget(uint8_t slot, SlotData &data);
 
+  /// Is taken() without wholeSlots(): some 500 bytes less on a Cortex-M0+.
+  void takeWhole(const uint8_t *frame);
+
  private:
+  static constexpr uint8_t Lost = UINT8_MAX;
+  static constexpr uint8_t Time = 0x20, MostTimes = 0xE0;  // of _seen
+  static constexpr uint8_t Old = MissesMax + 1;
+
+  uint8_t misses(int slot) const { return _seen[slot] & (Time - 1); }
+  void put(uint8_t slot, const SlotData &data);
+  uint8_t pass(uint8_t first);
+  bool findAll(uint8_t &found, SlotData *data, uint8_t &expected);
+  uint8_t findSome(uint8_t newest, SlotData *data, uint8_t expected) const;
+  void keep(uint8_t found, const SlotData *data);
+  void next(uint8_t newest);
+
   SlotData _data[SlotCount];
-  uint8_t _misses[SlotCount];  // rounds since the slot came; above MissesMax: no data
-  uint8_t _characters[GroupSizeMax];
-  uint8_t _count;  // of _characters; above GroupSizeMax: something other than a group
-  uint8_t _end;    // end byte of the frame before them
+  uint8_t _seen[SlotCount];  // rounds since the slot came; above MissesMax: no data. And Time for each time it repeated
+  uint8_t _characters[GroupSizeMax + 1];  // the first since the frame before
+  uint8_t _count;                         // of all since; or Lost: many, or some are missing
+  uint8_t _end;                           // end byte of the frame before them
   uint16_t _changes = 0;
   uint32_t _rejected;
-  uint32_t _breaks;  // see readSlots()
+  uint32_t _breaks;                           // see readSlots()
+  uint8_t _joined[SlotCount / SlotsOfGroup];  // bit k: the group's slots k and k + 1 are read together
 };
 
 }  // namespace sbus

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -162,6 +163,107 @@ TEST_CASE("once a break has followed a slot, a group is rejected if any one char
       CHECK(read(end, whole, breaks) == all);
     }
   }
+}
+
+namespace {
+
+// A group with some of its slots, whose data are often 00 or the ID of one of its slots.
+struct Group {
+  uint8_t number, expected = 0, breaks;
+  Bytes characters;
+  sbus::SlotData data[8];
+  unsigned size = 0;  // slots
+
+  Group(std::minstd_rand &random, bool hasBreaks) : number(random() % 4), breaks(hasBreaks ? 0xFF : 0) {
+    const auto any = [&] {
+      const unsigned value = random() % 256, kind = random() % 4;
+      return static_cast<uint8_t>(kind == 0   ? 0
+                                  : kind == 1 ? sbus::slotId(static_cast<uint8_t>(8 * number + value % 8))
+                                              : value);
+    };
+    if (hasBreaks) {
+      characters.push_back(0);
+    }
+    for (uint8_t k = 0; k < 8; k++) {
+      data[k] = {any(), any()};
+      if (random() % 4 != 0) {
+        size++;
+        expected = static_cast<uint8_t>(expected | 1 << k);
+        characters.insert(characters.end(),
+                          {sbus::slotId(static_cast<uint8_t>(8 * number + k)), data[k].data0, data[k].data1});
+        if (hasBreaks) {
+          characters.push_back(0);
+        }
+      }
+    }
+  }
+
+  // Reads other characters than its own. Returns how many slots have its data, and adds the others to `wrong`.
+  unsigned read(Bytes impaired, unsigned &wrong) const {
+    sbus::SlotData found[8];
+    const auto count = static_cast<uint8_t>(impaired.size());
+    impaired.resize(sbus::GroupSizeMax + 1);
+    const uint8_t whole =
+        sbus::wholeSlots(static_cast<uint8_t>(number << 4 | 4), false, impaired.data(), count, expected, breaks, found);
+    unsigned right = 0;
+    for (unsigned k = 0; k < 8; k++) {
+      const bool isSame = found[k].data0 == data[k].data0 && found[k].data1 == data[k].data1;
+      right += (whole >> k & 1) != 0 && isSame;
+      wrong += (whole >> k & 1) != 0 && (!isSame || (expected >> k & 1) == 0);
+    }
+    return right;
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "if a character of a group is lost, or one too many stands between slots, no wrong slot is read; if two are, few") {
+  std::minstd_rand random(1);
+  unsigned slots[3] = {}, read[3] = {}, wrong[3] = {};
+  for (unsigned i = 0; i < 4000; i++) {
+    const bool hasBreaks = i % 2 != 0;
+    const Group group(random, hasBreaks);
+    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(group.characters.size());
+    for (std::ptrdiff_t lost = hasBreaks ? 1 : 0; lost < size; lost++) {
+      Bytes impaired = group.characters;
+      impaired.erase(impaired.begin() + lost);
+      slots[0] += group.size;
+      read[0] += group.read(impaired, wrong[0]);
+      if (lost + 1 < size) {
+        impaired.erase(impaired.begin() + lost +
+                       static_cast<std::ptrdiff_t>(random() % static_cast<unsigned>(size - lost - 1)));
+        slots[1] += group.size;
+        read[1] += group.read(impaired, wrong[1]);
+      }
+    }
+    const std::ptrdiff_t pitch = hasBreaks ? 4 : 3;
+    for (std::ptrdiff_t at = hasBreaks ? 1 : 0; at <= size && size < sbus::GroupSizeMax; at += pitch) {
+      Bytes impaired = group.characters;
+      impaired.insert(impaired.begin() + at, static_cast<uint8_t>(random()));
+      slots[2] += group.size;
+      read[2] += group.read(impaired, wrong[2]);
+    }
+  }
+  CHECK(wrong[0] == 0);
+  CHECK(wrong[1] * 400 < read[1]);  // of data that are IDs so often
+  CHECK(wrong[2] == 0);
+  CHECK(read[0] * 10 > slots[0] * 6);
+  CHECK(read[1] * 10 > slots[1] * 4);
+  CHECK(read[2] * 10 > slots[2] * 7);
+}
+
+TEST_CASE("a group before a frame that was rejected is read up to the header") {
+  const auto read = [](Bytes characters) {
+    characters.resize(sbus::GroupSizeMax + 1, 0x55);
+    sbus::SlotData data[8];
+    return unsigned{sbus::wholeSlots(0x04, true, characters.data(), sbus::GroupSizeMax + 1, 0x83, 0, data)};
+  };
+  CHECK(read({0x03, 1, 2, 0x83, 3, 4, 0xE3, 5, 6, 0x0F}) == 0x83);
+  CHECK(read({0x03, 1, 2, 0x83, 3, 4, 0xE3, 5, 6, 0x55}) == 0x03);     // the header is missing
+  CHECK(read({0x03, 1, 2, 0x83, 3, 4, 0xE3, 5, 0x0F, 0x0F}) == 0x03);  // slot 7 may have lost a character
+  CHECK(read({0x03, 1, 2, 0x83, 3, 0xE3, 5, 6, 0x0F}) == 0x01);
+  CHECK(read({0x03, 1, 0x83, 3, 4, 0xE3, 5, 6, 0x0F}) == 0x00);
 }
 
 TEST_CASE("the whole group with breaks is the longest that is read") {
