@@ -92,7 +92,9 @@ TEST_CASE(
     sbus::ReceiverVoltage voltage;
     CHECK(sketch.sensor.readSensor(0, voltage));
     sbus::TemperatureF1713 other;
-    CHECK(sketch.sensor.readSensor(3, other));
+    sbus::Trust trust;
+    CHECK(sketch.sensor.readSensor(3, other, trust));
+    CHECK(trust.times == 8);
     sbus::VoltageSbs01V own;
     CHECK(!sketch.sensor.readSensor(6, own));
     CHECK(sketch.sensor.rejectedGroups() == 0);

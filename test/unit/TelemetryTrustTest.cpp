@@ -1,0 +1,179 @@
+// DecodeSBusTelemetry on an S.BUS2 line with damaged groups: which slots are read, and how far values can be trusted.
+#include "support/TelemetrySketch.h"
+
+TEST_CASE(
+    "on a line with breaks a slot that lacks a character costs no other slot, and other receivers are read in a "
+    "second") {
+  for (size_t lost = 0; lost < sbus::SlotSize; lost++) {
+    CAPTURE(lost);
+    Sketch sketch(1000);
+    Bus bus;
+    bus.hasBreaks = true;
+    sketch.rounds(5, bus);
+    bus.change = [lost](unsigned, std::vector<Answer> &answers) {
+      if (answers.size() == 3 && answers[0].slot == 0) {
+        answers[1].characters[1] = 0x81;
+        answers[2].characters[1] = 0x99;  // a value that must not be read
+        answers[2].characters.erase(answers[2].characters.begin() + static_cast<std::ptrdiff_t>(lost));
+      }
+    };
+    sketch.rounds(3, bus);
+    CHECK(data0Of(sketch.sbus, 1) == (lost == 0 ? 0x80 : 0x81));  // what follows without an ID may belong to slot 1
+    CHECK(data0Of(sketch.sbus, 2) == 0x00);
+    CHECK(hasCurrent(sketch));
+    CHECK(sketch.sbus.rejectedGroups() == 3);
+  }
+  Sketch sketch(1000);
+  Bus bus;
+  bus.hasBreaks = true;
+  sketch.rounds(5, bus);
+  sketch.rounds(20);
+  CHECK(hasVoltage(sketch));
+  CHECK(sketch.sbus.rejectedGroups() > 0);
+  const uint32_t rejected = sketch.sbus.rejectedGroups();
+  sketch.rounds(5);
+  CHECK(sketch.sbus.rejectedGroups() == rejected);
+}
+
+TEST_CASE(
+    "a group that is not just slots is counted, and only slots that are certainly whole are read: a character missing "
+    "or "
+    "too many, two sensors in a slot") {
+  const struct {
+    const char *what;
+    std::function<void(std::vector<Answer> &)> change;
+    bool isSlot1Read, isSlot2Read;
+  } rows[] = {
+      {"data1 of slot 1 is missing", [](std::vector<Answer> &answers) { answers[1].characters.pop_back(); }, false,
+       true},
+      {"the ID of slot 1 is missing",
+       [](std::vector<Answer> &answers) { answers[1].characters.erase(answers[1].characters.begin()); }, false, true},
+      {"data0 of slot 2 is missing",
+       [](std::vector<Answer> &answers) { answers[2].characters.erase(answers[2].characters.begin() + 1); }, true,
+       false},
+      {"a stray 55 after slot 2", [](std::vector<Answer> &answers) { answers[2].characters.push_back(0x55); }, true,
+       false},
+      {"slot 1 sends slot 2's ID", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x43; }, false, true},
+      {"slot 1 sends an ID of group 1", [](std::vector<Answer> &answers) { answers[1].characters[0] = 0x93; }, false,
+       true},
+      {"nothing is whole", [](std::vector<Answer> &answers) { answers[1].characters = answers[2].characters = {0x43}; },
+       false, false},
+  };
+  for (const auto &row : rows) {
+    CAPTURE(row.what);
+    Sketch sketch(1000);
+    Bus bus;
+    sketch.rounds(5, bus);
+    bus.change = [&row](unsigned, std::vector<Answer> &answers) {
+      if (answers.size() == 3 && answers[0].slot == 0) {
+        answers[1].characters[1] = 0x99;
+        answers[2].characters[1] = 0x99;
+        row.change(answers);
+      }
+    };
+    sketch.rounds(3, bus);
+    CHECK(data0Of(sketch.sbus, 0) == 0xC0);
+    CHECK((data0Of(sketch.sbus, 1) == 0x99) == row.isSlot1Read);
+    CHECK((data0Of(sketch.sbus, 2) == 0x99) == row.isSlot2Read);
+    CHECK(hasCurrent(sketch));
+    CHECK(sketch.sbus.rejectedGroups() == 3);
+  }
+}
+
+TEST_CASE("a sensor's age and how often it has come in a row with the same data are told, and follow what comes") {
+  const auto trustOf = [](Sketch &sketch, uint8_t slot) {
+    Raw<1> raw;
+    sbus::Trust trust = {4711, 47};
+    if (!sketch.sbus.readSensor(slot, raw, trust)) {
+      CHECK(trust.age == 4711);
+      CHECK(trust.times == 47);
+    }
+    return trust;
+  };
+  Sketch sketch(1000);
+  Bus bus;
+  CHECK(trustOf(sketch, 1).times == 47);
+  sketch.rounds(2, bus);                       // the line's first frame is not found
+  for (int times = 1; times <= 10; times++) {  // each time just before the next round's first frame
+    CAPTURE(times);
+    CHECK(trustOf(sketch, 1).times == (times < 8 ? times : 8));
+    CHECK(trustOf(sketch, 1).age == 45 + 11);  // announced three frames before the newest, which is 11 ms old
+    sketch.rounds(1, bus);
+  }
+  CHECK(trustOf(sketch, 24).age == 60 + 11);
+  sketch.rounds(2, bus);
+  CHECK(trustOf(sketch, 0).times == 1);  // the receiver's two voltages in turn
+  sbus::CurrentF1678 current;
+  sbus::Trust trust;
+  REQUIRE(sketch.sbus.readSensor(24, current, trust));
+  CHECK(trust.age == 60 + 11);
+  CHECK(trust.times == 8);
+  bool isSlot1 = true;
+  bus.change = [&isSlot1](unsigned, std::vector<Answer> &answers) {
+    if (answers.size() == 3 && answers[0].slot == 0) {
+      answers[2].characters[1] = 0x99;
+      if (!isSlot1) {
+        answers.erase(answers.begin() + 1);
+      }
+    }
+  };
+  isSlot1 = false;
+  sketch.rounds(3, bus);
+  CHECK(trustOf(sketch, 1).age == 3 * 60 + 45 + 11);  // it is missing
+  CHECK(trustOf(sketch, 1).times == 8);
+  CHECK(trustOf(sketch, 2).age == 45 + 11);  // it has changed
+  CHECK(trustOf(sketch, 2).times == 3);
+  isSlot1 = true;
+  sketch.rounds(1, bus);
+  sbus::VoltageSbs01V voltage;
+  REQUIRE(sketch.sbus.readSensor(1, voltage, trust));
+  CHECK(trust.age == 45 + 11);
+  CHECK(trust.times == 4);
+}
+
+TEST_CASE("the slots of a sensor change together: while one of them is damaged, all keep their values") {
+  Sketch sketch(1000);
+  Bus bus;
+  sketch.rounds(5, bus);
+  CHECK(hasVoltage(sketch));
+  bus.change = [](unsigned, std::vector<Answer> &answers) {
+    if (answers.size() == 3 && answers[0].slot == 0) {
+      answers[1].characters[1] = 0x99;
+      answers[2].characters.erase(answers[2].characters.begin() + 1);
+    }
+  };
+  sketch.rounds(3, bus);
+  CHECK(hasVoltage(sketch));
+  CHECK(sketch.sbus.rejectedGroups() == 3);
+  Raw<2> raw;  // slots 0 and 1 have come at different times: not before they come together
+  CHECK(!sketch.sbus.readSensor(0, raw));
+}
+
+TEST_CASE("if the next frame is lost, its group is read up to that frame; if more are lost, it would be too old") {
+  const struct {
+    const char *what;
+    uint8_t newest;
+    unsigned lost;
+    bool isRead;
+  } rows[] = {
+      {"one", 0x24, 1, true}, {"two", 0x34, 2, false}, {"none, with noise", 0x14, 1, false}, {"five", 0x24, 5, false}};
+  for (const auto &row : rows) {
+    CAPTURE(row.newest);
+    sbus::Telemetry telemetry;
+    telemetry.begin();
+    for (const uint8_t data : {uint8_t{0x80}, uint8_t{0x99}}) {
+      telemetry.taken(plainFrame(0, 0x04).data());
+      telemetry.discarded((Bytes{0x83, data, 0x38}).data(), 3);
+      if (data == 0x80) {
+        telemetry.taken(plainFrame(0, 0x14).data());
+      }
+    }
+    for (unsigned i = 0; i < row.lost; i++) {
+      telemetry.discarded(plainFrame(1, 0x14).data(), 23);
+    }
+    telemetry.taken(plainFrame(2, row.newest).data());
+    sbus::SlotData data;
+    REQUIRE(telemetry.read(1, 1, &data));
+    CHECK((data.data0 == 0x99) == row.isRead);
+  }
+}
