@@ -12,8 +12,8 @@ constexpr uint8_t GroupBytes = 11;
 // bench`:
 //   bit by bit                     84 bytes of flash   3068 instructions
 //   bytes shifted into a word      68                   405
-//   unpack(), this one            178                   168
-//   unpackAligned(), word by word 160                    85, for an aligned payload
+//   unpack(), this one            178                   167
+//   unpackAligned(), word by word 160                    84, for an aligned payload
 void unpackGroup(const uint8_t *in, uint16_t *out) {
   const unsigned mask = ChannelMax;
   const auto byte = [in](uint8_t index) -> unsigned { return in[index]; };

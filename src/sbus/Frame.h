@@ -120,8 +120,8 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 /// as 0..2047, CH17 and CH18 as 0 or 1.
 void unpack(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
-/// Unpacks a frame whose payload, byte 1, is aligned to four bytes, on a little-endian machine: in 85 instructions of a
-/// Cortex-M0+ instead of the 168 of unpack(), and 18 bytes less (`make bench`).
+/// Unpacks a frame whose payload, byte 1, is aligned to four bytes, on a little-endian machine: in 84 instructions of a
+/// Cortex-M0+ instead of the 167 of unpack(), and 18 bytes less (`make bench`).
 void unpackAligned(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
 /// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.
