@@ -2,6 +2,7 @@
 // instructions (support/SingleStep.h), and no frame is lost, none is wrong, and counters() are of one moment.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 
@@ -225,6 +226,27 @@ TEST_CASE("frameAge() while a frame comes is that of the frame before it or its 
                      fakeMicros += 5 * Ms;
                    },
                    [](Scene &, bool) { REQUIRE(age >= 5); });
+}
+
+TEST_CASE("read() while a frame comes gives one whole frame, no younger than it is, and says whether it is new") {
+  static SBusFrame value;
+  static bool isNew;
+  everyInstruction(
+      [](Scene &now) {
+        now.sbus.read(value);
+        fakeMicros += 7 * Ms;
+      },
+      [](Scene &now) { isNew = now.sbus.read(value); }, [] { scene->whole(); },
+      [](Scene &now, bool) {
+        const Channels newest = readBitByBit(now.frame), before = readBitByBit(plainFrame(now.next - 2));
+        const bool isNewest = std::equal(newest.begin(), newest.end(), value.channels);
+        REQUIRE((isNewest || std::equal(before.begin(), before.end(), value.channels)));
+        REQUIRE(isNew == isNewest);
+        REQUIRE(now.sbus.newFrame() == !isNewest);
+        REQUIRE(value.lostFrame == ((now.next - isNewest) % 2 != 0));
+        REQUIRE_FALSE(value.failsafe);
+        REQUIRE((isNewest || value.age >= 7));
+      });
 }
 
 TEST_CASE("begin(), listen() and end() while the port calls back: afterwards frames come, or none") {

@@ -104,7 +104,7 @@ TEST_CASE("a sensor's age and how often it has come in a row with the same data 
   sketch.rounds(2, bus);
   CHECK(trustOf(sketch, 0).times == 1);  // the receiver's two voltages in turn
   sbus::CurrentF1678 current;
-  sbus::Trust trust;
+  sbus::Trust trust = {};
   REQUIRE(sketch.sbus.readSensor(24, current, trust));
   CHECK(trust.age == 60 + 11);
   CHECK(trust.times == 8);

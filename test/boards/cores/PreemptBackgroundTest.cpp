@@ -161,6 +161,10 @@ TEST_CASE("while the interrupt brings the end of a frame, each method works, and
   const Method methods[] = {
       [](DecodeSBusBackground &sbus) { sbus.SBusFrameOk(); },
       [](DecodeSBusBackground &sbus) { sbus.newFrame(); },
+      [](DecodeSBusBackground &sbus) {
+        static SBusFrame frame;
+        sbus.read(frame);
+      },
       [](DecodeSBusBackground &sbus) { sbus.linkState(); },
       [](DecodeSBusBackground &sbus) { sbus.setTimeout(100); },
       [](DecodeSBusBackground &sbus) { sbus.setLossLimit(100); },
