@@ -63,7 +63,7 @@ Sender *senderOf(const HardwareSerial *port) {
   }
 }
 
-// Claims a channel. When the core enables one it also changes the request of the next one (stm32l0_dma.c:206, channel
+// Claims a channel. When the core enables one it also changes the request of the next one (stm32l0_dma.c:199, channel
 // >> 4 has 8 bits): after USART1's that is the receiver's. So what was there is put back; and what begin() of the port
 // that receives by the channel before did to ours, select() mends.
 bool claim(uint16_t channel) {
