@@ -79,8 +79,12 @@ class Port : public HardwareSerial {
 
  private:
   struct Work {
-    explicit Work(Port &port) : _port(port) { port._isWorking = true; }
+    explicit Work(Port &port) : _port(port) {
+      port._isWorking = true;
+      sbus::barrier();
+    }
     ~Work() {
+      sbus::barrier();
       _port._isWorking = false;
       if (_port._lateSize != 0) {
         const size_t size = _port._lateSize;
