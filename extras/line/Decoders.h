@@ -43,6 +43,7 @@ class Places {
 
 template <typename Format>
 struct PlacesOf : Places {
+  void interval(uint32_t) {}
   void taken(const uint8_t *) { found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size); }
 };
 

@@ -18,6 +18,7 @@ namespace sbus {
 /// had.
 struct NoEvents {
   void begin() {}                          ///< reset() was called: all is forgotten
+  void interval(uint32_t) {}               ///< the next frame came this many us after the one before; see Counters
   void taken(const uint8_t *) {}           ///< the next bytes are this frame
   void extra() {}                          ///< the next 25 bytes are a frame with header 2F
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame

@@ -249,8 +249,10 @@ SBUS_IN_LINE const uint8_t *FrameFinderOf<Format, Events>::deliver() {
   }
   _expectedAt = static_cast<int8_t>(LineVariants[_variant].tailSize);
   _onlyNoise = true;
-  _counters.count(Format::flags(frame), _completeAfter - _frameTime);
+  const uint32_t interval = _completeAfter - _frameTime;
+  _counters.count(Format::flags(frame), interval);
   _frameTime = _completeAfter;
+  Events::interval(interval);
   Events::taken(frame);
   return frame;
 }

@@ -9,6 +9,8 @@ namespace sbus {
 namespace {
 
 constexpr uint8_t FramePeriod = 15;  // ms, of S.BUS2
+constexpr uint32_t FrameUs = FramePeriod * 1000UL;
+constexpr uint32_t RoundUs = 4 * FrameUs;
 // Characters between a frame and the next but one: two groups, and a frame that lacks at least one.
 constexpr uint8_t MostBeforeNext = 2 * GroupSizeMax + FrameSize - 1;
 
@@ -163,13 +165,31 @@ void Telemetry::keep(uint8_t found, const SlotData *data) {
   }
 }
 
+// End bytes tell how many frames are missing, but four more look alike: the time tells them. It may be negative, if a
+// blocked loop() has hidden when the frame before came.
+void Telemetry::passRounds(uint8_t frames) {
+  constexpr uint32_t Negative = UINT32_MAX - 1000000;
+  uint8_t rounds = 0;
+  for (uint32_t us = (frames + 2) * FrameUs; _interval >= us && _interval < Negative && rounds < Old; us += RoundUs) {
+    rounds++;
+  }
+  for (; rounds > 0; rounds--) {
+    for (uint8_t first = 0; first < SlotCount; first = static_cast<uint8_t>(first + SlotsOfGroup)) {
+      pass(first);
+    }
+  }
+}
+
 // Counts the rounds of groups whose frames are missing, and begins the next one.
 void Telemetry::next(uint8_t newest) {
+  uint8_t frames = 1;  // from the one before to the newest
   if (endsVariant(_end, SlotsVariant) && endsVariant(newest, SlotsVariant)) {
     for (uint8_t end = nextEnd(_end); end != newest; end = nextEnd(end)) {
       pass(firstSlotOf(end));
+      frames++;
     }
   }
+  passRounds(frames);
   _changes++;
   _end = newest;
   _count = 0;

@@ -18,7 +18,7 @@ struct Trust {
 };
 
 /// Holds the newest data of all 32 slots. The bytes between two frames are accepted once the second frame is there: if
-/// all of them are slots (readSlots()), otherwise those slots that are certainly whole (wholeSlots()). It needs 148
+/// all of them are slots (readSlots()), otherwise those slots that are certainly whole (wholeSlots()). It needs 152
 /// bytes.
 ///
 /// The context that reads the port calls the events; they may interrupt read().
@@ -40,6 +40,7 @@ class Telemetry {
 
   // The events of a FrameFinder.
   void begin();                                         ///< see NoEvents
+  void interval(uint32_t us) { _interval = us; }        ///< see NoEvents
   void taken(const uint8_t *frame);                     ///< see NoEvents
   void extra() { lost(); }                              ///< see NoEvents
   void lost() { _count = Lost; }                        ///< see NoEvents
@@ -69,6 +70,7 @@ class Telemetry {
   uint8_t findSome(uint8_t newest, SlotData *data, uint8_t expected) const;
   void keep(uint8_t found, const SlotData *data);
   void next(uint8_t newest);
+  void passRounds(uint8_t frames);
 
   SlotData _data[SlotCount];
   uint8_t _seen[SlotCount];  // rounds since the slot came; above MissesMax: no data. And Time for each time it repeated
@@ -76,6 +78,7 @@ class Telemetry {
   uint8_t _count;                         // of all since; or Lost: many, or some are missing
   uint8_t _end;                           // end byte of the frame before them
   uint16_t _changes = 0;
+  uint32_t _interval = 0;  // us, of the two newest frames
   uint32_t _rejected;
   uint32_t _breaks;                           // see readSlots()
   uint8_t _joined[SlotCount / SlotsOfGroup];  // bit k: the group's slots k and k + 1 are read together

@@ -23,6 +23,7 @@ struct Heard {
   uint32_t bytesDiscarded = 0;
 
   static constexpr bool seesEachGap() { return true; }
+  void interval(uint32_t) {}
   void taken(const uint8_t *frame) {
     REQUIRE(sbus::isHeaderByte<Format>(*frame));
     frames.push_back(at);

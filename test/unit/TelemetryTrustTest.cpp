@@ -131,6 +131,28 @@ TEST_CASE("a sensor's age and how often it has come in a row with the same data 
   CHECK(trust.times == 4);
 }
 
+TEST_CASE("after a line was cut, a value from before it is not read, or its age has the time of the cut") {
+  Bus empty;
+  empty.change = [](unsigned, std::vector<Answer> &answers) { answers.clear(); };
+  for (const unsigned ms : {60, 120, 180, 600, 900, 960, 1020, 5000, 60000, 2147483, 2147484, 3600000}) {
+    CAPTURE(ms);
+    Sketch sketch(1000);
+    sketch.rounds(5);
+    const uint64_t came = sketch.nextUs - 4 * PeriodUs;
+    sketch.nextUs += ms * uint64_t{1000};
+    sketch.rounds(1, empty);
+    Raw<1> raw;
+    sbus::Trust trust = {};
+    const bool isRead = sketch.sbus.readSensor(1, raw, trust);
+    CHECK(isRead == (ms <= 900));
+    if (isRead) {
+      const uint64_t age = (fakeMicros - came) / 1000;  // ms, of the beginning of the frame that announced it
+      CHECK(trust.age + 4 >= age);
+      CHECK(trust.age <= age);
+    }
+  }
+}
+
 TEST_CASE("the slots of a sensor change together: while one of them is damaged, all keep their values") {
   Sketch sketch(1000);
   Bus bus;
