@@ -38,17 +38,25 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   }
 
   /// Reads the sensor, and says how far its values can be trusted. `trust.age`: how old they are, ms, at most 10 ms too
-  /// high (FASSTest 12CH: 60 ms), and 60 ms too low for each four frames in a row that were lost. `trust.times`: how
-  /// often in a row they have come without a change, 1..8, where 8 is 8 or more. `trust` changes only if it returns
+  /// high (FASSTest 12CH, and after four lost frames in a row: 60 ms); 65535 stands for 65535 or more. `trust.times`:
+  /// how often in a row they have come without a change, 1..8, where 8 is 8 or more. `trust` changes only if it returns
   /// true.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor, sbus::Trust &trust) {
     sbus::SlotData data[Sensor::Slots];
     sbus::Trust now;
-    if (!this->SBusFrameOk() || !this->_finder.events().read(slot, Sensor::Slots, data, now)) {
-      return false;
-    }
-    now.age = static_cast<uint16_t>(now.age + this->frameAge());
+    uint32_t frames;
+    unsigned long age;
+    do {  // a frame may come in between: then the age would be that of neither
+      frames = this->_finder.counters().frames;
+      sbus::barrier();
+      if (!this->SBusFrameOk() || !this->_finder.events().read(slot, Sensor::Slots, data, now)) {
+        return false;
+      }
+      age = now.age + this->frameAge();
+      sbus::barrier();
+    } while (frames != this->_finder.counters().frames);
+    now.age = static_cast<uint16_t>(age < UINT16_MAX ? age : UINT16_MAX);
     trust = now;
     sensor.decode(data);
     return true;

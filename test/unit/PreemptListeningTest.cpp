@@ -13,7 +13,7 @@
 #include "support/CleanArduino.h"
 #include "support/FakeClock.h"
 
-#include <DecodeSBus.h>
+#include <DecodeSBusTelemetry.h>
 
 #if defined(SINGLE_STEP)
 
@@ -251,6 +251,54 @@ TEST_CASE("read() while a frame comes gives one whole frame, no younger than it 
         REQUIRE_FALSE(value.failsafe);
         REQUIRE((isNewest || value.age >= 7));
       });
+}
+
+TEST_CASE("a sensor's age while a frame comes is that of its value, never less") {
+  struct Line {
+    Port port;
+    DecodeSBusTelemetry sbus{port};
+    unsigned next = 0;
+    Line() {
+      sbus.begin();
+      fakeMicros += 20 * Ms;
+    }
+    void frame() {
+      const Frame frame = plainFrame(next, static_cast<uint8_t>(next % 4 << 4 | 4));
+      next++;
+      fakeMicros += 12 * Ms + 16 * 120;
+      port.arrive(frame.data(), 16);
+      fakeMicros += 9 * 120;
+      port.arrive(frame.data() + 16, 9);
+    }
+    void slot() {
+      constexpr uint8_t Slot[] = {0x03, 0xC0, 0x2E};
+      port.arrive(Slot, sizeof Slot);
+    }
+  };
+  static Line *line;
+  interrupt = [] { line->frame(); };
+  forEveryInstruction([&](unsigned long instruction) {
+    fakeMicros = 1000000 + instruction * 131;
+    Line now;
+    line = &now;
+    uint64_t came = 0;
+    for (int i = 0; i < 6; i++) {
+      now.frame();
+      if (now.next == 5) {
+        came = fakeMicros;
+        now.slot();
+      }
+    }
+    fakeMicros += 7 * Ms;
+    const uint64_t least = (fakeMicros - came) / Ms;
+    sbus::ReceiverVoltage voltage;
+    sbus::Trust trust;
+    const bool happened = interrupted(instruction, [&] { REQUIRE(now.sbus.readSensor(0, voltage, trust)); });
+    REQUIRE(voltage.decivolts == 46);
+    REQUIRE(trust.age >= least);
+    REQUIRE(trust.age <= least + 30);
+    return happened;
+  });
 }
 
 TEST_CASE("begin(), listen() and end() while the port calls back: afterwards frames come, or none") {

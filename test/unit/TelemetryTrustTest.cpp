@@ -153,6 +153,20 @@ TEST_CASE("after a line was cut, a value from before it is not read, or its age 
   }
 }
 
+TEST_CASE("an age above 65535 ms is told as 65535") {
+  Sketch sketch(1000);
+  sketch.sbus.setTimeout(0);
+  sketch.rounds(5);
+  for (const unsigned s : {65, 66, 131, 3600}) {
+    CAPTURE(s);
+    sketch.runTo(sketch.nextUs + s * uint64_t{1000000});
+    Raw<1> raw;
+    sbus::Trust trust = {};
+    REQUIRE(sketch.sbus.readSensor(1, raw, trust));
+    CHECK(trust.age == (s == 65 ? 65057 : 65535));
+  }
+}
+
 TEST_CASE("the slots of a sensor change together: while one of them is damaged, all keep their values") {
   Sketch sketch(1000);
   Bus bus;
