@@ -110,14 +110,6 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
     return newest(frame);
   }
 
-  using Decoder::readSensor;
-  /// See DecodeSBusTelemetryOf.
-  template <typename Sensor>
-  bool readSensor(uint8_t slot, Sensor &sensor, sbus::Trust &trust) {
-    const sbus::SlotTimer::Hold hold;
-    return DecodeSBusTelemetryOf<sbus::Answers>::readSensor(slot, sensor, trust);
-  }
-
   // ---- Answering
 
   /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().

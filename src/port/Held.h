@@ -11,6 +11,8 @@
 
 namespace sbus {
 
+struct Trust;
+
 /// The methods of `Decoder` for a sketch whose port an interrupt or a task polls: while one of them runs, that waits.
 /// Call them from setup() and loop() only. `Holder::Hold` says how that is done.
 template <typename Decoder, typename Holder>
@@ -71,6 +73,12 @@ class HeldOf : public Decoder, protected Holder {
   bool readSensor(uint8_t slot, Sensor &sensor) {
     const Hold hold(*this);
     return Decoder::readSensor(slot, sensor);
+  }
+  /// See DecodeSBusTelemetryOf.
+  template <typename Sensor>
+  bool readSensor(uint8_t slot, Sensor &sensor, Trust &trust) {
+    const Hold hold(*this);
+    return Decoder::readSensor(slot, sensor, trust);
   }
   /// See DecodeSBusTelemetryOf.
   uint32_t rejectedGroups() const {

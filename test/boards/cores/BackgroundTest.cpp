@@ -1,6 +1,7 @@
 // DecodeSBusBackground on the ports of one core, CORE: whatever loop() does, and whatever holds up the interrupt or the
 // task that polls, no frame is wrong, and frames are lost only where the port itself loses bytes.
 #include <DecodeSBusBackground.h>
+#include <DecodeSBusTelemetry.h>
 
 #include "Cores.h"
 #include "support/KnownFrames.h"
@@ -229,6 +230,41 @@ TEST_CASE("after end() nothing is read; after begin(), once or twice, and listen
   delay(100);
   CHECK(sketch.sbus.counters().frames >= 10);
   CHECK(sketch.sbus.counters().frames <= 12);
+}
+
+TEST_CASE("telemetry comes in the background, with its age, and nothing reads the port meanwhile") {
+  SketchOf<DecodeSBusBackgroundOf<DecodeSBusTelemetry>> sketch;
+  world.inverted = Core.inverts;
+  uint64_t us = world.nowUs + 5 * Ms;
+  const auto put = [&us](const uint8_t *bytes, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+      line::Character character;
+      character.endUs = us += line::CharacterUs;
+      character.value = bytes[i];
+      world.line.push_back(character);
+    }
+  };
+  for (unsigned i = 0; i < 20; i++) {
+    constexpr uint8_t Slot[] = {0x03, 0xC0, 0x2E};
+    const Frame bytes = plainFrame(i, static_cast<uint8_t>(i % 4 << 4 | 4));
+    put(bytes.data(), bytes.size());
+    us += 2030;
+    put(Slot, i % 4 == 0 ? sizeof Slot : 0);
+    us += i % 4 == 0 ? 9610 : 9970;
+  }
+  delay(5 + 18 * 15);
+  SBusFrame frame;
+  sbus::ReceiverVoltage voltage{};
+  sbus::Trust trust{};
+  sketch.call([&] { CHECK(sketch.sbus.read(frame)); });
+  sketch.call([&] { CHECK(sketch.sbus.readSensor(0, voltage)); });
+  CHECK(voltage.decivolts == 46);
+  sketch.call([&] { CHECK(sketch.sbus.readSensor(0, voltage, trust)); });
+  CHECK(trust.times >= 4);  // the first frame may be found late
+  CHECK(trust.age >= 15 + 11);  // the newest frame but one announced it
+  CHECK(trust.age <= 15 + 11 + 10);
+  sketch.call([&] { CHECK(sketch.sbus.rejectedGroups() == 0); });
+  CHECK(world.crashes == 0);
 }
 
 namespace {
