@@ -27,9 +27,10 @@ class ChannelArray {
     static_assert(Size >= Count || Count != 24, "The array is too small: CH1..CH24 are uint16_t channels[24]");
   }
 
-  /// Takes a pointer: not nullptr, which does not compile.
+  /// Takes a pointer, or an array whose size another file knows: not nullptr, which does not compile.
   template <typename Pointer>
-  ChannelArray(const Pointer &pointer, typename OfPointer<Pointer>::Type = nullptr) : _first(pointer) {}
+  ChannelArray(Pointer pointer, decltype(static_cast<Value *>(typename OfPointer<Pointer>::Type())) = nullptr)
+      : _first(pointer) {}
 
   /// Returns the address of CH1; nullptr if the pointer was.
   operator Value *() const { return _first; }

@@ -22,6 +22,8 @@ sbus::Calibrator calibrator;
 uint16_t eight[8], sixteen[16], eighteen[18], twentyFour[24];
 const uint16_t constant[24] = {};
 uint8_t bytes[25];
+extern uint16_t elsewhere[];
+uint16_t *volatile pointer;
 bool failsafe, lostFrame;
 SBusFrame frame;
 SBusFrame24 frame24;
@@ -34,11 +36,14 @@ void arrays() {
 #if CASE == 0
   dSBus.decodeSBusFrame(eighteen, failsafe, lostFrame);
   dSBus.decodeSBusFrame(&twentyFour[0], failsafe, lostFrame);
+  dSBus.decodeSBusFrame(elsewhere, failsafe, lostFrame);
+  dSBus.decodeSBusFrame(pointer, failsafe, lostFrame);
   dSBus.decodeSBusFrame(frame.channels, failsafe, lostFrame);
   dSBus.decodeExtraChannels(sixteen);
   telemetry.decodeSBusFrame(twentyFour, failsafe, lostFrame);
   dSBus24.decodeSBusFrame(frame24.channels, failsafe, lostFrame);
   eSBus.write(constant, failsafe, lostFrame);
+  eSBus.write(elsewhere, failsafe, lostFrame);
   eSBus24.write(constant, failsafe, lostFrame);
   calibrator.feed(frame.channels, failsafe, lostFrame);
   sbus::unpack(bytes, eighteen);
