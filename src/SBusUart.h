@@ -90,6 +90,10 @@
 #define SBUS_PINS 4, 5, 6, 7
 #elif defined(ESP32)
 #define SBUS_PINS 18, 19, 21, 22
+#elif defined(MEGATINYCORE)
+#define SBUS_PINS 0, 1, 2, 3  // 4 and 5 are RX and TX of a chip with 14 pins
+#elif defined(ADAFRUIT_FEATHER_M0) || defined(ADAFRUIT_FEATHER_M0_EXPRESS) || defined(ADAFRUIT_FEATHER_M4_EXPRESS)
+#define SBUS_PINS 5, 6, 10, 11  // a Feather has no 2 and 3
 #else
 #define SBUS_PINS 2, 3, 4, 5
 #endif

@@ -44,8 +44,9 @@ teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
 # Further boards, on which only the examples are compiled.
-BOARDS := attiny ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-psram esp32-s2 esp32-s3 leonardo nano-esp32 stm32-nucleo stm32-no-usb uno xiao-esp32
-attiny := MegaAvr gnu++17 -DDXCORE -DONE_PORT
+BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb uno xiao-esp32
+attiny := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE -DONE_PORT
+attiny2 := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE
 ch32v := Nrf52 gnu++17 -DARDUINO_ARCH_CH32V
 esp32-c3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1
 esp32-c6 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C6=1
@@ -54,6 +55,7 @@ esp32-p4 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32P4=1
 esp32-psram := Esp32 gnu++11 -DESP32_CORE=2 -DBOARD_HAS_PSRAM
 esp32-s2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S2=1
 esp32-s3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1
+feather-m4 := Samd gnu++11 -DSAMD51 -DADAFRUIT_FEATHER_M4_EXPRESS
 leonardo := Avr gnu++11 -D__AVR_ATmega32U4__
 nano-esp32 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1 -DARDUINO_NANO_ESP32
 stm32-nucleo := Stm32 gnu++17 -DNUCLEO
@@ -68,6 +70,8 @@ reason = $(strip $(if $(filter nrf52 nano33 ch32v,$1),core cannot receive S.Bus,
 # How boards.md calls it, in the row of SBUS_UART and SBUS_PINS.
 page = $(or $($1_page),$(if $(filter esp32-%,$1),ESP32,Serial1))
 attiny_page := ATtiny 0, 1
+attiny2_page := ATtiny 2
+feather-m4_page := Feather
 esp32-c3_page := ESP32-C3
 esp32-c6_page := ESP32-C6
 esp32-h2_page := ESP32-H2
