@@ -41,8 +41,8 @@
 #elif defined(CONFIG_IDF_TARGET_ESP32S2) || defined(CONFIG_IDF_TARGET_ESP32S3)
 #define SBUS_UART Serial1, 16, 17
 #elif defined(CONFIG_IDF_TARGET_ESP32) || !defined(ESP_ARDUINO_VERSION_MAJOR)  // core 1 has no other chip
-#if defined(BOARD_HAS_PSRAM)
-#define SBUS_UART Serial1, 25, 26  // a WROVER has its PSRAM on 16 and 17
+#if defined(BOARD_HAS_PSRAM) || defined(ARDUINO_ESP32_PICO) || defined(ARDUINO_M5Stick_C)
+#define SBUS_UART Serial1, 25, 26  // a WROVER has its PSRAM on 16 and 17, and a PICO-D4 its flash
 #else
 #define SBUS_UART Serial1, 16, 17
 #endif

@@ -44,7 +44,7 @@ teensy4 := Teensy4 gnu++17
 uno-r4 := UnoR4 gnu++17
 
 # Further boards, on which only the examples are compiled.
-BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb uno xiao-esp32
+BOARDS := attiny attiny2 ch32v esp32-c3 esp32-c6 esp32-h2 esp32-p4 esp32-pico esp32-psram esp32-s2 esp32-s3 feather-m4 leonardo nano-esp32 stm32-nucleo stm32-no-usb uno xiao-esp32
 attiny := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE -DONE_PORT
 attiny2 := MegaAvr gnu++17 -DDXCORE -DMEGATINYCORE
 ch32v := Nrf52 gnu++17 -DARDUINO_ARCH_CH32V
@@ -52,6 +52,7 @@ esp32-c3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C3=1
 esp32-c6 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32C6=1
 esp32-h2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32H2=1
 esp32-p4 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32P4=1
+esp32-pico := Esp32 gnu++2b -DESP32_CORE=3 -DARDUINO_ESP32_PICO
 esp32-psram := Esp32 gnu++11 -DESP32_CORE=2 -DBOARD_HAS_PSRAM
 esp32-s2 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S2=1
 esp32-s3 := Esp32 gnu++2b -DESP32_CORE=3 -DCONFIG_IDF_TARGET_ESP32S3=1
@@ -75,6 +76,7 @@ feather-m4_page := Feather
 esp32-c3_page := ESP32-C3
 esp32-c6_page := ESP32-C6
 esp32-h2_page := ESP32-H2
+esp32-pico_page := ESP32-PICO
 esp32-psram_page := PSRAM
 esp32-s2_page := ESP32-S2
 esp32-s3_page := S3
