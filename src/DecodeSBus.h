@@ -165,6 +165,7 @@ class DecodeSBusOf {
   void arrived();
   void take(bool isPrompt);
   void poll(bool isPrompt);
+  void judge(const uint8_t *frame);
   int read(int waiting);
 
   // First: a Cortex-M0+ reaches its small members at once, 18 cycles a frame less.
@@ -200,6 +201,7 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
 using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 
 /// Decodes sixteen channels and two switches, and treats a frame whose channels are all 0 as lost: it counts in
-/// counters().lostFrames, and its channels are not handed out: the sketch's array keeps its values. A FrSky receiver
-/// that is set to "No pulses" may send such frames, and does not always set a flag in them.
+/// counters().lostFrames, and its channels are not handed out: the sketch's array keeps its values, so it must outlive
+/// loop(). Until a frame has come that is not lost, failsafe is true. A FrSky receiver that is set to "No pulses" may
+/// send such frames, and does not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;

@@ -87,6 +87,14 @@ __attribute__((always_inline)) inline int DecodeSBusOf<Format, Events>::read(int
   return _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
 }
 
+// Judges the link by a frame that has come. While a sketch has no channels yet, a frame that withholds them is failsafe.
+template <typename Format, typename Events>
+inline void DecodeSBusOf<Format, Events>::judge(const uint8_t *frame) {
+  const sbus::Counters &counters = _finder.counters();
+  const bool hasNone = Format::Withholds && counters.lostFrames == counters.frames;
+  _link.frame(static_cast<uint8_t>(Format::flags(frame) | (hasNone ? sbus::FlagFailsafe : 0)));
+}
+
 // Reads only the bytes that wait when it is called: bytes that come meanwhile may stand after a loss. Asked for more,
 // the STM32L0's core would write past the end of the buffer.
 template <typename Format, typename Events>
@@ -100,7 +108,7 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
   }
   if (found <= 0) {
     if (const uint8_t *const frame = _finder.idle(now)) {
-      _link.frame(Format::flags(frame));
+      judge(frame);
     }
     return;
   }
@@ -115,7 +123,7 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
     }
     waiting -= count;
     if (const uint8_t *const frame = _finder.received(count, waiting)) {
-      _link.frame(Format::flags(frame));
+      judge(frame);
     }
   }
   // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,

@@ -35,6 +35,8 @@ const unsigned long PERIOD_DISPLAY = 200;  // ms
 // us, until a frame comes
 int16_t pulses[] = {sbus::CentrePulse, sbus::CentrePulse, sbus::LowPulse, sbus::CentrePulse};
 Servo servos[4];
+uint16_t channels[18];
+bool failsafe, lostFrame;
 #if !SBUS_TAKES_USB
 bool tellsRoom = false;
 elapsedMillis timerDisplay;
@@ -54,8 +56,6 @@ void setup() {
 
 void loop() {
   dSBus.parseSBusFrame();
-  uint16_t channels[18];
-  bool failsafe, lostFrame;
   dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
   for (int i = 0; i < 4; i++) {
     if (!failsafe) {

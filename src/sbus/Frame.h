@@ -144,6 +144,7 @@ struct Frame16 {
   static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
   static constexpr bool HasExtra = true;               ///< frames with extra channels may come between
+  static constexpr bool Withholds = false;             ///< unpack() leaves the channels of some lost frames alone
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
   /// of 3.
@@ -165,6 +166,7 @@ struct Frame24 {
   static constexpr uint8_t Variants = 1;               ///< end byte 00 only
   static constexpr uint8_t OtherSize = FrameSize;      ///< bytes of a frame of the other format
   static constexpr bool HasExtra = false;              ///< no extra channels
+  static constexpr bool Withholds = false;             ///< see Frame16
   static constexpr unsigned LongestSpread = 19;        ///< characters: 16, an idle one, and a gap
   /// Returns `count`: no receiver spreads these frames.
   static constexpr unsigned spread(unsigned count) { return count; }
@@ -181,6 +183,7 @@ struct Frame24 {
 /// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and does not always set a flag:
 /// github.com/ArduPilot/ardupilot/issues/9400. Such a frame counts as lost, and its channels are not handed out.
 struct Frame16NoPulses : Frame16 {
+  static constexpr bool Withholds = true;  ///< see Frame16
   /// Returns true if CH1..CH16 of the frame are 0.
   static bool isZero(const uint8_t *frame);
   /// Returns the flags of a frame.

@@ -135,6 +135,33 @@ TEST_CASE("the other decoders read as well: 24 channels, telemetry; DecodeSBusNo
   CHECK_FALSE(long24.failsafe);
 }
 
+TEST_CASE("DecodeSBusNoPulses says failsafe until a frame with channels has come, whatever the loss limit") {
+  for (const uint16_t limit : {uint16_t{0}, uint16_t{1}, uint16_t{100}}) {
+    CAPTURE(limit);
+    FakeBoardOf<DecodeSBusNoPulses, sbus::Frame16NoPulses> board;
+    SBusFrame frame;
+    board.sbus.setLossLimit(limit);
+    board.sbus.begin();
+    board.firstFrame(writeBitByBit(Channels{}));
+    for (int i = 0; i < 3; i++) {
+      CHECK(board.sbus.read(frame));
+      check(frame, Channels{}, true, true);
+      CHECK(board.sbus.linkState() == sbus::LinkState::Failsafe);
+      board.nextFrame(writeBitByBit(Channels{}));
+    }
+    board.nextFrame(PaperHigh.bytes);
+    CHECK(board.sbus.read(frame));
+    check(frame, PaperHigh.channels, false, false);
+    board.nextFrame(writeBitByBit(Channels{}));
+    CHECK(board.sbus.read(frame));
+    check(frame, PaperHigh.channels, limit == 1, true);
+    board.sbus.begin();
+    board.firstFrame(writeBitByBit(Channels{}));
+    CHECK(board.sbus.read(frame));
+    CHECK(frame.failsafe);
+  }
+}
+
 TEST_CASE("an encoder sends the frame that was read, byte for byte") {
   FakeSerial port;
   EncodeSBus encoder(port);
