@@ -87,7 +87,7 @@ __attribute__((always_inline)) inline int DecodeSBusOf<Format, Events>::read(int
   return _port.read(_finder.space(), static_cast<size_t>(waiting < room ? waiting : room));
 }
 
-// Judges the link by a frame that has come. While a sketch has no channels yet, a frame that withholds them is failsafe.
+// Judges the link by a frame that has come. Until a sketch has channels, a frame that withholds them is failsafe.
 template <typename Format, typename Events>
 inline void DecodeSBusOf<Format, Events>::judge(const uint8_t *frame) {
   const sbus::Counters &counters = _finder.counters();

@@ -50,7 +50,8 @@ class EncodeSBusOf {
   /// period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that frame.
   bool write(sbus::ChannelArray<const uint16_t, Format::Channels> channels, bool failsafe, bool lostFrame);
 
-  /// Sends `frame`, an SBusFrame or, with EncodeSBus24, an SBusFrame24, likewise.
+  /// Sends `frame`, an SBusFrame or, with EncodeSBus24, an SBusFrame24, likewise. Until DecodeSBus::read() has returned
+  /// true, its channels are 0, below the low of every make: send nothing then, as S.Bus servos ignore the flags.
   bool write(const sbus::FrameValue<Format::Channels> &frame) {
     return write(frame.channels, frame.failsafe, frame.lostFrame);
   }

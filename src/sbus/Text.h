@@ -9,7 +9,8 @@ class __FlashStringHelper;  // Arduino's
 
 namespace sbus {
 
-/// What Serial.print() and println() take: a string; on an AVR one in flash, as F() gives it.
+/// What Serial.print(), println() and String take: a string; on an AVR one in flash, as F() gives it. There snprintf()
+/// needs %S for it: with %s, which the compiler accepts, it prints something else.
 #if defined(__AVR__)
 using Text = const __FlashStringHelper *;
 #define SBUS_TEXT(words) reinterpret_cast<Text>(PSTR(words))
