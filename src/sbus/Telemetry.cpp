@@ -195,10 +195,14 @@ void Telemetry::next(uint8_t newest) {
   _count = 0;
 }
 
+// A slot that lost its ID may look like one that is not on the line, in the place of one that is.
 void Telemetry::taken(const uint8_t *frame) {
   SlotData data[SlotsOfGroup];
-  uint8_t found, expected;
-  if (!findAll(found, data, expected)) {
+  uint8_t found, expected = 0;
+  const bool areSlots = findAll(found, data, expected);
+  const bool isOdd = areSlots && (found & ~expected) != 0 && (expected & ~found) != 0;
+  _rejected += isOdd;
+  if (!areSlots || isOdd) {
     found = findSome(frame[EndIndex], data, expected);
   }
   keep(found, data);

@@ -131,6 +131,24 @@ TEST_CASE("a sensor's age and how often it has come in a row with the same data 
   CHECK(trust.times == 4);
 }
 
+TEST_CASE("a slot that lost its ID, and looks like a slot that is not on the line, is read as neither") {
+  Sketch sketch(1000);
+  Bus bus;
+  bus.hasBreaks = true;
+  sketch.rounds(5, bus);
+  bus.change = [](unsigned, std::vector<Answer> &answers) {
+    if (answers.size() == 3 && answers[0].slot == 0) {
+      answers[1].characters[1] = 0x99;
+      answers[2].characters = {0xC3, 0x38};  // 43 is missing: with the break it looks like slot 3
+    }
+  };
+  sketch.rounds(3, bus);
+  CHECK(!hasSlots<1>(sketch.sbus, 3));
+  CHECK(data0Of(sketch.sbus, 1) == 0x80);  // what follows without its ID may belong to it
+  CHECK(data0Of(sketch.sbus, 2) == 0x00);
+  CHECK(sketch.sbus.rejectedGroups() == 3);
+}
+
 TEST_CASE("after a line was cut, a value from before it is not read, or its age has the time of the cut") {
   Bus empty;
   empty.change = [](unsigned, std::vector<Answer> &answers) { answers.clear(); };
