@@ -24,6 +24,11 @@ const uint8_t LED = LED_BUILTIN;
 #else
 const uint8_t LED = 2;  // of most ESP32 boards
 #endif
+#if defined(ESP8266)
+const bool LIT_BY_HIGH = false;  // most boards with an ESP8266 have the LED between 3.3 V and the pin
+#else
+const bool LIT_BY_HIGH = true;  // false on a XIAO
+#endif
 const int SWITCH = 4;  // CH5, counted from 0
 
 SBusFrame frame;
@@ -37,5 +42,5 @@ void loop() {
   dSBus.read(frame);  // failsafe also if no frame has come, or none for 100 ms
   const unsigned long period = dSBus.linkState() == sbus::LinkState::NeverSeen ? 1000 : 100;  // ms
   const bool isOn = frame.failsafe ? millis() / period % 2 != 0 : frame.channels[SWITCH] > sbus::FrSky.centre;
-  digitalWrite(LED, isOn ? HIGH : LOW);
+  digitalWrite(LED, isOn == LIT_BY_HIGH ? HIGH : LOW);
 }
