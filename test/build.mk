@@ -152,7 +152,7 @@ list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
 # Without what only reads files, for which libarchive would have to be linked.
-$(OUT)/fuzz/Wire: $(filter-out %/CaptureFile.cpp %/PackedFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) \
+$(OUT)/fuzz/Wire: $(filter-out %/CaptureFile.cpp %/PackedFile.cpp %/TextFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) \
   $(addprefix $(EXTRAS)/line/,Decoders.cpp uart/Levels.cpp Observer.cpp Segments.cpp Statistics.cpp telemetry/TelemetrySlots.cpp)
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/BitByBit.h build.mk
 	@mkdir -p $(@D)

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "cli/HexText.h"
-#include "line/recording/CsvRows.h"
-#include "line/recording/RecordingFile.h"
-#include "line/recording/Words.h"
 #include "line/capture/CaptureFile.h"
 #include "line/capture/RecordedCapture.h"
 #include "line/capture/Text.h"
+#include "line/capture/TextFile.h"
+#include "line/recording/CsvRows.h"
+#include "line/recording/Words.h"
 
 namespace tool {
 
@@ -77,60 +76,78 @@ class BackToBack {
   line::Character _character;
 };
 
-void readHexText(std::istream &in, const std::string &name, BackToBack &bytes) {
-  size_t number = 1;
-  for (std::string line; std::getline(in, line); number++) {
-    const std::string_view text = content(line);
-    const std::string place = name + ":" + std::to_string(number) + ": ";
-    if (isOffset(text)) {
-      throw std::runtime_error(place +
-                               "begins with the offset of a dump; leave offsets and text out, or convert it "
-                               "to bytes: xxd -r DUMP FILE.bin");
-    }
-    const HexText hex = parseHex(text);
-    if (!hex.wrong.empty()) {
-      throw std::runtime_error(place + line::quoted(hex.wrong) +
-                               " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a "
-                               "comment");
-    }
-    for (const HexText::Byte &byte : hex.bytes) {
-      bytes.put(byte.value, byte.bad);
-    }
+void readHexLine(std::string_view line, const std::string &place, BackToBack &bytes) {
+  const std::string_view text = content(line);
+  if (isOffset(text)) {
+    throw std::runtime_error(place +
+                             "begins with the offset of a dump; leave offsets and text out, or convert it "
+                             "to bytes: xxd -r DUMP FILE.bin");
+  }
+  const HexText hex = parseHex(text);
+  if (!hex.wrong.empty()) {
+    throw std::runtime_error(place + line::quoted(hex.wrong) +
+                             " is not hexadecimal; bytes of two digits are expected, such as 0F E3; # begins a "
+                             "comment");
+  }
+  for (const HexText::Byte &byte : hex.bytes) {
+    bytes.put(byte.value, byte.bad);
   }
 }
 
-FileSource readBytes(const std::string &name, unsigned long baud) {
-  FileSource file;
-  file.kind = FileKind::Bytes;
-  file.settings.baud = baud > 0 ? baud : sbus::Baud;
-  BackToBack bytes(file.recording, file.settings);
-  std::ifstream in(name, std::ios::binary);
-  if (hasNameOfBytes(name)) {
-    for (int byte = in.get(); byte != EOF; byte = in.get()) {
-      bytes.put(static_cast<uint8_t>(byte), false);
-    }
+FileSource readBytes(line::PackedFile &file, const std::string &name, bool isText, unsigned long baud) {
+  FileSource source;
+  source.kind = FileKind::Bytes;
+  source.settings.baud = baud > 0 ? baud : sbus::Baud;
+  BackToBack bytes(source.recording, source.settings);
+  if (isText) {
+    size_t number = 0;
+    line::forEachLine(
+        file, [&](std::string_view line) { readHexLine(line, name + ":" + std::to_string(++number) + ": ", bytes); });
   } else {
-    readHexText(in, name, bytes);
+    for (std::string_view read = file.read(); !read.empty(); read = file.read()) {
+      for (const char byte : read) {
+        bytes.put(static_cast<uint8_t>(byte), false);
+      }
+    }
+    file.requireEnd();
   }
-  if (in.bad()) {
-    throw std::runtime_error(name + ": cannot be read");
-  }
-  if (file.recording.characters.empty()) {
+  if (source.recording.characters.empty()) {
     throw std::runtime_error(name + ": is empty: bytes of a line are expected");
   }
   std::fprintf(stderr, "%s: has bytes without times: times are not known, frames are taken back to back\n",
                name.c_str());
-  return file;
+  return source;
 }
 
-FileSource readCapture(const std::string &name, unsigned long baud) {
-  line::Overrules overrules;
-  overrules.baud = baud;
+FileSource readRecording(line::PackedFile &file, const std::string &name, FileKind kind, const std::string &head,
+                         unsigned long baud) {
+  FileSource source;
+  source.kind = kind;
+  source.settings = kind == FileKind::Rows
+                        ? line::csvSettings()
+                        : line::settingsIn(std::string_view(head).substr(0, line::RecordingBeginning));
+  if (kind == FileKind::Recording && baud > 0) {
+    source.settings = line::LineSettings();
+    source.settings.baud = baud;
+  }
+  line::RecordingReader reader(source.settings.characterUs(), kind == FileKind::Rows);
+  line::forEachLine(file, [&reader](std::string_view line) { reader.line(line); });
+  source.recording = reader.finish();
+  if (!source.recording.error.empty()) {
+    const unsigned at = source.recording.errorLine;
+    throw std::runtime_error(name + (at > 0 ? ":" + std::to_string(at) : "") + ": " + source.recording.error);
+  }
+  return source;
+}
+
+FileSource readCapture(const FileName &name, const line::Overrules &overrules) {
   line::RecordedCapture capture(overrules);
-  const std::string failure = capture.failure(name, line::readCapture(name, overrules, capture.wire()));
+  const std::string failure =
+      capture.failure(name.shown, line::readCapture(name.path, name.shown, overrules, capture.wire()));
   if (!failure.empty()) {
     throw std::runtime_error(failure);
   }
+  saySignal(name.shown, capture.wire());
   FileSource file;
   file.kind = FileKind::Capture;
   file.settings = capture.settings();
@@ -138,15 +155,25 @@ FileSource readCapture(const std::string &name, unsigned long baud) {
   return file;
 }
 
+bool isControl(unsigned char c) {
+  return c < ' ' && c != '\t' && c != '\n' && c != '\r';
+}
+
 }  // namespace
 
-// If a sketch's rows look like an oscilloscope's columns, they count as rows.
-FileKind kindOfFile(const std::string &name) {
-  const std::string head = line::beginningOf(name, line::CaptureHeadMax);
-  const bool isLogic2 = head.rfind("<SALEAE>", 0) == 0;
-  if (hasNameOfBytes(name) && !head.empty() && !isLogic2) {
-    return FileKind::Bytes;
+void saySignal(const std::string &name, const line::WireDecoder &wire) {
+  if (!wire.others().empty()) {
+    std::string others;
+    for (const std::string &other : wire.others()) {
+      others += (others.empty() ? "" : ", ") + other;
+    }
+    std::fprintf(stderr, "%s: this is signal %s; S.Bus is also on %s: --signal NAME chooses\n", name.c_str(),
+                 wire.signal().c_str(), others.c_str());
   }
+}
+
+// If a sketch's rows look like an oscilloscope's columns, they count as rows.
+FileKind kindOfText(const std::string &head, const std::string &name) {
   if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
     throw std::runtime_error(name +
                              ": has a column of times, as sbus csv and the scope write it; only rows without are "
@@ -157,10 +184,9 @@ FileKind kindOfFile(const std::string &name) {
   if (!format.empty() && !(format == line::OscilloscopeFormat && rows)) {
     return FileKind::Capture;
   }
-  if (isLogic2) {
+  if (head.rfind("<SALEAE>", 0) == 0) {
     throw std::runtime_error(name + ": is Logic 2's binary export: export it as CSV");
   }
-  const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
   if (std::any_of(head.begin(), head.end(), isControl)) {
     throw std::runtime_error(name +
                              ": is no text; bytes as a receiver has sent them are read if the file is called "
@@ -170,24 +196,30 @@ FileKind kindOfFile(const std::string &name) {
   return rows ? FileKind::Rows : isHexText(head) ? FileKind::Bytes : FileKind::Recording;
 }
 
-FileSource readFile(const std::string &name, unsigned long baud) {
-  const FileKind kind = kindOfFile(name);
+FileSource readFile(const FileName &name, const line::Overrules &overrules) {
+  line::PackedFile probe(name.path, name.shown);
+  if (probe.isSession()) {
+    return readCapture(name, overrules);
+  }
+  probe.findOnly();
+  const std::string unpacked = probe.unpackedName();
+  const std::string head = line::TextFile(probe).read(line::CaptureHeadMax);
+  if (head.empty()) {
+    probe.requireEnd();
+  }
+  const bool isBinary = name.path != name.shown ? std::any_of(head.begin(), head.end(), isControl)
+                                                : hasNameOfBytes(unpacked) && head.rfind("<SALEAE>", 0) != 0;
+  const FileKind kind = isBinary && !head.empty() ? FileKind::Bytes : kindOfText(head, name.shown);
+  if (kind != FileKind::Capture && !overrules.signal.empty()) {
+    throw std::runtime_error("--signal: is for a capture of several signals; leave it out for " + name.shown);
+  }
   if (kind == FileKind::Capture) {
-    return readCapture(name, baud);
+    return readCapture(name, overrules);
   }
-  if (kind == FileKind::Bytes) {
-    return readBytes(name, baud);
-  }
-  FileSource file;
-  file.kind = kind;
-  file.settings = kind == FileKind::Rows ? line::csvSettings() : line::recordedSettings(name);
-  if (kind == FileKind::Recording && baud > 0) {
-    file.settings = line::LineSettings();
-    file.settings.baud = baud;
-  }
-  file.recording =
-      kind == FileKind::Rows ? line::readCsv(name) : line::readRecording(name, file.settings.characterUs());
-  return file;
+  line::PackedFile file(name.path, name.shown);
+  file.findOnly();
+  return kind == FileKind::Bytes ? readBytes(file, name.shown, !isBinary, overrules.baud)
+                                 : readRecording(file, name.shown, kind, head, overrules.baud);
 }
 
 }  // namespace tool

@@ -2,17 +2,32 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
-#include "line/simulation/LineSettings.h"
+#include "line/capture/Overrules.h"
+#include "line/capture/WireDecoder.h"
 #include "line/recording/Recording.h"
+#include "line/simulation/LineSettings.h"
 
 namespace tool {
 
 enum class FileKind { Recording, Rows, Capture, Bytes };
 
-// Returns the kind of the file, by its beginning; raw bytes by the name, FILE.bin or FILE.raw. Throws
-// std::runtime_error for any other file; a file that cannot be opened counts as a recording.
-FileKind kindOfFile(const std::string &name);
+// A file: where it is, and what messages call it.
+struct FileName {
+  FileName(const std::string &name) : path(name), shown(name) {}  // implicit: most files have one name
+  FileName(std::string where, std::string name) : path(std::move(where)), shown(std::move(name)) {}
+
+  std::string path;
+  std::string shown;
+};
+
+// Returns the kind of text that begins with `head`, RecordingBeginning characters or more unless it is shorter. Throws
+// std::runtime_error for any other text.
+FileKind kindOfText(const std::string &head, const std::string &name);
+
+// Says on standard error which signal was chosen, if others carry S.Bus as well.
+void saySignal(const std::string &name, const line::WireDecoder &wire);
 
 struct FileSource {
   FileKind kind = FileKind::Recording;
@@ -20,8 +35,9 @@ struct FileSource {
   line::LineSettings settings;  // of the line; a capture's are those found on the wire
 };
 
-// Reads the whole file. `baud` is the line's; 0: what the file says, or 100000. Throws std::runtime_error, which names
-// the place, if the file cannot be read or is wrong. Says on standard error if the times are not known.
-FileSource readFile(const std::string &name, unsigned long baud = 0);
+// Reads the whole file, packed or not: see line::PackedFile. `overrules` is what the user knows of the line better than
+// the file. Throws std::runtime_error, which names the place, if the file cannot be read or is wrong. Says on standard
+// error if the times are not known, and which signal of a capture was chosen, if several carry S.Bus.
+FileSource readFile(const FileName &name, const line::Overrules &overrules = {});
 
 }  // namespace tool

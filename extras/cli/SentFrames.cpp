@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 
+#include "cli/Pipe.h"
+#include "line/capture/Text.h"
+#include "line/capture/TextFile.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/Recording.h"
 #include "line/recording/Words.h"
-#include "line/capture/Text.h"
 #include "sbus/Scaling.h"
 
 namespace tool {
@@ -195,14 +196,11 @@ void assign(const std::string &word, FrameValues &values) {
 }
 
 TimedRows readTimedRows(const std::string &name) {
-  std::ifstream in(name, std::ios::binary);
+  Pipe pipe(name);
+  line::PackedFile file(pipe.wholeFile().path, name);
+  file.findOnly();
   RowReader reader(name);
-  for (std::string line; std::getline(in, line);) {
-    reader.put(line);
-  }
-  if (!in.eof()) {
-    throw std::runtime_error(name + ": cannot be read; the name of a CSV is expected");
-  }
+  line::forEachLine(file, [&reader](std::string_view line) { reader.put(std::string(line)); });
   return reader.finish();
 }
 

@@ -93,6 +93,52 @@ TEST_CASE("variations of analysers and oscilloscopes give the same bytes") {
   }
 }
 
+// Rows as Hantek's DSO5000 writes them: Stylesoftware/Hantek-DSO5000-Series-CSV-to-PulseVIew, sample/WaveData50.csv; a
+// DSO2000 and a DSO5202P have the two bases in two lines. Of a Rigol DHO no file was found: its users report t0 and tInc
+// beside the channel's name. Reals are IEEE 1364's, 18.2.
+TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, give the same bytes") {
+  const TestWire wire = wireOf();
+  std::string timed, sampled, reals;
+  size_t edge = 0;
+  double before = -1;
+  for (int us = 0; us * 1000.0 < wire.ns; us++) {
+    for (; edge < wire.edges.size() && wire.edges[edge] <= us * 1000.0; edge++) {
+    }
+    const double volts = ((edge % 2 == 0) == wire.inverted ? 0.04 : 3.28) + us % 3 * 0.04;
+    timed += printed("%.5E,%.3f\n", (us + 1) / 1e6, volts * 1e3);
+    sampled += printed("%.5E,,\n", volts);
+    reals += volts == before ? "" : printed("#%d r%.16g !\n", us, volts);
+    before = volts;
+  }
+  const std::string dump = "$timescale 1 us $end\n$var real 64 ! CH1 $end\n$enddefinitions $end\n" + reals;
+  const struct {
+    const char *what;
+    std::string text;
+    const char *signal;
+  } rows[] = {
+      {"Hantek", "#timebase=40000000(ps),#voltbase=1000000(uV)\n\n" + timed, "2"},
+      {"Hantek, two lines", "#timebase=40000000(ps)\n,#voltbase=1000000(mv/100)\n#size=4064\n" + timed, "2"},
+      {"Hantek, an empty line between", "#timebase=4000000000(ps)\n\n,#voltbase=1000000(uV)\n\n" + timed, "2"},
+      {"Rigol DHO", "CH1V,t0 =-5.000000e-04,tInc =1.000000e-06\n" + sampled, "CH1V"},
+      {"Rigol DHO, blanks", "CH1V, t0 = -5.0E-04, tInc = 1.0E-06,\n" + sampled, "CH1V"},
+      {"VCD", dump, "CH1"},
+      {"VCD, and a wire", replaced(dump, "$enddef", "$var wire 1 % CLK $end\n$enddef") + "0%\n", "CH1"},
+  };
+  for (const auto &row : rows) {
+    INFO(row.what);
+    const Decoded decoded(row.text);
+    CHECK(decoded.error == "");
+    CHECK(decoded.failure == "");
+    CHECK(decoded.bytes() == All);
+    CHECK(decoded.signal == row.signal);
+  }
+  line::Overrules overrules;
+  overrules.threshold = 2;
+  CHECK(Decoded(dump, overrules).bytes() == All);
+  overrules.threshold = 5;
+  CHECK(Decoded(dump, overrules).bytes().empty());
+}
+
 TEST_CASE("the threshold is found again where the wire goes much further than before") {
   std::string small;  // but long enough to be taken for a wire
   for (int i = 0; i < 450; i++) {

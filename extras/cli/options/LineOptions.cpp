@@ -35,10 +35,10 @@ LineOptions::LineOptions(Subcommand &subcommand) {
                .excludes(baud)
                .excludes(channels)
                .excludes(_silent);
-  const Option noise = subcommand.option("--noise", _noise, "disturbances a second, on sim or a recording")
-                           .between(1, 100000)
-                           .type("N");
-  _uninverted = subcommand.flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
+  const Option noise =
+      subcommand.option("--noise", _noise, "disturbances a second, on sim or a recording").between(1, 100000).type("N");
+  _uninverted =
+      subcommand.flag("--uninverted", "sim or a recording is not inverted, as on a receiver's uninverted pad");
   _simulated = {channels, sticks, _silent, _sbus2};
   _disturbing = {noise, _uninverted};
 }
@@ -71,13 +71,6 @@ line::Source LineOptions::source(const line::LineSettings &settings) const {
     source.settings.polarity = line::Polarity::Uninverted;
   }
   return source;
-}
-
-void rejectPipe(const std::string &name) {
-  struct stat status;
-  if (name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))) {
-    throw std::runtime_error(name + ": is a pipe, and is read more than once: save it in a file first");
-  }
 }
 
 void rejectSameFile(const std::string &read, const std::string &written) {

@@ -41,8 +41,7 @@ class LineOptions {
   Option _uninverted;
 };
 
-// Throw std::runtime_error: for a pipe that would be read twice, and for an output that is also the input.
-void rejectPipe(const std::string &name);
+// Throws std::runtime_error if the output is also the input.
 void rejectSameFile(const std::string &read, const std::string &written);
 
 }  // namespace tool

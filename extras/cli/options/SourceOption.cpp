@@ -2,16 +2,18 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
 
-#include "line/recording/CsvRows.h"
-#include "line/simulation/NoisyLine.h"
-#include "line/recording/RecordedLine.h"
-#include "line/uart/SampledLine.h"
 #include "line/ports/ByteStream.h"
 #include "line/ports/ReopenedPort.h"
+#include "line/recording/CsvRows.h"
+#include "line/recording/RecordedLine.h"
+#include "line/simulation/NoisyLine.h"
+#include "line/uart/SampledLine.h"
 
 namespace tool {
 
@@ -35,36 +37,21 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
   }
 }
 
-enum class Kind { Port, File, Stream, Simulated };
-
-// Returns what the name stands for. One that does not exist is a port's if it begins with /dev/, otherwise a missing
-// file's.
-Kind kindOf(const std::string &name) {
-  if (name == "sim") {
-    return Kind::Simulated;
-  }
-  struct stat status;
-  if (name == "-") {
-    return Kind::Stream;
-  }
-  if (stat(name.c_str(), &status) != 0) {
-    return name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File;
-  }
-  return S_ISCHR(status.st_mode) ? Kind::Port : S_ISFIFO(status.st_mode) ? Kind::Stream : Kind::File;
-}
-
 }  // namespace
 
-SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings) : _options(subcommand), _recordings(recordings) {
+SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings)
+    : _options(subcommand), _recordings(recordings) {
   subcommand.option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
       .required()
       .notEmpty()
       .type("");
   _csv = subcommand.flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
   subcommand.option("--seconds", _seconds, "end after this many seconds").seconds().type("S");
-  _part = {
-      subcommand.option("--from", _from, "of a file: begin at this time").between(0, YearS).type("S"),
-      subcommand.option("--to", _to, "of a file: end at this time").seconds().type("S")};
+  _signal = subcommand.option("--signal", _overrules.signal, "of a capture with several signals: this one (found)")
+                .notEmpty()
+                .type("NAME");
+  _part = {subcommand.option("--from", _from, "of a file: begin at this time").between(0, YearS).type("S"),
+           subcommand.option("--to", _to, "of a file: end at this time").seconds().type("S")};
   _simulatedTime =
       subcommand.flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
@@ -73,17 +60,38 @@ line::LineSettings SourceOption::settings() const {
   return _csv.given() ? line::csvSettings() : isFile() ? file().settings : _options.settings();
 }
 
+// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
+SourceOption::Kind SourceOption::kind() const {
+  if (_kind) {
+    return *_kind;
+  }
+  struct stat status;
+  if (_name == "sim") {
+    _kind = Kind::Simulated;
+  } else if (Pipe::isPipe(_name)) {
+    const auto start = std::chrono::steady_clock::now();
+    _pipe = std::make_shared<Pipe>(_name);
+    _kind = _csv.given() || _pipe->isLive(_seconds) ? Kind::Stream : Kind::File;
+    _waitedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  } else if (stat(_name.c_str(), &status) != 0) {
+    _kind = _name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File;
+  } else {
+    _kind = S_ISCHR(status.st_mode) ? Kind::Port : Kind::File;
+  }
+  return *_kind;
+}
+
 bool SourceOption::isFile() const {
-  return kindOf(_name) == Kind::File;
+  return kind() == Kind::File;
 }
 
 bool SourceOption::isStream() const {
-  return kindOf(_name) == Kind::Stream;
+  return kind() == Kind::Stream;
 }
 
 bool SourceOption::isWire() const {
   const auto hasLevels = [](FileKind kind) { return kind == FileKind::Recording || kind == FileKind::Capture; };
-  return isFile() ? hasLevels(file().kind) : kindOf(_name) == Kind::Simulated;
+  return isFile() ? hasLevels(file().kind) : kind() == Kind::Simulated;
 }
 
 bool SourceOption::hasTimes() const {
@@ -100,7 +108,9 @@ void SourceOption::rejectPart(const std::string &reason) const {
 
 const FileSource &SourceOption::file() const {
   if (!_file) {
-    FileSource read = readFile(_name, _options.baud());
+    line::Overrules overrules = _overrules;
+    overrules.baud = _options.baud();
+    FileSource read = readFile(_pipe ? _pipe->wholeFile() : FileName(_name), overrules);
     if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
       rejectPart("is for a file with times; leave it out for " + _name);
     } else if (_from > 0 || _to > 0) {
@@ -112,23 +122,32 @@ const FileSource &SourceOption::file() const {
 }
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
-  const Kind kind = kindOf(_name);
+  const Kind kind = this->kind();
   if (kind == Kind::Port && _simulatedTime.given()) {
     rejectCommandLine("--simulated-time: is for sim and -; a port runs in real time");
   }
   const bool atOnce = _simulatedTime.given() || (kind == Kind::File && _recordings == Recordings::AtOnce);
   auto input =
-      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, _seconds);
+      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, leftSeconds());
   input->setStart(static_cast<uint64_t>(_from * 1e6));
   return input;
 }
 
+// Returns what is left of --seconds after the wait for a pipe's first bytes.
+double SourceOption::leftSeconds() const {
+  constexpr double LeastS = 0.001;  // 0 would be for ever
+  return kind() == Kind::Stream && _seconds > 0 ? std::max(LeastS, _seconds - _waitedS) : _seconds;
+}
+
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  const Kind kind = kindOf(_name);
+  const Kind kind = this->kind();
   if (kind != Kind::Simulated) {
     _options.rejectSimulated(_name);
   }
   if (kind != Kind::File) {
+    if (_signal.given()) {
+      rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + _name);
+    }
     rejectPart("is for a file; leave it out for " + _name);
   }
   if (kind == Kind::Port) {
@@ -137,7 +156,8 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
   }
   if (kind == Kind::Stream) {
     _options.rejectDisturbing("a stream of bytes");
-    return std::make_unique<line::ByteStream>(_name, port.characterUs(), _simulatedTime.given());
+    return std::make_unique<line::ByteStream>(_name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
+                                              _simulatedTime.given());
   }
   if (kind == Kind::File) {
     return openFile(port);

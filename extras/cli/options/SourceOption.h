@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/FileSource.h"
 #include "cli/Input.h"
+#include "cli/Pipe.h"
 #include "cli/options/LineOptions.h"
 
 namespace tool {
@@ -39,6 +41,10 @@ class SourceOption {
   bool hasTimes() const;
 
  private:
+  enum class Kind { Port, File, Stream, Simulated };
+
+  Kind kind() const;
+  double leftSeconds() const;
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
   const FileSource &file() const;
@@ -53,6 +59,11 @@ class SourceOption {
   Option _csv;
   std::vector<Option> _part;  // --from and --to
   Option _simulatedTime;
+  Option _signal;
+  line::Overrules _overrules;
+  mutable std::optional<Kind> _kind;                // once it is known
+  mutable std::shared_ptr<Pipe> _pipe;              // of standard input, and of a FIFO
+  mutable double _waitedS = 0;                      // for its first bytes
   mutable std::shared_ptr<const FileSource> _file;  // once it has been read
 };
 

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "cli/DecodeOutput.h"
-#include "cli/options/LineOptions.h"
+#include "cli/FileSource.h"
 #include "cli/Output.h"
+#include "cli/options/LineOptions.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/capture/CaptureTimes.h"
 #include "line/recording/RecordingWriter.h"
@@ -100,13 +101,16 @@ void decode(const Options &options, const Put &record) {
       options.overrules,
       [&] {
         output.begin(wire);
+        if (options.csv || options.json) {  // the table's first line says it
+          saySignal(options.capture, wire);
+        }
         frames.begin(options.capture, wire.wire());
       },
       [&](const line::WireCharacter &character) {
         output.character(character);
         frames.put(character);
       });
-  const line::CaptureEnd capture = readCapture(options.capture, options.overrules, wire);
+  const line::CaptureEnd capture = readCapture(options.capture, options.capture, options.overrules, wire);
   if (!wire.found()) {
     throw std::runtime_error(capture.error.empty() ? options.capture + ": " + wire.failure(capture.periodNs)
                                                    : capture.error);
@@ -149,7 +153,7 @@ void addDecode(CLI::App &app) {
       .option("CAPTURE", options->capture,
               "VCD; session of PulseView (.sr); CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope; "
               "table of Saleae's Async Serial; sigrok-cli's -O bits and hex; bits as 0 and 1; "
-              "each also as .gz; - is standard input")
+              "each also packed (.gz, .xz, .zip); - is standard input")
       .required()
       .notEmpty()
       .type("");
@@ -174,8 +178,9 @@ void addDecode(CLI::App &app) {
       .between(1, 1e10)
       .type("HZ");
   subcommand
-      .option("--threshold", [&overrules](double volts) { overrules.threshold = volts; },
-              "voltage above which the wire is high, in the capture's unit (found)")
+      .option(
+          "--threshold", [&overrules](double volts) { overrules.threshold = volts; },
+          "voltage above which the wire is high, in the capture's unit (found)")
       .type("V");
   const Option csv = subcommand.flag("--csv", options->csv, "rows for a spreadsheet");
   subcommand.flag("--json", options->json, "JSON lines").excludes(csv);

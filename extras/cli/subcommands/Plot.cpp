@@ -4,12 +4,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/options/CsvColumn.h"
-#include "cli/options/LineOptions.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
-#include "cli/options/SourceOption.h"
 #include "cli/SvgPlot.h"
+#include "cli/options/CsvColumn.h"
+#include "cli/options/LineOptions.h"
+#include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/recording/CsvRows.h"
 
@@ -149,7 +149,7 @@ class Plotter {
 void run(const SourceOption &source, const PlotOptions &options) {
   rejectSameFile(source.name(), options.output);
   const std::unique_ptr<Input> input = source.open();
-  Plotter plotter(options, input->settings().characterUs(), source.name() != "-");
+  Plotter plotter(options, input->settings().characterUs(), !source.isStream());
   SilenceNote silence(source.name(), "frames");
   input->run([&](const line::Character &character) { plotter.put(character); },
              [&](uint64_t nowUs) {

@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "cli/FileSource.h"
-#include "cli/options/LineOptions.h"
+#include "cli/Pipe.h"
 #include "cli/Sending.h"
+#include "cli/options/LineOptions.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RestoredLine.h"
@@ -19,7 +20,7 @@ struct ReplayOptions {
 
   Sending sending;
   std::string file;
-  unsigned long baud = 0;
+  line::Overrules overrules;
   double speed = 1;
   Option loop;
 };
@@ -36,8 +37,8 @@ std::unique_ptr<Input> open(const std::shared_ptr<const FileSource> &file, doubl
 }
 
 void run(const ReplayOptions &options) {
-  rejectPipe(options.file);
-  const auto file = std::make_shared<const FileSource>(readFile(options.file, options.baud));
+  Pipe pipe(options.file);
+  const auto file = std::make_shared<const FileSource>(readFile(pipe.wholeFile(), options.overrules));
   options.sending.run([&] { return open(file, options.speed); }, options.loop.given());
 }
 
@@ -50,12 +51,14 @@ void addReplay(CLI::App &app) {
       .required()
       .notEmpty()
       .type("");
-  subcommand.option("--baud", options->baud, "baud rate of recording and port (as the recording says, or 100000)")
+  subcommand
+      .option("--baud", options->overrules.baud, "baud rate of recording and port (as the recording says, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
-  subcommand.option("--speed", options->speed, "this many times as fast (default: 1)")
-      .between(0.001, 1000)
-      .type("N");
+  subcommand.option("--signal", options->overrules.signal, "of a capture with several signals: this one (found)")
+      .notEmpty()
+      .type("NAME");
+  subcommand.option("--speed", options->speed, "this many times as fast (default: 1)").between(0.001, 1000).type("N");
   options->loop = subcommand.flag("--loop", "repeats it until Ctrl-C");
   subcommand.run([options] { run(*options); });
 }

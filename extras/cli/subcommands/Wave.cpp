@@ -4,8 +4,9 @@
 #include <stdexcept>
 
 #include "cli/FileSource.h"
-#include "cli/options/LineOptions.h"
 #include "cli/Output.h"
+#include "cli/Pipe.h"
+#include "cli/options/LineOptions.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/capture/VcdWriter.h"
 
@@ -30,9 +31,11 @@ void wave(const FileSource &file, const Put &put) {
 }
 
 void run(const Options &options) {
-  rejectPipe(options.recording);
   rejectSameFile(options.recording, options.output);
-  FileSource file = readFile(options.recording, options.baud);
+  Pipe pipe(options.recording);
+  line::Overrules overrules;
+  overrules.baud = options.baud;
+  FileSource file = readFile(pipe.wholeFile(), overrules);
   if (file.kind == FileKind::Capture) {
     throw std::runtime_error(options.recording + ": is a capture of the wire already; sbus decode reads it");
   }

@@ -69,7 +69,8 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrule
   } else if (isAsync) {
     opened.reader = std::make_unique<AsyncReader>(head, sink, overrules.baud);
   } else if (isVcd) {
-    opened.reader = std::make_unique<VcdReader>(sink);
+    analogue = head.find("$var real") != std::string_view::npos;
+    opened.reader = std::make_unique<VcdReader>(sink, overrules.threshold);
   } else if (SigrokTextReader::isHead(head)) {
     opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrules.periodNs);
   } else if (isBits(head)) {

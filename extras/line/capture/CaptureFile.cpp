@@ -4,6 +4,7 @@
 
 #include "line/capture/PackedFile.h"
 #include "line/capture/SessionReader.h"
+#include "line/capture/TextFile.h"
 
 namespace line {
 
@@ -15,12 +16,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
   const auto reject = [&](const std::string &why) {
     throw std::runtime_error(name + ": " + (file.failure().empty() ? why : file.failure()));
   };
-  if (!file.canGoBack()) {
-    reject("is a pipe, and a session is read more than once: save it in a file first");
-  }
-  if (!file.find("metadata")) {
-    reject(SessionReader::NoMetadata);
-  }
+  file.find("metadata");
   std::string metadata;
   for (std::string_view bytes = file.read(); !bytes.empty() && metadata.size() < MetadataMax; bytes = file.read()) {
     metadata += bytes;
@@ -51,13 +47,16 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
 
 }  // namespace
 
-CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder) {
-  PackedFile file(name);
-  if (file.isZip()) {
+CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrules &overrules,
+                       WireDecoder &decoder) {
+  PackedFile file(path, name);
+  if (file.isSession()) {
     return readSession(name, overrules, file, decoder);
   }
+  file.findOnly();
   CaptureText text(name, overrules, decoder);
-  for (std::string_view bytes = file.read(); !bytes.empty() && text.put(bytes); bytes = file.read()) {
+  TextFile plain(file);
+  for (std::string_view read = plain.read(); !read.empty() && text.put(read); read = plain.read()) {
   }
   CaptureEnd end = text.finish(file.failure());
   if (!end.rejection.empty()) {

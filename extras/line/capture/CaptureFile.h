@@ -7,8 +7,9 @@
 
 namespace line {
 
-// Reads a capture to its end, or until something is wrong. `name` is a file, or "-" for standard input. Throws
-// std::runtime_error if it cannot be opened, or is no capture.
-CaptureEnd readCapture(const std::string &name, const Overrules &overrules, WireDecoder &decoder);
+// Reads a capture to its end, or until something is wrong. `path` is a file, or "-" for standard input;
+// `name` is what messages call it. Throws std::runtime_error if it cannot be opened, or is no capture.
+CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrules &overrules,
+                       WireDecoder &decoder);
 
 }  // namespace line

@@ -30,6 +30,9 @@ bool isTimestamp(std::string_view field) {
 }  // namespace
 
 bool isComment(std::string_view line) {
+  if (line.substr(0, 2) == ",#") {  // Hantek's second line
+    return true;
+  }
   const bool alone = line.size() > 1 && Separators.find(line[1]) != std::string_view::npos;
   return !line.empty() && (line.front() == ';' || (line.front() == '#' && !alone));
 }
@@ -74,8 +77,7 @@ bool isUnit(std::string_view field) {
 
 bool isTitles(const Fields &fields) {
   const auto isChannel = [](std::string_view field) {
-    return !isNumber(field) ||
-           (field.size() <= 2 && std::all_of(field.begin(), field.end(), isDigit));
+    return !isNumber(field) || (field.size() <= 2 && std::all_of(field.begin(), field.end(), isDigit));
   };
   return !fields.empty() && !isNumber(fields.front()) && std::all_of(fields.begin(), fields.end(), isChannel);
 }

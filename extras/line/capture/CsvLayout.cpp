@@ -55,8 +55,19 @@ void Header::row(const Fields &fields) {
       break;
     }
   }
+  // Rigol's DHO writes them beside the channel's name: "t0 =-5.0e-04", "tInc =1.0e-06".
+  for (const std::string_view field : fields) {
+    const size_t equals = field.find('=');
+    double seconds;
+    if (equals != std::string_view::npos && parseNumber(trimmed(field.substr(equals + 1)), seconds)) {
+      const std::string name = lower(trimmed(field.substr(0, equals)));
+      startNs = name == "t0" ? seconds * 1e9 : startNs;
+      periodNs = name == "tinc" && seconds > 0 ? seconds * 1e9 : periodNs;
+    }
+  }
   const bool inBrackets = !fields.empty() && fields.front().substr(0, 1) == "(";
-  if (!titles.empty() && (inBrackets || (fields.size() == titles.size() && std::all_of(fields.begin(), fields.end(), isUnit)))) {
+  if (!titles.empty() &&
+      (inBrackets || (fields.size() == titles.size() && std::all_of(fields.begin(), fields.end(), isUnit)))) {
     units.assign(fields.begin(), fields.end());
     return;
   }
@@ -189,7 +200,8 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   Header header;
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
-    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, or "
+    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
+           "or "
            "bits as 0 and 1 are expected";
   }
   for (size_t i = 0; i < rows.front().size(); i++) {
@@ -238,7 +250,9 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     layout.timeColumn = counted ? CsvLayout::None : layout.timeColumn;
   }
   layout.names = namesOf(header, layout.columns);
-  layout.name = !header.program.empty() ? header.program + " CSV" : layout.analogue ? OscilloscopeFormat : "logic analyser's CSV";
+  layout.name = !header.program.empty() ? header.program + " CSV"
+                : layout.analogue       ? OscilloscopeFormat
+                                        : "logic analyser's CSV";
   return {};
 }
 

@@ -5,9 +5,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
+
+#include "line/recording/Words.h"
 
 namespace line {
 
@@ -15,13 +20,93 @@ namespace {
 
 constexpr size_t ReadSize = 65536;
 
+// The first bytes of packed files; the fourth of gzip are flags below 20.
+constexpr std::string_view Gzip("\x1F\x8B\x08", 3);
+constexpr std::string_view Xz(
+    "\xFD"
+    "7zXZ\0",
+    6);
+constexpr std::string_view Zip("PK\x03\x04", 4);
+constexpr std::string_view EmptyZip("PK\x05\x06", 4);
+
+bool begins(std::string_view text, std::string_view with) {
+  return text.substr(0, with.size()) == with;
+}
+
+// Reads until `size` bytes are there, or the file ends.
+std::string readSome(int file, size_t size) {
+  std::string bytes(size, '\0');
+  size_t have = 0;
+  while (have < size) {
+    const ssize_t count = ::read(file, &bytes[have], size - have);
+    if (count == 0 || (count < 0 && errno != EINTR)) {
+      break;
+    }
+    have += count > 0 ? static_cast<size_t>(count) : 0;
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
+// Returns the name without its end, if it has this end.
+bool cutEnd(std::string &name, std::string_view end) {
+  const bool has = name.size() > end.size() && lower(name).compare(name.size() - end.size(), end.size(), end) == 0;
+  name.resize(name.size() - (has ? end.size() : 0));
+  return has;
+}
+
 }  // namespace
 
-PackedFile::PackedFile(const std::string &name)
-    : _file(name == "-" ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY)), _archive(nullptr, archive_read_free) {
+bool isPacked(std::string_view begin) {
+  const bool isGzip =
+      begins(begin, Gzip) && begin.size() > Gzip.size() && begin[Gzip.size()] >= 0 && begin[Gzip.size()] < 0x20;
+  return isGzip || begins(begin, Xz) || begins(begin, Zip) || begins(begin, EmptyZip);
+}
+
+bool maybePacked(std::string_view begin) {
+  return isPacked(begin) || begins(Gzip, begin) || begins(Xz, begin) || begins(Zip, begin) || begins(EmptyZip, begin);
+}
+
+int copyToTemporary(std::string_view begin, int file) {
+  std::FILE *const stream = std::tmpfile();
+  const int copy = stream == nullptr ? -1 : fcntl(fileno(stream), F_DUPFD_CLOEXEC, 3);
+  bool works = copy >= 0;
+  std::string bytes = begin.empty() ? readSome(file, ReadSize) : std::string(begin);
+  while (works && !bytes.empty()) {
+    for (size_t at = 0; at < bytes.size() && works;) {
+      const ssize_t count = ::write(copy, bytes.data() + at, bytes.size() - at);
+      works = count > 0 || (count < 0 && errno == EINTR);
+      at += count > 0 ? static_cast<size_t>(count) : 0;
+    }
+    bytes = works ? readSome(file, ReadSize) : "";
+  }
+  if (!works || lseek(copy, 0, SEEK_SET) != 0) {
+    throw std::runtime_error(std::string("a pipe cannot be kept in ") + P_tmpdir + " (" + std::strerror(errno) +
+                             "): save it in a file first");
+  }
+  std::fclose(stream);
+  return copy;
+}
+
+PackedFile::PackedFile(const std::string &path, std::string name)
+    : _name(std::move(name)),
+      _file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
+      _archive(nullptr, archive_read_free) {
   if (_file < 0) {
-    throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
-                             "); the name of a capture is expected");
+    throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) +
+                             "); the name of a recording or a capture is expected");
+  }
+  _isPipe = lseek(_file, 0, SEEK_CUR) < 0;
+  if (_isPipe) {
+    _begin = readSome(_file, Zip.size());
+    if (begins(_begin, Zip)) {  // its entries are read in any order
+      const int copy = copyToTemporary(_begin, _file);
+      if (_file != STDIN_FILENO) {
+        close(_file);
+      }
+      _file = copy;
+      _isPipe = false;
+    }
   }
   open();
 }
@@ -37,11 +122,34 @@ void PackedFile::open() {
   _failure.clear();
   _archive.reset(archive_read_new());
   archive_read_support_filter_gzip(_archive.get());
+  archive_read_support_filter_xz(_archive.get());
   archive_read_support_format_zip(_archive.get());
   archive_read_support_format_raw(_archive.get());
   archive_read_support_format_empty(_archive.get());
-  _atEnd = !works(archive_read_open_fd(_archive.get(), _file, ReadSize));
+  _atEnd = !works(_isPipe ? archive_read_open(_archive.get(), this, nullptr, fill, nullptr)
+                          : archive_read_open_fd(_archive.get(), _file, ReadSize));
   next();
+  _isZip = (archive_format(_archive.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
+}
+
+// Reads from a pipe: what has come, as soon as it has.
+long PackedFile::fill(archive *, void *self, const void **bytes) {
+  PackedFile &file = *static_cast<PackedFile *>(self);
+  if (!file._begin.empty()) {
+    file._block = std::exchange(file._begin, "");
+    *bytes = file._block.data();
+    return static_cast<long>(file._block.size());
+  }
+  file._block.resize(ReadSize);
+  *bytes = file._block.data();
+  ssize_t count;
+  do {
+    count = ::read(file._file, &file._block[0], ReadSize);
+  } while (count < 0 && errno == EINTR);
+  if (count < 0) {
+    archive_set_error(file._archive.get(), errno, "%s", std::strerror(errno));
+  }
+  return count;
 }
 
 bool PackedFile::works(int status) {
@@ -61,25 +169,52 @@ bool PackedFile::next() {
   return !_atEnd;
 }
 
-bool PackedFile::isZip() const {
-  return (archive_format(_archive.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
-}
-
-bool PackedFile::canGoBack() const {
-  return lseek(_file, 0, SEEK_CUR) >= 0;
+bool PackedFile::isSession() {
+  return _isZip && find("metadata");
 }
 
 bool PackedFile::find(const std::string &entry) {
   while (!_atEnd && _entry != entry) {
     next();
   }
-  if (_atEnd && lseek(_file, 0, SEEK_SET) == 0) {
+  if (_atEnd && !_isPipe && lseek(_file, 0, SEEK_SET) == 0) {
     open();
     while (!_atEnd && _entry != entry) {
       next();
     }
   }
   return !_atEnd;
+}
+
+void PackedFile::findOnly() {
+  if (!_isZip) {
+    return;
+  }
+  std::string only;
+  lseek(_file, 0, SEEK_SET);
+  open();
+  for (; !_atEnd; next()) {
+    if (_entry.empty() || _entry.back() == '/') {
+      continue;
+    }
+    if (!only.empty()) {
+      throw std::runtime_error(
+          _name + ": is a ZIP of several files, and no session of sigrok or PulseView: unpack it, and name one");
+    }
+    only = _entry;
+  }
+  if (only.empty() || !find(only)) {
+    throw std::runtime_error(_name + ": is a ZIP without a file in it");
+  }
+}
+
+std::string PackedFile::unpackedName() const {
+  if (_isZip) {
+    return _entry;
+  }
+  std::string name = _name;
+  cutEnd(name, ".gz") || cutEnd(name, ".xz");
+  return name;
 }
 
 std::string_view PackedFile::read() {
@@ -91,6 +226,12 @@ std::string_view PackedFile::read() {
     status = archive_read_data_block(_archive.get(), &bytes, &count, &at);
   }
   return works(status) ? std::string_view(static_cast<const char *>(bytes), count) : std::string_view();
+}
+
+void PackedFile::requireEnd() const {
+  if (!_failure.empty()) {
+    throw std::runtime_error(_name + ": " + _failure);
+  }
 }
 
 }  // namespace line

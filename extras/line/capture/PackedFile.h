@@ -1,29 +1,45 @@
-// Reads a file's bytes. It unpacks a .gz, and a ZIP, one entry after the other.
+// Reads a file's bytes. It unpacks gzip and xz, and a ZIP, one entry after the other.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct archive;
 
 namespace line {
 
+// Returns true if the bytes begin as a packed file does: gzip, xz or ZIP.
+bool isPacked(std::string_view begin);
+
+// Returns true if a file begins with `begin`, which may be shorter, and the file may still be packed.
+bool maybePacked(std::string_view begin);
+
+// Copies `begin` and then the rest of `file` to a file without a name, which vanishes when it is closed. Returns it, at
+// its beginning. Throws std::runtime_error if the disk is full.
+int copyToTemporary(std::string_view begin, int file);
+
 class PackedFile {
  public:
-  // `name` is a file, or "-" for standard input. Throws std::runtime_error if it cannot be opened.
-  explicit PackedFile(const std::string &name);
+  // `path` is a file, or "-" for standard input. `name` is what messages call it. Throws std::runtime_error if it
+  // cannot be opened.
+  PackedFile(const std::string &path, std::string name);
   ~PackedFile();
   PackedFile(const PackedFile &) = delete;
   PackedFile &operator=(const PackedFile &) = delete;
 
-  bool isZip() const;
-
-  // Returns false for a pipe.
-  bool canGoBack() const;
+  // Returns true for a session of sigrok or PulseView: a ZIP with the entry "metadata".
+  bool isSession();
 
   // Goes to the beginning of a ZIP's entry, wherever it stands in the file. Returns false if no entry has this name.
   bool find(const std::string &entry);
+
+  // Goes to the only file in a ZIP; leaves other files as they are. Throws std::runtime_error if the ZIP holds several.
+  void findOnly();
+
+  // Returns the name of what is packed: the file's without .gz or .xz, or the ZIP's entry.
+  std::string unpackedName() const;
 
   // Waits for a byte or more. Returns what has come; nothing at the end, and after a failure.
   std::string_view read();
@@ -31,12 +47,21 @@ class PackedFile {
   // Returns why the file could not be read to its end; nothing if it could.
   const std::string &failure() const { return _failure; }
 
+  // Throws std::runtime_error with name and reason unless the file could be read to its end.
+  void requireEnd() const;
+
  private:
   void open();
   bool next();
   bool works(int status);
+  static long fill(archive *, void *self, const void **bytes);
 
-  const int _file;
+  const std::string _name;
+  int _file;
+  std::string _begin;  // of a pipe: read before the rest
+  std::string _block;
+  bool _isPipe = false;
+  bool _isZip = false;
   std::unique_ptr<archive, int (*)(archive *)> _archive;
   std::string _entry;  // name of the entry
   bool _atEnd = false;

@@ -43,7 +43,7 @@ std::string_view takeWord(std::string_view &text) {
 
 }  // namespace
 
-VcdReader::VcdReader(LevelSink &sink) : CaptureReader(sink) {
+VcdReader::VcdReader(LevelSink &sink, std::optional<double> threshold) : CaptureReader(sink), _threshold(threshold) {
   _byCharacter.fill(None);
 }
 
@@ -58,10 +58,12 @@ std::string VcdReader::put(std::string_view lines) {
       }
       std::string error = _inBody ? bodyWord(word) : headerWord(word);
       if (!error.empty()) {
+        endBlock();
         return error;
       }
     }
   }
+  endBlock();
   return {};
 }
 
@@ -141,10 +143,12 @@ std::string VcdReader::defineVariable() {
     return "a variable is not complete: type, number of bits, code and name are expected";
   }
   double width;
-  if (!parseNumber(_words[1], width) || !(width >= 1) || _words[0] == "real" ||
+  const bool isReal = _words[0] == "real";
+  if (!parseNumber(_words[1], width) || !(width >= 1) ||
       static_cast<double>(_names.size()) + width > static_cast<double>(SignalsMax)) {
     return {};
   }
+  width = isReal ? 1 : width;
   const std::string &code = _words[2];
   if (signalOf(code) != None) {
     return {};  // the same wire, seen from another module
@@ -153,6 +157,11 @@ std::string VcdReader::defineVariable() {
     _byCharacter[static_cast<unsigned char>(code[0])] = _names.size();
   } else {
     _byCode[code] = _names.size();
+  }
+  if (isReal) {
+    Real &real = _reals[_names.size()];
+    real.threshold = Threshold(_threshold.value_or(0), 0);
+    real.found = _threshold.has_value();
   }
   // "bus[7:0]", or "bus" and "[7:0]"
   const size_t bracket = std::min(_words[3].find('[', 1), _words[3].size());
@@ -188,7 +197,8 @@ std::string VcdReader::bodyWord(std::string_view word) {
   }
   if (_codeFollows) {
     _codeFollows = false;
-    setVector(signalOf(word));
+    const size_t signal = signalOf(word);
+    _reals.count(signal) > 0 ? setReal(signal) : setVector(signal);
     return {};
   }
   switch (word.front()) {
@@ -196,7 +206,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case '1': {
       const size_t signal = signalOf(word.substr(1));
       if (signal != None) {
-        _sink.level(signal, _ns, word.front() == '1');
+        setLevel(signal, word.front() == '1');
       }
       return word.size() > 1 ? "" : "a value has no code: one such as 1! is expected";
     }
@@ -215,6 +225,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case 'S':
       _codeFollows = true;
       _bits = word.front() == 'b' || word.front() == 'B' ? word.substr(1) : "";
+      _number = word.front() == 'r' || word.front() == 'R' ? word.substr(1) : "";
       return {};
     case '$':
       _passing = word == "$comment";
@@ -229,8 +240,68 @@ void VcdReader::setVector(size_t lowest) {
   for (size_t i = 0; lowest != None && !_bits.empty() && i < _widths[lowest]; i++) {
     const char bit = i < _bits.size() ? _bits[_bits.size() - 1 - i] : _bits.front() == '1' ? '0' : _bits.front();
     if (bit == '0' || bit == '1') {
-      _sink.level(lowest + i, _ns, bit == '1');
+      setLevel(lowest + i, bit == '1');
     }
+  }
+}
+
+void VcdReader::setLevel(size_t signal, bool high) {
+  if (_reals.empty()) {
+    _sink.level(signal, _ns, high);
+  } else {
+    _changes.push_back({signal, _ns, high ? 1.0 : 0.0});
+  }
+}
+
+void VcdReader::setReal(size_t signal) {
+  double volts;
+  if (parseNumber(_number, volts)) {
+    _changes.push_back({signal, _ns, volts});
+  }
+}
+
+// Hands over the levels of the lines at hand. A real's threshold is known only after them.
+void VcdReader::endBlock() {
+  for (auto &[signal, real] : _reals) {
+    if (!_threshold) {
+      learn(signal, real);
+    }
+  }
+  for (const Change &change : _changes) {
+    const auto entry = _reals.find(change.signal);
+    if (entry == _reals.end()) {
+      _sink.level(change.signal, change.ns, change.value != 0);
+      continue;
+    }
+    Real &real = entry->second;
+    const bool high = real.threshold.isHigh(change.value, real.high);
+    if (real.found && (high != real.high || !real.begun)) {
+      real.begun = true;
+      real.high = high;
+      _sink.level(change.signal, change.ns, high);
+    }
+  }
+  _changes.clear();
+}
+
+// A dump has changes, not samples: a voltage counts for as long as it lasts.
+void VcdReader::learn(size_t signal, Real &real) {
+  constexpr int64_t SampleNs = 1000;
+  constexpr int64_t SamplesMax = 100;  // of a voltage
+  std::vector<double> volts;
+  const Change *before = nullptr;
+  for (const Change &change : _changes) {
+    if (change.signal != signal) {
+      continue;
+    }
+    if (before != nullptr) {
+      const int64_t samples = std::clamp<int64_t>((change.ns - before->ns) / SampleNs, 1, SamplesMax);
+      volts.insert(volts.end(), static_cast<size_t>(samples), before->value);
+    }
+    before = &change;
+  }
+  if (!volts.empty() && (!real.found || Threshold::rangeOf(volts).span > 2.5 * real.threshold.swing())) {
+    real.found = real.threshold.find(volts) || real.found;
   }
 }
 

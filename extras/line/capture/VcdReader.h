@@ -1,21 +1,25 @@
 // Reads a value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its
-// signals are scalar variables and the bits of vectors; it ignores reals.
+// signals are scalar variables, the bits of vectors, and reals, which are voltages.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <unordered_map>
 
 #include "line/capture/Capture.h"
+#include "line/capture/Threshold.h"
 
 namespace line {
 
 class VcdReader : public CaptureReader {
  public:
-  explicit VcdReader(LevelSink &sink);
+  // `threshold`: of all reals; none: a threshold is found for each.
+  explicit VcdReader(LevelSink &sink, std::optional<double> threshold = {});
 
   std::string put(std::string_view lines) override;
   std::string finish() override;
   std::string format() const override { return "VCD"; }
+  bool needsFullBlocks() const override { return !_reals.empty() && !_threshold; }
 
  private:
   static constexpr size_t None = SIZE_MAX;
@@ -24,20 +28,42 @@ class VcdReader : public CaptureReader {
   std::string endSection();
   std::string defineVariable();
   void setVector(size_t lowest);
+  void setReal(size_t signal);
+  void setLevel(size_t signal, bool high);
+  void endBlock();
   std::string bodyWord(std::string_view word);
   std::string setTime(std::string_view digits);
   // Returns the signal of a code; of a vector that of its lowest bit, which the higher ones follow.
   size_t signalOf(std::string_view code) const;
 
+  struct Real {
+    Threshold threshold;
+    bool found = false;  // there are two levels
+    bool begun = false;  // the first level has been handed on
+    bool high = false;
+  };
+  struct Change {
+    size_t signal;
+    int64_t ns;
+    double value;  // a voltage; 0 or 1 of other signals
+  };
+
+  void learn(size_t signal, Real &real);
+
+  const std::optional<double> _threshold;
+  std::unordered_map<size_t, Real> _reals;  // by signal
+  std::vector<Change> _changes;             // of the lines at hand, if there are reals: in their order
+
   bool _inBody = false;
   bool _passing = false;      // ignores words up to $end; in the body: of a comment
   bool _codeFollows = false;  // of a vector or real
   std::string _bits;          // the value of the vector whose code follows
+  std::string _number;        // the value of the real whose code follows
   std::string _section;       // "$var": the section whose words are collected, up to $end
   std::vector<std::string> _words;
   std::vector<std::string> _scopes;
   std::vector<std::string> _names;
-  std::vector<size_t> _widths;  // of the variable whose lowest bit this signal is
+  std::vector<size_t> _widths;           // of the variable whose lowest bit this signal is
   std::array<size_t, 128> _byCharacter;  // the signal of a code of one character
   std::unordered_map<std::string, size_t> _byCode;
   uint64_t _unitNumerator = 0;  // ns of a unit of time

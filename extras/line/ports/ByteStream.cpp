@@ -1,31 +1,24 @@
 #include "line/ports/ByteStream.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace line {
 
-ByteStream::ByteStream(const std::string &name, uint32_t characterUs, bool patient)
+ByteStream::ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, bool patient)
     : _name(name == "-" ? "standard input" : name),
-      _file(name == "-" ? STDIN_FILENO : open(name.c_str(), O_RDONLY | O_CLOEXEC)),
+      _file(file),
+      _begin(std::move(begin)),
       _reads(characterUs),
       _patient(patient) {
-  if (_file < 0) {
-    throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) + "); name a pipe that can be read");
-  }
   if (isatty(_file) != 0) {
     throw std::runtime_error(_name + ": is a terminal; pipe S.Bus bytes into it, as in: cat bytes.bin | sbus hex -");
-  }
-}
-
-ByteStream::~ByteStream() {
-  if (_file != STDIN_FILENO) {
-    close(_file);
   }
 }
 
@@ -43,27 +36,37 @@ bool ByteStream::next(uint64_t nowUs, Character &character) {
 
 bool ByteStream::wait() {
   pollfd state = {_file, POLLIN, 0};
-  return !_ended && _waiting.empty() && ::poll(&state, 1, _reads.knownAfterMs()) >= 0;
+  return _begin.empty() && !_ended && _waiting.empty() && ::poll(&state, 1, _reads.knownAfterMs()) >= 0;
 }
 
 // Reads more bytes, if any wait. Ctrl-C ends the waiting.
 void ByteStream::fill(uint64_t nowUs) {
+  if (!_begin.empty()) {
+    const size_t count = std::min(_begin.size(), ReadMax);
+    take(std::string_view(_begin).substr(0, count), nowUs);
+    _begin.erase(0, count);
+    return;
+  }
   pollfd state = {_file, POLLIN, 0};
   if (_ended || ::poll(&state, 1, _patient ? -1 : 0) != 1) {
     _reads.empty(_patient ? 0 : nowUs);
     return;
   }
-  uint8_t bytes[ReadMax];
+  char bytes[ReadMax];
   const ssize_t count = read(_file, bytes, sizeof bytes);
   if (count < 0 && errno != EINTR && errno != EAGAIN) {
     _failure = _name + ": cannot be read (" + std::strerror(errno) + ")";
   }
   _ended = count == 0;
   if (count > 0) {
-    _reads.begin(static_cast<size_t>(count), _patient ? 0 : nowUs);
+    take({bytes, static_cast<size_t>(count)}, nowUs);
   }
-  for (ssize_t i = 0; i < count; i++) {
-    _waiting.push_back(_reads.next(bytes[i]));
+}
+
+void ByteStream::take(std::string_view bytes, uint64_t nowUs) {
+  _reads.begin(bytes.size(), _patient ? 0 : nowUs);
+  for (const char byte : bytes) {
+    _waiting.push_back(_reads.next(static_cast<uint8_t>(byte)));
     _lastEndUs = _waiting.back().endUs;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <string>
+#include <string_view>
 
 #include "line/Line.h"
 #include "line/ports/PortReads.h"
@@ -12,10 +13,9 @@ namespace line {
 // A pipe brings a frame in pieces, as a port does. It holds back bytes that come faster than on a line.
 class ByteStream : public Line {
  public:
-  // `name` is a file, or - for standard input. If `patient`, next() waits for bytes, whatever the time, and there is no
-  // silence between them. Throws std::runtime_error.
-  ByteStream(const std::string &name, uint32_t characterUs, bool patient);
-  ~ByteStream() override;
+  // Reads `file`, which the caller closes; `begin` came out of it before. If `patient`, next() waits for bytes,
+  // whatever the time, and there is no silence between them. Throws std::runtime_error.
+  ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, bool patient);
   ByteStream(const ByteStream &) = delete;
   ByteStream &operator=(const ByteStream &) = delete;
 
@@ -31,9 +31,11 @@ class ByteStream : public Line {
   static constexpr size_t ReadMax = 256;
 
   void fill(uint64_t nowUs);
+  void take(std::string_view bytes, uint64_t nowUs);
 
   std::string _name;
-  int _file;
+  const int _file;
+  std::string _begin;
   PortReads _reads;
   bool _patient;
   std::deque<Character> _waiting;

@@ -1,0 +1,160 @@
+#include "cli/Pipe.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/Stop.h"
+#include "line/capture/Capture.h"
+#include "line/capture/PackedFile.h"
+#include "line/recording/PlainText.h"
+#include "line/recording/Recording.h"
+#include "sbus/FrameRules.h"
+
+namespace tool {
+
+namespace {
+
+constexpr int WaitMs = 50;
+constexpr int PauseMs = 100;  // in which rows of a sketch pause, a file does not
+constexpr double NoteAfterS = 2;
+
+enum class Content { Unknown, Bytes, Packed, Text };
+
+bool isControl(unsigned char c) {
+  return c < ' ' && c != '\t' && c != '\n' && c != '\r';
+}
+
+// A line of S.Bus shows itself by the header in each frame, 0F: it is no character of a text. A text has few beyond
+// ASCII, such as a micro sign.
+Content contentOf(const std::string &begin, bool ended) {
+  constexpr size_t Enough = sbus::FrameSize24;
+  constexpr std::string_view Little("\xFF\xFE", 2), Big("\xFE\xFF", 2);
+  if (line::isPacked(begin)) {
+    return Content::Packed;
+  }
+  if (line::maybePacked(begin) && !ended) {
+    return Content::Unknown;
+  }
+  const std::string_view mark = std::string_view(begin).substr(0, Little.size());
+  const bool maybeUtf16 = Little.substr(0, mark.size()) == mark || Big.substr(0, mark.size()) == mark;
+  if (maybeUtf16 && begin.size() >= 4 && begin[mark == Little ? 3 : 2] == 0) {
+    return Content::Text;
+  }
+  if (maybeUtf16 && begin.size() < 4 && !ended) {
+    return Content::Unknown;
+  }
+  if (std::any_of(begin.begin(), begin.end(), isControl)) {
+    return Content::Bytes;
+  }
+  const auto others = std::count_if(begin.begin(), begin.end(), [](char c) { return c < 0; });
+  const bool isText = 4 * static_cast<size_t>(others) < begin.size();
+  return begin.size() < Enough && !ended ? Content::Unknown : isText ? Content::Text : Content::Bytes;
+}
+
+// Returns true if a text is the rows of a sketch, as kindOfText() tells them from a capture.
+bool areRows(const std::string &begin) {
+  const std::string head = begin.substr(0, begin.rfind('\n') + 1);
+  const std::string format = line::captureFormat(head);
+  return line::isCsvText(head) && (format.empty() || format == line::OscilloscopeFormat);
+}
+
+}  // namespace
+
+Pipe::Pipe(std::string name) : _name(std::move(name)) {
+  if (_name == "-") {
+    _file = STDIN_FILENO;
+  } else if (isPipe(_name)) {
+    _file = open(_name.c_str(), O_RDONLY | O_CLOEXEC);
+    if (_file < 0) {
+      throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) +
+                               "); name a pipe that can be read");
+    }
+  }
+}
+
+Pipe::~Pipe() {
+  for (const int file : {_file, _copy}) {
+    if (file > STDIN_FILENO) {
+      close(file);
+    }
+  }
+}
+
+bool Pipe::isPipe(const std::string &name) {
+  struct stat status;
+  return name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode));
+}
+
+bool Pipe::isLive(double seconds) {
+  struct stat status;
+  if (fstat(_file, &status) != 0 || S_ISCHR(status.st_mode) || S_ISREG(status.st_mode)) {
+    return !S_ISREG(status.st_mode);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  bool isSaid = false;
+  while (!stopped() && _begin.size() < line::CaptureHeadMax) {
+    const bool came = readMore(_begin.empty() ? WaitMs : PauseMs);
+    const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (_begin.empty() && !_ended && waited >= NoteAfterS && !std::exchange(isSaid, true)) {
+      std::fprintf(stderr, "%s: no bytes yet\n", _name.c_str());
+    }
+    const Content content = contentOf(_begin, _ended);
+    if (_begin.empty() ? _ended || (seconds > 0 && waited >= seconds) : content == Content::Bytes) {
+      return true;
+    }
+    if (content == Content::Packed || _ended) {
+      return false;
+    }
+    const bool isPause = !came || _begin.size() >= line::RecordingBeginning;
+    if (content == Content::Unknown && !came && seconds > 0 && waited >= seconds) {
+      return true;
+    }
+    if (content != Content::Bytes && isPause && areRows(_begin)) {
+      return true;
+    }
+  }
+  return _begin.empty();
+}
+
+// Reads what comes within `ms`. Returns false if nothing came.
+bool Pipe::readMore(int ms) {
+  pollfd state = {_file, POLLIN, 0};
+  if (poll(&state, 1, ms) <= 0) {
+    return false;
+  }
+  char bytes[4096];
+  const ssize_t count = read(_file, bytes, sizeof bytes);
+  _ended = count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN);
+  _begin.append(bytes, count > 0 ? static_cast<size_t>(count) : 0);
+  return count > 0;
+}
+
+FileName Pipe::wholeFile() {
+  if (_file < 0) {
+    return _name;
+  }
+  struct stat status;
+  if (_begin.empty() && fstat(_file, &status) == 0 && S_ISREG(status.st_mode) && lseek(_file, 0, SEEK_CUR) == 0) {
+    const int again = open("/dev/stdin", O_RDONLY | O_CLOEXEC);  // its name, for as long as it is open
+    if (again >= 0) {
+      close(again);
+      return {"/dev/stdin", _name};
+    }
+  }
+  if (_copy < 0) {
+    _copy = line::copyToTemporary(_begin, _file);
+  }
+  return {"/dev/fd/" + std::to_string(_copy), _name};
+}
+
+}  // namespace tool

@@ -1,0 +1,122 @@
+#!/bin/sh
+# Every subcommand reads every kind of file: by its name, on standard input from the file, and through a pipe. What it
+# prints is as of the plain file. Prints a table of the kinds, and "ok ..." or "FAILED ..." for each subcommand and kind.
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/kinds
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+# What other programs write: text/NAME and its packed forms. The session is sigrok's: libsigrok, src/output/srzip.c.
+"$SBUS" wave recordings/sbus2.txt -o "$work/line.vcd" && cp recordings/sbus2.txt "$work/line.txt" &&
+  "$SBUS" csv recordings/frsky-neutral.txt --every-frame >"$work/rows.csv" && python3 - "$work" <<'END'
+import gzip, lzma, sys, zipfile
+work = sys.argv[1] + "/"
+kinds = []
+for name in "line.txt", "line.vcd", "rows.csv":
+    text = open(work + name, newline="").read().replace("\r\n", "\n")
+    stem, end = name.split(".")
+    def keep(kind, data):
+        open(work + f"{stem}-{kind}", "wb").write(data)
+        kinds.append(f"{name} {stem}-{kind}")
+    if end != "csv":  # of rows the CR counts as a byte of the line
+        keep("crlf." + end, text.replace("\n", "\r\n").encode())
+    keep("cr." + end, text.replace("\n", "\r").encode())
+    keep("mark." + end, b"\xEF\xBB\xBF" + text.encode())
+    keep("utf16le." + end, b"\xFF\xFE" + text.encode("utf-16-le"))
+    keep("utf16be." + end, b"\xFE\xFF" + text.encode("utf-16-be"))
+    keep(end + ".gz", gzip.compress(text.encode()))
+    keep(end + ".xz", lzma.compress(text.encode()))
+    keep("utf16cr." + end + ".gz", gzip.compress(b"\xFF\xFE" + text.replace("\n", "\r").encode("utf-16-le")))
+    keep(end + "-misnamed.bin", gzip.compress(text.encode()))
+    with zipfile.ZipFile(work + f"{stem}-{end}.zip", "w", zipfile.ZIP_DEFLATED) as packed:
+        packed.writestr("folder/", b"")
+        packed.writestr("folder/" + name, text)
+    kinds.append(f"{name} {stem}-{end}.zip")
+levels, samples, level = [], bytearray(), 0
+for line in open(work + "line.vcd"):
+    if line[0] == "#":
+        samples += bytes([level]) * (int(line[1:]) - len(samples))
+    elif line[0] in "01":
+        level = int(line[0])
+with zipfile.ZipFile(work + "line-session.sr", "w", zipfile.ZIP_DEFLATED) as session:
+    session.writestr("version", "2")
+    session.writestr("metadata", "[device 1]\ncapturefile=logic-1\nsamplerate=1 MHz\nprobe1=SBUS\nunitsize=1\n")
+    session.writestr("logic-1-1", bytes(samples[:len(samples) // 2]))
+    session.writestr("logic-1-2", bytes(samples[len(samples) // 2:]))
+kinds.append("line.vcd line-session.sr")
+open(work + "kinds", "w").write("\n".join(kinds) + "\n")
+END
+[ "$(wc -l <"$work/kinds")" -eq 30 ]
+verdict $? "there are 30 kinds of files"
+
+run() {  # SUBCOMMAND 'FILE OPTION...', in $work: what it prints, without the file's name
+  # shellcheck disable=SC2086  # the arguments are words
+  case $1 in
+    record) "$SBUS" record $2 - ;;
+    replay) "$SBUS" replay $2 --to /dev/null ;;  # says that this is no port, once the file is read
+    monitor) "$SBUS" monitor $2 --simulated-time ;;
+    csv) "$SBUS" csv $2 --every-frame --columns time,ch1-ch18,failsafe ;;
+    decode) "$SBUS" decode $2 ;;
+    *) "$SBUS" "$1" $2 ;;
+  esac 2>&1 | sed -e 's#standard input#input#; s#^\(sbus [a-z]*: \)*-:#\1input:#; s#^-,#input,#; s#record -\(:.*\)*$#record input\1#' \
+    -e 's#decode -$#decode input#; s#<input$#<-#; s#, sigrok session:#, VCD:#'
+}
+cd "$work" || exit 1
+for subcommand in monitor doctor summary telemetry hex csv plot record replay decode wave; do
+  bad=
+  while read -r plain kind; do
+    # A name that does not tell what it is.
+    cp "$plain" input && run $subcommand input >wanted
+    cp "$kind" input && run $subcommand input >by-name
+    run $subcommand - <"$kind" >on-input
+    # shellcheck disable=SC2002  # a pipe, not a file
+    cat "$kind" | run $subcommand - >by-pipe
+    for way in by-name on-input by-pipe; do
+      cmp -s wanted $way && [ -s wanted ] || bad="$bad $kind:$way"
+    done
+  done <kinds
+  [ -z "$bad" ]
+  verdict $? "$subcommand reads every kind of file$bad"
+done
+
+# ---- Two signals in a capture: each subcommand says which it took, and --signal chooses.
+
+"$SBUS" wave "$OLDPWD/recordings/frsky-neutral.txt" -o other.vcd && python3 - <<'END'
+def changes(name, code):
+    us = 0
+    for line in open(name):
+        if line[0] == "#":
+            us = int(line[1:])
+        elif line[0] in "01":
+            yield us, line[0] + code
+both = sorted(list(changes("line.vcd", "!")) + list(changes("other.vcd", "%")), key=lambda change: change[0])
+with open("two.vcd", "w") as file:
+    file.write("$timescale 1 us $end\n$var wire 1 ! TAIL $end\n$var wire 1 % MAIN $end\n$enddefinitions $end\n")
+    for us, change in both:
+        file.write(f"#{us} {change}\n")
+END
+read -r first _ <<END
+$("$SBUS" decode two.vcd --csv 2>&1 >/dev/null | sed -n 's/^two.vcd: this is signal \([A-Z]*\); S.Bus is also on [A-Z]*: --signal NAME chooses$/\1/p')
+END
+[ "$first" = TAIL ] || [ "$first" = MAIN ]
+verdict $? "decode --csv says which signal it took: ${first:-none}"
+for subcommand in monitor doctor summary telemetry hex csv plot record replay; do
+  bad=
+  run $subcommand two.vcd >said
+  grep -q "^two.vcd: this is signal $first; S.Bus is also on [A-Z]*: --signal NAME chooses$" said || bad="$bad says-nothing"
+  for signal in TAIL:line MAIN:other; do
+    # shellcheck disable=SC2016  # the option follows the file's name
+    cp "${signal#*:}.vcd" input && run $subcommand input >wanted
+    cp two.vcd input && run $subcommand "input --signal ${signal%:*}" >chosen
+    cmp -s wanted chosen || bad="$bad $signal"
+  done
+  [ -z "$bad" ]
+  verdict $? "$subcommand says which signal of two it took, and takes another one by --signal:$bad"
+done
+"$SBUS" hex two.vcd --signal TX 2>err
+[ $? -eq 1 ] && grep -qx 'sbus hex: two.vcd: there is no signal TX: one of TAIL, MAIN is expected' err
+verdict $? "--signal names one that is there"
