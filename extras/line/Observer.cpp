@@ -28,16 +28,22 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _percent = 0;
   _saidUs = 0;
   _first = Stretch();
-  _joinedAtExtra = false;
+  _joinsAtExtra = 0;
 }
 
 sbus::Counters Observer::counters() const {
-  sbus::Counters counters = _decoders.counters();
-  if (_joinedAtExtra) {
-    counters.extraFrames++;
-    counters.rejectedByLength -= counters.rejectedByLength > 0;
-    counters.discardedBytes -= sbus::FrameSize;
-  }
+  return withJoins(_decoders.counters());
+}
+
+sbus::Counters Observer::counters16() const {
+  return withJoins(_decoders.counters16());
+}
+
+// Counts the frames with header 2F at which the line was joined: a decoder has discarded them.
+sbus::Counters Observer::withJoins(sbus::Counters counters) const {
+  counters.extraFrames += _joinsAtExtra;
+  counters.rejectedByLength -= std::min(counters.rejectedByLength, _joinsAtExtra);
+  counters.discardedBytes -= std::min<uint32_t>(counters.discardedBytes, sbus::FrameSize * _joinsAtExtra);
   return counters;
 }
 
@@ -80,6 +86,7 @@ void Observer::finish() {
   _segments.cut(_decoders.finish());
   _segments.finish();
   sayFirst();
+  _telemetry.finish();
 }
 
 void Observer::handOver() {
@@ -88,15 +95,17 @@ void Observer::handOver() {
   }
 }
 
-// In FASSTest 26 a frame with header 2F comes before each frame. A decoder does not take the first of them, since it
-// does not know the line yet.
+// In FASSTest 26 a frame with header 2F comes before each frame. A decoder does not take the first of them, nor the
+// first after a silence: it does not know the line then.
 void Observer::take(Stretch &stretch) {
   if (!_first.characters.empty()) {
-    _joinedAtExtra = stretch.kind == Stretch::Kind::Frame;
-    _first.kind = _joinedAtExtra ? Stretch::Kind::Extra : _first.kind;
+    if (stretch.kind == Stretch::Kind::Frame) {
+      _joinsAtExtra++;
+      _first.kind = Stretch::Kind::Extra;
+    }
     sayFirst();
   }
-  if (isExtraAlone(stretch)) {
+  if (stretch.kind == Stretch::Kind::NoFrame && isExtraAlone(stretch)) {
     _first = stretch;
   } else {
     say(stretch);
@@ -110,12 +119,15 @@ void Observer::sayFirst() {
   }
 }
 
-// Returns true if the stretch has a frame's form, after a gap, and no frame came before it.
+// Returns true if the stretch has a frame's form, after a gap, and no frame came before it, or only before a silence.
 bool Observer::isExtraAlone(const Stretch &stretch) const {
   constexpr uint64_t GapCharacters = 8;
+  constexpr uint64_t SilenceUs = 50000;  // after which a decoder does not know its place
   const auto &characters = stretch.characters;
   const uint64_t gapEndUs = _saidUs == 0 ? 0 : _saidUs + (GapCharacters + 1) * _characterUs;
-  return newest().count == 0 && characters.size() == sbus::FrameSize && characters.front().value == sbus::ExtraHeader &&
+  const uint64_t silenceEndUs = _saidUs + SilenceUs + sbus::FrameSize * uint64_t{_characterUs};
+  const bool isFirst = newest().count == 0 || stretch.endUs() >= silenceEndUs;
+  return isFirst && characters.size() == sbus::FrameSize && characters.front().value == sbus::ExtraHeader &&
          characters.front().endUs >= gapEndUs && sbus::isEndByte(characters.back().value) &&
          sbus::isFlagsByte(characters[sbus::FrameSize - 2].value) &&
          std::none_of(characters.begin(), characters.end(), [](const Character &c) { return c.bad || c.lateUs > 0; });

@@ -55,11 +55,12 @@ class Observer : public Statistics {
   // Returns the telemetry between the frames. Within a listener its proved() returns the slots of this stretch.
   const TelemetrySlots &telemetry() const { return _telemetry; }
 
-  // Returns the counters of the decoder that is right, with the frame with header 2F at which the line was joined.
+  // Returns the counters of the decoder that is right, with the frames with header 2F that came first, or first after a
+  // silence.
   sbus::Counters counters() const;
 
   // Returns the counters of the decoder for 16 channels, even if the other is right: for sbus::Diagnosis.
-  sbus::Counters counters16() const { return _decoders.counters16(); }
+  sbus::Counters counters16() const;
 
  private:
   void handOver();
@@ -67,6 +68,7 @@ class Observer : public Statistics {
   void say(Stretch &stretch);
   void sayFirst();
   bool isExtraAlone(const Stretch &stretch) const;
+  sbus::Counters withJoins(sbus::Counters counters) const;
 
   Listener _listener;
   Decoders _decoders;
@@ -79,10 +81,10 @@ class Observer : public Statistics {
   bool _waits;          // _last has not been handed over
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;
-  uint8_t _percent;     // the link quality when the newest frame was complete
-  uint64_t _saidUs;     // the end of the last stretch
-  Stretch _first;       // may be the frame with header 2F that comes before the first frame; without characters none waits
-  bool _joinedAtExtra;  // _first was such a frame
+  uint8_t _percent;  // the link quality when the newest frame was complete
+  uint64_t _saidUs;  // the end of the last stretch
+  Stretch _first;    // may be the frame with header 2F that comes before the first frame; without characters none waits
+  uint32_t _joinsAtExtra;  // how many times _first was such a frame
 };
 
 }  // namespace line

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "line/Examination.h"
 #include "line/simulation/NoisyLine.h"
 #include "line/simulation/SimulatedReceiver.h"
 #include "support/KnownFrames.h"
@@ -141,6 +142,32 @@ TEST_CASE("FASSTest 26: if a line is joined at a frame with header 2F, that fram
       at += stretch.characters.size();
     }
     CHECK(at == line.observer.characters());
+  }
+}
+
+TEST_CASE("FASSTest 26: a frame with header 2F that comes first after a silence counts, and doctor finds no noise") {
+  Bytes extra = Watched::frameOf(500);
+  extra[0] = sbus::ExtraHeader;
+  const Bytes frame = Watched::frameOf(992);
+  for (const uint64_t silenceUs : {uint64_t{4000}, uint64_t{49000}, uint64_t{60000}, uint64_t{500000}}) {
+    INFO("silence of ", silenceUs, " us");
+    Watched line;
+    line::Examination examination;
+    examination.begin(line.observer, 0);
+    for (unsigned pair = 0; pair < 300; pair++) {
+      line.us += pair % 30 == 7 ? silenceUs : 4000;
+      line.send(extra);
+      line.us += 4000;
+      line.send(frame);
+    }
+    line.observer.finish();
+    CHECK(line.observer.counters().frames == 300);
+    CHECK(line.observer.counters().extraFrames == 300);
+    CHECK(line.observer.counters().discardedBytes == 0);
+    CHECK(line.frames() == 600);
+    sbus::Diagnosis diagnosis;
+    diagnosis.add(examination.trial(line.observer, line::LineSettings(), line.us));
+    CHECK(diagnosis.finding() == sbus::Finding::AllWell);
   }
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("a malformed capture is rejected: the message has the line, what is wr
       {"$timescale 3 us $end\n", "1: \"3us\" is not a timescale: 1, 10 or 100 and s, ms, us, ns, ps or fs is expected"},
       {"$var wire 1 ! RX $end\n$enddefinitions $end\n", "2: there is no $timescale before this line"},
       {"$timescale 1 us $end\n$enddefinitions $end\n", "2: there is no variable of bits before this line"},
-      {"$timescale 1 us $end\n$var real 64 ! v $end\n$enddefinitions $end\n", "3: there is no variable of bits before this line"},
+      {"$timescale 1 us $end\n$var real 0 ! v $end\n$enddefinitions $end\n", "3: there is no variable of bits before this line"},
       {"$timescale 1 us $end\nvar\n", "2: \"var\" stands outside of a section"},
       {"$var wire 1 $end\n", "1: a variable is not complete: type, number of bits, code and name are expected"},
       {vcd + "#0\n0!\n#x\n", "6: \"x\" is not a time: a whole number is expected after #"},

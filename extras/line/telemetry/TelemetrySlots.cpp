@@ -52,14 +52,29 @@ void TelemetrySlots::put(const Stretch &stretch) {
     return;
   }
   if (stretch.kind == Stretch::Kind::Frame) {
-    _proved = prove();
-    _count += _proved.size();
+    takeProved();
     _end = stretch.characters.back().value;
   }
   _endUs = stretch.kind == Stretch::Kind::Frame ? stretch.endUs() : 0;
   _all.clear();
   _isWhole = stretch.kind == Stretch::Kind::Frame;
   _between.clear();
+}
+
+void TelemetrySlots::takeProved() {
+  _proved = prove();
+  _count += _proved.size();
+}
+
+void TelemetrySlots::finish() {
+  _proved.clear();
+  sbus::Slot slots[sbus::SlotsOfGroup];
+  uint32_t breaks = 0;
+  if (_isWhole && read(_between, slots, breaks) > 0) {
+    takeProved();
+  }
+  _between.clear();
+  _all.clear();
 }
 
 std::vector<sbus::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {

@@ -18,13 +18,16 @@ class TelemetrySlots {
   // Takes the next stretch.
   void put(const Stretch &stretch);
 
+  // Takes the end of the line: the slots after the last frame count as proved, since nothing else came.
+  void finish();
+
   // Returns the slots that this stretch has proved: those before a frame, once that frame is there; of one moment, in
   // rising order. Mostly none. If something else came between the frames as well, these are the slots that stand alone at
   // their time.
   const std::vector<Slot> &proved() const { return _proved; }
 
-  // Returns the slots that the next stretch consists of, if only slots came since the last frame; else none. They are
-  // proved once a frame follows.
+  // Returns the slots that the next stretch consists of, if only slots came since the last frame; otherwise none. They
+  // are proved once a frame follows.
   std::vector<sbus::Slot> slotsIn(const Stretch &stretch) const;
 
   // Returns true if a frame has announced a group.
@@ -49,6 +52,7 @@ class TelemetrySlots {
 
   std::vector<Slot> prove();
   std::vector<Slot> onTime() const;
+  void takeProved();
 
   std::vector<Slot> _proved;
   std::vector<Character> _between;  // since the last frame
