@@ -28,6 +28,7 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
   _isMeasured = wire.isMeasured();
   _inverted = found.settings.polarity == line::Polarity::Inverted;
   _channels = found.channels;
+  _characterNs = static_cast<int64_t>(found.settings.format.bits() * found.bitNs);
   const double measured = 1e9 / found.bitNs;
   switch (_form) {
     case Form::Table: {
@@ -37,9 +38,9 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       }
       write("signal " + wire.signal() +
             (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") + others +
-            (_isMeasured ? ": " + text(found.settings) +
-                               format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
-                         : ", as the analyser has decoded it") +
+            (_isMeasured
+                 ? ": " + text(found.settings) + format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
+                 : ", as the analyser has decoded it") +
             '\n');
       if (_showsCharacters) {
         write("\n     time ms  byte\n");
@@ -97,13 +98,13 @@ void DecodeOutput::stretch(const line::Stretch &stretch, const std::vector<line:
     return;
   }
   if (stretch.isFrame()) {
-    frame(stretch, characters.front().startNs, values);
+    frame(stretch, endNs(characters.back()), values);
   } else {
     noFrame(stretch, characters);
   }
 }
 
-void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const line::Values &values) {
+void DecodeOutput::frame(const line::Stretch &stretch, int64_t endNs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   const size_t from = extra ? 16 : 0;  // an extra frame's channels come after the others
   const size_t to = stretch.kind == line::Stretch::Kind::Frame24 ? 24 : from + 16;
@@ -113,7 +114,7 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
   switch (_form) {
     case Form::Table: {
       std::string head = "\n     time ms";
-      std::string row = format("%12.4f", ms(startNs));
+      std::string row = format("%12.4f", ms(endNs));
       for (size_t i = from; i < to; i++) {
         head += format(" %5s", ("CH" + std::to_string(i + 1)).c_str());
         row += format(" %5u", values.raw[i]);
@@ -133,10 +134,10 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t startNs, const li
       break;
     }
     case Form::Csv:
-      csvRow(stretch, startNs, values);
+      csvRow(stretch, endNs, values);
       break;
     case Form::Json:
-      write(frameJson(stretch, static_cast<double>(startNs) / 1e3, values).line());
+      write(frameJson(stretch, static_cast<double>(endNs) / 1e3, values).line());
   }
 }
 
@@ -151,7 +152,7 @@ void DecodeOutput::csvHead() {
 }
 
 // Writes a row. Fields that the frame does not carry stay empty: of 32 channels each frame has half.
-void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values) {
+void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t endNs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   if ((stretch.kind == line::Stretch::Kind::Frame24) != (_channels == 24) || (extra && _channels != 32)) {
     _leftOut++;
@@ -159,7 +160,7 @@ void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t startNs, const l
   }
   const unsigned from = extra ? 16 : 0;
   const unsigned to = _channels == 24 ? 24 : from + 16;
-  std::string row = us(startNs);
+  std::string row = us(endNs);
   for (unsigned i = 0; i < _channels; i++) {
     row += i >= from && i < to ? "," + std::to_string(values.raw[i]) : ",";
   }
@@ -177,14 +178,14 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
   for (const line::WireCharacter &character : characters) {
     bytes += (bytes.empty() ? "" : " ") + hex(character.value) + (character.bad() ? "!" : "");
   }
-  const int64_t startNs = characters.front().startNs;
+  const int64_t endNs = this->endNs(characters.back());
   if (_form == Form::Json) {
-    write(noFrameJson(stretch, static_cast<double>(startNs) / 1e3).line());
+    write(noFrameJson(stretch, static_cast<double>(endNs) / 1e3).line());
   }
   if (_form != Form::Table) {
     return;
   }
-  write(format("%12.4f ", ms(startNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
+  write(format("%12.4f ", ms(endNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
   for (size_t i = 0; i < characters.size(); i++) {
     if (characters[i].bad()) {
       write(format("%12.4f     ", ms(characters[i].startNs)) + "byte " + std::to_string(i) + ", " +

@@ -31,9 +31,10 @@ class DecodeOutput {
   void end(const std::string &name, const line::CaptureEnd &capture, const line::Observer &observer) const;
 
  private:
-  void frame(const line::Stretch &stretch, int64_t startNs, const line::Values &values);
+  int64_t endNs(const line::WireCharacter &character) const { return character.startNs + _characterNs; }
+  void frame(const line::Stretch &stretch, int64_t endNs, const line::Values &values);
   void csvHead();
-  void csvRow(const line::Stretch &stretch, int64_t startNs, const line::Values &values);
+  void csvRow(const line::Stretch &stretch, int64_t endNs, const line::Values &values);
   void noFrame(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters);
   // Returns "parity error, the parity bit is 1 on the wire, 0 is expected".
   std::string fault(const line::WireCharacter &character) const;
@@ -42,6 +43,7 @@ class DecodeOutput {
   const bool _showsCharacters;
   bool _isMeasured = true;  // the capture holds the wire, not characters that an analyser has decoded
   bool _inverted = true;
+  int64_t _characterNs = 0;
   size_t _columns = 0;         // of the newest frame in the table: a new head stands where they change
   unsigned _channels = 16;     // of the rows of CSV
   unsigned long _leftOut = 0;  // frames that have other channels

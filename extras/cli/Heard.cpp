@@ -63,11 +63,15 @@ std::string Heard::text() const {
          "\n";
 }
 
-Json Heard::json() const {
+Json Heard::json(bool hasTimes) const {
+  std::optional<uint64_t> heardMs;
+  if (hasTimes) {
+    heardMs = trial().ms;
+  }
   return Json("trial")
       .number("baud", _settings.baud)
       .text("polarity", polarityName(_settings.polarity))
-      .number("heard_ms", trial().ms)
+      .number("heard_ms", heardMs)
       .number("frames", counters().frames)
       .flag("has_24_channels", _observer.has24())
       .number("telemetry_bytes", _observer.telemetry().characters())
@@ -79,10 +83,15 @@ Json Heard::json() const {
       .flag("rows_of_csv", _isCsv);
 }
 
-std::string Heard::figures() const {
+std::string Heard::figures(bool hasTimes) const {
   const sbus::Counters &seen = counters();
   if (seen.frames == 0) {
     return {};
+  }
+  const std::string lost =
+      "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) + " % with the lost-frame flag";
+  if (!hasTimes) {
+    return _variant.text() + ": times are not known" + lost + "\n";
   }
   const std::vector<uint64_t> periods = this->periods();
   const uint64_t us = std::accumulate(periods.begin(), periods.end(), uint64_t{0});
@@ -91,8 +100,7 @@ std::string Heard::figures() const {
                                    : aSecond(periods.size()) + " frames a second and " +
                                          aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
                                          std::to_string(usualPeriodUs(periods, us)) + " us";
-  return _variant.text() + ": " + rate + "; " + std::to_string(uint64_t{seen.lostFrames} * 100 / seen.frames) +
-         " % with the lost-frame flag" +
+  return _variant.text() + ": " + rate + lost +
          (_silentUs == 0 ? "" : format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
 }
 

@@ -36,11 +36,11 @@ class Heard {
   // Returns a line: "100000 baud, 8E2, inverted: 55 frames, 0 discarded bytes".
   std::string text() const;
 
-  Json json() const;
+  Json json(bool hasTimes) const;
 
   // Returns a line: "S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us; 1 % with the lost-frame flag".
-  // All figures come from the times of the frames, so a single frame has no rate.
-  std::string figures() const;
+  // All figures come from the times of the frames, so a single frame has no rate. Without `hasTimes` there are none.
+  std::string figures(bool hasTimes) const;
 
   // Returns a line: "Telemetry: receiver voltage 4.6 V; slots 0, 1; 3 of 40 groups rejected: ..."; empty without a
   // slot.

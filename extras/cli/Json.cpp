@@ -27,8 +27,8 @@ Json &Json::text(const char *name, const std::string &value) {
   return add(name, quoted(value));
 }
 
-Json &Json::decimal(const char *name, double value) {
-  return add(name, format("%.1f", value));
+Json &Json::decimal(const char *name, std::optional<double> value) {
+  return add(name, value ? format("%.1f", *value) : "null");
 }
 
 Json &Json::counts(const sbus::Counters &counters) {
@@ -51,11 +51,11 @@ Json &Json::channels(const line::Values &values, size_t first, size_t count) {
       .numbers("channels", std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count)));
 }
 
-Json frameJson(const line::Stretch &stretch, double startUs, const line::Values &values) {
+Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   const bool is24 = stretch.kind == line::Stretch::Kind::Frame24;
   Json json("frame");
-  json.decimal("time_us", startUs).channels(values, extra ? 17 : 1, is24 ? 24 : 16);
+  json.decimal("time_us", endUs).channels(values, extra ? 17 : 1, is24 ? 24 : 16);
   if (!is24 && !extra) {
     json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
   }
@@ -65,14 +65,14 @@ Json frameJson(const line::Stretch &stretch, double startUs, const line::Values 
   return json.text("end", format("%02X", static_cast<unsigned>(stretch.characters.back().value)));
 }
 
-Json noFrameJson(const line::Stretch &stretch, double startUs) {
+Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs) {
   std::string bytes;
   for (const line::Character &character : stretch.characters) {
     bytes += (bytes.empty() ? "" : " ") + format("%02X", static_cast<unsigned>(character.value)) +
              (character.bad ? "!" : "");
   }
   Json json("no_frame");
-  json.decimal("time_us", startUs).text("bytes", bytes).text("why", why(stretch));
+  json.decimal("time_us", endUs).text("bytes", bytes).text("why", why(stretch));
   std::vector<double> numbers;
   for (const sbus::Slot &slot : stretch.slots) {
     numbers.push_back(slot.number);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,11 @@ class Json {
   Json &flag(const char *name, bool value) { return add(name, value ? "true" : "false"); }
   Json &counts(const sbus::Counters &counters);  // frames, lost_frames, failsafe_frames
   Json &number(const char *name, uint64_t value) { return add(name, std::to_string(value)); }
-  Json &decimal(const char *name, double value);  // rounded to a tenth
+  // Adds null if there is no value: it is not known.
+  Json &number(const char *name, std::optional<uint64_t> value) {
+    return add(name, value ? std::to_string(*value) : "null");
+  }
+  Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if there is none
   Json &numbers(const char *name, const std::vector<double> &values);
   // Adds the raw values of `count` channels from CH`first` on.
   Json &channels(const line::Values &values, size_t first, size_t count);
@@ -32,8 +37,9 @@ class Json {
   std::string _text;
 };
 
-// Return the line of a frame, and of bytes that belong to no frame. `startUs`: where their first character begins.
-Json frameJson(const line::Stretch &stretch, double startUs, const line::Values &values);
-Json noFrameJson(const line::Stretch &stretch, double startUs);
+// Return the line of a frame, and of bytes that belong to no frame. `endUs`: where their last character ends; none:
+// null.
+Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values);
+Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs);
 
 }  // namespace tool

@@ -120,6 +120,7 @@ bool Pipe::isLive(double seconds) {
       return true;
     }
     if (content != Content::Bytes && isPause && areRows(_begin)) {
+      _hasRows = true;
       return true;
     }
   }

@@ -25,6 +25,9 @@ class Pipe {
   // Returns the file, of a pipe a copy of all that comes. Throws std::runtime_error.
   FileName wholeFile();
 
+  // Returns true if the live line brings the rows of a sketch.
+  bool hasRows() const { return _hasRows; }
+
   // Both are of a live line: its descriptor, and the bytes that have been read from it.
   int descriptor() const { return _file; }
   const std::string &begin() const { return _begin; }
@@ -36,6 +39,7 @@ class Pipe {
   int _file = -1;  // of a pipe
   std::string _begin;
   bool _ended = false;
+  bool _hasRows = false;
   int _copy = -1;
 };
 

@@ -8,9 +8,9 @@ constexpr size_t TextMax = 4096;  // bytes of a text without rows
 
 }  // namespace
 
-Recorder::Recorder(const std::string &subcommand, const std::string &source, const line::LineSettings &settings,
-                   bool isCopy, const Put &write)
-    : _title("sbus " + subcommand + " " + source), _settings(settings), _write(write) {
+Recorder::Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
+                   const Put &write)
+    : _title("sbus " + title), _settings(settings), _hasTimes(hasTimes), _write(write) {
   _observer.reset(0, settings.characterUs());
   if (isCopy) {
     begin(Kind::Characters);
@@ -63,6 +63,9 @@ void Recorder::begin(Kind kind) {
   _kind = kind;
   if (kind == Kind::Characters) {
     _writer.comment(_title);
+    if (!_hasTimes) {
+      _writer.comment("times are not known: those below are not the line's");
+    }
     _writer.opened(_settings);
     for (const line::Character &character : _first) {
       _writer.put(character);

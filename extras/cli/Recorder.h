@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "cli/Output.h"
-#include "line/recording/CsvRows.h"
 #include "line/Observer.h"
+#include "line/recording/CsvRows.h"
 #include "line/recording/RecordingWriter.h"
 
 namespace tool {
 
-// Holds the characters back until it is clear whether they are S.Bus or a sketch's rows. A copy of a recording is always
-// a recording with the same times, even if it holds rows.
+// Holds the characters back until it is clear whether they are S.Bus or a sketch's rows. A copy of a recording is
+// always a recording with the same times, even if it holds rows.
 class Recorder {
  public:
-  // Hands the text to `write`. The file's first comment names `subcommand` and `source`. `isCopy`: of a recording.
-  Recorder(const std::string &subcommand, const std::string &source, const line::LineSettings &settings, bool isCopy,
-           const Put &write);
+  // Hands the text to `write`. The file's first comment is "sbus " and `title`. `isCopy`: of a recording. Without
+  // `hasTimes` a comment says that the times are not the line's.
+  Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes, const Put &write);
 
   void put(const line::Character &character);
 
@@ -40,6 +40,7 @@ class Recorder {
 
   const std::string _title;
   const line::LineSettings _settings;
+  const bool _hasTimes;
   const Put &_write;
   line::RecordingWriter _writer;
   line::Observer _observer;

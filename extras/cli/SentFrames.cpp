@@ -187,7 +187,8 @@ void assign(const std::string &word, FrameValues &values) {
   double value = 0;
   if (isOn || text == "off") {
     value = isSwitch(name) ? isOn : isOn ? sbus::FrSky.high : sbus::FrSky.low;
-  } else if (!line::parseNumber(text, value) || !isValue(name, value)) {
+  } else if (text.find_first_not_of("0123456789") != std::string::npos || !line::parseNumber(text, value) ||
+             !isValue(name, value)) {
     throw std::runtime_error(
         line::quoted(word) + " is out of range; " +
         (isSwitch(name) ? "on or off is expected" : "0 to 2047, on (1811) or off (172) is expected"));

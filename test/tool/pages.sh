@@ -65,6 +65,9 @@ page channels24 120x50 $utf8 sim --channels 24 --seconds 3.2
 page channels32-small 40x12 $utf8 sim --channels 32 --seconds 3.2
 page noise 120x50 $utf8 sim --noise 100 --seconds 3.2
 page futaba 80x24 $utf8 recordings/sbus2.txt --range futaba
+page sensors 80x24 $utf8 sim --sbus2 --sensor 1=SBS-01V --seconds 3.2
+page sensors-small 40x12 $utf8 sim --sbus2 --sensor 1=SBS-01V --seconds 3.2
+page sensors-narrow 60x24 $utf8 sim --sbus2 --sensor 1=SBS-01V --seconds 3.2
 page silent 80x24 $utf8 sim --silent --seconds 2
 page sketch 80x24 $utf8 golden/DecodeSBus.csv
 page unknown-rows 80x24 $utf8 golden/Normalized.csv
@@ -102,7 +105,12 @@ tmux send-keys '?' && shows 'reset marks and counters' && tmux send-keys x && sa
 verdict $? "? shows help; r resets marks and counters, but not the link's state"
 close
 
-open 80x24 "env $utf8 '$SBUS' monitor sim" && shows receiving && tmux send-keys Space && shows PAUSED &&
+open 40x12 "env $utf8 '$SBUS' monitor sim --sbus2 --sensor 1=SBS-01V --seconds 3.2 --simulated-time" && same sensors-small &&
+  tmux send-keys t && shows 'battery voltage 5.6 V' && tmux send-keys t && same sensors-small
+verdict $? "t shows the sensors where the page has no room for them, and hides them"
+close
+
+open 80x24 "env $utf8 '$SBUS' monitor sim" && shows ' ok' && tmux send-keys Space && shows PAUSED &&
   cp "$WORK/page.txt" "$WORK/paused.txt" && sleep 0.3 && shows PAUSED && cmp "$WORK/page.txt" "$WORK/paused.txt" &&
   tmux send-keys Space && shows 'q quit ' && shows '111 frames/s'
 verdict $? "space pauses"
@@ -110,7 +118,7 @@ close
 
 # The recording grows while the page is shown, and is complete after q.
 rm -f "$WORK/seen.txt"
-open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows receiving
+open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows ' ok'
 tries=0
 until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
 tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
@@ -123,7 +131,7 @@ close
 for end in q INT TERM; do
   rm -f "$WORK/before" "$WORK/after"
   open 80x24 "sh -c 'echo here it was; stty -g >\"$WORK/before\"; \"$SBUS\" monitor sim; echo \$? >\"$WORK/status\"; stty -g >\"$WORK/after\"; echo; echo back; sleep 1000'"
-  shows receiving
+  shows ' ok'
   if [ $end = q ]; then tmux send-keys q; else kill -$end "$(tmux display -p '#{pane_pid}' | xargs pgrep -P | head -n 1)"; fi
   shows back && shows 'here it was' && cmp "$WORK/before" "$WORK/after" && [ "$(cat "$WORK/status")" = 0 ] &&
     [ "$(tmux display -p '#{alternate_on}#{cursor_flag}')" = 01 ]
@@ -148,8 +156,8 @@ rm -f "$WORK/terminal"
 player=$!
 tries=0
 until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
-open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows receiving && kill -STOP $player &&
-  shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows receiving
+open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows ' ok' && kill -STOP $player &&
+  shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows ' ok'
 verdict $? "a silent line is stale, with its last values, until frames come again"
 kill $player && shows 'the program at its other end has gone' && shows ' 992 1500'
 verdict $? "the page says that its port has gone"

@@ -7,6 +7,7 @@
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
 #   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
 #   tool/kinds.sh              every kind of file, packed or not, read by each subcommand; --signal
+#   tool/counts.sh             subcommands agree on counts, names and times; bytes without times
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
 #   tool/hex.sh                the values, times and widths of `sbus hex`
 #   tool/send.sh               what `sbus send` sends
@@ -289,6 +290,7 @@ SBUS=$sbus BUILD=$work tool/wire.sh
 SBUS=$sbus WORK=$work tool/hex.sh
 SBUS=$sbus WORK=$work tool/files.sh
 SBUS=$sbus WORK=$work tool/kinds.sh
+SBUS=$sbus WORK=$work tool/counts.sh
 SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh

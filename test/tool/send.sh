@@ -107,6 +107,11 @@ ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch1=2048|"ch1=2048" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=1e3|"ch1=1e3" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=5.0|"ch1=5.0" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=+5|"ch1=+5" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=5 ch1=6|"ch1=6" sets ch1 again; leave one of them out
+failsafe=on FAILSAFE=off|"FAILSAFE=off" sets failsafe again; leave one of them out
 ch1=|"ch1=" is out of range; 0 to 2047, on (1811) or off (172) is expected
 ch17=2|"ch17=2" is out of range; on or off is expected
 ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected

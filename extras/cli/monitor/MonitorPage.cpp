@@ -131,46 +131,93 @@ class Layout {
     _page.push_back(row);
   }
 
-  // Returns the facts with their names if all fit; otherwise as many facts as fit.
+  // Returns the facts with their names if all fit; otherwise as many facts as fit, the sensors in the last row.
   std::vector<PageRow> makeFacts() {
+    std::vector<PageRow> rows = namedFacts();
+    if (rows.empty()) {
+      rows = foldedFacts(static_cast<size_t>(_spare + 1));
+    }
+    _spare -= static_cast<int>(rows.size()) - 1;
+    return rows;
+  }
+
+  // Returns no rows if they do not fit.
+  std::vector<PageRow> namedFacts() const {
     constexpr int NameWidth = 9;
     std::vector<PageRow> rows;
-    bool fits = true;
-    for (const MonitorView::Group &group : _view.groups) {
-      int left = _size.width - NameWidth;
+    std::vector<MonitorView::Group> groups = _view.groups;
+    if (!_view.sensors.facts.empty()) {
+      groups.push_back(_view.sensors);
+    }
+    for (const MonitorView::Group &group : groups) {
       std::string text;
       for (const std::string &fact : group.facts) {
         text += (text.empty() ? "" : "   ") + fact;
       }
-      fits = fits && widthOf(text) < left;
+      if (widthOf(text) >= _size.width - NameWidth) {
+        return {};
+      }
       rows.push_back({{padded(" " + group.name, NameWidth + 1), Style::Dim}, {text, Style::Plain}});
     }
-    if (fits && static_cast<int>(rows.size()) <= _spare + 1) {
-      _spare -= static_cast<int>(rows.size()) - 1;
-      return rows;
-    }
-    rows.clear();
-    std::string text;
-    for (const MonitorView::Group &group : _view.groups) {
-      for (const std::string &fact : group.facts) {
-        if (!text.empty() && widthOf(text) + 2 + widthOf(fact) >= _size.width) {
-          rows.push_back({{" " + cut(text, _size.width - 1), Style::Plain}});
-          text.clear();
-        }
-        text += (text.empty() ? "" : "  ") + fact;
+    return static_cast<int>(rows.size()) <= _spare + 1 ? rows : std::vector<PageRow>();
+  }
+
+  std::vector<PageRow> foldedFacts(size_t most) const {
+    const std::vector<std::string> &sensors = _view.sensors.facts;
+    std::vector<std::string> facts = sensors;
+    if (!_view.showsSensors || sensors.empty()) {
+      facts.clear();
+      for (const MonitorView::Group &group : _view.groups) {
+        facts.insert(facts.end(), group.facts.begin(), group.facts.end());
+      }
+      if (!sensors.empty()) {
+        return withSensors(facts, most);
       }
     }
-    rows.push_back({{" " + cut(text, _size.width - 1), Style::Plain}});
-    rows.resize(std::min(rows.size(), static_cast<size_t>(_spare + 1)));
-    _spare -= static_cast<int>(rows.size()) - 1;
+    std::vector<PageRow> rows;
+    while (!facts.empty() && rows.size() < most) {
+      rows.push_back({{" " + takeRow(facts, ""), Style::Plain}});
+    }
     return rows;
+  }
+
+  // Returns rows whose last one has the sensors; of a single row its end says how they are shown.
+  std::vector<PageRow> withSensors(std::vector<std::string> facts, size_t most) const {
+    std::vector<PageRow> rows;
+    while (!facts.empty() && rows.size() + 1 < most) {
+      rows.push_back({{" " + takeRow(facts, ""), Style::Plain}});
+    }
+    if (most == 1) {
+      rows.push_back({{" " + takeRow(facts, "t: sensors"), Style::Plain}});
+      return rows;
+    }
+    std::vector<std::string> sensors = _view.sensors.facts;
+    std::string text = takeRow(sensors, "");
+    if (!sensors.empty()) {  // not all of them fit
+      sensors = _view.sensors.facts;
+      text = takeRow(sensors, "t: all " + std::to_string(sensors.size()));
+    }
+    rows.push_back({{" " + text, Style::Plain}});
+    return rows;
+  }
+
+  // Takes facts off the front, as many as fit into a row that ends with `last`, but at least one.
+  std::string takeRow(std::vector<std::string> &facts, const std::string &last) const {
+    const int room = _size.width - 2 - (last.empty() ? 0 : widthOf(last) + 2);
+    std::string text = facts.front();
+    size_t count = 1;
+    while (count < facts.size() && widthOf(text) + 2 + widthOf(facts[count]) <= room) {
+      text += "  " + facts[count++];
+    }
+    facts.erase(facts.begin(), facts.begin() + static_cast<std::ptrdiff_t>(count));
+    return cut(text, room) + (last.empty() ? "" : "  " + last);
   }
 
   const MonitorView &_view;
   const PageSize _size;
   const bool _unicode;
   int _columns = 0;
-  int _rows = 0;  // of channels
+  int _rows = 0;   // of channels
   int _spare = 0;  // rows not taken yet
   bool _grouped = false;
   std::vector<PageRow> _page;
@@ -191,7 +238,8 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "q      quit; so does Ctrl-C",
       "r      reset marks and counters",
       "space  pause; the counters go on",
-      "?      this page, and back",
+      "t      sensors, where room is short",
+      "?      this page; any key goes back",
       "[ ]    lowest, highest since the reset;",
       "       frames with a flag do not count",
       "%      of --range; us: a servo's pulse",
@@ -199,7 +247,6 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "lost by radio: lost-frame flag, old values",
       "failsafe: the receiver lost the link",
       "rejected: looked like a frame, was none",
-      "Any key goes back.",
   };
   std::vector<PageRow> page;
   for (const char *each : lines) {

@@ -31,7 +31,7 @@ std::vector<PageRow> layOut(const MonitorView &view, PageSize size, bool unicode
 // Returns what the keys do and what the page shows.
 std::vector<PageRow> layOutHelp(PageSize size);
 
-// Returns the view in a line: "12.000  receiving  992 172 ...  CH18  newest 3 ms old, 111 frames/s, ...".
+// Returns the view in a line: "12.000  ok  992 172 ...  CH18  newest 3 ms old, 111 frames/s, ...".
 std::string plainLine(const MonitorView &view, uint64_t nowUs);
 
 }  // namespace tool

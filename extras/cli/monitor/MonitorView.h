@@ -42,7 +42,9 @@ struct MonitorView {
   std::vector<Indicator> indicators;
   std::string quality;  // "quality 98 %", of the link; of rows empty
   std::vector<Group> groups;
-  std::string plain;  // the counters and times in one line, for a pipe
+  Group sensors;              // of S.BUS2; without facts none has come
+  bool showsSensors = false;  // in place of the groups, where not all of it has room
+  std::string plain;          // the counters and times in one line, for a pipe
 };
 
 }  // namespace tool

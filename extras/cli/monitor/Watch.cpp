@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cli/Format.h"
 #include "cli/Json.h"
@@ -37,9 +38,9 @@ std::string gaps(const line::Extent &gaps) {
 
 }  // namespace
 
-Watch::Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
+Watch::Watch(const std::string &source, bool hasTimes, const line::LineSettings &settings, const sbus::Range &range,
              const sbus::Range &pulses, const line::SensorsBySlot &sensors)
-    : _source(source), _settings(settings), _range(range), _pulses(pulses), _readings(sensors) {
+    : _source(source), _hasTimes(hasTimes), _settings(settings), _range(range), _pulses(pulses), _readings(sensors) {
   _observer.reset(0, settings.characterUs());
   _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
@@ -120,7 +121,9 @@ MonitorView Watch::view(uint64_t nowUs) {
     view.bannerMood = view.old ? Mood::Bad : Mood::Warn;
   }
   view.plain = view.quality;
-  for (const MonitorView::Group &group : view.groups) {
+  std::vector<MonitorView::Group> groups = view.groups;
+  groups.push_back(view.sensors);
+  for (const MonitorView::Group &group : groups) {
     for (const std::string &fact : group.facts) {
       view.plain += (view.plain.empty() ? "" : ", ") + fact;
     }
@@ -149,7 +152,11 @@ std::string Watch::json(uint64_t nowUs) {
     }
     json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
   }
-  return json.number("frames_per_second", _observer.perSecond(nowUs))
+  std::optional<uint64_t> perSecond;
+  if (_hasTimes) {
+    perSecond = _observer.perSecond(nowUs);
+  }
+  return json.number("frames_per_second", perSecond)
       .number("link_quality", _observer.linkQuality(nowUs))
       .counts(now)
       .number("discarded_bytes", _observer.discardedBytes())
@@ -184,7 +191,7 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
   view.quality = format("quality %u %%", _observer.linkQuality(nowUs));
   view.groups = groups(nowUs, seen);
   if (_observer.telemetry().count() > 0) {
-    view.groups.push_back(telemetry(nowUs));
+    view.sensors = telemetry(nowUs);
   }
 }
 
@@ -201,10 +208,12 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
   return {
       {"Frames",
        {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
-        format("%3u frames/s", _observer.perSecond(nowUs)), count("lost by radio", now.lostFrames - _before.lostFrames),
+        _hasTimes ? format("%3u frames/s", _observer.perSecond(nowUs)) : "  - frames/s",
+        count("lost by radio", now.lostFrames - _before.lostFrames),
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
-       {gaps(_observer.gaps()), count("character errors", _observer.characterErrors() - _errorsBefore),
+       {_hasTimes ? gaps(_observer.gaps()) : "gap -",
+        count("character errors", _observer.characterErrors() - _errorsBefore),
         count("bytes discarded", _observer.discardedBytes() - _discardedBefore)}},
       {"Rejected",
        {count("no end byte", now.rejectedByEnd - _before.rejectedByEnd),
@@ -219,7 +228,7 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
   const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + IndicatorUs;
   switch (_observer.state(nowUs)) {
     case sbus::LinkState::NeverSeen:
-      view.state = "no frame yet";
+      view.state = stateName(sbus::LinkState::NeverSeen);
       view.mood = Mood::Warn;
       view.old = true;
       if (nowUs >= SecondUs) {
@@ -232,18 +241,18 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
     case sbus::LinkState::Ok:
     case sbus::LinkState::Lossy: {
       const bool lossy = _lostUs > 0 && nowUs < _lostUs + IndicatorUs;
-      view.state = lossy ? "lossy" : "receiving";
+      view.state = stateName(lossy ? sbus::LinkState::Lossy : sbus::LinkState::Ok);
       view.mood = lossy ? Mood::Warn : Mood::Good;
       break;
     }
     case sbus::LinkState::Failsafe:
-      view.state = "failsafe";
+      view.state = stateName(sbus::LinkState::Failsafe);
       view.mood = Mood::Bad;
       view.banner = values.failsafe ? text(sbus::Finding::Failsafe) : text(sbus::Finding::NoRadio);
       view.banner += values.failsafe ? " The values are its failsafe setting." : " The values are old.";
       break;
     case sbus::LinkState::Stale:
-      view.state = "stale";
+      view.state = stateName(sbus::LinkState::Stale);
       view.mood = Mood::Bad;
       view.old = true;
       view.banner =
@@ -276,13 +285,13 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   }
   view.groups = {{"Rows", {"newest" + age(ageUs) + " old", count("total", _rowGaps.count + 1), gaps(_rowGaps)}}};
   view.old = ageUs >= StaleRowUs;
-  view.state = view.old ? "stale" : "receiving";
+  view.state = stateName(view.old ? sbus::LinkState::Stale : sbus::LinkState::Ok);
   view.mood = view.old ? Mood::Bad : Mood::Good;
   if (view.old) {
     view.banner = "Stale: no row for " + format("%.1f s", static_cast<double>(ageUs) / 1e6) +
                   ": a sketch prints none while the line is silent. The values are old.";
   } else if (sketch && _row[channels].value > 0) {
-    view.state = "failsafe";
+    view.state = stateName(sbus::LinkState::Failsafe);
     view.mood = Mood::Bad;
     view.banner = std::string(text(sbus::Finding::Failsafe)) + " The values are its failsafe setting.";
   }

@@ -14,8 +14,9 @@ namespace tool {
 
 class Watch {
  public:
-  // `range`, `pulses`: as MonitorView's.
-  Watch(const std::string &source, const line::LineSettings &settings, const sbus::Range &range,
+  // `hasTimes`: the times are those of the line; otherwise it shows neither rates nor gaps. `range`, `pulses`: as
+  // MonitorView's.
+  Watch(const std::string &source, bool hasTimes, const line::LineSettings &settings, const sbus::Range &range,
         const sbus::Range &pulses, const line::SensorsBySlot &sensors);
   Watch(const Watch &) = delete;  // its observer's listener leads into it
   Watch &operator=(const Watch &) = delete;
@@ -50,6 +51,7 @@ class Watch {
   std::vector<MonitorView::Group> groups(uint64_t nowUs, bool seen) const;
 
   const std::string _source;
+  const bool _hasTimes;
   const line::LineSettings _settings;
   const sbus::Range _range;
   const sbus::Range _pulses;

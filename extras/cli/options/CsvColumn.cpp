@@ -17,12 +17,9 @@ struct Name {
   const char *name;
   CsvColumn::Kind kind;
 };
-constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe},
-                          {"lostframe", CsvColumn::Kind::LostFrame},
-                          {"time", CsvColumn::Kind::Time},
-                          {"state", CsvColumn::Kind::State},
-                          {"age", CsvColumn::Kind::Age},
-                          {"quality", CsvColumn::Kind::Quality}};
+constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe}, {"lostframe", CsvColumn::Kind::LostFrame},
+                          {"time", CsvColumn::Kind::Time},         {"state", CsvColumn::Kind::State},
+                          {"age", CsvColumn::Kind::Age},           {"quality", CsvColumn::Kind::Quality}};
 
 // Returns 7 for "ch7"; 0 if the text is no channel.
 unsigned channelOf(const std::string &text) {
@@ -112,7 +109,7 @@ const char *stateName(sbus::LinkState state) {
   return texts[static_cast<int>(state)];
 }
 
-std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs) {
+std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs, bool hasTimes) {
   const line::Values &values = observer.newest();
   const sbus::LinkState state = observer.state(nowUs);
   std::string line;
@@ -129,13 +126,13 @@ std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer,
         line += values.lostFrame ? '1' : '0';
         break;
       case CsvColumn::Kind::Time:
-        line += seconds(nowUs);
+        line += hasTimes ? seconds(nowUs) : "-";
         break;
       case CsvColumn::Kind::State:
         line += stateName(state);
         break;
       case CsvColumn::Kind::Age:
-        line += seconds(observer.ageUs(nowUs));
+        line += hasTimes ? seconds(observer.ageUs(nowUs)) : "-";
         break;
       case CsvColumn::Kind::Quality:
         line += std::to_string(observer.linkQuality(nowUs));

@@ -29,7 +29,7 @@ std::string header(const std::vector<CsvColumn> &columns);
 // Returns "ok", "never seen" ...
 const char *stateName(sbus::LinkState state);
 
-// Returns a row of the newest frame.
-std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs);
+// Returns a row of the newest frame. Without `hasTimes` time and age are "-".
+std::string row(const std::vector<CsvColumn> &columns, line::Observer &observer, uint64_t nowUs, bool hasTimes);
 
 }  // namespace tool

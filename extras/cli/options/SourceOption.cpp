@@ -95,7 +95,7 @@ bool SourceOption::isWire() const {
 }
 
 bool SourceOption::hasTimes() const {
-  return !isFile() || file().kind != FileKind::Bytes;
+  return isFile() ? file().kind != FileKind::Bytes : !isStream();
 }
 
 void SourceOption::rejectPart(const std::string &reason) const {
@@ -156,6 +156,9 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
   }
   if (kind == Kind::Stream) {
     _options.rejectDisturbing("a stream of bytes");
+    if (!_csv.given() && !_pipe->hasRows()) {
+      std::fprintf(stderr, "%s: brings bytes without times: times are not known\n", _name.c_str());
+    }
     return std::make_unique<line::ByteStream>(_name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
                                               _simulatedTime.given());
   }

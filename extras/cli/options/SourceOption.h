@@ -37,7 +37,7 @@ class SourceOption {
   bool isStream() const;
   // Returns true if its levels are known, so that a port of either polarity can hear it: sim, recordings, captures.
   bool isWire() const;
-  // Returns true if its times are those of the line; false for a file of bytes.
+  // Returns true if its times are those of the line; false for a file of bytes, and for what a pipe brings.
   bool hasTimes() const;
 
  private:

@@ -3,9 +3,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/options/CsvColumn.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
+#include "cli/options/CsvColumn.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/recording/CsvRows.h"
@@ -23,8 +23,9 @@ struct CsvOptions {
 
 class CsvView {
  public:
-  CsvView(const CsvOptions &options, const std::string &source, uint32_t characterUs)
+  CsvView(const CsvOptions &options, const std::string &source, bool hasTimes, uint32_t characterUs)
       : _source(source),
+        _hasTimes(hasTimes),
         _columns(parseColumns(options.columns)),
         _everyFrame(options.everyFrame.given()),
         _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
@@ -84,11 +85,12 @@ class CsvView {
   void print(uint64_t nowUs) {
     _firstUs = _firstUs == 0 ? nowUs : _firstUs;
     if (haveCome(_columns, _observer.newest(), nowUs - _firstUs)) {
-      write(row(_columns, _observer, nowUs));
+      write(row(_columns, _observer, nowUs, _hasTimes));
     }
   }
 
   const std::string _source;
+  const bool _hasTimes;
   const std::vector<CsvColumn> _columns;
   const bool _everyFrame;
   const uint64_t _periodUs;
@@ -101,7 +103,7 @@ class CsvView {
 
 void run(const SourceOption &source, const CsvOptions &options) {
   const std::unique_ptr<Input> input = source.open();
-  CsvView view(options, source.name(), input->settings().characterUs());
+  CsvView view(options, source.name(), source.hasTimes(), input->settings().characterUs());
   input->run([&view](const line::Character &character) { view.put(character); },
              [&](uint64_t nowUs) { view.tick(nowUs, input->knownUs()); });
   view.finish();

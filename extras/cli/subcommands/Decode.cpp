@@ -8,6 +8,7 @@
 
 #include "cli/DecodeOutput.h"
 #include "cli/FileSource.h"
+#include "cli/HeldSlots.h"
 #include "cli/Output.h"
 #include "cli/options/LineOptions.h"
 #include "cli/subcommands/Subcommands.h"
@@ -34,7 +35,7 @@ class Frames {
   // `record`: takes the text of a recording; it may be empty. `isShown`: the frames go to `output`.
   Frames(DecodeOutput &output, bool isShown, Put record)
       : _output(output), _isShown(isShown), _record(std::move(record)) {
-    _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
+    _observer.listen([this](const line::Stretch &stretch) { _held.take(stretch); });
   }
 
   void begin(const std::string &capture, const line::FoundWire &wire) {
@@ -57,6 +58,7 @@ class Frames {
   const line::Observer &finish(int64_t endNs) {
     _observer.idleUntil(_times.us(endNs));
     _observer.finish();
+    _held.finish();
     if (_record) {
       _writer.finish();
       _record(_writer.take());
@@ -79,6 +81,7 @@ class Frames {
   const Put _record;
   line::RecordingWriter _writer;
   line::Observer _observer;
+  HeldSlots _held{_observer, [this](const line::Stretch &stretch) { take(stretch); }};
   std::deque<line::WireCharacter> _waiting;  // in no stretch yet
   line::CaptureTimes _times;
 };
@@ -187,7 +190,8 @@ void addDecode(CLI::App &app) {
   subcommand.flag("--characters", options->characters, "the characters, not the frames");
   subcommand.footer(
       "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
-      "options name them. Times are the capture's: of the first start bit's edge. Exits with 1 if there is no frame.");
+      "options name them. Times are the capture's: of a frame the end of its last byte, of a character its start bit's "
+      "edge. Exits with 1 if there is no frame.");
   subcommand.run([options] {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted

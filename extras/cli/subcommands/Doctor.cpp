@@ -51,6 +51,29 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   return all;
 }
 
+// Returns the remedy at a PC: sbus::remedy() is for a sketch, which has pins and methods.
+std::string remedyAtPc(sbus::Finding finding) {
+  switch (finding) {
+    case sbus::Finding::NoSignal:
+      return "Check the wire to RXD, GND and the receiver: is it powered and bound, and its port set to S.Bus, not "
+             "CPPM?";
+    case sbus::Finding::NoFrames:
+      return "Connect GND. Is it S.Bus? Is RXD not inverted, or an inverter one too many?";
+    case sbus::Finding::Channels24:
+      return "Set the receiver to 16 channels for what reads no more.";
+    case sbus::Finding::WrongPolarity:
+      return "Invert the adapter's RXD, or add or remove an inverter.";
+    case sbus::Finding::WrongBaud:
+      return "Use the setting that has frames: Fast S.Bus has 200000 baud.";
+    case sbus::Finding::WrongPolarityAndBaud:
+      return "Invert the adapter's RXD, or add or remove an inverter; use the baud rate that has frames.";
+    case sbus::Finding::PolledTooSeldom:
+      return "Close what keeps this PC busy.";
+    default:
+      return sbus::remedy(finding);
+  }
+}
+
 // Returns a line of further advice for a PC; mostly empty.
 std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &meant,
                    const line::LineSettings &best) {
@@ -94,13 +117,13 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
       rejects ? "Telemetry rejected: the frames are well, but what follows them is not just slots." : text(finding);
   const std::string cure = rejects
                                ? "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"
-                               : remedy(finding);
+                               : remedyAtPc(finding);
   if (asJson) {
     write(verdict(well, what, cure).text("line", best.variant()).line());
     return well;
   }
   write(what + "\n" + cure + "\n" + advice(finding, source, settings.front(), settings[diagnosis.best()]) +
-        (source.hasTimes() ? best.figures() : "") + best.telemetry() + best.note());
+        best.figures(source.hasTimes()) + best.telemetry() + best.note());
   return well;
 }
 
@@ -125,7 +148,7 @@ bool examine(const SourceOption &source, bool asJson) {
     tried.push_back(each);
     heard.push_back(std::make_unique<Heard>(each));
     heard.back()->listen(*input, us, source.isFile() ? Heard::ToItsEnd : heard.size() == 1 ? FramesUs : TrialUs);
-    write(asJson ? heard.back()->json().line() : heard.back()->text());
+    write(asJson ? heard.back()->json(source.hasTimes()).line() : heard.back()->text());
     flush();
     if (stopped()) {
       return false;

@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "cli/Format.h"
+#include "cli/HeldSlots.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
@@ -78,11 +80,12 @@ void fold(const std::string &text, size_t width, std::vector<std::string> &rows)
 
 class HexView {
  public:
-  HexView(const line::Observer &observer, const HexOptions &options)
-      : _observer(observer), _options(options), _colours(coloursOf(options.colour)) {}
+  HexView(const line::Observer &observer, const HexOptions &options, bool hasTimes)
+      : _observer(observer), _options(options), _hasTimes(hasTimes), _colours(coloursOf(options.colour)) {}
 
   void show(const line::Stretch &stretch) {
-    const std::string time = format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6);
+    const std::string time =
+        _hasTimes ? format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6) : format("%12s  ", "-");
     _lastUs = _options.delta ? stretch.endUs() : 0;
     const size_t width = _options.width > 0 ? _options.width : terminalWidth();
     if (width > 0) {
@@ -197,13 +200,17 @@ class HexView {
 
   const line::Observer &_observer;
   const HexOptions &_options;
+  const bool _hasTimes;
   Colours _colours;
   uint64_t _lastUs = 0;  // what times are counted from
 };
 
-void writeJson(const line::Stretch &stretch, const line::Values &values, uint32_t characterUs) {
-  const auto startUs = static_cast<double>(stretch.characters.front().endUs) - characterUs;
-  write((stretch.isFrame() ? frameJson(stretch, startUs, values) : noFrameJson(stretch, startUs)).line());
+void writeJson(const line::Stretch &stretch, const line::Values &values, bool hasTimes) {
+  std::optional<double> endUs;
+  if (hasTimes) {
+    endUs = static_cast<double>(stretch.endUs());
+  }
+  write((stretch.isFrame() ? frameJson(stretch, endUs, values) : noFrameJson(stretch, endUs)).line());
 }
 
 void writeJsonEnd(const line::Observer &observer) {
@@ -218,10 +225,11 @@ void run(const SourceOption &source, const HexOptions &options) {
   const std::unique_ptr<Input> input = source.open();
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
-  HexView view(observer, options);
-  observer.listen([&](const line::Stretch &stretch) {
-    options.json ? writeJson(stretch, observer.newest(), input->settings().characterUs()) : view.show(stretch);
+  HexView view(observer, options, source.hasTimes());
+  HeldSlots held(observer, [&](const line::Stretch &stretch) {
+    options.json ? writeJson(stretch, observer.newest(), source.hasTimes()) : view.show(stretch);
   });
+  observer.listen([&held](const line::Stretch &stretch) { held.take(stretch); });
   SilenceNote silence(source.name(), "bytes");
   input->run([&observer](const line::Character &character) { observer.put(character); },
              [&](uint64_t nowUs) {
@@ -229,6 +237,7 @@ void run(const SourceOption &source, const HexOptions &options) {
                silence.tick(nowUs, observer.characters() > 0);
              });
   observer.finish();
+  held.finish();
   if (options.json) {
     writeJsonEnd(observer);
   }
@@ -256,7 +265,8 @@ void addHex(CLI::App &app) {
       .oneOf({"auto", "always", "never"})
       .type("auto|always|never");
   subcommand.footer(
-      "Each line has the time of its last byte in seconds; the bytes, ! after one with a wrong parity or stop bit; "
+      "Each line has the time at which its last byte ended in seconds, - if it is not known; the bytes, ! after one "
+      "with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
   subcommand.run([source, options] { run(*source, *options); });
 }

@@ -71,6 +71,8 @@ class Page {
       _paused = false;
     } else if (key == ' ') {
       _paused = !_paused;
+    } else if (key == 't' || key == 'T') {
+      _sensors = !_sensors;
     } else if (key == '?' || key == 'h') {
       _help = true;
     }
@@ -80,6 +82,7 @@ class Page {
     if (!_paused) {
       _view = _watch.view(nowUs);
     }
+    _view.showsSensors = _sensors;
     const char *const note = _paused ? "PAUSED: space goes on" : _ended ? "ENDED: q quits" : "";
     _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
   }
@@ -90,6 +93,7 @@ class Page {
   uint64_t _nextUs = 0;
   bool _paused = false;
   bool _help = false;
+  bool _sensors = false;
   bool _quit = false;
   bool _ended = false;
 };
@@ -137,7 +141,7 @@ void show(const SourceOption &source, Input &input, const MonitorOptions &option
   // 1520 and 1940.
   const sbus::Range scale = options.range->range();
   const sbus::Range pulses = options.range->isMake() ? sbus::FrSky : scale;
-  Watch watch(source.name(), input.settings(), scale, pulses, options.sensors->sensors());
+  Watch watch(source.name(), source.hasTimes(), input.settings(), scale, pulses, options.sensors->sensors());
   uint64_t lastUs = 0;
   const auto put = [&](const line::Character &character) {
     watch.put(character);
@@ -175,7 +179,8 @@ void run(const SourceOption &source, const MonitorOptions &options) {
     return;
   }
   writeTo(options.record, File::New, [&](const Put &put) {
-    Recorder recorder("monitor", source.name(), input->settings(), source.isFile() && source.isWire(), put);
+    Recorder recorder("monitor " + source.name(), input->settings(), source.isFile() && source.isWire(),
+                      source.hasTimes(), put);
     show(source, *input, options, &recorder);
     std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
   });
@@ -194,7 +199,8 @@ void addMonitor(CLI::App &app) {
   options->sensors = std::make_unique<SensorOption>(subcommand);
   subcommand.flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
   subcommand.footer(
-      "Keys: q quits, r resets marks and counters, space pauses, ? helps. The page stays when the line has "
+      "Keys: q quits, r resets marks and counters, space pauses, t shows the sensors where the page has no room for "
+      "all, ? helps. The page stays when the line has "
       "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state "
       "changes.");
   subcommand.run([source, options] { run(*source, *options); });

@@ -12,6 +12,7 @@
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/recording/CsvRows.h"
+#include "line/recording/RecordingFile.h"
 
 namespace tool {
 
@@ -25,9 +26,10 @@ struct PlotOptions {
 // Takes a line, of S.Bus or of a sketch's rows, and draws it.
 class Plotter {
  public:
-  // `rowsHaveTimes`: a sketch's rows come when they were printed; otherwise their numbers stand for the time.
-  Plotter(const PlotOptions &options, uint32_t characterUs, bool rowsHaveTimes)
-      : _columns(parseColumns(options.columns)), _rowsHaveTimes(rowsHaveTimes) {
+  // Without `hasTimes` the numbers of frames stand for the time. `rowsHaveTimes`: a sketch's rows come when they were
+  // printed; otherwise their numbers do.
+  Plotter(const PlotOptions &options, uint32_t characterUs, bool hasTimes, bool rowsHaveTimes)
+      : _columns(parseColumns(options.columns)), _hasTimes(hasTimes), _rowsHaveTimes(rowsHaveTimes) {
     for (const CsvColumn &column : _columns) {
       if (column.kind != CsvColumn::Kind::Channel) {
         rejectCommandLine("--columns: channels are expected, such as ch1-ch4: flags are shaded by themselves");
@@ -67,8 +69,8 @@ class Plotter {
     const double margin = _flags.lastUs() > _flags.firstUs() ? 0 : 0.5;  // a single frame is in the middle
     _picture.xBegin = std::max(0.0, ms(_flags.firstUs()) - margin);
     _picture.xEnd = end + margin;
-    if (_rows.recognised() && !_rowsHaveTimes) {
-      _picture.xTitle = "rows";
+    if (_rows.recognised() ? !_rowsHaveTimes : !_hasTimes) {
+      _picture.xTitle = _rows.recognised() ? "rows" : "frames";
     } else {
       chooseUnit(end);
     }
@@ -105,7 +107,7 @@ class Plotter {
       return;
     }
     _picture.curves.resize(_columns.size());
-    const uint64_t us = stretch.endUs();
+    const uint64_t us = _hasTimes ? stretch.endUs() : _flags.lastUs() + 1000;
     const bool joined = any() && !_flags.silentUntil(us);
     for (size_t i = 0; i < _columns.size(); i++) {
       const unsigned channel = _columns[i].channel;
@@ -138,6 +140,7 @@ class Plotter {
   }
 
   const std::vector<CsvColumn> _columns;
+  const bool _hasTimes;
   const bool _rowsHaveTimes;
   line::Observer _observer;
   line::CsvRows _rows;
@@ -148,8 +151,9 @@ class Plotter {
 
 void run(const SourceOption &source, const PlotOptions &options) {
   rejectSameFile(source.name(), options.output);
+  line::requireNew(options.output);  // before the flight, not after it
   const std::unique_ptr<Input> input = source.open();
-  Plotter plotter(options, input->settings().characterUs(), !source.isStream());
+  Plotter plotter(options, input->settings().characterUs(), source.hasTimes(), !source.isStream());
   SilenceNote silence(source.name(), "frames");
   input->run([&](const line::Character &character) { plotter.put(character); },
              [&](uint64_t nowUs) {
@@ -157,7 +161,7 @@ void run(const SourceOption &source, const PlotOptions &options) {
                silence.tick(nowUs, plotter.any());
              });
   const std::string picture = plotter.finish(source.name());
-  writeTo(options.output, File::Any, [&picture](const Put &put) { put(picture); });
+  writeTo(options.output, File::New, [&picture](const Put &put) { put(picture); });
 }
 
 }  // namespace
@@ -168,7 +172,8 @@ void addPlot(CLI::App &app) {
   const auto options = std::make_shared<PlotOptions>();
   subcommand.option("--columns", options->columns, "ch1 to ch32 and spans; of a sketch's rows all are drawn (ch1-ch4)")
       .type("LIST");
-  subcommand.option("-o,--output", options->output, "a file (standard output)").type("FILE.svg");
+  subcommand.option("-o,--output", options->output, "a file, not overwritten if it exists (standard output)")
+      .type("FILE.svg");
   subcommand.footer(
       "It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
       "frames are shaded.");

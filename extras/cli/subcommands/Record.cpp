@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/Format.h"
 #include "cli/Output.h"
 #include "cli/Recorder.h"
 #include "cli/SilenceNote.h"
@@ -16,7 +17,8 @@ namespace {
 void run(const SourceOption &source, const std::string &name) {
   const std::unique_ptr<Input> input = source.open();
   writeTo(name, File::New, [&](const Put &put) {
-    Recorder recorder("record", source.name(), input->settings(), source.isFile() && source.isWire(), put);
+    Recorder recorder("record " + source.name(), input->settings(), source.isFile() && source.isWire(),
+                      source.hasTimes(), put);
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
     SilenceNote silence(source.name(), "frames");
     uint64_t endUs = 0;
@@ -31,8 +33,8 @@ void run(const SourceOption &source, const std::string &name) {
           silence.tick(nowUs, recorder.knows());
         });
     recorder.finish();
-    std::fprintf(stderr, "%s: %.1f s, %s\n", name.c_str(), static_cast<double>(endUs) / 1e6,
-                 recorder.summary().c_str());
+    const std::string time = source.hasTimes() ? format("%.1f s, ", static_cast<double>(endUs) / 1e6) : "";
+    std::fprintf(stderr, "%s: %s%s\n", name.c_str(), time.c_str(), recorder.summary().c_str());
   });
 }
 

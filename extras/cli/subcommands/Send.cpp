@@ -1,14 +1,16 @@
 // sbus send: sends frames with values of the user's choice, to test what reads S.Bus.
 
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "cli/options/LineOptions.h"
 #include "cli/Sending.h"
 #include "cli/SentFrames.h"
+#include "cli/options/LineOptions.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/recording/Words.h"
 
 namespace tool {
 
@@ -32,7 +34,12 @@ TimedRows rowsOf(const Options &options) {
     return readTimedRows(options.from);
   }
   FrameValues values;
+  std::set<std::string> names;
   for (const std::string &word : options.values) {
+    const std::string name = line::lower(word.substr(0, word.find('=')));
+    if (!names.insert(name).second) {
+      rejectCommandLine(line::quoted(word) + " sets " + name + " again; leave one of them out");
+    }
     try {
       assign(word, values);
     } catch (const std::runtime_error &error) {

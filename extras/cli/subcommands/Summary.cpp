@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cli/FlagSpans.h"
@@ -89,16 +90,15 @@ class Summary {
                static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
                static_cast<unsigned long>(counters.failsafeFrames), _observer.discardedBytes(),
                _observer.characterErrors());
-    return counts + (hasTimes ? times() : "");
+    return counts + (hasTimes ? times() : "frames       -, times are not known\n");
   }
 
   std::string json(bool hasTimes) const {
     const sbus::Counters &counters = _observer.counters();
     Json summary("summary");
     summary.text("line", _variant.text());
-    if (hasTimes) {
-      summary.number("from_us", _flags.firstUs()).number("to_us", _flags.lastUs());
-    }
+    const auto known = [hasTimes](uint64_t us) { return hasTimes ? std::optional<uint64_t>(us) : std::nullopt; };
+    summary.number("from_us", known(_flags.firstUs())).number("to_us", known(_flags.lastUs()));
     summary.counts(counters)
         .number("discarded_bytes", _observer.discardedBytes())
         .number("character_errors", _observer.characterErrors());

@@ -21,7 +21,8 @@ namespace {
 
 class TelemetryView {
  public:
-  TelemetryView(uint32_t characterUs, const line::SensorsBySlot &sensors) : _sensors(sensors) {
+  TelemetryView(uint32_t characterUs, const line::SensorsBySlot &sensors, bool hasTimes)
+      : _sensors(sensors), _hasTimes(hasTimes) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &) { print(_observer.telemetry().proved()); });
     write("time_s,slot,data0,data1,quantity,value,unit\n");
@@ -32,6 +33,7 @@ class TelemetryView {
 
   void finish(const std::string &source, const SilenceNote &silence) {
     _observer.finish();
+    print(_observer.telemetry().proved());  // of the last group
     flush();
     silence.end(framesCame());
     const line::TelemetrySlots &telemetry = _observer.telemetry();
@@ -52,8 +54,8 @@ class TelemetryView {
     }
     for (const line::TelemetrySlots::Slot &slot : slots) {
       const auto quantity = shown.find(slot.number);
-      write(format("%.6f,%u,%u,%u,", static_cast<double>(slot.endUs) / 1e6, slot.number, slot.data.data0,
-                   slot.data.data1) +
+      write((_hasTimes ? format("%.6f", static_cast<double>(slot.endUs) / 1e6) : "-") +
+            format(",%u,%u,%u,", slot.number, slot.data.data0, slot.data.data1) +
             (quantity == shown.end()
                  ? ",,"
                  : quantity->second.name + (',' + quantity->second.value) + ',' + quantity->second.unit) +
@@ -62,12 +64,13 @@ class TelemetryView {
   }
 
   const line::SensorsBySlot &_sensors;
+  const bool _hasTimes;
   line::Observer _observer;
 };
 
 void run(const SourceOption &source, const line::SensorsBySlot &sensors) {
   const std::unique_ptr<Input> input = source.open();
-  TelemetryView view(input->settings().characterUs(), sensors);
+  TelemetryView view(input->settings().characterUs(), sensors, source.hasTimes());
   SilenceNote silence(source.name(), "frames");
   input->run([&view](const line::Character &character) { view.observer().put(character); },
              [&](uint64_t nowUs) {
@@ -86,7 +89,7 @@ void addTelemetry(CLI::App &app) {
   subcommand.footer(
       "A slot does not say which sensor fills it: name the sensors that the radio has. Slot 0 is the receiver's own "
       "voltage. There is no checksum: the bytes between two frames are printed only if they are slots of the "
-      "announced group, once the second frame is there.");
+      "announced group, once the second frame is there or the line has ended.");
   subcommand.run([source, sensors] { run(*source, sensors->sensors()); });
 }
 

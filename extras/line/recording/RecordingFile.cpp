@@ -57,10 +57,16 @@ Recording readCsv(const std::string &name) {
   return read(name, RecordingReader(csvSettings().characterUs(), true));
 }
 
-LineFile::LineFile(const std::string &name, bool isNew) : _name(name) {
+void requireNew(const std::string &name) {
   struct stat status;
-  if (isNew && stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+  if (stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
     throw std::runtime_error(name + ": is there already; name another file, or remove it");
+  }
+}
+
+LineFile::LineFile(const std::string &name, bool isNew) : _name(name) {
+  if (isNew) {
+    requireNew(name);
   }
   _file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (_file < 0) {

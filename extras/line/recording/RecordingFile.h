@@ -20,6 +20,9 @@ LineSettings recordedSettings(const std::string &name);
 // Reads the rows that a sketch prints, as the line of its Serial: see RecordingReader. Throws as readRecording().
 Recording readCsv(const std::string &name);
 
+// Throws std::runtime_error if a file with this name exists and is not empty.
+void requireNew(const std::string &name);
+
 // A text file that grows line by line. It holds whole lines even if the program is killed, or the disk full.
 class LineFile {
  public:

@@ -1,0 +1,110 @@
+#!/bin/sh
+# hex, telemetry, summary and doctor count the same on the same recordings, and say that times are not known where they are
+# not. SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/counts
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+# Lines of each variant, clean and with noise: S.BUS2, end byte 08 with five more bytes, 24 and 32 channels.
+cp recordings/sbus2.txt "$work/real-sbus2.txt"
+for line in 16: 24:--channels\ 24 32:--channels\ 32 sbus2:--sbus2; do
+  # shellcheck disable=SC2086  # the options are words
+  "$SBUS" record sim "$work/${line%%:*}.txt" ${line#*:} --simulated-time --seconds 3 2>"$work/err"
+done
+awk '/^#/ || NF != 26 { print; next } { $26 = "08"; print $0, "00 03 C0 33 00" }' "$work/16.txt" >"$work/08.txt"
+for name in 16 24 32 sbus2 08; do
+  "$SBUS" record "$work/$name.txt" "$work/$name-noise.txt" --noise 40 --simulated-time 2>"$work/err"
+done
+python3 - "$SBUS" "$work" "$work"/*.txt <<'END'
+import json, os, subprocess, sys
+sbus, work, *files = sys.argv[1:]
+def run(*arguments):
+    return subprocess.run([sbus, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+def lines(*arguments):
+    return [json.loads(line) for line in run(*arguments, "--json").splitlines()]
+wrong = 0
+slots_seen = discarded_seen = 0
+for file in files:
+    frames = slots = telemetry = discarded = errors = 0
+    for line in lines("hex", file):
+        if line["type"] == "frame":
+            frames += line["first"] == 1
+        elif line["type"] == "no_frame":
+            count = line["bytes"].split()
+            slots += len(line.get("slots", []))
+            telemetry += len(count) if "slots" in line else 0
+            discarded += 0 if "slots" in line else sum("!" not in byte for byte in count)
+            errors += sum("!" in byte for byte in count)
+    summary = lines("summary", file)[0]
+    trial = next(line for line in lines("doctor", file) if line.get("frames"))
+    counts = {
+        "hex": (frames, slots, telemetry, discarded, errors),
+        "telemetry": (frames, run("telemetry", file).count("\n") - 1, telemetry, discarded, errors),
+        "summary": (summary["frames"], slots, telemetry, summary["discarded_bytes"], summary["character_errors"]),
+        "doctor": (trial["frames"], slots, trial["telemetry_bytes"], trial["discarded_bytes"], trial["character_errors"])}
+    slots_seen += slots
+    discarded_seen += discarded
+    if len(set(counts.values())) != 1:
+        wrong += 1
+        print(os.path.basename(file), counts)
+sys.exit(wrong > 0 or len(files) != 11 or slots_seen < 500 or discarded_seen < 3000)
+END
+verdict $? "hex, telemetry, summary and doctor agree on frames, slots, discarded bytes and character errors of 11 lines"
+
+# A link state has one name everywhere.
+"$SBUS" monitor "$work/16.txt" --simulated-time | sed 's/^[0-9.]*  \([a-z ]*\)  .*/\1/' | sort -u >"$work/text"
+"$SBUS" monitor "$work/16.txt" --simulated-time --json | sed 's/.*"state":"\([a-z ]*\)".*/\1/' | sort -u >"$work/json"
+{ echo 'never seen'; "$SBUS" csv "$work/16.txt" --every-frame --columns state; } | sort -u >"$work/csv"
+for form in json csv; do
+  [ -s "$work/$form" ] && ! comm -23 "$work/$form" "$work/text" | grep -qvx 'lossy'
+  verdict $? "a link state has the name in $form that the text has"
+done
+
+# A frame's time is the end of its last byte: in hex, its JSON, csv, and decode in each form.
+"$SBUS" wave "$work/16.txt" -o "$work/16.vcd"
+"$SBUS" hex "$work/16.txt" | awk '/ frame end / { printf "%.0f\n", $1 * 1e6 }' >"$work/times"
+"$SBUS" hex "$work/16.txt" --json | sed -n 's/.*"frame","time_us":\([0-9]*\).*/\1/p' | cmp - "$work/times"
+verdict $? "hex --json has the times of hex"
+"$SBUS" csv "$work/16.txt" --every-frame --columns time | awk '{ printf "%.0f\n", $1 * 1e6 }' | cmp - "$work/times"
+verdict $? "csv has the times of hex"
+"$SBUS" decode "$work/16.vcd" --json | sed -n 's/.*"frame","time_us":\([0-9]*\).*/\1/p' | cmp - "$work/times"
+verdict $? "decode --json has the times of hex"
+"$SBUS" decode "$work/16.vcd" --csv | sed 1d | cut -d. -f1 | cmp - "$work/times"
+verdict $? "decode --csv has the times of hex"
+"$SBUS" decode "$work/16.vcd" | awk '/^ +[0-9.]+ +[0-9]/ { printf "%.0f\n", $1 * 1e3 }' | cmp - "$work/times"
+verdict $? "decode has the times of hex"
+
+# ---- Bytes from a pipe, and from a file, have no times.
+
+grep -v '^#' "$work/sbus2.txt" | cut -d' ' -f2- | tr ' ' '\n' | python3 -c '
+import sys; sys.stdout.buffer.write(bytes(int(word, 16) for word in sys.stdin.read().split()))' >"$work/bytes.bin"
+said='times are not known'
+for way in pipe input file; do
+  while IFS='|' read -r subcommand wanted; do
+    # shellcheck disable=SC2086,SC2002  # the arguments are words; a pipe, not a file
+    case $way in
+      pipe) cat "$work/bytes.bin" | "$SBUS" $subcommand - ;;
+      input) "$SBUS" $subcommand - <"$work/bytes.bin" ;;
+      file) "$SBUS" $subcommand "$work/bytes.bin" ;;
+    esac >"$work/out" 2>"$work/err"
+    grep -q "$said" "$work/err" && [ "$(grep -cE "$wanted" "$work/out")" -ge 1 ] && ! grep -E "$wanted" "$work/out" | grep -qE '[0-9] frames (a second|[a-z ]*interval)|"frame","time_us":[0-9]|[0-9] frames/s|gap min' || { cat "$work/out" "$work/err"; false; }
+    verdict $? "$subcommand of bytes without times by $way prints none, and says so"
+  done <<'END'
+hex|^ +-  0F
+hex --delta|^ +-  0F
+hex --json|"frame","time_us":null
+csv --every-frame --columns time,age,ch1|^-,-,[0-9]+$
+summary|^frames       -, times are not known$
+summary --json|"from_us":null,"to_us":null
+telemetry|^-,0,
+doctor|^S.BUS2: times are not known; [0-9]+ % with the lost-frame flag$
+doctor --json|"heard_ms":null
+monitor --seconds 0.3|  - frames/s,.* gap -,
+monitor --json --seconds 0.3|"frames_per_second":null
+plot|>frames<
+END
+done
