@@ -153,7 +153,8 @@ FileName Pipe::wholeFile() {
     }
   }
   if (_copy < 0) {
-    _copy = line::copyToTemporary(_begin, _file);
+    _copy = line::copyToTemporary(_begin, _file, stopped);
+    forgetStop();
   }
   return {"/dev/fd/" + std::to_string(_copy), _name};
 }

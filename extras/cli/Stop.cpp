@@ -27,4 +27,8 @@ bool stopped() {
   return stopRequested != 0;
 }
 
+void forgetStop() {
+  stopRequested = 0;
+}
+
 }  // namespace tool

@@ -12,4 +12,7 @@ void catchSignals();
 // Returns true after such a signal.
 bool stopped();
 
+// Makes stopped() return false again: the signal has ended a pipe, whose content is still to be read.
+void forgetStop();
+
 }  // namespace tool

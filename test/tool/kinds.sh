@@ -120,3 +120,12 @@ done
 "$SBUS" hex two.vcd --signal TX 2>err
 [ $? -eq 1 ] && grep -qx 'sbus hex: two.vcd: there is no signal TX: one of TAIL, MAIN is expected' err
 verdict $? "--signal names one that is there"
+
+# A file that comes through a pipe which stays open is read until Ctrl-C.
+mkfifo open
+{ cat line.txt; exec sleep 60; } >open &
+writer=$!
+timeout --foreground -s INT 2 "$SBUS" hex - <open >by-pipe 2>err
+"$SBUS" hex line.txt | cmp - by-pipe
+verdict $? "a file from a pipe that stays open is read until Ctrl-C"
+kill $writer

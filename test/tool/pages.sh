@@ -106,7 +106,8 @@ verdict $? "? shows help; r resets marks and counters, but not the link's state"
 close
 
 open 40x12 "env $utf8 '$SBUS' monitor sim --sbus2 --sensor 1=SBS-01V --seconds 3.2 --simulated-time" && same sensors-small &&
-  tmux send-keys t && shows 'battery voltage 5.6 V' && tmux send-keys t && same sensors-small
+  tmux send-keys t && shows ' external voltage 24.1 V  ...' && tmux send-keys t && same sensors-small &&
+  tmux resize-window -x 60 -y 24 && same sensors-narrow && tmux send-keys t && shows 'slots 0, 1, 2' && tmux send-keys t && same sensors-narrow
 verdict $? "t shows the sensors where the page has no room for them, and hides them"
 close
 

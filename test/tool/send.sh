@@ -101,7 +101,7 @@ while IFS='|' read -r arguments message; do
   rejected "$message" $arguments </dev/null
 done <<'END'
 |CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv
---from no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording or a capture is expected
+--from no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
 --from x.csv ch1=5|--from: replaces ch1=5; leave one of them out
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do

@@ -176,7 +176,13 @@ class Layout {
     }
     std::vector<PageRow> rows;
     while (!facts.empty() && rows.size() < most) {
-      rows.push_back({{" " + takeRow(facts, ""), Style::Plain}});
+      const std::vector<std::string> before = facts;
+      std::string text = takeRow(facts, "");
+      if (_view.showsSensors && rows.size() + 1 == most && !facts.empty()) {  // not all of them fit
+        facts = before;
+        text = takeRow(facts, "...");
+      }
+      rows.push_back({{" " + text, Style::Plain}});
     }
     return rows;
   }

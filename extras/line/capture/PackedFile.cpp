@@ -3,6 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -67,18 +68,24 @@ bool maybePacked(std::string_view begin) {
   return isPacked(begin) || begins(Gzip, begin) || begins(Xz, begin) || begins(Zip, begin) || begins(EmptyZip, begin);
 }
 
-int copyToTemporary(std::string_view begin, int file) {
+int copyToTemporary(std::string_view begin, int file, bool (*isOver)()) {
+  constexpr int LookMs = 50;
   std::FILE *const stream = std::tmpfile();
   const int copy = stream == nullptr ? -1 : fcntl(fileno(stream), F_DUPFD_CLOEXEC, 3);
   bool works = copy >= 0;
-  std::string bytes = begin.empty() ? readSome(file, ReadSize) : std::string(begin);
-  while (works && !bytes.empty()) {
+  std::string bytes(begin);
+  for (bool isAtEnd = false; works && !isAtEnd;) {
     for (size_t at = 0; at < bytes.size() && works;) {
       const ssize_t count = ::write(copy, bytes.data() + at, bytes.size() - at);
       works = count > 0 || (count < 0 && errno == EINTR);
       at += count > 0 ? static_cast<size_t>(count) : 0;
     }
-    bytes = works ? readSome(file, ReadSize) : "";
+    pollfd state = {file, POLLIN, 0};
+    bytes.assign(ReadSize, '\0');
+    const bool isThere = ::poll(&state, 1, LookMs) > 0;
+    const ssize_t count = isThere ? ::read(file, &bytes[0], bytes.size()) : 0;
+    bytes.resize(count > 0 ? static_cast<size_t>(count) : 0);
+    isAtEnd = isOver() || (isThere && count == 0) || (count < 0 && errno != EINTR);
   }
   if (!works || lseek(copy, 0, SEEK_SET) != 0) {
     throw std::runtime_error(std::string("a pipe cannot be kept in ") + P_tmpdir + " (" + std::strerror(errno) +
@@ -94,13 +101,13 @@ PackedFile::PackedFile(const std::string &path, std::string name)
       _archive(nullptr, archive_read_free) {
   if (_file < 0) {
     throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) +
-                             "); the name of a recording or a capture is expected");
+                             "); the name of a recording is expected");
   }
   _isPipe = lseek(_file, 0, SEEK_CUR) < 0;
   if (_isPipe) {
     _begin = readSome(_file, Zip.size());
     if (begins(_begin, Zip)) {  // its entries are read in any order
-      const int copy = copyToTemporary(_begin, _file);
+      const int copy = copyToTemporary(_begin, _file, [] { return false; });
       if (_file != STDIN_FILENO) {
         close(_file);
       }

@@ -16,9 +16,9 @@ bool isPacked(std::string_view begin);
 // Returns true if a file begins with `begin`, which may be shorter, and the file may still be packed.
 bool maybePacked(std::string_view begin);
 
-// Copies `begin` and then the rest of `file` to a file without a name, which vanishes when it is closed. Returns it, at
-// its beginning. Throws std::runtime_error if the disk is full.
-int copyToTemporary(std::string_view begin, int file);
+// Copies `begin` and then the rest of `file` to a file without a name, which vanishes when it is closed; no more of a
+// pipe once `isOver` returns true. Returns it, at its beginning. Throws std::runtime_error if the disk is full.
+int copyToTemporary(std::string_view begin, int file, bool (*isOver)());
 
 class PackedFile {
  public:

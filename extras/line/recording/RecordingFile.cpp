@@ -27,7 +27,8 @@ namespace {
 Recording read(const std::string &name, RecordingReader reader) {
   std::ifstream in(name, std::ios::binary);
   if (!in) {
-    throw std::runtime_error(name + ": cannot be opened; the name of a recording is expected");
+    throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
+                             "); the name of a recording is expected");
   }
   for (std::string line; std::getline(in, line);) {
     reader.line(line);
