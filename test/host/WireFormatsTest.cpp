@@ -94,11 +94,12 @@ TEST_CASE("variations of analysers and oscilloscopes give the same bytes") {
 }
 
 // Rows as Hantek's DSO5000 writes them: Stylesoftware/Hantek-DSO5000-Series-CSV-to-PulseVIew, sample/WaveData50.csv; a
-// DSO2000 and a DSO5202P have the two bases in two lines. Of a Rigol DHO no file was found: its users report t0 and tInc
-// beside the channel's name. Reals are IEEE 1364's, 18.2.
+// DSO2000 and a DSO5202P have the two bases in two lines. No file of a Rigol DHO was found: with times it is as a public
+// Python program for Rigol's oscilloscopes writes it, to be "compatible with the oscilloscope's export"; without times as
+// users report it. Reals are IEEE 1364's, 18.2.
 TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, give the same bytes") {
   const TestWire wire = wireOf();
-  std::string timed, sampled, reals;
+  std::string timed, sampled, both, reals;
   size_t edge = 0;
   double before = -1;
   for (int us = 0; us * 1000.0 < wire.ns; us++) {
@@ -107,6 +108,7 @@ TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, g
     const double volts = ((edge % 2 == 0) == wire.inverted ? 0.04 : 3.28) + us % 3 * 0.04;
     timed += printed("%.5E,%.3f\n", (us + 1) / 1e6, volts * 1e3);
     sampled += printed("%.5E,,\n", volts);
+    both += printed("%.6e,%.6e,,\n", us / 1e6 - 5e-4, volts);
     reals += volts == before ? "" : printed("#%d r%.16g !\n", us, volts);
     before = volts;
   }
@@ -119,7 +121,8 @@ TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, g
       {"Hantek", "#timebase=40000000(ps),#voltbase=1000000(uV)\n\n" + timed, "2"},
       {"Hantek, two lines", "#timebase=40000000(ps)\n,#voltbase=1000000(mv/100)\n#size=4064\n" + timed, "2"},
       {"Hantek, an empty line between", "#timebase=4000000000(ps)\n\n,#voltbase=1000000(uV)\n\n" + timed, "2"},
-      {"Rigol DHO", "CH1V,t0 =-5.000000e-04,tInc =1.000000e-06\n" + sampled, "CH1V"},
+      {"Rigol DHO, with times", "Time(s),CH1V,t0 =-5.000000e-04, tInc = 1.000000e-06,\n" + both, "CH1V"},
+      {"Rigol DHO, without", "CH1V,t0 =-5.000000e-04,tInc =1.000000e-06\n" + sampled, "CH1V"},
       {"Rigol DHO, blanks", "CH1V, t0 = -5.0E-04, tInc = 1.0E-06,\n" + sampled, "CH1V"},
       {"VCD", dump, "CH1"},
       {"VCD, and a wire", replaced(dump, "$enddef", "$var wire 1 % CLK $end\n$enddef") + "0%\n", "CH1"},
