@@ -9,8 +9,8 @@
 #include <exception>
 #include <iostream>
 
-#include "cli/options/CommandLine.h"
 #include "cli/Stop.h"
+#include "cli/options/CommandLine.h"
 #include "cli/subcommands/Subcommands.h"
 
 namespace {
@@ -63,7 +63,7 @@ int main(int argc, char **argv) {
   app.set_help_all_flag("--help-all", "what every subcommand takes");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a capture of a logic analyser, bytes), - for "
-      "bytes on standard input, or sim, a receiver that is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
+      "standard input, or sim, a receiver that is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
   addSubcommands(app);
   tool::catchSignals();
   try {

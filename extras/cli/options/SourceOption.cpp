@@ -41,7 +41,8 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
 
 SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings)
     : _options(subcommand), _recordings(recordings) {
-  subcommand.option("SOURCE", _name, "a serial port, a recording or capture, - for bytes on standard input, or sim")
+  subcommand
+      .option("SOURCE", _name, "a serial port, a recording or capture, packed or not, - for standard input, or sim")
       .required()
       .notEmpty()
       .type("");
