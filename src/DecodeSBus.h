@@ -20,8 +20,8 @@ class Ticker;
 
 }  // namespace sbus
 
-/// Decodes one receiver on one serial port. Several objects can work on different ports; name none of them `sbus`, which
-/// is a namespace. A sketch needs two calls:
+/// Decodes one receiver on one serial port. Several objects can work on different ports; name none of them `sbus`,
+/// which is a namespace. A sketch needs two calls:
 ///
 ///     DecodeSBus dSBus(Serial1);
 ///     SBusFrame frame;
@@ -33,8 +33,8 @@ class Ticker;
 ///
 /// The paper's sketch calls parseSBusFrame() and decodeSBusFrame() instead.
 ///
-/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN() (which a Grasshopper's
-/// core does not call: no bytes wait there).
+/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN() (which a
+/// Grasshopper's core does not call: no bytes wait there).
 ///
 /// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): no method has to be called in
 /// time, and the object must live until end(). DecodeSBusBackground does so on other boards:
@@ -112,8 +112,8 @@ class DecodeSBusOf {
   /// Before the first frame, and once the newest is as old as the timeout, both are true and `channels` is unchanged.
   void decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame);
 
-  /// Returns true if decodeSBusFrame() and read() have not yet handed out the newest frame; false before the first frame, and once
-  /// the newest is as old as the timeout.
+  /// Returns true if decodeSBusFrame() and read() have not yet handed out the newest frame; false before the first
+  /// frame, and once the newest is as old as the timeout.
   bool newFrame() {
     if (_port.callsBack()) {  // a sketch may wait for it, and call nothing else
       const bool isOk = SBusFrameOk();

@@ -52,8 +52,8 @@ struct SlotHolder {
 /// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
 /// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
 ///
-/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry keep it from doing so meanwhile. On an ESP32
-/// they wait for that task, up to 1.5 ms. Do not call them from an interrupt.
+/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry keep it from doing so meanwhile. On
+/// an ESP32 they wait for that task, up to 1.5 ms. Do not call them from an interrupt.
 class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder> {
   using Decoder = sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder>;
 

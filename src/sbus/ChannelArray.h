@@ -23,7 +23,8 @@ class ChannelArray {
   template <size_t Size>
   ChannelArray(Value (&array)[Size]) : _first(array) {
     static_assert(Size >= Count || Count != 16, "The array is too small: CH1..CH16 are uint16_t channels[16]");
-    static_assert(Size >= Count || Count != 18, "The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels[18]");
+    static_assert(Size >= Count || Count != 18,
+                  "The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels[18]");
     static_assert(Size >= Count || Count != 24, "The array is too small: CH1..CH24 are uint16_t channels[24]");
   }
 

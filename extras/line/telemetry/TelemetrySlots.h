@@ -22,8 +22,8 @@ class TelemetrySlots {
   void finish();
 
   // Returns the slots that this stretch has proved: those before a frame, once that frame is there; of one moment, in
-  // rising order. Mostly none. If something else came between the frames as well, these are the slots that stand alone at
-  // their time.
+  // rising order. Mostly none. If something else came between the frames as well, these are the slots that stand alone
+  // at their time.
   const std::vector<Slot> &proved() const { return _proved; }
 
   // Returns the slots that the next stretch consists of, if only slots came since the last frame; otherwise none. They
