@@ -16,7 +16,7 @@ using Text = const __FlashStringHelper *;
 #define SBUS_TEXT(words) reinterpret_cast<Text>(PSTR(words))
 #else
 using Text = const char *;
-#define SBUS_TEXT(words) words
+#define SBUS_TEXT(words) words  ///< makes one of a literal, within a function
 #endif
 
 }  // namespace sbus

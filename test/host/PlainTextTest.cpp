@@ -45,7 +45,7 @@ TEST_CASE("a text in any encoding, with any line ends, in pieces of any size, is
       {"half a unit", "\xFF\xFE" "1\0" "2"s, "1"},
   };
   for (const auto &row : rows) {
-    for (const size_t piece : {1, 2, 3, 5, 100}) {
+    for (const size_t piece : {1u, 2u, 3u, 5u, 100u}) {
       INFO(row.what, ", pieces of ", piece);
       CHECK(plain(row.bytes, piece) == row.text);
     }

@@ -23,7 +23,7 @@ std::vector<uint8_t> frameBytes(unsigned number, uint8_t end) {
 
 // Plays a line to an observer; `listen` is called with each stretch.
 template <typename Listen>
-std::string feed(const std::vector<Burst> &line, Listen listen, uint32_t lateUs = 0) {
+std::string feed(const std::vector<Burst> &line, Listen listen) {
   line::Observer observer;
   observer.reset(0, line::CharacterUs);
   observer.listen([&](const line::Stretch &stretch) { listen(observer, stretch); });
@@ -33,7 +33,6 @@ std::string feed(const std::vector<Burst> &line, Listen listen, uint32_t lateUs 
       character.endUs = burst.startUs + line::CharacterUs * (i + 1);
       character.value = burst.bytes[i];
       character.bad = burst.badAt == static_cast<int>(i);
-      character.lateUs = lateUs;
       observer.put(character);
     }
   }
@@ -42,17 +41,14 @@ std::string feed(const std::vector<Burst> &line, Listen listen, uint32_t lateUs 
 }
 
 // Returns "us slot:data0 data1" of each slot, and how many groups were rejected.
-std::string read(const std::vector<Burst> &line, uint32_t lateUs = 0) {
+std::string read(const std::vector<Burst> &line) {
   std::string text;
-  const std::string rejected = feed(
-      line,
-      [&text](const line::Observer &observer, const line::Stretch &) {
-        for (const line::TelemetrySlots::Slot &slot : observer.telemetry().proved()) {
-          text += std::to_string(slot.endUs) + " " + std::to_string(slot.number) + ":" +
-                  std::to_string(slot.data.data0) + "," + std::to_string(slot.data.data1) + " ";
-        }
-      },
-      lateUs);
+  const std::string rejected = feed(line, [&text](const line::Observer &observer, const line::Stretch &) {
+    for (const line::TelemetrySlots::Slot &slot : observer.telemetry().proved()) {
+      text += std::to_string(slot.endUs) + " " + std::to_string(slot.number) + ":" + std::to_string(slot.data.data0) +
+              "," + std::to_string(slot.data.data1) + " ";
+    }
+  });
   return text + rejected;
 }
 
@@ -96,10 +92,7 @@ TEST_CASE(
       {"the receiver", 0x04, {0x03, 0xC0, 0x2E}, -1, "45390 0:192,46 rejected 0"},
       {"an SBS-01V", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, -1, "45390 1:128,56 45750 2:0,125 rejected 0"},
       {"an R7003SB", 0x08, {0x00, 0x03, 0xC0, 0x33, 0x00}, -1, "45510 0:192,51 rejected 0"},
-      {"breaks",
-       0x04,
-       {0x00, 0x83, 0x80, 0x38, 0x00, 0x43, 0x00, 0x7D, 0x00},
-       -1,
+      {"breaks", 0x04, {0x00, 0x83, 0x80, 0x38, 0x00, 0x43, 0x00, 0x7D, 0x00}, -1,
        "45510 1:128,56 45990 2:0,125 rejected 0"},
       {"a character with an error", 0x04, {0x83, 0x80, 0x38, 0x43, 0x00, 0x7D}, 4, "rejected 1"},
       {"a character is missing", 0x04, {0x83, 0x80, 0x43, 0x00, 0x7D}, -1, "rejected 1"},
@@ -110,57 +103,6 @@ TEST_CASE(
   for (const auto &row : rows) {
     CAPTURE(row.what);
     CHECK(readBehind(row.end, row.behind, row.badAt) == row.found);
-  }
-}
-
-TEST_CASE("of a damaged group the slots are read that stand whole at their time, where times are exact") {
-  // Group 0 behind the third frame, which ends at 43 ms: slots 0, 1 and 5; each Burst is one of them.
-  using Bursts = std::vector<Burst>;
-  const uint64_t at0 = 45030, at1 = at0 + 660, at5 = at0 + 5 * 660;
-  const Burst zero = {at0, {0x03, 0xC0, 0x2E}}, one = {at1, {0x83, 0x80, 0x38}}, five = {at5, {0xA3, 1, 2}};
-  const char *const zeroIs = "45390 0:192,46 ", *const oneIs = "46050 1:128,56 ", *const fiveIs = "48690 5:1,2 ";
-  const struct {
-    const char *what;
-    Bursts bursts;
-    uint32_t lateUs;
-    std::string found;
-  } rows[] = {
-      {"nothing is wrong", {zero, one, five}, 0, std::string(zeroIs) + oneIs + fiveIs + "rejected 0"},
-      {"a character is missing", {zero, {at1, {0x83, 0x80}}, five}, 0, std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"an ID is missing", {zero, {at1 + 120, {0x80, 0x38}}, five}, 0, std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"one is too many",
-       {zero, {at1, {0x83, 0x80, 0x38, 0x38}}, five},
-       0,
-       std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"an error", {zero, {at1, {0x83, 0x80, 0x38}, 2}, five}, 0, std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"noise between them",
-       {zero, one, {at1 + 900, {0x55}}, five},
-       0,
-       std::string(zeroIs) + oneIs + fiveIs + "rejected 1"},
-      {"noise beside one", {zero, one, {at1 + 400, {0x55}}, five}, 0, std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"another slot's time", {zero, {at1, {0x43, 1, 2}}, {at5, {0xA3, 1}}}, 0, std::string(zeroIs) + "rejected 1"},
-      {"another group's ID", {zero, {at1, {0x8B, 1, 2}}, five}, 0, std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"0.1 ms off",
-       {{at0 + 100, zero.bytes}, {at1 - 100, one.bytes}, {at5, {0xA3}}},
-       0,
-       "45490 0:192,46 45950 1:128,56 rejected 1"},
-      {"0.2 ms off", {{at0 + 200, zero.bytes}, {at1, {0x83, 0x80}}, five}, 0, std::string(fiveIs) + "rejected 1"},
-      {"with breaks",
-       {{43000, {0}}, {at0, {0x03, 0xC0, 0x2E, 0}}, {at1 + 120, {0x80, 0x38, 0}}, {at5, {0xA3, 1, 2, 0}}},
-       0,
-       std::string(zeroIs) + fiveIs + "rejected 1"},
-      {"times are not exact", {zero, {at1, {0x83, 0x80}}, five}, 1000, "rejected 1"},
-  };
-  for (const auto &row : rows) {
-    CAPTURE(row.what);
-    Bursts line;
-    for (unsigned i = 0; i < 6; i++) {
-      line.push_back({10000 + 15000 * i, frameBytes(i, 0x04)});
-      if (i == 2) {
-        line.insert(line.end(), row.bursts.begin(), row.bursts.end());
-      }
-    }
-    CHECK(read(line, row.lateUs) == row.found);
   }
 }
 
@@ -220,8 +162,7 @@ TEST_CASE("a stretch is named slots while only slots have come since the frame; 
     const char *said;
   } rows[] = {
       {"slots 0 to 2", {{2030, {0x03, 0xC0, 0x2E}}, {2690, {0x83, 1, 2, 0x43, 3, 4}}}, "telemetry slots 0, 1, 2; "},
-      {"breaks",
-       {{0, {0x00}}, {2030, {0x03, 0xC0, 0x2E, 0x00}}, {2690, {0x83, 1, 2, 0x00}}},
+      {"breaks", {{0, {0x00}}, {2030, {0x03, 0xC0, 0x2E, 0x00}}, {2690, {0x83, 1, 2, 0x00}}},
        "no header; telemetry slots 0, 1; "},
       {"slots 0 and 6", {{2030, {0x03, 0xC0, 0x2E}}, {5990, {0x63, 1, 2}}}, "telemetry slot 0; telemetry slot 6; "},
       {"noise, then slot 6", {{2030, {0x55}}, {5990, {0x63, 1, 2}}}, "no header; no header; "},

@@ -152,7 +152,7 @@ TEST_CASE("a slot that lost its ID, and looks like a slot that is not on the lin
 TEST_CASE("after a line was cut, a value from before it is not read, or its age has the time of the cut") {
   Bus empty;
   empty.change = [](unsigned, std::vector<Answer> &answers) { answers.clear(); };
-  for (const unsigned ms : {60, 120, 180, 600, 900, 960, 1020, 5000, 60000, 2147483, 2147484, 3600000}) {
+  for (const unsigned ms : {60u, 120u, 180u, 600u, 900u, 960u, 1020u, 5000u, 60000u, 2147483u, 2147484u, 3600000u}) {
     CAPTURE(ms);
     Sketch sketch(1000);
     sketch.rounds(5);
@@ -175,7 +175,7 @@ TEST_CASE("an age above 65535 ms is told as 65535") {
   Sketch sketch(1000);
   sketch.sbus.setTimeout(0);
   sketch.rounds(5);
-  for (const unsigned s : {65, 66, 131, 3600}) {
+  for (const unsigned s : {65u, 66u, 131u, 3600u}) {
     CAPTURE(s);
     sketch.runTo(sketch.nextUs + s * uint64_t{1000000});
     Raw<1> raw;

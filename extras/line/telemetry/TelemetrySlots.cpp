@@ -24,26 +24,11 @@ std::vector<size_t> endsOf(const std::vector<Character> &characters) {
   return ends;
 }
 
-// Us. Of an S.BUS2 slot, and of slot 0 behind end byte 08: src/sbus/Answers.h, and captures of an R7003SB.
-constexpr uint64_t ToSlots = 2030, ToTail = 310, Pitch = 660;
-constexpr uint64_t Off = 100;   // how far from its time a sensor may begin
-constexpr uint64_t Apart = 90;  // the least silence before a slot, and behind it and its break
-constexpr uint64_t SlotsTime = ToSlots + sbus::SlotsOfGroup * Pitch;
-
-uint64_t startOf(const Character &character) {
-  return character.endUs - CharacterUs;
-}
-
 }  // namespace
 
 void TelemetrySlots::put(const Stretch &stretch) {
   _proved.clear();
   if (stretch.kind == Stretch::Kind::NoFrame) {
-    for (const Character &each : stretch.characters) {
-      if (each.endUs < _endUs + SlotsTime) {
-        _all.push_back(each);
-      }
-    }
     _between.insert(_between.end(), stretch.characters.begin(), stretch.characters.end());
     _isWhole = _isWhole && _between.size() <= sbus::GroupSizeMax && isGood(stretch.characters);
     if (!_isWhole) {
@@ -55,8 +40,6 @@ void TelemetrySlots::put(const Stretch &stretch) {
     takeProved();
     _end = stretch.characters.back().value;
   }
-  _endUs = stretch.kind == Stretch::Kind::Frame ? stretch.endUs() : 0;
-  _all.clear();
   _isWhole = stretch.kind == Stretch::Kind::Frame;
   _between.clear();
 }
@@ -64,6 +47,7 @@ void TelemetrySlots::put(const Stretch &stretch) {
 void TelemetrySlots::takeProved() {
   _proved = prove();
   _count += _proved.size();
+  _characters += _proved.empty() ? 0 : _between.size();
 }
 
 void TelemetrySlots::finish() {
@@ -74,7 +58,6 @@ void TelemetrySlots::finish() {
     takeProved();
   }
   _between.clear();
-  _all.clear();
 }
 
 std::vector<sbus::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
@@ -118,41 +101,8 @@ std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
   }
   const std::vector<size_t> ends = endsOf(_between);
   std::vector<Slot> found;
-  if (count < 0) {
-    found = onTime();
-  }
-  _characters += count < 0 ? found.size() * sbus::SlotSize : count > 0 ? _between.size() : 0;
   for (int i = 0; i < count; i++) {
     found.push_back({slots[i], _between[ends[static_cast<size_t>(i)]].endUs});
-  }
-  return found;
-}
-
-// Three good characters at the time of a slot of the announced group, between two pauses, are that slot. Only where the
-// times are exact.
-std::vector<TelemetrySlots::Slot> TelemetrySlots::onTime() const {
-  const bool isTail = sbus::endsVariant(_end, sbus::TailVariant);
-  const uint8_t first = sbus::firstSlotOf(_end);
-  const int count = isTail ? 1 : sbus::SlotsOfGroup;
-  std::vector<Slot> found;
-  for (size_t i = 0; i + sbus::SlotSize <= _all.size(); i++) {
-    const Character *const slot = &_all[i];
-    const Character *const last = slot + sbus::SlotSize - 1;
-    const Character *const behind = _all.data() + _all.size();
-    const int k = sbus::slotOfId(slot->value) - first;
-    if (!sbus::isSlotId(slot->value) || k < 0 || k >= count ||
-        std::any_of(slot, last + 1, [](const Character &each) { return each.bad || each.lateUs > 0; })) {
-      continue;
-    }
-    const uint64_t start = startOf(*slot);
-    const uint64_t due = _endUs + (isTail ? ToTail : ToSlots + static_cast<uint64_t>(k) * Pitch);
-    const uint64_t free = i == 0 ? _endUs : slot[-1].endUs;
-    const Character *next = last + 1;
-    next += next < behind && next->value == 0 ? 1 : 0;  // a break
-    if (start + Off >= due && start <= due + Off && free + Apart <= start &&
-        last->endUs <= start + 3 * CharacterUs + 1 && (next == behind || startOf(*next) >= next[-1].endUs + Apart)) {
-      found.push_back({{static_cast<uint8_t>(first + k), {slot[1].value, slot[2].value}}, last->endUs});
-    }
   }
   return found;
 }

@@ -22,8 +22,7 @@ class TelemetrySlots {
   void finish();
 
   // Returns the slots that this stretch has proved: those before a frame, once that frame is there; of one moment, in
-  // rising order. Mostly none. If something else came between the frames as well, these are the slots that stand alone
-  // at their time.
+  // rising order. Mostly none.
   const std::vector<Slot> &proved() const { return _proved; }
 
   // Returns the slots that the next stretch consists of, if only slots came since the last frame; otherwise none. They
@@ -51,13 +50,10 @@ class TelemetrySlots {
   int read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const;
 
   std::vector<Slot> prove();
-  std::vector<Slot> onTime() const;
   void takeProved();
 
   std::vector<Slot> _proved;
   std::vector<Character> _between;  // since the last frame
-  std::vector<Character> _all;      // also those that _between lacks, while slots may come
-  uint64_t _endUs = 0;              // of the last frame
   uint8_t _end = 0;                 // its end byte
   bool _isWhole = false;            // nothing but characters came since, none with an error
   bool _announced = false;
@@ -66,7 +62,7 @@ class TelemetrySlots {
   unsigned long _groups = 0;
   unsigned long _rejected = 0;
   unsigned long _count = 0;
-  unsigned long _characters = 0;  // of slots and groups that are proved
+  unsigned long _characters = 0;  // of groups that are proved
 };
 
 }  // namespace line
