@@ -10,21 +10,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "line/recording/CsvRows.h"
-
 namespace line {
 
-std::string beginningOf(const std::string &name, size_t size) {
-  std::ifstream in(name, std::ios::binary);
-  std::string beginning(size, '\0');
-  in.read(&beginning[0], static_cast<std::streamsize>(size));
-  beginning.resize(static_cast<size_t>(in.gcount()));
-  return beginning;
-}
-
-namespace {
-
-Recording read(const std::string &name, RecordingReader reader) {
+Recording readRecording(const std::string &name, uint32_t characterUs) {
+  RecordingReader reader(characterUs);
   std::ifstream in(name, std::ios::binary);
   if (!in) {
     throw std::runtime_error(name + ": cannot be opened (" + std::strerror(errno) +
@@ -42,20 +31,6 @@ Recording read(const std::string &name, RecordingReader reader) {
     throw std::runtime_error(name + place + ": " + recording.error);
   }
   return recording;
-}
-
-}  // namespace
-
-Recording readRecording(const std::string &name, uint32_t characterUs) {
-  return read(name, RecordingReader(characterUs));
-}
-
-LineSettings recordedSettings(const std::string &name) {
-  return settingsIn(beginningOf(name, RecordingBeginning));
-}
-
-Recording readCsv(const std::string &name) {
-  return read(name, RecordingReader(csvSettings().characterUs(), true));
 }
 
 void requireNew(const std::string &name) {

@@ -11,15 +11,6 @@ namespace line {
 // Reads a recording. Throws std::runtime_error, which names file and line, if it cannot be read or is wrong.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
-// Returns the first bytes of a file, `size` at most; none if it cannot be read.
-std::string beginningOf(const std::string &name, size_t size);
-
-// Returns the settings of its line: see settingsIn().
-LineSettings recordedSettings(const std::string &name);
-
-// Reads the rows that a sketch prints, as the line of its Serial: see RecordingReader. Throws as readRecording().
-Recording readCsv(const std::string &name);
-
 // Throws std::runtime_error if a file with this name exists and is not empty.
 void requireNew(const std::string &name);
 
