@@ -28,6 +28,15 @@ struct Bus {
   bool hasBreaks = false;  // 00 after the frame and after each answer
   std::function<void(unsigned round, std::vector<Answer> &)> change = [](unsigned, std::vector<Answer> &) {};
 
+  // Changes what the receiver and the SBS-01V send, slots 0 to 2.
+  void changeFirst(const std::function<void(std::vector<Answer> &)> &work) {
+    change = [work](unsigned, std::vector<Answer> &answers) {
+      if (!answers.empty() && answers[0].slot == 0) {
+        work(answers);
+      }
+    };
+  }
+
   std::vector<Answer> answers(unsigned group, unsigned round) const {
     std::vector<Answer> all;
     if (group == 0) {
