@@ -148,7 +148,7 @@ $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
 $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/Uart.o \
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
-$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/$(call ticks,$1).o $(OUT)/$1/DecodeSBus.o \
+$(OUT)/$1/BackgroundTest: $(OUT)/$1/BackgroundTest.o $(OUT)/$1/TickerTest.o $(OUT)/$1/$(call ticks,$1).o $(OUT)/$1/DecodeSBus.o \
   $(OUT)/$1/DecodeSBusTelemetry.o \
   $(OUT)/$1/port/Ticker.o $(OUT)/$1/port/Ticker$(call ticker,$1).o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
