@@ -16,14 +16,15 @@ ifneq ($(words $(CURDIR)),1)
 absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)')
 $(work):
 	@copy=$$(sh extras/setup/copy.sh) && $(MAKE) --no-print-directory -C "$$copy" $@ $(call absolute,CAPTURES) \
-	  $(call absolute,RECORDING) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
+	  $(if $(wildcard $(SOURCE)),$(call absolute,SOURCE),$(if $(SOURCE),SOURCE='$(SOURCE)')) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
 else
 
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it needs"
 	@echo "            SKETCH=examples/NAME  another sketch"
-	@echo "            RECORDING=file        a recorded line"
-	@echo "            PORT=/dev/ttyUSB0     a real receiver, on an FTDI adapter with inverted RXD"
+	@echo "            SOURCE=file           a recorded line"
+	@echo "            SOURCE=/dev/ttyUSB0   a real receiver, on an FTDI adapter with inverted RXD"
+	@echo "            SOURCE=sim:24         another simulated receiver, see extras/host"
 	@echo "            PTY=1                 the output also on a pseudo-terminal, for a serial plotter"
 	@echo "make sbus   builds build/sbus/sbus: looks at lines, records, replays and diagnoses them; see extras/cli"
 	@echo "make install PREFIX=/usr/local  installs it, its manual, completion for bash, zsh and fish, a udev rule"
@@ -54,8 +55,8 @@ sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS $(if
 demo:
 	@sh extras/setup/need.sh g++ libcli11-dev libserialport-dev
 	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/host SKETCH='$(SKETCH)' 1>&2
-	@build/host/$(sketch_name) $(if $(RECORDING),--recording '$(RECORDING)') $(if $(PORT),--port '$(PORT)') \
-	  $(if $(RECORDING)$(PORT),,$(sketch_options)) $(if $(PTY),--pty)
+	@build/host/$(sketch_name) $(if $(SOURCE),--source '$(SOURCE)',$(sketch_options)) \
+	  $(if $(PTY),--pty)
 
 sbus:
 	@sh extras/setup/need.sh $(TOOL)
@@ -87,7 +88,7 @@ scope:
 CAPTURES ?=
 # WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
 SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
-TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev 'pkg-config|pkgconf'
+TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev nlohmann-json3-dev 'pkg-config|pkgconf'
 AVR := gcc-avr avr-libc arduino-core-avr
 TEST := g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
 # Debian 14 has picolibc for newlib.
@@ -100,7 +101,7 @@ test:
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test
 
 test-all:
-	@sh extras/setup/need.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/need.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:

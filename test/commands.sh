@@ -90,7 +90,7 @@ until_says() {
 # adapter [ARGUMENTS]: a pseudo-terminal with a receiver, for 2 seconds from when it is opened; its name is in $adapter
 adapter() {
   rm -f terminal
-  timeout 60 build/sbus/sbus simulate --seconds 2 "$@" >terminal 2>/dev/null &
+  timeout 60 build/sbus/sbus send sim --seconds 2 "$@" >terminal 2>/dev/null &
   wait_for test -s terminal
   adapter=$(cat terminal)
 }
@@ -165,12 +165,12 @@ check '^([0-9]+,){5}[0-9]+$' 'then="wait_for test -s curves.csv"
 check '^plotted ([0-9]+,){5}[0-9]+$' '
   then='"'"'timeout 60 head -n 2 "$(sed -n "s/^waiting until a program opens \(.*\);.*/\1/p" said)" | sed "s/^/plotted /"'"'"'
   until_says "waiting until a program opens" make demo PTY=1' 'make demo PTY=1'
-check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo PORT=\$adapter" 'make demo PORT=/dev/ttyUSB0'
+check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo SOURCE=\$adapter" 'make demo SOURCE=/dev/ttyUSB0'
 check '^PASS: [1-9][0-9]* frames sent' 'until_says PASS make demo SKETCH=examples/Loopback' 'make demo SKETCH=examples/Loopback'
 check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" \
   'make demo SKETCH=examples/Calibrate' 'make demo SKETCH=examples/NAME'
-check '^995,993,1811,992,0,0$' 'make demo RECORDING=test/recordings/paper.txt' \
-  'make demo RECORDING=test/recordings/paper.txt' 'make demo RECORDING=file'
+check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' \
+  'make demo SOURCE=test/recordings/paper.txt' 'make demo SOURCE=file'
 
 check '^/dev/|no serial port' 'sbus ports'
 # There is no adapter here: the path is compared with the source of what `sbus ports` prints.
@@ -179,12 +179,12 @@ check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/li
 check '\(0 with errors\), [1-9][0-9]* frames$' 'adapter; timeout 60 build/sbus/sbus record $adapter receiver.txt' \
   'build/sbus/sbus record /dev/ttyUSB0 receiver.txt'
 check '( [0-9A-F]{2}){25}  frame end 00' 'build/sbus/sbus hex receiver.txt'
-check '^([0-9]+,){17}[0-9]+$' 'make demo RECORDING=receiver.txt SKETCH=examples/AllChannels'
+check '^([0-9]+,){17}[0-9]+$' 'make demo SOURCE=receiver.txt SKETCH=examples/AllChannels'
 check '\(0 with errors\), [1-9][0-9]* frames$' 'rm receiver.txt; adapter --baud 200000
   timeout 60 build/sbus/sbus record $adapter receiver.txt --baud 200000' 'build/sbus/sbus record /dev/ttyUSB0 receiver.txt --baud 200000'
 check 'build/host/Diagnose' 'make -C extras/host SKETCH=examples/Diagnose && ls build/host/Diagnose' 'make -C extras/host SKETCH=examples/Diagnose'
 check '^Serial1 at 200000 baud, 8E2, inverted: .* [1-9][0-9]* good, 0 with errors$' \
-  'build/host/Diagnose --recording receiver.txt --line-baud 200000 --simulated-time' 'build/host/Diagnose --recording receiver.txt --line-baud 200000'
+  'build/host/Diagnose --source receiver.txt --baud 200000 --simulated-time' 'build/host/Diagnose --source receiver.txt --baud 200000'
 
 check '^\| Fast S.Bus, dropped 1/300 \| T 7 ms, ' "make impairment FRAMES=50 SEED=7 FULL=1 ONLY='dropped 1/300' | tee full &&
   grep '^seed 7, 50 frames of each line' full && ! grep '^| ' full | grep -vE '^\| (line |---|.*dropped 1/300)'" \

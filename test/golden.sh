@@ -50,7 +50,7 @@ program() {
 
 bad_recording() {  # PROGRAM MESSAGE
   file=${2%%:*}
-  (cd recordings/bad && timeout 300 "$1" --simulated-time --recording "$file") >"$build/out" 2>"$build/err"
+  (cd recordings/bad && timeout 300 "$1" --simulated-time --source "$file") >"$build/out" 2>"$build/err"
   status=$?
   printf '%s\n' "$2" | cmp - "$build/err" && [ "$status" -ne 0 ] && [ ! -s "$build/out" ]
   verdict $? "recordings/bad/$file"
@@ -64,7 +64,7 @@ for example in $examples; do
   grep -q "^$example - " "$build/lines" || golden "$example" "$build/$example" --seconds 1.1
   grep -q "^$example " ../extras/host/OPTIONS && continue
   for recording in $recordings; do
-    golden "$example-$recording" "$build/$example" --recording "recordings/$recording.txt"
+    golden "$example-$recording" "$build/$example" --source "recordings/$recording.txt"
   done
 done
 while read -r example line options; do
@@ -92,8 +92,8 @@ for sketch in "$build"/sketch/*; do
   verdict $? "the sketch $name of the docs is built"
 done
 golden README "$build/README" --seconds 1
-golden receivers "$build/receivers" --channels 32 --seconds 0.3
-golden from-the-paper "$build/from-the-paper" --recording recordings/paper.txt
+golden receivers "$build/receivers" --source sim:32 --seconds 0.3
+golden from-the-paper "$build/from-the-paper" --source recordings/paper.txt
 golden from-the-paper2 "$build/from-the-paper2" --seconds 0.1
 rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a misplaced example
 [ "$update" = update ] && exit
@@ -101,7 +101,7 @@ rm -r "$build/sketch" # or arduino-lint, run on the whole tree, takes it for a m
 # silence RECORDING WORDS: a recording that brings no line, and the reason given
 silence() {
   echo "$1" >"$build/silence.txt"
-  timeout 300 "$build/DecodeSBus" --simulated-time --recording "$build/silence.txt" >"$build/out" 2>"$build/err" &&
+  timeout 300 "$build/DecodeSBus" --simulated-time --source "$build/silence.txt" >"$build/out" 2>"$build/err" &&
     grep -q "$2" "$build/err" && [ ! -s "$build/out" ]
   verdict $? "a recording of which nothing is printed: $2"
 }
@@ -113,7 +113,7 @@ verdicts/lines.sh "$build/verdicts"
 grep -v '^#' verdicts/LINES >"$build/lines"
 while IFS='|' read -r finding _ _ by arguments; do
   case $by in *d*) ;; *) continue ;; esac
-  options=$(echo " $arguments" | sed "s,^ sim, --seconds 3.5,; s,^ , --recording ,; s,--recording --,--,; s,--baud,--line-baud,; s,WORK,$build/verdicts,")
+  options=$(echo " $arguments" | sed "s,^ sim,--seconds 3.5 --source sim,; s,^ ,--source ,; s,WORK,$build/verdicts,")
   # shellcheck disable=SC2086  # the options are words
   timeout 300 "$build/Diagnose" --simulated-time $options </dev/null 2>"$build/err" | grep -m 1 -v '^begin' >"$build/out"
   grep "^$finding" "$build/out" || { cat "$build/out" "$build/err"; false; }

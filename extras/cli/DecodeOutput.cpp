@@ -55,14 +55,15 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       }
       break;
     case Form::Json: {
-      Json json("wire");
-      json.text("signal", wire.signal());
+      JsonLine line;
+      line.source = _source;
+      line.signal = wire.signal();
       if (_isMeasured) {
-        json.number("baud", uint64_t{found.settings.baud})
-            .number("measured_baud", static_cast<uint64_t>(measured + 0.5))
-            .flag("inverted", _inverted);
+        line.baud = found.settings.baud;
+        line.inverted = _inverted;
       }
-      write(json.line());
+      Json json = lineJson(line);
+      write((_isMeasured ? json.number("measured_baud", static_cast<uint64_t>(measured + 0.5)) : json).line());
     }
   }
 }
@@ -137,7 +138,7 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t endNs, const line
       csvRow(stretch, endNs, values);
       break;
     case Form::Json:
-      write(frameJson(stretch, static_cast<double>(endNs) / 1e3, values).line());
+      write(frameJson(stretch, static_cast<double>(endNs) / 1e3, values, _channelForm).line());
   }
 }
 
@@ -165,7 +166,8 @@ void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t endNs, const lin
     row += i >= from && i < to ? "," + std::to_string(values.raw[i]) : ",";
   }
   if (extra) {
-    row += ",,,,,";
+    const uint8_t flags = stretch.characters[sbus::FlagsIndex].value;
+    row += format(",%d,%d,%d,%d,", flags & 1, flags >> 1 & 1, flags >> 2 & 1, flags >> 3 & 1);
   } else {
     row += _channels == 24 ? "" : format(",%d,%d", values.switches[0], values.switches[1]);
     row += format(",%d,%d,", values.lostFrame, values.failsafe);
@@ -179,7 +181,12 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
     bytes += (bytes.empty() ? "" : " ") + hex(character.value) + (character.bad() ? "!" : "");
   }
   const int64_t endNs = this->endNs(characters.back());
-  if (_form == Form::Json) {
+  if (_form == Form::Json && !stretch.slots.empty()) {
+    const auto startUs = static_cast<int64_t>(endNs / 1000) - static_cast<int64_t>(stretch.endUs());
+    for (const line::TimedSlot &slot : stretch.slots) {
+      write(slotJson(slot, static_cast<double>(startUs + static_cast<int64_t>(slot.endUs))).line());
+    }
+  } else if (_form == Form::Json) {
     write(noFrameJson(stretch, static_cast<double>(endNs) / 1e3).line());
   }
   if (_form != Form::Table) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cli/Json.h"
 #include "line/Observer.h"
 #include "line/capture/CaptureFile.h"
 
@@ -14,7 +16,8 @@ enum class Form { Table, Csv, Json };
 class DecodeOutput {
  public:
   // Shows each character if `characters` is true; otherwise frames, and the discarded bytes.
-  DecodeOutput(Form form, bool characters) : _form(form), _showsCharacters(characters) {}
+  DecodeOutput(Form form, bool characters, std::string source, const ChannelForm &channels)
+      : _form(form), _showsCharacters(characters), _source(std::move(source)), _channelForm(channels) {}
 
   // Takes the wire, once it is found.
   void begin(const line::WireDecoder &wire);
@@ -41,6 +44,8 @@ class DecodeOutput {
 
   const Form _form;
   const bool _showsCharacters;
+  const std::string _source;
+  const ChannelForm _channelForm;
   bool _isMeasured = true;  // the capture holds the wire, not characters that an analyser has decoded
   bool _inverted = true;
   int64_t _characterNs = 0;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "cli/HexText.h"
+#include "cli/JsonReader.h"
+#include "cli/TableReader.h"
 #include "line/capture/CaptureFile.h"
 #include "line/capture/RecordedCapture.h"
 #include "line/capture/Text.h"
@@ -97,6 +99,7 @@ void readHexLine(std::string_view line, const std::string &place, BackToBack &by
 FileSource readBytes(line::PackedFile &file, const std::string &name, bool isText, unsigned long baud) {
   FileSource source;
   source.kind = FileKind::Bytes;
+  source.hasTimes = false;
   source.settings.baud = baud > 0 ? baud : sbus::Baud;
   BackToBack bytes(source.recording, source.settings);
   if (isText) {
@@ -119,26 +122,46 @@ FileSource readBytes(line::PackedFile &file, const std::string &name, bool isTex
   return source;
 }
 
-FileSource readRecording(line::PackedFile &file, const std::string &name, FileKind kind, const std::string &head,
-                         unsigned long baud) {
+// Returns what the head of a text says of its line.
+FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
   FileSource source;
   source.kind = kind;
-  source.settings = kind == FileKind::Rows
-                        ? line::csvSettings()
-                        : line::settingsIn(std::string_view(head).substr(0, line::RecordingBeginning));
-  if (kind == FileKind::Recording && baud > 0) {
+  if (kind == FileKind::Recording) {
+    const std::string_view beginning = std::string_view(head).substr(0, line::RecordingBeginning);
+    source.settings = line::settingsIn(beginning);
+    source.startUs = line::startIn(beginning);
+    source.isLate = head.find('~') != std::string::npos;
+  } else if (kind == FileKind::Rows) {
+    source.settings = line::csvSettings();
+  } else if (kind == FileKind::Json) {
+    const JsonHead read = readJsonHead(head);
+    source.settings = read.settings;
+    source.startUs = read.startUs;
+    source.hasTimes = read.hasTimes;
+  }
+  if (kind != FileKind::Rows && baud > 0) {
     source.settings = line::LineSettings();
     source.settings.baud = baud;
   }
-  line::RecordingReader reader(source.settings.characterUs(), kind == FileKind::Rows);
-  line::forEachLine(file, [&reader](std::string_view line) { reader.line(line); });
-  source.recording = reader.finish();
-  if (!source.recording.error.empty()) {
-    const unsigned at = source.recording.errorLine;
-    throw std::runtime_error(name + (at > 0 ? ":" + std::to_string(at) : "") + ": " + source.recording.error);
-  }
   return source;
 }
+
+class RecordingLines : public LineReader {
+ public:
+  RecordingLines(uint32_t characterUs, bool areRows) : _reader(characterUs, areRows) {}
+
+  std::string line(std::string_view text, std::deque<line::Character> &characters) override {
+    _reader.line(text);
+    for (const line::Character character : _reader.take()) {
+      characters.push_back(character);
+    }
+    return _reader.error();
+  }
+  std::string finish() override { return _reader.finish().error; }
+
+ private:
+  line::RecordingReader _reader;
+};
 
 FileSource readCapture(const FileName &name, const line::Overrules &overrules) {
   line::RecordedCapture capture(overrules);
@@ -151,9 +174,12 @@ FileSource readCapture(const FileName &name, const line::Overrules &overrules) {
   FileSource file;
   file.kind = FileKind::Capture;
   file.settings = capture.settings();
+  file.signal = capture.wire().signal();
   file.recording = std::move(capture.recording);
   return file;
 }
+
+constexpr std::string_view RecordedBy = "# sbus ";  // how a recording begins that sbus has made
 
 bool isControl(unsigned char c) {
   return c < ' ' && c != '\t' && c != '\n' && c != '\r';
@@ -174,10 +200,11 @@ void saySignal(const std::string &name, const line::WireDecoder &wire) {
 
 // If a sketch's rows look like an oscilloscope's columns, they count as rows.
 FileKind kindOfText(const std::string &head, const std::string &name) {
-  if (head.rfind("time,", 0) == 0 || head.rfind("seconds,", 0) == 0) {
-    throw std::runtime_error(name +
-                             ": has a column of times, as sbus csv and the scope write it; only rows without are "
-                             "read again. Keep the line with sbus record");
+  if (line::withoutBlanks(line::withoutMark(head)).substr(0, 1) == "{") {
+    return FileKind::Json;
+  }
+  if (isFrameTable(head)) {
+    return FileKind::Table;
   }
   const std::string format = line::captureFormat(head);
   const bool rows = line::isCsvText(std::string_view(head).substr(0, line::RecordingBeginning));
@@ -216,10 +243,48 @@ FileSource readFile(const FileName &name, const line::Overrules &overrules) {
   if (kind == FileKind::Capture) {
     return readCapture(name, overrules);
   }
+  if (kind != FileKind::Bytes) {
+    FileSource source = headOf(kind, head, overrules.baud);
+    source.path = name.path;
+    return source;
+  }
   line::PackedFile file(name.path, name.shown);
   file.findOnly();
-  return kind == FileKind::Bytes ? readBytes(file, name.shown, !isBinary, overrules.baud)
-                                 : readRecording(file, name.shown, kind, head, overrules.baud);
+  return readBytes(file, name.shown, !isBinary, overrules.baud);
+}
+
+FileSource headOfPipe(FileKind kind, const std::string &head, unsigned long baud) {
+  return headOf(kind, head, baud);
+}
+
+std::unique_ptr<LineReader> makeReader(const FileSource &source) {
+  if (source.kind == FileKind::Json) {
+    return std::make_unique<JsonReader>(source.settings);
+  }
+  if (source.kind == FileKind::Table) {
+    return std::make_unique<TableReader>(source.settings);
+  }
+  return std::make_unique<RecordingLines>(source.settings.characterUs(), source.kind == FileKind::Rows);
+}
+
+std::optional<FileKind> liveKind(const std::string &begin) {
+  const std::string_view text = line::withoutMark(begin);
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  const size_t end = text.rfind('\n');
+  if (first == std::string_view::npos || end == std::string_view::npos || end < first) {
+    return std::nullopt;
+  }
+  if (text[first] == '{') {
+    return readJsonHead(text).isKnown ? std::optional(FileKind::Json) : std::nullopt;
+  }
+  if (text.substr(first, RecordedBy.size()) == RecordedBy) {
+    std::string_view rest = text.substr(first);
+    while (!rest.empty() && rest.front() == '#') {
+      line::takeLine(rest);
+    }
+    return rest.empty() ? std::nullopt : std::optional(FileKind::Recording);
+  }
+  return isFrameTable(text.substr(0, end + 1)) ? std::optional(FileKind::Table) : std::nullopt;
 }
 
 }  // namespace tool

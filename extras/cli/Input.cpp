@@ -22,6 +22,19 @@ uint64_t sinceUs(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
+void Input::check() {
+  _line->mayGoTo(_startUs);
+  if (!_line->failure().empty()) {
+    throw std::runtime_error(_line->failure());
+  }
+}
+
+void Input::wait() {
+  if (!_line->wait()) {
+    std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
+  }
+}
+
 void Input::run(const std::function<void(const line::Character &)> &put,
                 const std::function<void(uint64_t nowUs)> &tick) {
   if (_pace == Pace::True) {
@@ -50,10 +63,15 @@ void Input::run(const std::function<void(const line::Character &)> &put,
     }
     if (_pace == Pace::AtOnce) {
       nowUs += TickUs;
-    } else {
-      if (!_line->wait()) {
-        std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
+      while (!_line->mayGoTo(nowUs) && !stopped()) {
+        flush();
+        wait();
+        if (_seconds > 0 && static_cast<double>(sinceUs(start)) > _seconds * 1e6) {
+          return;  // nothing comes any more
+        }
       }
+    } else {
+      wait();
       nowUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs(start)) * _speed);
     }
     nowUs = std::min(nowUs, endUs);

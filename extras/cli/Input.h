@@ -48,10 +48,15 @@ class Input {
   // Returns the note of the line.
   std::string note() const { return _line->note(); }
 
+  // Throws std::runtime_error if the line fails at its beginning.
+  void check();
+
   // Makes run() return after the current tick.
   void end() { _ended = true; }
 
  private:
+  void wait();
+
   std::unique_ptr<line::Line> _line;
   line::LineSettings _settings;
   Pace _pace;

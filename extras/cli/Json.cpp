@@ -1,6 +1,9 @@
 #include "cli/Json.h"
 
+#include <cmath>
+
 #include "cli/Format.h"
+#include "line/recording/WallTime.h"
 
 namespace tool {
 
@@ -45,21 +48,47 @@ Json &Json::numbers(const char *name, const std::vector<double> &values) {
   return add(name, "[" + list + "]");
 }
 
-Json &Json::channels(const line::Values &values, size_t first, size_t count) {
-  const auto begin = values.raw.begin() + static_cast<std::ptrdiff_t>(first - 1);
-  return number("first", first)
-      .numbers("channels", std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count)));
+Json &Json::channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form) {
+  std::vector<double> all;
+  for (size_t i = first - 1; i < first - 1 + count; i++) {
+    all.push_back(std::round(10 * valueOf(values.raw[i], form.unit, form.range)) / 10);
+  }
+  return number("first", first).numbers(fieldOf(form.unit), all);
 }
 
-Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values) {
+Json lineJson(const JsonLine &line) {
+  Json json("line");
+  json.number("format", uint64_t{1}).text("source", line.source);
+  if (!line.signal.empty()) {
+    json.text("signal", line.signal);
+  }
+  if (line.baud) {
+    json.number("baud", uint64_t{*line.baud});
+  }
+  if (line.inverted) {
+    json.flag("inverted", *line.inverted);
+  }
+  if (line.startUs) {
+    json.text("start", line::wallTime(*line.startUs));
+  }
+  return line.isTimed ? json : json.flag("timed", false);
+}
+
+Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,
+               const ChannelForm &form) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   const bool is24 = stretch.kind == line::Stretch::Kind::Frame24;
   Json json("frame");
-  json.decimal("time_us", endUs).channels(values, extra ? 17 : 1, is24 ? 24 : 16);
+  json.decimal("time_us", endUs).channels(values, extra ? 17 : 1, is24 ? 24 : 16, form);
   if (!is24 && !extra) {
     json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
   }
-  if (!extra) {
+  if (extra) {
+    const uint8_t flags = stretch.characters[sbus::FlagsIndex].value;
+    const auto has = [flags](uint8_t mask) { return (flags & mask) != 0; };
+    json.flag("dg1", has(1)).flag("dg2", has(2));
+    json.flag("lost_frame", has(sbus::FlagLostFrame)).flag("failsafe", has(sbus::FlagFailsafe));
+  } else {
     json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
   }
   return json.text("end", format("%02X", static_cast<unsigned>(stretch.characters.back().value)));
@@ -72,12 +101,14 @@ Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs) {
              (character.bad ? "!" : "");
   }
   Json json("no_frame");
-  json.decimal("time_us", endUs).text("bytes", bytes).text("why", why(stretch));
-  std::vector<double> numbers;
-  for (const sbus::Slot &slot : stretch.slots) {
-    numbers.push_back(slot.number);
-  }
-  return numbers.empty() ? json : json.numbers("slots", numbers);
+  return json.decimal("time_us", endUs).text("bytes", bytes).text("why", why(stretch));
+}
+
+Json slotJson(const sbus::Slot &slot, std::optional<double> endUs) {
+  Json json("slot");
+  return json.decimal("time_us", endUs)
+      .number("slot", uint64_t{slot.number})
+      .numbers("data", {static_cast<double>(slot.data.data0), static_cast<double>(slot.data.data1)});
 }
 
 }  // namespace tool

@@ -6,11 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "cli/Units.h"
 #include "line/Segments.h"
 #include "line/Statistics.h"
 #include "sbus/Counters.h"
 
 namespace tool {
+
+// The unit of the channels, and what 0 % and +-100 % are.
+struct ChannelForm {
+  Unit unit = Unit::Raw;
+  sbus::Range range = sbus::FrSky;
+};
 
 class Json {
  public:
@@ -24,10 +31,12 @@ class Json {
   Json &number(const char *name, std::optional<uint64_t> value) {
     return add(name, value ? std::to_string(*value) : "null");
   }
+  // Adds what is a number already.
+  Json &digits(const char *name, const std::string &number) { return add(name, number); }
   Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if there is none
   Json &numbers(const char *name, const std::vector<double> &values);
-  // Adds the raw values of `count` channels from CH`first` on.
-  Json &channels(const line::Values &values, size_t first, size_t count);
+  // Adds the values of `count` channels from CH`first` on, in a unit.
+  Json &channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form);
 
   std::string line() const { return "{" + _text + "}\n"; }
 
@@ -37,9 +46,22 @@ class Json {
   std::string _text;
 };
 
-// Return the line of a frame, and of bytes that belong to no frame. `endUs`: where their last character ends; none:
-// null.
-Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values);
+// What the first line says of the source.
+struct JsonLine {
+  std::string source;
+  std::string signal;                // of a capture; otherwise empty
+  std::optional<unsigned long> baud;
+  std::optional<bool> inverted;
+  std::optional<int64_t> startUs;    // when time 0 is, in us since 1970
+  bool isTimed = true;               // the times are those of the line
+};
+Json lineJson(const JsonLine &line);
+
+// Return the line of a frame, of bytes that belong to no frame, and of a telemetry slot. `endUs`: where their last
+// character ends; none: null.
+Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,
+               const ChannelForm &form);
 Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs);
+Json slotJson(const sbus::Slot &slot, std::optional<double> endUs);
 
 }  // namespace tool

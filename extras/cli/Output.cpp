@@ -1,5 +1,6 @@
 #include "cli/Output.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -62,6 +63,14 @@ void writeTo(const std::string &name, File kind, const std::function<void(const 
     require(file.failure());
   });
   require(file.finish());
+}
+
+void rejectSameFile(const std::string &read, const std::string &written) {
+  struct stat one, other;
+  if (stat(read.c_str(), &one) == 0 && stat(written.c_str(), &other) == 0 && one.st_dev == other.st_dev &&
+      one.st_ino == other.st_ino && S_ISREG(one.st_mode)) {
+    throw std::runtime_error(written + ": is also the input; name another file");
+  }
 }
 
 }  // namespace tool

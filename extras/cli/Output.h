@@ -25,4 +25,7 @@ using Put = std::function<void(const std::string &text)>;
 enum class File { Any, New };
 void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print);
 
+// Throws std::runtime_error if the output is also the input.
+void rejectSameFile(const std::string &read, const std::string &written);
+
 }  // namespace tool

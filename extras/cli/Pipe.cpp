@@ -28,7 +28,7 @@ constexpr int WaitMs = 50;
 constexpr int PauseMs = 100;  // in which rows of a sketch pause, a file does not
 constexpr double NoteAfterS = 2;
 
-enum class Content { Unknown, Bytes, Packed, Text };
+enum class Look { Unknown, Bytes, Packed, Text };
 
 bool isControl(unsigned char c) {
   return c < ' ' && c != '\t' && c != '\n' && c != '\r';
@@ -36,29 +36,29 @@ bool isControl(unsigned char c) {
 
 // A line of S.Bus shows itself by the header in each frame, 0F: it is no character of a text. A text has few beyond
 // ASCII, such as a micro sign.
-Content contentOf(const std::string &begin, bool ended) {
+Look lookOf(const std::string &begin, bool ended) {
   constexpr size_t Enough = sbus::FrameSize24;
   constexpr std::string_view Little("\xFF\xFE", 2), Big("\xFE\xFF", 2);
   if (line::isPacked(begin)) {
-    return Content::Packed;
+    return Look::Packed;
   }
   if (line::maybePacked(begin) && !ended) {
-    return Content::Unknown;
+    return Look::Unknown;
   }
   const std::string_view mark = std::string_view(begin).substr(0, Little.size());
   const bool maybeUtf16 = Little.substr(0, mark.size()) == mark || Big.substr(0, mark.size()) == mark;
   if (maybeUtf16 && begin.size() >= 4 && begin[mark == Little ? 3 : 2] == 0) {
-    return Content::Text;
+    return Look::Text;
   }
   if (maybeUtf16 && begin.size() < 4 && !ended) {
-    return Content::Unknown;
+    return Look::Unknown;
   }
   if (std::any_of(begin.begin(), begin.end(), isControl)) {
-    return Content::Bytes;
+    return Look::Bytes;
   }
   const auto others = std::count_if(begin.begin(), begin.end(), [](char c) { return c < 0; });
   const bool isText = 4 * static_cast<size_t>(others) < begin.size();
-  return begin.size() < Enough && !ended ? Content::Unknown : isText ? Content::Text : Content::Bytes;
+  return begin.size() < Enough && !ended ? Look::Unknown : isText ? Look::Text : Look::Bytes;
 }
 
 // Returns true if a text is the rows of a sketch, as kindOfText() tells them from a capture.
@@ -95,10 +95,10 @@ bool Pipe::isPipe(const std::string &name) {
   return name == "-" || (stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode));
 }
 
-bool Pipe::isLive(double seconds) {
+Pipe::Content Pipe::content(double seconds) {
   struct stat status;
   if (fstat(_file, &status) != 0 || S_ISCHR(status.st_mode) || S_ISREG(status.st_mode)) {
-    return !S_ISREG(status.st_mode);
+    return S_ISREG(status.st_mode) ? Content::File : Content::Line;
   }
   const auto start = std::chrono::steady_clock::now();
   bool isSaid = false;
@@ -108,23 +108,27 @@ bool Pipe::isLive(double seconds) {
     if (_begin.empty() && !_ended && waited >= NoteAfterS && !std::exchange(isSaid, true)) {
       std::fprintf(stderr, "%s: no bytes yet\n", _name.c_str());
     }
-    const Content content = contentOf(_begin, _ended);
-    if (_begin.empty() ? _ended || (seconds > 0 && waited >= seconds) : content == Content::Bytes) {
-      return true;
+    const Look look = lookOf(_begin, _ended);
+    if (_begin.empty() ? _ended || (seconds > 0 && waited >= seconds) : look == Look::Bytes) {
+      return Content::Line;
     }
-    if (content == Content::Packed || _ended) {
-      return false;
+    _textKind = look == Look::Packed ? std::nullopt : liveKind(_begin);
+    if (_textKind) {
+      return Content::Text;
+    }
+    if (look == Look::Packed || _ended) {
+      return Content::File;
     }
     const bool isPause = !came || _begin.size() >= line::RecordingBeginning;
-    if (content == Content::Unknown && !came && seconds > 0 && waited >= seconds) {
-      return true;
+    if (look == Look::Unknown && !came && seconds > 0 && waited >= seconds) {
+      return Content::Line;
     }
-    if (content != Content::Bytes && isPause && areRows(_begin)) {
+    if (look != Look::Bytes && isPause && areRows(_begin)) {
       _hasRows = true;
-      return true;
+      return Content::Line;
     }
   }
-  return _begin.empty();
+  return _begin.empty() ? Content::Line : Content::File;
 }
 
 // Reads what comes within `ms`. Returns false if nothing came.

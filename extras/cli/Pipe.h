@@ -1,6 +1,7 @@
 // A source that may be a pipe: standard input, or a FIFO. What comes may be a live line, or a file of any kind.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/FileSource.h"
@@ -18,9 +19,12 @@ class Pipe {
   // Returns true for standard input and for a FIFO.
   static bool isPipe(const std::string &name);
 
-  // Waits for the first bytes, for `seconds` at most; 0: until Ctrl-C. Returns true if they are a line's, or the rows
-  // of a sketch; false if they are a file: packed, a capture, or another text. A pipe in which nothing comes is a line.
-  bool isLive(double seconds);
+  // What a pipe brings: the bytes of a line, or the rows of a sketch; a text that can be played while it is being
+  // written; or a file of another kind, which has to be read to its end first.
+  enum class Content { Line, Text, File };
+
+  // Waits for the first bytes, for `seconds` at most; 0: until Ctrl-C. A pipe in which nothing comes is a line.
+  Content content(double seconds);
 
   // Returns the file, of a pipe a copy of all that comes. Throws std::runtime_error.
   FileName wholeFile();
@@ -28,7 +32,10 @@ class Pipe {
   // Returns true if the live line brings the rows of a sketch.
   bool hasRows() const { return _hasRows; }
 
-  // Both are of a live line: its descriptor, and the bytes that have been read from it.
+  // Returns the kind of the text.
+  FileKind textKind() const { return *_textKind; }
+
+  // Both are of a live line, or a text: its descriptor, and the bytes that have been read from it.
   int descriptor() const { return _file; }
   const std::string &begin() const { return _begin; }
 
@@ -40,6 +47,7 @@ class Pipe {
   std::string _begin;
   bool _ended = false;
   bool _hasRows = false;
+  std::optional<FileKind> _textKind;
   int _copy = -1;
 };
 

@@ -9,8 +9,8 @@ constexpr size_t TextMax = 4096;  // bytes of a text without rows
 }  // namespace
 
 Recorder::Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
-                   const Put &write)
-    : _title("sbus " + title), _settings(settings), _hasTimes(hasTimes), _write(write) {
+                   std::optional<int64_t> startUs, const Put &write)
+    : _title("sbus " + title), _settings(settings), _hasTimes(hasTimes), _startUs(startUs), _write(write) {
   _observer.reset(0, settings.characterUs());
   if (isCopy) {
     begin(Kind::Characters);
@@ -18,6 +18,7 @@ Recorder::Recorder(const std::string &title, const line::LineSettings &settings,
 }
 
 void Recorder::put(const line::Character &character) {
+  _lastEndUs = character.endUs;
   _observer.put(character);
   const bool line = _rows.put(character);
   if (_kind == Kind::Rows) {
@@ -29,6 +30,13 @@ void Recorder::put(const line::Character &character) {
     decide(character);
   }
   flush();
+}
+
+void Recorder::idleUntil(uint64_t us) {
+  if (us > _lastEndUs + 2 * uint64_t{_settings.characterUs()}) {
+    _writer.finish();
+    flush();
+  }
 }
 
 void Recorder::finish() {
@@ -65,6 +73,9 @@ void Recorder::begin(Kind kind) {
     _writer.comment(_title);
     if (!_hasTimes) {
       _writer.comment("times are not known: those below are not the line's");
+    }
+    if (_startUs) {
+      _writer.began(*_startUs);
     }
     _writer.opened(_settings);
     for (const line::Character &character : _first) {

@@ -1,6 +1,8 @@
 // Keeps a line as a recording, or a sketch's rows as CSV: for `record` and `monitor`.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +18,14 @@ namespace tool {
 class Recorder {
  public:
   // Hands the text to `write`. The file's first comment is "sbus " and `title`. `isCopy`: of a recording. Without
-  // `hasTimes` a comment says that the times are not the line's.
-  Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes, const Put &write);
+  // `hasTimes` a comment says that the times are not the line's; with `startUs` another says when time 0 was.
+  Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
+           std::optional<int64_t> startUs, const Put &write);
 
   void put(const line::Character &character);
+
+  // Takes the time up to which no other character came: what the line has brought is then written.
+  void idleUntil(uint64_t us);
 
   // Writes what is still held back. Call it after the last character.
   void finish();
@@ -41,12 +47,14 @@ class Recorder {
   const std::string _title;
   const line::LineSettings _settings;
   const bool _hasTimes;
+  const std::optional<int64_t> _startUs;
   const Put &_write;
   line::RecordingWriter _writer;
   line::Observer _observer;
   line::CsvRows _rows;
   Kind _kind = Kind::Unknown;
   std::vector<line::Character> _first;
+  uint64_t _lastEndUs = 0;
   size_t _columns = 0;
   unsigned long _rowCount = 0;
 };

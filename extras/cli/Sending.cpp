@@ -102,12 +102,12 @@ class Bursts {
 }  // namespace
 
 Sending::Sending(Subcommand &subcommand) {
-  subcommand.option("--to", _to, "a serial port; without it a pseudo-terminal, whose name is printed").type("DEVICE");
+  subcommand.option("--port", _to, "a serial port; without it a pseudo-terminal, whose name is printed").type("DEVICE");
 }
 
-void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const {
-  std::unique_ptr<Input> input = open();
-  Destination destination(_to, input->settings());
+void Sending::run(Input &input) const {
+  input.check();
+  Destination destination(_to, input.settings());
   if (!destination.waitForReader()) {
     return;
   }
@@ -115,26 +115,20 @@ void Sending::run(const std::function<std::unique_ptr<Input>()> &open, bool loop
   unsigned long sent = 0;
   unsigned long lost = 0;
   unsigned long bad = 0;
-  while (true) {
-    Bursts bursts(input->settings().characterUs());
-    input->run(
-        [&](const line::Character &character) {
-          bad += character.bad;
-          bursts.put(character);
-        },
-        [&](uint64_t nowUs) {
-          const std::vector<uint8_t> bytes = bursts.take(nowUs);
-          if (!bytes.empty()) {
-            const size_t count = destination.send(nowUs, bytes);
-            sent += count;
-            lost += bytes.size() - count;
-          }
-        });
-    if (!loop || stopped()) {
-      break;
-    }
-    input = open();
-  }
+  Bursts bursts(input.settings().characterUs());
+  input.run(
+      [&](const line::Character &character) {
+        bad += character.bad;
+        bursts.put(character);
+      },
+      [&](uint64_t nowUs) {
+        const std::vector<uint8_t> bytes = bursts.take(nowUs);
+        if (!bytes.empty()) {
+          const size_t count = destination.send(nowUs, bytes);
+          sent += count;
+          lost += bytes.size() - count;
+        }
+      });
   destination.finish();
   say(std::to_string(sent) + " characters sent" +
       (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +

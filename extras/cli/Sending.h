@@ -1,8 +1,6 @@
-// Sends a line's characters through a port, or a pseudo-terminal: for `replay`, `simulate` and `send`.
+// Sends a line's characters through a port, or a pseudo-terminal: for `send`.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 
 #include "cli/Input.h"
@@ -15,12 +13,8 @@ class Sending {
   // Adds its options to a subcommand.
   explicit Sending(Subcommand &subcommand);
 
-  // Sends to this port; to a pseudo-terminal if it is empty.
-  explicit Sending(std::string port) : _to(std::move(port)) {}
-
-  // Sends the line that `open` returns; with `loop` repeats this until Ctrl-C. A pseudo-terminal first waits for its
-  // reader. Throws std::runtime_error.
-  void run(const std::function<std::unique_ptr<Input>()> &open, bool loop) const;
+  // Sends this line. A pseudo-terminal first waits for its reader. Throws std::runtime_error.
+  void run(Input &input) const;
 
  private:
   std::string _to;

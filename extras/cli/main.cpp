@@ -25,8 +25,6 @@ void addSubcommands(CLI::App &app) {
   tool::addCsv(app);
   tool::addPlot(app);
   tool::addRecord(app);
-  tool::addReplay(app);
-  tool::addSimulate(app);
   tool::addSend(app);
   tool::addCalibrate(app);
   tool::addJoystick(app);

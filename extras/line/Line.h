@@ -36,6 +36,9 @@ class Line {
   // Waits until next() may bring more, for 50 ms at most. Returns false without waiting if the line cannot tell.
   virtual bool wait() { return false; }
 
+  // Returns true if all characters up to `us` have come, or nothing more will. For a reader that sets the time itself.
+  virtual bool mayGoTo(uint64_t /*us*/) { return true; }
+
   // Returns true if nothing more will ever come.
   virtual bool finished(uint64_t /*nowUs*/) const { return false; }
 

@@ -27,7 +27,7 @@ constexpr Error Errors[] = {{true, false, "parity error"},
                             {false, false, "parity or framing error"}};
 
 // Returns "telemetry slots 1, 2".
-std::string numbersOf(const std::vector<sbus::Slot> &slots) {
+std::string numbersOf(const std::vector<TimedSlot> &slots) {
   std::string text = slots.size() == 1 ? "telemetry slot" : "telemetry slots";
   for (size_t i = 0; i < slots.size(); i++) {
     text += (i == 0 ? " " : ", ") + std::to_string(slots[i].number);

@@ -21,6 +21,11 @@ struct Rejected {
 };
 
 // A piece of the line. All stretches together are the line: each character once, in order.
+// A telemetry slot, with the end of its last character.
+struct TimedSlot : sbus::Slot {
+  uint64_t endUs;
+};
+
 struct Stretch {
   enum class Kind { Frame, Frame24, Extra, NoFrame };  // Extra: a frame with header 2F
 
@@ -28,7 +33,7 @@ struct Stretch {
   uint64_t at = 0;                    // place of its first character
   std::vector<Character> characters;  // 1 or more; a frame has none with an error
   std::vector<Rejected> rejected;     // of NoFrame; places in the stretch
-  std::vector<sbus::Slot> slots;      // of NoFrame: the telemetry that it is, if a frame follows
+  std::vector<TimedSlot> slots;       // of NoFrame: the telemetry that it is, if a frame follows
 
   bool isFrame() const { return kind != Kind::NoFrame; }
   uint64_t endUs() const { return characters.back().endUs; }

@@ -1,7 +1,11 @@
 #include "line/Source.h"
 
+#include <sys/stat.h>
+
+#include <stdexcept>
 #include <utility>
 
+#include "line/recording/Words.h"
 #include "line/simulation/NoisyLine.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RecordingFile.h"
@@ -18,12 +22,82 @@ constexpr uint64_t SketchLeadUs = 1000;
 // An original SBS-01V: 5.6 V and 12.5 V, github.com/dgatf/msrc/issues/173.
 constexpr BusSensor ExampleSensor[] = {{1, {0x80, 0x38}}, {2, {0x00, 0x7D}}};
 
+constexpr unsigned NoiseMax = 100000;
+
+// Takes a word. Returns false if it is none of sim, or of a file.
+bool takeSourceWord(const std::string &word, Source &source) {
+  if (word == "uninverted") {
+    source.settings.polarity = Polarity::Uninverted;
+  } else if (word.rfind("noise=", 0) == 0) {
+    const std::string digits = word.substr(6);
+    const bool isNumber = digits.find_first_not_of("0123456789") == std::string::npos;
+    source.noise = isNumber && !digits.empty() && digits.size() <= 6 ? static_cast<unsigned>(std::stoul(digits)) : 0;
+    return source.noise >= 1 && source.noise <= NoiseMax;
+  } else if (!source.isSimulated()) {
+    return false;
+  } else if (word == "16" || word == "24" || word == "32") {
+    source.channels = word == "24"   ? Channels::TwentyFour
+                      : word == "32" ? Channels::ThirtyTwo
+                                     : Channels::Sixteen;
+  } else if (word == "sbus2") {
+    source.sbus2 = true;
+  } else if (word == "silent") {
+    source.silent = true;
+  } else if (word == "calibration") {
+    source.sticks = Sticks::Calibration;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool exists(const std::string &name) {
+  struct stat status;
+  return stat(name.c_str(), &status) == 0;
+}
+
+// Takes the words behind the colon. Returns the first wrong one; empty if none is.
+std::string takeSourceWords(const std::string &words, Source &source) {
+  for (size_t begin = 0; begin != std::string::npos;) {
+    const size_t comma = words.find(',', begin);
+    const std::string word = lower(withoutBlanks(std::string_view(words).substr(begin, comma - begin)));
+    if (!takeSourceWord(word, source)) {
+      return quoted(word);
+    }
+    begin = comma == std::string::npos ? comma : comma + 1;
+  }
+  return {};
+}
+
 }  // namespace
+
+// The name of a file may have a colon itself.
+Source parseSource(const std::string &text) {
+  const size_t colon = text.rfind(':');
+  Source source;
+  const bool isSim = text.substr(0, text.find(':')) == "sim" && !exists(text);
+  source.name = isSim ? "" : text;
+  if (colon == std::string::npos || (!isSim && (exists(text) || !exists(text.substr(0, colon))))) {
+    return source;
+  }
+  source.name = isSim ? "" : text.substr(0, colon);
+  const std::string wrong = takeSourceWords(text.substr(isSim ? 4 : colon + 1), source);
+  if (!wrong.empty()) {
+    throw std::runtime_error(text + ": " + wrong + " is no word after the colon; " +
+                             (isSim ? "there are 16, 24, 32, sbus2, silent, calibration, noise=1 to noise=100000 and "
+                                      "uninverted, such as sim:24,noise=30"
+                                    : "there are noise=1 to noise=100000 and uninverted"));
+  }
+  if (source.sbus2 && (source.silent || source.channels != Channels::Sixteen)) {
+    throw std::runtime_error(text + ": sbus2 has 16 channels and is not silent; leave one of the words out");
+  }
+  return source;
+}
 
 std::unique_ptr<Line> Source::open() const {
   std::unique_ptr<Line> line;
-  if (!recording.empty()) {
-    Recording read = readRecording(recording, settings.characterUs());
+  if (!isSimulated()) {
+    Recording read = readRecording(name, settings.characterUs());
     const bool isLate = read.characters.isLate();
     line = std::make_unique<RecordedLine>(std::move(read), isForSketch ? SketchLeadUs : 0);
     if (isLate && isForSketch) {
@@ -47,7 +121,7 @@ std::unique_ptr<Line> Source::open() const {
 }
 
 std::string Source::text() const {
-  return !recording.empty()                 ? "recording " + recording + ", once"
+  return !isSimulated()                     ? "recording " + name + ", once"
          : silent                           ? "a line with nothing on it"
          : sbus2                            ? "simulated Futaba receiver with S.BUS2, an SBS-01V in slot 1"
          : channels == Channels::TwentyFour ? "simulated FrSky receiver of 24 channels"

@@ -1,4 +1,4 @@
-// Chooses a line: a recording, the simulated receiver, or nothing; and its disturbances.
+// SOURCE as a user writes it: a recording, a port, or the simulated receiver; and its disturbances.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 namespace line {
 
 struct Source {
-  std::string recording;  // a file's name; empty: the simulated receiver
+  std::string name;  // of a file or port; empty: the simulated receiver
   bool silent = false;    // nothing comes
   // Of the simulated receiver.
   Sticks sticks = Sticks::Flight;
@@ -23,11 +23,26 @@ struct Source {
   // If true, a recording begins a moment after the port is opened, and that of a late port gets its gaps back.
   bool isForSketch = false;
 
-  // Opens the line. Throws std::runtime_error if the recording cannot be read.
+  bool isSimulated() const { return name.empty(); }
+  // Returns true if it changes a line that is not simulated.
+  bool disturbs() const { return noise > 0 || settings.idleHigh(); }
+
+  // Opens a recording, or the simulated receiver. Throws std::runtime_error if the recording cannot be read.
   std::unique_ptr<Line> open() const;
 
   // Returns "simulated FrSky R-XSR", "recording line.txt, once" ...
   std::string text() const;
 };
+
+// Reads "sim", "flight.txt" or "/dev/ttyUSB0"; after a colon words: "sim:24,noise=30" or "flight.txt:uninverted". Throws
+// std::runtime_error if a word is wrong.
+//
+//   16, 24, 32       channels of sim: 24 are FrSky's, 32 Futaba's FASSTest 26
+//   sbus2            sim speaks S.BUS2
+//   silent           sim sends nothing
+//   calibration      the sticks of sim move as for a calibration
+//   noise=N          N disturbances a second, 1 to 100000, on sim or a file
+//   uninverted       sim or a file is idle HIGH, as on a receiver's uninverted pad
+Source parseSource(const std::string &text);
 
 }  // namespace line

@@ -27,17 +27,17 @@ CH3 172 992 1811
 CH4 172 992 1811
 CH5 172 992 1811
 CH6 172 992 1811'
-while IFS='|' read -r keys options; do
+while IFS='|' read -r keys words options; do
   rm -f "$work/file"
   # shellcheck disable=SC2086  # they are words
-  "$SBUS" calibrate sim --sticks calibration --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
+  "$SBUS" calibrate sim:calibration${words:+,$words} --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     grep -v 'still: let go' "$work/err" >"$work/steps" && printf '%s\n%s:\n%s\n' "$steps" "$work/file" "$table" | cmp - "$work/steps" && echo "$table" | cmp - "$work/file"
-  verdict $? "calibrate sim $options, with Enter as in $keys, says each step and finds the ranges of CH1 to CH6"
+  verdict $? "calibrate sim:$words $options, with Enter as in $keys, says each step and finds the ranges of CH1 to CH6"
 done <<'END'
-enter|
-enter|--noise 50
-enter|--channels 32
-early|
+enter||
+enter|noise=50|
+enter|32|
+early||
 END
 grep -qx 'CH[1-4] did not stand still: let go of it\.' "$work/err"
 verdict $? "after Enter while the sticks still move, calibrate waits until they rest"
@@ -100,14 +100,14 @@ rm "$work/adapter"  # a library has no links, not even in build/
 
 # ---- An error leaves no file behind, and no existing file is lost
 
-while IFS='|' read -r keys options message; do
+while IFS='|' read -r keys words options message; do
   rm -f "$work/file"
   # shellcheck disable=SC2086  # they are words
-  ! "$SBUS" calibrate sim --sticks calibration --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
+  ! "$SBUS" calibrate sim:calibration${words:+,$words} --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     [ "$(tail -n 1 "$work/err")" = "sbus calibrate: $message" ] && [ ! -e "$work/file" ]
-  verdict $? "calibrate sim $options says: $message"
+  verdict $? "calibrate sim:$words $options says: $message"
 done <<'END'
-enter|--seconds 20|nothing was written, since the third step was not completed: CH1 is where it rested: push it up or right
-enter|--seconds 14 --silent|nothing was written, since the third step was not completed: CH1 was not seen: switch the radio on
-none|--seconds 20|standard input has ended, so Enter cannot be pressed; run it in a terminal
+enter||--seconds 20|nothing was written, since the third step was not completed: CH1 is where it rested: push it up or right
+enter|silent|--seconds 14|nothing was written, since the third step was not completed: CH1 was not seen: switch the radio on
+none||--seconds 20|standard input has ended, so Enter cannot be pressed; run it in a terminal
 END

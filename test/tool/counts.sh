@@ -11,13 +11,12 @@ mkdir -p "$work"
 
 # Lines of each variant, clean and with noise: S.BUS2, end byte 08 with five more bytes, 24 and 32 channels.
 cp recordings/sbus2.txt "$work/real-sbus2.txt"
-for line in 16: 24:--channels\ 24 32:--channels\ 32 sbus2:--sbus2; do
-  # shellcheck disable=SC2086  # the options are words
-  "$SBUS" record sim "$work/${line%%:*}.txt" ${line#*:} --simulated-time --seconds 3 2>"$work/err"
+for line in 16 24 32 sbus2; do
+  "$SBUS" record sim:$line "$work/$line.txt" --simulated-time --seconds 3 2>"$work/err"
 done
 awk '/^#/ || NF != 26 { print; next } { $26 = "08"; print $0, "00 03 C0 33 00" }' "$work/16.txt" >"$work/08.txt"
 for name in 16 24 32 sbus2 08; do
-  "$SBUS" record "$work/$name.txt" "$work/$name-noise.txt" --noise 40 --simulated-time 2>"$work/err"
+  "$SBUS" record "$work/$name.txt:noise=40" "$work/$name-noise.txt" --simulated-time 2>"$work/err"
 done
 python3 - "$SBUS" "$work" "$work"/*.txt <<'END'
 import json, os, subprocess, sys
@@ -29,17 +28,19 @@ def lines(*arguments):
 wrong = 0
 slots_seen = discarded_seen = 0
 for file in files:
-    frames = slots = telemetry = discarded = errors = 0
+    frames = slots = discarded = errors = in_frames = 0
     for line in lines("hex", file):
         if line["type"] == "frame":
             frames += line["first"] == 1
+            in_frames += 36 if len(line["channels"]) == 24 else 25
+        elif line["type"] == "slot":
+            slots += 1
         elif line["type"] == "no_frame":
-            count = line["bytes"].split()
-            slots += len(line.get("slots", []))
-            telemetry += len(count) if "slots" in line else 0
-            discarded += 0 if "slots" in line else sum("!" not in byte for byte in count)
-            errors += sum("!" in byte for byte in count)
-    summary = lines("summary", file)[0]
+            discarded += sum("!" not in byte for byte in line["bytes"].split())
+            errors += line["bytes"].count("!")
+        elif line["type"] == "end":
+            telemetry = line["characters"] - in_frames - discarded - errors
+    summary = lines("summary", file)[1]
     trial = next(line for line in lines("doctor", file) if line.get("frames"))
     counts = {
         "hex": (frames, slots, telemetry, discarded, errors),
@@ -57,7 +58,7 @@ verdict $? "hex, telemetry, summary and doctor agree on frames, slots, discarded
 
 # A link state has one name everywhere.
 "$SBUS" monitor "$work/16.txt" --simulated-time | sed 's/^[0-9.]*  \([a-z ]*\)  .*/\1/' | sort -u >"$work/text"
-"$SBUS" monitor "$work/16.txt" --simulated-time --json | sed 's/.*"state":"\([a-z ]*\)".*/\1/' | sort -u >"$work/json"
+"$SBUS" monitor "$work/16.txt" --simulated-time --json | sed 1d | sed 's/.*"state":"\([a-z ]*\)".*/\1/' | sort -u >"$work/json"
 { echo 'never seen'; "$SBUS" csv "$work/16.txt" --every-frame --columns state; } | sort -u >"$work/csv"
 for form in json csv; do
   [ -s "$work/$form" ] && ! comm -23 "$work/$form" "$work/text" | grep -qvx 'lossy'

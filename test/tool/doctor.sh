@@ -48,13 +48,13 @@ while IFS='|' read -r finding well figures by arguments; do
   asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
 done <"$WORK/lines"
 
-player simulate
+player send sim
 asked_live 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
 kill $player
-player simulate --silent
+player send sim:silent
 asked 1 'No signal:' - "$terminal"
 kill $player
-player replay golden/AllChannels.csv --loop
+player send golden/AllChannels.csv --loop
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 
@@ -98,7 +98,7 @@ install -m 755 "$SBUS" "$folder/sbus"
 as_user() {
   if [ "$(id -u)" -eq 0 ]; then setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; else "$@"; fi
 }
-player simulate
+player send sim
 "$SBUS" hex "$terminal" >"$WORK/reader" 2>&1 &
 reader=$!
 until [ -s "$WORK/reader" ] || ! kill -0 $reader; do sleep 0.1; done

@@ -68,11 +68,11 @@ verdict $? "monitor of a capture is as of its recording"
 "$SBUS" record "$work/sbus2-0.vcd" "$work/recorded.txt" 2>"$work/err" && bytes recordings/sbus2.txt >"$work/wanted" &&
   bytes "$work/recorded.txt" | cmp - "$work/wanted"
 verdict $? "record of a capture has the recording's bytes"
-"$SBUS" replay "$work/sbus2-1.csv" >"$work/terminal" 2>"$work/err" &
+"$SBUS" send "$work/sbus2-1.csv" >"$work/terminal" 2>"$work/err" &
 player=$!
 until [ -s "$work/terminal" ] || ! kill -0 $player; do sleep 0.1; done
 "$SBUS" record "$(cat "$work/terminal")" "$work/replayed.txt" 2>"$work/err" && bytes "$work/replayed.txt" | cmp - "$work/wanted"
-verdict $? "replay of a capture sends the recording's bytes"
+verdict $? "send of a capture sends the recording's bytes"
 wait $player
 
 capture vcd 0 5 <recordings/slow/"$(ls recordings/slow | head -n 1)" >"$work/fast.vcd"

@@ -10,7 +10,7 @@ mkdir -p "$work"
 . tool/common.sh
 
 for channels in 16 24 32; do
-  line="sim --simulated-time --seconds 0.2 --noise 20 --channels $channels"
+  line="sim:noise=20,$channels --simulated-time --seconds 0.2"
   # shellcheck disable=SC2086  # the arguments are words
   "$SBUS" hex $line >"$work/hex" && "$SBUS" hex $line --values >"$work/values" && "$SBUS" hex $line --delta >"$work/delta" &&
     awk '/  (frame|frame24|extra) end/ { sub(/^ *[0-9.]+ +/, ""); sub(/ +(frame|extra).*/, ""); print }' "$work/hex" |
@@ -29,11 +29,11 @@ whole() {
       line = line bytes; rest = rest " " text }
     END { print line rest }' | sed 's/  */ /g; s/ $//'
 }
-line="sim --simulated-time --seconds 10.2 --noise 20"
+line="--simulated-time --seconds 10.2"
 for width in 60 80 120 300; do
-  for options in '--channels 16' '--channels 24 --values' '--channels 32 --values --delta'; do
+  for options in 16 '24 --values' '32 --values --delta'; do
     # shellcheck disable=SC2086  # the arguments are words
-    "$SBUS" hex $line $options | whole >"$work/whole" && "$SBUS" hex $line $options --width $width >"$work/folded" &&
+    "$SBUS" hex sim:noise=20,$options $line | whole >"$work/whole" && "$SBUS" hex sim:noise=20,$options $line --width $width >"$work/folded" &&
       whole <"$work/folded" | cmp - "$work/whole" && [ "$(wc -l <"$work/whole")" -gt 900 ] &&
       awk -v width=$width 'length($0) > width { print; exit 1 }' "$work/folded"
     verdict $? "hex --width $width $options: no line is longer, and nothing is missing"

@@ -142,13 +142,13 @@ END
 # Lines of 24 and 32 channels: CH17 and CH18 are no switches there, and frames with header 2F come between.
 for channels in 24 32; do
   rm -f "$UINPUT_LOG"
-  joystick sim --channels $channels --simulated-time --seconds 2 --failsafe hold --range 0,400,700
-  "$SBUS" csv sim --channels $channels --simulated-time --seconds 2 --every-frame --columns ch9-ch$channels | tail -n 1 |
+  joystick sim:$channels --simulated-time --seconds 2 --failsafe hold --range 0,400,700
+  "$SBUS" csv sim:$channels --simulated-time --seconds 2 --every-frame --columns ch9-ch$channels | tail -n 1 |
     tr -d '\r' | tr , '\n' | awk '$1 > 550 { printf " %d", NR }' >"$work/pressed"
   [ "$(last | cut -d '|' -f 2)" = "$(cat "$work/pressed")" ]
   verdict $? "a line of $channels channels has its buttons:$(cat "$work/pressed")"
   rm -f "$UINPUT_LOG"
-  joystick sim --channels $channels --simulated-time --seconds 2 --range 0,400,700
+  joystick sim:$channels --simulated-time --seconds 2 --range 0,400,700
   [ "$(grep -o '1:319=.' "$UINPUT_LOG" | paste -sd ,)" = 1:319=1,1:319=0 ]  # CH24's
   verdict $? "a line of $channels channels never loses the link before the end"
 done
@@ -205,7 +205,7 @@ verdict $? "joystick --calibration rejects a folder: $(cat "$work/err")"
 
 # ---- Latency
 
-player simulate --seconds 2
+player send sim --seconds 2
 joystick "$terminal" --latency
 kill "$player" 2>/dev/null
 wait "$player"

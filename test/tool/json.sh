@@ -15,18 +15,22 @@ run() { timeout 60 "$SBUS" "$@" --json >>"$work/all" 2>"$work/err" </dev/null; }
 : >"$work/all"
 "$SBUS" wave recordings/sbus2.txt -o "$work/sbus2.vcd"
 for channels in 16 24 32; do
-  run hex sim --simulated-time --seconds 0.5 --noise 20 --channels $channels
-  run monitor sim --simulated-time --seconds 2 --channels $channels
+  run hex sim:noise=20,$channels --simulated-time --seconds 0.5
+  run monitor sim:$channels --simulated-time --seconds 2
 done
 run monitor sim --simulated-time --seconds 11
-run monitor sim --simulated-time --seconds 1 --silent
+run monitor sim:silent --simulated-time --seconds 1
 run monitor golden/DecodeSBus.csv --simulated-time
-run doctor sim --simulated-time --uninverted
+run doctor sim:uninverted --simulated-time
 run doctor golden/DecodeSBus.csv
 run decode "$work/sbus2.vcd"
 run decode tool/paper-4.1.bits --characters
 run summary sim --simulated-time --seconds 14
 run summary recordings/sbus2.txt
+run telemetry recordings/sbus2.txt
+for unit in us percent; do
+  run hex sim --simulated-time --seconds 0.1 --unit $unit
+done
 run ports
 python3 - "$work/all" ../extras/cli/sbus.1 "$SBUS" <<'END'
 import json, os, re, subprocess, sys
@@ -45,9 +49,9 @@ def check(line):
     kind = object.get("type")
     states.add(object.get("state"))
     for name, value in object.items():
-        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind") else
-                    list if name in ("channels", "values", "intervals", "slots") else
-                    bool if name in ("ch17", "ch18", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "has_24_channels", "rows_of_csv", "well", "permission") else
+        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit") else
+                    list if name in ("channels", "us", "percent", "values", "data") else
+                    bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission") else
                     (int, float))
         if not isinstance(value, expected) or (expected != bool and isinstance(value, bool)):
             wrong.append("%s of %s is %r" % (name, kind, value))
@@ -57,7 +61,7 @@ def check(line):
 for line in open(sys.argv[1]):
     check(line)
 # The PC may have no serial port, no port by USB, and no adapter with a latency timer.
-rare = {("port", name) for name in fields["port"]} | {("error", "message")}
+rare = {("line", "start"), ("line", "timed")} | {("port", name) for name in fields["port"]} | {("error", "message")}
 wrong += ["no %s of %s came" % (name, kind) for kind in fields for name in fields[kind] if (kind, name) not in seen | rare]
 wrong += ["no state " + state for state in ("never seen", "ok", "lossy", "failsafe") if state not in states]
 if wrong:
@@ -67,20 +71,20 @@ END
 verdict $? "JSON lines are as the manual says"
 
 # The figures are the same as in the other forms.
-line="sim --simulated-time --seconds 10 --noise 5"
+line="sim:noise=5 --simulated-time --seconds 10"
 # shellcheck disable=SC2086  # the arguments are words
 "$SBUS" hex $line --json | sed -n 's/.*"channels":\[\(.*\)\],"ch17":\(.*\),"ch18":\(.*\),"lost_frame":\(.*\),"fail.*/\1,\2,\3,\4/p' | sed 's/false/0/g; s/true/1/g' >"$work/json" &&
   "$SBUS" csv $line --every-frame --columns ch1-ch18,lostframe | tr -d '\r' | cmp - "$work/json" && [ "$(wc -l <"$work/json")" -gt 900 ] && grep -q ',1$' "$work/json"
 verdict $? "hex --json has the frames of csv"
 for form in hex decode; do
   # Times from the first one.
-  "$SBUS" $form "$work/sbus2.vcd" --json | grep '"type":"\(no_\)\?frame"' |
+  "$SBUS" $form "$work/sbus2.vcd" --json | grep '"type":"\(no_frame\|frame\|slot\)"' |
     awk -F '[:,]' '{ zero = NR == 1 ? $4 : zero; sub(/"time_us":[0-9.]+/, $4 - zero); print }' >"$work/$form"
 done
-cmp "$work/hex" "$work/decode" && grep -q no_frame "$work/hex" && [ "$(wc -l <"$work/hex")" -gt 10 ]
+cmp "$work/hex" "$work/decode" && grep -q slot "$work/hex" && [ "$(wc -l <"$work/hex")" -gt 10 ]
 verdict $? "hex --json and decode --json of a capture print the same"
 "$SBUS" doctor sim --simulated-time --json >"$work/doctor"
-[ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim --simulated-time --uninverted --json >"$work/doctor" &&
+[ $? -eq 0 ] && [ "$(wc -l <"$work/doctor")" -eq 2 ] && tail -n 1 "$work/doctor" | grep -q '"well":true,"finding":"All well' && ! "$SBUS" doctor sim:uninverted --simulated-time --json >"$work/doctor" &&
   [ "$(wc -l <"$work/doctor")" -eq 5 ] && tail -n 1 "$work/doctor" | grep -q '"well":false,"finding":"Wrong polarity'
 verdict $? "doctor --json has the verdict and the exit status"
 printf '$timescale 1us $end\n$var wire 1 ! a"b\\c $end\n$enddefinitions $end\n' >"$work/odd.vcd"

@@ -57,7 +57,7 @@ run() {  # SUBCOMMAND 'FILE OPTION...', in $work: what it prints, without the fi
   # shellcheck disable=SC2086  # the arguments are words
   case $1 in
     record) "$SBUS" record $2 - ;;
-    replay) "$SBUS" replay $2 --to /dev/null ;;  # says that this is no port, once the file is read
+    send) "$SBUS" send $2 --port /dev/null ;;  # says that this is no port, once the file is read
     monitor) "$SBUS" monitor $2 --simulated-time ;;
     csv) "$SBUS" csv $2 --every-frame --columns time,ch1-ch18,failsafe ;;
     decode) "$SBUS" decode $2 ;;
@@ -66,7 +66,7 @@ run() {  # SUBCOMMAND 'FILE OPTION...', in $work: what it prints, without the fi
     -e 's#decode -$#decode input#; s#<input$#<-#; s#, sigrok session:#, VCD:#'
 }
 cd "$work" || exit 1
-for subcommand in monitor doctor summary telemetry hex csv plot record replay decode wave; do
+for subcommand in monitor doctor summary telemetry hex csv plot record send decode wave; do
   bad=
   while read -r plain kind; do
     # A name that does not tell what it is.
@@ -104,7 +104,7 @@ $("$SBUS" decode two.vcd --csv 2>&1 >/dev/null | sed -n 's/^two.vcd: this is sig
 END
 [ "$first" = TAIL ] || [ "$first" = MAIN ]
 verdict $? "decode --csv says which signal it took: ${first:-none}"
-for subcommand in monitor doctor summary telemetry hex csv plot record replay; do
+for subcommand in monitor doctor summary telemetry hex csv plot record send; do
   bad=
   run $subcommand two.vcd >said
   grep -q "^two.vcd: this is signal $first; S.Bus is also on [A-Z]*: --signal NAME chooses$" said || bad="$bad says-nothing"

@@ -18,7 +18,7 @@ fence js >"$work/sticks.mjs"
 
 "$SBUS" csv recordings/paper.txt --every-frame --columns time,ch1-ch4,failsafe,lostframe | tr -d '\r' |
   awk -F, '{ print $2, $3, $4, $5, $6 || $7 ? "lost" : "live" }' >"$work/wanted"
-player simulate
+player send sim
 for language in 'python3 sticks.py' 'node sticks.mjs'; do
   program=${language%% *}
   if ! command -v "$program" >/dev/null; then

@@ -12,6 +12,7 @@
 #   tool/hex.sh                the values, times and widths of `sbus hex`
 #   tool/send.sh               what `sbus send` sends
 #   tool/summary.sh            `sbus summary`; a part of a file
+#   tool/stream.sh             what one subcommand prints and another reads, also live
 #   tool/telemetry.sh          `sbus telemetry`
 #   tool/languages.sh          README's programs for Python and Node
 #   tool/calibrate.sh          `sbus calibrate`
@@ -71,7 +72,7 @@ tr -d '\r' <golden/AllChannels.csv | tr , ' ' | paste -d ' ' - "$work/aged" | aw
   { same = 1; for (i = 1; i <= 18; i++) same = same && $i == $(i + 18); if (!same && $37 > 0.00012) bad = 1; rows += same }
   END { exit bad || rows < 14 || NR != 16 }'
 verdict $? "csv prints what is in golden/AllChannels.csv, but for a frame that ends at that instant"
-sketch Channels24 sim --simulated-time --seconds 3.3 --channels 24 --columns ch1-ch24
+sketch Channels24 sim:24 --simulated-time --seconds 3.3 --columns ch1-ch24
 for recording in paper frsky-neutral sbus2; do
   sketch DecodeSBus-$recording recordings/$recording.txt
   sketch AllChannels-$recording recordings/$recording.txt --columns ch1-ch18
@@ -118,8 +119,8 @@ verdict $? "if standard output is full, it says so and fails"
 verdict $? "if standard output is full, help fails as well"
 "$sbus" record sim "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
 verdict $? "if standard error is closed, no message gets into the recording"
-"$sbus" hex sim --silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
-  "$sbus" hex sim --silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
+"$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
+  "$sbus" hex sim:silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
 verdict $? "a silent source is reported after two seconds"
 # In true time: lines are written one by one, and the second finds the reader gone.
 (timeout 60 "$sbus" hex sim; echo $? >"$work/status") | head -n 1 >/dev/null
@@ -168,7 +169,7 @@ verdict $? "help and --help print the same"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
 rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
-rejected "--noise: is for sim or a recording; leave it out for a capture of the wire" hex "$work/paper.vcd" --noise 5
+rejected "$work/paper.vcd:24: \"24\" is no word after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is not taken for a capture"
@@ -187,7 +188,7 @@ characters() {
 }
 mkdir "$work/verdicts"
 verdicts/lines.sh "$work/verdicts"
-"$sbus" record sim "$work/noisy.txt" --simulated-time --seconds 2 --noise 100 2>"$work/err"
+"$sbus" record sim:noise=100 "$work/noisy.txt" --simulated-time --seconds 2 2>"$work/err"
 grep -q '!' "$work/noisy.txt" && [ "$("$sbus" hex "$work/noisy.txt" | wc -l)" -gt 200 ]
 verdict $? "a noisy line is recorded, with the marks of errors"
 for recording in "$work/noisy.txt" "$work/at-0.txt" recordings/paper.txt recordings/sbus2.txt recordings/board/rows.txt "$work/verdicts/fast.txt" "$work/verdicts/adapter-24.txt"; do
@@ -214,14 +215,14 @@ rejected "sbus monitor: /dev/full: could not be written to its end (No space lef
 verdict $? "monitor --record writes a sketch's rows as they are"
 
 
-player replay recordings/paper.txt
+player send recordings/paper.txt
 "$sbus" record "$terminal" "$work/paper.txt" 2>"$work/err"
 status=$?
 wait "$player" && [ $status -eq 0 ] && marked recordings/paper.txt >"$work/paper.bytes" &&
   bytes "$work/paper.txt" | cmp - "$work/paper.bytes"
-verdict $? "what is replayed through a pseudo-terminal is recorded byte by byte"
+verdict $? "what is sent through a pseudo-terminal is recorded byte by byte"
 
-player replay golden/AllChannels.csv --speed 20
+player send golden/AllChannels.csv --speed 20
 "$sbus" record "$terminal" "$work/rows.csv" 2>"$work/err"
 [ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, no S.Bus" ] &&
   sed 1d "$work/rows.csv" | cmp - golden/AllChannels.csv
@@ -229,7 +230,7 @@ verdict $? "a sketch's rows are recorded as they are"
 wait "$player"
 
 for signal in INT TERM HUP KILL; do
-  player simulate
+  player send sim
   "$sbus" record "$terminal" "$work/$signal.txt" 2>"$work/err" &
   recorder=$!
   until_true has_lines 100 "$work/$signal.txt" && kill -$signal $recorder
@@ -249,7 +250,7 @@ done
 verdict $? "a full disk is an error, and the recording is complete up to there"
 
 # An adapter's name in /dev/serial/by-id is a link, which comes again with it.
-player simulate --seconds 1
+player send sim --seconds 1
 ln -sf "$terminal" "$work/adapter"
 first=$player
 "$sbus" record "$work/adapter" "$work/replugged.txt" 2>"$work/replugged.err" &
@@ -257,7 +258,7 @@ recorder=$!
 wait "$first"
 until_true grep -q 'the port has gone' "$work/replugged.err"
 before=$(wc -l <"$work/replugged.txt")
-player simulate
+player send sim
 ln -sf "$terminal" "$work/adapter"
 until_true has_lines $((before + 100)) "$work/replugged.txt" && kill -INT $recorder
 wait $recorder && is_whole "$work/replugged.txt" && grep -q 'adapter: the port is back$' "$work/replugged.err"
@@ -266,7 +267,7 @@ rm "$work/adapter"  # a library has no links, not even in build/
 kill -INT "$player"
 wait "$player"
 
-player simulate --seconds 1
+player send sim --seconds 1
 timeout 60 "$sbus" csv "$terminal" >"$work/out" 2>"$work/err" && [ "$(grep -cE '^[0-9]+(,[0-9]+){5}$' "$work/out")" -ge 2 ]
 verdict $? "csv of a pseudo-terminal ends with the program at its other end"
 wait "$player"
@@ -274,7 +275,7 @@ wait "$player"
 # wakeups PID: prints how often it has waited so far
 wakeups() { sed -n 's/^voluntary_ctxt_switches:[^0-9]*//p' "/proc/$1/status"; }
 
-player simulate --silent
+player send sim:silent
 "$sbus" monitor "$terminal" >"$work/out" 2>"$work/err" &
 monitor=$!
 until_true has_lines 1 "$work/out"
@@ -294,6 +295,7 @@ SBUS=$sbus WORK=$work tool/counts.sh
 SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
+SBUS=$sbus WORK=$work tool/stream.sh
 SBUS=$sbus WORK=$work tool/telemetry.sh
 SBUS=$sbus WORK=$work tool/languages.sh
 SBUS=$sbus WORK=$work tool/calibrate.sh
@@ -312,7 +314,7 @@ SBUS=$sbus WORK=$work tool/explain.sh
 verdict $? "--help-all lists subcommands and options"
 # An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
 sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
-  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || section == "simulate"); print "has", section }
+  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && / SOURCE/; print "has", section }
   /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
 while read -r subcommand option; do

@@ -16,7 +16,7 @@ sent() {
 import os, pty, select, subprocess, sys, tty
 master, slave = pty.openpty()
 tty.setraw(slave)
-sender = subprocess.Popen(sys.argv[2:4] + [os.ttyname(slave)] + sys.argv[4:])
+sender = subprocess.Popen(sys.argv[2:] + ["--port", os.ttyname(slave)])
 stop = int(os.environ.get("STOP", "0"))
 got = b""
 while sender.poll() is None or select.select([master], [], [], 0)[0]:
@@ -43,6 +43,8 @@ constant() {
 rest=992,992,992,992,992,992,992,992,992,992,992,992
 constant 56 992,992,0,992,$rest,0,0,0,0 ch3=0
 constant 56 0,992,172,1811,$rest,0,1,0,1 ch4=on CH1=0 ch18=on lostframe=on
+constant 56 992,1312,992,1811,$rest,0,0,0,0 ch2=1700us ch3=0% ch4=100%
+constant 56 352,1696,1024,992,$rest,0,0,0,0 ch1=-100% ch2=on ch3=0% --range futaba
 constant 56 172,992,2047,992,$rest,1,0,1,0 ch1=off ch3=2047 failsafe=on ch17=1
 constant 17 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 30
 constant 125 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 4 --baud 200000
@@ -61,17 +63,17 @@ verdict $? "send without a port makes a pseudo-terminal"
 "$SBUS" csv sim --simulated-time --seconds 10.2 --columns ch1-ch18,failsafe,lostframe --rate 20 --header >"$work/flight.csv"
 tail -n 20 "$work/flight.csv" | (head -n 1 "$work/flight.csv"; cat) >"$work/end.csv"
 # Its column failsafe is the state of the link, which many lost frames also cause, not the flag of a frame.
-sent --from "$work/end.csv" && sed 1d "$work/end.csv" | tr -d '\r' | cut -d, -f1-18,20 | uniq >"$work/wanted" &&
+sent "$work/end.csv" && sed 1d "$work/end.csv" | tr -d '\r' | cut -d, -f1-18,20 | uniq >"$work/wanted" &&
   cut -d, -f1-18,20 "$work/rows" | uniq | cmp - "$work/wanted" && grep -q ',0,1$' "$work/wanted"
-verdict $? "send --from sends what csv has written"
+verdict $? "send sends what csv has written"
 printf 'time,state,CH2,failsafe\n10.5,ok,100,0\n10.77,ok,200,0\n11.5,failsafe,300,1\n' >"$work/times.csv"
-sent --from "$work/times.csv" &&
+sent "$work/times.csv" &&
   [ "$(cut -d, -f2,19 "$work/rows" | uniq -c | awk '{ printf "%s:%s ", $2, $1 }')" = "100,0:30 200,0:82 300,1:81 " ]
-verdict $? "send --from sends a CSV with times"
+verdict $? "send sends a CSV with times"
 printf '# a sketch printed this\n1,2,3,4,0,1\r\n5,6,7,8,1,0\r\n' >"$work/sketch.csv"
 printf '%s\n' "1,2,3,4,$rest,0,0,0,1" "5,6,7,8,$rest,0,0,1,0" >"$work/wanted"
-sent --from "$work/sketch.csv" && uniq "$work/rows" | cmp - "$work/wanted"
-verdict $? "send --from sends a sketch's rows"
+sent "$work/sketch.csv" && uniq "$work/rows" | cmp - "$work/wanted"
+verdict $? "send sends a sketch's rows"
 
 # rejected MESSAGE ARGUMENTS...: standard input is $work/x.csv
 rejected() {
@@ -84,35 +86,36 @@ rejected() {
 }
 while IFS='|' read -r text message; do
   # shellcheck disable=SC2059  # it has \n
-  printf "$text" | rejected "sbus send: x.csv$message" --from x.csv
+  printf "$text" | rejected "sbus send: x.csv$message" x.csv
 done <<'END'
-|: has no rows; rows as sbus csv writes them are expected
-CH1\n|: has no rows; rows as sbus csv writes them are expected
-CH1,CH19\n1,2\n|:1: "CH19" is no column of sbus csv; there are CH1 to CH18, failsafe, lostframe, time, state and age
+|: is empty: at least one line "microseconds byte byte ..." is expected
+CH1\n|: has no rows; rows as sbus csv prints them are expected
+CH1,CH33\n1,2\n|:1: "CH33" is no column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality
+CH1,CH19\n1,2\n|:1: CH19: a line ends at CH18, CH24 or CH32
 CH1,CH2\n1,2\n3\n|:3: has 1 fields; 2 are expected
 CH1\n2048\n|:2: "2048" is no value of column 1; 0 to 2047 is expected
 CH1\n1.5\n|:2: "1.5" is no value of column 1; 0 to 2047 is expected
 CH1,failsafe\n1,2\n|:2: "2" is no value of column 2; 0 or 1 is expected
-time,CH1\nsoon,2\n|:2: "soon" is no time; seconds are expected
-time,CH1\n2,2\n1,2\n|:3: time 1 does not come after that of the row before
+time,CH1\nsoon,2\n|:2: "soon" is no value of column 1; a time in seconds is expected
+time,CH1\n2,2\n1,2\n|:3: its time does not come after that of the row before
 END
 while IFS='|' read -r arguments message; do
   # shellcheck disable=SC2086  # the arguments are words
   rejected "$message" $arguments </dev/null
 done <<'END'
-|CH=VALUE: at least one is expected, such as ch3=172, or --from FILE.csv
---from no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
---from x.csv ch1=5|--from: replaces ch1=5; leave one of them out
+|SOURCE is required
+no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
+x.csv ch1=5|ch1=5 is one argument too many; only values can be several, such as ch3=172 ch5=on
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
-ch1=2048|"ch1=2048" is out of range; 0 to 2047, on (1811) or off (172) is expected
-ch1=1e3|"ch1=1e3" is out of range; 0 to 2047, on (1811) or off (172) is expected
-ch1=5.0|"ch1=5.0" is out of range; 0 to 2047, on (1811) or off (172) is expected
-ch1=+5|"ch1=+5" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=2048|"ch1=2048" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
+ch1=1e3|"ch1=1e3" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
+ch1=5.5|"ch1=5.5" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
+ch1=800us|"ch1=800us" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch1=5 ch1=6|"ch1=6" sets ch1 again; leave one of them out
 failsafe=on FAILSAFE=off|"FAILSAFE=off" sets failsafe again; leave one of them out
-ch1=|"ch1=" is out of range; 0 to 2047, on (1811) or off (172) is expected
+ch1=|"ch1=" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch17=2|"ch17=2" is out of range; on or off is expected
 ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected
 END

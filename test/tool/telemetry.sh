@@ -91,7 +91,7 @@ grep -qF 'bytes discarded 5, ' "$work/out" &&
   tail -n 1 "$work/out" | grep -qE ', no telemetry( |$)'
 verdict $? "monitor shows telemetry until it is a second old"
 
-"$SBUS" telemetry sim --sbus2 --simulated-time --seconds 0.1 --sensor 1=SBS-01V | cut -d, -f2,5-7 | tail -n +2 | tr '\n' ';' >"$work/sim"
+"$SBUS" telemetry sim:sbus2 --simulated-time --seconds 0.1 --sensor 1=SBS-01V | cut -d, -f2,5-7 | tail -n +2 | tr '\n' ';' >"$work/sim"
 echo "0,receiver voltage,4.6,V;1,battery voltage,5.6,V;2,external voltage,12.5,V;0,external voltage,24.1,V;\
 1,battery voltage,5.6,V;2,external voltage,12.5,V;" | tr -d '\n' | diff - "$work/sim"
-verdict $? "telemetry prints the slots of the built-in receiver with --sbus2, and of its sensor"
+verdict $? "telemetry prints the slots of the built-in receiver sim:sbus2, and of its sensor"

@@ -28,7 +28,7 @@ fi
 waved() {
   recording=$1 baud=$2 inverted=$3
   shift 3
-  bytes "$recording" >"$work/bytes"
+  bytes "${recording%:*}" >"$work/bytes"
   "$SBUS" wave "$recording" --baud "$baud" "$@" -o "$work/wire.vcd" &&
     "$SBUS" decode "$work/wire.vcd" --characters --csv | sed 1d | cut -d, -f2 | cmp - "$work/bytes"
   verdict $? "decode reads the wave of $recording, $baud baud, inverted: $inverted"
@@ -40,7 +40,7 @@ for recording in recordings/*.txt recordings/slow/*.txt; do
   waved "$recording" 100000 yes
 done
 waved recordings/sbus2.txt 200000 yes
-waved recordings/sbus2.txt 100000 no --uninverted
+waved recordings/sbus2.txt:uninverted 100000 no
 
 sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 "$SBUS" wave "$work/bad.txt" >"$work/bad.vcd" &&
@@ -73,7 +73,7 @@ for form in table csv json; do
 done
 
 # A line of 32 channels: half of them are in frames with header 2F. The CSV has one title, one width, and every channel.
-"$SBUS" record sim --channels 32 --simulated-time --seconds 0.3 "$work/32.txt" 2>/dev/null &&
+"$SBUS" record sim:32 --simulated-time --seconds 0.3 "$work/32.txt" 2>/dev/null &&
   "$SBUS" wave "$work/32.txt" -o "$work/32.vcd" && "$SBUS" decode "$work/32.vcd" --csv >"$work/32.csv" &&
   [ "$(grep -c time_us "$work/32.csv")" -eq 1 ] && [ "$(awk -F, '{ print NF }' "$work/32.csv" | sort -u)" = 38 ] &&
   "$SBUS" decode "$work/32.vcd" --json | sed -n 's/.*"first":\(.*\),"channels":\[\([0-9,]*\)\].*/\1,\2/p' >"$work/32.want" &&
@@ -235,7 +235,7 @@ awk -F, 'NR == 1 { print "name,type,start_time,duration,\"data\",\"error\""; nex
   { printf "\"Async Serial\",\"data\",%.9g,0.000115,0x%s,\n", $1 / 1e6, $2 }' "$work/characters.csv" >"$work/logic2.csv"
 for capture in logic1.csv logic2.csv; do
   "$SBUS" decode "$work/$capture" --csv | cmp - tool/golden/decode-sbus2.csv &&
-    [ "$("$SBUS" decode "$work/$capture" --json | head -n 1)" = '{"type":"wire","signal":"Async Serial"}' ] &&
+    [ "$("$SBUS" decode "$work/$capture" --json | head -n 1)" = '{"type":"line","format":1,"source":"'"$work/$capture"'","signal":"Async Serial"}' ] &&
     [ "$("$SBUS" decode "$work/$capture" | head -n 1)" = 'signal Async Serial carries S.Bus, as the analyser has decoded it' ]
   verdict $? "decode reads the characters of $capture"
 done

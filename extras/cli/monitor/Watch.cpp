@@ -146,7 +146,7 @@ std::string Watch::json(uint64_t nowUs) {
   Json json("state");
   json.number("time_us", nowUs).text("state", stateName(_observer.state(nowUs)));
   if (values.count > 0) {
-    json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count);
+    json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count, ChannelForm());
     if (!_observer.has24()) {
       json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
     }

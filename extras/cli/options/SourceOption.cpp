@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "cli/LoopedLine.h"
+#include "cli/RepeatedFrames.h"
 #include "line/ports/ByteStream.h"
 #include "line/ports/ReopenedPort.h"
 #include "line/recording/CsvRows.h"
 #include "line/recording/RecordedLine.h"
+#include "line/recording/RestoredLine.h"
+#include "line/recording/Words.h"
 #include "line/simulation/NoisyLine.h"
 #include "line/uart/SampledLine.h"
 
@@ -20,6 +25,15 @@ namespace tool {
 namespace {
 
 constexpr double YearS = 366.0 * 24 * 60 * 60;
+
+uint64_t toUs(double seconds) {
+  return static_cast<uint64_t>(seconds * 1e6);
+}
+
+int64_t wallUs() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+}
 
 // Keeps the characters that end within the times; `toUs` 0: to the end.
 void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t toUs) {
@@ -37,15 +51,24 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
   }
 }
 
+// Returns true for ch3=172, not for sim:noise=30 or a file that has an = in its name.
+bool isValue(const std::string &word) {
+  struct stat status;
+  return word.find('=') != std::string::npos && word.find_first_of(":/") > word.find('=') &&
+         stat(word.c_str(), &status) != 0;
+}
+
 }  // namespace
 
-SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings)
-    : _options(subcommand), _recordings(recordings) {
-  subcommand
-      .option("SOURCE", _name, "a serial port, a recording or capture, packed or not, - for standard input, or sim")
+SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words) : _recordings(recordings) {
+  constexpr const char *What = "a serial port, a file, - for standard input, sim, or values such as ch3=172,ch5=on";
+  (words == Words::One ? subcommand.option("SOURCE", _word, What).notEmpty() : subcommand.option("SOURCE", _words, What))
       .required()
-      .notEmpty()
       .type("");
+  _sendsFrames = words == Words::Several;
+  subcommand.option("--baud", _baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
+      .oneOf({100000, 200000})
+      .type("100000|200000");
   _csv = subcommand.flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
   subcommand.option("--seconds", _seconds, "end after this many seconds").seconds().type("S");
   _signal = subcommand.option("--signal", _overrules.signal, "of a capture with several signals: this one (found)")
@@ -53,50 +76,104 @@ SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings)
                 .type("NAME");
   _part = {subcommand.option("--from", _from, "of a file: begin at this time").between(0, YearS).type("S"),
            subcommand.option("--to", _to, "of a file: end at this time").seconds().type("S")};
+  if (recordings == Recordings::InTrueTime) {
+    _loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
+  }
   _simulatedTime =
       subcommand.flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
-line::LineSettings SourceOption::settings() const {
-  return _csv.given() ? line::csvSettings() : isFile() ? file().settings : _options.settings();
+const SourceOption::Parsed &SourceOption::parsed() const {
+  if (!_parsed) {
+    Parsed parsed = parse();
+    if (Pipe::isPipe(parsed.name) && parsed.kind == Kind::File) {
+      openPipe(parsed);
+    }
+    rejectOptions(parsed);
+    _parsed = std::move(parsed);
+  }
+  return *_parsed;
 }
 
 // A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
-SourceOption::Kind SourceOption::kind() const {
-  if (_kind) {
-    return *_kind;
+SourceOption::Parsed SourceOption::parse() const {
+  const std::string &first = _words.empty() ? _word : _words.front();
+  if (isValue(first)) {
+    return parseValues();
+  }
+  if (_words.size() > 1) {
+    rejectCommandLine(_words[1] + " is one argument too many; only values can be several, such as ch3=172 ch5=on");
+  }
+  Parsed parsed;
+  try {
+    parsed.source = line::parseSource(first);
+  } catch (const std::runtime_error &error) {
+    rejectCommandLine(error.what());
   }
   struct stat status;
-  if (_name == "sim") {
-    _kind = Kind::Simulated;
-  } else if (Pipe::isPipe(_name)) {
-    const auto start = std::chrono::steady_clock::now();
-    _pipe = std::make_shared<Pipe>(_name);
-    _kind = _csv.given() || _pipe->isLive(_seconds) ? Kind::Stream : Kind::File;
-    _waitedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  } else if (stat(_name.c_str(), &status) != 0) {
-    _kind = _name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File;
-  } else {
-    _kind = S_ISCHR(status.st_mode) ? Kind::Port : Kind::File;
+  parsed.name = parsed.source.isSimulated() ? "sim" : parsed.source.name;
+  parsed.kind = parsed.source.isSimulated()                ? Kind::Simulated
+                : stat(parsed.name.c_str(), &status) != 0 ? parsed.name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File
+                : S_ISCHR(status.st_mode)                  ? Kind::Port
+                                                           : Kind::File;
+  return parsed;
+}
+
+SourceOption::Parsed SourceOption::parseValues() const {
+  Parsed parsed;
+  parsed.kind = Kind::Values;
+  std::set<std::string> names;
+  for (const std::string &word : _words.empty() ? std::vector<std::string>{_word} : _words) {
+    parsed.name += (parsed.name.empty() ? "" : ",") + word;
   }
-  return *_kind;
+  for (size_t begin = 0; begin != std::string::npos;) {
+    const size_t comma = parsed.name.find(',', begin);
+    const std::string value = parsed.name.substr(begin, comma - begin);
+    const std::string name = line::lower(value.substr(0, value.find('=')));
+    if (!names.insert(name).second) {
+      rejectCommandLine(line::quoted(value) + " sets " + name + " again; leave one of them out");
+    }
+    try {
+      assign(value, _range, parsed.values);
+    } catch (const std::runtime_error &error) {
+      rejectCommandLine(error.what());
+    }
+    begin = comma == std::string::npos ? comma : comma + 1;
+  }
+  return parsed;
 }
 
-bool SourceOption::isFile() const {
-  return kind() == Kind::File;
+void SourceOption::openPipe(Parsed &parsed) const {
+  const auto start = std::chrono::steady_clock::now();
+  _startUs = wallUs();
+  _pipe = std::make_shared<Pipe>(parsed.name);
+  const Pipe::Content content = _csv.given() ? Pipe::Content::Line : _pipe->content(_seconds);
+  _isLiveText = content == Pipe::Content::Text && _recordings != Recordings::Again;
+  parsed.kind = content == Pipe::Content::Line ? Kind::Stream : Kind::File;
+  _waitedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool SourceOption::isStream() const {
-  return kind() == Kind::Stream;
-}
-
-bool SourceOption::isWire() const {
-  const auto hasLevels = [](FileKind kind) { return kind == FileKind::Recording || kind == FileKind::Capture; };
-  return isFile() ? hasLevels(file().kind) : kind() == Kind::Simulated;
-}
-
-bool SourceOption::hasTimes() const {
-  return isFile() ? file().kind != FileKind::Bytes : !isStream();
+void SourceOption::rejectOptions(const Parsed &parsed) const {
+  const bool isFile = parsed.kind == Kind::File;
+  if (!isFile && parsed.kind != Kind::Simulated && parsed.source.disturbs()) {
+    rejectCommandLine(parsed.name + ": what follows the colon is for sim or a recording; leave it out for " +
+                      (parsed.kind == Kind::Port ? "a port" : "a stream of bytes"));
+  }
+  if (parsed.source.sbus2 && _baud > sbus::Baud) {
+    rejectCommandLine("--baud: S.BUS2 has 100000 baud; leave it out");
+  }
+  if (parsed.kind == Kind::Port && _simulatedTime.given()) {
+    rejectCommandLine("--simulated-time: is for sim and -; a port runs in real time");
+  }
+  if (!isFile) {
+    if (_signal.given()) {
+      rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
+    }
+    rejectPart("is for a file; leave it out for " + parsed.name);
+    if (_recordings == Recordings::InTrueTime && _loop.given()) {
+      rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
+    }
+  }
 }
 
 void SourceOption::rejectPart(const std::string &reason) const {
@@ -107,86 +184,172 @@ void SourceOption::rejectPart(const std::string &reason) const {
   }
 }
 
-const FileSource &SourceOption::file() const {
-  if (!_file) {
-    line::Overrules overrules = _overrules;
-    overrules.baud = _options.baud();
-    FileSource read = readFile(_pipe ? _pipe->wholeFile() : FileName(_name), overrules);
-    if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
-      rejectPart("is for a file with times; leave it out for " + _name);
-    } else if (_from > 0 || _to > 0) {
-      cut(_name, read, static_cast<uint64_t>(_from * 1e6), static_cast<uint64_t>(_to * 1e6));
-    }
-    _file = std::make_shared<const FileSource>(std::move(read));
+line::LineSettings SourceOption::settings() const {
+  if (_csv.given()) {
+    return line::csvSettings();
   }
+  if (isFile() && !(_sendsFrames && file().kind == FileKind::Rows)) {
+    return file().settings;
+  }
+  line::LineSettings settings;
+  settings.baud = _baud > 0 ? _baud : sbus::Baud;
+  return settings;
+}
+
+line::LineSettings SourceOption::lineSettings() const {
+  line::LineSettings settings = this->settings();
+  settings.polarity = parsed().source.settings.idleHigh() ? line::Polarity::Uninverted : settings.polarity;
+  return settings;
+}
+
+bool SourceOption::isFile() const {
+  return parsed().kind == Kind::File;
+}
+
+bool SourceOption::isStream() const {
+  return parsed().kind == Kind::Stream;
+}
+
+bool SourceOption::isWire() const {
+  const Kind kind = parsed().kind;
+  return kind == Kind::File ? file().kind != FileKind::Rows && file().kind != FileKind::Bytes
+                            : kind == Kind::Simulated || kind == Kind::Values;
+}
+
+bool SourceOption::hasTimes() const {
+  return isFile() ? file().hasTimes : !isStream();
+}
+
+std::optional<int64_t> SourceOption::startUs() const {
+  return isFile() ? file().startUs : _startUs;
+}
+
+Json SourceOption::json() const {
+  JsonLine line;
+  line.source = name();
+  line.signal = isFile() ? file().signal : "";
+  line.baud = settings().baud;
+  if (isWire()) {
+    line.inverted = !lineSettings().idleHigh();
+  }
+  line.startUs = startUs();
+  line.isTimed = hasTimes();
+  return lineJson(line);
+}
+
+const FileSource &SourceOption::file() const {
+  if (_file) {
+    return *_file;
+  }
+  line::Overrules overrules = _overrules;
+  overrules.baud = _baud;
+  FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _baud)
+                                : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrules);
+  if (read.kind == FileKind::Bytes || !read.hasTimes) {
+    rejectPart("is for a file with times; leave it out for " + name());
+  } else if (read.isWhole() && (_from > 0 || _to > 0)) {
+    cut(name(), read, toUs(_from), toUs(_to));
+  }
+  if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
+    if (parsed().source.disturbs()) {
+      rejectCommandLine(name() + ": what follows the colon is for sim or a recording; leave it out for " +
+                        (read.kind == FileKind::Rows ? "rows of CSV" : "bytes without times"));
+    }
+  }
+  _file = std::make_shared<const FileSource>(std::move(read));
   return *_file;
 }
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
-  const Kind kind = this->kind();
-  if (kind == Kind::Port && _simulatedTime.given()) {
-    rejectCommandLine("--simulated-time: is for sim and -; a port runs in real time");
-  }
-  const bool atOnce = _simulatedTime.given() || (kind == Kind::File && _recordings == Recordings::AtOnce);
+  const Kind kind = parsed().kind;
+  const bool atOnce = _simulatedTime.given() || (kind == Kind::File && _recordings != Recordings::InTrueTime);
   auto input =
       std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, leftSeconds());
-  input->setStart(static_cast<uint64_t>(_from * 1e6));
+  input->setStart(toUs(_from));
   return input;
 }
 
 // Returns what is left of --seconds after the wait for a pipe's first bytes.
 double SourceOption::leftSeconds() const {
   constexpr double LeastS = 0.001;  // 0 would be for ever
-  return kind() == Kind::Stream && _seconds > 0 ? std::max(LeastS, _seconds - _waitedS) : _seconds;
+  return parsed().kind == Kind::Stream && _seconds > 0 ? std::max(LeastS, _seconds - _waitedS) : _seconds;
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  const Kind kind = this->kind();
-  if (kind != Kind::Simulated) {
-    _options.rejectSimulated(_name);
-  }
-  if (kind != Kind::File) {
-    if (_signal.given()) {
-      rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + _name);
+  if (_recordings == Recordings::InTrueTime && _loop.given()) {
+    if (_isLiveText) {
+      rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
-    rejectPart("is for a file; leave it out for " + _name);
+    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, toUs(_from));
   }
-  if (kind == Kind::Port) {
-    _options.rejectDisturbing("a port");
-    return std::make_unique<line::ReopenedPort>(_name, port);
-  }
-  if (kind == Kind::Stream) {
-    _options.rejectDisturbing("a stream of bytes");
-    if (!_csv.given() && !_pipe->hasRows()) {
-      std::fprintf(stderr, "%s: brings bytes without times: times are not known\n", _name.c_str());
+  return openOnce(port);
+}
+
+std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &port) const {
+  const Parsed &parsed = this->parsed();
+  switch (parsed.kind) {
+    case Kind::Port: {
+      _startUs = wallUs();
+      return std::make_unique<line::ReopenedPort>(parsed.name, port);
     }
-    return std::make_unique<line::ByteStream>(_name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
-                                              _simulatedTime.given());
+    case Kind::Stream:
+      if (!_csv.given() && !_pipe->hasRows()) {
+        std::fprintf(stderr, "%s: brings bytes without times: times are not known\n", parsed.name.c_str());
+      }
+      return std::make_unique<line::ByteStream>(parsed.name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
+                                                _simulatedTime.given());
+    case Kind::File:
+      return openFile(port);
+    case Kind::Values: {
+      auto line = std::make_unique<RepeatedFrames>(parsed.values, _periodUs, settings().characterUs());
+      return std::make_unique<line::SampledLine>(std::move(line), settings(), port);
+    }
+    case Kind::Simulated:
+      break;
   }
-  if (kind == Kind::File) {
-    return openFile(port);
+  line::Source source = parsed.source;
+  source.settings = lineSettings();
+  if (!_simulatedTime.given()) {
+    _startUs = wallUs();
   }
-  const line::Source source = _options.source(_options.settings());
   return std::make_unique<line::SampledLine>(source.open(), source.settings, port);
+}
+
+std::unique_ptr<line::Line> SourceOption::openText() const {
+  std::unique_ptr<TextInput> input;
+  if (_isLiveText) {
+    input = std::make_unique<PipeText>(_pipe->descriptor(), _pipe->begin());
+  } else {
+    input = std::make_unique<FileText>(file().path, name());
+  }
+  const bool isLive = _isLiveText && _recordings == Recordings::InTrueTime && !_simulatedTime.given();
+  return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
+                                    isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, toUs(_from), toUs(_to));
 }
 
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
-  if (read.kind != FileKind::Recording) {
-    _options.rejectDisturbing(read.kind == FileKind::Rows      ? "rows of CSV"
-                              : read.kind == FileKind::Capture ? "a capture of the wire"
-                                                               : "bytes without times");
+  std::unique_ptr<line::Line> line;
+  if (read.kind == FileKind::Rows && _sendsFrames) {
+    return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _periodUs,
+                                            settings().characterUs(), toUs(_from), toUs(_to));
   }
-  const std::shared_ptr<const line::Recording> recording(_file, &read.recording);
-  std::unique_ptr<line::Line> line = std::make_unique<line::RecordedLine>(recording);
+  if (read.isWhole()) {
+    line = std::make_unique<line::RecordedLine>(std::shared_ptr<const line::Recording>(_file, &read.recording));
+  } else {
+    line = openText();
+  }
+  if (read.isLate && _sendsFrames) {
+    return std::make_unique<line::RestoredLine>(std::move(line), read.settings.characterUs());
+  }
   if (!isWire()) {
     return line;
   }
-  const line::Source source = _options.source(read.settings);
-  if (source.noise > 0) {
-    line = std::make_unique<line::NoisyLine>(std::move(line), source.noise, source.settings.characterUs());
+  const line::LineSettings settings = lineSettings();
+  if (parsed().source.noise > 0) {
+    line = std::make_unique<line::NoisyLine>(std::move(line), parsed().source.noise, settings.characterUs());
   }
-  return std::make_unique<line::SampledLine>(std::move(line), source.settings, port);
+  return std::make_unique<line::SampledLine>(std::move(line), settings, port);
 }
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// SOURCE on the command line: a port, a file, - or sim; and the options that go with it.
+// SOURCE on the command line: a port, a file, -, sim or values; and the options that go with it.
 #pragma once
 
 #include <memory>
@@ -8,18 +8,27 @@
 
 #include "cli/FileSource.h"
 #include "cli/Input.h"
+#include "cli/Json.h"
 #include "cli/Pipe.h"
-#include "cli/options/LineOptions.h"
+#include "cli/TableReader.h"
+#include "cli/options/Subcommand.h"
+#include "line/Source.h"
 
 namespace tool {
 
-// Says whether a recording runs in real time, as on a page, or as fast as it can. All other sources run in real time.
-enum class Recordings { InTrueTime, AtOnce };
+// How a file is read: in real time, as on a page; as fast as it can; or so, and several times.
+enum class Recordings { InTrueTime, AtOnce, Again };
+
+// How many words a source may have. Several, values such as ch3=172 ch5=on, are for a subcommand that sends; rows of CSV
+// are then values as well.
+enum class Words { One, Several };
 
 class SourceOption {
  public:
   // Adds SOURCE and its options to a subcommand.
-  SourceOption(Subcommand &subcommand, Recordings recordings);
+  SourceOption(Subcommand &subcommand, Recordings recordings, Words words = Words::One);
+  SourceOption(const SourceOption &) = delete;
+  SourceOption &operator=(const SourceOption &) = delete;
 
   // Opens the source, as a port with settings() hears it. Throws std::runtime_error.
   std::unique_ptr<Input> open() const { return open(settings()); }
@@ -31,7 +40,11 @@ class SourceOption {
   // Throws std::runtime_error if the source is a file that cannot be read.
   line::LineSettings settings() const;
 
-  const std::string &name() const { return _name; }
+  // Returns the same, but the polarity is that of the line.
+  line::LineSettings lineSettings() const;
+
+  // Returns the name of the file or port, "-", "sim" or the values.
+  const std::string &name() const { return parsed().name; }
 
   bool isFile() const;
   bool isStream() const;
@@ -39,32 +52,61 @@ class SourceOption {
   bool isWire() const;
   // Returns true if its times are those of the line; false for a file of bytes, and for what a pipe brings.
   bool hasTimes() const;
+  // Returns when time 0 is, in us since 1970: of a port and a pipe now; nothing if that is not known.
+  std::optional<int64_t> startUs() const;
+  // Returns what JSON lines begin with. Call it after open().
+  Json json() const;
+  // Returns what is known of the file.
+  const FileSource &file() const;
+
+  // Both are for a subcommand that sends: values, and the slow rows of a table, are sent as a frame each `periodUs`.
+  void setPeriod(uint64_t periodUs) { _periodUs = periodUs; }
+  void setRange(const sbus::Range &range) { _range = range; }
 
  private:
-  enum class Kind { Port, File, Stream, Simulated };
+  enum class Kind { Port, File, Stream, Simulated, Values };
 
-  Kind kind() const;
+  struct Parsed {
+    std::string name;
+    Kind kind;
+    line::Source source;
+    FrameValues values;
+  };
+
+  const Parsed &parsed() const;
+  Parsed parse() const;
+  Parsed parseValues() const;
+  void openPipe(Parsed &parsed) const;
   double leftSeconds() const;
   std::unique_ptr<line::Line> openLine(const line::LineSettings &port) const;
   std::unique_ptr<line::Line> openFile(const line::LineSettings &port) const;
-  const FileSource &file() const;
+  std::unique_ptr<line::Line> openText() const;
+  std::unique_ptr<line::Line> openOnce(const line::LineSettings &port) const;
+  void rejectOptions(const Parsed &parsed) const;
   void rejectPart(const std::string &reason) const;
 
-  LineOptions _options;
   Recordings _recordings;
-  std::string _name;
+  bool _sendsFrames = false;
+  std::vector<std::string> _words;
+  std::string _word;
+  unsigned long _baud = 0;  // 0: not given
   double _seconds = 0;
   double _from = 0;  // seconds
   double _to = 0;    // 0: to the end
   Option _csv;
   std::vector<Option> _part;  // --from and --to
+  Option _loop;
   Option _simulatedTime;
   Option _signal;
   line::Overrules _overrules;
-  mutable std::optional<Kind> _kind;                // once it is known
+  uint64_t _periodUs = 9000;
+  sbus::Range _range = sbus::FrSky;
+  mutable std::optional<Parsed> _parsed;            // once it is known
   mutable std::shared_ptr<Pipe> _pipe;              // of standard input, and of a FIFO
+  mutable bool _isLiveText = false;                 // the pipe is played while it is being written
   mutable double _waitedS = 0;                      // for its first bytes
   mutable std::shared_ptr<const FileSource> _file;  // once it has been read
+  mutable std::optional<int64_t> _startUs;          // of a port or pipe, once it is open
 };
 
 }  // namespace tool

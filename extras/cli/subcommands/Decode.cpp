@@ -10,7 +10,8 @@
 #include "cli/FileSource.h"
 #include "cli/HeldSlots.h"
 #include "cli/Output.h"
-#include "cli/options/LineOptions.h"
+#include "cli/options/ChannelFormOption.h"
+#include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/capture/CaptureTimes.h"
 #include "line/recording/RecordingWriter.h"
@@ -91,14 +92,14 @@ std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) 
          (wire.isMeasured() ? " at " + text(wire.wire().settings) : "") + ", but no frame of S.Bus: " + line::FrameForm;
 }
 
-void decode(const Options &options, const Put &record) {
+void decode(const Options &options, const ChannelForm &form, const Put &record) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_DFL);  // ends it at once, even while it waits for standard input: no file is left half done
   }
   if (options.capture == "-") {
     setLineByLine();
   }
-  DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters);
+  DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters, options.capture, form);
   Frames frames(output, !record || options.csv || options.json, record);
   line::WireDecoder wire(
       options.overrules,
@@ -138,13 +139,13 @@ void decode(const Options &options, const Put &record) {
   }
 }
 
-void run(const Options &options) {
+void run(const Options &options, const ChannelForm &form) {
   if (options.output.empty()) {
-    decode(options, Put());
+    decode(options, form, Put());
     return;
   }
   rejectSameFile(options.capture, options.output);
-  writeTo(options.output, File::New, [&options](const Put &put) { decode(options, put); });
+  writeTo(options.output, File::New, [&](const Put &put) { decode(options, form, put); });
 }
 
 }  // namespace
@@ -192,11 +193,12 @@ void addDecode(CLI::App &app) {
       "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
       "options name them. Times are the capture's: of a frame the end of its last byte, of a character its start bit's "
       "edge. Exits with 1 if there is no frame.");
-  subcommand.run([options] {
+  const auto form = std::make_shared<ChannelFormOption>(subcommand);
+  subcommand.run([options, form] {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;
-    run(*options);
+    run(*options, form->form());
   });
 }
 

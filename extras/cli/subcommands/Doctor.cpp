@@ -166,7 +166,7 @@ bool examine(const SourceOption &source, bool asJson) {
 
 void addDoctor(CLI::App &app) {
   Subcommand subcommand(app, "doctor", "what is wrong with a line, and the remedy, in two seconds");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::Again);
   subcommand.footer(
       "It tries both baud rates; of sim and of a recording also both polarities. Exit status: 0 if all is well, "
       "1 if not.");

@@ -16,6 +16,7 @@
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
+#include "cli/options/ChannelFormOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Observer.h"
@@ -205,12 +206,17 @@ class HexView {
   uint64_t _lastUs = 0;  // what times are counted from
 };
 
-void writeJson(const line::Stretch &stretch, const line::Values &values, bool hasTimes) {
-  std::optional<double> endUs;
-  if (hasTimes) {
-    endUs = static_cast<double>(stretch.endUs());
+void writeJson(const line::Stretch &stretch, const line::Values &values, bool hasTimes, const ChannelForm &form) {
+  const auto known = [hasTimes](uint64_t us) {
+    return hasTimes ? std::optional<double>(static_cast<double>(us)) : std::nullopt;
+  };
+  for (const line::TimedSlot &slot : stretch.slots) {
+    write(slotJson(slot, known(slot.endUs)).line());
   }
-  write((stretch.isFrame() ? frameJson(stretch, endUs, values) : noFrameJson(stretch, endUs)).line());
+  if (stretch.slots.empty()) {
+    const std::optional<double> endUs = known(stretch.endUs());
+    write((stretch.isFrame() ? frameJson(stretch, endUs, values, form) : noFrameJson(stretch, endUs)).line());
+  }
 }
 
 void writeJsonEnd(const line::Observer &observer) {
@@ -221,13 +227,17 @@ void writeJsonEnd(const line::Observer &observer) {
             .line());
 }
 
-void run(const SourceOption &source, const HexOptions &options) {
+void run(const SourceOption &source, const HexOptions &options, const ChannelForm &form) {
   const std::unique_ptr<Input> input = source.open();
+  if (options.json) {
+    write(source.json().line());
+    flush();
+  }
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   HexView view(observer, options, source.hasTimes());
   HeldSlots held(observer, [&](const line::Stretch &stretch) {
-    options.json ? writeJson(stretch, observer.newest(), source.hasTimes()) : view.show(stretch);
+    options.json ? writeJson(stretch, observer.newest(), source.hasTimes(), form) : view.show(stretch);
   });
   observer.listen([&held](const line::Stretch &stretch) { held.take(stretch); });
   SilenceNote silence(source.name(), "bytes");
@@ -268,7 +278,8 @@ void addHex(CLI::App &app) {
       "Each line has the time at which its last byte ended in seconds, - if it is not known; the bytes, ! after one "
       "with a wrong parity or stop bit; "
       "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
-  subcommand.run([source, options] { run(*source, *options); });
+  const auto form = std::make_shared<ChannelFormOption>(subcommand);
+  subcommand.run([source, options, form] { run(*source, *options, form->form()); });
 }
 
 }  // namespace tool

@@ -142,6 +142,9 @@ void show(const SourceOption &source, Input &input, const MonitorOptions &option
   const sbus::Range scale = options.range->range();
   const sbus::Range pulses = options.range->isMake() ? sbus::FrSky : scale;
   Watch watch(source.name(), source.hasTimes(), input.settings(), scale, pulses, options.sensors->sensors());
+  if (options.json) {
+    write(source.json().line());
+  }
   uint64_t lastUs = 0;
   const auto put = [&](const line::Character &character) {
     watch.put(character);
@@ -180,7 +183,7 @@ void run(const SourceOption &source, const MonitorOptions &options) {
   }
   writeTo(options.record, File::New, [&](const Put &put) {
     Recorder recorder("monitor " + source.name(), input->settings(), source.isFile() && source.isWire(),
-                      source.hasTimes(), put);
+                      source.hasTimes(), source.startUs(), put);
     show(source, *input, options, &recorder);
     std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
   });

@@ -8,7 +8,6 @@
 #include "cli/SilenceNote.h"
 #include "cli/SvgPlot.h"
 #include "cli/options/CsvColumn.h"
-#include "cli/options/LineOptions.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/recording/CsvRows.h"

@@ -18,7 +18,7 @@ void run(const SourceOption &source, const std::string &name) {
   const std::unique_ptr<Input> input = source.open();
   writeTo(name, File::New, [&](const Put &put) {
     Recorder recorder("record " + source.name(), input->settings(), source.isFile() && source.isWire(),
-                      source.hasTimes(), put);
+                      source.hasTimes(), source.startUs(), put);
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
     SilenceNote silence(source.name(), "frames");
     uint64_t endUs = 0;
@@ -30,6 +30,7 @@ void run(const SourceOption &source, const std::string &name) {
         },
         [&](uint64_t nowUs) {
           endUs = isFile ? endUs : nowUs;
+          recorder.idleUntil(input->knownUs());
           silence.tick(nowUs, recorder.knows());
         });
     recorder.finish();

@@ -14,8 +14,6 @@ void addHex(CLI::App &app);
 void addCsv(CLI::App &app);
 void addPlot(CLI::App &app);
 void addRecord(CLI::App &app);
-void addReplay(CLI::App &app);
-void addSimulate(CLI::App &app);
 void addSend(CLI::App &app);
 void addCalibrate(CLI::App &app);
 void addJoystick(CLI::App &app);

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "cli/Format.h"
+#include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/SensorOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Observer.h"
+#include "line/capture/Text.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -21,11 +23,13 @@ namespace {
 
 class TelemetryView {
  public:
-  TelemetryView(uint32_t characterUs, const line::SensorsBySlot &sensors, bool hasTimes)
-      : _sensors(sensors), _hasTimes(hasTimes) {
+  TelemetryView(uint32_t characterUs, const line::SensorsBySlot &sensors, bool hasTimes, bool asJson)
+      : _sensors(sensors), _hasTimes(hasTimes), _asJson(asJson) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &) { print(_observer.telemetry().proved()); });
-    write("time_s,slot,data0,data1,quantity,value,unit\n");
+    if (!asJson) {
+      write("time_s,slot,data0,data1,quantity,value,unit\n");
+    }
   }
 
   line::Observer &observer() { return _observer; }
@@ -54,6 +58,10 @@ class TelemetryView {
     }
     for (const line::TelemetrySlots::Slot &slot : slots) {
       const auto quantity = shown.find(slot.number);
+      if (_asJson) {
+        writeJson(slot, quantity == shown.end() ? nullptr : &quantity->second);
+        continue;
+      }
       write((_hasTimes ? format("%.6f", static_cast<double>(slot.endUs) / 1e6) : "-") +
             format(",%u,%u,%u,", slot.number, slot.data.data0, slot.data.data1) +
             (quantity == shown.end()
@@ -63,14 +71,31 @@ class TelemetryView {
     }
   }
 
+  void writeJson(const line::TimedSlot &slot, const line::Quantity *quantity) const {
+    Json json =
+        slotJson(slot, _hasTimes ? std::optional<double>(static_cast<double>(slot.endUs)) : std::nullopt);
+    if (quantity != nullptr) {
+      double number = 0;
+      json.text("quantity", quantity->name);
+      line::parseNumber(quantity->value, number) ? json.digits("value", quantity->value)
+                                                 : json.text("value", quantity->value);
+      json.text("unit", quantity->unit);
+    }
+    write(json.line());
+  }
+
   const line::SensorsBySlot &_sensors;
   const bool _hasTimes;
+  const bool _asJson;
   line::Observer _observer;
 };
 
-void run(const SourceOption &source, const line::SensorsBySlot &sensors) {
+void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool asJson) {
   const std::unique_ptr<Input> input = source.open();
-  TelemetryView view(input->settings().characterUs(), sensors, source.hasTimes());
+  if (asJson) {
+    write(source.json().line());
+  }
+  TelemetryView view(input->settings().characterUs(), sensors, source.hasTimes(), asJson);
   SilenceNote silence(source.name(), "frames");
   input->run([&view](const line::Character &character) { view.observer().put(character); },
              [&](uint64_t nowUs) {
@@ -86,11 +111,13 @@ void addTelemetry(CLI::App &app) {
   Subcommand subcommand(app, "telemetry", "the sensors of an S.BUS2 line, as CSV");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto sensors = std::make_shared<SensorOption>(subcommand);
+  const auto json = std::make_shared<bool>(false);
+  subcommand.flag("--json", *json, "JSON lines: a slot each");
   subcommand.footer(
       "A slot does not say which sensor fills it: name the sensors that the radio has. Slot 0 is the receiver's own "
       "voltage. There is no checksum: the bytes between two frames are printed only if they are slots of the "
       "announced group, once the second frame is there or the line has ended.");
-  subcommand.run([source, sensors] { run(*source, sensors->sensors()); });
+  subcommand.run([source, sensors, json] { run(*source, sensors->sensors(), *json); });
 }
 
 }  // namespace tool

@@ -34,12 +34,12 @@ std::unique_ptr<line::Line> makeLine(const Options &options) {
   source.isForSketch = true;
   std::unique_ptr<line::Line> line = source.open();
   std::fprintf(stderr, "Serial%d: %s", options.on, source.text().c_str());
-  if (options.seconds > 0 && source.recording.empty()) {
+  if (options.seconds > 0 && source.isSimulated()) {
     std::fprintf(stderr, ", %g s; Ctrl-C stops it\n", options.seconds);
   } else {
     std::fprintf(stderr, "; Ctrl-C stops it\n");
   }
-  if (source.recording.empty() && !source.silent) {
+  if (source.isSimulated() && !source.silent) {
     std::fprintf(stderr, "  %s\n", what(source.sticks));
   }
   return line;

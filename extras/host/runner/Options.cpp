@@ -1,9 +1,11 @@
 #include "Options.h"
 
+#include <sys/stat.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
-#include <map>
+#include <stdexcept>
 
 namespace host {
 
@@ -53,8 +55,8 @@ void addWires(const std::vector<std::string> &texts, Options &options) {
 void addSent(const std::vector<std::string> &texts, Options &options) {
   for (const std::string &text : texts) {
     const SentOption sent = {portOf(text[0]), text.substr(2)};
-    if (sent.file == options.source.recording) {
-      throw CLI::ValidationError("--sent", "another file than that of --recording is expected");
+    if (sent.file == options.source.name) {
+      throw CLI::ValidationError("--sent", "another file than that of --source is expected");
     }
     for (const SentOption &other : options.sent) {
       if (other.port == sent.port || other.file == sent.file) {
@@ -63,6 +65,37 @@ void addSent(const std::vector<std::string> &texts, Options &options) {
     }
     options.sent.push_back(sent);
   }
+}
+
+// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
+bool isPortName(const std::string &name) {
+  struct stat status;
+  return stat(name.c_str(), &status) == 0 ? S_ISCHR(status.st_mode) : name.rfind("/dev/", 0) == 0;
+}
+
+void takeSource(const std::string &text, unsigned long baud, Options &options) {
+  try {
+    options.source = line::parseSource(text);
+  } catch (const std::runtime_error &error) {
+    throw CLI::ValidationError("--source", error.what());
+  }
+  options.source.settings.baud = baud;
+  if (options.source.sbus2 && baud != sbus::Baud) {
+    throw CLI::ValidationError("--baud", "S.BUS2 has 100000 baud; leave it out");
+  }
+  if (options.source.isSimulated() || !isPortName(options.source.name)) {
+    return;
+  }
+  if (options.source.disturbs() || baud != sbus::Baud || options.pulses || options.simulatedTime) {
+    throw CLI::ValidationError("--source", options.source.name + ": a port runs in real time at 100000 baud; leave " +
+                                               (options.source.disturbs() ? "the words after the colon"
+                                                : baud != sbus::Baud     ? "--baud"
+                                                : options.pulses         ? "--pulses"
+                                                                         : "--simulated-time") +
+                                               " out");
+  }
+  options.port = options.source.name;
+  options.source.settings.polarity = line::Polarity::Either;
 }
 
 // Lets a wire at the RX pin of --on replace the line. Options of a line are then rejected: there is no line.
@@ -87,44 +120,16 @@ Options parseOptions(int argc, char **argv) {
   Options options;
   std::vector<std::string> wires;
   std::vector<std::string> sent;
+  std::string name = "sim";
+  unsigned long baudRate = sbus::Baud;
   CLI::App app{"Runs the sketch on this PC. Its Serial is standard output; everything else goes to standard error."};
 
-  auto *recording = app.add_option("--recording", options.source.recording, "play this recording of a line, once");
-  recording->type_name("FILE");
-  auto *port = app.add_option("--port", options.port, "listen to a receiver at this serial port, until Ctrl-C");
-  port->type_name("DEVICE")->excludes(recording);
-  auto *lineBaud =
-      app.add_option("--line-baud", options.source.settings.baud, "the line's baud rate (100000; Fast S.Bus: 200000)");
-  lineBaud->check(CLI::IsMember({100000, 200000}).description(""))->type_name("N")->excludes(port);
-  auto *uninverted = app.add_flag("--uninverted", "the line is not inverted, like that of a receiver's uninverted pad");
-  uninverted->excludes(port);
-  auto *noise = app.add_option("--noise", options.source.noise,
-                               "disturbances per second on the line, 1..100000 (default: none)");
-  noise->check(CLI::Range(1, 100000).description(""))->type_name("R")->excludes(port);
-  auto *silent = app.add_flag("--silent", options.source.silent, "the simulated receiver sends nothing");
-  silent->excludes(port)->excludes(recording);
-  const std::map<std::string, line::Sticks> movements = {{"flight", line::Sticks::Flight},
-                                                         {"calibration", line::Sticks::Calibration}};
-  std::string sticks = "flight";
-  auto *sticksOption = app.add_option("--sticks", sticks, "how the sticks of the simulated radio move (flight)");
-  sticksOption->check(CLI::IsMember({"flight", "calibration"}).description(""))
-      ->type_name("flight|calibration")
-      ->excludes(port)
-      ->excludes(recording)
-      ->excludes(silent);
-  const std::map<int, line::Channels> kinds = {
-      {16, line::Channels::Sixteen}, {24, line::Channels::TwentyFour}, {32, line::Channels::ThirtyTwo}};
-  int channels = 16;
-  auto *channelsOption = app.add_option(
-      "--channels", channels, "channels of the simulated receiver; 24: FrSky's, 32: Futaba's FASSTest 26 (16)");
-  channelsOption->check(CLI::IsMember({16, 24, 32}).description(""))
-      ->type_name("16|24|32")
-      ->excludes(port)
-      ->excludes(recording)
-      ->excludes(silent);
-  auto *sbus2 = app.add_flag("--sbus2", options.source.sbus2,
-                             "the simulated receiver speaks S.BUS2: a sensor answers it, and TX shares the wire");
-  sbus2->excludes(port)->excludes(recording)->excludes(silent)->excludes(channelsOption)->excludes(lineBaud);
+  auto *source = app.add_option("--source", name,
+                                "sim, sim:WORD,..., a recording (played once) or a serial port (until Ctrl-C); words: "
+                                "24, 32, sbus2, silent, calibration; also of a recording: noise=N, uninverted (sim)");
+  source->type_name("SOURCE");
+  auto *baud = app.add_option("--baud", baudRate, "the line's baud rate (100000; Fast S.Bus: 200000)");
+  baud->check(CLI::IsMember({100000, 200000}).description(""))->type_name("100000|200000");
   auto *on = app.add_option("--on", options.on, "the line is attached to Serial1, 2 or 3 (1)");
   on->check(CLI::Range(1, 3).description(""))->type_name("1|2|3");
   app.add_option("--wire", wires, "a wire from TX of one port to RX of another or the same; may be given several times")
@@ -137,14 +142,13 @@ Options parseOptions(int argc, char **argv) {
       ->type_name("N:FILE")
       ->take_all()
       ->allow_extra_args(false);
-  app.add_flag("--pulses", options.pulses, "servo pulses come to the pins 2..5, as from a receiver without S.Bus")
-      ->excludes(port);
+  app.add_flag("--pulses", options.pulses, "servo pulses come to the pins 2..5, as from a receiver without S.Bus");
   app.add_option("--eeprom", options.eeprom, "keep the EEPROM's contents in this file (erased at each start)")
       ->type_name("FILE");
   app.add_option("--seconds", options.seconds, "end after this many seconds (default: 15; calibration: 40)")
       ->check(CLI::Validator(checkSeconds, ""))
       ->type_name("S");
-  app.add_flag("--simulated-time", options.simulatedTime, "as fast as the PC can, exactly repeatable")->excludes(port);
+  app.add_flag("--simulated-time", options.simulatedTime, "as fast as the PC can, exactly repeatable");
   app.add_option("--loop-us", options.loopUs, "what a call of loop() costs, in microseconds (50)")
       ->check(CLI::Range(1, 1000000).description(""))
       ->type_name("N");
@@ -154,18 +158,14 @@ Options parseOptions(int argc, char **argv) {
 
   try {
     app.parse(argc, argv);
-    options.source.sticks = movements.at(sticks);
-    options.source.channels = kinds.at(channels);
-    options.source.settings.polarity = port->count() > 0         ? line::Polarity::Either
-                                       : uninverted->count() > 0 ? line::Polarity::Uninverted
-                                                                 : line::Polarity::Inverted;
+    takeSource(name, baudRate, options);
     addWires(wires, options);
     addSent(sent, options);
-    settleLine({recording, port, lineBaud, uninverted, noise, silent, sticksOption, channelsOption, sbus2, on}, options);
+    settleLine({source, baud, on}, options);
   } catch (const CLI::ParseError &error) {
     std::exit(app.exit(error));
   }
-  if (options.seconds == 0 && options.source.recording.empty() && options.port.empty() && !options.pty) {
+  if (options.seconds == 0 && options.source.isSimulated() && options.port.empty() && !options.pty) {
     options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // once
   }
   return options;

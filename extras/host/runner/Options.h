@@ -23,7 +23,7 @@ struct SentOption {
 
 struct Options {
   line::Source source;
-  std::string port;  // a device's name, which replaces the source; or empty
+  std::string port;  // the name of the source if it is a port; or empty
   int on = 1;        // 0: there is no line, a wire has replaced it
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;

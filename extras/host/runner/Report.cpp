@@ -158,7 +158,7 @@ void reportOutput(const SketchOutput &output) {
 // Prints why a recording has brought no output: most sketches print a few times a second, and only while frames come.
 void reportSilence(Board &board, const Options &options) {
   constexpr uint64_t ShortUs = 1000000;
-  if (options.source.recording.empty() || options.on == 0 || board.output().columns().lines() > 0) {
+  if (options.source.isSimulated() || options.on == 0 || board.output().columns().lines() > 0) {
     return;
   }
   if (board.port(options.on).observer().counters().frames == 0) {

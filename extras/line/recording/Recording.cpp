@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "line/recording/CsvRows.h"
+#include "line/recording/WallTime.h"
 #include "line/recording/Words.h"
 
 namespace line {
@@ -68,42 +69,20 @@ bool parseCharacter(std::string_view word, Character &character) {
   return word.size() == 1 || word.size() == 2;
 }
 
-// Appends the characters of a line. Returns what is wrong with it, or nothing.
-std::string parseLine(std::string_view line, uint32_t characterUs, Characters &characters) {
-  const std::string_view timeWord = takeWord(line);
-  if (timeWord.empty() || timeWord.front() == '#') {
-    return {};
-  }
-  Character character;
-  const size_t mark = timeWord.find('~');
-  uint64_t lateUs = 0;
-  if (!parseTime(timeWord.substr(0, mark), character.endUs) ||
-      (mark != std::string_view::npos && (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs > LateMaxUs))) {
-    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
-  }
-  if (!characters.empty() && character.endUs < characters.back().endUs + characterUs) {
-    return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
-           std::to_string(characters.back().endUs) + " us, and each takes " + std::to_string(characterUs) + " us";
-  }
-  character.lateUs = static_cast<uint32_t>(lateUs);
-  std::string_view word = takeWord(line);
-  if (word.empty()) {
-    return "there is a time, but no characters: bytes in hexadecimal are expected after it";
-  }
-  for (; !word.empty(); word = takeWord(line)) {
-    if (!parseCharacter(word, character)) {
-      return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
-    }
-    characters.push_back(character);
-    character.endUs += characterUs;
-  }
-  return {};
-}
-
 // Returns true for the line of names over rows with times, as sbus csv and the scope write it.
 bool namesTimes(std::string_view text) {
   const std::string_view first = text.substr(0, text.find(','));
   return first == "time" || first == "seconds";
+}
+
+// Returns true for a line of names that begins with a channel: "CH1,CH2".
+bool namesChannel(std::string_view text) {
+  size_t digits = 2;
+  while (digits < text.size() && text[digits] >= '0' && text[digits] <= '9') {
+    digits++;
+  }
+  return lower(text.substr(0, 2)) == "ch" && digits > 2 && digits < text.size() &&
+         (text[digits] == ',' || text[digits] == '\r' || text[digits] == '\n');
 }
 
 }  // namespace
@@ -129,9 +108,21 @@ LineSettings settingsIn(std::string_view beginning) {
   return settings;
 }
 
+std::optional<int64_t> startIn(std::string_view beginning) {
+  beginning = withoutMark(beginning);
+  while (!beginning.empty() && beginning.front() == '#') {
+    const std::string_view comment = withoutBlanks(takeLine(beginning).substr(1));
+    int64_t us = 0;
+    if (comment.substr(0, BeganText.size()) == BeganText && parseWallTime(comment.substr(BeganText.size()), us)) {
+      return us;
+    }
+  }
+  return std::nullopt;
+}
+
 bool isCsvText(std::string_view beginning) {
   beginning = withoutMark(beginning);
-  if (namesTimes(beginning)) {
+  if (namesTimes(beginning) || namesChannel(beginning)) {
     return true;
   }
   CsvRows rows;
@@ -144,44 +135,80 @@ bool isCsvText(std::string_view beginning) {
   return false;
 }
 
+// Takes the characters of a line. Returns what is wrong with it, or nothing.
+std::string RecordingReader::parse(std::string_view line) {
+  const std::string_view timeWord = takeWord(line);
+  if (timeWord.empty() || timeWord.front() == '#') {
+    return {};
+  }
+  Character character;
+  const size_t mark = timeWord.find('~');
+  uint64_t lateUs = 0;
+  if (!parseTime(timeWord.substr(0, mark), character.endUs) ||
+      (mark != std::string_view::npos && (!parseTime(timeWord.substr(mark + 1), lateUs) || lateUs > LateMaxUs))) {
+    return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
+  }
+  if (_any && character.endUs < _last.endUs + _characterUs) {
+    return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
+           std::to_string(_last.endUs) + " us, and each takes " + std::to_string(_characterUs) + " us";
+  }
+  character.lateUs = static_cast<uint32_t>(lateUs);
+  std::string_view word = takeWord(line);
+  if (word.empty()) {
+    return "there is a time, but no characters: bytes in hexadecimal are expected after it";
+  }
+  for (; !word.empty(); word = takeWord(line)) {
+    if (!parseCharacter(word, character)) {
+      return quoted(word) + " is not a byte: one or two hexadecimal digits are expected";
+    }
+    put(character);
+    character.endUs += _characterUs;
+  }
+  return {};
+}
+
 void RecordingReader::row(std::string_view text) {
   constexpr uint64_t RowUs = 200000;
   constexpr uint32_t AtOnceUs = 1;  // so that 111 rows a second with 32 numbers each have room
-  const Characters &characters = _recording.characters;
   const size_t comma = text.find(',');
-  _hasTimes = _hasTimes || (characters.empty() && namesTimes(text));
+  _hasTimes = _hasTimes || (!_any && namesTimes(text));
   if (!_hasTimes || comma == std::string_view::npos) {
-    put(text, (characters.empty() ? 1 : characters.back().endUs / RowUs + 1) * RowUs, _characterUs);
+    putRow(text, (_any ? _last.endUs / RowUs + 1 : 1) * RowUs, _characterUs);
     return;
   }
   const double seconds = std::strtod(std::string(text.substr(0, comma)).c_str(), nullptr);
   const uint64_t us =
       seconds > 0 && seconds * 1e6 < RecordingTimeMaxUs ? static_cast<uint64_t>(seconds * 1e6 + 0.5) : 0;
-  put(text.substr(comma + 1), us, AtOnceUs);
+  putRow(text.substr(comma + 1), us, AtOnceUs);
 }
 
 // Adds a row whose first character is complete at `endUs`, or, in rows with times, whose last is.
-void RecordingReader::put(std::string_view text, uint64_t endUs, uint32_t characterUs) {
-  Characters &characters = _recording.characters;
+void RecordingReader::putRow(std::string_view text, uint64_t endUs, uint32_t characterUs) {
   const std::string row = std::string(text.substr(0, RecordingLineMax / 2)) + '\n';
   if (_hasTimes) {
-    const uint64_t earliestUs = characters.empty() ? characterUs : characters.back().endUs + characterUs;
+    const uint64_t earliestUs = _any ? _last.endUs + characterUs : characterUs;
     endUs = std::max(earliestUs, endUs - std::min<uint64_t>(endUs, (row.size() - 1) * characterUs));
   }
   Character character;
   character.endUs = endUs;
   for (const char c : row) {
     character.value = static_cast<uint8_t>(c);
-    characters.push_back(character);
+    put(character);
     character.endUs += characterUs;
   }
+}
+
+void RecordingReader::put(const Character &character) {
+  _recording.characters.push_back(character);
+  _last = character;
+  _any = true;
 }
 
 void RecordingReader::line(std::string_view text) {
   if (!_recording.error.empty()) {
     return;
   }
-  if (_number == 0 && _recording.characters.empty()) {
+  if (_number == 0 && !_any) {
     text = withoutMark(text);
   }
   if (_csv) {
@@ -191,12 +218,12 @@ void RecordingReader::line(std::string_view text) {
   _number++;
   _recording.error = text.size() > RecordingLineMax
                          ? "line is too long: at most " + std::to_string(RecordingLineMax) + " characters are expected"
-                         : parseLine(text, _characterUs, _recording.characters);
+                         : parse(text);
   _recording.errorLine = _recording.error.empty() ? 0 : _number;
 }
 
 Recording RecordingReader::finish() {
-  if (_recording.error.empty() && _recording.characters.empty()) {
+  if (_recording.error.empty() && !_any) {
     _recording.error = "is empty: at least one line \"microseconds byte byte ...\" is expected";
   }
   return std::move(_recording);

@@ -11,8 +11,10 @@
 #include <cstddef>
 #include <deque>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "line/Line.h"
 #include "line/simulation/LineSettings.h"
@@ -94,6 +96,9 @@ constexpr size_t RecordingBeginning = 4096;  // bytes of a file that show what i
 // character: Fast S.Bus, or a sketch's Serial, 8N1; S.Bus without such a comment.
 LineSettings settingsIn(std::string_view beginning);
 
+// Returns when time 0 of the recorded line was, by a comment as RecordingWriter::began() writes it, in us since 1970.
+std::optional<int64_t> startIn(std::string_view beginning);
+
 // Returns true if the text is no recording, but the rows that a sketch prints.
 bool isCsvText(std::string_view beginning);
 
@@ -109,16 +114,27 @@ class RecordingReader {
   // Takes the next line, without its LF. Does nothing once something was wrong.
   void line(std::string_view text);
 
-  // Returns the recording, after its last line. With an error, `characters` holds what came before it.
+  // Returns the characters that have come since the last call.
+  Characters take() { return std::exchange(_recording.characters, {}); }
+
+  // Returns what is wrong with the newest line, or nothing.
+  const std::string &error() const { return _recording.error; }
+
+  // Returns the recording, after its last line: all of it, or what was not taken. With an error, `characters` holds what
+  // came before it.
   Recording finish();
 
  private:
   void row(std::string_view text);
-  void put(std::string_view text, uint64_t endUs, uint32_t characterUs);
+  std::string parse(std::string_view line);
+  void putRow(std::string_view text, uint64_t endUs, uint32_t characterUs);
+  void put(const Character &character);
 
   const uint32_t _characterUs;
   const bool _csv;
   Recording _recording;
+  Character _last;         // the newest one
+  bool _any = false;
   unsigned _number = 0;    // of the last line
   bool _hasTimes = false;  // of its rows
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "line/recording/WallTime.h"
+
 namespace line {
 
 namespace {
@@ -16,6 +18,10 @@ void RecordingWriter::comment(const std::string &text) {
   _done += "# " + text + '\n';
 }
 
+void RecordingWriter::began(int64_t us) {
+  comment(std::string(BeganText) + wallTime(us));
+}
+
 void RecordingWriter::opened(const LineSettings &settings) {
   if (_opened && settings == _settings) {
     return;
@@ -28,7 +34,7 @@ void RecordingWriter::opened(const LineSettings &settings) {
 void RecordingWriter::put(const Character &character) {
   const uint64_t earliestUs = _begun ? _lastEndUs + _settings.characterUs() : 0;
   const uint64_t endUs = std::max(character.endUs, earliestUs);
-  if (_onLine == LineMax || endUs != earliestUs || character.lateUs != _lateUs) {
+  if (endUs != earliestUs || character.lateUs != _lateUs) {
     endLine();
   }
   if (_onLine == 0) {
@@ -42,7 +48,9 @@ void RecordingWriter::put(const Character &character) {
   _line += character.bad ? "!" : "";
   _lastEndUs = endUs;
   _begun = true;
-  _onLine++;
+  if (++_onLine == LineMax) {
+    endLine();
+  }
 }
 
 void RecordingWriter::endLine() {

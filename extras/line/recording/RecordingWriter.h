@@ -15,16 +15,19 @@ class RecordingWriter {
   // Writes a comment of one line.
   void comment(const std::string &text);
 
+  // Writes a comment that says when time 0 was, in us since 1970, and the version of the format.
+  void began(int64_t us);
+
   // Writes a comment with the line's settings from now on.
   void opened(const LineSettings &settings);
 
   // Writes the next character. One that ends too early for its line gets the earliest time that a reader takes.
   void put(const Character &character);
 
-  // Ends the last line. Call it once, at the end.
+  // Ends the last line: at the end, or because the line is silent.
   void finish() { endLine(); }
 
-  // Returns the whole lines since the last call: at most 25 characters wait for their line's end.
+  // Returns the whole lines since the last call: less than 25 characters wait for their line's end.
   std::string take() { return std::exchange(_done, {}); }
 
  private:

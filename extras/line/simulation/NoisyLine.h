@@ -24,6 +24,8 @@ class NoisyLine : public Line {
   void hear(const Character &character) override { _line->hear(character); }
   std::string report() const override { return _line->report(); }
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
+  bool mayGoTo(uint64_t us) override { return _line->mayGoTo(us); }
+  std::string failure() const override { return _line->failure(); }
 
  private:
   std::unique_ptr<Line> _line;

@@ -60,7 +60,7 @@ void TelemetrySlots::finish() {
   _between.clear();
 }
 
-std::vector<sbus::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
+std::vector<TelemetrySlots::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
   std::vector<Character> all = _between;
   all.insert(all.end(), stretch.characters.begin(), stretch.characters.end());
   if (!_isWhole || all.size() > sbus::GroupSizeMax || !isGood(stretch.characters)) {
@@ -70,7 +70,7 @@ std::vector<sbus::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
   uint32_t breaks = 0;  // a break may still come
   const int count = read(all, slots, breaks);
   const int before = static_cast<int>(endsOf(_between).size());
-  return count <= before ? std::vector<sbus::Slot>() : std::vector<sbus::Slot>(slots + before, slots + count);
+  return timed(slots, before, count, all);
 }
 
 unsigned long TelemetrySlots::characters() const {
@@ -86,6 +86,17 @@ int TelemetrySlots::read(const std::vector<Character> &characters, sbus::Slot *s
   return sbus::readSlots(_end, bytes, static_cast<uint8_t>(characters.size()), slots, breaks);
 }
 
+// Returns the slots `from` to `to` of these characters, with their times.
+std::vector<TelemetrySlots::Slot> TelemetrySlots::timed(const sbus::Slot *slots, int from, int to,
+                                                        const std::vector<Character> &characters) {
+  const std::vector<size_t> ends = endsOf(characters);
+  std::vector<Slot> found;
+  for (int i = from; i < to; i++) {
+    found.push_back({slots[i], characters[ends[static_cast<size_t>(i)]].endUs});
+  }
+  return found;
+}
+
 std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
   if (!sbus::announcesSlots(_end)) {
     return {};
@@ -99,12 +110,7 @@ std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
   if (_rejectedInRow == MostRejected) {
     _breaks = 0;  // it may be another receiver by now
   }
-  const std::vector<size_t> ends = endsOf(_between);
-  std::vector<Slot> found;
-  for (int i = 0; i < count; i++) {
-    found.push_back({slots[i], _between[ends[static_cast<size_t>(i)]].endUs});
-  }
-  return found;
+  return timed(slots, 0, count, _between);
 }
 
 }  // namespace line

@@ -11,9 +11,7 @@ namespace line {
 
 class TelemetrySlots {
  public:
-  struct Slot : sbus::Slot {
-    uint64_t endUs;  // of its last character
-  };
+  using Slot = TimedSlot;
 
   // Takes the next stretch.
   void put(const Stretch &stretch);
@@ -27,7 +25,7 @@ class TelemetrySlots {
 
   // Returns the slots that the next stretch consists of, if only slots came since the last frame; otherwise none. They
   // are proved once a frame follows.
-  std::vector<sbus::Slot> slotsIn(const Stretch &stretch) const;
+  std::vector<Slot> slotsIn(const Stretch &stretch) const;
 
   // Returns true if a frame has announced a group.
   bool announced() const { return _announced; }
@@ -49,6 +47,7 @@ class TelemetrySlots {
 
   int read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const;
 
+  static std::vector<Slot> timed(const sbus::Slot *slots, int from, int to, const std::vector<Character> &characters);
   std::vector<Slot> prove();
   void takeProved();
 

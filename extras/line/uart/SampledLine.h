@@ -18,6 +18,8 @@ class SampledLine : public Line {
   bool finished(uint64_t nowUs) const override { return _line->finished(nowUs); }
   std::string failure() const override { return _line->failure(); }
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
+  bool wait() override { return _agrees && _line->wait(); }
+  bool mayGoTo(uint64_t us) override { return _line->mayGoTo(us); }
 
  private:
   std::unique_ptr<Line> _line;

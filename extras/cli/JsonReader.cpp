@@ -1,0 +1,317 @@
+#include "cli/JsonReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/Format.h"
+#include "cli/HexText.h"
+#include "cli/Units.h"
+#include "line/recording/Recording.h"
+#include "line/recording/WallTime.h"
+#include "line/recording/Words.h"
+#include "sbus/Frame.h"
+#include "sbus/Slots.h"
+
+namespace tool {
+
+namespace {
+
+using Object = nlohmann::json;
+
+constexpr uint64_t PeriodUs = 9000;  // between frames without times, as of the paper's receiver
+constexpr const char *Expected = "JSON lines as sbus hex --json writes them are expected";
+
+std::string typeOf(const Object &object) {
+  const auto type = object.find("type");
+  return type != object.end() && type->is_string() ? type->get<std::string>() : "";
+}
+
+// Reads time_us. Returns false if it is there, and no time.
+bool timeOf(const Object &object, std::optional<double> &us) {
+  const auto time = object.find("time_us");
+  if (time == object.end() || time->is_null()) {
+    return true;
+  }
+  us = time->is_number() ? time->get<double>() : -1;
+  return *us >= 0 && *us <= static_cast<double>(line::RecordingTimeMaxUs);
+}
+
+// Reads a flag: true, false, 1 or 0; false if it is not there. Returns false for anything else.
+bool flagOf(const Object &object, const char *name, bool &value) {
+  const auto flag = object.find(name);
+  if (flag == object.end()) {
+    value = false;
+    return true;
+  }
+  value = flag->is_boolean() ? flag->get<bool>() : *flag == 1;
+  return flag->is_boolean() || *flag == 0 || *flag == 1;
+}
+
+std::string quoted(const std::string &name, const Object &value) {
+  return name + ": " + value.dump(-1, ' ', false, Object::error_handler_t::replace).substr(0, 40);
+}
+
+// Reads the channels in one of the units. Returns what is wrong, or nothing.
+std::string channelsOf(const Object &object, const sbus::Range &range, std::vector<uint16_t> &raw) {
+  const Object *values = nullptr;
+  Unit unit = Unit::Raw;
+  for (const Unit each : {Unit::Raw, Unit::Us, Unit::Percent}) {
+    const auto found = object.find(fieldOf(each));
+    if (found != object.end() && values != nullptr) {
+      return std::string("has ") + fieldOf(unit) + " and " + fieldOf(each) + "; leave one of them out";
+    }
+    if (found != object.end()) {
+      values = &*found;
+      unit = each;
+    }
+  }
+  if (values == nullptr || !values->is_array() || (values->size() != 16 && values->size() != 24)) {
+    return "a frame has channels, us or percent: an array of 16 numbers, or of 24";
+  }
+  for (size_t i = 0; i < values->size(); i++) {
+    const Object &value = (*values)[i];
+    const std::optional<uint16_t> one = value.is_number() ? rawOf(value.get<double>(), unit, range) : std::nullopt;
+    if (!one) {
+      return quoted(format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " + extentOf(unit, range);
+    }
+    raw.push_back(*one);
+  }
+  return {};
+}
+
+// Reads the end byte; 00 if it is not there.
+bool endOf(const Object &object, uint8_t &end) {
+  const auto found = object.find("end");
+  if (found == object.end()) {
+    end = 0;
+    return true;
+  }
+  const HexText hex = parseHex(found->is_string() ? found->get<std::string>() : "?");
+  const bool isByte = hex.wrong.empty() && hex.bytes.size() == 1 && !hex.bytes[0].bad;
+  end = isByte ? hex.bytes[0].value : 0;
+  return isByte;
+}
+
+std::vector<line::Character> charactersOf(const uint8_t *bytes, size_t count) {
+  std::vector<line::Character> characters(count);
+  for (size_t i = 0; i < count; i++) {
+    characters[i].value = bytes[i];
+  }
+  return characters;
+}
+
+// Reads a frame. Returns what is wrong, or nothing.
+std::string frameOf(const Object &object, const sbus::Range &range, std::vector<line::Character> &characters) {
+  std::vector<uint16_t> channels;
+  const std::string wrong = channelsOf(object, range, channels);
+  if (!wrong.empty()) {
+    return wrong;
+  }
+  const auto first = object.find("first");
+  const bool isExtra = first != object.end() && *first == 17;
+  if (first != object.end() && (isExtra ? channels.size() != 16 : *first != 1)) {
+    return quoted("first", *first) + " is not 1, or 17 of a frame with header 2F";
+  }
+  bool switches[2] = {}, lostFrame = false, failsafe = false;
+  for (const auto &[name, value] : {std::pair<const char *, bool *>{isExtra ? "dg1" : "ch17", &switches[0]},
+                                    {isExtra ? "dg2" : "ch18", &switches[1]},
+                                    {"lost_frame", &lostFrame},
+                                    {"failsafe", &failsafe}}) {
+    if (!flagOf(object, name, *value)) {
+      return quoted(name, object[name]) + " is not true or false";
+    }
+  }
+  uint8_t frame[sbus::FrameSize24] = {};
+  size_t size = sbus::FrameSize;
+  if (channels.size() == sbus::ChannelCount24) {
+    sbus::pack24(frame, channels.data(), failsafe, lostFrame);
+    size = sbus::FrameSize24;
+  } else {
+    channels.push_back(switches[0]);
+    channels.push_back(switches[1]);
+    sbus::pack(frame, channels.data(), failsafe, lostFrame);
+    frame[0] = isExtra ? sbus::ExtraHeader : frame[0];
+  }
+  if (!endOf(object, frame[size - 1])) {
+    return quoted("end", object["end"]) + " is not an end byte in hexadecimal, such as \"00\"";
+  }
+  characters = charactersOf(frame, size);
+  return {};
+}
+
+std::string slotOf(const Object &object, std::vector<line::Character> &characters) {
+  const auto slot = object.find("slot");
+  const auto data = object.find("data");
+  const auto isWithin = [](const Object &value, unsigned most) {
+    return value.is_number_unsigned() && value.get<uint64_t>() <= most;
+  };
+  if (slot == object.end() || !isWithin(*slot, sbus::SlotCount - 1) || data == object.end() || !data->is_array() ||
+      data->size() != 2 || !isWithin((*data)[0], 255) || !isWithin((*data)[1], 255)) {
+    return "a slot has slot, 0 to 31, and data, two numbers from 0 to 255";
+  }
+  const uint8_t bytes[] = {sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()};
+  characters = charactersOf(bytes, sizeof bytes);
+  return {};
+}
+
+std::string bytesOf(const Object &object, const char *name, std::vector<line::Character> &characters) {
+  const auto text = object.find(name);
+  const HexText hex = parseHex(text != object.end() && text->is_string() ? text->get<std::string>() : "?");
+  if (!hex.wrong.empty() || hex.bytes.empty()) {
+    return std::string(name) + ": bytes in hexadecimal are expected, such as \"0F E3\"";
+  }
+  for (const HexText::Byte &byte : hex.bytes) {
+    line::Character character;
+    character.value = byte.value;
+    character.bad = byte.bad;
+    characters.push_back(character);
+  }
+  return {};
+}
+
+// Takes what a line says of itself.
+void takeLineObject(const Object &object, JsonHead &head, sbus::Range *range) {
+  const auto baud = object.find("baud");
+  if (baud != object.end() && *baud == 2 * sbus::Baud) {
+    head.settings.baud = 2 * sbus::Baud;
+  }
+  const auto timed = object.find("timed");
+  head.hasTimes = timed == object.end() || *timed != false;
+  int64_t us = 0;
+  const auto start = object.find("start");
+  if (start != object.end() && start->is_string() && line::parseWallTime(start->get<std::string>(), us)) {
+    head.startUs = us;
+  }
+  const auto named = object.find("range");
+  if (range != nullptr && named != object.end() && named->is_array() && named->size() == 3) {
+    uint16_t points[3] = {};
+    for (size_t i = 0; i < 3; i++) {
+      points[i] = (*named)[i].is_number_unsigned() ? (*named)[i].get<uint16_t>() : uint16_t{0};
+    }
+    *range = {points[0], points[1], points[2]};
+  }
+}
+
+bool isLineType(const std::string &type) {
+  return type == "frame" || type == "no_frame" || type == "slot" || type == "character";
+}
+
+}  // namespace
+
+JsonHead readJsonHead(std::string_view text) {
+  JsonHead head;
+  JsonSplitter splitter;
+  for (const char c : text) {
+    if (!splitter.put(c)) {
+      continue;
+    }
+    const Object read = Object::parse(splitter.take(), nullptr, false);
+    if (read.is_object() && typeOf(read) == "line") {
+      takeLineObject(read, head, nullptr);
+      head.isKnown = true;
+    } else if (read.is_object() && isLineType(typeOf(read))) {
+      std::optional<double> us;
+      head.hasTimes = !timeOf(read, us) || us;
+      head.isKnown = true;
+      break;
+    }
+  }
+  return head;
+}
+
+bool JsonSplitter::put(char c) {
+  const bool isBegun = _depth > 0;
+  if (isBegun || c == '{') {
+    _object += c;
+  }
+  if (_inText) {
+    _inText = _isEscaped || c != '"';
+    _isEscaped = !_isEscaped && c == '\\';
+    return false;
+  }
+  _inText = isBegun && c == '"';
+  _depth += (c == '{' ? 1 : 0) - (isBegun && c == '}' ? 1 : 0);
+  return isBegun && _depth == 0;
+}
+
+std::string JsonReader::line(std::string_view text, std::deque<line::Character> &characters) {
+  for (const char c : text) {
+    if (!_splitter.isWithin() && c != '{' && !line::isBlank(c)) {
+      return line::quoted(line::withoutBlanks(text)) + " is no JSON object; " + Expected;
+    }
+    if (!_splitter.put(c)) {
+      continue;
+    }
+    const std::string wrong = take(_splitter.take(), characters);
+    if (!wrong.empty()) {
+      return wrong;
+    }
+  }
+  _splitter.put('\n');
+  return {};
+}
+
+std::string JsonReader::finish() {
+  return _splitter.isWithin() ? std::string("ends within an object; ") + Expected
+         : !_any              ? std::string("has no frames; ") + Expected
+                              : "";
+}
+
+// Returns what is wrong with the object, or nothing.
+std::string JsonReader::take(const std::string &object, std::deque<line::Character> &characters) {
+  const Object read = Object::parse(object, nullptr, false);
+  if (!read.is_object()) {
+    return line::quoted(object) + " is no JSON object; " + Expected;
+  }
+  const std::string type = typeOf(read);
+  if (type == "line") {
+    JsonHead head;
+    takeLineObject(read, head, &_range);
+  }
+  if (!isLineType(type)) {
+    return {};
+  }
+  std::vector<line::Character> came;
+  const std::string wrong = type == "frame"      ? frameOf(read, _range, came)
+                            : type == "slot"     ? slotOf(read, came)
+                            : type == "no_frame" ? bytesOf(read, "bytes", came)
+                                                 : bytesOf(read, "byte", came);
+  std::optional<double> us;
+  if (!wrong.empty() || !timeOf(read, us)) {
+    return wrong.empty() ? quoted("time_us", read["time_us"]) + " is no time in microseconds" : wrong;
+  }
+  if (type == "character") {
+    bool parityError = false, framingError = false;
+    if (!flagOf(read, "parity_error", parityError) || !flagOf(read, "framing_error", framingError)) {
+      return "parity_error and framing_error are true or false";
+    }
+    came[0].bad = parityError || framingError;
+    us = us ? std::optional<double>(*us + _characterUs) : std::nullopt;  // its time is that of the start bit
+  }
+  return put(us, came, characters);
+}
+
+// Appends characters that end at `endUs`, back to back.
+std::string JsonReader::put(std::optional<double> endUs, const std::vector<line::Character> &came,
+                            std::deque<line::Character> &characters) {
+  const uint64_t endOfAll = endUs ? static_cast<uint64_t>(std::llround(*endUs)) : _lastUs + PeriodUs;
+  if (_any && endOfAll <= _lastUs) {
+    return format("time_us %llu does not come after %llu, the time before", static_cast<unsigned long long>(endOfAll),
+                  static_cast<unsigned long long>(_lastUs));
+  }
+  const uint64_t lengthUs = came.size() * uint64_t{_characterUs};
+  uint64_t us = endOfAll - std::min(endOfAll, lengthUs);
+  us = _any ? std::max(us, _lastUs) : us;
+  for (line::Character character : came) {
+    us += _characterUs;
+    character.endUs = us;
+    characters.push_back(character);
+  }
+  _lastUs = us;
+  _any = true;
+  return {};
+}
+
+}  // namespace tool

@@ -1,0 +1,69 @@
+// Reads JSON lines as `sbus hex --json` writes them, or what another program has made of them: sbus.1, JSON LINES.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/TextLine.h"
+#include "line/simulation/LineSettings.h"
+#include "sbus/Scaling.h"
+
+namespace tool {
+
+// Splits a text into objects.
+class JsonSplitter {
+ public:
+  // Takes the next character. Returns true if it completes an object.
+  bool put(char c);
+
+  // Returns the object that is complete.
+  std::string take() { return std::exchange(_object, {}); }
+
+  // Returns true if an object has begun.
+  bool isWithin() const { return _depth > 0; }
+
+ private:
+  std::string _object;
+  int _depth = 0;
+  bool _inText = false;  // within quotation marks
+  bool _isEscaped = false;
+};
+
+// What the first objects say of the line.
+struct JsonHead {
+  line::LineSettings settings;
+  std::optional<int64_t> startUs;  // when time 0 was, in us since 1970
+  bool hasTimes = true;            // of its frames
+  bool isKnown = false;            // an object has said so
+};
+
+// Reads the head of a text that may be cut anywhere.
+JsonHead readJsonHead(std::string_view text);
+
+// Objects need not stand on one line each; those of other types than line, frame, no_frame, slot and character are left
+// out. A frame without a time ends 9 ms after the one before.
+class JsonReader : public LineReader {
+ public:
+  explicit JsonReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}
+
+  std::string line(std::string_view text, std::deque<line::Character> &characters) override;
+  std::string finish() override;
+
+ private:
+  std::string take(const std::string &object, std::deque<line::Character> &characters);
+  std::string put(std::optional<double> endUs, const std::vector<line::Character> &came,
+                  std::deque<line::Character> &characters);
+
+  const uint32_t _characterUs;
+  JsonSplitter _splitter;
+  uint64_t _lastUs = 0;
+  bool _any = false;
+  sbus::Range _range = sbus::FrSky;
+};
+
+}  // namespace tool

@@ -1,0 +1,104 @@
+#include "cli/RepeatedFrames.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tool {
+
+namespace {
+
+constexpr uint64_t RowUs = 200000;  // of rows without times, as a sketch and `sbus csv` print them
+
+}  // namespace
+
+RepeatedFrames::RepeatedFrames(std::string name, std::unique_ptr<TextInput> text, uint64_t periodUs,
+                               uint32_t characterUs, uint64_t fromUs, uint64_t toUs)
+    : _name(std::move(name)), _text(std::move(text)), _periodUs(periodUs), _characterUs(characterUs), _frameUs(fromUs), _toUs(toUs) {
+  readRow();
+  if (_newRow) {
+    _row = *_newRow;
+    readRow();
+  }
+  if (!_failure.empty()) {
+    throw std::runtime_error(_failure);
+  }
+}
+
+bool RepeatedFrames::next(uint64_t nowUs, line::Character &character) {
+  if (_waiting.empty() && !_ended && _frameUs <= nowUs) {
+    makeFrame();
+  }
+  if (_waiting.empty() || _waiting.front().endUs > nowUs) {
+    return false;
+  }
+  character = _waiting.front();
+  _waiting.pop_front();
+  return true;
+}
+
+void RepeatedFrames::makeFrame() {
+  if (_text) {
+    goTo(_frameUs);
+  }
+  _ended = _ended || (_toUs > 0 && _frameUs >= _toUs);
+  if (_ended) {
+    return;
+  }
+  const size_t channels = std::max<size_t>(_table.channels(), sbus::ProportionalCount);
+  const size_t size = channels == sbus::ChannelCount24 ? sbus::FrameSize24 : sbus::FrameSize;
+  appendFrames(_row, channels, _frameUs + size * uint64_t{_characterUs}, _characterUs, _waiting);
+  _frameUs += _periodUs;
+}
+
+// Makes the row that holds at `us` of the table what is sent.
+void RepeatedFrames::goTo(uint64_t us) {
+  while (_newRow && _newUs <= us) {
+    _row = *_newRow;
+    readRow();
+  }
+  _ended = !_failure.empty() || (!_newRow && us >= _endUs);
+}
+
+void RepeatedFrames::readRow() {
+  _newRow.reset();
+  for (std::string line; readLine(line);) {
+    _number++;
+    const std::string wrong = _table.line(line);
+    if (!wrong.empty()) {
+      _failure = _name + ":" + std::to_string(_number) + ": " + wrong;
+      return;
+    }
+    if (_table.isRow()) {
+      const uint64_t lastUs = _newUs;
+      const uint64_t us = _table.row().us.value_or(_rows * RowUs);
+      _zeroUs = _rows == 0 ? us : _zeroUs;
+      _newUs = us - _zeroUs;
+      _endUs = _newUs + (_rows == 0 ? RowUs : _newUs - lastUs);
+      _rows++;
+      _newRow = _table.row();
+      return;
+    }
+  }
+  if (_failure.empty() && _rows == 0) {
+    _failure = _name + ": has no rows; rows as sbus csv prints them are expected";
+  }
+}
+
+bool RepeatedFrames::readLine(std::string &line) {
+  size_t end = _read.find('\n');
+  while (end == std::string::npos && !_textEnded) {
+    const std::string_view more = _text->read();
+    _textEnded = more.empty();
+    _failure = _textEnded && !_text->failure().empty() ? _name + ": " + _text->failure() : "";
+    _read += more;
+    end = _read.find('\n');
+  }
+  if (_read.empty()) {
+    return false;
+  }
+  line = _read.substr(0, end);
+  _read.erase(0, end == std::string::npos ? end : end + 1);
+  return true;
+}
+
+}  // namespace tool

@@ -1,0 +1,310 @@
+#include "cli/TableReader.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "cli/HexText.h"
+#include "line/capture/Text.h"
+#include "line/recording/Recording.h"
+#include "line/recording/Words.h"
+
+namespace tool {
+
+namespace {
+
+constexpr uint64_t PeriodUs = 9000;  // of rows without times
+constexpr uint64_t FrameUsMost = 50000;
+constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18 of a table that ends there
+
+std::string nameOf(line::CsvKind kind, size_t column) {
+  switch (kind) {
+    case line::CsvKind::Failsafe:
+      return "failsafe";
+    case line::CsvKind::LostFrame:
+      return "lostFrame";
+    case line::CsvKind::Switch17:
+      return "CH17";
+    case line::CsvKind::Switch18:
+      return "CH18";
+    case line::CsvKind::Channel:
+      break;
+  }
+  return "CH" + std::to_string(column + 1);
+}
+
+bool isFlag(double value) {
+  return value == 0 || value == 1;
+}
+
+// Appends bytes that end at `endUs`.
+void append(const uint8_t *bytes, size_t count, uint64_t endUs, uint32_t characterUs,
+            std::deque<line::Character> &characters) {
+  const uint64_t lengthUs = uint64_t{count} * characterUs;
+  uint64_t us = endUs - std::min(endUs, lengthUs);
+  us = characters.empty() ? us : std::max(us, characters.back().endUs);
+  for (size_t i = 0; i < count; i++) {
+    us += characterUs;
+    line::Character character;
+    character.endUs = us;
+    character.value = bytes[i];
+    characters.push_back(character);
+  }
+}
+
+// Writes a frame of 16 channels from CH`first` on, counted from 0.
+void packFrom(const FrameValues &values, size_t first, uint8_t *frame) {
+  uint16_t channels[sbus::ChannelCount];
+  std::copy_n(values.raw + first, sbus::ProportionalCount, channels);
+  channels[SwitchesAt] = values.switches[0];
+  channels[SwitchesAt + 1] = values.switches[1];
+  sbus::pack(frame, channels, values.failsafe, values.lostFrame);
+  frame[0] = first == 0 ? frame[0] : uint8_t{sbus::ExtraHeader};
+  frame[sbus::FrameSize - 1] = values.end;
+}
+
+}  // namespace
+
+bool TableRows::parseName(const std::string &text, Column &column) {
+  const std::string word = line::lower(text);
+  double channel = 0;
+  const bool isChannel = word.rfind("ch", 0) == 0 && line::parseNumber(word.substr(2), channel) && channel >= 1 &&
+                         channel <= TableChannelMax && channel == std::floor(channel);
+  if (isChannel) {
+    column = {Kind::Channel, static_cast<size_t>(channel) - 1, 1};
+    return true;
+  }
+  const bool isTime = word == "time" || word == "seconds" || word == "time_us";
+  column.kind = isTime                                         ? Kind::Time
+                : word == "failsafe"                           ? Kind::Failsafe
+                : word == "lostframe" || word == "lost_frame"  ? Kind::LostFrame
+                : word == "end"                                ? Kind::End
+                : word == "dg1" || word == "dg2"               ? Kind::Switch
+                                                               : Kind::Ignored;
+  column.index = word == "dg2" ? 1 : 0;
+  column.perSecond = word == "time_us" ? 1e6 : 1;
+  return column.kind != Kind::Ignored || word == "state" || word == "age" || word == "quality";
+}
+
+std::vector<std::string> TableRows::defaultNames() const {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < _parser.row().size(); i++) {
+    names.push_back(nameOf(_parser.kind(i), i));
+  }
+  return names;
+}
+
+std::string TableRows::line(std::string_view text) {
+  _isRow = false;
+  if (line::withoutBlanks(text).empty() || text.front() == '#') {
+    return {};
+  }
+  for (const char letter : text) {
+    _parser.put(static_cast<uint8_t>(letter));
+  }
+  _parser.put(uint8_t{'\n'});
+  if (!_columns.empty()) {
+    return takeRow(_parser.row());
+  }
+  std::vector<std::string> names;
+  const bool isHeader = !_parser.row().front().isNumber;
+  for (const line::CsvField &field : _parser.row()) {
+    names.push_back(field.text);
+  }
+  const std::string wrong = takeNames(isHeader ? names : defaultNames());
+  return wrong.empty() && !isHeader ? takeRow(_parser.row()) : wrong;
+}
+
+std::string TableRows::takeNames(const std::vector<std::string> &names) {
+  for (const std::string &each : names) {
+    Column column;
+    if (!parseName(each, column)) {
+      return line::quoted(each) +
+             " is no column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
+    }
+    _channels = column.kind == Kind::Channel ? std::max(_channels, column.index + 1) : _channels;
+    _columns.push_back(column);
+  }
+  if (_channels > sbus::ChannelCount && _channels != sbus::ChannelCount24 && _channels != TableChannelMax) {
+    return "CH" + std::to_string(_channels) + ": a line ends at CH18, CH24 or CH32";
+  }
+  if (_channels <= sbus::ChannelCount) {
+    for (Column &column : _columns) {
+      if (column.kind == Kind::Channel && column.index >= SwitchesAt) {
+        column.kind = Kind::Switch;
+        column.index -= SwitchesAt;
+      }
+    }
+  }
+  return {};
+}
+
+bool TableRows::isWhole() const {
+  bool has[TableChannelMax] = {};
+  bool hasTime = false;
+  for (const Column &column : _columns) {
+    hasTime = hasTime || column.kind == Kind::Time;
+    if (column.kind == Kind::Channel) {
+      has[column.index] = true;
+    }
+  }
+  const size_t most = std::max<size_t>(sbus::ProportionalCount, _channels <= sbus::ChannelCount ? 0 : _channels);
+  return hasTime && (most == sbus::ProportionalCount || most == sbus::ChannelCount24 || most == TableChannelMax) &&
+         std::all_of(has, has + most, [](bool each) { return each; });
+}
+
+std::string TableRows::takeRow(const line::CsvRow &fields) {
+  if (fields.size() != _columns.size()) {
+    return "has " + std::to_string(fields.size()) + " fields; " + std::to_string(_columns.size()) + " are expected";
+  }
+  _row = {};
+  for (size_t i = 0; i < fields.size(); i++) {
+    const std::string wrong = takeField(_columns[i], fields[i]);
+    if (!wrong.empty()) {
+      return line::quoted(fields[i].text) + " is no value of column " + std::to_string(i + 1) + "; " + wrong;
+    }
+  }
+  if (_row.us && _lastUs && *_row.us <= *_lastUs) {
+    return "its time does not come after that of the row before";
+  }
+  _lastUs = _row.us;
+  _isRow = true;
+  return {};
+}
+
+// Returns what is expected of a wrong field; nothing for a right one.
+std::string TableRows::takeField(const Column &column, const line::CsvField &field) {
+  const bool isEmpty = field.text.empty();
+  switch (column.kind) {
+    case Kind::Time:
+      return takeTime(column, field);
+    case Kind::Channel:
+      if (isEmpty && _channels == TableChannelMax) {
+        return {};  // each frame has half of 32 channels
+      }
+      if (!field.isNumber || field.value < 0 || field.value > sbus::ChannelMax || field.value != std::floor(field.value)) {
+        return "0 to 2047 is expected";
+      }
+      _row.values.raw[column.index] = static_cast<uint16_t>(field.value);
+      (column.index < sbus::ProportionalCount ? _row.hasFirst : _row.hasRest) = true;
+      return {};
+    case Kind::End: {
+      const HexText hex = parseHex(field.text);
+      const bool isByte = hex.wrong.empty() && hex.bytes.size() == 1;
+      _row.values.end = isByte ? hex.bytes[0].value : uint8_t{0};
+      return isByte ? "" : "an end byte in hexadecimal is expected";
+    }
+    case Kind::Ignored:
+      return {};
+    case Kind::Switch:
+    case Kind::Failsafe:
+    case Kind::LostFrame:
+      break;
+  }
+  if (isEmpty && _channels == TableChannelMax) {
+    return {};
+  }
+  bool &flag = column.kind == Kind::Switch     ? _row.values.switches[column.index]
+               : column.kind == Kind::Failsafe ? _row.values.failsafe
+                                               : _row.values.lostFrame;
+  flag = field.value != 0;
+  return field.isNumber && isFlag(field.value) ? "" : "0 or 1 is expected";
+}
+
+std::string TableRows::takeTime(const Column &column, const line::CsvField &field) {
+  if (field.text == "-") {
+    return {};
+  }
+  const double us = field.value * 1e6 / column.perSecond;
+  if (!field.isNumber || us < 0 || us > static_cast<double>(line::RecordingTimeMaxUs)) {
+    return column.perSecond == 1 ? "a time in seconds is expected" : "a time in microseconds is expected";
+  }
+  _row.us = static_cast<uint64_t>(std::llround(us));
+  return {};
+}
+
+void appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint32_t characterUs,
+                  std::deque<line::Character> &characters) {
+  uint8_t frame[sbus::FrameSize24];
+  if (channels == sbus::ChannelCount24) {
+    sbus::pack24(frame, row.values.raw, row.values.failsafe, row.values.lostFrame);
+    frame[sbus::FrameSize24 - 1] = row.values.end;
+    append(frame, sbus::FrameSize24, endUs, characterUs, characters);
+    return;
+  }
+  const uint64_t firstUs = sbus::FrameSize * uint64_t{characterUs} + 1000;  // of a frame, with a gap after it
+  if (channels == TableChannelMax && row.hasRest) {
+    packFrom(row.values, sbus::ProportionalCount, frame);
+    append(frame, sbus::FrameSize, endUs - (row.hasFirst ? std::min(endUs, firstUs) : 0), characterUs, characters);
+  }
+  if (channels != TableChannelMax || row.hasFirst) {
+    packFrom(row.values, 0, frame);
+    append(frame, sbus::FrameSize, endUs, characterUs, characters);
+  }
+}
+
+std::string TableReader::line(std::string_view text, std::deque<line::Character> &characters) {
+  const std::string wrong = _rows.line(text);
+  if (!wrong.empty() || !_rows.isRow()) {
+    return wrong;
+  }
+  const uint64_t endUs = _rows.row().us.value_or(_lastUs + PeriodUs);
+  appendFrames(_rows.row(), _rows.channels(), endUs, _characterUs, characters);
+  _lastUs = endUs;
+  _any = true;
+  return {};
+}
+
+bool isFrameTable(std::string_view head) {
+  TableRows rows;
+  std::optional<uint64_t> lastUs;
+  for (int count = 0; head.find('\n') != std::string_view::npos;) {
+    if (!rows.line(line::takeLine(head)).empty()) {
+      return false;
+    }
+    if (!rows.isRow()) {
+      continue;
+    }
+    if (!rows.isWhole() || (count > 0 && lastUs && rows.row().us && *rows.row().us > *lastUs + FrameUsMost)) {
+      return false;
+    }
+    lastUs = rows.row().us;
+    if (++count == 2) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void assign(const std::string &word, const sbus::Range &range, FrameValues &values) {
+  const size_t equals = word.find('=');
+  const std::string name = line::lower(word.substr(0, equals));
+  const std::string text = equals == std::string::npos ? "" : line::lower(word.substr(equals + 1));
+  double number = 0;
+  const bool isChannel = name.rfind("ch", 0) == 0 && name.size() <= 4 &&
+                         name.find_first_not_of("0123456789", 2) == std::string::npos &&
+                         line::parseNumber(name.substr(2), number) && number >= 1 && number <= sbus::ChannelCount;
+  const size_t channel = isChannel ? static_cast<size_t>(number) - 1 : 0;
+  const bool isSwitch = !isChannel || channel >= SwitchesAt;
+  if (equals == std::string::npos || (!isChannel && name != "failsafe" && name != "lostframe")) {
+    throw std::runtime_error(line::quoted(word) +
+                             " sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do");
+  }
+  if (isSwitch) {
+    if (text != "on" && text != "off" && text != "0" && text != "1") {
+      throw std::runtime_error(line::quoted(word) + " is out of range; on or off is expected");
+    }
+    bool &flag = isChannel             ? values.switches[channel - SwitchesAt]
+                 : name == "failsafe" ? values.failsafe
+                                      : values.lostFrame;
+    flag = text == "on" || text == "1";
+    return;
+  }
+  const std::optional<uint16_t> raw = text == "on" ? range.high : text == "off" ? range.low : parseValue(text, range);
+  if (!raw) {
+    throw std::runtime_error(line::quoted(word) + " is out of range; " + "0 to 2047, a pulse such as 1500us, a part such as -50%, on (" +
+                             std::to_string(range.high) + ") or off (" + std::to_string(range.low) + ") is expected");
+  }
+  values.raw[channel] = *raw;
+}
+
+}  // namespace tool

@@ -1,0 +1,105 @@
+// Reads rows of CSV as `sbus csv` and `sbus decode --csv` print them, as frames.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/TextLine.h"
+#include "cli/Units.h"
+#include "line/recording/CsvRows.h"
+#include "line/simulation/LineSettings.h"
+#include "sbus/Frame.h"
+
+namespace tool {
+
+constexpr size_t TableChannelMax = 32;
+
+// The values of a frame. CH3 is at its low end until it is set, as in the failsafe of the paper's R-XSR: throttle off.
+struct FrameValues {
+  FrameValues() {
+    std::fill_n(raw, TableChannelMax, uint16_t{992});
+    raw[2] = 172;
+  }
+
+  uint16_t raw[TableChannelMax];
+  bool switches[2] = {};
+  bool failsafe = false;
+  bool lostFrame = false;
+  uint8_t end = 0;
+};
+
+// Sets the value that "ch3=172", "ch3=1500us", "ch5=on" or "failsafe=on" names. Throws std::runtime_error.
+void assign(const std::string &word, const sbus::Range &range, FrameValues &values);
+
+struct TableRow {
+  std::optional<uint64_t> us;  // its time
+  FrameValues values;
+  bool hasFirst = false;  // one of CH1 to CH16
+  bool hasRest = false;   // one of CH17 and on, where these are channels
+};
+
+// Takes the lines of a table. Without a line of names the columns are those that a sketch prints.
+class TableRows {
+ public:
+  // Takes the next line. Returns what is wrong with it, or nothing; isRow() tells whether it was a row.
+  std::string line(std::string_view text);
+
+  bool isRow() const { return _isRow; }
+  const TableRow &row() const { return _row; }
+
+  // Returns the number of the highest channel: 16 to 18, 24 or 32 of a whole table; less of others.
+  size_t channels() const { return _channels; }
+  // Returns true if all channels up to the highest have a column, and there is a column of times.
+  bool isWhole() const;
+
+ private:
+  enum class Kind { Time, Channel, Switch, Failsafe, LostFrame, End, Ignored };
+  struct Column {
+    Kind kind = Kind::Ignored;
+    size_t index = 0;
+    double perSecond = 1;  // of times
+  };
+
+  static bool parseName(const std::string &text, Column &column);
+  std::string takeNames(const std::vector<std::string> &names);
+  std::string takeRow(const line::CsvRow &fields);
+  std::string takeField(const Column &column, const line::CsvField &field);
+  std::string takeTime(const Column &column, const line::CsvField &field);
+  std::vector<std::string> defaultNames() const;
+
+  line::CsvRows _parser;
+  std::vector<Column> _columns;
+  size_t _channels = 0;
+  TableRow _row;
+  std::optional<uint64_t> _lastUs;
+  bool _isRow = false;
+};
+
+// Appends the frames of a row of `channels` channels to `characters`; the last one ends at `endUs`.
+void appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint32_t characterUs,
+                  std::deque<line::Character> &characters);
+
+// A frame for each row of a whole table.
+class TableReader : public LineReader {
+ public:
+  explicit TableReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}
+
+  std::string line(std::string_view text, std::deque<line::Character> &characters) override;
+  std::string finish() override { return _any ? "" : "has no rows; rows as sbus csv prints them are expected"; }
+
+ private:
+  const uint32_t _characterUs;
+  TableRows _rows;
+  uint64_t _lastUs = 0;
+  bool _any = false;
+};
+
+// Returns true if the text begins as a whole table does whose rows are frames: 50 ms apart at most.
+bool isFrameTable(std::string_view head);
+
+}  // namespace tool

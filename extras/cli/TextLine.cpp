@@ -1,0 +1,201 @@
+#include "cli/TextLine.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "cli/Format.h"
+
+namespace tool {
+
+namespace {
+
+constexpr uint64_t TailUs = 300000;     // as RecordedLine's
+constexpr size_t Ahead = 2;             // characters: the next one tells what is known
+constexpr uint64_t StartMostUs = 1000000;  // a live text that begins later was joined in its middle
+constexpr int64_t SkewMostUs = 250000;  // how much later than its writer a live text's reader may have started
+constexpr uint64_t LagMostUs = 1000000;
+constexpr uint64_t JitterUs = 20000;  // of a pipe
+
+double seconds(uint64_t us) {
+  return static_cast<double>(us) / 1e6;
+}
+
+}  // namespace
+
+FileText::FileText(const std::string &path, const std::string &name) : _file(path, name), _text(_file) {
+  _file.findOnly();
+}
+
+bool PipeText::isReady(int ms) {
+  pollfd state = {_file, POLLIN, 0};
+  return !_begin.empty() || _ended || ::poll(&state, 1, ms) > 0;
+}
+
+std::string_view PipeText::read() {
+  while (!_ended) {
+    if (!_begin.empty()) {
+      _read = std::exchange(_begin, {});
+    } else {
+      _read.resize(4096);
+      const ssize_t count = ::read(_file, _read.data(), _read.size());
+      if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
+        continue;
+      }
+      _failure = count < 0 ? std::string("cannot be read (") + std::strerror(errno) + ")" : "";
+      _read.resize(count > 0 ? static_cast<size_t>(count) : 0);
+    }
+    _ended = _read.empty();
+    const std::string_view text = _ended ? _plain.finish() : _plain.put(_read);
+    if (!text.empty()) {
+      return text;
+    }
+  }
+  return {};
+}
+
+TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
+                   uint64_t fromUs, uint64_t toUs)
+    : _name(std::move(name)),
+      _input(std::move(input)),
+      _reader(std::move(reader)),
+      _clock(clock),
+      _fromUs(fromUs),
+      _toUs(toUs) {
+}
+
+bool TextLine::next(uint64_t nowUs, line::Character &character) {
+  fill(nowUs);
+  if (_waiting.empty() || playedUs(_waiting.front().endUs) > nowUs) {
+    return false;
+  }
+  character = _waiting.front();
+  character.endUs = playedUs(character.endUs);
+  _lastUs = character.endUs;
+  _waiting.pop_front();
+  return true;
+}
+
+// Returns when a character is played that ends at `endUs` of the text; never before the one before it.
+uint64_t TextLine::playedUs(uint64_t endUs) const {
+  const int64_t us = static_cast<int64_t>(endUs) + _shiftUs;
+  return std::max(us > 0 ? static_cast<uint64_t>(us) : 0, _lastUs);
+}
+
+uint64_t TextLine::knownUs(uint64_t nowUs) const {
+  if (!_waiting.empty()) {
+    const uint64_t nextUs = playedUs(_waiting.front().endUs);
+    return std::min(nowUs, nextUs - std::min<uint64_t>(nextUs, line::CharacterUs + _waiting.front().lateUs));
+  }
+  if (_ended) {
+    return nowUs;
+  }
+  const uint64_t lateUs = _clock == Clock::Live ? _lagUs + JitterUs : UINT64_MAX;
+  return std::max(_lastUs, nowUs - std::min(nowUs, lateUs));
+}
+
+bool TextLine::wait() {
+  if (!_waiting.empty() || _ended) {
+    return false;
+  }
+  _input->isReady(50);
+  return true;
+}
+
+bool TextLine::mayGoTo(uint64_t us) {
+  constexpr uint64_t TickUs = 1000;
+  fill(us);
+  return !_waiting.empty() || _ended || us <= _lastUs + TickUs;
+}
+
+bool TextLine::finished(uint64_t nowUs) const {
+  return _ended && _waiting.empty() && nowUs >= _lastUs + TailUs;
+}
+
+void TextLine::fill(uint64_t nowUs) {
+  while (_waiting.size() < Ahead && !_ended && _input->isReady(0)) {
+    read();
+    if (_clock == Clock::Live && _newestUs > 0) {
+      followLive(nowUs);
+    }
+  }
+}
+
+// Plays what a live text brings at once, but keeps the times between its characters.
+void TextLine::followLive(uint64_t nowUs) {
+  const auto now = static_cast<int64_t>(nowUs);
+  if (!std::exchange(_isShifted, true) && _firstUs > nowUs + StartMostUs) {
+    _shiftUs = now - static_cast<int64_t>(_firstUs);
+  }
+  const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - now;
+  if (aheadUs > 0 && aheadUs < SkewMostUs && !_ended && !_input->isReady(0)) {
+    _shiftUs -= aheadUs;
+  }
+  _lagUs = std::max(_lagUs, std::min(LagMostUs, static_cast<uint64_t>(std::max<int64_t>(0, -aheadUs))));
+}
+
+void TextLine::read() {
+  std::string_view text = _input->read();
+  if (text.empty()) {
+    takeEnd();
+    return;
+  }
+  for (size_t end = text.find('\n'); end != std::string_view::npos && !_ended; end = text.find('\n')) {
+    _rest += text.substr(0, end);
+    take(_rest);
+    _rest.clear();
+    text.remove_prefix(end + 1);
+  }
+  _rest += text;
+}
+
+void TextLine::take(std::string_view line) {
+  _number++;
+  const size_t from = _waiting.size();
+  const std::string wrong = _reader->line(line, _waiting);
+  keepPart(from);
+  if (!wrong.empty()) {
+    _failure = _name + ":" + std::to_string(_number) + ": " + wrong;
+    _ended = true;
+  }
+}
+
+// Leaves out the characters from index `from` on that are not in the part.
+void TextLine::keepPart(size_t from) {
+  size_t kept = from;
+  for (size_t i = from; i < _waiting.size(); i++) {
+    const line::Character character = _waiting[i];
+    _firstUs = _firstUs == 0 ? character.endUs : _firstUs;
+    _newestUs = character.endUs;
+    if (character.endUs >= _fromUs && (_toUs == 0 || character.endUs <= _toUs)) {
+      _waiting[kept++] = character;
+    }
+  }
+  _waiting.resize(kept);
+  _any = _any || kept > from;
+  _ended = _ended || (_toUs > 0 && _newestUs > _toUs && _any);
+}
+
+void TextLine::takeEnd() {
+  if (!_rest.empty()) {
+    take(std::exchange(_rest, {}));
+  }
+  const bool failed = std::exchange(_ended, true) && !_failure.empty();
+  if (failed) {
+    return;
+  }
+  const std::string unread = _input->failure();
+  const std::string missing = _reader->finish();
+  if (!unread.empty() || !missing.empty()) {
+    _failure = _name + ": " + (unread.empty() ? missing : unread);
+  } else if (!_any) {
+    _failure = _name + format(": has nothing there; it has characters from %.3f s to %.3f s", seconds(_firstUs),
+                              seconds(_newestUs));
+  }
+}
+
+}  // namespace tool

@@ -1,0 +1,123 @@
+// Plays a text, line by line: a recording, JSON lines, a table of frames. It holds a few lines of it at a time, however
+// long the text is.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "line/Line.h"
+#include "line/capture/TextFile.h"
+
+namespace tool {
+
+// Turns the lines of a text into characters.
+class LineReader {
+ public:
+  virtual ~LineReader() = default;
+
+  // Takes the next line, without its LF, and appends its characters. Returns what is wrong with it, or nothing.
+  virtual std::string line(std::string_view text, std::deque<line::Character> &characters) = 0;
+
+  // Takes the end of the text. Returns what is missing, or nothing.
+  virtual std::string finish() = 0;
+};
+
+// Where a text comes from: a file, or a pipe.
+class TextInput {
+ public:
+  virtual ~TextInput() = default;
+
+  // Waits for `ms`. Returns true if read() would not wait.
+  virtual bool isReady(int ms) = 0;
+
+  // Waits for a character or more. Returns what has come; nothing at the end.
+  virtual std::string_view read() = 0;
+
+  // Returns why the text could not be read to its end; empty if it could.
+  virtual std::string failure() const = 0;
+};
+
+// A file, packed or not.
+class FileText : public TextInput {
+ public:
+  // Throws std::runtime_error if it cannot be opened.
+  FileText(const std::string &path, const std::string &name);
+
+  bool isReady(int /*ms*/) override { return true; }
+  std::string_view read() override { return _text.read(); }
+  std::string failure() const override { return _file.failure(); }
+
+ private:
+  line::PackedFile _file;
+  line::TextFile _text;
+};
+
+// A pipe, which the caller closes. `begin` has been read from it before.
+class PipeText : public TextInput {
+ public:
+  PipeText(int file, std::string begin) : _file(file), _begin(std::move(begin)) {}
+
+  bool isReady(int ms) override;
+  std::string_view read() override;
+  std::string failure() const override { return _failure; }
+
+ private:
+  const int _file;
+  std::string _begin;
+  std::string _read;
+  line::PlainText _plain;
+  bool _ended = false;
+  std::string _failure;
+};
+
+class TextLine : public line::Line {
+ public:
+  enum class Clock {
+    OfText,  // the text's times count from the program's start
+    Live     // the text comes from a program that is still writing it: its newest line is played at once
+  };
+
+  // Plays what ends from `fromUs` to `toUs`; 0: to the end. `name` is what messages call it.
+  TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
+           uint64_t fromUs = 0, uint64_t toUs = 0);
+
+  bool next(uint64_t nowUs, line::Character &character) override;
+  uint64_t knownUs(uint64_t nowUs) const override;
+  bool wait() override;
+  bool mayGoTo(uint64_t us) override;
+  bool finished(uint64_t nowUs) const override;
+  std::string failure() const override { return _waiting.empty() ? _failure : ""; }
+
+ private:
+  void fill(uint64_t nowUs);
+  void read();
+  void take(std::string_view line);
+  void takeEnd();
+  void keepPart(size_t from);
+  void followLive(uint64_t nowUs);
+  uint64_t playedUs(uint64_t endUs) const;
+
+  const std::string _name;
+  const std::unique_ptr<TextInput> _input;
+  const std::unique_ptr<LineReader> _reader;
+  const Clock _clock;
+  const uint64_t _fromUs;
+  const uint64_t _toUs;
+  std::string _rest;  // of a line that goes on
+  unsigned long _number = 0;
+  std::deque<line::Character> _waiting;
+  uint64_t _firstUs = 0;  // of all characters, also of those that are left out; 0: none has come
+  uint64_t _newestUs = 0;
+  uint64_t _lastUs = 0;  // when the last one that was handed over was played
+  bool _any = false;     // a character was in the part
+  bool _ended = false;
+  int64_t _shiftUs = 0;  // from the text's times to the program's
+  bool _isShifted = false;
+  uint64_t _lagUs = 0;  // how late a live text's newest character came
+  std::string _failure;
+};
+
+}  // namespace tool

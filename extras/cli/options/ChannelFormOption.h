@@ -1,0 +1,31 @@
+// --unit and --range on the command line: how JSON lines give the channels.
+#pragma once
+
+#include <string>
+
+#include "cli/Json.h"
+#include "cli/options/RangeOption.h"
+#include "cli/options/Subcommand.h"
+
+namespace tool {
+
+class ChannelFormOption {
+ public:
+  // Adds both to a subcommand; it must not move afterwards.
+  explicit ChannelFormOption(Subcommand &subcommand) : _range(subcommand) {
+    subcommand.option("--unit", _text, "of the channels in JSON lines (raw)")
+        .oneOf({"raw", "us", "percent"})
+        .type("raw|us|percent");
+  }
+
+  // Rejects the command line if --range is no range.
+  ChannelForm form() const {
+    return {_text == "us" ? Unit::Us : _text == "percent" ? Unit::Percent : Unit::Raw, _range.range()};
+  }
+
+ private:
+  RangeOption _range;
+  std::string _text = "raw";
+};
+
+}  // namespace tool

@@ -1,0 +1,20 @@
+// Dates: when time 0 of a line was.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace line {
+
+// How the comment of a recording with this time begins. 1 is the version of the format.
+constexpr std::string_view BeganText = "format 1, began ";
+
+// Returns "2026-11-24T15:16:18.123456Z" for microseconds since 1970, UTC.
+std::string wallTime(int64_t us);
+
+// Reads what wallTime() returns; the fraction may have any number of digits, or be missing. Returns false for any other
+// text.
+bool parseWallTime(std::string_view text, int64_t &us);
+
+}  // namespace line

@@ -1,0 +1,172 @@
+#!/bin/sh
+# What one subcommand prints, another reads: JSON lines, rows of CSV, recordings; also while they are being written. Says
+# "ok ..." or "FAILED ...".
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/stream
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+# ---- A line comes back from JSON lines: its frames, telemetry, discarded bytes and times, to the tenth of a microsecond
+
+same() {  # LINE WHAT COMMAND...: of $work/LINE.txt, standard input is JSON lines of it
+  line=$1 what=$2
+  shift 2
+  "$SBUS" "$@" "$work/$line.txt" >"$work/wanted" 2>"$work/err"
+  "$SBUS" "$@" - >"$work/came" 2>"$work/err"
+  [ -s "$work/wanted" ] && cmp "$work/wanted" "$work/came"
+  verdict $? "$* of $what of a line with $line"
+}
+for words in 16 24 32 sbus2 16,noise=30 24,noise=30 32,noise=30 sbus2,noise=30; do
+  "$SBUS" record "sim:$words" "$work/$words.txt" --simulated-time --seconds 11 2>"$work/err"
+  for command in hex 'hex --values' 'csv --every-frame --columns time,ch1-ch16,failsafe,lostframe,state' telemetry; do
+    case $words$command in sbus2*) ;; *telemetry) continue ;; esac
+    # shellcheck disable=SC2086  # a subcommand and its options
+    "$SBUS" hex "$work/$words.txt" --json | same "$words" 'JSON lines' $command
+  done
+done
+for unit in us percent; do
+  "$SBUS" hex "$work/24.txt" --json --unit $unit | tee "$work/unit" | same 24 "JSON lines in $unit" hex
+  grep -q "\"$unit\":\[" "$work/unit" && ! grep -q '"channels"' "$work/unit"
+  verdict $? "hex --json --unit $unit has no raw values"
+done
+"$SBUS" hex "$work/16.txt" --json | python3 -c 'import json, sys
+for line in sys.stdin: print(json.dumps(json.loads(line), indent=2))' | same 16 'JSON in several rows' hex
+"$SBUS" hex "$work/sbus2.txt" >"$work/wanted" && "$SBUS" hex "$work/sbus2.txt" --json >"$work/line.json" && gzip -k "$work/line.json"
+"$SBUS" hex "$work/line.json.gz" | cmp - "$work/wanted"
+verdict $? "packed JSON lines are read from a file"
+
+# ---- Rows that are frames
+
+for line in 16 24; do
+  channels=$([ $line = 16 ] && echo ch1-ch18 || echo ch1-ch24)
+  "$SBUS" hex "$work/$line.txt" | grep 'frame.* end' >"$work/wanted"
+  "$SBUS" csv "$work/$line.txt" --every-frame --header --columns "time,$channels,failsafe,lostframe" >"$work/rows.csv"
+  # The column failsafe is the state of the link; both flags of the frame are in decode's rows.
+  [ "$("$SBUS" hex "$work/rows.csv" | grep -c 'frame.* end')" -eq "$(wc -l <"$work/wanted")" ] &&
+    "$SBUS" csv "$work/rows.csv" --every-frame --columns "time,$channels" >"$work/came" &&
+    "$SBUS" csv "$work/$line.txt" --every-frame --columns "time,$channels" | cmp - "$work/came"
+  verdict $? "hex and csv read the rows of csv --every-frame of $line channels"
+done
+for line in 16 24 32; do
+  "$SBUS" wave "$work/$line.txt" --to 3 -o "$work/$line.vcd" && "$SBUS" decode "$work/$line.vcd" --csv >"$work/rows.csv" &&
+    "$SBUS" decode "$work/$line.vcd" --json | grep '"frame"' >"$work/wanted" &&
+    "$SBUS" hex "$work/rows.csv" --json | grep '"frame"' >"$work/came"
+  cmp "$work/wanted" "$work/came" && [ "$(wc -l <"$work/wanted")" -gt 300 ]
+  verdict $? "hex reads the rows of decode --csv of $line channels"
+done
+
+# ---- While it is being written: each frame has passed all stages before the next one is sent
+
+live() {  # WHAT STAGES: from a pseudo-terminal, through STAGES, to csv
+  python3 - "$SBUS" "$2" <<'END' >"$work/out" 2>"$work/err"
+import os, pty, select, subprocess, sys, time, tty
+sbus, stages = sys.argv[1:]
+master, slave = pty.openpty()
+tty.setraw(slave)
+name = os.ttyname(slave)
+line = subprocess.Popen(["sh", "-c", stages.replace("PORT", name)], stdout=subprocess.PIPE, env=dict(os.environ, SBUS=sbus))
+time.sleep(0.7)
+def frame(raw):
+    bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
+    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+passed, late = 0, []
+for i in range(100):
+    begin = time.monotonic()
+    os.write(master, frame(1000 + i))
+    text = b""
+    while not text.endswith(b"\n") and select.select([line.stdout], [], [], 0.5 if i > 4 else 0.02)[0]:
+        text += os.read(line.stdout.fileno(), 4096)
+    if text.split(b"\n")[-2:-1] == [b"%d" % (1000 + i)]:
+        passed += 1
+        late.append(time.monotonic() - begin)
+    time.sleep(0.012)
+line.terminate()
+late.sort()
+print("%d of 100 frames before the next one; median %.2f ms" % (passed, 1000 * late[len(late) // 2] if late else -1))
+sys.exit(passed < 90)
+END
+  status=$?
+  [ $status -eq 0 ] || cat "$work/err"
+  verdict $status "$1: $(cat "$work/out")"
+}
+# shellcheck disable=SC2016  # SBUS is set where they run
+live 'hex --json, csv' '"$SBUS" hex --json PORT | "$SBUS" csv - --every-frame --columns ch1'
+# shellcheck disable=SC2016
+live 'hex --json, jq, csv' '"$SBUS" hex --json PORT | jq -c --unbuffered "select(.type == \"frame\") | .channels[1] = 1811" | "$SBUS" csv - --every-frame --columns ch1'
+# shellcheck disable=SC2016
+live 'record, csv' '"$SBUS" record PORT - | "$SBUS" csv - --every-frame --columns ch1'
+# shellcheck disable=SC2016
+live 'rows of csv, csv' '"$SBUS" csv PORT --every-frame --header --columns time,ch1-ch16 | "$SBUS" csv - --every-frame --columns ch1'
+
+# ---- What is wrong
+
+while IFS='|' read -r text message; do
+  printf '%s\n' "$text" >"$work/x.json"
+  (cd "$work" && timeout 60 "$SBUS" hex x.json) >"$work/out" 2>"$work/err"
+  [ $? -eq 1 ] && grep -qxF "sbus hex: x.json:$message" "$work/err" || { cat "$work/err"; false; }
+  verdict $? "JSON lines: $message"
+done <<'END'
+{"type":"frame"}|1: a frame has channels, us or percent: an array of 16 numbers, or of 24
+{"type":"frame","channels":[992]}|1: a frame has channels, us or percent: an array of 16 numbers, or of 24
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,2048]}|1: channels[15]: 2048 is not a whole number from 0 to 2047
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,1.5]}|1: channels[15]: 1.5 is not a whole number from 0 to 2047
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,"15"]}|1: channels[15]: "15" is not a whole number from 0 to 2047
+{"type":"frame","us":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]}|1: us[0]: 0 is not a number from 880.0 to 2159.4
+{"type":"frame","percent":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,150]}|1: percent[15]: 150 is not a number from -121.0 to 128.8
+{"type":"frame","us":[],"percent":[]}|1: has us and percent; leave one of them out
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"failsafe":"no"}|1: failsafe: "no" is not true or false
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"first":2}|1: first: 2 is not 1, or 17 of a frame with header 2F
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"end":4}|1: end: 4 is not an end byte in hexadecimal, such as "00"
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"time_us":-1}|1: time_us: -1 is no time in microseconds
+{"type":"slot","slot":32,"data":[1,2]}|1: a slot has slot, 0 to 31, and data, two numbers from 0 to 255
+{"type":"no_frame","bytes":"0G"}|1: bytes: bytes in hexadecimal are expected, such as "0F E3"
+{"type":frame}|1: "{"type":frame}" is no JSON object; JSON lines as sbus hex --json writes them are expected
+{"type":"end"}| has no frames; JSON lines as sbus hex --json writes them are expected
+{"type":"frame"| ends within an object; JSON lines as sbus hex --json writes them are expected
+END
+head -n 3 "$work/line.json" >"$work/two.json" && echo '["frame"]' >>"$work/two.json"
+"$SBUS" hex "$work/two.json" >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ "$(grep -c ' end ' "$work/out")" -ge 1 ] && grep -q ':4: "\["frame"\]" is no JSON object' "$work/err"
+verdict $? "what comes before a wrong object is printed"
+
+# ---- When it was
+
+"$SBUS" record sim "$work/dated.txt" --seconds 0.2 2>"$work/err"
+grep -qE '^# format 1, began 20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\.[0-9]{6}Z$' "$work/dated.txt" &&
+  [ "$(sed -n 's/^# format 1, began //p' "$work/dated.txt")" = "$("$SBUS" hex "$work/dated.txt" --json | sed -n '1s/.*"start":"\([^"]*\)".*/\1/p')" ]
+verdict $? "a recording says when it began, and hex --json repeats it"
+"$SBUS" record "$work/dated.txt" "$work/copy.txt" 2>"$work/err" && grep -v '^# sbus' "$work/dated.txt" >"$work/wanted" &&
+  grep -v '^# sbus' "$work/copy.txt" | cmp - "$work/wanted"
+verdict $? "a copy of a recording keeps its date"
+! "$SBUS" hex recordings/paper.txt --json | grep -q '"start"'
+verdict $? "a recording without a date has none"
+
+# ---- A long recording costs no memory: what is read of ten hours, 340 MB
+
+if [ "${LONG:-}" ]; then hours=10; else hours=1; fi
+peak() {  # FILE ARGUMENTS...: the kilobytes that sbus needed
+  python3 -c 'import resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" "$@"
+}
+python3 - "$work/16.txt" "$work/long.txt" $hours <<'END'
+import sys
+lines = [line.split(" ", 1) for line in open(sys.argv[1]) if line[0] != "#"]
+with open(sys.argv[2], "w") as out:
+    at = 0
+    while at < int(sys.argv[3]) * 3600e6:
+        out.writelines("%d %s" % (at + int(time), rest) for time, rest in lines)
+        at += 11000000
+END
+short=$(peak hex "$work/16.txt")
+for command in hex 'csv --every-frame' 'hex --from 3000 --to 3001'; do
+  # shellcheck disable=SC2086  # a subcommand and its options
+  long=$(peak $command "$work/long.txt")
+  [ "$long" -lt $((short + 4096)) ]
+  verdict $? "$command of $hours h of $(($(wc -c <"$work/long.txt") / 1000000)) MB: $long KB, of 11 s: $short KB"
+done
+rm "$work/long.txt"
