@@ -133,6 +133,7 @@ FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
     source.isLate = head.find('~') != std::string::npos;
   } else if (kind == FileKind::Rows) {
     source.settings = line::csvSettings();
+    source.hasRowTimes = line::namesTimes(line::withoutMark(head));
   } else if (kind == FileKind::Json) {
     const JsonHead read = readJsonHead(head);
     source.settings = read.settings;
@@ -205,6 +206,9 @@ FileKind kindOfText(const std::string &head, const std::string &name) {
   }
   if (isFrameTable(head)) {
     return FileKind::Table;
+  }
+  if (line::namesTimes(line::withoutMark(head))) {
+    return FileKind::Rows;
   }
   const std::string format = line::captureFormat(head);
   const bool rows = line::isCsvText(std::string_view(head).substr(0, line::RecordingBeginning));

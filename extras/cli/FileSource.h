@@ -38,6 +38,7 @@ struct FileSource {
   FileKind kind = FileKind::Recording;
   line::LineSettings settings;     // of the line; a capture's are those found on the wire
   bool hasTimes = true;            // its times are those of the line
+  bool hasRowTimes = true;         // the rows of a sketch have a column of times
   bool isLate = false;             // a port has brought the characters late
   std::string signal;              // of a capture
   std::optional<int64_t> startUs;  // when time 0 was, in us since 1970, if the file says it

@@ -17,7 +17,9 @@ namespace {
 constexpr uint64_t TailUs = 300000;     // as RecordedLine's
 constexpr size_t Ahead = 2;             // characters: the next one tells what is known
 constexpr uint64_t StartMostUs = 1000000;  // a live text that begins later was joined in its middle
-constexpr int64_t SkewMostUs = 250000;  // how much later than its writer a live text's reader may have started
+constexpr int64_t SkewMostUs = 250000;     // how much later than its writer a live text's reader may have started
+constexpr uint64_t BacklogMostUs = 3000000;  // a file in a pipe brings more at once
+constexpr uint64_t SettledUs = 100000;       // by then a pipe that holds nothing is no file
 constexpr uint64_t LagMostUs = 1000000;
 constexpr uint64_t JitterUs = 20000;  // of a pipe
 
@@ -117,23 +119,34 @@ bool TextLine::finished(uint64_t nowUs) const {
 }
 
 void TextLine::fill(uint64_t nowUs) {
-  while (_waiting.size() < Ahead && !_ended && _input->isReady(0)) {
+  const auto isLow = [this] {
+    return _waiting.size() < Ahead || (_clock == Clock::Live && _newestUs < _waiting.front().endUs + BacklogMostUs);
+  };
+  bool came = false;
+  while (!_ended && isLow() && _input->isReady(0)) {
     read();
-    if (_clock == Clock::Live && _newestUs > 0) {
-      followLive(nowUs);
-    }
+    came = true;
+  }
+  if (came && _clock == Clock::Live && _newestUs > 0) {
+    followLive(nowUs);
   }
 }
 
-// Plays what a live text brings at once, but keeps the times between its characters.
+// Plays what a live text brings at once, but keeps the times between its characters. What had come long before anything
+// was played is left out: it is old.
 void TextLine::followLive(uint64_t nowUs) {
   const auto now = static_cast<int64_t>(nowUs);
-  if (!std::exchange(_isShifted, true) && _firstUs > nowUs + StartMostUs) {
-    _shiftUs = now - static_cast<int64_t>(_firstUs);
+  if (!_begunUs) {
+    _begunUs = nowUs;
+    _shiftUs = _firstUs > nowUs + StartMostUs ? now - static_cast<int64_t>(_firstUs) : 0;
   }
   const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - now;
-  if (aheadUs > 0 && aheadUs < SkewMostUs && !_ended && !_input->isReady(0)) {
+  const bool isDrained = !_ended && !_input->isReady(0);
+  if (isDrained && aheadUs > 0 && (aheadUs < SkewMostUs || nowUs >= *_begunUs + SettledUs)) {
     _shiftUs -= aheadUs;
+    if (aheadUs >= SkewMostUs) {
+      _waiting.clear();
+    }
   }
   _lagUs = std::max(_lagUs, std::min(LagMostUs, static_cast<uint64_t>(std::max<int64_t>(0, -aheadUs))));
 }

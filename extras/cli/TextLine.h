@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -115,7 +116,7 @@ class TextLine : public line::Line {
   bool _any = false;     // a character was in the part
   bool _ended = false;
   int64_t _shiftUs = 0;  // from the text's times to the program's
-  bool _isShifted = false;
+  std::optional<uint64_t> _begunUs;  // when a live text was first read
   uint64_t _lagUs = 0;  // how late a live text's newest character came
   std::string _failure;
 };

@@ -61,7 +61,7 @@ moves() {  # STEP: starts a player of these moves, at the end of the adapter's c
           lost ? 2047 : 992 + 700 * x + jitter(), step == "move" && int(i / 50) % 2 ? 1811 : 172, 992 + jitter(), 200 + 1500 * rand(), lost, (step == "failsafe")
       }
     }' >"$work/$1.csv"
-  player send --from "$work/$1.csv"
+  player send "$work/$1.csv"
   ln -sf "$terminal" "$work/adapter"
 }
 unplug() { kill "$player" && wait "$player"; }

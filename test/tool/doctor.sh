@@ -54,7 +54,7 @@ kill $player
 player send sim:silent
 asked 1 'No signal:' - "$terminal"
 kill $player
-player send golden/AllChannels.csv --loop
+player send golden/AllChannels.csv --csv --loop
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 

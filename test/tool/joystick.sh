@@ -120,7 +120,7 @@ time,ch1,ch3,ch9,lostframe,failsafe
 1.0,172,1811,1811,0,0
 END
 while IFS='|' read -r options wanted; do
-  player send --from "$work/losses.csv"
+  player send "$work/losses.csv"
   rm -f "$UINPUT_LOG"
   # shellcheck disable=SC2046,SC2086
   joystick "$terminal" $(eval echo $options)

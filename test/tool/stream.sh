@@ -149,8 +149,9 @@ verdict $? "a recording without a date has none"
 
 if [ "${LONG:-}" ]; then hours=10; else hours=1; fi
 peak() {  # FILE ARGUMENTS...: the kilobytes that sbus needed
-  python3 -c 'import resource, subprocess, sys
-subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
+  python3 -c 'import os, resource, subprocess, sys
+# A sanitizer keeps what is freed.
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True, env=dict(os.environ, ASAN_OPTIONS="quarantine_size_mb=1"))
 print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" "$@"
 }
 python3 - "$work/16.txt" "$work/long.txt" $hours <<'END'

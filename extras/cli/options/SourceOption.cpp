@@ -245,7 +245,7 @@ const FileSource &SourceOption::file() const {
   overrules.baud = _baud;
   FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _baud)
                                 : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrules);
-  if (read.kind == FileKind::Bytes || !read.hasTimes) {
+  if (!read.hasTimes || !read.hasRowTimes) {
     rejectPart("is for a file with times; leave it out for " + name());
   } else if (read.isWhole() && (_from > 0 || _to > 0)) {
     cut(name(), read, toUs(_from), toUs(_to));
@@ -330,7 +330,7 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
   std::unique_ptr<line::Line> line;
-  if (read.kind == FileKind::Rows && _sendsFrames) {
+  if (read.kind == FileKind::Rows && _sendsFrames && !_csv.given()) {
     return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _periodUs,
                                             settings().characterUs(), toUs(_from), toUs(_to));
   }

@@ -69,12 +69,6 @@ bool parseCharacter(std::string_view word, Character &character) {
   return word.size() == 1 || word.size() == 2;
 }
 
-// Returns true for the line of names over rows with times, as sbus csv and the scope write it.
-bool namesTimes(std::string_view text) {
-  const std::string_view first = text.substr(0, text.find(','));
-  return first == "time" || first == "seconds";
-}
-
 // Returns true for a line of names that begins with a channel: "CH1,CH2".
 bool namesChannel(std::string_view text) {
   size_t digits = 2;
@@ -86,6 +80,11 @@ bool namesChannel(std::string_view text) {
 }
 
 }  // namespace
+
+bool namesTimes(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find(','));
+  return first == "time" || first == "seconds";
+}
 
 LineSettings settingsIn(std::string_view beginning) {
   LineSettings settings;

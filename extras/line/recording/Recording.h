@@ -99,6 +99,9 @@ LineSettings settingsIn(std::string_view beginning);
 // Returns when time 0 of the recorded line was, by a comment as RecordingWriter::began() writes it, in us since 1970.
 std::optional<int64_t> startIn(std::string_view beginning);
 
+// Returns true for the line of names over rows with times, as sbus csv and the scope write it.
+bool namesTimes(std::string_view text);
+
 // Returns true if the text is no recording, but the rows that a sketch prints.
 bool isCsvText(std::string_view beginning);
 
