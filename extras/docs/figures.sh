@@ -51,13 +51,17 @@ check_impairment() {
   verdict $? "make impairment ONLY='$1'"
 }
 
-# The table "Numbers" of README.md repeats some of them.
+# The table "Numbers" of README.md repeats some of them; ms are cycles at 32 MHz.
 check_readme() {
-  numbers=$(sed -n '/^## Numbers/,/^S.Bus has/p' ../../README.md | grep '^|' | grep -oE '[0-9]{3,}')
-  missing=$(for number in $numbers; do grep -qw "$number" $page || echo "$number"; done)
-  # shellcheck disable=SC2086  # one line of them
-  if [ -n "$numbers" ] && [ -z "$missing" ]; then echo "ok figures: README.md's numbers are those of $page"; else
-    echo "FAILED figures: README.md: these numbers are not in $page:" $missing; fi
+  numbers=$(sed -n '/^## Numbers/,/^S.Bus has/p' ../../README.md | grep '^|' | grep -oE '[0-9]+(\.[0-9]+)?( ms)?')
+  wrong=$(
+    echo "$numbers" | while read -r number; do grep -qwF "$number" $page || echo "$number is not in $page"; done
+    grep -oE '[0-9]+( cycles)?(,| \() ?[0-9]+\.[0-9]+ ms' $page | while read -r figure; do
+      echo "$figure" | tr -c '0-9.\n' ' ' | awk '{ exit sprintf("%.2f", $1 / 32000) != $2 }' || echo "$figure: 32000 cycles are 1 ms"
+    done
+  )
+  [ -n "$numbers" ] && [ -z "$wrong" ] || { echo "$wrong"; false; }
+  verdict $? "README.md's numbers are those of $page"
 }
 
 if [ "${1:-}" = check ]; then
