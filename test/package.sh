@@ -30,11 +30,39 @@ made=$(make -s -C "$scratch" zip)
 verdict $? "make zip writes build/DecodeSBus-$version.zip, and it unzips"
 library=$out/libraries/DecodeSBus
 [ "$(ls "$out/libraries")" = DecodeSBus ] &&
-  [ "$(ls "$library" | tr '\n' ' ')" = "CHANGELOG.md LICENSE README.md examples extras keywords.txt library.json library.properties src " ] &&
-  [ "$(ls "$library/extras")" = docs ]
+  [ "$(ls "$library" | LC_ALL=C sort | tr '\n' ' ')" = "CHANGELOG.md CMakeLists.txt CONTRIBUTING.md LICENSE README.md examples extras \
+idf_component.yml keywords.txt library.json library.properties src zephyr " ] &&
+  [ "$(ls "$library/extras" | tr '\n' ' ')" = "cli docs host scope " ] && [ "$(ls "$library/extras/cli")" = README.md ]
 verdict $? "the ZIP is one folder, with what a library has"
+# Prints PAGE TARGET of each relative link, or PAGE#HEADING of each heading, as GitHub names it.
+links() {  # WHAT
+  (cd "$library" && find . -name '*.md' -exec awk -v what="$1" '
+    /^```/ { fenced = !fenced }
+    what == "headings" && !fenced && sub(/^#+ /, "") {
+      gsub(/[^A-Za-z0-9_ -]/, "")
+      gsub(/ /, "-")
+      print FILENAME "#" tolower($0)
+    }
+    what == "links" && !fenced {
+      while (match($0, /\]\([^) ]+\)/)) {
+        target = substr($0, RSTART + 2, RLENGTH - 3)
+        $0 = substr($0, RSTART + RLENGTH)
+        if (target !~ /^[a-z]+:/) print FILENAME, target
+      }
+    }' {} +)
+}
+links headings >"$out/headings"
+links links >"$out/links"
+dead=$(while read -r page target; do
+  file=$page
+  case $target in '#'*) ;; *) file=./$(cd "$library" && realpath -m --relative-to=. "${page%/*}/${target%%#*}") ;; esac
+  [ -e "$library/$file" ] || echo "$page: $target"
+  case $target in *'#'*) grep -qxF "$file#${target#*#}" "$out/headings" || echo "$page: $target" ;; esac
+done <"$out/links")
+[ "$(wc -l <"$out/links")" -gt 100 ] && [ -z "$dead" ] || { echo "$dead"; false; }
+verdict $? "every relative link of the ZIP's pages leads to a file and a heading of the ZIP"
 # `pio pkg pack` adds the manifests, README and LICENSE to what library.json names.
-include=$(sed -n 's/.*"include": \[\(.*\)\].*/\1/p' library.json | tr -d '",')
+include=$(tr '\n' ' ' <library.json | sed -n 's/.*"include": \[\([^]]*\)\].*/\1/p' | tr -d '",')
 # shellcheck disable=SC2086  # names, to be split
 [ "$(git ls-files $include library.json library.properties README.md LICENSE)" = "$(cd "$library" && find . -type f | sed 's,^\./,,' | LC_ALL=C sort)" ]
 verdict $? "library.json names the same files for PlatformIO"
