@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 
 work := help demo sbus install uninstall scope test test-all impairment fuzz size bench figures docs clean
-.PHONY: $(work) zip release
+.PHONY: $(work) zip dist release
 zip:
 	@sh extras/setup/zip.sh
 release:
@@ -17,7 +17,13 @@ absolute = $(if $($1),$1='$(if $(filter /%,$(firstword $($1))),,$(CURDIR)/)$($1)
 $(work):
 	@copy=$$(sh extras/setup/copy.sh) && $(MAKE) --no-print-directory -C "$$copy" $@ $(call absolute,CAPTURES) \
 	  $(if $(wildcard $(SOURCE)),$(call absolute,SOURCE),$(if $(SOURCE),SOURCE='$(SOURCE)')) $(call absolute,PREFIX) $(call absolute,DESTDIR) && { [ $@ != clean ] || rm -rf "$$copy"; }
+dist:
+	@echo "make dist: the name of this folder has a blank. Rename it." >&2; exit 1
 else
+
+dist:
+	@sh extras/setup/need.sh git dpkg-dev $(TOOL) $(SCOPE) $(STATIC) 'g++-aarch64-linux-gnu?'
+	@sh extras/setup/dist.sh
 
 help:
 	@echo "make demo   runs examples/DecodeSBus on a simulated receiver, 15 seconds; installs what it needs"
@@ -45,8 +51,9 @@ help:
 	@echo "make figures  writes the tables of extras/docs/measured.md (impairment, size, bench); some minutes"
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
+	@echo "make dist   what a release offers, in dist/: ZIP, page, sbus as a Debian package and for any Linux, SHA256SUMS"
 	@echo "make release VERSION=x.y.z URL=https://...  sets both, dates CHANGELOG.md, says what is left to do"
-	@echo "make clean  removes build/"
+	@echo "make clean  removes build/ and dist/"
 
 SKETCH ?= examples/DecodeSBus
 sketch_name = $(notdir $(SKETCH:/=))
@@ -66,7 +73,7 @@ sbus:
 SBUS := build/sbus/sbus
 PREFIX ?= /usr/local
 installed := $(DESTDIR)$(PREFIX)
-install: sbus
+install: $(if $(filter file,$(origin SBUS)),sbus)
 	@install -D '$(SBUS)' '$(installed)/bin/sbus'
 	@install -D -m 644 extras/cli/sbus.1 '$(installed)/share/man/man1/sbus.1'
 	@install -D -m 644 extras/cli/completion.zsh '$(installed)/share/zsh/site-functions/_sbus'
@@ -89,6 +96,8 @@ CAPTURES ?=
 # WebAssembly; a machine may have npm from elsewhere, which Debian's would throw out.
 SCOPE := clang lld libc++-dev-wasm32 libclang-rt-dev-wasm32 $(if $(shell command -v npm),,nodejs npm)
 TOOL := g++ libcli11-dev libserialport-dev libncurses-dev libarchive-dev libevdev-dev nlohmann-json3-dev 'pkg-config|pkgconf'
+# What TOOL's static libraries need.
+STATIC := nettle-dev liblzma-dev libzstd-dev libbz2-dev zlib1g-dev
 AVR := gcc-avr avr-libc arduino-core-avr
 TEST := g++ doctest-dev librapidcheck-dev libcli11-dev libserialport-dev libarchive-dev
 # Debian 14 has picolibc for newlib.
@@ -101,7 +110,7 @@ test:
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test
 
 test-all:
-	@sh extras/setup/need.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/need.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:
@@ -131,6 +140,6 @@ docs:
 	@echo build/docs/html/index.html
 
 clean:
-	rm -rf build/* build
+	rm -rf build/* build dist
 
 endif

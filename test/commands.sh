@@ -198,6 +198,7 @@ check '^\| 64 bytes( \| [1-9][0-9]*){4} \|$' 'newlib && make bench TRIES=100' 'm
 check '^(ok figures: make size|skipped figures: size, these compilers)' 'log figures "extras/docs/figures.sh check"' 'make size'
 check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
 check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z URL=https://...'
+check '^ok dist: SHA256SUMS has every file' 'log dist test/dist.sh' 'make dist'
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&

@@ -115,6 +115,8 @@ tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$folder"
 made() { make -s -C "$folder" help >"$work/out" 2>&1 && copy=$(cat "$folder/build/copy") || { cat "$work/out"; false; }; }
 made && grep -q '^make demo ' "$work/out" && [ "$(stat -c %a "$copy")" = 700 ] && [ "$(readlink "$copy/build")" = "$folder/build" ]
 verdict $? "in a folder with a blank make works in a copy that no other user can read, with build/ here"
+! make -s -C "$folder" dist >"$work/out" 2>&1 && grep -qx 'make dist: the name of this folder has a blank. Rename it.' "$work/out"
+verdict $? "... except make dist, which says so"
 first=$copy
 made && [ "$copy" = "$first" ]
 verdict $? "the copy's folder is used again"

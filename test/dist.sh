@@ -1,0 +1,104 @@
+#!/bin/sh
+# What `make dist` builds: each file is run, opened or unpacked. Says "ok ...", "FAILED ..." or "skipped ...".
+# BUILD: an absolute folder for what is built. DIST: what `make dist` has built; otherwise it is built here.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+export BUILD="${BUILD:-$PWD/build/test}"
+work=$BUILD/dist-check
+version=$(sed -n 's/^version=//p' library.properties)
+
+verdict() {  # STATUS WHAT
+  if [ "$1" -eq 0 ]; then echo "ok dist: $2"; else echo "FAILED dist: $2"; fi
+}
+skipped() { echo "skipped dist: $1"; }
+
+printf '\ndist: what a release offers\n'
+if [ -z "${DIST:-}" ]; then
+  DIST=$BUILD/dist-files
+  DIST="$DIST" sh extras/setup/dist.sh || { verdict 1 "it builds"; exit; }
+fi
+rm -rf "$work"
+mkdir -p "$work"
+(cd "$DIST" && sha256sum --check --strict --quiet SHA256SUMS) &&
+  [ "$(wc -l <"$DIST/SHA256SUMS")" -eq "$(find "$DIST" -type f ! -name SHA256SUMS | wc -l)" ]
+verdict $? "SHA256SUMS has every file"
+[ "$(unzip -p "$DIST/DecodeSBus-$version.zip" DecodeSBus/library.properties | sed -n 's/^version=//p')" = "$version" ]
+verdict $? "the ZIP is version $version"
+
+# ---- sbus
+
+recording=$PWD/test/recordings/paper.txt
+for pack in gzip xz; do $pack -c "$recording" >"$work/paper.$pack"; done
+python3 -c 'import sys, zipfile; zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED).write(sys.argv[2])' \
+  "$work/paper.zip" "$recording"
+# Bytes above 7F: only with -fsigned-char they are negative on ARM.
+head -c 100 /dev/zero | tr '\0' '\303' >"$work/high"
+
+# Prints what this sbus makes of them, with its exit status: 1 where `doctor` has found a fault.
+says() {  # COMMAND...
+  for arguments in --version 'doctor sim --simulated-time --uninverted' "csv $recording" "csv $work/paper.gzip" \
+    "csv $work/paper.xz" "csv $work/paper.zip" 'joystick --help'; do
+    # shellcheck disable=SC2086  # arguments, to be split
+    timeout 60 "$@" $arguments 2>&1
+    echo "status $?"
+  done
+  cat "$work/high" | timeout 60 "$@" hex - 2>&1
+  echo "status $?"
+}
+
+unpacked() { tar xzf "$DIST/$1.tar.gz" --one-top-level="$work/$1" && sbus=$work/$1/bin/sbus; }
+is_static() { [ -x "$1" ] && ! LC_ALL=C readelf -d "$1" | grep -q NEEDED && LC_ALL=C readelf -h "$1" | grep -q "Machine: .*$2"; }
+
+mkdir "$work/deb"
+native=$(dpkg --print-architecture)
+package=$DIST/sbus_${version}_$native.deb
+dpkg-deb -x "$package" "$work/deb" && says "$work/deb/usr/bin/sbus" >"$work/says"
+grep -q '^Wrong polarity' "$work/says" && [ "$(grep -c '^status 0$' "$work/says")" -eq 7 ] &&
+  [ "$(grep -c '^995,993,1811,' "$work/says")" -ge 4 ]
+verdict $? "the package's sbus finds a wrong polarity, and reads recordings packed by gzip, xz and ZIP"
+depends=$(dpkg-deb -f "$package" Depends)
+for library in libarchive libevdev libncursesw libserialport; do
+  case $depends in *"$library"[0-9]*) ;; *) verdict 1 "the package depends on $library: $depends" ;; esac
+done
+listed="usr/lib/udev/rules.d/60-sbus-uinput.rules usr/share/bash-completion/completions/sbus usr/share/doc/sbus/copyright
+  usr/share/fish/vendor_completions.d/sbus.fish usr/share/man/man1/sbus.1.gz usr/share/zsh/site-functions/_sbus"
+lacks=$(for file in $listed; do [ -s "$work/deb/$file" ] || echo "$file"; done)
+[ -z "$lacks" ] || echo "$lacks"
+[ -z "$lacks" ] && (cd "$work/deb" && dpkg-deb --ctrl-tarfile "$package" | tar xO ./md5sums | md5sum --check --quiet)
+verdict $? "the package has manual, completion for three shells, udev rule and licence"
+if command -v lintian >/dev/null; then
+  # The rule is for no device that one could buy.
+  lintian --allow-root --fail-on error,warning --suppress-tags appstream-metadata-missing-modalias-provide "$package"
+  verdict $? "lintian accepts the package"
+else
+  skipped "lintian is not installed"
+fi
+
+# same ARCHIVE MACHINE [EMULATOR]: its sbus needs no library, and says what the package's says
+same() {
+  unpacked "$1" && is_static "$sbus" "$2" && [ -s "$work/$1/share/doc/sbus/copyright" ] && [ -s "$work/$1/share/man/man1/sbus.1" ] &&
+    says ${3:+"$3"} "$sbus" >"$work/$1.says" && diff "$work/says" "$work/$1.says"
+  verdict $? "$1: it needs no library, and says what the package's sbus says"
+}
+same "sbus-$version-linux-$native" .
+emulator=$(command -v qemu-aarch64-static qemu-aarch64 | sed 1q)
+if [ "$native" = arm64 ]; then
+  :
+elif [ ! -e "$DIST/sbus-$version-linux-arm64.tar.gz" ]; then
+  skipped "sbus for arm64: there is no aarch64-linux-gnu-g++ here"
+elif [ -z "$emulator" ]; then
+  skipped "sbus for arm64 is not run: there is no qemu-aarch64 here"
+else
+  same "sbus-$version-linux-arm64" AArch64 "$emulator"
+fi
+
+# ---- the page
+
+if command -v chromium >/dev/null; then
+  timeout 120 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=5000 --user-data-dir="$work/chromium" \
+    --dump-dom "file://$DIST/scope.html" >"$work/page" 2>"$work/chromium.log"
+  grep -qE '<strong id="state">(Fine|Lossy)</strong>' "$work/page" || { tail -n 3 "$work/chromium.log"; false; }
+  verdict $? "the page opens from disk in Chromium, and shows frames"
+else
+  skipped "the page: there is no chromium here"
+fi
