@@ -8,7 +8,7 @@ work := help demo sbus install uninstall scope test test-all impairment fuzz siz
 zip:
 	@sh extras/setup/zip.sh
 release:
-	@sh extras/setup/release.sh '$(VERSION)' '$(URL)'
+	@sh extras/setup/release.sh
 
 # make cannot handle names with spaces. If this folder's name has one, the work is done in a copy whose name has none, and
 # the results are in build/ here.
@@ -52,7 +52,8 @@ help:
 	@echo "make docs   the API reference, build/docs/html/index.html"
 	@echo "make zip    the library as the Arduino IDE takes it, build/DecodeSBus-VERSION.zip"
 	@echo "make dist   what a release offers, in dist/: ZIP, page, sbus as a Debian package and for any Linux, SHA256SUMS"
-	@echo "make release VERSION=x.y.z URL=https://...  sets both, dates CHANGELOG.md, says what is left to do"
+	@echo "make release VERSION=x.y.z  sets the version, dates CHANGELOG.md, fills in every placeholder, says what is left to do"
+	@echo "            URL=https://github.com/NAME/DecodeSBus MAINTAINER='NAME <ADDRESS>'  the first time"
 	@echo "make clean  removes build/ and dist/"
 
 SKETCH ?= examples/DecodeSBus

@@ -197,8 +197,10 @@ check 'FrameFinder: .* \(1 s, seed ' 'make fuzz SECONDS=1' 'make fuzz' 'make fuz
 check '^\| 64 bytes( \| [1-9][0-9]*){4} \|$' 'newlib && make bench TRIES=100' 'make bench' 'make bench TRIES=200000'
 check '^(ok figures: make size|skipped figures: size, these compilers)' 'log figures "extras/docs/figures.sh check"' 'make size'
 check '^ok package: make zip writes ' 'log package test/package.sh' 'make zip'
-check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z URL=https://...'
+check '^ok package: make release sets ' 'log package test/package.sh' 'make release VERSION=x.y.z' \
+  'make release VERSION=x.y.z URL=https://github.com/NAME/DecodeSBus' "make release VERSION=x.y.z MAINTAINER='NAME <ADDRESS>'"
 check '^ok dist: SHA256SUMS has every file' 'log dist test/dist.sh' 'make dist'
+check '^ok dist: sbus-[0-9.]*-linux-.*: it needs no library' 'log dist test/dist.sh' 'sudo tar xzf sbus-*.tar.gz -C /usr/local'
 
 small
 check '^[1-9][0-9]* passed, 0 failed$' "STEPS='captures|rules' make test-all V=1 CAPTURES=test/recordings | tee all &&

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What users get, made in a scratch repository: the ZIP of `make zip`, and the changes of `make release`. Says "ok ..." or
+# What users get, made in a scratch repository: the ZIP of `make zip`, and what `make release` changes or rejects. Says "ok ..." or
 # "FAILED ...".
 # BUILD: an absolute folder for what is built.
 set -u
@@ -17,7 +17,26 @@ command -v git >/dev/null && command -v unzip >/dev/null || { echo "skipped pack
 rm -rf "$out"
 mkdir -p "$scratch"
 tar cf - --exclude=./build --exclude=./.git . | tar xf - -C "$scratch"
-printf '# Changelog\n\n## Unreleased\n\n- New.\n' >"$scratch/CHANGELOG.md" # as before any release: ours may have been released
+# As before any release: ours may have been released.
+printf '# Changelog\n\n## Unreleased\n\n- New.\n' >"$scratch/CHANGELOG.md"
+address=https://decodesbus.example
+(cd "$scratch" &&
+  sed -i "s|$(sed -n 's/^url=//p' library.properties)|$address|" library.properties library.json idf_component.yml README.md &&
+  sed -i 's/^maintainer=.*/maintainer=Nemo <maintainers@decodesbus.example>/' library.properties)
+cat >>"$scratch/README.md" <<END
+<!-- until the first release -->
+old
+<!-- from the first release
+new
+[release]($address/releases)
+https://img/release/decodesbus.example
+-->
+end
+<!-- from the first release
+alone
+-->
+last
+END
 sed -i 's/^\(\.TH SBUS 1\) "[^"]*"/\1 "2001-01-01"/' "$scratch/extras/cli/sbus.1"
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE MAKEFLAGS MAKELEVEL
@@ -73,54 +92,90 @@ for source in "$library"/src/*.cpp "$library"/src/sbus/*.cpp "$library"/examples
 done
 verdict $failed "the library and the first example compile from the ZIP"
 
-# rejected WHAT VERSION URL: make release rejects this with one line, and changes nothing
+url=https://github.com/somebody/DecodeSBus
+who="Ada O'Byron <ada@byron.org>"
+
+# asked VERSION URL MAINTAINER: make release
+asked() { make -s -C "$scratch" release VERSION="$1" URL="$2" MAINTAINER="$3" >"$out/release" 2>&1; }
+# rejected WHAT VERSION URL MAINTAINER: make release rejects this with one line, and changes nothing
 rejected() {
-  what=$1
   git status --porcelain >"$out/before"
-  make -s -C "$scratch" release VERSION="$2" URL="$3" >"$out/rejected" 2>&1
-  status=$?
-  git status --porcelain >"$out/after"
-  [ $status -ne 0 ] && [ "$(grep -vc '^make' "$out/rejected")" -eq 1 ] && cmp "$out/before" "$out/after"
-  verdict $? "a release is rejected: $what"
+  ! asked "$2" "${3:-}" "${4:-}" && [ "$(grep -vc '^make' "$out/release")" -eq 1 ] &&
+    [ "$(git status --porcelain)" = "$(cat "$out/before")" ]
+  verdict $? "a release is rejected: $1"
 }
 
-url=https://github.com/somebody/DecodeSBus
 for wrong in '' 1 1.2 1.2.3.4 v1.2.3 1.2.x 01.2.3 1.2.3-rc1 0.0.9; do
-  rejected "VERSION=$wrong" "$wrong" $url
+  rejected "VERSION=$wrong" "$wrong" $url "$who"
 done
-for wrong in '' github.com/somebody/DecodeSBus http://github.com/somebody 'https://a.b/&' https://decodesbus.example/'|'; do
-  rejected "URL=$wrong" 9.9.9 "$wrong"
+for wrong in github.com/somebody/DecodeSBus http://github.com/somebody https://github.com/somebody 'https://a.b/&' \
+  https://decodesbus.example $url/ $url'|'; do
+  rejected "URL=$wrong" 9.9.9 "$wrong" "$who"
+done
+for wrong in Ada ada@byron.org '<ada@byron.org>' 'Ada <ada>' 'Ada <ada@byron.org' 'Ada|B <ada@byron.org>'; do
+  rejected "MAINTAINER=$wrong" 9.9.9 $url "$wrong"
 done
 touch "$scratch/src/new.h"
-rejected "a file that git does not know" 9.9.9 $url
+rejected "a file that git does not know" 9.9.9 $url "$who"
 rm "$scratch/src/new.h"
 echo >>"$scratch/README.md"
-rejected "a file that has changed" 9.9.9 $url
+rejected "a file that has changed" 9.9.9 $url "$who"
 git checkout -q README.md
 
-release() {  # VERSION
-  make -s -C "$scratch" release VERSION="$1" URL=$url >"$out/release" 2>&1 &&
+# names REGEX...: the last release was rejected, and each of these is a line of what it said
+names() {
+  git status --porcelain >"$out/status"
+  [ ! -s "$out/status" ] || return
+  for line in "$@"; do grep -qE "^$line" "$out/release" || { echo "no line is like $line:"; cat "$out/release"; return 1; }; done
+}
+! asked 9.9.9 '' '' && names 'library.properties:4: MAINTAINER=' 'library.properties:8: URL=' 'library.json:4: URL=' \
+  'library.json:9: URL=' 'idf_component.yml:5: URL=' 'README.md:[0-9]+: URL='
+verdict $? "a release without real addresses is rejected, and each place of them is named"
+! asked 9.9.9 $url '' && names 'library.properties:4: MAINTAINER=' && ! grep -q URL= "$out/release"
+verdict $? "... and the maintainer's alone, if only this one is missing"
+printf 'It comes after the first release.\n\n<!-- from the first release\n-->\n' >"$scratch/extras/docs/new.md"
+git add -A && git commit -q -m Page
+! asked 9.9.9 $url "$who" && names 'extras/docs/new.md:1: the text that holds' 'extras/docs/new.md:3: the text that holds'
+verdict $? "a sentence about the first release is named"
+git reset -q --hard HEAD^
+
+# released VERSION FILES [URL MAINTAINER]: make release makes these changes, and no others
+released() {
+  files=$2
+  asked "$1" "${3:-}" "${4:-}" &&
     grep -qx "version=$1" "$scratch/library.properties" && grep -qx "url=$url" "$scratch/library.properties" &&
+    grep -qx "maintainer=$who" "$scratch/library.properties" &&
     [ "$(grep -c "\"version\": \"$1\",\$" "$scratch/library.json")" -eq 1 ] &&
     [ "$(grep -c "\"homepage\": \"$url\",\$" "$scratch/library.json")" -eq 1 ] &&
     grep -qxF "  \"repository\": {\"type\": \"git\", \"url\": \"$url\"}," "$scratch/library.json" &&
     [ "$(grep -cxF -e "version: \"$1\"" -e "url: $url" -e "repository: $url" "$scratch/idf_component.yml")" -eq 3 ] &&
     grep -q "^## $1, 20[0-9-]*\$" "$scratch/CHANGELOG.md" && ! grep -q '^## Unreleased' "$scratch/CHANGELOG.md" &&
     grep -qE '^\.TH SBUS 1 "20([1-9][0-9]|0[2-9])-[0-9]{2}-[0-9]{2}" ' "$scratch/extras/cli/sbus.1" &&
-    [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1$' | tr -d '\n')" = " M CHANGELOG.md M idf_component.yml M library.json M library.properties" ] &&
-    grep -q "git tag -a $1 " "$out/release" && grep -q 'library-registry' "$out/release" && grep -q 'pio pkg publish' "$out/release" &&
-    grep -q 'compote component upload --namespace somebody --name decodesbus,' "$out/release"
+    [ "$(git status --porcelain | grep -v ' extras/cli/sbus.1$' | sed 's/^ M //' | tr '\n' ' ')" = "$files" ] &&
+    grep -q 'extras/setup/tags.sh' "$out/release" && grep -q "adds $url to" "$out/release" && grep -q 'pio pkg publish' "$out/release" &&
+    grep -q 'compote component upload --namespace somebody --name decodesbus$' "$out/release" || { cat "$out/release"; git diff; false; }
 }
-release "$version"
+first="CHANGELOG.md README.md idf_component.yml library.json library.properties "
+later="CHANGELOG.md idf_component.yml library.json library.properties "
+released "$version" "$first" $url "$who"
 verdict $? "the version of library.properties can be released, if it is not released yet"
 git checkout -q .
-release 9.9.9
-verdict $? "make release sets version, address and the changelog's heading, and says what is left"
+released 9.9.9 "$first" $url "$who"
+verdict $? "make release sets version, addresses and dates, and says what is left"
+[ "$(tail -n 6 "$scratch/README.md" | tr '\n' '|')" = "new|[release]($url/releases)|https://img/release/somebody/DecodeSBus|end|alone|last|" ] &&
+  grep -q '\[MIT licence\]' "$scratch/README.md" && ! grep -qE '^ *(<!--|-->)|first release|\.example' "$scratch/README.md"
+verdict $? "README.md then has what holds from the first release on, and no marks"
+
 git commit -q -a -m Release
-rejected "nothing is unreleased" 9.10.0 $url
+(cd "$scratch" && git config user.name Test && git config user.email test@localhost && sh extras/setup/tags.sh) >"$out/tags" 2>&1
+[ "$(cat "$out/tags")" = "git push --atomic origin HEAD v9.9.9 9.9.9" ] && git diff --quiet v9.9.9 HEAD && git diff --quiet HEAD &&
+  [ "$(git ls-tree -r --name-only 9.9.9)" = "$(git archive HEAD | tar t | grep -v '/$' | LC_ALL=C sort)" ] &&
+  git diff --quiet v9.9.9 9.9.9 --diff-filter=d && [ "$(git rev-parse 9.9.9^)" = "$(git rev-parse HEAD)" ] || { cat "$out/tags"; false; }
+verdict $? "it is tagged twice: the whole repository, and for the Library Manager the library alone"
+rejected "nothing is unreleased" 9.10.0
 printf '\n## Unreleased\n\n- New.\n' >>"$scratch/CHANGELOG.md"
 git commit -q -a -m Next
-rejected "it has been released" 9.9.9 $url
-release 9.10.0
-verdict $? "9.10.0 is newer than 9.9.9"
+rejected "it has been released" 9.9.9
+released 9.10.0 "$later"
+verdict $? "9.10.0 is newer than 9.9.9, and keeps the addresses"
 rm -rf "$out"  # otherwise a linter takes its sketches for those of this library

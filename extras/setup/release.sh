@@ -1,10 +1,15 @@
 #!/bin/sh
-# Makes a release's commit ready: version, address, the changelog's heading and the manual's date.
-#   release.sh x.y.z https://...
+# Makes a release's commit ready: version, dates, and the real values of every placeholder. If a placeholder would be left, it
+# says which, and changes nothing. README.md has text between <!-- until the first release -->, <!-- from the first release
+# and -->: the first part goes, the second becomes visible. Environment variables; those of the last release need not be given again:
+#   VERSION=x.y.z
+#   URL=https://github.com/NAME/DecodeSBus
+#   MAINTAINER='NAME <ADDRESS>'   an address that people can write to
+#   NAMESPACE=NAME                at components.espressif.com; default: NAME of URL
 set -eu
 cd "$(dirname "$0")/../.."
-version=$1
-url=$2
+
+: "${VERSION:=}" "${URL:=}" "${MAINTAINER:=}" "${NAMESPACE:=}"
 
 reject() {
   echo "$1" >&2
@@ -12,40 +17,64 @@ reject() {
 }
 
 whole() { printf '%s\n' "$1" | grep -qxE "$2"; }
+property() { sed -n "s/^$1=//p" library.properties; }
 
 number='(0|[1-9][0-9]{0,8})'
-whole "$version" "$number\.$number\.$number" || reject "VERSION=$version: three numbers such as 1.2.0 are expected"
-whole "$url" 'https://[a-z0-9.-]+\.[a-z]+(:[0-9]+)?(/[A-Za-z0-9._~/-]*)?' ||
-  reject "URL=$url: the project's address is expected, such as https://github.com/NAME/DecodeSBus"
-last=$(sed -n 's/^version=//p' library.properties)
-[ "$(printf '%s\n' "$version" "$last" | sort -t. -k1,1n -k2,2n -k3,3n | tail -n 1)" = "$version" ] ||
-  reject "VERSION=$version: $last or higher is expected"
-! grep -q "^## $version, " CHANGELOG.md || reject "VERSION=$version: a higher version is expected, CHANGELOG.md has this one as released"
+whole "$VERSION" "$number\.$number\.$number" || reject "VERSION=$VERSION: three numbers such as 1.2.0 are expected"
+[ -z "$URL" ] || whole "$URL" 'https://github\.com/[A-Za-z0-9-]+/[A-Za-z0-9._-]+' ||
+  reject "URL=$URL: the project's address is expected, such as https://github.com/NAME/DecodeSBus"
+[ -z "$MAINTAINER" ] || whole "$MAINTAINER" '[^<>|&\\"]*[^<>|&\\" ] <[^<>|&\\" @]+@[A-Za-z0-9.-]+\.[A-Za-z]+>' ||
+  reject "MAINTAINER=$MAINTAINER: a name and an address are expected, such as 'Ada Byron <ada@byron.org>'"
+[ -z "$NAMESPACE" ] || whole "$NAMESPACE" '[A-Za-z0-9_-]+' ||
+  reject "NAMESPACE=$NAMESPACE: your namespace at components.espressif.com is expected"
+last=$(property version)
+[ "$(printf '%s\n' "$VERSION" "$last" | sort -t. -k1,1n -k2,2n -k3,3n | tail -n 1)" = "$VERSION" ] ||
+  reject "VERSION=$VERSION: $last or higher is expected"
+! grep -q "^## $VERSION, " CHANGELOG.md || reject "VERSION=$VERSION: a higher version is expected, CHANGELOG.md has this one as released"
 [ -z "$(git status --porcelain)" ] || reject "There are changes that are not committed: see git status"
 grep -qx '## Unreleased' CHANGELOG.md || reject 'CHANGELOG.md: the heading "## Unreleased" is expected'
+
+# Prints FILE:LINE of each line like REGEX, and what belongs there. Scripts and tests name placeholders without having them.
+left() {  # REGEX WHAT [PATHSPEC]
+  git grep -nE -e "$1" -- ':!extras/setup' ':!test' ${3:+"$3"} | sed -E "s|^([^:]*:[0-9]+):.*|\1: $2|"
+}
+left=$(
+  [ -n "$MAINTAINER" ] || left '@[a-z.-]+\.example' "MAINTAINER='NAME <ADDRESS>', an address that people can write to"
+  [ -n "$URL" ] || left '(^|[^@])decodesbus\.example' 'URL=https://github.com/NAME/DecodeSBus'
+  left '(after|before) the first release' 'the text that holds from the release on'
+  left '(until|from) the first release' 'the text that holds from the release on: only README.md may have these marks' ':!README.md'
+)
+[ -z "$left" ] || reject "A release has no placeholders. Give or write what is named here:
+$left"
 
 change() {  # FILE SED...: all files are changed, or none
   file=$1
   shift
   sed "$@" "$file" >"$file.new" && cat "$file.new" >"$file" && rm "$file.new"
 }
-change library.properties -e "s|^version=.*|version=$version|" -e "s|^url=.*|url=$url|"
-change library.json -e "s|^  \"version\": .*|  \"version\": \"$version\",|" -e "s|^  \"homepage\": .*|  \"homepage\": \"$url\",|" \
-  -e "s|^\(  \"repository\": .*\"url\": \).*|\1\"$url\"},|"
-change idf_component.yml -e "s|^version: .*|version: \"$version\"|" -e "s|^url: .*|url: $url|" -e "s|^repository: .*|repository: $url|"
-change CHANGELOG.md -e "s|^## Unreleased\$|## $version, $(date +%F)|"
+change library.properties -e "s|^version=.*|version=$VERSION|" ${MAINTAINER:+-e "s|^maintainer=.*|maintainer=$MAINTAINER|"}
+change library.json -e "s|^  \"version\": .*|  \"version\": \"$VERSION\",|"
+change idf_component.yml -e "s|^version: .*|version: \"$VERSION\"|"
+change CHANGELOG.md -e "s|^## Unreleased\$|## $VERSION, $(date +%F)|"
 change extras/cli/sbus.1 -e "s|^\(\.TH SBUS 1\) \"[^\"]*\"|\1 \"$(date +%F)\"|"
+change README.md -e '/<!-- until the first release -->/,/<!-- from the first release$/d' \
+  -e '/<!-- from the first release$/d' -e '/^ *-->$/d'
+old=$(property url)
+for file in ${URL:+$(git grep -lF -e "${old#https://}" -- ':!extras/setup' ':!test')}; do
+  change "$file" -e "s|/release/${old#https://}|/release/${URL#https://github.com/}|" \
+    -e "s|/release/${old#https://github.com/}|/release/${URL#https://github.com/}|" -e "s|$old|$URL|g"
+done
 git --no-pager diff --stat
 
+owner=$(property url | cut -d/ -f4)
 echo "
-Set. What is left to do by hand:"
-grep '^maintainer=.*\.example>' library.properties | sed 's/^/  - an address that people can write to: /'
-owner=$(printf '%s\n' "$url" | sed -n 's,^https://[^/]*/\([^/]*\)/.*,\1,p')
-echo "  - read git diff; make test-all
-  - git commit -am 'Release $version' && git tag -a $version -m $version && git push --follow-tags
-  - the first time: the Library Manager request, a pull request that adds $url to repositories.txt of
+Set. What is left to do by hand:
+  - read git diff; make test-all
+  - git commit -am 'Release $VERSION' && sh extras/setup/tags.sh
+    The tag v$VERSION makes the release on GitHub: .github/workflows/release.yml
+  - the first time, in GitHub's settings: Pages > Source: GitHub Actions; Environments > github-pages: allow tags v*;
+    General > Discussions. Then the Library Manager
+    request, a pull request that adds $(property url) to repositories.txt of
     https://github.com/arduino/library-registry; later it finds the tags by itself
-  - PlatformIO: pio pkg publish; ESP-IDF: compote component upload --namespace ${owner:-NAMESPACE} --name decodesbus,
-    with your namespace at components.espressif.com
-  - make zip, and attach build/DecodeSBus-$version.zip to the release's page
+  - PlatformIO: pio pkg publish; ESP-IDF: compote component upload --namespace ${NAMESPACE:-$owner} --name decodesbus
   - begin the next section of CHANGELOG.md with ## Unreleased"
