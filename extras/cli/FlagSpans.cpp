@@ -1,21 +1,16 @@
 #include "cli/FlagSpans.h"
 
-#include "sbus/Link.h"
+#include "line/Silence.h"
 
 namespace tool {
 
-namespace {
-
-constexpr uint64_t SilenceUs = sbus::Link::DefaultTimeout * 1000;
-
-}  // namespace
-
-bool FlagSpans::silentUntil(uint64_t us) {
-  if (_lastUs == 0 || us - _lastUs <= SilenceUs) {
+bool FlagSpans::brokenUntil(uint64_t us, uint32_t lateUs) {
+  const line::Gap gap = _lastUs == 0 ? line::Gap::Ordinary : line::gapOf(_lastUs, us, lateUs);
+  if (gap == line::Gap::Ordinary) {
     return false;
   }
   finish();
-  _all.push_back({FlagSpan::Kind::NoFrames, _lastUs, us});
+  _all.push_back({gap == line::Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, _lastUs, us});
   return true;
 }
 

@@ -1,4 +1,4 @@
-// Notes when there was failsafe, lost frames or silence: for the lines of `sbus summary` and the shades of `sbus plot`.
+// Notes when there was failsafe, lost frames or silence, and when the PC was late: for the lines of `sbus summary` and the shades of `sbus plot`.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 namespace tool {
 
 struct FlagSpan {
-  enum class Kind { Failsafe, LostFrame, NoFrames };
+  enum class Kind { Failsafe, LostFrame, NoFrames, Late };
 
   Kind kind;
   uint64_t fromUs;
@@ -16,12 +16,14 @@ struct FlagSpan {
   uint64_t us() const { return toUs - fromUs; }
 };
 
-// A flag's span lasts from the first frame with the flag to the next one without, to a silence, or to the end. A frame
+// A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a time when the PC
+// was late, or to the end. A frame
 // with both flags counts as failsafe only.
 class FlagSpans {
  public:
-  // Returns true if the line was silent from the newest frame until `us`: all spans end before a silence.
-  bool silentUntil(uint64_t us);
+  // Returns true if the line was silent from the newest frame until the next one, at `us`, or if the PC was late, as
+  // `lateUs` of that frame shows. All spans end there.
+  bool brokenUntil(uint64_t us, uint32_t lateUs);
 
   // Takes the flags of the next frame.
   void put(uint64_t us, bool failsafe, bool lostFrame);

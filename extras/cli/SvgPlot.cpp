@@ -18,30 +18,27 @@ constexpr double LineHeight = 15;
 // Okabe and Ito's hues, which colour-blind people can tell apart; darker on white, lighter on black. Further curves are
 // dashed. The shades also differ by a pattern. No CSS variables: many viewers do not know them.
 struct Palette {
-  const char *page, *text, *grid, *failsafe, *lost, *silent;
+  const char *page, *text, *grid, *failsafe, *lost, *silent, *late;
   const char *curves[8];
 };
 constexpr size_t Colours = 8;
-constexpr Palette Light = {"#fff",
-                           "#24292f",
-                           "#d8dee4",
-                           "#cf222e",
-                           "#bf8700",
-                           "#6e7781",
-                           {"#0072b2", "#c04d00", "#007a5a", "#a3447c", "#8a6100", "#2a8fc0", "#5f4bb6", "#57606a"}};
-constexpr Palette Dark = {"#0d1117",
-                          "#e6edf3",
-                          "#30363d",
-                          "#ff7b72",
-                          "#e3b341",
-                          "#8b949e",
-                          {"#56b4e9", "#ff8f4d", "#2fc79a", "#e59ac8", "#f0c040", "#9ad7f5", "#b3a5ff", "#b1bac4"}};
+constexpr Palette Light = {
+    "#fff",    "#24292f",
+    "#d8dee4", "#cf222e",
+    "#bf8700", "#6e7781",
+    "#8250df", {"#0072b2", "#c04d00", "#007a5a", "#a3447c", "#8a6100", "#2a8fc0", "#5f4bb6", "#57606a"}};
+constexpr Palette Dark = {
+    "#0d1117", "#e6edf3",
+    "#30363d", "#ff7b72",
+    "#e3b341", "#8b949e",
+    "#bc8cff", {"#56b4e9", "#ff8f4d", "#2fc79a", "#e59ac8", "#f0c040", "#9ad7f5", "#b3a5ff", "#b1bac4"}};
 
 std::string style(const Palette &palette) {
   std::string text =
       format(".page{fill:%s}text{fill:%s}.grid{stroke:%s}", palette.page, palette.text, palette.grid) +
-      format(".failsafe{fill:%s;stroke:%s}.lost{fill:%s;stroke:%s}.silent{fill:%s;stroke:%s}\n", palette.failsafe,
-             palette.failsafe, palette.lost, palette.lost, palette.silent, palette.silent);
+      format(".failsafe{fill:%s;stroke:%s}.lost{fill:%s;stroke:%s}.silent{fill:%s;stroke:%s}.late{fill:%s;stroke:%s}\n",
+             palette.failsafe, palette.failsafe, palette.lost, palette.lost, palette.silent, palette.silent,
+             palette.late, palette.late);
   for (size_t i = 0; i < Colours; i++) {
     text += format(".c%zu{stroke:%s}.n%zu{fill:%s}", i, palette.curves[i], i, palette.curves[i]);
   }
@@ -98,7 +95,8 @@ class Drawing {
         ".title{font-size:15px;font-weight:600}.name{font-weight:600}.curve,.lead{fill:none;stroke-linejoin:round}" +
         ".curve{stroke-width:1.6}.lead{opacity:.5}.d1{stroke-dasharray:6 3}.d2,.d3{stroke-dasharray:2 3}\n" +
         style(Light) + "@media(prefers-color-scheme:dark){\n" + style(Dark) + "}\n</style>\n";
-    _text += "<defs>" + pattern("failsafe", 45) + pattern("lost", -45) + pattern("silent", 0) + "</defs>\n";
+    _text += "<defs>" + pattern("failsafe", 45) + pattern("lost", -45) + pattern("silent", 0) + pattern("late", 90) +
+             "</defs>\n";
     _text += "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
     _text += format("<text class=\"title\" x=\"%.0f\" y=\"26\">", Left) + escaped(_picture.title) + "</text>\n";
     spans();
@@ -132,7 +130,8 @@ class Drawing {
       const char *name, *text;
     } kinds[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
                  {FlagSpan::Kind::LostFrame, "lost", "lost frames"},
-                 {FlagSpan::Kind::NoFrames, "silent", "no frames"}};
+                 {FlagSpan::Kind::NoFrames, "silent", "no frames"},
+                 {FlagSpan::Kind::Late, "late", "PC late"}};
     double legend = Left;
     for (const auto &kind : kinds) {
       bool any = false;
@@ -176,8 +175,8 @@ class Drawing {
     label(Left - 8, Top - 10, "end", _picture.yTitle);
   }
 
-  // Draws, of all points in one column of pixels, the first, the last, the lowest and the highest. A point that is joined
-  // to no other is a ring.
+  // Draws, of all points in one column of pixels, the first, the last, the lowest and the highest. A point that is
+  // joined to no other is a ring.
   void curves() {
     for (size_t i = 0; i < _picture.curves.size(); i++) {
       const std::vector<Curve::Point> &points = _picture.curves[i].points;

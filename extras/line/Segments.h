@@ -37,6 +37,7 @@ struct Stretch {
 
   bool isFrame() const { return kind != Kind::NoFrame; }
   uint64_t endUs() const { return characters.back().endUs; }
+  uint32_t lateUs() const { return characters.back().lateUs; }
 };
 
 // Returns why a stretch is no frame: "telemetry slots 1, 2"; "parity error (byte 12)"; without a character error

@@ -32,6 +32,7 @@
     #fatal = false;
     #stream = null;
     #controller;
+    #size = 255; // of the pipe, in bytes
     #waiting = []; // packets, then perhaps the name of an error
     #wanted; // resolves a pull()
     #closed; // resolves a close()
@@ -50,6 +51,7 @@
       if (this.gone || this.busy) throw failure('open', 'NetworkError', 'Failed to open serial port.');
       this.#bound = true;
       this.#waiting = [];
+      this.#size = options.bufferSize ?? 255;
       this.opened.push(options);
       this.onOpen(options);
     }
@@ -97,10 +99,15 @@
       return this.#waiting.length === 0;
     }
 
-    // Bytes wait until there is a reader. Returns false if the port is closed.
+    // Bytes wait in the pipe to the page and in the system's buffer (Linux's n_tty: 4095 bytes), in a task of their own; what finds no
+    // room is lost. Returns false if the port is closed.
     feed(bytes) {
-      if (this.#bound) this.#come(Uint8Array.from(bytes));
+      if (this.#bound && this.#room >= bytes.length) this.#come(Uint8Array.from(bytes));
       return this.#bound;
+    }
+
+    get #room() {
+      return this.#size + 4095 - this.#waiting.reduce((sum, part) => sum + (typeof part === 'string' ? 0 : part.length), 0);
     }
 
     // SerialPort::OnReadError(): what came before is read first. Then the stream breaks and `readable` is a new one; a lost
@@ -144,10 +151,14 @@
       });
     }
 
-    // SerialPortUnderlyingSource::ReadDataOrArmWatcher(), PipeClosed()
+    // SerialPortUnderlyingSource::ReadDataOrArmWatcher(), PipeClosed(): one chunk has all that is in the pipe, so after a thread was
+    // busy a single read brings what came meanwhile.
     #deliver() {
       if (!this.#wanted || this.#waiting.length === 0) return;
-      const next = this.#waiting.shift();
+      let next = this.#waiting.shift();
+      while (typeof next !== 'string' && next.length < this.#size && this.#waiting.length > 0 && typeof this.#waiting[0] !== 'string') {
+        next = Uint8Array.from([...next, ...this.#waiting.shift()]);
+      }
       const wanted = this.#wanted;
       this.#wanted = undefined;
       if (typeof next === 'string') {

@@ -120,7 +120,7 @@ function faulty(count, faults) {
       else if (on) span(fault, us, us);
     }
     before = { flags };
-    faults.take({ endUs: us, kind: 0, flags, damagedUs });
+    faults.take({ endUs: us, kind: 0, flags, lateUs: 0, damagedUs });
   }
   faults.finish(us);
   return spans.sort((a, b) => a.fromUs - b.fromUs || a.fault - b.fault);
@@ -130,7 +130,7 @@ check('the next fault after any time, and the one before, are those in a list of
   const faults = new Faults(2e9);
   const spans = faulty(100000, faults);
   assert.ok(spans.length > 300, `${spans.length}`);
-  assert.deepEqual(faults.counts(), [0, 1, 2, 3].map((fault) => spans.filter((span) => span.fault === fault).length));
+  assert.deepEqual(faults.counts(), [0, 1, 2, 3, 4].map((fault) => spans.filter((span) => span.fault === fault).length));
   for (let i = 0; i < 3000; i++) {
     const fromUs = Math.floor(random() * 1.3e9);
     const next = spans.findIndex((span) => span.fromUs > fromUs);
@@ -148,7 +148,7 @@ check('the next fault after any time, and the one before, are those in a list of
 check('if there are more faults than room, neighbours become one, and each still begins where a fault does', () => {
   const count = 40 * mostSpans;
   const faults = new Faults(3e6 * count);
-  for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, damagedUs: 0 });
+  for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, lateUs: 0, damagedUs: 0 });
   faults.finish(3e6 * count);
   const [, lost] = faults.counts();
   assert.ok(lost > 0 && lost <= mostSpans, `${lost}`);
@@ -164,17 +164,17 @@ check('if there are more faults than room, neighbours become one, and each still
 check('a sketch that prints once a second is not silent; three missing rows are the fault "no frames"', () => {
   const faults = new Faults(1e8);
   for (let i = 0; i < 100; i++) {
-    faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, damagedUs: 0 }); // its bytes
-    if (i < 50 || i > 53) faults.take({ endUs: 1e6 * i, kind: 4, flags: 0, damagedUs: 0 });
+    faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 }); // its bytes
+    if (i < 50 || i > 53) faults.take({ endUs: 1e6 * i, kind: 4, flags: 0, lateUs: 0, damagedUs: 0 });
   }
   faults.finish(99e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 49e6, toUs: 54e6, number: 1 });
-  assert.deepEqual(faults.counts(), [0, 0, 0, 1]);
+  assert.deepEqual(faults.counts(), [0, 0, 0, 1, 0]);
 });
 
 check('bytes without any frame are the fault "no frames", from the first to the last', () => {
   const faults = new Faults(1e7);
-  for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, damagedUs: 0 });
+  for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 });
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });
 });

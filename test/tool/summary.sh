@@ -60,6 +60,19 @@ verdict $? "summary --json of a flight has the same figures"
 [ "$("$SBUS" summary sim --simulated-time --seconds 60 | grep -A 21 '^lost frames' | grep -c ' s to ')" -eq 20 ] &&
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
 verdict $? "summary lists the twenty longest losses"
+# A clean line of 9 ms; the PC is busy for 300 ms eleven times, and then reads at once what has come. Then the wire is cut for 0.5 s.
+awk 'BEGIN {
+  frame = "0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00"
+  for (i = 0; i < 1500; i++) {
+    end = 9000 * (i + 1) + (i >= 1450) * 500000
+    read = i % 120 < 33 && i >= 120 && i < 1440 ? 9000 * (int(i / 120) * 120 + 33) - 3000 * (32 - i % 120) : end
+    print read - 24 * 120 "~" (read > end || i % 120 == 32 && i >= 120 && i < 1440 ? 318000 : 35000), frame
+  }
+}' >"$work/stalls.txt"
+"$SBUS" summary "$work/stalls.txt" | sed -E 's/^(PC late|no frames)( +[0-9]+ times?), [0-9.]+ s in all$/\1\2/' >"$work/text"
+[ "$(grep -cE '^PC late +11 times$|^no frames +1 time$' "$work/text")" -eq 2 ] && grep -q ' 1500 frames, ' "$work/text" &&
+  [ "$("$SBUS" summary --json "$work/stalls.txt" | grep -c '"kind":"late"')" -eq 11 ]
+verdict $? "summary of a clean line that a busy PC read late has no silence but that of a cut wire"
 cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
 [ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 character errors
 frames       -, times are not known" ]

@@ -107,7 +107,7 @@ class Plotter {
     }
     _picture.curves.resize(_columns.size());
     const uint64_t us = _hasTimes ? stretch.endUs() : _flags.lastUs() + 1000;
-    const bool joined = any() && !_flags.silentUntil(us);
+    const bool joined = any() && !_flags.brokenUntil(us, stretch.lateUs());
     for (size_t i = 0; i < _columns.size(); i++) {
       const unsigned channel = _columns[i].channel;
       const bool isSwitch = values.count == 16 && channel > 16;
@@ -174,8 +174,8 @@ void addPlot(CLI::App &app) {
   subcommand.option("-o,--output", options->output, "a file, not overwritten if it exists (standard output)")
       .type("FILE.svg");
   subcommand.footer(
-      "It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames and times without "
-      "frames are shaded.");
+      "It is drawn when the source ends, after --seconds, or after Ctrl-C. Failsafe, lost frames, times without "
+      "frames and times when the PC was late are shaded.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -36,7 +36,8 @@ struct Listed {
 };
 constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "failsafe", "failsafe"},
                                 {FlagSpan::Kind::LostFrame, "lost frames", "lost_frames"},
-                                {FlagSpan::Kind::NoFrames, "no frames", "no_frames"}};
+                                {FlagSpan::Kind::NoFrames, "no frames", "no_frames"},
+                                {FlagSpan::Kind::Late, "PC late", "late"}};
 
 std::string text(const char *name, const std::vector<FlagSpan> &spans) {
   if (spans.empty()) {
@@ -121,7 +122,7 @@ class Summary {
       return;
     }
     const uint64_t us = stretch.endUs();
-    if (!_flags.silentUntil(us) && _flags.lastUs() > 0) {
+    if (!_flags.brokenUntil(us, stretch.lateUs()) && _flags.lastUs() > 0) {
       _intervals[(us - _flags.lastUs() + 500) / 1000]++;
     }
     _flags.put(us, _observer.newest().failsafe, _observer.newest().lostFrame);
@@ -138,7 +139,8 @@ class Summary {
     std::string text =
         format("%-12s %.3f s to %.3f s\n", "frames", seconds(_flags.firstUs()), seconds(_flags.lastUs()));
     for (const Listed &each : AllListed) {
-      text += tool::text(each.name, spans(each.kind));
+      const std::vector<FlagSpan> all = spans(each.kind);
+      text += all.empty() && each.kind == FlagSpan::Kind::Late ? "" : tool::text(each.name, all);
     }
     unsigned long most = 1;
     for (const auto &[ms, count] : _intervals) {
@@ -185,7 +187,8 @@ void addSummary(CLI::App &app) {
   subcommand.flag("--json", *json, "JSON lines");
   subcommand.footer(
       "It is printed when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no frames: 0.1 s and more.");
+      "frame with the flag to the next one without; no frames: 0.1 s and more. PC late: a port was read 0.1 s late or "
+      "more, so what the line did meanwhile is not known.");
   subcommand.run([source, json] { run(*source, *json); });
 }
 

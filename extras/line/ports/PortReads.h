@@ -42,6 +42,9 @@ class PortReads {
   // Returns how long after bytes an empty read proves a gap.
   int knownAfterMs() const { return static_cast<int>(_lateUs / 1000) + 1; }
 
+  // Returns when a read last found that nothing waits.
+  uint64_t emptyUs() const { return _emptyUs; }
+
   // Returns the time up to which all complete characters have come.
   uint64_t knownUs() const { return _emptyUs - std::min<uint64_t>(_emptyUs, _lateUs); }
 

@@ -7,15 +7,17 @@ export enum Fault {
   LostFrame, // without failsafe
   Damage,
   NoFrames,
+  Late, // the PC was late: what the line did is not known
 }
 
-export const faults = [Fault.Failsafe, Fault.LostFrame, Fault.Damage, Fault.NoFrames];
-export const faultNames = ['failsafe', 'lost frames', 'damaged bytes', 'no frames'];
+export const faults = [Fault.Failsafe, Fault.LostFrame, Fault.Damage, Fault.NoFrames, Fault.Late];
+export const faultNames = ['failsafe', 'lost frames', 'damaged bytes', 'no frames', 'PC late'];
 
 export const binCount = 512; // of a recording, whatever its length
 
 // The fields of a stretch by which faults are found.
 export interface Sample extends Pick<Stretch, 'endUs' | 'kind' | 'flags'> {
+  lateUs: number; // it may have come this much earlier
   damagedUs: number; // when the first damaged bytes since the last frame came; 0: none
 }
 
@@ -37,6 +39,11 @@ export interface FaultMap {
   bins: Uint8Array; // 1 << Fault; binCount of them are the whole recording
   counts: number[]; // of spans, by Fault
 }
+
+const leastLateUs = 100000; // a read that is later shows that the PC was busy
+
+// Returns whether the PC was late, and no silence, before a frame that came `afterUs` after the one before.
+export const isLate = (afterUs: number, lateUs: number, limitUs: number): boolean => lateUs >= leastLateUs && afterUs <= limitUs + lateUs;
 
 // Returns the longest time without a frame that is no silence, as for sbus summary; for rows, the time of three of them.
 export const silenceUs = (isRow: boolean, meanUs: number): number => (isRow ? Math.max(1500000, 3 * meanUs) : 100000);

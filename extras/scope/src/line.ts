@@ -42,6 +42,8 @@ export const statusNames = [
   'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'characterErrors', 'frames',
   'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',
   'extraFrames', 'rows', 'otherLines', 'garbled',
+  'lateUs', // that the PC is late; 0 if it is less than 0.1 s
+  'lateReads', // of a port: those that were 0.1 s late or more
   'quietUs', // since the newest character
   'finding', // of the last whole second of the line's time; -1 before the first is over
   'findingSoFar', // of all that has come

@@ -11,7 +11,7 @@ const noSystem = new Proxy({}, { get: () => () => 52 });
 export const imports: WebAssembly.Imports = { wasi_snapshot_preview1: noSystem };
 
 const recordTypes = {
-  endUs: 'double 1', damagedUs: 'double 1', channels: 'double 32', kind: 'byte 1', flags: 'byte 1', channelCount: 'byte 1', size: 'byte 1',
+  endUs: 'double 1', lateUs: 'double 1', damagedUs: 'double 1', channels: 'double 32', kind: 'byte 1', flags: 'byte 1', channelCount: 'byte 1', size: 'byte 1',
   slots: 'byte 1', bytes: 'byte 36', why: 'letter 88',
 };
 const statusTypes = Object.fromEntries(statusNames.map((name) => [name, 'double 1'])) as Record<keyof Status, string>;
@@ -68,6 +68,7 @@ export class Native {
     for (let at = 0; at < records.length; at += this.recordSize) {
       take({
         endUs: view.getFloat64(at + record.endUs, true),
+        lateUs: view.getFloat64(at + record.lateUs, true),
         damagedUs: view.getFloat64(at + record.damagedUs, true),
         kind: view.getUint8(at + record.kind),
         flags: view.getUint8(at + record.flags),

@@ -108,6 +108,7 @@ EXPORT(layout)()->const char * {
     return lines.c_str();
   }
   FIELD(Record, endUs)
+  FIELD(Record, lateUs)
   FIELD(Record, damagedUs)
   FIELD(Record, channels)
   FIELD(Record, kind)

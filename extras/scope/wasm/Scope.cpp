@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "line/Silence.h"
+
 namespace scope {
 
 Scope theScope;
@@ -32,6 +34,9 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
   _reads = line::PortReads(settings.characterUs());
+  _reads.empty(nowUs);
+  _lateReads = 0;
+  _lateUs = 0;
   _characterUs = 0;
   _turnUs = nowUs;
   mark();
@@ -45,9 +50,10 @@ void Scope::mark() {
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
   _reads.begin(count, nowUs);
   for (size_t i = 0; i < count; i++) {
-    put(_reads.next(bytes[i]));
+    const line::Character character = _reads.next(bytes[i]);
+    put(character);
     if (rows.put(bytes[i], nowUs)) {
-      takeRow(nowUs);
+      takeRow(nowUs, character.lateUs);
     }
   }
 }
@@ -61,6 +67,8 @@ void Scope::put(const line::Character &character) {
   recorder.put(character);
   observer.put(character);
   _characterUs = character.endUs;
+  _lateReads += character.lateUs >= line::SilenceUs && character.lateUs != _lateUs;
+  _lateUs = character.lateUs;
 }
 
 void Scope::record(bool on) {
@@ -78,7 +86,7 @@ void Scope::advance(uint64_t nowUs) {
     watch.until(observer, settings, character.endUs);
     put(character);
     if (played && rows.put(character)) {  // a board's port was recorded
-      takeRow(character.endUs);
+      takeRow(character.endUs, character.lateUs);
     }
   }
   if (played && played->needsMore()) {
@@ -101,9 +109,16 @@ void Scope::advance(uint64_t nowUs) {
   }
 }
 
-void Scope::takeRow(uint64_t nowUs) {
+// A port is read some milliseconds late: only what was later shows in the line's state.
+uint64_t Scope::knownUs(uint64_t nowUs) const {
+  const uint64_t us = simulated ? nowUs : played ? played->knownUs(nowUs) : _reads.emptyUs();
+  return us + line::SilenceUs <= nowUs ? us : nowUs;
+}
+
+void Scope::takeRow(uint64_t nowUs, uint64_t lateUs) {
   Record record{};
   record.endUs = static_cast<double>(nowUs);
+  record.lateUs = static_cast<double>(lateUs);
   record.kind = Record::RowKind;
   record.flags =
       static_cast<uint8_t>((rows.lostFrame() ? sbus::FlagLostFrame : 0) | (rows.failsafe() ? sbus::FlagFailsafe : 0));
@@ -143,6 +158,7 @@ void Scope::take(const line::Stretch &stretch) {
   const line::Values &newest = observer.newest();
   Record record{};
   record.endUs = static_cast<double>(stretch.endUs());
+  record.lateUs = static_cast<double>(stretch.lateUs());
   record.damagedUs = static_cast<double>(_damage.take(stretch, !observer.telemetry().proved().empty()));
   record.kind = static_cast<uint8_t>(stretch.kind);
   record.flags = flagsOf(newest);

@@ -38,6 +38,7 @@ struct Record {
   static constexpr uint8_t RowKind = 4;
 
   double endUs;
+  double lateUs;                 // it may have come this much earlier
   double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest values of all channels
   uint8_t kind;                  // line::Stretch::Kind, or RowKind
@@ -60,12 +61,16 @@ class Scope {
   void receivedBad(uint64_t nowUs);
   // Takes all characters complete by `nowUs`; fewer if there are enough records, or if the recording needs its next part.
   void advance(uint64_t nowUs);
+  // Returns up to when the line is known: the PC may be late.
+  uint64_t knownUs(uint64_t nowUs) const;
   // Returns the line's newest time: it stands still while a recording does.
   uint64_t nowUs() const { return _turnUs; }
   // Forgets what was found: only what comes from now on counts.
   void mark();
   // Returns when the newest character was complete; 0 before the first.
   uint64_t characterUs() const { return _characterUs; }
+  // Returns how many reads were 0.1 s late or more: the PC was busy.
+  unsigned lateReads() const { return _lateReads; }
   // Hands over once more what the page shows of the line: the newest records, and the newest that is a frame or a row.
   void recall();
   // Begins a recording, from the last advance() on; or ends it.
@@ -86,7 +91,7 @@ class Scope {
   void put(const line::Character &character);
   void take(const line::Stretch &stretch);
   void add(const Record &record);
-  void takeRow(uint64_t nowUs);
+  void takeRow(uint64_t nowUs, uint64_t lateUs);
 
   static constexpr size_t Shown = 8;  // records
 
@@ -95,6 +100,8 @@ class Scope {
   line::PortReads _reads;         // of a port
   Damage _damage;
   uint64_t _characterUs = 0;
+  unsigned _lateReads = 0;
+  uint32_t _lateUs = 0;  // of the newest character
   uint64_t _turnUs = 0;    // of the last picture or read
   bool _finished = false;  // the recording has ended: nothing waits any more
 };

@@ -22,7 +22,7 @@ sbus::Finding findingSoFar(uint64_t nowUs) {
 }  // namespace
 
 EXPORT(status)(double now)->const Status * {
-  const auto nowUs = static_cast<uint64_t>(now);
+  const uint64_t nowUs = theScope.knownUs(static_cast<uint64_t>(now));
   line::Observer &observer = theScope.observer;
   const sbus::Counters &counters = observer.counters();
   BoardRows &rows = theScope.rows;
@@ -51,6 +51,8 @@ EXPORT(status)(double now)->const Status * {
   answer.rows = d(rows.count());
   answer.otherLines = d(rows.otherLines());
   answer.garbled = d(rows.garbled());
+  answer.lateUs = now - d(nowUs);
+  answer.lateReads = d(theScope.lateReads());
   answer.quietUs = d(nowUs - std::min(nowUs, theScope.characterUs()));
   answer.finding = theScope.watch.finding() ? d(static_cast<uint64_t>(*theScope.watch.finding())) : -1;
   answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));

@@ -14,11 +14,12 @@ const rows: [keyof Status, string, string][] = [
   ['discardedBytes', 'discarded bytes', 'that belong to no frame and no telemetry'],
   ['resyncs', 'resyncs', 'frames were found again after some were missed'],
   ['characterErrors', 'character errors', 'wrong parity or stop bit, or a break'],
+  ['lateReads', 'late reads', 'of the port, by 0.1 s or more: the PC was busy. What the line did meanwhile is not known'],
   ['rows', 'rows', 'of numbers that a board printed'],
   ['otherLines', 'other lines', 'of text that a board printed'],
 ];
 
-const rare = ['extraFrames', 'rows', 'otherLines']; // not shown before the first
+const rare = ['extraFrames', 'rows', 'otherLines', 'lateReads']; // not shown before the first
 
 export class CountersView {
   private readonly values = new Map<string, HTMLElement>();

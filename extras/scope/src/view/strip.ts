@@ -10,8 +10,8 @@ const restMs = 1000; // from one announced fault to the next
 const tall = 8;
 
 // Top and height, of `tall`, by Fault.
-const bands: [number, number][] = [[0, 8], [4, 4], [0, 2.5], [3.5, 1]];
-const classes = ['failsafe', 'lost', 'damage', 'silence'];
+const bands: [number, number][] = [[0, 8], [4, 4], [0, 2.5], [3.5, 1], [6.5, 1.5]];
+const classes = ['failsafe', 'lost', 'damage', 'silence', 'late'];
 
 // Returns 1:02.345.
 export function clock(us: number, digits = 3): string {

@@ -1,6 +1,6 @@
 // Collects a recording's faults while it is decoded, in memory that does not grow.
 
-import { binCount, Fault, faults, silenceUs, type Found, type Sample, type Span } from '../faults';
+import { binCount, Fault, faults, isLate, silenceUs, type Found, type Sample, type Span } from '../faults';
 import { Flag, Kind } from '../line';
 
 export const mostSpans = 1 << 14; // of each fault
@@ -65,7 +65,7 @@ export class Faults {
   }
 
   // Takes the next stretch of the line.
-  take({ endUs, kind, flags, damagedUs }: Sample): void {
+  take({ endUs, kind, flags, lateUs, damagedUs }: Sample): void {
     if (damagedUs > 0) {
       this.mark(Fault.Damage, damagedUs, endUs);
     }
@@ -74,7 +74,7 @@ export class Faults {
       return;
     }
     this.isRow = kind === Kind.Row;
-    const silent = this.silence(endUs);
+    const silent = this.silence(endUs, lateUs);
     const failsafe = (flags & Flag.Failsafe) !== 0;
     this.flag(Fault.Failsafe, failsafe, silent, endUs);
     this.flag(Fault.LostFrame, !failsafe && (flags & Flag.LostFrame) !== 0, silent, endUs);
@@ -84,7 +84,7 @@ export class Faults {
 
   // Ends the recording: nothing more comes up to there.
   finish(us: number): void {
-    this.silence(us);
+    this.silence(us, 0);
     this.newestUs = Infinity;
   }
 
@@ -134,13 +134,14 @@ export class Faults {
     return { fault, fromUs: this.spans[fault].from[at], toUs: this.spans[fault].to[at] };
   }
 
-  // Marks a silence since the newest frame or row. Returns false if there was none.
-  private silence(us: number): boolean {
+  // Marks a silence since the newest frame or row, or that the PC was late. Returns false if there was neither.
+  private silence(us: number, lateUs: number): boolean {
     const fromUs = this.newestUs ?? us;
     const meanUs = (fromUs - this.firstUs) / (this.count - 1); // not known before the second row
-    const silent = us - fromUs > silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity);
+    const limitUs = silenceUs(this.isRow, this.count > 1 ? meanUs : Infinity);
+    const silent = us - fromUs > limitUs;
     if (silent) {
-      this.mark(Fault.NoFrames, fromUs, us);
+      this.mark(isLate(us - fromUs, lateUs, limitUs) ? Fault.Late : Fault.NoFrames, fromUs, us);
     }
     return silent;
   }

@@ -2,7 +2,7 @@
 
 import { Fault, type Found, type Sample } from '../faults';
 import { History, isSample, samplesOf } from '../history';
-import { Flag, Kind, LinkState, type Stretch } from '../line';
+import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 import { Decoder, type Image } from './decoder';
 import { Faults } from './faults';
 import type { Answer, Picture, Request } from './messages';
@@ -198,7 +198,7 @@ class Playing {
         records.push(part);
         isShown ||= this.shows(part, found);
       });
-      isShown ||= found.fault === Fault.NoFrames && player.reader.status(player.us).state === LinkState.Stale;
+      isShown ||= found.fault >= Fault.NoFrames && isSilent(player.reader.status(player.us), found.fault);
     }
   }
 
@@ -222,13 +222,15 @@ class Playing {
   }
 }
 
+const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
+
 function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
   const isFrame = kind !== Kind.NoFrame;
   switch (fault) {
     case Fault.Failsafe: return isFrame && (flags & Flag.Failsafe) !== 0;
     case Fault.LostFrame: return isFrame && (flags & Flag.LostFrame) !== 0;
     case Fault.Damage: return !isFrame;
-    case Fault.NoFrames: return false; // time passes until it is seen
+    default: return false; // time passes until it is seen
   }
 }
 

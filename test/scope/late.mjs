@@ -1,0 +1,78 @@
+// A busy PC: what it reads late is no silence of the line.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, check, connect, counter, counts, downloaded, frame, play, reads, recorded, toEnd, until } from './support.mjs';
+
+const good = frame([1000]);
+
+// Keeps the page's main thread busy.
+const busy = (page, ms) => page.evaluate((until) => {
+  for (const end = fake.realNow() + until; fake.realNow() < end; );
+}, ms);
+
+// Notes all that the link and the verdict say from now on.
+const listen = (page) => page.evaluate(() => {
+  fake.said = new Set();
+  new MutationObserver(() => fake.said.add(['#state', '#verdict-text'].map((at) => document.querySelector(at).textContent).join(': ')))
+    .observe(document.body, { subtree: true, childList: true, characterData: true });
+});
+
+export default async function () {
+  await check('while the page is busy for 100 to 900 ms on a clean line, the link stays fine, and no frame is lost', async (page) => {
+    await page.evaluate((bytes) => {
+      fake.restMs = 0;
+      fake.port.onOpen = () => (fake.timer = fake.every(9, bytes));
+    }, good);
+    await connect(page);
+    await reads(page, '#verdict-text', 'All well.');
+    await listen(page);
+    for (let ms = 100; ms <= 900; ms += 100) {
+      await busy(page, ms);
+      await page.waitForTimeout(150);
+    }
+    assert.deepEqual(await page.evaluate(() => [...fake.said].filter((said) => said !== 'Fine: All well.')), []);
+    await page.evaluate(() => clearInterval(fake.timer));
+    const sent = Math.floor((await page.evaluate(() => fake.sent)) / 25);
+    await until(async () => `${await counter(page, 'frames')} frames of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 1);
+    await counts(page, 'discardedBytes', 0);
+  });
+
+  await check('a recording of a clean line has no silence, though the page was busy twelve times for 300 ms', async (page) => {
+    await page.evaluate((bytes) => (fake.port.onOpen = () => (fake.timer = fake.every(9, bytes))), good);
+    await connect(page);
+    await reads(page, '#state', 'Fine');
+    await page.click('#record');
+    for (let i = 0; i < 12; i++) {
+      await busy(page, 300);
+      await page.waitForTimeout(50);
+    }
+    const { path: file } = await downloaded(page, '#record');
+    await play(page, file);
+    await toEnd(page);
+    await until('it is not decoded', async () => !/decoded/.test(await page.textContent('#fault-counts')));
+    assert.ok(!(await page.isVisible('#fault-counts li:nth-child(4)')), await page.textContent('#fault-counts'));
+  });
+
+  await check('in a recording of a PC that was late 0.3 s, this is a fault of its own; the link stays fine, and a cut wire is still a silence', async (page) => {
+    const file = path.join(build, 'late.txt');
+    const line = (ms, lateUs) => recorded(`${1000 * ms}~${lateUs}`, good);
+    const lines = Array.from({ length: 400 }, (_, i) => {
+      const end = 9 * (i + 1) + (i >= 300 ? 500 : 0);
+      const late = i >= 100 && i < 133;
+      return line(late ? 9 * 133 - 3 * (132 - i) : end, late ? 318000 : 35000);
+    });
+    writeFileSync(file, lines.join(''));
+    await play(page, file);
+    await reads(page, '#fault-counts', /no frames: 1 ×.*PC late: 1 ×/);
+    await page.focus('#position');
+    await page.keyboard.press('n');
+    await reads(page, '#fault-text', /^Fault 1 of 2: PC late, 0:00\.9\d\d to 0:01\.1\d\d\.$/);
+    await reads(page, '#state', 'Fine');
+    await page.keyboard.press('n');
+    await reads(page, '#fault-text', /^Fault 2 of 2: no frames/);
+    await reads(page, '#state', 'Stale');
+    await toEnd(page);
+    await counts(page, 'lateReads', 1);
+  });
+}
