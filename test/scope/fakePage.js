@@ -21,8 +21,8 @@
     return at;
   };
 
-  // A worker has the memories of its WebAssembly instances in `memories`.
-  const prelude = `{
+  // A worker has the memories of its WebAssembly instances in `memories`, and what `fakeOfWorkers` has.
+  const prelude = () => `${globalThis.fakeOfWorkers ?? ''}{
     const Real = WebAssembly.Instance;
     globalThis.memories = [];
     WebAssembly.Instance = function (...parts) {
@@ -34,7 +34,7 @@
   const RealBlob = Blob;
   globalThis.Blob = class extends RealBlob {
     constructor(parts, options) {
-      super(options?.type?.startsWith('text/javascript') ? [prelude, ...parts] : parts, options);
+      super(options?.type?.startsWith('text/javascript') ? [prelude(), ...parts] : parts, options);
     }
   };
 

@@ -1,5 +1,5 @@
-// A stand-in for Chromium's Web Serial: `fake.port` is the port that is picked. It runs in the page before all scripts, and in
-// node. It behaves as Chromium's third_party/blink/renderer/modules/serial, commit 08bac9d: serial_port.cc,
+// A stand-in for Chromium's Web Serial: `fake.port` is the port that is picked. It runs in the page before all scripts, in
+// node, and in workers (inWorkers() of support.mjs). It behaves as Chromium's third_party/blink/renderer/modules/serial, commit 08bac9d: serial_port.cc,
 // serial_port_underlying_source.cc and serial.cc; each place names the function.
 {
   const later = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -99,7 +99,7 @@
       return this.#waiting.length === 0;
     }
 
-    // Bytes wait in the pipe to the page and in the system's buffer (Linux's n_tty: 4095 bytes), in a task of their own; what finds no
+    // Bytes wait in the pipe to the page and in the system's buffer (Linux's n_tty: 4095 bytes); what finds no
     // room is lost. Returns false if the port is closed.
     feed(bytes) {
       if (this.#bound && this.#room >= bytes.length) this.#come(Uint8Array.from(bytes));
@@ -141,7 +141,7 @@
 
     #come(packetOrError) {
       this.#waiting.push(packetOrError);
-      this.#deliver();
+      queueMicrotask(() => this.#deliver());
     }
 
     #pull() {
@@ -242,7 +242,9 @@
       }, latencyMs);
     },
   };
-  if (globalThis.Navigator) {
-    Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
+  // Chromium's serial.idl: [Exposed=(DedicatedWorker, Window)].
+  const { prototype } = globalThis.Navigator ?? globalThis.WorkerNavigator ?? {};
+  if (prototype) {
+    Object.defineProperty(prototype, 'serial', { get: () => serial, configurable: true });
   }
 }

@@ -94,7 +94,7 @@ export default async function () {
       await page.waitForTimeout(500);
     }
     times.sort((a, b) => a - b);
-    const bytes = await page.workers()[0].evaluate(() => memories.reduce((sum, memory) => sum + (memory.deref()?.buffer.byteLength ?? 0), 0));
+    const bytes = await page.workers().at(-1).evaluate(() => memories.reduce((sum, memory) => sum + (memory.deref()?.buffer.byteLength ?? 0), 0));
     const [longest, busy] = await page.evaluate(() => [fake.longestMs, fake.busyMs]);
     console.log(`   ${mb} MB, ${count} frames: open after ${openMs.toFixed(0)} ms, at its end ${first.toFixed(0)} ms later; ` +
       `seeks ${times[times.length >> 1].toFixed(0)} ms, at most ${times.at(-1).toFixed(0)} ms; ` +

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { build, check, connect, counter, counts, downloaded, frame, play, reads, recorded, toEnd, until } from './support.mjs';
+import { build, check, connect, counter, counts, downloaded, frame, inWorkers, play, reads, recorded, toEnd, until } from './support.mjs';
 
 const good = frame([1000]);
 
@@ -36,6 +36,31 @@ export default async function () {
     const sent = Math.floor((await page.evaluate(() => fake.sent)) / 25);
     await until(async () => `${await counter(page, 'frames')} frames of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 1);
     await counts(page, 'discardedBytes', 0);
+  });
+
+  await check('a worker reads the port where it can: a page that is busy reads nothing late, and records the times of the line', async (page) => {
+    await inWorkers(page, (bytes) => (fake.port.onOpen = () => (fake.timer = fake.every(9, bytes))), good);
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^S\.Bus at a serial adapter, 8E2, FTDI/);
+    await reads(page, '#verdict-text', 'All well.');
+    assert.equal((await page.evaluate(() => fake.port.opened)).length, 0);
+    await listen(page);
+    await page.click('#record');
+    for (let ms = 100; ms <= 900; ms += 200) {
+      await busy(page, ms);
+      await page.waitForTimeout(50);
+    }
+    assert.deepEqual(await page.evaluate(() => [...fake.said].filter((said) => said !== 'Fine: All well.')), []);
+    const { text } = await downloaded(page, '#record');
+    const late = text.split('\n').filter((each) => /^\d/.test(each)).map((each) => Number(each.match(/~(\d+)/)[1]));
+    assert.ok(late.length > 200 && Math.max(...late) < 100000, `${late.length} reads, ${Math.max(...late)} us late`);
+    const [worker] = page.workers();
+    await worker.evaluate(() => clearInterval(fake.timer));
+    const sent = Math.floor((await worker.evaluate(() => fake.sent)) / 25);
+    await until(async () => `${await counter(page, 'frames')} frames of ${sent}`, async () => (await counter(page, 'frames')) >= sent - 1);
+    assert.ok(!(await page.isVisible('[data-counter="lateReads"]')));
+    await page.click('#source-simulated');
+    await until('the port stays open', async () => !(await worker.evaluate(() => fake.port.isOpen)));
   });
 
   await check('a recording of a clean line has no silence, though the page was busy twelve times for 300 ms', async (page) => {

@@ -157,9 +157,18 @@ export const lit = (page, indicator) => page.waitForSelector(`#indicator-${indic
 export const opensWith = (page, frames) =>
   page.evaluate((bytes) => (fake.port.onOpen = () => fake.port.feed(bytes)), frames.flat());
 
-// Until the port is read.
+// Opens the page again, with a port that its workers also have, as in Chromium: it is theirs, and goes on while the page is busy.
+// `act` runs in each worker.
+export async function inWorkers(page, act, argument) {
+  const text = `${readFileSync(path.join(here, 'fakeSerial.js'), 'utf8')}\nfake.port.permitted = true;\n(${act})(${JSON.stringify(argument)});\n`;
+  await page.addInitScript((fakeOfWorkers) => Object.assign(globalThis, { fakeOfWorkers }), text);
+  await page.reload();
+}
+
+// Until the page shows the port, which is read.
 export async function connect(page, kind = 'adapter') {
   await page.click(`#source-${kind}`);
+  await page.waitForSelector(`#source-${kind}[aria-pressed="true"]`);
   await until('the port is not read', () => page.evaluate(() => fake.port.isLocked));
 }
 

@@ -1,26 +1,9 @@
 // The library itself, compiled to WebAssembly (../wasm). All knowledge of S.Bus is there.
 
 import wasm from '../scope.wasm?inline';
-import { Flag, Kind, type Line, type Sink, type Status, type Stretch } from './line';
+import { Finding } from './finding';
+import { Flag, Kind, type Stretch } from './line';
 import { imports, Native, type Exports } from './native';
-
-// sbus::Finding
-export enum Finding {
-  NoSignal,
-  NoFrames,
-  Channels24,
-  WrongPolarity,
-  WrongBaud,
-  WrongPolarityAndBaud,
-  PolledTooSeldom,
-  InterruptsOff,
-  Noise,
-  Failsafe,
-  NoRadio,
-  Lossy,
-  AllWellAndMore,
-  AllWell,
-}
 
 // sbus::CalibrationError
 export enum CalibrationError {
@@ -62,7 +45,7 @@ export enum Scale {
 
 const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
 
-export class Core implements Line {
+export class Core {
   // The module that a worker runs.
   readonly wasm = bytes;
   private calibrating = false;
@@ -83,77 +66,12 @@ export class Core implements Line {
     return new Core(new Native(native));
   }
 
-  // The line.
-
-  openSimulated({ calibration, channels, noise, line }: Simulation): void {
-    this.native.openSimulated(Number(calibration), channels, noise, line.baud, Number(line.inverted));
-  }
-
-  setPort(nowUs: number, port: Setting): void {
-    this.native.setPort(nowUs, port.baud, Number(port.inverted));
-  }
-
-  cutWire(cut: boolean): void {
-    this.native.cutWire(Number(cut));
-  }
-
-  // Opens a port; a board's carries text, 8N1.
-  openPort(nowUs: number, baud: number, board: boolean): void {
-    this.native.openPort(nowUs, baud, Number(board));
-  }
-
-  received(bytes: Uint8Array, nowUs: number): void {
-    this.memory.transfer(bytes, (count) => this.native.received(count, nowUs));
-  }
-
-  receivedBad(nowUs: number): void {
-    this.native.receivedBad(nowUs);
-  }
-
-  // Hands over all that has come by `nowUs`.
-  advance(nowUs: number, sink: Sink): void {
-    this.memory.records(nowUs, (records) => this.stretchesIn(records).forEach((stretch) => sink.take(stretch)));
-  }
-
   // Returns the stretches in the records of a worker.
   stretchesIn(records: Uint8Array): Stretch[] {
     return this.memory.stretchesIn(records);
   }
 
-  status(nowUs: number): Status {
-    return this.memory.status(nowUs);
-  }
-
-  telemetry(nowUs: number): string[] {
-    return this.memory.telemetry(nowUs);
-  }
-
-  travel(channel: number): [number, number] | undefined {
-    return this.memory.travel(channel);
-  }
-
-  resetMarks(): void {
-    this.native.resetMarks();
-  }
-
   // The verdict.
-
-  beginRound(): void {
-    this.native.beginRound();
-  }
-
-  addTrial(): void {
-    this.native.addTrial();
-  }
-
-  endRound(): { finding: Finding; best: number } {
-    return { finding: this.native.roundFinding(), best: this.native.roundBest() };
-  }
-
-  // Forgets all that came before.
-  mark(): void {
-    this.native.mark();
-  }
 
   findingText(finding: Finding): string {
     return this.memory.words(this.native.findingText(finding));
@@ -235,21 +153,6 @@ export class Core implements Line {
   ownerOfBit(size: number, byte: number, bit: number): { channel: number; bit: number } | undefined {
     const owner = this.native.ownerOfBit(size, byte, bit);
     return owner < 0 ? undefined : { channel: owner & 0xff, bit: owner >> 8 };
-  }
-
-  // Recording.
-
-  record(): void {
-    this.native.record(1);
-  }
-
-  takeRecorded(): string {
-    return this.memory.words(this.native.takeRecorded());
-  }
-
-  async endRecorded(): Promise<string> {
-    this.native.record(0);
-    return this.takeRecorded();
   }
 
   private calibrationBytes(): Uint8Array {

@@ -1,12 +1,10 @@
-// Says at any time what is wrong with the line; while no frame comes, it also tries the other settings of the port.
+// Says at any time what is wrong with the line.
 
-import { Finding, type Core, type Setting } from './core';
+import type { Core } from './core';
+import { Finding } from './finding';
 import { Flag, LinkState, type Status, type Stretch } from './line';
 import type { Problem, Source } from './source/Source';
 
-const trialMs = 500; // half a second has 12 frames of the slowest receiver known
-const patienceMs = 1000; // without a frame, until other settings are tried
-const pauseMs = 2000; // from one round of trials to the next
 const quietestUs = 50000; // after a frame: bytes that come later belong to no frame
 const silenceUs = 1000000; // after the newest byte: the line is silent
 
@@ -32,54 +30,17 @@ const severities: Partial<Record<Finding, Severity>> = {
   [Finding.Lossy]: 'warning',
 };
 
-export const words = (setting: Setting): string =>
-  `${setting.baud} baud${setting.inverted ? ', inverted' : ', not inverted'}`;
-
 export class Doctor {
-  private found = ''; // by trying: the port now has that setting
-  private trying?: Setting;
-  private trial = 0; // of the round
-  private sinceMs = performance.now(); // when the trial began, or the port was opened
-  private seen = false; // a frame or a row, since the source was opened
-  private pausedUntilMs = 0;
-  private round?: Finding; // of the last round
-
   constructor(
     private readonly core: Core,
     private readonly source: Source,
-    private readonly lineSettings: readonly Setting[] = source.settings,
   ) {}
 
-  // The setting that is being tried, or what the trials found.
-  get note(): string {
-    return this.trying ? `Trying ${words(this.trying)}.` : this.found;
-  }
-
-  // Call it for each picture.
-  async tick(status: Status): Promise<void> {
-    const ms = performance.now();
-    if (this.trying) {
-      if (ms - this.sinceMs >= trialMs) {
-        await this.endTrial();
-      }
-      return;
-    }
-    if (this.source.state !== 'open') {
-      this.sinceMs = ms;
-      this.core.mark();
-      return;
-    }
-    this.seen ||= status.frames > 0 || status.rows > 0;
-    const mayTry = this.lineSettings.length > 1 && !this.source.problem && ms >= this.pausedUntilMs;
-    if (!this.seen && mayTry && status.otherLines === 0 && ms - this.sinceMs >= patienceMs) {
-      this.core.beginRound();
-      await this.beginTrial(0);
-    }
-  }
-
   verdict(status: Status, newest?: Stretch): Verdict {
-    if (this.source.problem) {
-      return { ...this.source.problem, severity: 'alarm' };
+    const { live, failure } = this.source.line;
+    const problem = failure ?? live?.problem;
+    if (problem) {
+      return { ...problem, severity: 'alarm' };
     }
     if (status.rows > 0 || (status.otherLines > 0 && status.frames === 0)) {
       return ofBoard(status, this.of(Finding.Failsafe));
@@ -95,7 +56,7 @@ export class Doctor {
           ? this.of(Finding.NoFrames)
           : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames came before, now not a byte does.' };
       case LinkState.NeverSeen: {
-        const finding = this.lineSettings.length > 1 ? this.round : this.finding(status);
+        const finding = live ? live.round : this.finding(status);
         return finding === undefined
           ? { text: 'Listening.', remedy: 'Waiting for the first frame.', severity: 'note' }
           : this.of(finding);
@@ -120,33 +81,6 @@ export class Doctor {
       return { text: 'Frames come.', remedy: 'A verdict takes a second of them.', severity: 'good' };
     }
     return this.of(finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
-  }
-
-  private async beginTrial(trial: number): Promise<void> {
-    this.trial = trial;
-    this.trying = this.lineSettings[trial];
-    this.sinceMs = Infinity; // until the port is open
-    await this.source.use(this.trying);
-    this.sinceMs = performance.now();
-  }
-
-  private async endTrial(): Promise<void> {
-    this.sinceMs = Infinity; // until the next one has begun
-    this.core.addTrial();
-    if (this.trial + 1 < this.lineSettings.length) {
-      await this.beginTrial(this.trial + 1);
-      return;
-    }
-    const { finding, best } = this.core.endRound();
-    const chosen = this.lineSettings[best];
-    this.round = finding;
-    if (finding > Finding.NoFrames && best > 0) {
-      this.found = `${this.core.findingText(finding)} ${this.core.findingRemedy(finding)} Done: ${words(chosen)}.`;
-    }
-    await this.source.use(chosen);
-    this.trying = undefined;
-    this.sinceMs = performance.now();
-    this.pausedUntilMs = this.sinceMs + pauseMs;
   }
 
   private of(finding: Finding): Verdict {

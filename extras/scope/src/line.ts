@@ -62,10 +62,10 @@ export interface Sink {
 export interface Line {
   // Hands over all that has come by `nowUs`.
   advance(nowUs: number, sink: Sink): void;
-  status(nowUs: number): Status;
+  status(): Status;
   // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it ("receiver voltage
   // 4.6 V"); empty without telemetry.
-  telemetry(nowUs: number): readonly string[];
+  telemetry(): readonly string[];
   // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
   travel(channel: number): [number, number] | undefined;
   resetMarks(): void;

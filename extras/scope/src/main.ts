@@ -6,7 +6,8 @@ import { byId, setText } from './dom';
 import { keepOffline } from './offline';
 import { saveCsv, savePicture } from './recorder';
 import { Scope } from './scope';
-import { PortSource, pickPort, type PortKind } from './source/port';
+import { pickPort, type PortKind } from './source/pick';
+import { PortSource } from './source/port';
 import { RecordingSource } from './source/recording';
 import { SimulatedSource } from './source/simulated';
 import type { Problem } from './source/Source';
@@ -46,12 +47,15 @@ async function simulate(): Promise<void> {
   const port = { baud: fault === 'baud' ? 200000 : 100000, inverted: fault !== 'inversion' };
   const channels = receiver === '24' ? 24 : receiver === '32' ? 32 : 16;
   const noise = { noise: 30, storm: 300 }[fault] ?? 0;
-  await scope.choice.change(async () => () => {
-    pressed('simulated');
-    const source = new SimulatedSource(core, { calibration: receiver === 'calibration', channels, noise, line }, port);
-    core.cutWire(fault === 'silent');
-    byId('cut').setAttribute('aria-pressed', String(fault === 'silent'));
-    return source;
+  await scope.choice.change(async (signal) => {
+    const make = await SimulatedSource.open(core, { calibration: receiver === 'calibration', channels, noise, line }, port, signal);
+    return () => {
+      pressed('simulated');
+      const source = make();
+      source.cutWire(fault === 'silent');
+      byId('cut').setAttribute('aria-pressed', String(fault === 'silent'));
+      return source;
+    };
   });
 }
 
@@ -69,9 +73,12 @@ async function connect(kind: PortKind): Promise<void> {
 
 async function open(port: SerialPort, kind: PortKind): Promise<void> {
   notice.hide();
-  await scope.choice.change(async () => () => {
-    pressed(kind);
-    return new PortSource(core, port, kind, scope, Number(select('baud').value));
+  await scope.choice.change(async (signal) => {
+    const make = await PortSource.open(core, port, kind, Number(select('baud').value), signal);
+    return () => {
+      pressed(kind);
+      return make();
+    };
   });
   known.remember(port, kind);
 }
@@ -113,14 +120,18 @@ function wire(): void {
   select('baud').value = [...select('baud').options].find(({ value }) => value === recall('baud'))?.value ?? '115200';
   select('baud').addEventListener('change', () => {
     keep('baud', select('baud').value);
-    void scope.choice.current?.use({ baud: Number(select('baud').value), inverted: false });
+    if (scope.choice.current instanceof PortSource) {
+      scope.choice.current.use(Number(select('baud').value));
+    }
   });
   select('receiver').addEventListener('change', simulate);
   select('fault').addEventListener('change', simulate);
   byId('cut').addEventListener('click', () => {
     const cut = byId('cut').getAttribute('aria-pressed') !== 'true';
     byId('cut').setAttribute('aria-pressed', String(cut));
-    core.cutWire(cut);
+    if (scope.choice.current instanceof SimulatedSource) {
+      scope.choice.current.cutWire(cut);
+    }
   });
 
   byId('record').addEventListener('click', () => {

@@ -20,7 +20,7 @@ export class Native {
   readonly layout: Layout;
   private readonly text = new TextDecoder();
   private readonly record: Record<keyof typeof recordTypes, number>;
-  private readonly recordSize: number;
+  readonly recordSize: number;
   private readonly statusAt: Record<keyof Status, number>;
   private readonly enough: number;
 

@@ -8,9 +8,9 @@ import { History, isSample, type Samples } from './history';
 import { Kind, LinkState, type Sink, type Status, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
-import type { State } from './source/connection';
 import { RecordingSource } from './source/recording';
 import type { Source } from './source/Source';
+import type { State } from './worker/connection';
 import { Units } from './unit';
 import { Bars } from './view/bars';
 import { CountersView } from './view/counters';
@@ -125,8 +125,7 @@ export class Scope implements Sink {
     const nowUs = source.nowUs();
     source.line.advance(nowUs, this);
     this.recorder.poll();
-    const status = source.line.status(nowUs);
-    void this.doctor?.tick(status);
+    const status = source.line.status();
     this.picture(source, status, nowUs);
   }
 
@@ -140,14 +139,14 @@ export class Scope implements Sink {
     this.sticks.draw(this.newest, unit, trusted);
     this.names.draw(this.newest?.channels.length || 16);
     this.link.draw(status, this.newest);
-    this.counters.draw(status, source.events);
-    this.telemetry.draw(source.line.telemetry(nowUs));
+    this.counters.draw(status, source.line.live?.events);
+    this.telemetry.draw(source.line.telemetry());
     this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
     this.statistics.draw(nowUs, this.newest?.kind === Kind.Row ? 'rows' : 'frames');
     this.frames.draw();
     this.timeline.draw(...this.curves.shownUs);
     const doctor = this.doctor as Doctor;
-    this.verdict.draw(doctor.verdict(status, this.newest), doctor.note);
+    this.verdict.draw(doctor.verdict(status, this.newest), source.line.live?.note ?? '');
   }
 
   private forget(): void {

@@ -39,6 +39,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   _lateUs = 0;
   _characterUs = 0;
   _turnUs = nowUs;
+  _lookUs = nowUs;
   mark();
 }
 
@@ -92,10 +93,11 @@ void Scope::advance(uint64_t nowUs) {
   if (played && played->needsMore()) {
     return;
   }
-  if (nowUs > _turnUs) {  // the browser has handed over all that had come by the last turn
-    _reads.empty(_turnUs);
-    _turnUs = nowUs;
+  if (nowUs >= _lookUs + LookUs) {  // the browser has handed over all that had come by the last look
+    _reads.empty(_lookUs);
+    _lookUs = nowUs;
   }
+  _turnUs = std::max(_turnUs, nowUs);
   const uint64_t onItsWayUs = 2 * settings.characterUs();  // a character that is not known yet
   if (records.size() < Enough && nowUs > onItsWayUs) {
     observer.idleUntil(line != nullptr ? line->knownUs(nowUs - onItsWayUs) : _reads.knownUs());

@@ -102,7 +102,11 @@ class Scope {
   uint64_t _characterUs = 0;
   unsigned _lateReads = 0;
   uint32_t _lateUs = 0;  // of the newest character
-  uint64_t _turnUs = 0;    // of the last picture or read
+  uint64_t _turnUs = 0;  // of the last picture
+  // From one look at a port to the next, so that the browser hands over what has come meanwhile: after it was busy, its
+  // timers come at once, perhaps before the reads.
+  static constexpr uint64_t LookUs = 5000;
+  uint64_t _lookUs = 0;
   bool _finished = false;  // the recording has ended: nothing waits any more
 };
 

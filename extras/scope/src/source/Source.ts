@@ -1,8 +1,7 @@
 // Where a line comes from.
 
-import type { Setting } from '../core';
-import type { Line } from '../line';
-import type { State } from './connection';
+import type { State } from '../worker/connection';
+import type { Remote } from './remote';
 
 // What is wrong, and what to do.
 export interface Problem {
@@ -18,7 +17,7 @@ export interface Source {
   readonly device?: string;
 
   // The line that it delivers.
-  readonly line: Line;
+  readonly line: Remote;
 
   // What is being done and how much of it, while that takes time; or ''.
   readonly progress?: string;
@@ -32,18 +31,8 @@ export interface Source {
   // True while its time stands still: it is paused, or at its end.
   readonly stands?: boolean;
 
-  // The settings that its port can have, the expected one first; none or one if there is nothing to try.
-  readonly settings: readonly Setting[];
-  // Sets the port. Resolves once it has that setting.
-  use(setting: Setting): Promise<void>;
-
   // True if rows of numbers are expected, not S.Bus.
   readonly isBoard?: boolean;
-
-  readonly problem?: Problem;
-
-  // What has happened to the port: counts by cause.
-  readonly events?: ReadonlyMap<string, number>;
 
   close(): void;
 }

@@ -2,15 +2,13 @@
 
 import type { Core } from '../core';
 import type { FaultMap, Found } from '../faults';
-import type { Line } from '../line';
-import { Player } from './player';
+import { Remote } from './remote';
 import type { Source } from './Source';
 
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
 
 export class RecordingSource implements Source {
   readonly state = 'open';
-  readonly settings = [];
   speed = 1;
   loop = false;
   playing = true;
@@ -20,7 +18,7 @@ export class RecordingSource implements Source {
   private lastMs = performance.now();
 
   private constructor(
-    private readonly player: Player,
+    private readonly player: Remote,
     readonly title: string,
   ) {}
 
@@ -29,7 +27,7 @@ export class RecordingSource implements Source {
     if (file.size > largest) {
       throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv can read it`);
     }
-    const player = await Player.read(core, file, signal, progress);
+    const player = await Remote.read(core, file, signal, progress);
     if (signal.aborted) {
       player.close();
       signal.throwIfAborted();
@@ -37,7 +35,7 @@ export class RecordingSource implements Source {
     return () => new RecordingSource(player, player.carrier ? `Capture ${file.name}, ${player.carrier}` : `Recording ${file.name}`);
   }
 
-  get line(): Line {
+  get line(): Remote {
     return this.player;
   }
 
@@ -99,8 +97,6 @@ export class RecordingSource implements Source {
   get faultsHere(): number {
     return this.player.faultsHere;
   }
-
-  async use(): Promise<void> {}
 
   close(): void {
     this.player.close();

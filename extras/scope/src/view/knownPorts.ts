@@ -3,7 +3,7 @@
 
 import { make, setAttribute } from '../dom';
 import { deviceName, idsOf, isLikelyAdapter } from '../source/device';
-import type { PortKind } from '../source/port';
+import type { PortKind } from '../source/pick';
 import { keep, recall } from '../storage';
 
 const keyOf = (port: SerialPort): string => `port-${idsOf(port.getInfo())}`;

@@ -1,18 +1,55 @@
-// The messages between the page and the worker that plays a recording.
+// The messages between the page and what decodes a line for it: mostly a worker.
 
+import type { Setting, Simulation } from '../core';
 import type { FaultMap, Found, Span } from '../faults';
+import type { Finding } from '../finding';
 import type { Samples } from '../history';
 import type { Status } from '../line';
+import type { Problem } from '../source/Source';
+import type { State } from './connection';
 
 export type Travel = [number, number] | undefined;
 
+// Among the ports that this page may use, in the browser's order; a SerialPort cannot be sent to a worker.
+export interface PortPlace {
+  index: number;
+  count: number;
+  ids: string;
+}
+
+// What a live line is opened with.
+export type Opening =
+  | { kind: 'simulated'; simulation: Simulation; port: Setting }
+  | { kind: 'port'; place: PortPlace; isBoard: boolean; baud: number };
+
+// Asks a worker for a live line, which answers at the port that comes with it.
+export interface Live {
+  kind: 'live';
+  wasm: Uint8Array;
+  opening: Opening;
+}
+
 export type Request =
-  | { kind: 'open'; wasm: Uint8Array; file: File }
-  | { kind: 'advance'; id: number; us: number } // all characters complete by then
+  | { kind: 'open'; wasm: Uint8Array; file: File } // a recording
+  | { kind: 'advance'; id: number; us: number } // all characters complete by then; of a port, all that have come
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
   | { kind: 'fault'; id: number; us: number; at?: Span; back: boolean } // to the next one after `us`, or after the fault `at`
+  | { kind: 'use'; setting: Setting } // of a live line
+  | { kind: 'cutWire'; cut: boolean }
+  | { kind: 'replugged'; place: PortPlace }
   | { kind: 'resetMarks' }
-  | { kind: 'record'; on: boolean };
+  | { kind: 'record'; on: boolean }
+  | { kind: 'close' }; // a live line
+
+// What a live line comes from.
+export interface LiveState {
+  title?: string;
+  state: State;
+  problem?: Problem;
+  events?: ReadonlyMap<string, number>; // at the port: counts by cause
+  note: string; // the setting that is being tried, or what the trials found
+  round?: Finding; // of the last round of trials
+}
 
 // The line as it is at `us`.
 export interface Picture {
@@ -27,11 +64,13 @@ export interface Picture {
   recorded: string;
   faults: number; // at `us`: bits 1 << Fault
   found?: Found | null; // the fault at `us`; null: no further fault in that direction
+  live?: LiveState; // not of a recording
 }
 
 export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string }
+  | { kind: 'refused' } // the worker does not find the port
   | { kind: 'opened'; lengthUs: number; carrier: string; picture: Picture }
   | Picture
   | { kind: 'faults'; map: FaultMap }

@@ -1,11 +1,13 @@
-// Plays one recording in a thread of its own: reads its file, decodes it, and goes to any place of it.
+// Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
 import { Fault, type Found, type Sample } from '../faults';
 import { History, isSample, samplesOf } from '../history';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 import { Decoder, type Image } from './decoder';
 import { Faults } from './faults';
-import type { Answer, Picture, Request } from './messages';
+import { serve } from './live';
+import type { Answer, Live, Picture, Request } from './messages';
+import { findPort } from './port';
 import { Tape } from './tape';
 
 const sliceMs = 15; // of work, until messages are read
@@ -120,7 +122,7 @@ class Playing {
       if (!request.on) {
         answer({ kind: 'recorded', text: reader.words(calls.takeRecorded()) });
       }
-    } else if (request.kind !== 'open') {
+    } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault') {
       this.wanted = request;
       this.waking();
     }
@@ -286,8 +288,10 @@ async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise
   }
 }
 
-addEventListener('message', ({ data }: MessageEvent<Request>) => {
-  if (data.kind === 'open') {
+addEventListener('message', ({ data, ports }: MessageEvent<Request | Live>) => {
+  if (data.kind === 'live') {
+    void serve(data, ports[0], findPort);
+  } else if (data.kind === 'open') {
     void open(data);
   } else {
     playing?.hear(data);

@@ -1,9 +1,10 @@
-// A recording that a worker reads and decodes: the page never waits for it.
+// A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
 import type { FaultMap, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
-import type { Answer, Picture, Request } from '../worker/messages';
+import { type Out, serve } from '../worker/live';
+import type { Answer, Live, LiveState, Opening, Picture, Request } from '../worker/messages';
 import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
 
@@ -12,12 +13,24 @@ const noWorker: Problem = {
   remedy: 'Open this page in a browser released this year or last year; or let make scope serve it, if it was opened from disk.',
 };
 
+const failed: Problem = {
+  text: 'What decodes the line has failed.',
+  remedy: 'What the page shows is from before. Choose a source again, or reload the page; save what is recorded first.',
+};
+
 type Opened = Extract<Answer, { kind: 'opened' }>;
 
-export class Player implements Line {
+// A worker, a port to one, or what does its work in the page.
+interface Channel {
+  postMessage(message: Request): void;
+  onmessage: ((event: MessageEvent<Answer>) => void) | null;
+}
+
+export class Remote implements Line {
   wantedUs = 0; // the position to play to
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
+  failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
   private sought = 0; // the newest request that was a seek
@@ -28,17 +41,18 @@ export class Player implements Line {
 
   private constructor(
     private readonly core: Core,
-    private readonly worker: Worker,
+    private readonly channel: Channel,
+    private readonly end: () => void,
     readonly lengthUs: number,
     readonly carrier: string, // of a capture: the signal that carries the line
     private picture: Picture,
   ) {}
 
   // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
-  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Player> {
+  static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Remote> {
     const worker = makeWorker();
     try {
-      const { lengthUs, carrier, picture } = await new Promise<Opened>((resolve, reject) => {
+      const opened = new Promise<Opened>((resolve, reject) => {
         signal.addEventListener('abort', () => reject(signal.reason));
         worker.onerror = (): void => reject(noWorker);
         worker.onmessage = ({ data }: MessageEvent<Answer>): void => {
@@ -52,14 +66,61 @@ export class Player implements Line {
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const player = new Player(core, worker, lengthUs, carrier, picture);
-      worker.onmessage = ({ data }: MessageEvent<Answer>): void => player.hear(data);
-      worker.onerror = null;
-      return player;
+      const { lengthUs, carrier, picture } = await opened;
+      const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, carrier, picture).listening();
+      worker.onerror = (): void => remote.fail();
+      return remote;
     } catch (error) {
       worker.terminate();
       throw error;
     }
+  }
+
+  // Opens a live line: in a worker, if one can read it, otherwise in the page. `port`: the one at that place. Throws the reason of
+  // `signal`.
+  static async live(core: Core, opening: Opening, signal: AbortSignal, port?: SerialPort): Promise<Remote> {
+    const request: Live = { kind: 'live', wasm: core.wasm, opening };
+    const worker = LiveWorker.get();
+    const { port1, port2 } = new MessageChannel();
+    worker?.worker.postMessage(request, [port2]);
+    let remote = worker && (await Remote.opened(core, port1, worker.broken));
+    void worker?.broken.then(remote && (() => remote?.fail()));
+    if (!remote) {
+      const [channel, out] = channelInPage();
+      void serve(request, out, async () => port);
+      remote = (await Remote.opened(core, channel)) as Remote;
+    }
+    if (signal.aborted) {
+      remote.close();
+      signal.throwIfAborted();
+    }
+    return remote;
+  }
+
+  // Returns undefined if the line cannot be opened there.
+  private static async opened(core: Core, channel: Channel, broken?: Promise<void>): Promise<Remote | undefined> {
+    const opened = await new Promise<Opened | undefined>((resolve, reject) => {
+      channel.onmessage = ({ data }): void => {
+        if (data.kind === 'failed') {
+          reject(new Error(data.error));
+        } else {
+          resolve(data.kind === 'opened' ? data : undefined);
+        }
+      };
+      void broken?.then(() => resolve(undefined));
+    });
+    const end = (): void => channel.postMessage({ kind: 'close' }); // the worker goes on: it may have other lines
+    return opened && new Remote(core, channel, end, 0, '', opened.picture).listening();
+  }
+
+  // What decodes the line has failed: nothing comes any more.
+  private fail(): void {
+    this.failure = failed;
+  }
+
+  private listening(): Remote {
+    this.channel.onmessage = ({ data }): void => this.hear(data);
+    return this;
   }
 
   // The line's time.
@@ -82,6 +143,11 @@ export class Player implements Line {
 
   get isLooking(): boolean {
     return this.looking?.id === this.id;
+  }
+
+  // Of a live line: what it comes from.
+  get live(): LiveState | undefined {
+    return this.picture.live;
   }
 
   // The faults at the position: bits 1 << Fault.
@@ -126,32 +192,34 @@ export class Player implements Line {
   }
 
   endRecorded(): Promise<string> {
-    this.ask({ kind: 'record', on: false });
-    return new Promise((resolve) => (this.ended = resolve));
+    return new Promise((resolve) => {
+      this.ended = resolve;
+      this.ask({ kind: 'record', on: false });
+    });
   }
 
-  // Ends the worker; if the end of a recording is awaited, once that was handed over.
+  // Ends what decodes the line; if the end of a recording is awaited, once that was handed over.
   close(): void {
     if (this.ended) {
       const { ended } = this;
       this.ended = (text): void => {
         ended(text);
-        this.worker.terminate();
+        this.end();
       };
     } else {
-      this.worker.terminate();
+      this.end();
     }
   }
 
-  private ask(request: Request): void {
-    this.worker.postMessage(request);
+  ask(request: Request): void {
+    this.channel.postMessage(request);
   }
 
   private hear(answer: Answer): void {
     if (answer.kind === 'progress') {
       this.progress = answer.part;
     } else if (answer.kind === 'failed') {
-      throw new Error(answer.error); // the page shows it
+      this.fail();
     } else if (answer.kind === 'recorded') {
       this.ended?.(this.takeRecorded() + answer.text);
       this.ended = undefined;
@@ -189,5 +257,36 @@ function makeWorker(): Worker {
     return new PlayingWorker();
   } catch {
     throw noWorker;
+  }
+}
+
+// Returns both ends of a channel within the page, which delivers at once.
+function channelInPage(): [Channel, Out] {
+  const channel: Channel = { onmessage: null, postMessage: (data) => out.onmessage?.({ data } as MessageEvent<Request>) };
+  const out: Out = { onmessage: null, postMessage: (data) => channel.onmessage?.({ data } as MessageEvent<Answer>), close: () => undefined };
+  return [channel, out];
+}
+
+// The worker of all live lines: within one, a port is closed before it is opened again.
+class LiveWorker {
+  private static newest?: LiveWorker;
+  readonly broken: Promise<void>;
+
+  private constructor(readonly worker: Worker) {
+    this.broken = new Promise((resolve) => {
+      worker.onerror = (): void => {
+        LiveWorker.newest = undefined;
+        resolve();
+      };
+    });
+  }
+
+  // Returns undefined if none starts here.
+  static get(): LiveWorker | undefined {
+    try {
+      return (LiveWorker.newest ??= new LiveWorker(makeWorker()));
+    } catch {
+      return undefined;
+    }
   }
 }

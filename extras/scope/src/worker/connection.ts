@@ -6,7 +6,7 @@
 //   reopening   closed, and opened again: with other options, or because the device has gone
 //   failed      the browser does not open it; it is tried again each second
 //
-// `choosing` is added by Choice: it waits for the user, or for a file.
+// `choosing` is added by Choice (source/choice.ts): it waits for the user, or for a file.
 
 export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
 

@@ -1,0 +1,157 @@
+// A live line: a simulated receiver or a port, read and decoded apart from the page's pictures. It runs in a worker; in the page
+// where a worker has no ports.
+
+import type { Setting } from '../core';
+import type { Status } from '../line';
+import { LineCore } from './lineCore';
+import type { Answer, Live, LiveState, Opening, Picture, Request } from './messages';
+import { type FindPort, PortLine } from './port';
+import { Trials, type Tried } from './trials';
+
+const turnMs = 10; // from one look at a port to the next
+const mostRecords = 1 << 15; // that wait for the page: it asks for none while it is in the background
+const channels = 32;
+
+// Where a live line hears requests and answers them: a MessagePort, or what does its work in the page.
+export interface Out {
+  postMessage(message: Answer, options?: { transfer: Transferable[] }): void;
+  onmessage: ((event: MessageEvent<Request>) => void) | null;
+  close(): void;
+}
+
+// A line's source, as the server has it.
+interface Feed extends Tried, Partial<Pick<PortLine, 'title' | 'events' | 'replugged'>> {
+  // Returns the line's time: all characters complete by then have come. `us`: the page's.
+  nowUs(us: number): number;
+  close(): void;
+}
+
+class SimulatedFeed implements Feed {
+  readonly state = 'open';
+  readonly settings: readonly Setting[];
+  private us = 0;
+
+  constructor(
+    private readonly core: LineCore,
+    { simulation, port }: Extract<Opening, { kind: 'simulated' }>,
+  ) {
+    core.openSimulated(simulation);
+    core.setPort(0, port);
+    const bauds = [port.baud, port.baud === 100000 ? 200000 : 100000];
+    const ways = [port.inverted, !port.inverted];
+    this.settings = ways.flatMap((inverted) => bauds.map((baud) => ({ baud, inverted })));
+  }
+
+  nowUs(us: number): number {
+    return (this.us = us);
+  }
+
+  async use(setting: Setting): Promise<void> {
+    this.core.setPort(this.us, setting);
+  }
+
+  close(): void {}
+}
+
+class LiveLine {
+  private readonly trials: Trials;
+  private records: Uint8Array[] = [];
+  private count = 0;
+  private us = 0; // the line's time
+  private readonly timer?: ReturnType<typeof setInterval>;
+
+  constructor(
+    private readonly core: LineCore,
+    private readonly feed: Feed,
+    private readonly find: FindPort,
+    private readonly out: Out,
+  ) {
+    this.trials = new Trials(core, feed);
+    out.onmessage = ({ data }: MessageEvent<Request>): void => this.hear(data);
+    if (feed instanceof PortLine) {
+      this.timer = setInterval(() => this.turn(0), turnMs);
+    }
+    this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0, this.status(0)) });
+  }
+
+  private hear(request: Request): void {
+    const { native } = this.core;
+    switch (request.kind) {
+      case 'advance': {
+        if (!this.timer) {
+          this.turn(request.us);
+        }
+        const picture = this.picture(request.id, this.us, this.status(this.us));
+        this.answer(picture, picture.records.map(({ buffer }) => buffer));
+        break;
+      }
+      case 'use': void this.feed.use(request.setting); break;
+      case 'cutWire': this.core.cutWire(request.cut); break;
+      case 'replugged': void this.find(request.place).then((port) => port && this.feed.replugged?.(port)); break;
+      case 'resetMarks': native.calls.resetMarks(); break;
+      case 'record':
+        native.calls.record(Number(request.on));
+        if (!request.on) {
+          this.answer({ kind: 'recorded', text: native.words(native.calls.takeRecorded()) });
+        }
+        break;
+      case 'close':
+        clearInterval(this.timer);
+        this.feed.close();
+        this.out.close();
+        break;
+    }
+  }
+
+  // Takes all that has come. At a port only a timer calls it: from one call to the next, the browser hands over what has come
+  // meanwhile, also after it was busy; a picture may be drawn before that.
+  private turn(us: number): void {
+    const { native } = this.core;
+    const nowUs = (this.us = this.feed.nowUs(us));
+    native.records(nowUs, (records) => {
+      this.records.push(records);
+      this.count += records.length / native.recordSize;
+    });
+    while (this.count > mostRecords) {
+      this.count -= (this.records.shift() as Uint8Array).length / native.recordSize;
+    }
+    void this.trials.tick(this.status(nowUs));
+  }
+
+  private status(us: number): Status {
+    return this.core.native.status(us);
+  }
+
+  private picture(id: number, us: number, status: Status): Picture {
+    const { native } = this.core;
+    const { title, state, problem, events } = this.feed;
+    const { note, round } = this.trials;
+    const records = this.records;
+    this.records = [];
+    this.count = 0;
+    const live: LiveState = { title, state, problem, events: events && new Map(events), note, round };
+    const recorded = native.words(native.calls.takeRecorded());
+    const travel = Array.from({ length: channels }, (_, i) => native.travel(i));
+    return { kind: 'picture', id, jumped: false, us, status, travel, telemetry: native.telemetry(us), records, recorded, faults: 0, live };
+  }
+
+  private answer(message: Answer, transfer: Transferable[] = []): void {
+    this.out.postMessage(message, { transfer });
+  }
+}
+
+// Opens a live line, which answers at `out`.
+export async function serve({ wasm, opening }: Live, out: Out, find: FindPort): Promise<void> {
+  try {
+    const port = opening.kind === 'port' ? await find(opening.place) : undefined;
+    if (opening.kind === 'port' && !port) {
+      out.postMessage({ kind: 'refused' } satisfies Answer);
+      return;
+    }
+    const core = await LineCore.load(wasm);
+    const feed = opening.kind === 'port' ? new PortLine(core, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(core, opening);
+    new LiveLine(core, feed, find, out);
+  } catch (error) {
+    out.postMessage({ kind: 'failed', error: (error as Error).message } satisfies Answer);
+  }
+}
