@@ -2,12 +2,6 @@
 
 namespace line {
 
-namespace {
-
-constexpr uint64_t SecondUs = 1000000;
-
-}  // namespace
-
 void Extent::add(uint64_t value) {
   low = count == 0 ? value : std::min(low, value);
   high = count == 0 ? value : std::max(high, value);
@@ -20,21 +14,14 @@ void Arrivals::add(uint64_t nowUs, uint8_t flags) {
     _gaps.add(nowUs - _newestUs);
   }
   _newestUs = nowUs;
-  _lately.push_back(nowUs);
-  while (_lately.front() + SecondUs <= nowUs) {
-    _lately.pop_front();
-  }
   _link.frame(flags);
+  const sbus::LinkState link = inFailsafe() ? sbus::LinkState::Failsafe : sbus::LinkState::Ok;
+  _held.frame(nowUs, flags, link, _askedUs);
 }
 
 sbus::LinkState Arrivals::state(uint64_t nowUs) {
   _askedUs = std::max({_askedUs, nowUs, _newestUs});
   return _link.state(static_cast<uint32_t>(_newestUs), static_cast<uint32_t>(_askedUs));
-}
-
-unsigned Arrivals::perSecond(uint64_t nowUs) const {
-  return static_cast<unsigned>(std::count_if(_lately.begin(), _lately.end(),
-                                             [nowUs](uint64_t us) { return us + SecondUs > nowUs && us <= nowUs; }));
 }
 
 void Statistics::add(const Stretch &frame) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <deque>
 
+#include "line/HeldLink.h"
 #include "line/Segments.h"
 #include "sbus/Link.h"
 
@@ -29,6 +29,12 @@ class Arrivals {
 
   // Returns the state at `nowUs`, or at the latest time of an earlier call: for the link, time never goes back.
   sbus::LinkState state(uint64_t nowUs);
+  // Returns the state to show at that time, and what the indicators show.
+  sbus::LinkState heldState(uint64_t nowUs) { return _held.state(state(nowUs), nowUs); }
+  bool showsLostFrame(uint64_t nowUs) const { return _held.showsLostFrame(nowUs); }
+  bool showsFailsafe(uint64_t nowUs) const { return _held.showsFailsafe(nowUs); }
+  // Returns true if the newest says failsafe, or ends too long a run of lost frames, as a sketch's `failsafe`.
+  bool inFailsafe() const { return _link.isLost(); }
   // Returns true if frames come, even if some are lost: the newest values are the sticks'.
   bool hasLink(uint64_t nowUs) {
     const sbus::LinkState link = state(nowUs);
@@ -37,7 +43,7 @@ class Arrivals {
   // Returns the age of the newest in us; undefined while state() is NeverSeen.
   uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
   // Returns how many came within the last second.
-  unsigned perSecond(uint64_t nowUs) const;
+  unsigned perSecond(uint64_t nowUs) const { return _held.perSecond(nowUs); }
   // Returns the frame intervals in us, from end to end.
   const Extent &gaps() const { return _gaps; }
 
@@ -49,9 +55,9 @@ class Arrivals {
 
  private:
   sbus::Link _link;
+  HeldLink _held;
   uint64_t _newestUs = 0;
-  uint64_t _askedUs = 0;         // the latest time that state() was called for
-  std::deque<uint64_t> _lately;  // us
+  uint64_t _askedUs = 0;  // the latest time that state() was called for
   Extent _gaps;
 };
 

@@ -20,6 +20,7 @@
     busy = false; // another program has it open
     gone = false;
     permitted = false; // by the user, in the chooser
+    ephemeral = false; // it has no serial number: the permission ends when it is unplugged
     openMs = 60; // an FTDI adapter's open() took 60 to 1300 ms; 0: it opens at once
     closeMs = 5;
     ids = { usbVendorId: 0x0403, usbProductId: 0x6001 };
@@ -132,7 +133,7 @@
     // A device that is plugged in again is another SerialPort: Serial::GetOrCreatePort() knows it by a new token. The permission of
     // one with a serial number stays: SerialChooserContext::GrantPortPermission() in chrome/browser/serial.
     plug() {
-      const port = Object.assign(new FakePort(), { ids: this.ids, opened: this.opened, onOpen: this.onOpen, openMs: this.openMs, permitted: this.permitted });
+      const port = Object.assign(new FakePort(), { ids: this.ids, opened: this.opened, onOpen: this.onOpen, openMs: this.openMs, permitted: this.permitted && !this.ephemeral });
       if (fake.port === this) fake.port = port;
       ports.push(port);
       tell('connect', port);

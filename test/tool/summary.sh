@@ -73,6 +73,15 @@ awk 'BEGIN {
 [ "$(grep -cE '^PC late +11 times$|^no frames +1 time$' "$work/text")" -eq 2 ] && grep -q ' 1500 frames, ' "$work/text" &&
   [ "$("$SBUS" summary --json "$work/stalls.txt" | grep -c '"kind":"late"')" -eq 11 ]
 verdict $? "summary of a clean line that a busy PC read late has no silence but that of a cut wire"
+# The same frames as in test/scope/held.mjs: 150 lost ones in a row are failsafe from the hundredth on.
+awk 'BEGIN {
+  for (i = 0; i < 160; i++) {
+    print 9000 * (i + 1), "0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C", i < 10 ? "00" : "04", "00"
+  }
+}' >"$work/losses.txt"
+"$SBUS" csv "$work/losses.txt" --every-frame --columns failsafe | awk '$1 == 1 { count++; first = first ? first : NR } END { exit !(count == 51 && first == 110) }' &&
+  "$SBUS" summary "$work/losses.txt" | grep -A 1 '^failsafe  *1 time, 0.450 s in all$' | grep -qE '^ +0.993 s to +1.443 s'
+verdict $? "csv and summary have the same failsafe after too many lost frames"
 cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
 [ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 character errors
 frames       -, times are not known" ]

@@ -14,7 +14,7 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t IndicatorUs = 300000;  // how long a frame's flag is shown
+constexpr uint64_t BytesUs = 300000;  // after the newest byte: no more come
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
@@ -74,9 +74,6 @@ void Watch::take(const line::Stretch &stretch) {
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame()) {
     _isCsv = false;
-    if (_observer.newest().lostFrame) {
-      _lostUs = stretch.endUs();
-    }
   }
 }
 
@@ -144,13 +141,13 @@ std::string Watch::json(uint64_t nowUs) {
   const line::Values &values = _observer.newest();
   const sbus::Counters &now = _observer.counters();
   Json json("state");
-  json.number("time_us", nowUs).text("state", stateName(_observer.state(nowUs)));
+  json.number("time_us", nowUs).text("state", stateName(_observer.heldState(nowUs)));
   if (values.count > 0) {
     json.number("age_us", _observer.ageUs(nowUs)).channels(values, 1, values.count, ChannelForm());
     if (!_observer.has24()) {
       json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
     }
-    json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
+    json.flag("lost_frame", values.lostFrame).flag("failsafe", _observer.inFailsafe());
   }
   std::optional<uint64_t> perSecond;
   if (_hasTimes) {
@@ -185,9 +182,8 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
     view.indicators.push_back({more ? "DG1" : "CH17", values.switches[0], Mood::Good});
     view.indicators.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
   }
-  const bool lost = values.lostFrame || (_lostUs > 0 && nowUs < _lostUs + IndicatorUs);
-  view.indicators.push_back({"Frame lost", lost, Mood::Warn});
-  view.indicators.push_back({"Failsafe", values.failsafe, Mood::Bad});
+  view.indicators.push_back({"Frame lost", _observer.showsLostFrame(nowUs), Mood::Warn});
+  view.indicators.push_back({"Failsafe", _observer.showsFailsafe(nowUs), Mood::Bad});
   view.quality = format("quality %u %%", _observer.linkQuality(nowUs));
   view.groups = groups(nowUs, seen);
   if (_observer.telemetry().count() > 0) {
@@ -225,8 +221,9 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
 
 void Watch::showState(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
-  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + IndicatorUs;
-  switch (_observer.state(nowUs)) {
+  const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + BytesUs;
+  const sbus::LinkState state = _observer.heldState(nowUs);
+  switch (state) {
     case sbus::LinkState::NeverSeen:
       view.state = stateName(sbus::LinkState::NeverSeen);
       view.mood = Mood::Warn;
@@ -239,12 +236,10 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       }
       break;
     case sbus::LinkState::Ok:
-    case sbus::LinkState::Lossy: {
-      const bool lossy = _lostUs > 0 && nowUs < _lostUs + IndicatorUs;
-      view.state = stateName(lossy ? sbus::LinkState::Lossy : sbus::LinkState::Ok);
-      view.mood = lossy ? Mood::Warn : Mood::Good;
+    case sbus::LinkState::Lossy:
+      view.state = stateName(state);
+      view.mood = state == sbus::LinkState::Lossy ? Mood::Warn : Mood::Good;
       break;
-    }
     case sbus::LinkState::Failsafe:
       view.state = stateName(sbus::LinkState::Failsafe);
       view.mood = Mood::Bad;

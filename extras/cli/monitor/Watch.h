@@ -63,7 +63,6 @@ class Watch {
   unsigned long _errorsBefore = 0;
   unsigned long _discardedBefore = 0;
   uint64_t _characterUs = 0;  // when the newest came
-  uint64_t _lostUs = 0;       // when the newest lost frame came; 0: none yet
 
   line::CsvRows _rows;
   bool _isCsv = false;

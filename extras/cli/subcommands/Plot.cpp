@@ -115,7 +115,7 @@ class Plotter {
       _picture.curves[i].name = "CH" + std::to_string(channel);
       _picture.curves[i].points.push_back({ms(us), value, joined});
     }
-    _flags.put(us, values.failsafe, values.lostFrame);
+    _flags.put(us, _observer.inFailsafe(), values.lostFrame);
   }
 
   void takeRow(uint64_t nowUs) {

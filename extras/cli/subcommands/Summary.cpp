@@ -125,7 +125,7 @@ class Summary {
     if (!_flags.brokenUntil(us, stretch.lateUs()) && _flags.lastUs() > 0) {
       _intervals[(us - _flags.lastUs() + 500) / 1000]++;
     }
-    _flags.put(us, _observer.newest().failsafe, _observer.newest().lostFrame);
+    _flags.put(us, _observer.inFailsafe(), _observer.newest().lostFrame);
   }
 
   std::vector<FlagSpan> spans(FlagSpan::Kind kind) const {

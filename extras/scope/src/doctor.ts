@@ -1,6 +1,7 @@
 // Says at any time what is wrong with the line.
 
 import type { Core } from './core';
+import { Fault, faultNames } from './faults';
 import { Finding } from './finding';
 import { Flag, LinkState, type Status, type Stretch } from './line';
 import type { Problem, Source } from './source/Source';
@@ -36,7 +37,16 @@ export class Doctor {
     private readonly source: Source,
   ) {}
 
+  // Of a place with a fault it never says that all is well.
   verdict(status: Status, newest?: Stretch): Verdict {
+    const line = this.ofLine(status, newest);
+    const { found } = this.source;
+    return found && line.severity === 'good'
+      ? { text: `A fault here: ${faultNames[found.fault]}.`, remedy: `The line around it: ${line.text}`, severity: found.fault === Fault.Late ? 'note' : 'warning' }
+      : line;
+  }
+
+  private ofLine(status: Status, newest?: Stretch): Verdict {
     const { live, failure } = this.source.line;
     const problem = failure ?? live?.problem;
     if (problem) {
@@ -50,7 +60,7 @@ export class Doctor {
     }
     switch (status.state) {
       case LinkState.Failsafe:
-        return this.of((newest?.flags ?? 0) & Flag.Failsafe ? Finding.Failsafe : Finding.NoRadio);
+        return this.of((newest?.flags ?? 0) & Flag.ByLosses ? Finding.NoRadio : Finding.Failsafe);
       case LinkState.Stale:
         return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
           ? this.of(Finding.NoFrames)

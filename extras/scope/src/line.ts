@@ -22,7 +22,8 @@ export enum Flag {
   Channel17 = 1,
   Channel18 = 2,
   LostFrame = 4,
-  Failsafe = 8,
+  Failsafe = 8, // by the frame's flag, or by too many lost frames in a row
+  ByLosses = 128, // by these
 }
 
 // A piece of the line: a frame, or the bytes between two.
@@ -37,7 +38,7 @@ export interface Stretch {
 }
 
 export const statusNames = [
-  'state', 'ageUs',
+  'state', 'showsLostFrame', 'showsFailsafe', 'ageUs',
   'linkQuality', // percent; only for frames
   'framesPerSecond', 'gapMinUs', 'gapMeanUs', 'gapMaxUs', 'characters', 'characterErrors', 'frames',
   'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes', 'resyncs', 'overflows',

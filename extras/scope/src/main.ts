@@ -17,18 +17,28 @@ import { KnownPorts } from './view/knownPorts';
 import { NoticeView } from './view/notice';
 import { ScaleView } from './view/scale';
 
-// Shows the page's own failures: a blank page says nothing.
+const stays = 'Save what is recorded, and reload the page.';
+let notice: NoticeView | undefined;
+
+// Shows the page's own failures: a blank page says nothing. The line's verdict is drawn over it: so once the page draws, it is a
+// notice that stays.
+let said = '';
 function fault(error: unknown): void {
+  const text = `The page has failed: ${error instanceof Error ? error.message : error}.`;
+  if (text !== said) {
+    notice?.show({ text, remedy: stays }, true);
+  }
+  said = text;
   byId('verdict').dataset.severity = 'alarm';
-  setText(byId('verdict-text'), `The page has failed: ${error instanceof Error ? error.message : error}.`);
+  setText(byId('verdict-text'), text);
   setText(byId('verdict-remedy'), 'Reload it, in a browser released this year or last year.');
 }
 addEventListener('error', (event) => event.error && fault(event.error)); // without an error it is an observer's complaint
 addEventListener('unhandledrejection', (event) => fault(event.reason));
 
 const core = await Core.load();
-const scope = new Scope(core);
-const notice = new NoticeView();
+notice = new NoticeView();
+const scope = new Scope(core, (view, error) => notice?.show({ text: `${view} has failed: ${error.message}.`, remedy: `All else goes on. ${stays}` }, true));
 const known = new KnownPorts(byId('known'), (port, kind) => void open(port, kind));
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
 
@@ -60,19 +70,24 @@ async function simulate(): Promise<void> {
 }
 
 async function connect(kind: PortKind): Promise<void> {
-  notice.hide();
+  notice?.hide();
   try {
     const port = await scope.choice.ask(() => pickPort(kind));
     if (port) {
       await open(port, kind);
     }
   } catch (problem) {
-    notice.show(problem as Problem);
+    notice?.show(problem as Problem);
   }
 }
 
 async function open(port: SerialPort, kind: PortKind): Promise<void> {
-  notice.hide();
+  notice?.hide();
+  const { current } = scope.choice;
+  if (current instanceof PortSource && current.isUnplugged && current.isBoard === (kind === 'board') && current.has(port)) {
+    await current.replug(port);
+    return;
+  }
   await scope.choice.change(async (signal) => {
     const make = await PortSource.open(core, port, kind, Number(select('baud').value), signal);
     return () => {
@@ -87,7 +102,7 @@ async function play(file: File | undefined): Promise<void> {
   if (!file) {
     return;
   }
-  notice.hide();
+  notice?.hide();
   try {
     await scope.choice.change(async (signal) => {
       const read = (part: number): void => void (scope.reading = `reading ${file.name}: ${Math.floor(100 * part)} %`);
@@ -98,7 +113,7 @@ async function play(file: File | undefined): Promise<void> {
       };
     });
   } catch (error) {
-    notice.show(!(error instanceof Error) ? (error as Problem) : {
+    notice?.show(!(error instanceof Error) ? (error as Problem) : {
       text: `This cannot be played: ${(error as Error).message}.`,
       remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
     });
@@ -197,11 +212,11 @@ const calibration = new CalibrationView(core, () => scale.calibrated());
 await simulate();
 
 function picture(): void {
+  requestAnimationFrame(picture); // first: a view that throws ends no other picture
   scope.draw();
   const { current } = scope.choice;
   known.draw((port) => current instanceof PortSource && current.has(port));
   calibration.draw();
   recordButton();
-  requestAnimationFrame(picture);
 }
 picture();

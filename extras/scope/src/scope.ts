@@ -46,6 +46,7 @@ export class Scope implements Sink {
 
   private readonly units = new Units(byId<HTMLSelectElement>('unit'));
   private taken = 0;
+  private readonly broken = new Set<string>(); // views
   private doctor?: Doctor;
   private readonly channels = new Channels();
   private readonly names = new NamesView(this.channels);
@@ -59,7 +60,11 @@ export class Scope implements Sink {
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
 
-  constructor(private readonly core: Core) {
+  // `failed`: called once for each view that throws.
+  constructor(
+    private readonly core: Core,
+    private readonly failed: (view: string, error: Error) => void,
+  ) {
     this.bars = new Bars(byId('bars'), core, this.channels, () => this.choice.current?.line);
     this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
@@ -135,18 +140,35 @@ export class Scope implements Sink {
     const aside = this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state];
     setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
-    this.bars.draw(this.newest, unit, trusted);
-    this.sticks.draw(this.newest, unit, trusted);
-    this.names.draw(this.newest?.channels.length || 16);
-    this.link.draw(status, this.newest);
-    this.counters.draw(status, source.line.live?.events);
-    this.telemetry.draw(source.line.telemetry());
-    this.curves.draw(nowUs, this.newest, unit, status.gapMeanUs);
-    this.statistics.draw(nowUs, this.newest?.kind === Kind.Row ? 'rows' : 'frames');
-    this.frames.draw();
-    this.timeline.draw(...this.curves.shownUs);
+    const { newest } = this;
+    const { live } = source.line;
     const doctor = this.doctor as Doctor;
-    this.verdict.draw(doctor.verdict(status, this.newest), source.line.live?.note ?? '');
+    const views: Record<string, () => void> = {
+      'The view of the verdict': () => this.verdict.draw(doctor.verdict(status, newest), live?.note ?? ''),
+      'The view of the link': () => this.link.draw(status, newest),
+      'The view of the channels': () => this.bars.draw(newest, unit, trusted),
+      'The view of the sticks': () => this.sticks.draw(newest, unit, trusted),
+      'The view of the names': () => this.names.draw(newest?.channels.length || 16),
+      'The view of the counters': () => this.counters.draw(status, live?.events),
+      'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
+      'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
+      'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
+      'The view of the bytes': () => this.frames.draw(),
+      'The time line': () => this.timeline.draw(...this.curves.shownUs),
+    };
+    Object.entries(views).forEach(([view, draw]) => this.guard(view, draw));
+  }
+
+  // A view that throws is not drawn any more; the others are.
+  private guard(view: string, draw: () => void): void {
+    try {
+      if (!this.broken.has(view)) {
+        draw();
+      }
+    } catch (error) {
+      this.broken.add(view);
+      this.failed(view, error as Error);
+    }
   }
 
   private forget(): void {

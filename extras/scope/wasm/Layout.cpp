@@ -130,6 +130,7 @@ EXPORT(layout)()->const char * {
   addFlag("Channel18", sbus::FlagChannel18);
   addFlag("LostFrame", sbus::FlagLostFrame);
   addFlag("Failsafe", sbus::FlagFailsafe);
+  addFlag("ByLosses", FlagByLosses);
   add("constant", "Enough", std::to_string(Scope::Enough));
   add("constant", "TransferSize", std::to_string(TransferSize));
   add("constant", "CharacterSize", std::to_string(sizeof(line::Character)));

@@ -11,10 +11,12 @@ alignas(8) uint8_t transfer[TransferSize];
 
 namespace {
 
-uint8_t flagsOf(const line::Values &newest) {
+uint8_t flagsOf(const line::Observer &observer) {
+  const line::Values &newest = observer.newest();
   return static_cast<uint8_t>(
       (newest.switches[0] ? sbus::FlagChannel17 : 0) | (newest.switches[1] ? sbus::FlagChannel18 : 0) |
-      (newest.lostFrame ? sbus::FlagLostFrame : 0) | (newest.failsafe ? sbus::FlagFailsafe : 0));
+      (newest.lostFrame ? sbus::FlagLostFrame : 0) | (observer.inFailsafe() ? sbus::FlagFailsafe : 0) |
+      (observer.inFailsafe() && !newest.failsafe ? FlagByLosses : 0));
 }
 
 }  // namespace
@@ -163,7 +165,7 @@ void Scope::take(const line::Stretch &stretch) {
   record.lateUs = static_cast<double>(stretch.lateUs());
   record.damagedUs = static_cast<double>(_damage.take(stretch, !observer.telemetry().proved().empty()));
   record.kind = static_cast<uint8_t>(stretch.kind);
-  record.flags = flagsOf(newest);
+  record.flags = flagsOf(observer);
   record.channelCount = static_cast<uint8_t>(newest.count);
   std::copy_n(newest.raw.begin(), newest.raw.size(), record.channels);
   record.size = static_cast<uint8_t>(std::min(stretch.characters.size(), Record::BytesMax));

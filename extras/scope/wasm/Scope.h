@@ -28,6 +28,9 @@ inline std::string_view transferred(size_t count) {
   return {reinterpret_cast<const char *>(transfer), count};
 }
 
+// In a record's flags, which a frame does not use: it is in failsafe by its losses, not by its flag.
+constexpr uint8_t FlagByLosses = 0x80;
+
 // The range by which raw values are scaled.
 enum class Scale { FrSky, Futaba, Calibrated };
 
@@ -42,7 +45,7 @@ struct Record {
   double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest values of all channels
   uint8_t kind;                  // line::Stretch::Kind, or RowKind
-  uint8_t flags;                 // as in a frame's flags byte
+  uint8_t flags;                 // as in a frame's flags byte; failsafe also by losses
   uint8_t channelCount;
   uint8_t size;             // bytes
   uint8_t slots;            // telemetry slots in it, if it is no frame

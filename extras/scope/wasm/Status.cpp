@@ -29,7 +29,9 @@ EXPORT(status)(double now)->const Status * {
   const bool text = rows.recognised();
   const line::Extent &gaps = text ? rows.gaps() : observer.gaps();
   const auto d = [](uint64_t value) { return static_cast<double>(value); };
-  answer.state = d(static_cast<uint64_t>(text ? rows.state(nowUs) : observer.state(nowUs)));
+  answer.state = d(static_cast<uint64_t>(text ? rows.heldState(nowUs) : observer.heldState(nowUs)));
+  answer.showsLostFrame = text ? rows.showsLostFrame(nowUs) : observer.showsLostFrame(nowUs);
+  answer.showsFailsafe = text ? rows.showsFailsafe(nowUs) : observer.showsFailsafe(nowUs);
   answer.ageUs = d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs));
   answer.linkQuality = d(observer.linkQuality(nowUs));
   answer.framesPerSecond = d(text ? rows.perSecond(nowUs) : observer.perSecond(nowUs));
@@ -59,7 +61,8 @@ EXPORT(status)(double now)->const Status * {
   return &answer;
 }
 
-// Returns what sensors have measured, after the slots that came, within the last second, a line each; "" without telemetry.
+// Returns what sensors have measured, after the slots that came, within the last second, a line each; "" without
+// telemetry.
 EXPORT(telemetry)(double now)->const char * {
   static std::string lines;
   const auto nowUs = static_cast<uint64_t>(now);

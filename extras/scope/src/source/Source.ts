@@ -1,5 +1,6 @@
 // Where a line comes from.
 
+import type { Found } from '../faults';
 import type { State } from '../worker/connection';
 import type { Remote } from './remote';
 
@@ -30,6 +31,9 @@ export interface Source {
 
   // True while its time stands still: it is paused, or at its end.
   readonly stands?: boolean;
+
+  // The fault at its position, if it went there.
+  readonly found?: Found;
 
   // True if rows of numbers are expected, not S.Bus.
   readonly isBoard?: boolean;

@@ -34,7 +34,7 @@ export class PortSource implements Source {
     return this.line.live?.state ?? 'opening';
   }
 
-  // Returns true for this device, also if it was plugged in again.
+  // Returns true for this device, or for a like one once it was unplugged: plugged in again it is another SerialPort.
   has(port: SerialPort): boolean {
     return port === this.port || (idsOf(port.getInfo()) === idsOf(this.port.getInfo()) && (this.line.live?.events?.has('unplugged') ?? false));
   }
@@ -42,6 +42,15 @@ export class PortSource implements Source {
   nowUs(): number {
     this.line.wantedUs = Infinity; // all that has come
     return this.line.us;
+  }
+
+  get isUnplugged(): boolean {
+    return this.line.live?.isUnplugged ?? false;
+  }
+
+  // Goes on with a device that is plugged in again, as `port`, of which the browser has not told.
+  async replug(port: SerialPort): Promise<void> {
+    this.line.ask({ kind: 'replugged', place: await placeOf(port) });
   }
 
   // Sets a board's baud rate.

@@ -5,6 +5,7 @@ import type { FaultMap, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from '../worker/messages';
+import { findPort } from '../worker/port';
 import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
 
@@ -68,7 +69,10 @@ export class Remote implements Line {
       });
       const { lengthUs, carrier, picture } = await opened;
       const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, carrier, picture).listening();
-      worker.onerror = (): void => remote.fail();
+      worker.onerror = (event): void => {
+        event.preventDefault(); // the page says it
+        remote.fail();
+      };
       return remote;
     } catch (error) {
       worker.terminate();
@@ -87,7 +91,7 @@ export class Remote implements Line {
     void worker?.broken.then(remote && (() => remote?.fail()));
     if (!remote) {
       const [channel, out] = channelInPage();
-      void serve(request, out, async () => port);
+      void serve(request, out, async (place) => (await findPort(place)) ?? port);
       remote = (await Remote.opened(core, channel)) as Remote;
     }
     if (signal.aborted) {
@@ -116,6 +120,8 @@ export class Remote implements Line {
   // What decodes the line has failed: nothing comes any more.
   private fail(): void {
     this.failure = failed;
+    this.ended?.(this.takeRecorded());
+    this.ended = undefined;
   }
 
   private listening(): Remote {
@@ -192,6 +198,9 @@ export class Remote implements Line {
   }
 
   endRecorded(): Promise<string> {
+    if (this.failure) {
+      return Promise.resolve(this.takeRecorded());
+    }
     return new Promise((resolve) => {
       this.ended = resolve;
       this.ask({ kind: 'record', on: false });
@@ -274,8 +283,10 @@ class LiveWorker {
 
   private constructor(readonly worker: Worker) {
     this.broken = new Promise((resolve) => {
-      worker.onerror = (): void => {
+      worker.onerror = (event): void => {
+        event.preventDefault(); // the page says it
         LiveWorker.newest = undefined;
+        worker.terminate();
         resolve();
       };
     });

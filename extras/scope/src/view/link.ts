@@ -72,9 +72,10 @@ export class LinkView {
     setText(this.state, name);
     setAttribute(this.stateTile, 'data-severity', color);
     this.indicators.forEach((indicator, flag) => {
-      const on = ((newest?.flags ?? 0) & flag) !== 0;
+      const flags = newest?.flags ?? 0;
+      const on = flag === Flag.LostFrame ? status.showsLostFrame > 0 : flag === Flag.Failsafe ? status.showsFailsafe > 0 : (flags & flag) !== 0;
       setAttribute(indicator, 'data-on', String(on));
-      setText(indicator.lastElementChild as HTMLElement, on ? 'on' : 'off');
+      setText(indicator.lastElementChild as HTMLElement, !on ? 'off' : flag === Flag.Failsafe && flags & Flag.ByLosses ? 'by losses' : 'on');
     });
     this.switches(newest);
     const now = performance.now();

@@ -8,6 +8,7 @@ const shownMs = 20000;
 export class NoticeView {
   private readonly box = byId('notice');
   private timer?: number;
+  private stays = false;
 
   constructor() {
     byId('notice-close').addEventListener('click', () => this.hide());
@@ -19,7 +20,9 @@ export class NoticeView {
     }
   }
 
-  show({ text, remedy }: Problem): void {
+  // `stays`: until it is closed, or another one is shown.
+  show({ text, remedy }: Problem, stays = false): void {
+    this.stays = stays;
     setText(byId('notice-text'), text);
     setText(byId('notice-remedy'), remedy);
     this.box.hidden = false;
@@ -33,6 +36,9 @@ export class NoticeView {
 
   private fade(): void {
     clearTimeout(this.timer);
+    if (this.stays) {
+      return;
+    }
     this.timer = setTimeout(() => this.hide(), shownMs);
   }
 }

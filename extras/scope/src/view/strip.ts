@@ -66,7 +66,7 @@ export class Strip {
       const sample = svg('svg', { viewBox: `0 0 8 ${tall}`, 'aria-hidden': 'true' }, svg('path', { class: classes[fault], d: boxOf(fault, 0, 8) }));
       return make('li', {}, sample, this.counts[fault]);
     });
-    byId('fault-counts').append(...rows, this.state);
+    byId('fault-counts').append(this.state, ...rows);
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
@@ -91,8 +91,7 @@ export class Strip {
       setText(this.counts[fault], `${faultNames[fault]}: ${counts[fault]} ×`);
       (this.counts[fault].parentElement as HTMLElement).hidden = counts[fault] === 0;
     });
-    const none = counts.every((count) => count === 0);
-    setText(this.state, isComplete ? (none ? 'no faults' : '') : `${Math.floor((100 * us) / lengthUs)} % decoded`);
-    this.state.hidden = isComplete && !none;
+    const all = counts.reduce((sum, count) => sum + count);
+    setText(this.state, isComplete ? `whole recording: ${all || 'no'} fault${all === 1 ? '' : 's'}` : `${Math.floor((100 * us) / lengthUs)} % decoded`);
   }
 }

@@ -23,6 +23,7 @@ export type Port = Pick<SerialPort, 'open' | 'close' | 'readable'>;
 const retryMs = 1000;
 
 export class Connection {
+  sinceMs = performance.now(); // of the state
   private now: State = 'opening';
   private gone = false;
   private turn = new AbortController(); // from one opening to the next
@@ -78,6 +79,7 @@ export class Connection {
   }
 
   private enter(state: State): void {
+    this.sinceMs = state === this.now ? this.sinceMs : performance.now();
     this.now = state;
     if (state !== 'reopening') {
       this.waiters.splice(0).forEach((resolve) => resolve());

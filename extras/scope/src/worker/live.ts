@@ -20,7 +20,7 @@ export interface Out {
 }
 
 // A line's source, as the server has it.
-interface Feed extends Tried, Partial<Pick<PortLine, 'title' | 'events' | 'replugged'>> {
+interface Feed extends Tried, Partial<Pick<PortLine, 'title' | 'events' | 'isUnplugged' | 'replugged'>> {
   // Returns the line's time: all characters complete by then have come. `us`: the page's.
   nowUs(us: number): number;
   close(): void;
@@ -124,12 +124,12 @@ class LiveLine {
 
   private picture(id: number, us: number, status: Status): Picture {
     const { native } = this.core;
-    const { title, state, problem, events } = this.feed;
+    const { title, state, problem, isUnplugged, events } = this.feed;
     const { note, round } = this.trials;
     const records = this.records;
     this.records = [];
     this.count = 0;
-    const live: LiveState = { title, state, problem, events: events && new Map(events), note, round };
+    const live: LiveState = { title, state, problem, isUnplugged, events: events && new Map(events), note, round };
     const recorded = native.words(native.calls.takeRecorded());
     const travel = Array.from({ length: channels }, (_, i) => native.travel(i));
     return { kind: 'picture', id, jumped: false, us, status, travel, telemetry: native.telemetry(us), records, recorded, faults: 0, live };

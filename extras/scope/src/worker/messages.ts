@@ -46,6 +46,7 @@ export interface LiveState {
   title?: string;
   state: State;
   problem?: Problem;
+  isUnplugged?: boolean;
   events?: ReadonlyMap<string, number>; // at the port: counts by cause
   note: string; // the setting that is being tried, or what the trials found
   round?: Finding; // of the last round of trials

@@ -7,6 +7,7 @@ import { Connection, type State } from './connection';
 import type { LineCore } from './lineCore';
 import type { PortPlace } from './messages';
 
+const patienceMs = 3000; // until a port that does not open is a problem: an FTDI adapter takes 60 to 1300 ms
 const bufferSize = 4096; // bytes: more than a second of S.Bus
 
 // Web Serial's names of errors that leave the port open.
@@ -64,8 +65,13 @@ export class PortLine {
     return this.connection.state;
   }
 
+  get isUnplugged(): boolean {
+    return this.connection.isUnplugged;
+  }
+
   get problem(): Problem | undefined {
-    return this.connection.isUnplugged ? unplugged : this.state === 'failed' ? notOpened : undefined;
+    const isSlow = this.state !== 'open' && performance.now() - this.connection.sinceMs > patienceMs;
+    return this.isUnplugged ? unplugged : this.state === 'failed' ? notOpened : isSlow ? notOpening : undefined;
   }
 
   nowUs(): number {
@@ -129,7 +135,12 @@ export class PortLine {
 
 const unplugged: Problem = {
   text: 'The port has gone.',
-  remedy: 'Plug the adapter or the board in again: the page goes on by itself.',
+  remedy: 'Plug the adapter or the board in again: the page goes on by itself. After a device without a serial number (most CH340) the browser tells nothing: press Adapter… or Board… again and choose it, and the page goes on where it was.',
+};
+
+const notOpening: Problem = {
+  text: 'The port does not open.',
+  remedy: 'The system has not answered for 3 s. Unplug the adapter or the board, and plug it in again; if that does not help, restart the browser.',
 };
 
 // Chromium gives the same text for every cause, which says no more than this.
