@@ -80,7 +80,7 @@ export default async function () {
   });
 
   await check('in a recording of a PC that was late 0.3 s, this is a fault of its own; the link stays fine, and a cut wire is still a silence', async (page) => {
-    const file = path.join(build, 'late.txt');
+    const file = path.join(build, 'stalls.txt');
     const line = (ms, lateUs) => recorded(`${1000 * ms}~${lateUs}`, good);
     const lines = Array.from({ length: 400 }, (_, i) => {
       const end = 9 * (i + 1) + (i >= 300 ? 500 : 0);
