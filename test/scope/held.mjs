@@ -82,7 +82,7 @@ export default async function () {
 
   for (const [view, breaks, said] of [
     ['of the bytes', () => (String.prototype.padStart = () => { throw new Error('no pad'); }), 'The view of the bytes has failed: no pad.'],
-    ['of the curves, which uPlot draws later', () => (globalThis.Path2D = function () { throw new Error('no path'); }), 'The page has failed: no path.'],
+    ['of the curves, which uPlot draws later', () => (globalThis.Path2D = class { constructor() { throw new Error('no path'); } }), 'The page has failed: no path.'],
   ]) {
     await check(`a view that throws, that ${view}, is said until the notice is closed, and the others go on`, async (page) => {
       await page.evaluate(breaks);

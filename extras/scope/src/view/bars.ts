@@ -4,6 +4,7 @@ import type { Channels } from '../channels';
 import type { Core } from '../core';
 import { make, setAttribute, setText } from '../dom';
 import type { Line, Stretch } from '../line';
+import { Throttle } from '../throttle';
 import type { Unit } from '../unit';
 import { dashOf } from './dash';
 
@@ -26,8 +27,8 @@ interface Bar {
 
 export class Bars {
   private readonly bars: Bar[] = [];
-  private textAt = 0;
-  private spokenAt = 0;
+  private readonly text = new Throttle(textMs);
+  private readonly speech = new Throttle(spokenMs);
 
   constructor(
     private readonly list: HTMLElement,
@@ -39,11 +40,8 @@ export class Bars {
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
     const count = newest?.channels.length || 16;
     this.grow(count);
-    const ms = performance.now();
-    const text = ms - this.textAt >= textMs;
-    const spoken = text && ms - this.spokenAt >= spokenMs;
-    this.textAt = text ? ms : this.textAt;
-    this.spokenAt = spoken ? ms : this.spokenAt;
+    const text = this.text.due;
+    const spoken = text && this.speech.due;
     this.list.classList.toggle('doubtful', !trusted);
     this.list.classList.toggle('named', this.channels.anyNamed);
     for (let i = 0; i < count; i++) {

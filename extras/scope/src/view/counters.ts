@@ -2,6 +2,7 @@
 
 import { make, setText } from '../dom';
 import type { Status } from '../line';
+import { Throttle } from '../throttle';
 
 const rows: [keyof Status, string, string][] = [
   ['frames', 'frames', 'delivered'],
@@ -23,18 +24,16 @@ const rare = ['extraFrames', 'rows', 'otherLines', 'lateReads']; // not shown be
 
 export class CountersView {
   private readonly values = new Map<string, HTMLElement>();
-  private textAt = 0;
+  private readonly text = new Throttle(200);
 
   constructor(private readonly list: HTMLElement) {
     rows.forEach(([key, name, title]) => this.add(key, name, title));
   }
 
   draw(status: Status, events: ReadonlyMap<string, number> | undefined): void {
-    const now = performance.now();
-    if (now - this.textAt < 200) {
+    if (!this.text.due) {
       return;
     }
-    this.textAt = now;
     this.list.classList.toggle('board', status.rows > 0 && status.frames === 0);
     const ofPort = [...this.values.keys()].filter((key) => key.startsWith('port ') && !events?.has(key.slice(5)));
     ofPort.forEach((key) => this.set(key, 0));

@@ -3,6 +3,7 @@
 import type { Core } from '../core';
 import { make, setText } from '../dom';
 import { Flag, Kind, type Stretch } from '../line';
+import { Throttle } from '../throttle';
 
 const kept = 8; // pieces of the line
 const drawMs = 100;
@@ -15,7 +16,7 @@ export class FramesView {
   private stretches: Stretch[] = []; // the newest last
   private shown?: Stretch; // the frame shown bit by bit
   private held = false;
-  private drawnAt = 0;
+  private readonly drawing = new Throttle(drawMs);
   private at = 8; // the bit pointed at, from 0 on; 8 is the payload's first
   private cells: HTMLElement[] = [];
   private bitCells: HTMLElement[] = [];
@@ -47,7 +48,7 @@ export class FramesView {
     this.shown = undefined;
     this.bits.replaceChildren();
     this.cells = this.bitCells = [];
-    this.drawnAt = 0;
+    this.drawing.reset();
   }
 
   add(stretch: Stretch): void {
@@ -58,11 +59,9 @@ export class FramesView {
   }
 
   draw(): void {
-    const now = performance.now();
-    if (this.held || now - this.drawnAt < drawMs) {
+    if (this.held || !this.drawing.due) {
       return;
     }
-    this.drawnAt = now;
     const newest = [...this.stretches].reverse();
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));

@@ -2,6 +2,7 @@
 
 import { make, setAttribute, setText } from '../dom';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
+import { Throttle } from '../throttle';
 
 const names: Record<LinkState, [string, string]> = {
   [LinkState.NeverSeen]: ['Never seen', 'note'],
@@ -27,7 +28,7 @@ export class LinkView {
   private readonly rateUnit = make('small');
   private readonly stateTile: HTMLElement;
   private readonly indicators = new Map<number, HTMLElement>();
-  private textAt = 0;
+  private readonly text = new Throttle(100);
 
   constructor(root: HTMLElement) {
     const tile = (label: string, ...content: HTMLElement[]): HTMLElement =>
@@ -78,11 +79,9 @@ export class LinkView {
       setText(indicator.lastElementChild as HTMLElement, !on ? 'off' : flag === Flag.Failsafe && flags & Flag.ByLosses ? 'by losses' : 'on');
     });
     this.switches(newest);
-    const now = performance.now();
-    if (now - this.textAt < 100) {
+    if (!this.text.due) {
       return;
     }
-    this.textAt = now;
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
     setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
     setText(this.rate, String(status.framesPerSecond));

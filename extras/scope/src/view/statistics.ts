@@ -3,6 +3,7 @@
 import { byId, make, setAttribute, setText } from '../dom';
 import type { History } from '../history';
 import { intervals, losses, type Intervals, type Losses } from '../statistics';
+import { Throttle } from '../throttle';
 
 const drawMs = 500;
 
@@ -16,17 +17,15 @@ const ms = (us: number): string => (us / 1000).toFixed(us < 1e5 ? 1 : 0);
 const percent = (part: number, all: number): string => `${all > 0 ? ((100 * part) / all).toFixed(1) : '0.0'} %`;
 
 export class StatisticsView {
-  private drawnAt = -drawMs;
+  private readonly drawing = new Throttle(drawMs);
 
   constructor(private readonly history: History) {}
 
   // `what`: "frames" or "rows".
   draw(nowUs: number, what: string): void {
-    const now = performance.now();
-    if (now - this.drawnAt < drawMs) {
+    if (!this.drawing.due) {
       return;
     }
-    this.drawnAt = now;
     this.drawIntervals(intervals(this.history), what);
     this.drawLosses(losses(this.history, nowUs / 1e6), what);
   }

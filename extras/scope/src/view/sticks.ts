@@ -4,6 +4,7 @@ import type { Core } from '../core';
 import type { Stretch } from '../line';
 import { byId, make, setText } from '../dom';
 import { keep, recall } from '../storage';
+import { Throttle } from '../throttle';
 import type { Unit } from '../unit';
 
 const textMs = 100;
@@ -26,7 +27,7 @@ interface Stick {
 export class SticksView {
   private readonly select = byId<HTMLSelectElement>('stick-mode');
   private readonly sticks: Stick[];
-  private textAt = -textMs;
+  private readonly text = new Throttle(textMs);
 
   constructor(
     root: HTMLElement,
@@ -44,9 +45,7 @@ export class SticksView {
   }
 
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
-    const now = performance.now();
-    const text = now - this.textAt >= textMs;
-    this.textAt = text ? now : this.textAt;
+    const text = this.text.due;
     const mode = modes[this.select.value];
     this.sticks.forEach(({ place, text: shown }, side) => {
       const axes = mode.slice(2 * side, 2 * side + 2);

@@ -1,22 +1,21 @@
 // The telemetry of S.BUS2: a card that is shown while slots come.
 
 import { byId, make } from '../dom';
+import { Throttle } from '../throttle';
 
 const drawMs = 200;
 
 export class TelemetryView {
   private readonly card = byId('telemetry');
   private readonly list = byId('telemetry-list');
-  private drawnAt = 0;
+  private readonly drawing = new Throttle(drawMs);
   private shown = '';
 
   draw(lines: readonly string[]): void {
-    const now = performance.now();
     const text = lines.join();
-    if (text === this.shown || now - this.drawnAt < drawMs) {
+    if (text === this.shown || !this.drawing.due) {
       return;
     }
-    this.drawnAt = now;
     this.shown = text;
     this.card.hidden = lines.length === 0;
     const [slots, ...quantities] = lines;

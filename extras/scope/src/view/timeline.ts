@@ -2,6 +2,7 @@
 
 import { byId, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
+import { Throttle } from '../throttle';
 import { clock, namesOf, Strip } from './strip';
 
 const stepUs = 1000000; // of an arrow key
@@ -10,7 +11,7 @@ const toldMs = 1000; // from one text for screen readers to the next, while it p
 
 export class Timeline {
   private source?: RecordingSource;
-  private toldAt = 0;
+  private readonly telling = new Throttle(toldMs);
   private readonly strip = new Strip();
   private readonly panel = byId('timeline');
   private readonly play = byId('play');
@@ -64,9 +65,7 @@ export class Timeline {
   }
 
   private tell(source: RecordingSource): void {
-    const now = performance.now();
-    if (!source.playing || now - this.toldAt >= toldMs) {
-      this.toldAt = now;
+    if (!source.playing || this.telling.due) {
       const names = namesOf(source.faultsHere);
       setAttribute(this.position, 'aria-valuetext', `${clock(source.positionUs, 1)} of ${clock(source.lengthUs, 1)}${names && `, ${names}`}`);
     }

@@ -3,6 +3,7 @@
 import { Fault, type Found, type Sample } from '../faults';
 import { History, isSample, samplesOf } from '../history';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
+import { Throttle } from '../throttle';
 import { Decoder, type Image } from './decoder';
 import { Faults } from './faults';
 import { serve } from './live';
@@ -29,11 +30,9 @@ const turn = (): Promise<void> =>
     port2.postMessage(0);
   });
 
-let toldMs = 0;
+const telling = new Throttle(progressMs);
 function progress(part: number): void {
-  const ms = performance.now();
-  if (ms - toldMs >= progressMs) {
-    toldMs = ms;
+  if (telling.due) {
     answer({ kind: 'progress', part });
   }
 }
@@ -43,7 +42,7 @@ class Index {
   readonly images: Image[];
   readonly faults: Faults;
   private readonly apart: number;
-  private toldMs = 0;
+  private readonly telling = new Throttle(progressMs);
 
   constructor(
     private readonly decoder: Decoder,
@@ -80,9 +79,7 @@ class Index {
 
   private tell(): void {
     const { us, isComplete, faults } = this;
-    const ms = performance.now();
-    if (isComplete || ms - this.toldMs >= progressMs) {
-      this.toldMs = ms;
+    if (isComplete || this.telling.due) {
       answer({ kind: 'faults', map: { us, isComplete, bins: faults.bins, counts: faults.counts() } });
     }
   }
