@@ -173,7 +173,7 @@ rejected "$work/paper.vcd:24: \"24\" is no word after the colon; there are noise
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is not taken for a capture"
-printf 'time,CH17\n0.2,0\n0.4,1\n' >"$work/times.csv"
+printf 'time,CH17,CH18\n0.2,0,1\n0.4,1,0\n' >"$work/times.csv"
 "$sbus" plot "$work/times.csv" | grep -q '>CH17</text>'
 verdict $? "plot draws rows with times"
 
