@@ -1,5 +1,5 @@
-// Finds out what line a file holds: a recording, a sketch's rows, JSON lines, a table of frames, a capture of the wire, or
-// bytes without times.
+// Finds out what line a file holds: a recording, a sketch's rows, JSON lines, a table of frames, a capture of the wire,
+// or bytes without times.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "cli/TextLine.h"
+#include "line/LineSettings.h"
 #include "line/capture/Overrules.h"
 #include "line/capture/WireDecoder.h"
 #include "line/recording/Recording.h"
-#include "line/simulation/LineSettings.h"
 
 namespace tool {
 
@@ -48,9 +48,10 @@ struct FileSource {
   bool isWhole() const { return kind == FileKind::Capture || kind == FileKind::Bytes; }
 };
 
-// Reads a capture or bytes, or the head of another file, packed or not: see line::PackedFile. `overrules` is what the user
-// knows of the line better than the file. Throws std::runtime_error, which names the place, if the file cannot be read or is wrong. Says on standard
-// error if the times are not known, and which signal of a capture was chosen, if several carry S.Bus.
+// Reads a capture or bytes, or the head of another file, packed or not: see line::PackedFile. `overrules` is what the
+// user knows of the line better than the file. Throws std::runtime_error, which names the place, if the file cannot be
+// read or is wrong. Says on standard error if the times are not known, and which signal of a capture was chosen, if
+// several carry S.Bus.
 FileSource readFile(const FileName &name, const line::Overrules &overrules = {});
 
 // Returns the same of a text of this kind that a pipe brings, by its beginning.
@@ -59,8 +60,8 @@ FileSource headOfPipe(FileKind kind, const std::string &head, unsigned long baud
 // Returns what reads the lines of a file that is not whole.
 std::unique_ptr<LineReader> makeReader(const FileSource &source);
 
-// Returns the kind of a text that shows itself by its beginning, and can be read while it is being written: JSON lines, a
-// table of frames, or a recording that sbus writes; nothing as long as that is not certain.
+// Returns the kind of a text that shows itself by its beginning, and can be read while it is being written: JSON lines,
+// a table of frames, or a recording that sbus writes; nothing as long as that is not certain.
 std::optional<FileKind> liveKind(const std::string &begin);
 
 }  // namespace tool

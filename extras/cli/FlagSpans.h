@@ -1,4 +1,5 @@
-// Notes when there was failsafe, lost frames or silence, and when the PC was late: for the lines of `sbus summary` and the shades of `sbus plot`.
+// Notes when there was failsafe, lost frames or silence, and when the PC was late: for the lines of `sbus summary` and
+// the shades of `sbus plot`.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace tool {
 
@@ -31,8 +31,8 @@ class Input {
   // Sets the speed as a multiple of real time. Default: 1.
   void setSpeed(double speed) { _speed = speed; }
 
-  // Calls `put` with each character as it comes, and `tick` every millisecond; on a port, whenever it brings bytes and 20
-  // times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws
+  // Calls `put` with each character as it comes, and `tick` every millisecond; on a port, whenever it brings bytes and
+  // 20 times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws
   // std::runtime_error if the line fails.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 

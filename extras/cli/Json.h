@@ -49,11 +49,11 @@ class Json {
 // What the first line says of the source.
 struct JsonLine {
   std::string source;
-  std::string signal;                // of a capture; otherwise empty
+  std::string signal;  // of a capture; otherwise empty
   std::optional<unsigned long> baud;
   std::optional<bool> inverted;
-  std::optional<int64_t> startUs;    // when time 0 is, in us since 1970
-  bool isTimed = true;               // the times are those of the line
+  std::optional<int64_t> startUs;  // when time 0 is, in us since 1970
+  bool isTimed = true;             // the times are those of the line
 };
 Json lineJson(const JsonLine &line);
 

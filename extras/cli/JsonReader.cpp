@@ -74,7 +74,8 @@ std::string channelsOf(const Object &object, const sbus::Range &range, std::vect
     const Object &value = (*values)[i];
     const std::optional<uint16_t> one = value.is_number() ? rawOf(value.get<double>(), unit, range) : std::nullopt;
     if (!one) {
-      return quoted(format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " + extentOf(unit, range);
+      return quoted(format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " +
+             extentOf(unit, range);
     }
     raw.push_back(*one);
   }

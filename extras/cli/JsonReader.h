@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/TextLine.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "sbus/Scaling.h"
 
 namespace tool {

@@ -20,8 +20,8 @@ void flush();
 // Writes a piece of text. Throws std::runtime_error if it cannot be written.
 using Put = std::function<void(const std::string &text)>;
 
-// Calls `print` with what writes to the file `name`; to standard output if the name is empty or "-". File::New: the file
-// must not exist yet. Throws std::runtime_error.
+// Calls `print` with what writes to the file `name`; to standard output if the name is empty or "-". File::New: the
+// file must not exist yet. Throws std::runtime_error.
 enum class File { Any, New };
 void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print);
 

@@ -13,7 +13,12 @@ constexpr uint64_t RowUs = 200000;  // of rows without times, as a sketch and `s
 
 RepeatedFrames::RepeatedFrames(std::string name, std::unique_ptr<TextInput> text, uint64_t periodUs,
                                uint32_t characterUs, uint64_t fromUs, uint64_t toUs)
-    : _name(std::move(name)), _text(std::move(text)), _periodUs(periodUs), _characterUs(characterUs), _frameUs(fromUs), _toUs(toUs) {
+    : _name(std::move(name)),
+      _text(std::move(text)),
+      _periodUs(periodUs),
+      _characterUs(characterUs),
+      _frameUs(fromUs),
+      _toUs(toUs) {
   readRow();
   if (_newRow) {
     _row = *_newRow;

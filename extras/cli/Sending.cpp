@@ -73,7 +73,8 @@ class Destination {
   std::unique_ptr<line::SendingPort> _port;
 };
 
-// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between them.
+// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between
+// them.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}

@@ -74,12 +74,12 @@ bool TableRows::parseName(const std::string &text, Column &column) {
     return true;
   }
   const bool isTime = word == "time" || word == "seconds" || word == "time_us";
-  column.kind = isTime                                         ? Kind::Time
-                : word == "failsafe"                           ? Kind::Failsafe
-                : word == "lostframe" || word == "lost_frame"  ? Kind::LostFrame
-                : word == "end"                                ? Kind::End
-                : word == "dg1" || word == "dg2"               ? Kind::Switch
-                                                               : Kind::Ignored;
+  column.kind = isTime                                        ? Kind::Time
+                : word == "failsafe"                          ? Kind::Failsafe
+                : word == "lostframe" || word == "lost_frame" ? Kind::LostFrame
+                : word == "end"                               ? Kind::End
+                : word == "dg1" || word == "dg2"              ? Kind::Switch
+                                                              : Kind::Ignored;
   column.index = word == "dg2" ? 1 : 0;
   column.perSecond = word == "time_us" ? 1e6 : 1;
   return column.kind != Kind::Ignored || word == "state" || word == "age" || word == "quality";
@@ -181,7 +181,8 @@ std::string TableRows::takeField(const Column &column, const line::CsvField &fie
       if (isEmpty && _channels == TableChannelMax) {
         return {};  // each frame has half of 32 channels
       }
-      if (!field.isNumber || field.value < 0 || field.value > sbus::ChannelMax || field.value != std::floor(field.value)) {
+      if (!field.isNumber || field.value < 0 || field.value > sbus::ChannelMax ||
+          field.value != std::floor(field.value)) {
         return "0 to 2047 is expected";
       }
       _row.values.raw[column.index] = static_cast<uint16_t>(field.value);
@@ -293,7 +294,7 @@ void assign(const std::string &word, const sbus::Range &range, FrameValues &valu
     if (text != "on" && text != "off" && text != "0" && text != "1") {
       throw std::runtime_error(line::quoted(word) + " is out of range; on or off is expected");
     }
-    bool &flag = isChannel             ? values.switches[channel - SwitchesAt]
+    bool &flag = isChannel            ? values.switches[channel - SwitchesAt]
                  : name == "failsafe" ? values.failsafe
                                       : values.lostFrame;
     flag = text == "on" || text == "1";
@@ -301,7 +302,8 @@ void assign(const std::string &word, const sbus::Range &range, FrameValues &valu
   }
   const std::optional<uint16_t> raw = text == "on" ? range.high : text == "off" ? range.low : parseValue(text, range);
   if (!raw) {
-    throw std::runtime_error(line::quoted(word) + " is out of range; " + "0 to 2047, a pulse such as 1500us, a part such as -50%, on (" +
+    throw std::runtime_error(line::quoted(word) + " is out of range; " +
+                             "0 to 2047, a pulse such as 1500us, a part such as -50%, on (" +
                              std::to_string(range.high) + ") or off (" + std::to_string(range.low) + ") is expected");
   }
   values.raw[channel] = *raw;

@@ -11,8 +11,8 @@
 
 #include "cli/TextLine.h"
 #include "cli/Units.h"
+#include "line/LineSettings.h"
 #include "line/recording/CsvRows.h"
-#include "line/simulation/LineSettings.h"
 #include "sbus/Frame.h"
 
 namespace tool {

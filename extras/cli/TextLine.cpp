@@ -14,10 +14,10 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t TailUs = 300000;     // as RecordedLine's
-constexpr size_t Ahead = 2;             // characters: the next one tells what is known
-constexpr uint64_t StartMostUs = 1000000;  // a live text that begins later was joined in its middle
-constexpr int64_t SkewMostUs = 250000;     // how much later than its writer a live text's reader may have started
+constexpr uint64_t TailUs = 300000;          // as RecordedLine's
+constexpr size_t Ahead = 2;                  // characters: the next one tells what is known
+constexpr uint64_t StartMostUs = 1000000;    // a live text that begins later was joined in its middle
+constexpr int64_t SkewMostUs = 250000;       // how much later than its writer a live text's reader may have started
 constexpr uint64_t BacklogMostUs = 3000000;  // a file in a pipe brings more at once
 constexpr uint64_t SettledUs = 100000;       // by then a pipe that holds nothing is no file
 constexpr uint64_t LagMostUs = 1000000;

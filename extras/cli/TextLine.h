@@ -115,9 +115,9 @@ class TextLine : public line::Line {
   uint64_t _lastUs = 0;  // when the last one that was handed over was played
   bool _any = false;     // a character was in the part
   bool _ended = false;
-  int64_t _shiftUs = 0;  // from the text's times to the program's
+  int64_t _shiftUs = 0;              // from the text's times to the program's
   std::optional<uint64_t> _begunUs;  // when a live text was first read
-  uint64_t _lagUs = 0;  // how late a live text's newest character came
+  uint64_t _lagUs = 0;               // how late a live text's newest character came
   std::string _failure;
 };
 

@@ -14,8 +14,8 @@ enum class Unit { Raw, Us, Percent };
 // Returns the name of the unit's field in JSON: "channels", "us" or "percent".
 const char *fieldOf(Unit unit);
 
-// Returns a raw value in another unit. Microseconds are 5 * raw / 8 + 880 of any make; 0 % and +-100 % are the points of
-// `range`.
+// Returns a raw value in another unit. Microseconds are 5 * raw / 8 + 880 of any make; 0 % and +-100 % are the points
+// of `range`.
 double valueOf(uint16_t raw, Unit unit, const sbus::Range &range);
 
 // Returns the nearest raw value; nothing if the value is outside 0 to 2047, or a raw value is no whole number.

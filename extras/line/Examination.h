@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "sbus/Diagnosis.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "sbus/Frame.h"
 
 namespace line {

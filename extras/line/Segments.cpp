@@ -12,7 +12,7 @@ constexpr uint32_t GapCharacters = 8;       // a gap as long as this ends it
 constexpr uint64_t Forever = UINT64_MAX;
 
 // By sbus::Rejection.
-constexpr const char *Reasons[] = {"no end byte",  "unused flags set", "a gap inside", "more bytes than a frame",
+constexpr const char *Reasons[] = {"no end byte",  "unused flags set",   "a gap inside", "more bytes than a frame",
                                    "not at a gap", "may be a false sync"};
 static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "a text for each reason");
 

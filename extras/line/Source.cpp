@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "line/recording/Words.h"
-#include "line/simulation/NoisyLine.h"
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RecordingFile.h"
 #include "line/recording/RestoredLine.h"
+#include "line/recording/Words.h"
+#include "line/simulation/NoisyLine.h"
 #include "line/simulation/SilentLine.h"
 #include "line/simulation/SimulatedBus.h"
 
@@ -36,9 +36,7 @@ bool takeSourceWord(const std::string &word, Source &source) {
   } else if (!source.isSimulated()) {
     return false;
   } else if (word == "16" || word == "24" || word == "32") {
-    source.channels = word == "24"   ? Channels::TwentyFour
-                      : word == "32" ? Channels::ThirtyTwo
-                                     : Channels::Sixteen;
+    source.channels = word == "24" ? Channels::TwentyFour : word == "32" ? Channels::ThirtyTwo : Channels::Sixteen;
   } else if (word == "sbus2") {
     source.sbus2 = true;
   } else if (word == "silent") {

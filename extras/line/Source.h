@@ -4,16 +4,16 @@
 #include <memory>
 #include <string>
 
-#include "line/simulation/Choreography.h"
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
+#include "line/simulation/Choreography.h"
 #include "line/simulation/SimulatedReceiver.h"
 
 namespace line {
 
 struct Source {
-  std::string name;  // of a file or port; empty: the simulated receiver
-  bool silent = false;    // nothing comes
+  std::string name;     // of a file or port; empty: the simulated receiver
+  bool silent = false;  // nothing comes
   // Of the simulated receiver.
   Sticks sticks = Sticks::Flight;
   Channels channels = Channels::Sixteen;
@@ -34,8 +34,8 @@ struct Source {
   std::string text() const;
 };
 
-// Reads "sim", "flight.txt" or "/dev/ttyUSB0"; after a colon words: "sim:24,noise=30" or "flight.txt:uninverted". Throws
-// std::runtime_error if a word is wrong.
+// Reads "sim", "flight.txt" or "/dev/ttyUSB0"; after a colon words: "sim:24,noise=30" or "flight.txt:uninverted".
+// Throws std::runtime_error if a word is wrong.
 //
 //   16, 24, 32       channels of sim: 24 are FrSky's, 32 Futaba's FASSTest 26
 //   sbus2            sim speaks S.BUS2

@@ -6,7 +6,7 @@
 
 #include "Payload.h"
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 // What the receiver sends.
 enum class Kind {

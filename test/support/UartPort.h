@@ -10,7 +10,7 @@
 #include "Driver.h"
 #include "FakeClock.h"
 #include "board/BoardUart.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 class UartPort : public HardwareSerial {
  public:

@@ -60,7 +60,7 @@ kill $player
 
 # An adapter that hands bytes over every few ms, in true time: a busy PC may well be late, so these are only lines that bear
 # it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
-sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/simulation/LineSettings.cpp"
+sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several
 g++ -std=c++17 -O1 -I. -Iimpairment -I../src -I../extras -I../extras/host $sources ../extras/line/ports/PseudoTerminal.cpp \
   ../src/sbus/Frame.cpp -o "$WORK/Adapter"

@@ -5,9 +5,9 @@
 
 #include "cli/VariantOfLine.h"
 #include "cli/monitor/MonitorView.h"
+#include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
-#include "line/simulation/LineSettings.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {

@@ -62,7 +62,8 @@ bool isValue(const std::string &word) {
 
 SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words) : _recordings(recordings) {
   constexpr const char *What = "a serial port, a file, - for standard input, sim, or values such as ch3=172,ch5=on";
-  (words == Words::One ? subcommand.option("SOURCE", _word, What).notEmpty() : subcommand.option("SOURCE", _words, What))
+  (words == Words::One ? subcommand.option("SOURCE", _word, What).notEmpty()
+                       : subcommand.option("SOURCE", _words, What))
       .required()
       .type("");
   _sendsFrames = words == Words::Several;
@@ -112,10 +113,10 @@ SourceOption::Parsed SourceOption::parse() const {
   }
   struct stat status;
   parsed.name = parsed.source.isSimulated() ? "sim" : parsed.source.name;
-  parsed.kind = parsed.source.isSimulated()                ? Kind::Simulated
+  parsed.kind = parsed.source.isSimulated()               ? Kind::Simulated
                 : stat(parsed.name.c_str(), &status) != 0 ? parsed.name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File
-                : S_ISCHR(status.st_mode)                  ? Kind::Port
-                                                           : Kind::File;
+                : S_ISCHR(status.st_mode)                 ? Kind::Port
+                                                          : Kind::File;
   return parsed;
 }
 

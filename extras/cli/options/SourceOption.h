@@ -19,8 +19,8 @@ namespace tool {
 // How a file is read: in real time, as on a page; as fast as it can; or so, and several times.
 enum class Recordings { InTrueTime, AtOnce, Again };
 
-// How many words a source may have. Several, values such as ch3=172 ch5=on, are for a subcommand that sends; rows of CSV
-// are then values as well.
+// How many words a source may have. Several, values such as ch3=172 ch5=on, are for a subcommand that sends; rows of
+// CSV are then values as well.
 enum class Words { One, Several };
 
 class SourceOption {

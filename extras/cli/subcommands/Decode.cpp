@@ -99,7 +99,10 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   if (options.capture == "-") {
     setLineByLine();
   }
-  DecodeOutput output(options.json ? Form::Json : options.csv ? Form::Csv : Form::Table, options.characters, options.capture, form);
+  DecodeOutput output(options.json  ? Form::Json
+                      : options.csv ? Form::Csv
+                                    : Form::Table,
+                      options.characters, options.capture, form);
   Frames frames(output, !record || options.csv || options.json, record);
   line::WireDecoder wire(
       options.overrules,

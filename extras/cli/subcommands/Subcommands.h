@@ -1,5 +1,5 @@
-// The subcommands of `sbus`. Each adds its subcommand, whose callback does the work: it throws std::runtime_error with a
-// message that says what, where and what to do.
+// The subcommands of `sbus`. Each adds its subcommand, whose callback does the work: it throws std::runtime_error with
+// a message that says what, where and what to do.
 #pragma once
 
 namespace CLI {

@@ -171,7 +171,8 @@ void run(const SourceOption &source, bool asJson) {
              });
   summary.finish();
   silence.end(summary.any());
-  write(asJson ? source.json().line() + summary.json(source.hasTimes()) : summary.text(source.name(), source.hasTimes()));
+  write(asJson ? source.json().line() + summary.json(source.hasTimes())
+               : summary.text(source.name(), source.hasTimes()));
   if (!asJson && !input->note().empty()) {
     write(input->note() + '\n');
   }

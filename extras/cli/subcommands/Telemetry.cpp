@@ -72,8 +72,7 @@ class TelemetryView {
   }
 
   void writeJson(const line::TimedSlot &slot, const line::Quantity *quantity) const {
-    Json json =
-        slotJson(slot, _hasTimes ? std::optional<double>(static_cast<double>(slot.endUs)) : std::nullopt);
+    Json json = slotJson(slot, _hasTimes ? std::optional<double>(static_cast<double>(slot.endUs)) : std::nullopt);
     if (quantity != nullptr) {
       double number = 0;
       json.text("quantity", quantity->name);

@@ -9,8 +9,8 @@
 #include "PortSettings.h"
 #include "Sender.h"
 #include "line/Line.h"
+#include "line/LineSettings.h"
 #include "line/Observer.h"
-#include "line/simulation/LineSettings.h"
 #include "line/uart/UartSampler.h"
 
 namespace host {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace host {
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "line/ports/SerialPort.h"
 #include "line/recording/RestoredLine.h"
 #include "line/simulation/SilentLine.h"
-#include "line/ports/SerialPort.h"
 
 namespace host {
 

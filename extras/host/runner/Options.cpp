@@ -89,9 +89,9 @@ void takeSource(const std::string &text, unsigned long baud, Options &options) {
   if (options.source.disturbs() || baud != sbus::Baud || options.pulses || options.simulatedTime) {
     throw CLI::ValidationError("--source", options.source.name + ": a port runs in real time at 100000 baud; leave " +
                                                (options.source.disturbs() ? "the words after the colon"
-                                                : baud != sbus::Baud     ? "--baud"
-                                                : options.pulses         ? "--pulses"
-                                                                         : "--simulated-time") +
+                                                : baud != sbus::Baud      ? "--baud"
+                                                : options.pulses          ? "--pulses"
+                                                                          : "--simulated-time") +
                                                " out");
   }
   options.port = options.source.name;

@@ -28,8 +28,8 @@ struct Options {
   std::vector<WireOption> wires;
   std::vector<SentOption> sent;
   bool pulses = false;  // a receiver without S.Bus is connected to the pins 2..5
-  std::string eeprom;  // a file's name, or empty
-  double seconds = 0;  // 0: until the line has ended
+  std::string eeprom;   // a file's name, or empty
+  double seconds = 0;   // 0: until the line has ended
   bool simulatedTime = false;
   uint32_t loopUs = 50;
   uint32_t startMs = 0;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace line {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "line/capture/Overrules.h"
 
 namespace line {

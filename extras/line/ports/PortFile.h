@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace line {
 

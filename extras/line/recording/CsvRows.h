@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace line {
 

@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace line {
 
@@ -123,8 +123,8 @@ class RecordingReader {
   // Returns what is wrong with the newest line, or nothing.
   const std::string &error() const { return _recording.error; }
 
-  // Returns the recording, after its last line: all of it, or what was not taken. With an error, `characters` holds what
-  // came before it.
+  // Returns the recording, after its last line: all of it, or what was not taken. With an error, `characters` holds
+  // what came before it.
   Recording finish();
 
  private:
@@ -136,7 +136,7 @@ class RecordingReader {
   const uint32_t _characterUs;
   const bool _csv;
   Recording _recording;
-  Character _last;         // the newest one
+  Character _last;  // the newest one
   bool _any = false;
   unsigned _number = 0;    // of the last line
   bool _hasTimes = false;  // of its rows

@@ -10,8 +10,8 @@
 namespace line {
 
 // Disturbances come at random times, about `perSecond` of them. One that falls into a gap is seen as a character of
-// any value, half of them with a wrong parity; one that falls into a character makes that character bad. So some ten a second
-// cost a frame now and then, some hundred a good part of them, and with a thousand hardly any gets through.
+// any value, half of them with a wrong parity; one that falls into a character makes that character bad. So some ten a
+// second cost a frame now and then, some hundred a good part of them, and with a thousand hardly any gets through.
 class NoisyLine : public Line {
  public:
   NoisyLine(std::unique_ptr<Line> line, unsigned perSecond, uint32_t characterUs)

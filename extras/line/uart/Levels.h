@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 namespace line {
 

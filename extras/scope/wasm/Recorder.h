@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "line/recording/RecordingWriter.h"
 
 namespace scope {

@@ -15,7 +15,7 @@
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/ports/PortReads.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "line/telemetry/Readings.h"
 
 namespace scope {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "line/simulation/SimulatedReceiver.h"
 #include "line/uart/UartSampler.h"
 

@@ -15,7 +15,7 @@
 #include "Model.h"
 #include "UsbHost.h"
 #include "line/Line.h"
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 #include "line/uart/UartSampler.h"
 
 namespace avr {

@@ -127,7 +127,7 @@ TEST := -std=gnu++14 -O1 $(FLAGS) -I$(ROOT)/extras -I$(ROOT)/test
 SBUS := $(patsubst $(ROOT)/src/sbus/%.cpp,$(OUT)/sbus/%.o,$(wildcard $(ROOT)/src/sbus/*.cpp))
 
 comma := ,
-SIMULATION := SimulatedBus SimulatedReceiver BusJudge Flight LineSettings
+SIMULATION := $(addprefix simulation/,SimulatedBus SimulatedReceiver BusJudge Flight) LineSettings
 
 # On the ESP8266 Serial1 only sends, so there Serial1 and Serial change places.
 with_its_ports = $(if $(filter esp8266,$1),sed 's/Serial1/@/g; s/Serial/Serial1/g; s/@/Serial/g',cat)
@@ -226,7 +226,7 @@ $(OUT)/README.cpp: $(ROOT)/README.md $(HERE)/build.mk
 $(OUT)/Uart.o: $(HERE)/Uart.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) $(TEST) $(DEPENDENCIES) -c $< -o $@
-$(SIMULATION:%=$(OUT)/%.o): $(OUT)/%.o: $(ROOT)/extras/line/simulation/%.cpp $(HERE)/build.mk
+$(SIMULATION:%=$(OUT)/%.o): $(OUT)/%.o: $(ROOT)/extras/line/%.cpp $(HERE)/build.mk
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(FLAGS) -I$(ROOT)/extras -O1 $(DEPENDENCIES) -c $< -o $@
 $(OUT)/Main.o: $(ROOT)/test/support/Main.cpp $(HERE)/build.mk

@@ -27,7 +27,7 @@ LEFT_OUT := FifoWatchTest PreemptTest PreemptListeningTest PropertiesTest SBus2S
 RUNTIME := $(OUT)/Main.o $(OUT)/Runtime.o $(OUT)/Start.o
 UNIT := $(filter-out $(LEFT_OUT),$(patsubst $(TEST)/unit/%.cpp,%,$(wildcard $(TEST)/unit/*Test.cpp)))
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-ROOMS := host/board/BoardUart line/simulation/LineSettings line/simulation/SimulatedReceiver
+ROOMS := host/board/BoardUart line/LineSettings line/simulation/SimulatedReceiver
 
 unit: $(UNIT:%=$(OUT)/unit/%)
 alignment: $(OUT)/UnalignedRead

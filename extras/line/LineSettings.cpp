@@ -1,4 +1,4 @@
-#include "line/simulation/LineSettings.h"
+#include "line/LineSettings.h"
 
 #include <algorithm>
 
