@@ -1,17 +1,10 @@
-// A short text with numbers in it.
+// line::format(), for the subcommands.
 #pragma once
 
-#include <cstdio>
-#include <string>
+#include "line/Format.h"
 
 namespace tool {
 
-// Formats like std::snprintf(), and cuts the text after 399 characters.
-template <typename... Values>
-std::string format(const char *pattern, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
+using line::format;
 
 }  // namespace tool

@@ -7,7 +7,7 @@
 
 #include "cli/Input.h"
 #include "cli/Json.h"
-#include "cli/VariantOfLine.h"
+#include "line/report/VariantOfLine.h"
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
@@ -64,7 +64,7 @@ class Heard {
   const line::LineSettings _settings;
   line::Observer _observer;
   line::Examination _examination;
-  VariantOfLine _variant;
+  line::VariantOfLine _variant;
   line::Readings _readings;
   std::vector<uint64_t> _ends;      // of the frames, in us
   std::vector<uint64_t> _silences;  // where they begin, in us

@@ -23,7 +23,6 @@ void addSubcommands(CLI::App &app) {
   tool::addTelemetry(app);
   tool::addHex(app);
   tool::addCsv(app);
-  tool::addPlot(app);
   tool::addRecord(app);
   tool::addSend(app);
   tool::addCalibrate(app);

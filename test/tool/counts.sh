@@ -106,6 +106,5 @@ doctor|^S.BUS2: times are not known; [0-9]+ % with the lost-frame flag$
 doctor --json|"heard_ms":null
 monitor --seconds 0.3|  ok .*  - frames/s,
 monitor --json --seconds 0.3|"frames_per_second":null
-plot|>frames<
 END
 done

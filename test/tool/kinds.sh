@@ -61,12 +61,13 @@ run() {  # SUBCOMMAND 'FILE OPTION...', in $work: what it prints, without the fi
     monitor) "$SBUS" monitor $2 --simulated-time ;;
     csv) "$SBUS" csv $2 --every-frame --columns time,ch1-ch18,failsafe ;;
     decode) "$SBUS" decode $2 ;;
+    report) "$SBUS" summary $2 --html - ;;
     *) "$SBUS" "$1" $2 ;;
   esac 2>&1 | sed -e 's#standard input#input#; s#^\(sbus [a-z]*: \)*-:#\1input:#; s#^-,#input,#; s#record -\(:.*\)*$#record input\1#' \
     -e 's#decode -$#decode input#; s#<input$#<-#; s#, sigrok session:#, VCD:#'
 }
 cd "$work" || exit 1
-for subcommand in monitor doctor summary telemetry hex csv plot record send decode wave; do
+for subcommand in monitor doctor summary telemetry hex csv report record send decode wave; do
   bad=
   while read -r plain kind; do
     # A name that does not tell what it is.
@@ -104,7 +105,7 @@ $("$SBUS" decode two.vcd --csv 2>&1 >/dev/null | sed -n 's/^two.vcd: this is sig
 END
 [ "$first" = TAIL ] || [ "$first" = MAIN ]
 verdict $? "decode --csv says which signal it took: ${first:-none}"
-for subcommand in monitor doctor summary telemetry hex csv plot record send; do
+for subcommand in monitor doctor summary telemetry hex csv report record send; do
   bad=
   run $subcommand two.vcd >said
   grep -q "^two.vcd: this is signal $first; S.Bus is also on [A-Z]*: --signal NAME chooses$" said || bad="$bad says-nothing"

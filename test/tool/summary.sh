@@ -57,6 +57,34 @@ cat >"$work/wanted" <<'END'
 END
 diff "$work/wanted" "$work/json"
 verdict $? "summary --json of a flight has the same figures"
+
+# ---- The report: the same flight as a page
+
+"$SBUS" summary "$work/flight.txt" --html "$work/flight.html" && sed 's/<[^>]*>/ /g' "$work/flight.html" >"$work/words"
+while read -r words; do
+  grep -q "$words" "$work/words"
+  verdict $? "the report has: $words"
+done <<'END'
+Failsafe 3 times, 0.2 s in all; no frames 1 time, 0.5 s in all; 25.00 % of the frames lost\.
+1\.394 s long: 100 frames, 111\.. a second; 25 with the lost-frame flag, 0 missing, 23 in failsafe; 0 discarded bytes, 0 character errors
+S\.BUS, 100000 baud, 8E2, inverted
+Failsafe: 3 times, 0\.189 s in all
+No frames: 1 time, 0\.509 s in all
+Lost frames: 3 times, 0\.045 s in all
+END
+[ "$(grep -c '<rect class="failsafe" x=' "$work/flight.html")" -eq 2 ] && grep -q '<title>1.000 s: 41.4 % lost' "$work/flight.html" &&
+  grep -q '<title>2.000 s: 76.7 % lost' "$work/flight.html"
+verdict $? "the report's strip shows both seconds, and what was lost in them"
+[ "$(grep -c 'class="curve ' "$work/flight.html")" -eq 4 ] && [ "$(grep -o 'https*://[a-z0-9.]*' "$work/flight.html" | sort -u)" = http://www.w3.org ]
+verdict $? "the report has four curves, and needs no other file"
+"$SBUS" record sim "$work/well.txt" --simulated-time --seconds 9 2>"$work/err" && sed '/ 0[4-7] 00$/d' "$work/well.txt" >"$work/gaps.txt"
+for line in 'gaps.txt|warning' 'well.txt|warning' 'clean.txt|good'; do
+  case $line in clean*) awk '/^#/ { print; next } { $25 = "00"; print }' "$work/well.txt" >"$work/clean.txt" ;; esac
+  "$SBUS" summary "$work/${line%|*}" --html - | grep -o 'class="verdict [a-z]*">[^<]*' | tee "$work/verdict" | grep -q "verdict ${line#*|}\""
+  verdict $? "the report's verdict on ${line%|*}: $(sed 's/.*>//' "$work/verdict")"
+done
+[ "$("$SBUS" summary "$work/gaps.txt" --html - | grep -c '<rect class="lost"')" -ge 7 ]
+verdict $? "the report's strip shows frames that did not come"
 [ "$("$SBUS" summary sim --simulated-time --seconds 60 | grep -A 21 '^lost frames' | grep -c ' s to ')" -eq 20 ] &&
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
 verdict $? "summary lists the twenty longest losses"

@@ -269,26 +269,3 @@ awk '!/^#/ && !lines { print; next } { line[lines++] = $0 } /^#/ { end = substr(
 [ "$(wc -l <"$work/out")" -eq $((120 * $(wc -l <"$work/once") - 1)) ] && [ "$(wc -c <"$work/large.vcd")" -gt 2000000 ] &&
   grep -q "large.vcd:$(wc -l <"$work/large.vcd"): " "$work/err"
 verdict $? "decode finds every character of a capture of 2 MB, and reports its last line"
-
-"$SBUS" plot recordings/sbus2.txt -o "$work/sbus2.svg" && grep -q '>CH4</text>' "$work/sbus2.svg" &&
-  [ "$(grep -c 'class="curve' "$work/sbus2.svg")" -eq 4 ] && grep -q '>failsafe</text>' "$work/sbus2.svg"
-verdict $? "plot draws a recording of S.BUS2"
-"$SBUS" plot recordings/board/rows.txt -o "$work/rows.svg" && [ "$(grep -c 'class="curve' "$work/rows.svg")" -eq 18 ]
-verdict $? "plot draws a board's port that the scope has recorded"
-# What is plotted, and the labels and unit of the axis.
-sed -n '/^[0-9]/{p;q;}' recordings/paper.txt | sed 's/^160120/120/' >"$work/one-frame.txt"
-while IFS='|' read -r arguments labels; do
-  # shellcheck disable=SC2086  # the arguments are words
-  "$SBUS" plot $(echo "$arguments" | sed "s,WORK,$work,") >"$work/axis.svg" &&
-    [ "$(sed -nE 's/.* (y="422.0" text-anchor="middle"|y="440.0" text-anchor="end")>([^<]*)<.*/\2/p' "$work/axis.svg" | paste -sd ' ')" = "$labels" ]
-  verdict $? "plot $arguments has the axis $labels"
-done <<END
-WORK/one-frame.txt|2600 2800 3000 3200 3400 us
-sim --simulated-time --seconds 0.03|8 10 12 14 16 18 20 22 24 26 ms
-recordings/paper.txt|200 250 300 350 ms
-sim --simulated-time --seconds 0.9|100 200 300 400 500 600 700 800 ms
-sim --simulated-time --seconds 13|2 4 6 8 10 12 s
-END
-"$SBUS" plot "$work/one-frame.txt" --columns ch1 >"$work/one-frame.svg" &&
-  [ "$(grep -c '<circle .*cx="460.0" cy="226.0"' "$work/one-frame.svg")" -eq 1 ] && ! grep -q '<circle' "$work/sbus2.svg"
-verdict $? "plot of one frame has a ring in the middle, and no axis of zero length"

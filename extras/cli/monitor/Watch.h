@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cli/VariantOfLine.h"
+#include "line/report/VariantOfLine.h"
 #include "cli/monitor/MonitorView.h"
 #include "line/LineSettings.h"
 #include "line/Observer.h"
@@ -57,7 +57,7 @@ class Watch {
   const sbus::Range _pulses;
 
   line::Observer _observer;
-  VariantOfLine _variant;
+  line::VariantOfLine _variant;
   line::Readings _readings;
   sbus::Counters _before{};  // when the counters were reset
   unsigned long _errorsBefore = 0;

@@ -41,7 +41,7 @@ class CsvView {
     _rows.put(character);
     if (_rows.recognised()) {
       throw std::runtime_error(_source +
-                               ": these are rows of CSV already; sbus plot shows them, sbus record keeps them");
+                               ": these are rows of CSV already; sbus monitor shows them, sbus record keeps them");
     }
     _observer.put(character);
   }

@@ -9,7 +9,7 @@
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/Stop.h"
-#include "cli/VariantOfLine.h"
+#include "line/report/VariantOfLine.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Examination.h"

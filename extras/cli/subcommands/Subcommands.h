@@ -12,7 +12,6 @@ void addPorts(CLI::App &app);
 void addMonitor(CLI::App &app);
 void addHex(CLI::App &app);
 void addCsv(CLI::App &app);
-void addPlot(CLI::App &app);
 void addRecord(CLI::App &app);
 void addSend(CLI::App &app);
 void addCalibrate(CLI::App &app);

@@ -6,11 +6,11 @@
 
 #include "line/Observer.h"
 
-namespace tool {
+namespace line {
 
 class VariantOfLine {
  public:
-  void take(const line::Stretch &stretch);
+  void take(const Stretch &stretch);
 
   // Returns the variant that most of the 16-channel frames have; empty before the first frame.
   std::string text() const;
@@ -21,4 +21,4 @@ class VariantOfLine {
   unsigned long _extra = 0;
 };
 
-}  // namespace tool
+}  // namespace line

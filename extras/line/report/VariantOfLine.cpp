@@ -1,14 +1,14 @@
-#include "cli/VariantOfLine.h"
+#include "line/report/VariantOfLine.h"
 
 #include <algorithm>
 
-namespace tool {
+namespace line {
 
-void VariantOfLine::take(const line::Stretch &stretch) {
+void VariantOfLine::take(const Stretch &stretch) {
   const uint8_t variant = sbus::variantOfEnd(stretch.characters.back().value);
-  _of24 += stretch.kind == line::Stretch::Kind::Frame24;
-  _extra += stretch.kind == line::Stretch::Kind::Extra;
-  if (stretch.kind == line::Stretch::Kind::Frame && variant != sbus::UnknownVariant) {
+  _of24 += stretch.kind == Stretch::Kind::Frame24;
+  _extra += stretch.kind == Stretch::Kind::Extra;
+  if (stretch.kind == Stretch::Kind::Frame && variant != sbus::UnknownVariant) {
     _of16[variant]++;
   }
 }
@@ -26,4 +26,4 @@ std::string VariantOfLine::text() const {
   return _extra > *most / 2 ? "FASSTest 26" : Texts[most - _of16.begin()];
 }
 
-}  // namespace tool
+}  // namespace line

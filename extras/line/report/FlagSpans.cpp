@@ -1,16 +1,16 @@
-#include "cli/FlagSpans.h"
+#include "line/report/FlagSpans.h"
 
 #include "line/Silence.h"
 
-namespace tool {
+namespace line {
 
 bool FlagSpans::brokenUntil(uint64_t us, uint32_t lateUs) {
-  const line::Gap gap = _lastUs == 0 ? line::Gap::Ordinary : line::gapOf(_lastUs, us, lateUs);
-  if (gap == line::Gap::Ordinary) {
+  const Gap gap = _lastUs == 0 ? Gap::Ordinary : gapOf(_lastUs, us, lateUs);
+  if (gap == Gap::Ordinary) {
     return false;
   }
   finish();
-  _all.push_back({gap == line::Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, _lastUs, us});
+  _all.push_back({gap == Gap::Late ? FlagSpan::Kind::Late : FlagSpan::Kind::NoFrames, _lastUs, us});
   return true;
 }
 
@@ -35,4 +35,4 @@ void FlagSpans::set(Flag &flag, bool is) {
   flag.is = is;
 }
 
-}  // namespace tool
+}  // namespace line

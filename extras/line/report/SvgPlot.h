@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/FlagSpans.h"
+#include "line/report/FlagSpans.h"
 
-namespace tool {
+namespace line {
 
 struct Curve {
   struct Point {
@@ -34,4 +34,4 @@ struct Picture {
 
 std::string svg(const Picture &picture);
 
-}  // namespace tool
+}  // namespace line

@@ -1,11 +1,11 @@
 // Notes when there was failsafe, lost frames or silence, and when the PC was late: for the lines of `sbus summary` and
-// the shades of `sbus plot`.
+// the shades of its report.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-namespace tool {
+namespace line {
 
 struct FlagSpan {
   enum class Kind { Failsafe, LostFrame, NoFrames, Late };
@@ -55,4 +55,4 @@ class FlagSpans {
   uint64_t _lastUs = 0;
 };
 
-}  // namespace tool
+}  // namespace line

@@ -1,12 +1,12 @@
-#include "cli/SvgPlot.h"
+#include "line/report/SvgPlot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 
-namespace tool {
+namespace line {
 
 namespace {
 
@@ -255,4 +255,4 @@ std::string svg(const Picture &picture) {
   return Drawing(picture).text();
 }
 
-}  // namespace tool
+}  // namespace line

@@ -1,0 +1,211 @@
+#include "line/report/FlightLog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "line/Format.h"
+
+namespace line {
+
+namespace {
+
+constexpr uint64_t SecondUs = 1000000;
+constexpr double WarningAt = 0.02;  // of the frames
+
+// Returns how many microseconds of `span` lie between the two times.
+uint64_t commonUs(const FlagSpan &span, uint64_t fromUs, uint64_t toUs) {
+  const uint64_t begin = std::max(span.fromUs, fromUs);
+  const uint64_t end = std::min(span.toUs, toUs);
+  return end > begin ? end - begin : 0;
+}
+
+uint64_t sumUs(const std::vector<FlagSpan> &spans) {
+  uint64_t us = 0;
+  for (const FlagSpan &span : spans) {
+    us += span.us();
+  }
+  return us;
+}
+
+// Finds out how bad parts of the flight were, asked for in their order.
+class Judge {
+ public:
+  explicit Judge(const FlightLog &flight)
+      : _flight(flight),
+        _silences(flight.spans(FlagSpan::Kind::NoFrames)),
+        _late(flight.spans(FlagSpan::Kind::Late)),
+        _second(flight.seconds().begin()) {}
+
+  // Returns how bad the seconds from `first` up to `end`, without it, were.
+  Badness of(uint64_t first, uint64_t end) {
+    Badness part = {std::max(first * SecondUs, _flight.firstUs()),
+                    std::min(end * SecondUs, _flight.lastUs()),
+                    0,
+                    false,
+                    false,
+                    false};
+    FlightSecond sum;
+    for (; _second != _flight.seconds().end() && _second->first < end; ++_second) {
+      sum.frames += _second->second.frames;
+      sum.lost += _second->second.lost;
+      sum.failsafe += _second->second.failsafe;
+    }
+    const uint64_t silentUs = common(_silences, _silence, part);
+    const uint64_t lateUs = common(_late, _lateAt, part);
+    part.failsafe = sum.failsafe > 0;
+    part.silent = silentUs > 0;
+    part.late = lateUs > 0;
+    const uint64_t lengthUs = part.toUs > part.fromUs ? part.toUs - part.fromUs : 0;
+    const double expected =
+        static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.framesPerSecond();
+    const double missing = std::max(0.0, std::floor(expected) - sum.frames);  // one may lie on the border
+    const double all = sum.frames + (missing > 1 ? missing : 0);
+    part.lost = all > 0 ? (sum.lost + (missing > 1 ? missing : 0)) / all : 0;
+    return part;
+  }
+
+ private:
+  // Returns how much of the part the spans cover; `at` is the first one that may reach into it.
+  static uint64_t common(const std::vector<FlagSpan> &spans, size_t &at, const Badness &part) {
+    uint64_t us = 0;
+    while (at < spans.size() && spans[at].toUs <= part.fromUs) {
+      at++;
+    }
+    for (size_t i = at; i < spans.size() && spans[i].fromUs < part.toUs; i++) {
+      us += commonUs(spans[i], part.fromUs, part.toUs);
+    }
+    return us;
+  }
+
+  const FlightLog &_flight;
+  const std::vector<FlagSpan> _silences;
+  const std::vector<FlagSpan> _late;
+  std::map<uint64_t, FlightSecond>::const_iterator _second;
+  size_t _silence = 0;
+  size_t _lateAt = 0;
+};
+
+std::string times(const std::vector<FlagSpan> &spans) {
+  return format("%zu %s, %.1f s in all", spans.size(), spans.size() == 1 ? "time" : "times",
+                static_cast<double>(sumUs(spans)) / 1e6);
+}
+
+}  // namespace
+
+FlightLog::FlightLog(uint32_t characterUs) {
+  _observer.reset(0, characterUs);
+  _observer.listen([this](const Stretch &stretch) { take(stretch); });
+}
+
+void FlightLog::finish() {
+  _observer.finish();
+  _flags.finish();
+}
+
+void FlightLog::take(const Stretch &stretch) {
+  _variant.take(stretch);
+  if (!stretch.isFrame() || stretch.kind == Stretch::Kind::Extra) {
+    return;
+  }
+  const uint64_t us = stretch.endUs();
+  const bool isJoined = !_flags.brokenUntil(us, stretch.lateUs()) && _flags.lastUs() > 0;
+  if (isJoined) {
+    _intervals[(us - _flags.lastUs() + 500) / 1000]++;
+  }
+  const bool isLost = _observer.newest().lostFrame;
+  const bool isFailsafe = _observer.inFailsafe();
+  FlightSecond &second = _seconds[us / SecondUs];
+  second.frames++;
+  second.lost += isLost;
+  second.failsafe += isFailsafe;
+  _curves.put(us, _observer.newest().raw.data(), isJoined);
+  _flags.put(us, isFailsafe, isLost);
+}
+
+std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
+  std::vector<FlagSpan> spans;
+  std::copy_if(_flags.all().begin(), _flags.all().end(), std::back_inserter(spans),
+               [kind](const FlagSpan &span) { return span.kind == kind; });
+  return spans;
+}
+
+// The most frequent interval is that of a receiver, in whole milliseconds; the frames near it give its fraction.
+double FlightLog::framesPerSecond() const {
+  const auto most = std::max_element(_intervals.begin(), _intervals.end(),
+                                     [](const auto &a, const auto &b) { return a.second < b.second; });
+  if (most == _intervals.end() || most->first == 0) {
+    return 0;
+  }
+  double sum = 0;
+  unsigned long count = 0;
+  for (const auto &[ms, frames] : _intervals) {
+    if (ms + 2 >= most->first && ms <= most->first + 2) {
+      sum += static_cast<double>(ms) * static_cast<double>(frames);
+      count += frames;
+    }
+  }
+  return 1000.0 * static_cast<double>(count) / sum;
+}
+
+unsigned long FlightLog::missing() const {
+  const double perMs = framesPerSecond() / 1000;
+  unsigned long missing = 0;
+  for (const auto &[ms, count] : _intervals) {
+    const double periods = std::round(static_cast<double>(ms) * perMs);
+    missing += periods > 1 ? static_cast<unsigned long>(periods - 1) * count : 0;
+  }
+  return missing;
+}
+
+std::vector<Badness> stripOf(const FlightLog &flight, size_t count) {
+  const uint64_t first = flight.firstUs() / SecondUs;
+  const uint64_t end = flight.lastUs() / SecondUs + 1;
+  const uint64_t parts = std::min<uint64_t>(count, end - first);
+  Judge judge(flight);
+  std::vector<Badness> strip;
+  for (uint64_t i = 0; i < parts; i++) {
+    strip.push_back(judge.of(first + (end - first) * i / parts, first + (end - first) * (i + 1) / parts));
+  }
+  return strip;
+}
+
+std::vector<Badness> worstSeconds(const FlightLog &flight, size_t count) {
+  std::vector<Badness> worst;
+  Judge judge(flight);
+  for (uint64_t second = flight.firstUs() / SecondUs; second <= flight.lastUs() / SecondUs; second++) {
+    const Badness part = judge.of(second, second + 1);
+    if (part.lost > 0 || part.failsafe) {
+      worst.push_back(part);
+    }
+    if (worst.size() == 2 * count || second == flight.lastUs() / SecondUs) {
+      std::stable_sort(worst.begin(), worst.end(), [](const Badness &a, const Badness &b) {
+        return a.failsafe != b.failsafe ? a.failsafe : a.lost > b.lost;
+      });
+      worst.resize(std::min(worst.size(), count));
+    }
+  }
+  return worst;
+}
+
+FlightVerdict verdictOf(const FlightLog &flight) {
+  using Severity = FlightVerdict::Severity;
+  const std::vector<FlagSpan> failsafe = flight.spans(FlagSpan::Kind::Failsafe);
+  const std::vector<FlagSpan> silences = flight.spans(FlagSpan::Kind::NoFrames);
+  const sbus::Counters counters = flight.observer().counters();
+  const unsigned long all = counters.frames + flight.missing();
+  const double lost =
+      all > 0 ? static_cast<double>(counters.lostFrames + flight.missing()) / static_cast<double>(all) : 0;
+  const std::string lostText = format("%.2f %% of the frames lost", 100 * lost);
+  std::string text;
+  text += failsafe.empty() ? "" : "failsafe " + times(failsafe);
+  text += silences.empty() ? "" : (text.empty() ? "no frames " : "; no frames ") + times(silences);
+  if (!text.empty()) {
+    text[0] = text[0] == 'f' ? 'F' : 'N';
+    return {Severity::Bad, text + "; " + lostText + "."};
+  }
+  return lost >= WarningAt ? FlightVerdict{Severity::Warning, "No failsafe, no silence, but " + lostText + "."}
+                           : FlightVerdict{Severity::Good, "All well: no failsafe, no silence, " + lostText + "."};
+}
+
+}  // namespace line

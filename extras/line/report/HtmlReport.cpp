@@ -1,0 +1,218 @@
+#include "line/report/HtmlReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "line/Format.h"
+#include "line/recording/WallTime.h"
+#include "line/report/SvgPlot.h"
+
+namespace line {
+
+namespace {
+
+constexpr size_t StripColumns = 480;
+constexpr size_t WorstMost = 10;
+constexpr size_t SpansMost = 10;  // of a kind: the page prints on a sheet
+
+constexpr const char *Style =
+    ":root{color-scheme:light dark;--page:#fff;--text:#24292f;--quiet:#57606a;--edge:#d8dee4;--good:#1a7f37;"
+    "--warning:#9a6700;--bad:#cf222e;--lost:#bf8700;--failsafe:#cf222e;--silent:#6e7781;--late:#8250df}"
+    "@media(prefers-color-scheme:dark){:root{--page:#0d1117;--text:#e6edf3;--quiet:#8b949e;--edge:#30363d;"
+    "--good:#3fb950;--warning:#d29922;--bad:#ff7b72;--lost:#e3b341;--failsafe:#ff7b72;--silent:#8b949e;--late:#bc8cff}}"
+    "@media print{:root{--page:#fff;--text:#000;--quiet:#444;--edge:#bbb}body{margin:0}}"
+    "body{font:15px/1.45 system-ui,sans-serif;background:var(--page);color:var(--text);max-width:960px;margin:24px "
+    "auto;"
+    "padding:0 16px}h1{font-size:20px;margin:0}h2{font-size:15px;margin:20px 0 6px}"
+    "p{margin:4px 0}.quiet{color:var(--quiet)}.verdict{font-weight:600;border-left:6px solid;padding:6px "
+    "12px;margin:12px 0}"
+    ".good{border-color:var(--good)}.warning{border-color:var(--warning)}.bad{border-color:var(--bad)}"
+    "table{border-collapse:collapse;font-variant-numeric:tabular-nums}th{text-align:left;font-weight:600}"
+    "th,td{padding:2px 18px 2px 0;border-bottom:1px solid var(--edge)}td.n,th.n{text-align:right}"
+    "svg{width:100%;height:auto}.strip rect{shape-rendering:crispEdges}.base{fill:var(--edge)}"
+    ".lost{fill:var(--lost)}.failsafe{fill:var(--failsafe)}.silent{fill:var(--silent)}.late{fill:var(--late)}"
+    ".key i{display:inline-block;width:12px;height:12px;margin:0 4px 0 14px;vertical-align:-1px}"
+    "i.lost{background:var(--lost)}i.failsafe{background:var(--failsafe)}i.silent{background:var(--silent)}"
+    "i.late{background:var(--late)}.columns{display:flex;flex-wrap:wrap;gap:0 48px}section{break-inside:avoid}";
+
+struct Listed {
+  FlagSpan::Kind kind;
+  const char *name;
+  const char *colour;
+};
+constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "Failsafe", "failsafe"},
+                                {FlagSpan::Kind::NoFrames, "No frames", "silent"},
+                                {FlagSpan::Kind::LostFrame, "Lost frames", "lost"},
+                                {FlagSpan::Kind::Late, "PC late", "late"}};
+
+std::string escaped(const std::string &text) {
+  std::string safe;
+  for (const char c : text) {
+    safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return safe;
+}
+
+// Returns "61.250 s" of a flight of less than an hour, else "1:01:01.250".
+std::string timeText(uint64_t us) {
+  const auto ms = static_cast<unsigned long long>(us / 1000);
+  return ms < 3600000 ? format("%llu.%03llu s", ms / 1000, ms % 1000)
+                      : format("%llu:%02llu:%02llu.%03llu", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
+}
+
+std::string cell(const std::string &text) {
+  return "<td class=\"n\">" + text + "</td>";
+}
+
+// Draws each part as a column as high as the root of what was lost: 0.3 % and 40 % can be told apart.
+std::string strip(const FlightLog &flight) {
+  constexpr double Height = 48, Width = 2;
+  const std::vector<Badness> parts = stripOf(flight, StripColumns);
+  std::string text = format(
+      "<svg class=\"strip\" role=\"img\" aria-label=\"losses over the flight\" viewBox=\"0 0 %.0f %.0f\" "
+      "preserveAspectRatio=\"none\" style=\"height:64px\">\n<rect class=\"base\" y=\"%.0f\" width=\"%.0f\" "
+      "height=\"1\"/>\n",
+      static_cast<double>(parts.size()) * Width, Height, Height - 1, static_cast<double>(parts.size()) * Width);
+  for (size_t i = 0; i < parts.size(); i++) {
+    const Badness &part = parts[i];
+    const char *const name = part.failsafe ? "failsafe" : part.silent ? "silent" : part.late ? "late" : "lost";
+    const double share = part.failsafe || part.silent ? std::max(part.lost, 0.3) : part.late ? 0.1 : part.lost;
+    const double height = std::round(std::sqrt(share) * (Height - 1) * 10) / 10;
+    if (height > 0) {
+      text += format(
+          "<rect class=\"%s\" x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\"><title>%s: %.1f %% "
+          "lost</title></rect>\n",
+          name, static_cast<double>(i) * Width, Height - 1 - height, Width, height, timeText(part.fromUs).c_str(),
+          100 * part.lost);
+    }
+  }
+  text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.firstUs()) + " to " + timeText(flight.lastUs());
+  for (const Listed &each : AllListed) {
+    text += std::string("<i class=\"") + each.colour + "\"></i>" + each.name;
+  }
+  return text + "</p>\n";
+}
+
+std::string curves(const FlightLog &flight, const ReportFacts &facts) {
+  Picture picture;
+  picture.title = "CH1 to CH4 of " + facts.name;
+  picture.xTitle = "s";
+  picture.yTitle = "raw";
+  picture.xBegin = static_cast<double>(flight.firstUs()) / 1e6;
+  picture.xEnd = static_cast<double>(flight.lastUs()) / 1e6;
+  picture.xEnd = picture.xEnd > picture.xBegin ? picture.xEnd : picture.xBegin + 1;
+  for (size_t i = 0; i < Curves::Channels; i++) {
+    Curve curve;
+    curve.name = "CH" + std::to_string(i + 1);
+    for (const Curves::Bucket &bucket : flight.curves().buckets()) {
+      const double x = static_cast<double>(bucket.us) / 1e6;
+      curve.points.push_back({x, static_cast<double>(bucket.least[i]), bucket.joined});
+      if (bucket.most[i] != bucket.least[i]) {
+        curve.points.push_back({x, static_cast<double>(bucket.most[i]), true});
+      }
+    }
+    picture.curves.push_back(std::move(curve));
+  }
+  for (const Listed &each : AllListed) {
+    for (const FlagSpan &span : flight.spans(each.kind)) {
+      if (each.kind != FlagSpan::Kind::LostFrame) {  // the strip shows them
+        picture.spans.push_back(
+            {span.kind, static_cast<double>(span.fromUs) / 1e6, static_cast<double>(span.toUs) / 1e6});
+      }
+    }
+  }
+  return svg(picture);
+}
+
+std::string worst(const FlightLog &flight) {
+  std::string rows;
+  for (const Badness &part : worstSeconds(flight, WorstMost)) {
+    rows += "<tr>" + cell(timeText(part.fromUs)) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
+            (part.failsafe ? "failsafe"
+             : part.silent ? "no frames"
+             : part.late   ? "PC late"
+                           : "") +
+            "</td></tr>\n";
+  }
+  return "<section><h2>The worst seconds</h2>\n" +
+         (rows.empty() ? "<p>In no second was a frame lost.</p>"
+                       : "<table><tr><th class=\"n\">from</th><th class=\"n\">frames lost</th><th></th></tr>\n" + rows +
+                             "</table>") +
+         "</section>\n";
+}
+
+std::string spans(const FlightLog &flight, const Listed &listed) {
+  std::vector<FlagSpan> all = flight.spans(listed.kind);
+  if (all.empty()) {
+    return {};
+  }
+  uint64_t us = 0;
+  for (const FlagSpan &span : all) {
+    us += span.us();
+  }
+  std::string text =
+      std::string("<section><h2>") + listed.name +
+      format(": %zu %s, %.3f s in all", all.size(), all.size() == 1 ? "time" : "times", static_cast<double>(us) / 1e6) +
+      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
+  std::stable_sort(all.begin(), all.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.us() > b.us(); });
+  all.resize(std::min(all.size(), SpansMost));
+  for (const FlagSpan &span : all) {
+    text +=
+        "<tr>" + cell(timeText(span.fromUs)) + cell(format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
+  }
+  return text + "</table></section>\n";
+}
+
+std::string facts(const FlightLog &flight, const ReportFacts &facts) {
+  const Observer &observer = flight.observer();
+  const sbus::Counters counters = observer.counters();
+  std::string text = "<p class=\"quiet\">" + escaped(flight.variant()) + ", " + escaped(facts.settings);
+  text += facts.startUs ? ", " + wallTime(*facts.startUs).substr(0, 19).replace(10, 1, " ") + " UTC" : "";
+  text += format(
+      "</p>\n<p>%s long: %lu frames, %.1f a second; %lu with the lost-frame flag, %lu missing, %lu in failsafe; ",
+      timeText(flight.lastUs() - flight.firstUs()).c_str(), static_cast<unsigned long>(counters.frames),
+      flight.framesPerSecond(), static_cast<unsigned long>(counters.lostFrames), flight.missing(),
+      static_cast<unsigned long>(counters.failsafeFrames));
+  return text + format("%lu discarded bytes, %lu character errors.</p>\n", observer.discardedBytes(),
+                       observer.characterErrors());
+}
+
+std::string intervals(const FlightLog &flight) {
+  std::vector<std::pair<uint64_t, unsigned long>> all(flight.intervals().begin(), flight.intervals().end());
+  std::stable_sort(all.begin(), all.end(), [](const auto &a, const auto &b) { return a.second > b.second; });
+  all.resize(std::min(all.size(), WorstMost));
+  std::sort(all.begin(), all.end());
+  std::string rows;
+  for (const auto &[ms, count] : all) {
+    rows +=
+        "<tr>" + cell(format("%llu ms", static_cast<unsigned long long>(ms))) + cell(std::to_string(count)) + "</tr>\n";
+  }
+  return rows.empty() ? "" : "<section><h2>Intervals between frames</h2>\n<table>" + rows + "</table></section>\n";
+}
+
+const char *classOf(FlightVerdict::Severity severity) {
+  return severity == FlightVerdict::Severity::Good      ? "good"
+         : severity == FlightVerdict::Severity::Warning ? "warning"
+                                                        : "bad";
+}
+
+}  // namespace
+
+std::string htmlReport(const FlightLog &flight, const ReportFacts &about) {
+  const FlightVerdict verdict = verdictOf(flight);
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width\"><title>" +
+      escaped(about.name) + "</title>\n<style>" + Style + "</style></head>\n<body>\n<h1>" + escaped(about.name) +
+      "</h1>\n";
+  text += facts(flight, about);
+  text += std::string("<p class=\"verdict ") + classOf(verdict.severity) + "\">" + verdict.text + "</p>\n";
+  text += strip(flight) + curves(flight, about) + "<div class=\"columns\">\n" + worst(flight);
+  for (const Listed &each : AllListed) {
+    text += spans(flight, each);
+  }
+  return text + intervals(flight) + "</div>\n</body></html>\n";
+}
+
+}  // namespace line
