@@ -18,8 +18,9 @@ constexpr size_t FramesMin = 30;  // so that a line's first lost frame does not 
 
 void HeldLink::frame(uint64_t us, uint8_t flags, sbus::LinkState link, uint64_t knownUs) {
   const bool lost = (flags & sbus::FlagLostFrame) != 0;
-  _second.push_back({us, lost});
-  _lost += lost;
+  const bool counts = lost && (flags & sbus::FlagFailsafe) == 0;  // after a failsafe the link is fine at once
+  _second.push_back({us, counts});
+  _lost += counts;
   while (_second.front().us + SecondUs <= us) {
     _lost -= _second.front().lost;
     _second.pop_front();

@@ -31,7 +31,7 @@ class HeldLink {
  private:
   struct Came {
     uint64_t us;
-    bool lost;
+    bool lost;  // without failsafe
   };
 
   std::deque<Came> _second;  // frames of the last second

@@ -75,7 +75,7 @@ TEST_CASE("a lost frame that a port brought late is shown from when it came") {
 TEST_CASE("failsafe shows at once, by the flag and by the loss limit, and for 0.2 s more; a stale link shows at once") {
   Line line;
   line.frame(0);
-  line.frame(sbus::FlagFailsafe);
+  line.frame(sbus::FlagLostFrame | sbus::FlagFailsafe);
   line.frame(0);
   CHECK(line.held.state(LinkState::Ok, 2 * FrameUs + 199000) == LinkState::Failsafe);
   CHECK(line.held.state(LinkState::Ok, 2 * FrameUs + 200000) == LinkState::Ok);

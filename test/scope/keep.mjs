@@ -45,6 +45,7 @@ export default async function () {
     const [first] = text.split('\n').filter((line) => /^\d/.test(line));
     assert.ok(Number(first.split(' ')[0]) <= 9000, first); // us: a frame comes every 9 ms
     const rows = (csv) => csv.trim().split('\n').slice(1).map((row) => row.split(','));
+    await drawn(page); // what was recorded up to the click
     const before = rows((await downloaded(page, '#csv')).text);
     await play(page, recording);
     await toEnd(page);
