@@ -64,7 +64,10 @@ export default async function () {
     }
     await check(`the page finds on ${source}: ${finding}`, async () => {
       const page = await new Page().load();
-      const option = (name) => new RegExp(`--${name}(?: (\\w+))?`).exec(source)?.map((word) => word ?? true)[1];
+      const words = (/^sim:(\S+)/.exec(source)?.[1] ?? '').split(',').map((word) => word.split('='));
+      const options = new Map(words.map(([word, value]) => (/^\d/.test(word) ? ['channels', word] : [word, value ?? true])));
+      options.set('baud', /--baud (\d+)/.exec(source)?.[1]);
+      const option = (name) => options.get(name);
       const text = source.startsWith('sim') ? '' : readFileSync(path.resolve(test, source.replace('WORK', folder)), 'utf8');
       const found = text === '' ? [page.simulated(option)] : [page.recording(text)];
       if (text.includes('~')) {
