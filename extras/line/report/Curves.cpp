@@ -22,27 +22,32 @@ void Curves::put(uint64_t us, const uint16_t *channels, bool joined) {
   }
 }
 
-// Joins buckets until half of the room is free. Silences, which part curves, can be more than that: then short ones
-// close.
+// Makes room: afterwards the time so far has half as many buckets as there may be. Silences part curves; if there are too
+// many of them, the short ones close.
 void Curves::halve() {
-  for (bool keepsSilences = true; _buckets.size() > MostBuckets / 2;) {
-    const size_t before = _buckets.size();
+  while ((_buckets.back().us - _buckets.front().us) / _bucketUs >= MostBuckets / 2) {
     _bucketUs *= 2;
-    size_t kept = 0;
-    for (const Bucket &bucket : _buckets) {
-      Bucket *const last = kept == 0 ? nullptr : &_buckets[kept - 1];
-      if (last == nullptr || bucket.us / _bucketUs != last->us / _bucketUs || (keepsSilences && !bucket.joined)) {
-        _buckets[kept++] = bucket;
-        continue;
-      }
-      for (size_t i = 0; i < Channels; i++) {
-        last->least[i] = std::min(last->least[i], bucket.least[i]);
-        last->most[i] = std::max(last->most[i], bucket.most[i]);
-      }
-    }
-    _buckets.resize(kept);
-    keepsSilences = kept < before;
   }
+  join(true);
+  if (_buckets.size() > MostBuckets / 4 * 3) {
+    join(false);
+  }
+}
+
+void Curves::join(bool keepsSilences) {
+  size_t kept = 0;
+  for (const Bucket &bucket : _buckets) {
+    Bucket *const last = kept == 0 ? nullptr : &_buckets[kept - 1];
+    if (last == nullptr || bucket.us / _bucketUs != last->us / _bucketUs || (keepsSilences && !bucket.joined)) {
+      _buckets[kept++] = bucket;
+      continue;
+    }
+    for (size_t i = 0; i < Channels; i++) {
+      last->least[i] = std::min(last->least[i], bucket.least[i]);
+      last->most[i] = std::max(last->most[i], bucket.most[i]);
+    }
+  }
+  _buckets.resize(kept);
 }
 
 }  // namespace line

@@ -28,6 +28,7 @@ class Curves {
   static constexpr size_t MostBuckets = 2048;
 
   void halve();
+  void join(bool keepsSilences);
 
   std::vector<Bucket> _buckets;
   uint64_t _bucketUs = 1;

@@ -1,0 +1,126 @@
+// A flight in bounded memory, and the dates of recordings.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "line/recording/Recording.h"
+#include "line/recording/RecordingWriter.h"
+#include "line/recording/WallTime.h"
+#include "line/report/Curves.h"
+#include "line/report/FlightLog.h"
+#include "line/simulation/SimulatedReceiver.h"
+#include "sbus/Frame.h"
+
+namespace {
+
+// Takes a frame that ends at `us`.
+void fly(line::FlightLog &flight, uint64_t us, bool failsafe, bool lostFrame) {
+  uint16_t channels[sbus::ChannelCount] = {992, 992, 172, 992};
+  uint8_t frame[sbus::FrameSize];
+  sbus::pack(frame, channels, failsafe, lostFrame);
+  for (size_t i = 0; i < sbus::FrameSize; i++) {
+    flight.put({us - (sbus::FrameSize - 1 - i) * line::CharacterUs, frame[i]});
+  }
+  flight.idleUntil(us);
+}
+
+}  // namespace
+
+TEST_CASE("ten hours of curves need 2048 stretches of time, and keep the ends of the sticks") {
+  line::Curves curves;
+  constexpr uint64_t Frames = 4000000;
+  for (uint64_t i = 0; i < Frames; i++) {
+    const auto value = static_cast<uint16_t>(i == Frames / 2 ? 1811 : 992);
+    const uint16_t channels[line::Curves::Channels] = {value, 172, 992, static_cast<uint16_t>(i % 2000)};
+    curves.put(i * 9000, channels, i != Frames / 4);
+  }
+  CHECK(curves.buckets().size() <= 2048);
+  CHECK(curves.buckets().size() > 1024);
+  size_t peaks = 0, parts = 0;
+  for (const line::Curves::Bucket &bucket : curves.buckets()) {
+    peaks += bucket.most[0] == 1811;
+    parts += !bucket.joined;
+  }
+  CHECK(peaks == 1);
+  CHECK(parts == 2);
+}
+
+TEST_CASE("a line with more silences than room has curves all the same") {
+  line::Curves curves;
+  for (uint64_t i = 0; i < 100000; i++) {
+    const uint16_t channels[line::Curves::Channels] = {992, 992, 172, 992};
+    curves.put(i * 200000, channels, false);
+  }
+  CHECK(curves.buckets().size() <= 2048);
+}
+
+TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was lost") {
+  // 10 s at 9 ms. In second 3 every second frame is lost, in second 6 every third one does not come; from 8.0 s
+  // failsafe.
+  line::FlightLog flight(line::CharacterUs);
+  for (unsigned i = 0; i < 1111; i++) {
+    const uint64_t us = 5000 + uint64_t{i} * 9000;
+    const uint64_t second = us / 1000000;
+    if (second != 6 || i % 3 != 0) {
+      fly(flight, us, second >= 8, second >= 8 || (second == 3 && i % 2 == 0));
+    }
+  }
+  flight.finish();
+  CHECK(flight.framesPerSecond() == doctest::Approx(111.1).epsilon(0.02));
+  CHECK(flight.missing() == 37);
+  const std::vector<line::Badness> worst = line::worstSeconds(flight, 3);
+  REQUIRE(worst.size() == 3);
+  CHECK(worst[0].fromUs == 8000000);
+  CHECK(worst[0].failsafe);
+  CHECK(worst[2].fromUs == 3000000);
+  CHECK(worst[2].lost == doctest::Approx(0.5).epsilon(0.03));
+  const std::vector<line::Badness> strip = line::stripOf(flight, 480);
+  REQUIRE(strip.size() == 10);
+  CHECK(strip[1].lost == 0);
+  CHECK(strip[6].lost == doctest::Approx(0.33).epsilon(0.05));
+  CHECK(strip[9].failsafe);
+  CHECK(line::stripOf(flight, 2).size() == 2);
+  CHECK(line::verdictOf(flight).text.substr(0, 28) == "Failsafe 1 time, 2.0 s in al");
+}
+
+TEST_CASE("a date is written and read to the microsecond") {
+  struct {
+    int64_t us;
+    const char *text;
+  } const table[] = {{0, "1970-01-01T00:00:00.000000Z"},
+                     {1795619778123456, "2026-11-25T15:16:18.123456Z"},
+                     {951782399999999, "2000-02-28T23:59:59.999999Z"},
+                     {951868800000000, "2000-03-01T00:00:00.000000Z"},
+                     {951782400000000, "2000-02-29T00:00:00.000000Z"},
+                     {4107542399000000, "2100-02-28T23:59:59.000000Z"},
+                     {4107542400000000, "2100-03-01T00:00:00.000000Z"},
+                     {-1, "1969-12-31T23:59:59.999999Z"}};
+  for (const auto &each : table) {
+    CAPTURE(each.text);
+    CHECK(line::wallTime(each.us) == each.text);
+    int64_t us = 0;
+    CHECK(line::parseWallTime(each.text, us));
+    CHECK(us == each.us);
+  }
+  int64_t us = 0;
+  CHECK(line::parseWallTime("1970-01-01T00:00:01Z", us));
+  CHECK(us == 1000000);
+  for (const char *wrong : {"", "1970-01-01", "1970-01-01T00:00:01", "1970-13-01T00:00:01Z", "1970-01-01T24:00:01Z",
+                            "1970-01-01T00:00:01.Z", "1970-01-01T00:00:01.5", "1970-01-01T00:00:01.5Zx"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(line::parseWallTime(wrong, us));
+  }
+}
+
+TEST_CASE("a recording says when it began, and an older one does not") {
+  line::RecordingWriter writer;
+  writer.comment("sbus record sim");
+  writer.began(951782399999999);
+  writer.opened(line::LineSettings());
+  const std::string text = writer.take();
+  CHECK(text == "# sbus record sim\n# format 1, began 2000-02-28T23:59:59.999999Z\n# 100000 baud, 8E2, inverted\n");
+  CHECK(line::startIn(text) == 951782399999999);
+  CHECK(line::settingsIn(text) == line::LineSettings());
+  CHECK_FALSE(line::startIn("# 100000 baud, 8E2, inverted\n120 0F\n"));
+  CHECK_FALSE(line::startIn("120 0F\n# format 1, began 2000-02-28T23:59:59.999999Z\n"));
+}
