@@ -38,7 +38,7 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   }
 
   /// Reads the sensor, and says how far its values can be trusted. `trust.age`: how old they are, ms, at most 10 ms too
-  /// high (FASSTest 12CH, and after four lost frames in a row: 60 ms); 65535 stands for 65535 or more. `trust.times`:
+  /// high (FASSTest 12CH, and after four lost frames in a row: 60 ms); 65535 means 65535 or more. `trust.times`:
   /// how often in a row they have come without a change, 1..8, where 8 is 8 or more. `trust` changes only if it returns
   /// true.
   template <typename Sensor>

@@ -32,7 +32,7 @@ constexpr unsigned CoreBuffer = 64;
 constexpr unsigned CoreBuffer = SmallestBuffer;
 #endif
 
-// A Teensy 4 also counts the bytes of its FIFO, which stand behind what its full buffer has lost (cores 7f107ee,
+// A Teensy 4 also counts the bytes of its FIFO, which came after what its full buffer has lost (cores 7f107ee,
 // teensy4/HardwareSerial.cpp:449, 642).
 #if defined(SBUS_TEENSY4)
 constexpr bool CountsFifo = true;

@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t Divider = 64;  // of the clock: a tick is 4 us at 16 MHz, 5.3 us at 12 MHz
 constexpr uint8_t Soonest = 3;    // ticks
 constexpr uint8_t Latest = 150;
-constexpr uint8_t MostLate = 64;  // ticks: micros() stands still from 256 on
+constexpr uint8_t MostLate = 64;  // ticks: micros() stops from 256 on
 
 HardwareSerial *sender = nullptr;  // null: free
 void *sensor;

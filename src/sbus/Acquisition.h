@@ -41,7 +41,7 @@ class Acquisition {
     } else if (_run == Format::Size) {
       _doubts = 0;
     } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {
-      // These may be the end of a frame of the other size that lost characters, behind a stray character.
+      // These may be the end of a frame of the other size that lost characters, after a stray character.
       _doubts = _doubts == 0 ? 1 : _doubts;
     } else if (_doubts > 0) {
       _doubts--;
@@ -58,7 +58,7 @@ class Acquisition {
   /// Returns how many characters stood between the two newest gaps; 255 if unknown.
   int lastRun() const { return _lastRun; }
 
-  /// Returns true if a frame may stand here: frames are not forbidden, and it stands at a gap if the line shows any, or
+  /// Returns true if a frame may begin here: frames are not forbidden, and it begins at a gap if the line shows any, or
   /// is the first on the line (`isFirst`).
   bool allows(bool isAtGap, bool isFirst) const {
     const bool hidesGaps = !showsGaps();  // in the condition it would cost 44 bytes on a Cortex-M0+
@@ -66,7 +66,7 @@ class Acquisition {
   }
 
   /// Takes the end byte of a frame that a slot's ID follows. Returns true if the frame before announced the group
-  /// before. Frames of 24 channels whose sticks stand still may look like one of S.BUS2 and an ID, but not in turn:
+  /// before. Frames of 24 channels whose sticks rest may look like one of S.BUS2 and an ID, but not in turn:
   /// without this rule 2141 of 10000 such frames are accepted (`make impairment WITHOUT=turn`).
   bool isInTurn(uint8_t end) {
     const uint8_t before = _group;
@@ -81,7 +81,7 @@ class Acquisition {
   // Returns true if the line may be one of the other frame size.
   bool isDoubted() const { return _doubts != 0; }
 
-  // Returns true if the line shows gaps: the first frame then stands at one.
+  // Returns true if the line shows gaps: the first frame then begins at one.
   bool showsGaps() const { return _run < (_lastRun == 0 ? 2 * Format::Size : Unseen); }
 
   uint8_t _doubts;   // gaps until frames are allowed again

@@ -29,7 +29,7 @@ struct CalibratedChannel {
 struct Calibration {
   uint16_t version;                               ///< CalibrationVersion
   CalibratedChannel channels[ProportionalCount];  ///< CH1..CH16
-  uint16_t checkValue;                            ///< CRC-16/CCITT-FALSE of all that stands before it
+  uint16_t checkValue;                            ///< CRC-16/CCITT-FALSE of all the bytes before it
 };
 
 /// The version of this layout. Erased EEPROM holds 0 or FFFF, which are never versions.

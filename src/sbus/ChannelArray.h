@@ -8,7 +8,7 @@
 namespace sbus {
 
 /// What a function takes that reads or writes `Count` channels: an array, which does not compile if it is too small, or
-/// a pointer, behind which there must be as many values. `Value` is const uint16_t, or uint16_t if it writes.
+/// a pointer to as many values. `Value` is const uint16_t, or uint16_t if it writes.
 template <typename Value, uint8_t Count>
 class ChannelArray {
   template <typename>

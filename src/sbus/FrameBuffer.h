@@ -31,7 +31,7 @@ class FrameBuffer {
   uint8_t *bytes() { return _incoming; }                            ///< the incoming frame, filled() bytes
   const uint8_t *bytes() const { return _incoming; }                ///< the incoming frame
   uint8_t operator[](int index) const { return _incoming[index]; }  ///< a byte of the incoming frame
-  /// Returns true if a header stands at `index`.
+  /// Returns true if there is a header at `index`.
   bool isHeader(int index) const { return isHeaderByte<Format>(_incoming[index]); }
 
   /// Returns the index of the first byte after the newest gap, 0..filled(), or Nowhere.

@@ -114,9 +114,9 @@ const uint8_t *FrameFinderOf<Format, Events>::search(int waiting) {
 // Notes when the frame that the buffer begins with was complete: once, in the poll that brought its end.
 template <typename Format, typename Events>
 inline void FrameFinderOf<Format, Events>::noteEnd(int waiting) {
-  const int behind = _buffer.filled() - Size;
-  if (behind >= 0 && static_cast<unsigned>(behind + waiting) < _found) {
-    _completeAfter = _timing.endedAfter(static_cast<unsigned>(behind + waiting));
+  const int following = _buffer.filled() - Size;
+  if (following >= 0 && static_cast<unsigned>(following + waiting) < _found) {
+    _completeAfter = _timing.endedAfter(static_cast<unsigned>(following + waiting));
   }
 }
 
@@ -137,8 +137,8 @@ bool FrameFinderOf<Format, Events>::scan(int waiting) {
 template <typename Format, typename Events>
 inline bool FrameFinderOf<Format, Events>::find() {
   while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
-    // A sensor's answer: the next frame is expected behind it, and behind a gap where the answer lacks a character. So
-    // it is behind a break, if an answer or a gap follows.
+    // A sensor's answer: the next frame is expected after it, and after a gap where the answer lacks a character. So
+    // it is after a break, if an answer or a gap follows.
     const int untilGap = _buffer.isGapCertain() ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
     int size = SlotSize;
     if (rules::isBreak(_buffer[0])) {

@@ -69,7 +69,7 @@ struct Candidate {
   SBUS_IN_LINE int size() const { return Format::Size + line().tailSize; }
   /// Returns true if a gap follows it, or cuts its tail short.
   SBUS_IN_LINE bool isGapAfter() const { return isGapCertain && gapAt >= Format::Size && gapAt <= size(); }
-  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< a gap stands before it
+  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< a gap comes before it
 };
 
 /// The rules, a function each: without a rule its function always returns what test/impairment/RULES says. All but
@@ -77,7 +77,7 @@ struct Candidate {
 namespace rules {
 
 constexpr int MostNoise = 4;  ///< characters in a row that may be noise
-/// Candidate::offBy of the first character on a line, or behind a long silence.
+/// Candidate::offBy of the first character on a line, or after a long silence.
 constexpr int FirstOffBy = 2;
 
 /// Returns true if the unused bits of the flags are 0.
@@ -119,7 +119,7 @@ SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format>
   return c.gapAt == after && acquisition.lastRun() == after && mayHaveStray(c);
 }
 
-/// Returns true if, before the first frame, its tail before a gap may be the end of the next frame: no gap stands
+/// Returns true if, before the first frame, its tail before a gap may be the end of the next frame: no gap comes
 /// before it.
 template <typename Format>
 SBUS_IN_LINE bool mayBeNoTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
@@ -133,7 +133,7 @@ SBUS_IN_LINE bool endsTwice(const Candidate<Format> &c) {
   return c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
 }
 
-/// Returns the index of a header behind an end byte inside it, where the next frame may begin; otherwise Size. Any end
+/// Returns the index of a header after an end byte inside it, where the next frame may begin; otherwise Size. Any end
 /// byte counts while the line's variant is unknown.
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
@@ -169,7 +169,7 @@ SBUS_IN_LINE bool hasSlots(uint8_t variant) {
   return Format::HasExtra && variant == SlotsVariant;
 }
 
-/// Returns true if a slot follows it, perhaps behind a break. Acquisition::isInTurn() says when that proves the first
+/// Returns true if a slot follows it, perhaps after a break. Acquisition::isInTurn() says when that proves the first
 /// frame.
 template <typename Format>
 SBUS_IN_LINE bool isSlotNext(const Candidate<Format> &c) {
@@ -240,7 +240,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
         isAtGap = true;
         isPlaced = true;
       } else if (c.count == c.size() + 1 && mayHaveStray(c)) {
-        return Verdict::wait();  // for a gap, or a slot behind a break (20 bytes less than waiting for these only)
+        return Verdict::wait();  // for a gap, or a slot after a break (20 bytes less than waiting for these only)
       } else {
         isInTurn = isSlotNext(c) && acquisition.isInTurn(c.end());
         if (!isInTurn) {

@@ -48,11 +48,11 @@ class LineTiming {
     _idleCharacters = idleCharacters;
   }
 
-  /// Returns a time before the end of the byte that `behind` others follow in this poll. The poll before did not find
+  /// Returns a time before the end of the byte that `more` others follow in this poll. The poll before did not find
   /// this byte: the port held it back, together with those that follow it, and waited for each of them.
-  uint32_t endedAfter(unsigned behind) const {
+  uint32_t endedAfter(unsigned more) const {
     constexpr unsigned Each = MostIdleCharacters + 1;
-    return _pollBefore - (MostIdleCharacters + (behind < LongestBurst ? behind : LongestBurst) * Each) * _characterTime;
+    return _pollBefore - (MostIdleCharacters + (more < LongestBurst ? more : LongestBurst) * Each) * _characterTime;
   }
 
   /// Takes the time of a poll that found nothing.

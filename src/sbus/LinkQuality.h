@@ -46,7 +46,7 @@ class LinkQuality {
 
   Mark _marks[MarkCount];  // 250 ms apart
   uint8_t _count = 0;      // of them
-  uint8_t _next = 0;       // where the next one stands; the oldest, if there are four
+  uint8_t _next = 0;       // where the next one goes; the oldest, if there are four
   uint16_t _rate = 0;      // 1/256 frames a second
 };
 

@@ -7,7 +7,7 @@ int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *sl
     return -1;
   }
   uint8_t next = firstSlotOf(end);  // the lowest slot that may follow
-  const uint8_t behind = static_cast<uint8_t>(next + (endsVariant(end, TailVariant) ? 1 : SlotsOfGroup));
+  const uint8_t limit = static_cast<uint8_t>(next + (endsVariant(end, TailVariant) ? 1 : SlotsOfGroup));
   const uint8_t *const after = characters + count;
   if (count != 0 && *characters == 0) {
     characters++;  // the break of the frame
@@ -16,7 +16,7 @@ int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *sl
   int8_t found = 0;
   while (characters < after) {
     const uint8_t number = slotOfId(characters[0]);
-    if (!isSlotId(characters[0]) || number < next || number >= behind || after - characters < SlotSize) {
+    if (!isSlotId(characters[0]) || number < next || number >= limit || after - characters < SlotSize) {
       return -1;
     }
     slots[found++] = {number, {characters[1], characters[2]}};
@@ -38,19 +38,19 @@ int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *sl
 uint8_t wholeSlots(uint8_t end, bool isOpen, const uint8_t *characters, uint8_t count, uint8_t expected, uint8_t breaks,
                    SlotData *data) {
   const uint8_t first = firstSlotOf(end);
-  const uint8_t *const behind = characters + count;
+  const uint8_t *const stop = characters + count;
   const auto sizeOf = [breaks](uint8_t k) -> uint8_t { return (breaks >> k & 1) != 0 ? SlotSize + 1 : SlotSize; };
   const auto isId = [&](const uint8_t *at, uint8_t k) {
-    return at < behind && at[0] == slotId(static_cast<uint8_t>(first + k));
+    return at < stop && at[0] == slotId(static_cast<uint8_t>(first + k));
   };
   const auto isComplete = [&](const uint8_t *at, uint8_t k) {
     const uint8_t size = sizeOf(k);
-    return behind - at >= size && (size == SlotSize || at[SlotSize] == 0);
+    return stop - at >= size && (size == SlotSize || at[SlotSize] == 0);
   };
 
   // From the beginning on: each slot that the next one follows where it should.
   uint8_t whole = 0, last = 0;
-  const uint8_t *at = characters[0] == 0 ? characters + 1 : characters;  // behind the frame's break
+  const uint8_t *at = characters[0] == 0 ? characters + 1 : characters;  // after the frame's break
   SlotData before = {0, 0};
   uint8_t k = 0;
   for (; k < SlotsOfGroup; k++) {
@@ -71,11 +71,11 @@ uint8_t wholeSlots(uint8_t end, bool isOpen, const uint8_t *characters, uint8_t 
     at += sizeOf(k);
   }
   if (isOpen) {
-    const bool isLast = k == SlotsOfGroup && at < behind && at[0] == HeaderByte && before.data1 != HeaderByte;
+    const bool isLast = k == SlotsOfGroup && at < stop && at[0] == HeaderByte && before.data1 != HeaderByte;
     return isLast ? whole | last : whole;
   }
   // From the end on.
-  at = behind;
+  at = stop;
   for (k = SlotsOfGroup; k-- > 0;) {
     if ((expected >> k & 1) == 0) {
       continue;

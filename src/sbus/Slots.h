@@ -72,8 +72,8 @@ int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *sl
 /// `data` (bit k of the result: data[k] has slot k of the group). Bit k of `expected` and of `breaks` says that slot k
 /// comes on this line, and that a break follows it. `isOpen`: a frame that was rejected follows the group among them.
 ///
-/// A slot is whole if it stands where the expected slots before it, or those behind it, leave it, and the next slot
-/// stands behind it. Characters that are missing or too many cost only the slots from the first to the last of them.
+/// A slot is whole if it is where the expected slots before it, or those after it, leave it, and the next slot
+/// follows it. Characters that are missing or too many cost only the slots from the first to the last of them.
 uint8_t wholeSlots(uint8_t end, bool isOpen, const uint8_t *characters, uint8_t count, uint8_t expected, uint8_t breaks,
                    SlotData *data);
 
