@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "cli/Output.h"
 #include "cli/Stop.h"
@@ -15,10 +16,7 @@ namespace {
 
 constexpr uint64_t TickUs = 1000;
 
-uint64_t sinceUs(std::chrono::steady_clock::time_point start) {
-  const auto time = std::chrono::steady_clock::now() - start;
-  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(time).count());
-}
+constexpr std::chrono::microseconds Soon(250);
 
 }  // namespace
 
@@ -29,52 +27,110 @@ void Input::check() {
   }
 }
 
+uint64_t Input::sinceUs() const {
+  return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _start).count());
+}
+
 void Input::wait() {
-  if (!_line->wait()) {
+  if (std::exchange(_hurries, false)) {
+    std::this_thread::sleep_for(Soon);
+  } else if (!_line->wait()) {
     std::this_thread::sleep_for(std::chrono::microseconds(TickUs));
   }
 }
 
-void Input::run(const std::function<void(const line::Character &)> &put,
-                const std::function<void(uint64_t nowUs)> &tick) {
+void Input::begin(Clock::time_point start) {
   if (_pace == Pace::True) {
     setLineByLine();
   }
-  const auto start = std::chrono::steady_clock::now();
-  const uint64_t endUs = _seconds > 0 ? _startUs + static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
+  _start = start;
+  _nowUs = _startUs;
+  _endUs = _seconds > 0 ? _startUs + static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   _line->opened(0);
-  for (uint64_t nowUs = _startUs; !_ended && !stopped();) {
-    for (line::Character character; _line->next(nowUs, character);) {
-      put(character);
-    }
-    _knownUs = _line->knownUs(nowUs);
-    tick(nowUs);
-    const std::string news = _line->news();
-    if (!news.empty() && _tell) {
-      _tell(news);
-    } else if (!news.empty()) {
-      std::fprintf(stderr, "%s\n", news.c_str());
-    }
-    if (!_line->failure().empty()) {
-      throw std::runtime_error(_line->failure());
-    }
-    if (_line->finished(nowUs) || nowUs >= endUs) {
-      return;
-    }
-    if (_pace == Pace::AtOnce) {
-      nowUs += TickUs;
-      while (!_line->mayGoTo(nowUs) && !stopped()) {
-        flush();
-        wait();
-        if (_seconds > 0 && static_cast<double>(sinceUs(start)) > _seconds * 1e6) {
-          return;  // nothing comes any more
-        }
-      }
-    } else {
+}
+
+// Hands over what has come. Returns false at the end.
+bool Input::step(const Taker &taker) {
+  for (line::Character character; _line->next(_nowUs, character);) {
+    taker.put(character);
+  }
+  _knownUs = _line->knownUs(_nowUs);
+  taker.tick(_nowUs);
+  const std::string news = _line->news();
+  if (!news.empty() && _tell) {
+    _tell(news);
+  } else if (!news.empty()) {
+    std::fprintf(stderr, "%s\n", news.c_str());
+  }
+  if (!_line->failure().empty()) {
+    throw std::runtime_error(_line->failure());
+  }
+  return !_ended && !_line->finished(_nowUs) && _nowUs < _endUs;
+}
+
+// Goes on to the next time. Returns false if not all characters up to then have come yet.
+bool Input::advance() {
+  uint64_t nextUs = _nowUs + TickUs;
+  if (_pace == Pace::True) {
+    nextUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs()) * _speed);
+  } else if (!_line->mayGoTo(nextUs)) {
+    return false;
+  }
+  _nowUs = std::min(nextUs, _endUs);
+  return true;
+}
+
+// Returns true if the seconds are over, and nothing comes any more.
+bool Input::isOverdue() const {
+  return _seconds > 0 && static_cast<double>(sinceUs()) > _seconds * 1e6;
+}
+
+void Input::run(const std::function<void(const line::Character &)> &put,
+                const std::function<void(uint64_t nowUs)> &tick) {
+  const Taker taker = {put, tick};
+  begin(Clock::now());
+  while (!stopped() && step(taker)) {
+    if (_pace == Pace::True) {
       wait();
-      nowUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs(start)) * _speed);
+      advance();
+      continue;
     }
-    nowUs = std::min(nowUs, endUs);
+    while (!advance() && !stopped()) {
+      flush();
+      wait();
+      if (isOverdue()) {
+        return;
+      }
+    }
+  }
+}
+
+void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs) {
+  Input *const inputs[] = {&one, &other};
+  const Taker *const takers[] = {&takeOne, &takeOther};
+  const int64_t zeroUs[] = {aheadUs, 0};
+  bool goesOn[] = {true, true};
+  const Clock::time_point start = Clock::now();
+  for (Input *const input : inputs) {
+    input->begin(start);
+  }
+  const auto placeUs = [&](size_t i) { return static_cast<int64_t>(inputs[i]->_nowUs) + zeroUs[i]; };
+  while (!stopped() && (goesOn[0] || goesOn[1])) {
+    bool waits = true;
+    for (const size_t i : {0, 1}) {
+      const bool isAtOnce = inputs[i]->_pace == Pace::AtOnce;
+      const bool isAhead = goesOn[1 - i] && isAtOnce && placeUs(i) > placeUs(1 - i);
+      if (goesOn[i] && !isAhead && inputs[i]->advance()) {
+        goesOn[i] = inputs[i]->step(*takers[i]);
+        waits = waits && !isAtOnce;
+      } else if (goesOn[i] && !isAhead && inputs[i]->isOverdue()) {
+        goesOn[i] = false;
+      }
+    }
+    if (waits) {
+      flush();
+      std::this_thread::sleep_for(Soon);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // A line that a subcommand reads, in real time or as fast as it can.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -54,7 +55,28 @@ class Input {
   // Makes run() return after the current tick.
   void end() { _ended = true; }
 
+  // Makes a source in real time look for more after 0.25 ms, once: for what is to be done before the next byte comes.
+  void hurry() { _hurries = true; }
+
+  // What takes the characters and ticks of one of two inputs.
+  struct Taker {
+    std::function<void(const line::Character &)> put;
+    std::function<void(uint64_t nowUs)> tick;
+  };
+
+  // Runs two inputs at once, from the same moment on, until both have ended; it looks for more every 0.25 ms. One that
+  // runs as fast as it can stays beside the other: their times differ by a tick at most, once `aheadUs` is added to
+  // those of `one`. Throws std::runtime_error if a line fails.
+  static void runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs = 0);
+
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(Clock::time_point start);
+  bool step(const Taker &taker);
+  bool advance();
+  bool isOverdue() const;
+  uint64_t sinceUs() const;
   void wait();
 
   std::unique_ptr<line::Line> _line;
@@ -64,6 +86,10 @@ class Input {
   double _speed = 1;
   uint64_t _startUs = 0;
   bool _ended = false;
+  bool _hurries = false;
+  Clock::time_point _start;
+  uint64_t _nowUs = 0;
+  uint64_t _endUs = UINT64_MAX;
   uint64_t _knownUs = 0;
   std::function<void(const std::string &)> _tell;
 };

@@ -1,15 +1,10 @@
 #include "cli/Sending.h"
 
-#include <chrono>
 #include <cstdio>
-#include <thread>
 #include <utility>
 #include <vector>
 
-#include "cli/Output.h"
-#include "cli/Stop.h"
-#include "line/ports/PseudoTerminal.h"
-#include "line/ports/SendingPort.h"
+#include "cli/Destination.h"
 
 namespace tool {
 
@@ -19,62 +14,7 @@ void say(const std::string &text) {
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-// The port or pseudo-terminal that the bytes go to.
-class Destination {
- public:
-  Destination(const std::string &to, const line::LineSettings &settings) {
-    if (to.empty()) {
-      _terminal = std::make_unique<line::PseudoTerminal>();
-      write(_terminal->name() + "\n");
-      flush();
-    } else {
-      _port = std::make_unique<line::SendingPort>(to, settings);
-    }
-  }
-
-  // Waits until a program has opened the pseudo-terminal. Returns false if the end was asked for.
-  bool waitForReader() const {
-    if (!_terminal) {
-      return true;
-    }
-    if (!_terminal->hasReader()) {
-      say("waiting until a program opens " + _terminal->name() + "; Ctrl-C ends it");
-    }
-    while (!_terminal->hasReader() && !stopped()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    // A program sets the port that it has opened, and throws away what has come until then.
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    return !stopped();
-  }
-
-  // Gives a busy reader time to read the end: Linux throws away what waits in a pseudo-terminal that is closed.
-  void finish() const {
-    if (_terminal && _terminal->hasReader()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    }
-  }
-
-  // Returns how many bytes were sent.
-  size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
-    if (_terminal) {
-      return _terminal->write(bytes.data(), bytes.size());
-    }
-    const size_t sent = _port->write(nowUs, bytes.data(), bytes.size());
-    const std::string news = _port->news();
-    if (!news.empty()) {
-      say(news);
-    }
-    return sent;
-  }
-
- private:
-  std::unique_ptr<line::PseudoTerminal> _terminal;
-  std::unique_ptr<line::SendingPort> _port;
-};
-
-// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between
-// them.
+// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between them.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}

@@ -25,6 +25,7 @@ void addSubcommands(CLI::App &app) {
   tool::addCsv(app);
   tool::addRecord(app);
   tool::addSend(app);
+  tool::addBridge(app);
   tool::addCalibrate(app);
   tool::addJoystick(app);
   tool::addDecode(app);

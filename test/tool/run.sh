@@ -11,6 +11,7 @@
 #   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
 #   tool/hex.sh                the values, times and widths of `sbus hex`
 #   tool/send.sh               what `sbus send` sends
+#   tool/bridge.sh             what `sbus bridge` sends
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/stream.sh             what one subcommand prints and another reads, also live
 #   tool/telemetry.sh          `sbus telemetry`
@@ -294,6 +295,7 @@ SBUS=$sbus WORK=$work tool/files.sh
 SBUS=$sbus WORK=$work tool/kinds.sh
 SBUS=$sbus WORK=$work tool/counts.sh
 SBUS=$sbus WORK=$work tool/send.sh
+SBUS=$sbus WORK=$work tool/bridge.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/stream.sh

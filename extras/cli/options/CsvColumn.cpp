@@ -21,14 +21,6 @@ constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe}, {"lostframe",
                           {"time", CsvColumn::Kind::Time},         {"state", CsvColumn::Kind::State},
                           {"age", CsvColumn::Kind::Age},           {"quality", CsvColumn::Kind::Quality}};
 
-// Returns 7 for "ch7"; 0 if the text is no channel.
-unsigned channelOf(const std::string &text) {
-  const bool digits = text.size() >= 3 && text.size() <= 4 && text.compare(0, 2, "ch") == 0 && text[2] != '0' &&
-                      text.find_first_not_of("0123456789", 2) == std::string::npos;
-  const unsigned channel = digits ? static_cast<unsigned>(std::stoul(text.substr(2))) : 0;
-  return channel <= ChannelMax ? channel : 0;
-}
-
 // Appends what a word of the list names. Returns false if it names nothing.
 bool append(const std::string &word, std::vector<CsvColumn> &columns) {
   for (const Name &each : Names) {
@@ -46,12 +38,6 @@ bool append(const std::string &word, std::vector<CsvColumn> &columns) {
   return first > 0 && first <= last;
 }
 
-// CH17 and CH18 of a line of 16 channels are the switches, as in examples/AllChannels.
-unsigned valueOf(const line::Values &values, unsigned channel) {
-  const bool isSwitch = channel > sbus::ProportionalCount && values.count == sbus::ProportionalCount;
-  return isSwitch ? values.switches[channel - sbus::ProportionalCount - 1] : values.raw[channel - 1];
-}
-
 std::string seconds(uint64_t us) {
   char text[40];
   std::snprintf(text, sizeof text, "%llu.%06llu", static_cast<unsigned long long>(us / 1000000),
@@ -60,6 +46,18 @@ std::string seconds(uint64_t us) {
 }
 
 }  // namespace
+
+unsigned channelOf(const std::string &text) {
+  const bool digits = text.size() >= 3 && text.size() <= 4 && text.compare(0, 2, "ch") == 0 && text[2] != '0' &&
+                      text.find_first_not_of("0123456789", 2) == std::string::npos;
+  const unsigned channel = digits ? static_cast<unsigned>(std::stoul(text.substr(2))) : 0;
+  return channel <= ChannelMax ? channel : 0;
+}
+
+unsigned valueOf(const line::Values &values, unsigned channel) {
+  const bool isSwitch = channel > sbus::ProportionalCount && values.count == sbus::ProportionalCount;
+  return isSwitch ? values.switches[channel - sbus::ProportionalCount - 1] : values.raw[channel - 1];
+}
 
 std::vector<CsvColumn> parseColumns(const std::string &text) {
   std::vector<CsvColumn> columns;

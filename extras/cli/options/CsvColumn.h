@@ -15,6 +15,13 @@ struct CsvColumn {
   unsigned channel;  // counted from 1
 };
 
+// Returns 7 for "ch7"; 0 if the text is none of ch1 to ch32.
+unsigned channelOf(const std::string &text);
+
+// Returns the value of a channel, counted from 1: CH17 and CH18 of a line of 16 channels are the switches, as in
+// examples/AllChannels.
+unsigned valueOf(const line::Values &values, unsigned channel);
+
 // Takes names and spans, "ch1-ch4,failsafe,lostframe", in the order in which they are printed. Rejects the command line
 // if a word names no column.
 std::vector<CsvColumn> parseColumns(const std::string &text);

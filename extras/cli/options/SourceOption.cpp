@@ -60,10 +60,10 @@ bool isValue(const std::string &word) {
 
 }  // namespace
 
-SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words) : _recordings(recordings) {
+SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words, const char *name)
+    : _recordings(recordings) {
   constexpr const char *What = "a serial port, a file, - for standard input, sim, or values such as ch3=172,ch5=on";
-  (words == Words::One ? subcommand.option("SOURCE", _word, What).notEmpty()
-                       : subcommand.option("SOURCE", _words, What))
+  (words == Words::One ? subcommand.option(name, _word, What).notEmpty() : subcommand.option(name, _words, What))
       .required()
       .type("");
   _sendsFrames = words == Words::Several;
@@ -82,6 +82,26 @@ SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words 
   }
   _simulatedTime =
       subcommand.flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+}
+
+SourceOption::SourceOption(const SourceOption &first, const std::string &word)
+    : _recordings(first._recordings),
+      _word(word),
+      _baud(first._baud),
+      _seconds(first._seconds),
+      _from(first._from),
+      _to(first._to),
+      _csv(first._csv),
+      _part(first._part),
+      _loop(first._loop),
+      _simulatedTime(first._simulatedTime),
+      _signal(first._signal),
+      _overrules(first._overrules),
+      _periodUs(first._periodUs),
+      _range(first._range) {
+  if (word == first._word && Pipe::isPipe(word)) {
+    rejectCommandLine(word + ": cannot be read twice; name another source");
+  }
 }
 
 const SourceOption::Parsed &SourceOption::parsed() const {

@@ -25,8 +25,11 @@ enum class Words { One, Several };
 
 class SourceOption {
  public:
-  // Adds SOURCE and its options to a subcommand.
-  SourceOption(Subcommand &subcommand, Recordings recordings, Words words = Words::One);
+  // Adds SOURCE, or an argument with another `name`, and its options to a subcommand.
+  SourceOption(Subcommand &subcommand, Recordings recordings, Words words = Words::One, const char *name = "SOURCE");
+  // A second source, which another option or argument names: it has the options of `first`. Create it once the command
+  // line is read.
+  SourceOption(const SourceOption &first, const std::string &word);
   SourceOption(const SourceOption &) = delete;
   SourceOption &operator=(const SourceOption &) = delete;
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <deque>
 #include <memory>
 #include <string>
 #include <thread>
@@ -15,6 +14,7 @@
 #include "cli/CalibrationFile.h"
 #include "cli/Format.h"
 #include "cli/GameController.h"
+#include "cli/Latency.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
@@ -142,44 +142,6 @@ State stateOf(const line::Values &values, const Map &map, const ChannelRanges &r
   return state;
 }
 
-// Measures the time from the read of a frame's last character to the event. Before the line is known, a frame waits for
-// later characters.
-class Latency {
- public:
-  void tick() { _loop++; }
-  void read() { _reads.push_back({Clock::now(), _loop}); }
-
-  // Takes the end of the oldest characters; `written`: as a frame they have caused an event.
-  void passed(size_t characters, bool written) {
-    const Read last = _reads[characters - 1];
-    _reads.erase(_reads.begin(), _reads.begin() + static_cast<std::ptrdiff_t>(characters));
-    if (written) {
-      const auto time = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - last.time);
-      (last.loop == _loop ? _us : _lateUs).push_back(static_cast<unsigned>(time.count()));
-    }
-  }
-
-  std::string text() {
-    std::sort(_us.begin(), _us.end());
-    return format(
-        "last byte read to event written: median %u us, worst %u us of %zu frames; %zu waited for later bytes, %u us "
-        "at most",
-        _us.empty() ? 0 : _us[_us.size() / 2], _us.empty() ? 0 : _us.back(), _us.size(), _lateUs.size(),
-        _lateUs.empty() ? 0 : *std::max_element(_lateUs.begin(), _lateUs.end()));
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  struct Read {
-    Clock::time_point time;
-    unsigned long loop;
-  };
-  std::deque<Read> _reads;  // of the characters that are no part of a stretch yet
-  std::vector<unsigned> _us;
-  std::vector<unsigned> _lateUs;
-  unsigned long _loop = 0;
-};
-
 void run(const SourceOption &source, const Options &options) {
   const ChannelRanges ranges = rangesOf(options);
   const Map map = mapOf(options.map);
@@ -214,7 +176,7 @@ void run(const SourceOption &source, const Options &options) {
         latency.tick();
       });
   if (options.latency) {
-    std::fprintf(stderr, "%s\n", latency.text().c_str());
+    std::fprintf(stderr, "%s\n", latency.text("event").c_str());
   }
   if (options.failsafe == "centre") {
     controller.write(rest);

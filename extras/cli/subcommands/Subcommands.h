@@ -14,6 +14,7 @@ void addHex(CLI::App &app);
 void addCsv(CLI::App &app);
 void addRecord(CLI::App &app);
 void addSend(CLI::App &app);
+void addBridge(CLI::App &app);
 void addCalibrate(CLI::App &app);
 void addJoystick(CLI::App &app);
 void addDecode(CLI::App &app);

@@ -1,0 +1,55 @@
+#include "cli/Destination.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "cli/Output.h"
+#include "cli/Stop.h"
+
+namespace tool {
+
+Destination::Destination(const std::string &to, const line::LineSettings &settings) {
+  if (to.empty()) {
+    _terminal = std::make_unique<line::PseudoTerminal>();
+    write(_terminal->name() + "\n");
+    flush();
+  } else {
+    _port = std::make_unique<line::SendingPort>(to, settings);
+  }
+}
+
+bool Destination::waitForReader() const {
+  if (!_terminal) {
+    return true;
+  }
+  if (!_terminal->hasReader()) {
+    std::fprintf(stderr, "waiting until a program opens %s; Ctrl-C ends it\n", _terminal->name().c_str());
+  }
+  while (!_terminal->hasReader() && !stopped()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  // A program sets the port that it has opened, and throws away what has come until then.
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  return !stopped();
+}
+
+void Destination::finish() const {
+  if (_terminal && _terminal->hasReader()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  }
+}
+
+size_t Destination::send(uint64_t nowUs, const std::vector<uint8_t> &bytes) {
+  if (_terminal) {
+    return _terminal->write(bytes.data(), bytes.size());
+  }
+  const size_t sent = _port->write(nowUs, bytes.data(), bytes.size());
+  const std::string news = _port->news();
+  if (!news.empty()) {
+    std::fprintf(stderr, "%s\n", news.c_str());
+  }
+  return sent;
+}
+
+}  // namespace tool

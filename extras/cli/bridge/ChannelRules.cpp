@@ -1,0 +1,128 @@
+#include "cli/bridge/ChannelRules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/Units.h"
+#include "cli/options/Scanner.h"
+
+namespace tool {
+
+namespace {
+
+// Returns the nearest raw value for a part of the travel in percent.
+uint16_t rawFrom(double percent, const sbus::Range &range) {
+  const double one = valueOf(0, Unit::Percent, range), other = valueOf(sbus::ChannelMax, Unit::Percent, range);
+  return *rawOf(std::min(std::max(percent, std::min(one, other)), std::max(one, other)), Unit::Percent, range);
+}
+
+}  // namespace
+
+ChannelRules::ChannelRules(Subcommand &subcommand) {
+  subcommand.option("--map", _map, "the channels of SOURCE that become CH1, CH2 ...; -3: reversed").type("CH,CH,...");
+  subcommand
+      .option("--mix", _mixTexts, "a sum of parts of the travel, such as ch1=ch1+0.5*ch2-10%; once for each channel")
+      .once()
+      .type("CH=SUM");
+  subcommand.option("--limit", _limitTexts, "the ends of a channel, such as ch3=172..1500; once for each channel")
+      .once()
+      .type("CH=LOW..HIGH");
+}
+
+void ChannelRules::read(const sbus::Range &range) {
+  _range = range;
+  readMap();
+  for (const std::string &text : _mixTexts) {
+    _mixes.push_back(mixOf(text));
+  }
+  for (const std::string &text : _limitTexts) {
+    _limits.push_back(limitOf(text));
+  }
+}
+
+void ChannelRules::readMap() {
+  Scanner scanner("--map", _map);
+  double number = 0;
+  for (bool more = !_map.empty(); more; more = scanner.take(",")) {
+    const int sign = scanner.take("-") ? -1 : 1;
+    if (!scanner.number(number) || number < 1 || number > Count || number != std::floor(number) ||
+        _sources.size() == Count) {
+      scanner.expect(_sources.size() == Count ? "the end after 16 channels" : "a channel, 1 to 16 or -1 to -16,");
+    }
+    _sources.push_back(sign * static_cast<int>(number));
+  }
+  scanner.end("a comma and a channel, such as ,-3,");
+}
+
+ChannelRules::Mix ChannelRules::mixOf(const std::string &text) const {
+  Scanner scanner("--mix", text);
+  Mix mix{scanner.channel(Count) - 1};
+  const bool isAgain =
+      std::any_of(_mixes.begin(), _mixes.end(), [&mix](const Mix &other) { return other.channel == mix.channel; });
+  if (isAgain || !scanner.take("=")) {
+    scanner.expect(isAgain ? "a channel that no other --mix sets" : "=");
+  }
+  double sign = scanner.take("-") ? -1 : 1;
+  do {
+    double part = 1;
+    const bool isNumber = scanner.number(part);
+    if (isNumber && scanner.take("%")) {
+      mix.added += sign * part;
+    } else {
+      if (isNumber && !scanner.take("*")) {
+        scanner.expect("* and a channel, or %,");
+      }
+      mix.parts[scanner.channel(Count) - 1] += sign * part;
+    }
+    sign = scanner.take("+") ? 1 : scanner.take("-") ? -1 : 0;
+  } while (sign != 0);
+  scanner.end("+, - or the end");
+  return mix;
+}
+
+ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
+  Scanner scanner("--limit", text);
+  Limit limit{scanner.channel(Count) - 1, 0, 0};
+  if (!scanner.take("=")) {
+    scanner.expect("=");
+  }
+  limit.low = scanner.value(_range);
+  if (!scanner.take("..")) {
+    scanner.expect("..");
+  }
+  limit.high = scanner.value(_range);
+  if (limit.low > limit.high) {
+    scanner.expect("a value of " + std::to_string(limit.low) + " or more");
+  }
+  scanner.end("the end");
+  return limit;
+}
+
+// Mirrors the value at the centre, each side by its own length, also beyond the ends.
+void ChannelRules::reverse(uint16_t &raw) const {
+  raw = sbus::fromNormalised(static_cast<int16_t>(-sbus::toNormalised(raw, _range)), _range);
+}
+
+void ChannelRules::apply(uint16_t *raw) const {
+  std::array<uint16_t, Count> from;
+  std::copy_n(raw, Count, from.begin());
+  for (size_t i = 0; i < _sources.size(); i++) {
+    raw[i] = from[static_cast<size_t>(std::abs(_sources[i])) - 1];
+    if (_sources[i] < 0) {
+      reverse(raw[i]);
+    }
+  }
+  std::copy_n(raw, Count, from.begin());
+  for (const Mix &mix : _mixes) {
+    double percent = mix.added;
+    for (size_t i = 0; i < Count; i++) {
+      percent += mix.parts[i] * valueOf(from[i], Unit::Percent, _range);
+    }
+    raw[mix.channel] = rawFrom(percent, _range);
+  }
+  for (const Limit &limit : _limits) {
+    raw[limit.channel] = std::min(std::max(raw[limit.channel], limit.low), limit.high);
+  }
+}
+
+}  // namespace tool

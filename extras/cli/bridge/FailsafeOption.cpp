@@ -1,0 +1,58 @@
+#include "cli/bridge/FailsafeOption.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/TableReader.h"
+#include "cli/options/CsvColumn.h"
+#include "line/recording/Words.h"
+
+namespace tool {
+
+FailsafeOption::FailsafeOption(Subcommand &subcommand) {
+  subcommand
+      .option("--failsafe", _text,
+              "without a link: sends nothing; the values before; these values (those of SOURCE, with its flags)")
+      .notEmpty()
+      .type("off|hold|CH=VALUE,...");
+}
+
+void FailsafeOption::read(const sbus::Range &range) {
+  if (_text.empty() || _text == "off" || _text == "hold") {
+    return;
+  }
+  std::istringstream words(_text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const unsigned channel = channelOf(line::lower(word.substr(0, word.find('='))));
+    if (channel == 0 || channel > sbus::ProportionalCount) {
+      rejectCommandLine("--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not " + word);
+    }
+    FrameValues values;
+    try {
+      assign(word, range, values);
+    } catch (const std::runtime_error &error) {
+      rejectCommandLine(std::string("--failsafe: ") + error.what());
+    }
+    _set.emplace_back(channel - 1, values.raw[channel - 1]);
+  }
+}
+
+bool FailsafeOption::apply(sbus::LinkState state, line::Values &values) {
+  const bool isStale = state == sbus::LinkState::Stale;
+  if (!isStale && state != sbus::LinkState::Failsafe) {
+    _held = values;
+    return true;
+  }
+  if (_text == "hold" && _held.count > 0) {
+    values.raw = _held.raw;
+    values.switches = _held.switches;
+  }
+  for (const auto &[channel, raw] : _set) {
+    values.raw[channel] = raw;
+  }
+  values.lostFrame = values.lostFrame || isStale;
+  values.failsafe = values.failsafe || isStale || !_text.empty();
+  return _text != "off";
+}
+
+}  // namespace tool

@@ -1,0 +1,59 @@
+// Sends the frames of `sbus bridge`: to a port, to a pseudo-terminal, or as JSON lines to standard output.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/Destination.h"
+#include "line/Segments.h"
+#include "line/Statistics.h"
+
+namespace tool {
+
+struct BridgedFrame {
+  line::Stretch::Kind kind;
+  std::optional<uint64_t> us;  // its time
+  line::Values values;
+  uint8_t extraFlags = 0;  // of a frame with header 2F
+
+  std::vector<uint8_t> bytes() const;
+};
+
+class FrameOutput {
+ public:
+  // `to`: a port; "" for a pseudo-terminal; "-" for JSON lines. Throws std::runtime_error.
+  FrameOutput(const std::string &to, const line::LineSettings &settings);
+
+  // Sends a frame at once. On a wire it waits until 2 ms after the end of the frame before: a receiver finds a frame by
+  // the gap before it. A newer frame of the same kind takes the place of one that still waits. Returns false if it
+  // waits.
+  bool put(const BridgedFrame &frame);
+
+  // Sends what has waited for long enough. Returns true if a frame still waits.
+  bool tick();
+
+  // Returns "1000 frames sent, 3 replaced by newer ones before their turn".
+  std::string summary() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void send(const BridgedFrame &frame);
+  void print(const BridgedFrame &frame);
+
+  std::unique_ptr<Destination> _destination;  // none: standard output
+  const uint32_t _characterUs;
+  const Clock::time_point _start = Clock::now();
+  Clock::time_point _freeFrom{};  // when the next frame may begin
+  std::deque<BridgedFrame> _waiting;
+  unsigned long _sent = 0;
+  unsigned long _replaced = 0;
+  unsigned long _lost = 0;
+};
+
+}  // namespace tool

@@ -1,0 +1,61 @@
+// --trainer of `sbus bridge`: a switch of the teacher's radio that hands channels to the pupil's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/Scanner.h"
+#include "cli/options/Subcommand.h"
+#include "line/Statistics.h"
+
+namespace tool {
+
+class TrainerOption {
+ public:
+  // Adds it to a subcommand.
+  explicit TrainerOption(Subcommand &subcommand) {
+    _option =
+        subcommand.option("--trainer", _text, "while this channel is on, CH1 to CH4, or these, come from --second");
+    _option.notEmpty().type("CH[=CH,...]");
+  }
+  TrainerOption(const TrainerOption &) = delete;
+  TrainerOption &operator=(const TrainerOption &) = delete;
+
+  bool given() const { return _option.given(); }
+
+  // Reads the option. Rejects the command line if it is wrong.
+  void read(const sbus::Range &range) {
+    if (!given()) {
+      return;
+    }
+    Scanner scanner("--trainer", _text);
+    _switch = scanner.channel(sbus::ProportionalCount) - 1;
+    _onAbove = static_cast<uint16_t>((range.centre + range.high) / 2);
+    _channels = {0, 1, 2, 3};
+    if (scanner.take("=")) {
+      _channels.clear();
+      do {
+        _channels.push_back(scanner.channel(sbus::ProportionalCount) - 1);
+      } while (scanner.take(","));
+    }
+    scanner.end(_channels.empty() ? "=" : "a comma or the end");
+  }
+
+  // Puts the pupil's channels into the teacher's frame while the switch is on.
+  void apply(line::Values &teacher, const line::Values &pupil) const {
+    if (teacher.raw[_switch] > _onAbove) {
+      for (const size_t channel : _channels) {
+        teacher.raw[channel] = pupil.raw[channel];
+      }
+    }
+  }
+
+ private:
+  std::string _text;
+  Option _option;
+  size_t _switch = 0;
+  uint16_t _onAbove = 0;  // +50 %: off in the middle of a switch with three positions
+  std::vector<size_t> _channels;
+};
+
+}  // namespace tool

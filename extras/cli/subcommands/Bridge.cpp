@@ -1,0 +1,226 @@
+// sbus bridge: sends each accepted frame on, changed: for a trainer, two receivers, tests in the loop.
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "cli/Format.h"
+#include "cli/Latency.h"
+#include "cli/Output.h"
+#include "cli/SilenceNote.h"
+#include "cli/bridge/ChannelRules.h"
+#include "cli/bridge/FailsafeOption.h"
+#include "cli/bridge/FrameOutput.h"
+#include "cli/bridge/TrainerOption.h"
+#include "cli/bridge/TwoReceivers.h"
+#include "cli/options/RangeOption.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+namespace {
+
+using Kind = line::Stretch::Kind;
+
+struct Options {
+  explicit Options(Subcommand &subcommand)
+      : source(subcommand, Recordings::InTrueTime),
+        rules(subcommand),
+        failsafe(subcommand),
+        trainer(subcommand),
+        range(subcommand) {}
+
+  SourceOption source;
+  ChannelRules rules;
+  FailsafeOption failsafe;
+  TrainerOption trainer;
+  RangeOption range;
+  std::string to;
+  std::string second;
+  double backS = 1;
+  bool latency = false;
+};
+
+// A source with what was found in it.
+struct Receiver {
+  explicit Receiver(const SourceOption &option)
+      : source(option), input(option.open()), silence(option.name(), "frames") {
+    observer.reset(0, input->settings().characterUs());
+  }
+
+  const SourceOption &source;
+  const std::unique_ptr<Input> input;
+  SilenceNote silence;
+  line::Observer observer;
+  Latency latency;
+};
+
+class Bridge {
+ public:
+  Bridge(Options &options, Receiver &first, Receiver *second)
+      : _options(options),
+        _receivers{&first, second},
+        _output(options.to, first.input->settings()),
+        _choice(static_cast<uint64_t>(options.backS * 1e6)),
+        _hasTimes(first.source.hasTimes() && (second == nullptr || second->source.hasTimes())) {
+    for (const size_t i : {0, 1}) {
+      if (_receivers[i] != nullptr) {
+        _receivers[i]->observer.listen([this, i](const line::Stretch &stretch) { take(i, stretch); });
+      }
+    }
+  }
+  Bridge(const Bridge &) = delete;
+  Bridge &operator=(const Bridge &) = delete;
+
+  // Returns what takes the characters of a receiver.
+  Input::Taker taker(size_t i) {
+    Receiver &receiver = *_receivers[i];
+    return {[&receiver](const line::Character &character) {
+              receiver.latency.read();
+              receiver.observer.put(character);
+            },
+            [this, &receiver](uint64_t nowUs) { tick(receiver, nowUs); }};
+  }
+
+  std::string summary() const { return _output.summary(); }
+
+ private:
+  static constexpr uint64_t FillUs = 9000;  // the period of the paper's receiver
+
+  void take(size_t i, const line::Stretch &stretch) {
+    Receiver &receiver = *_receivers[i];
+    bool isSent = false;
+    if (stretch.isFrame()) {
+      if (stretch.kind != Kind::Extra) {
+        _choice.put(i, stretch.endUs(), receiver.observer.newest());
+      }
+      if (i == chosen(stretch.endUs())) {
+        isSent = send(stretch.kind, stretch.endUs(), stretch.characters[sbus::FlagsIndex].value);
+      }
+    }
+    receiver.latency.passed(stretch.characters.size(), isSent && _options.latency);
+  }
+
+  void tick(Receiver &receiver, uint64_t nowUs) {
+    receiver.observer.idleUntil(receiver.input->knownUs());
+    receiver.silence.tick(nowUs, receiver.observer.counters().frames > 0);
+    receiver.latency.tick();
+    const bool waits = _output.tick();
+    if (fill(nowUs) || waits) {
+      receiver.input->hurry();
+    }
+  }
+
+  // With --trainer it is the teacher's, always.
+  size_t chosen(uint64_t nowUs) {
+    const size_t chosen = _options.trainer.given() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
+    if (chosen != _chosen) {
+      std::fprintf(stderr, "%.3f s: %s %s\n", static_cast<double>(nowUs) / 1e6,
+                   _receivers[chosen]->source.name().c_str(), chosen == 0 ? "has its link back" : "takes over");
+      _chosen = chosen;
+    }
+    return chosen;
+  }
+
+  // While no frames come, sends the newest values with both flags, as a receiver without a link does. Returns true if
+  // it does so.
+  bool fill(uint64_t nowUs) {
+    line::Observer &observer = _receivers[chosen(nowUs)]->observer;
+    if (observer.newest().count == 0 || observer.state(nowUs) != sbus::LinkState::Stale) {
+      return false;
+    }
+    if (nowUs >= _sentUs + FillUs) {
+      send(observer.has24() ? Kind::Frame24 : Kind::Frame, nowUs, 0);
+    }
+    return true;
+  }
+
+  // Sends the newest values of the chosen receiver. Returns true if they have gone at once.
+  bool send(Kind kind, uint64_t nowUs, uint8_t flags) {
+    Receiver &receiver = *_receivers[_chosen];
+    const sbus::LinkState state = receiver.observer.state(nowUs);
+    BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt, receiver.observer.newest(),
+                       flags};
+    if (_options.trainer.given() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
+      _options.trainer.apply(frame.values, _receivers[1]->observer.newest());
+    }
+    _options.rules.apply(frame.values.raw.data());
+    _sentUs = nowUs;
+    return _options.failsafe.apply(state, frame.values) && _output.put(frame);
+  }
+
+  Options &_options;
+  Receiver *const _receivers[2];
+  FrameOutput _output;
+  TwoReceivers _choice;
+  const bool _hasTimes;
+  size_t _chosen = 0;
+  uint64_t _sentUs = 0;
+};
+
+void run(Options &options) {
+  const sbus::Range range = options.range.range();
+  options.source.setRange(range);
+  options.rules.read(range);
+  options.failsafe.read(range);
+  options.trainer.read(range);
+  if (options.trainer.given() && options.second.empty()) {
+    rejectCommandLine("--trainer: --second is the pupil's receiver; name it");
+  }
+  std::optional<SourceOption> second;
+  if (!options.second.empty()) {
+    second.emplace(options.source, options.second);
+  }
+  Receiver first(options.source);
+  std::optional<Receiver> other;
+  if (second) {
+    other.emplace(*second);
+  }
+  if (options.to == "-") {
+    write(options.source.json().line());
+  }
+  Bridge bridge(options, first, other ? &*other : nullptr);
+  std::fprintf(stderr, "%s: sending its frames on; Ctrl-C ends it\n", options.source.name().c_str());
+  const Input::Taker taker = bridge.taker(0);
+  if (other) {
+    Input::runBoth(*first.input, taker, *other->input, bridge.taker(1));
+  } else {
+    first.input->run(taker.put, taker.tick);
+  }
+  std::fprintf(stderr, "%s\n", bridge.summary().c_str());
+  if (options.latency) {
+    std::fprintf(stderr, "%s\n", first.latency.text("frame").c_str());
+  }
+  flush();
+  first.silence.end(first.observer.counters().frames + (other ? other->observer.counters().frames : 0) > 0);
+}
+
+}  // namespace
+
+void addBridge(CLI::App &app) {
+  Subcommand subcommand(app, "bridge", "sends each frame on, changed: trainer, two receivers, tests in the loop");
+  const auto options = std::make_shared<Options>(subcommand);
+  subcommand
+      .option("DEVICE", options->to,
+              "a serial port; - for JSON lines; without it a pseudo-terminal, whose name is printed")
+      .notEmpty()
+      .type("");
+  subcommand.option("--second", options->second, "a second receiver, used while the first has no link")
+      .notEmpty()
+      .type("SOURCE");
+  subcommand.option("--back", options->backS, "how long the first must have its link again to be used (1)")
+      .between(0, 60)
+      .type("S");
+  subcommand.flag("--latency", options->latency,
+                  "says at the end how long it took from the read of a frame's last byte to its write");
+  subcommand.footer(
+      "Only accepted frames are sent, each at once, with their flags; the end byte is 00, and telemetry is left out. "
+      "While no frames come, it sends the newest values with the flags lost frame and failsafe every 9 ms. The TXD of "
+      "a "
+      "serial port must be inverted to drive a flight controller.");
+  subcommand.run([options] { run(*options); });
+}
+
+}  // namespace tool

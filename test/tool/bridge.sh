@@ -1,0 +1,193 @@
+#!/bin/sh
+# Tests what `sbus bridge` sends, as JSON lines and on pseudo-terminals, and says "ok ..." or "FAILED ...".
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/bridge
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+# rows: the frames among JSON lines: CH1 to CH18, lost frame, failsafe; with an argument also their times
+rows() {
+  python3 -c 'import json, sys
+for line in sys.stdin:
+    o = json.loads(line)
+    if o["type"] == "frame" and o["first"] == 1:
+        print(*o["channels"][:16], int(o.get("ch17", 0)), int(o.get("ch18", 0)), int(o["lost_frame"]), int(o["failsafe"]), *([o["time_us"]] if len(sys.argv) > 1 else []))' "$@"
+}
+bridge() { timeout 60 "$SBUS" bridge "$@" --simulated-time 2>"$work/err"; }
+
+# ---- What it leaves alone: every accepted frame, its time and its flags, and nothing that was rejected
+
+for line in sim sim:24 sim:32 sim:noise=100 sim:24,noise=100; do
+  bridge $line - --seconds 14 | grep '"frame"' >"$work/out"
+  "$SBUS" hex $line --json --simulated-time --seconds 14 | grep '"frame"' >"$work/wanted"
+  cmp "$work/wanted" "$work/out" && [ "$(wc -l <"$work/wanted")" -gt 300 ] && grep -q '"lost_frame":true,"failsafe":true' "$work/out"
+  verdict $? "bridge $line sends the frames of hex, and no other: $(wc -l <"$work/out")"
+done
+bridge sim:sbus2 - --seconds 2 | grep '"frame"' >"$work/out"
+"$SBUS" hex sim:sbus2 --json --simulated-time --seconds 2 | grep '"frame"' | sed 's/"end":"[0-9A-F]*"/"end":"00"/' | cmp - "$work/out" && [ -s "$work/out" ]
+verdict $? "bridge sim:sbus2 announces no telemetry, since it sends none"
+
+# ---- Maps, mixes, limits: a FrSky's half travel is 410
+
+while IFS='|' read -r source arguments wanted; do
+  # shellcheck disable=SC2086  # the arguments are words
+  got=$(bridge "$source" - --seconds 0.1 $arguments | rows | cut -d' ' -f1-6 | sort -u)
+  [ "$got" = "$wanted" ] || { echo "$got"; cat "$work/err"; false; }
+  verdict $? "bridge $source $arguments: $wanted"
+done <<'END'
+ch1=172,ch2=1811,ch3=400|--map 2,1|1811 172 400 992 992 992
+ch1=172,ch2=1811,ch3=400|--map -1,-2,-3|1811 172 1583 992 992 992
+ch1=0,ch2=2047|--map -2,-1|0 1983 172 992 992 992
+ch1=10,ch2=20,ch6=60|--map 6,6,1|60 60 10 992 992 60
+ch1=1402,ch2=582|--mix ch1=0.5*ch1+0.5*ch2 --mix ch2=0.5*ch1-0.5*ch2|992 1402 172 992 992 992
+ch1=1811|--mix ch2=0.5*ch1+25%|1811 1606 172 992 992 992
+ch1=1811|--mix ch2=-0.5*ch1|1811 582 172 992 992 992
+ch1=1811|--mix ch2=3*ch1|1811 2047 172 992 992 992
+ch1=172|--mix ch2=10*ch1|172 0 172 992 992 992
+ch1=1402|--map 2,1 --mix ch1=ch2 --limit ch1=200..1300|1300 1402 172 992 992 992
+ch3=1811|--limit ch3=172..1500us|992 992 992 992 992 992
+ch3=100|--limit ch3=-100%..50%|992 992 172 992 992 992
+ch1=352,ch2=100%|--map -1,-2 --range futaba|1696 352 172 992 992 992
+END
+
+# ---- Failsafe: the radio of sim is off now and then
+
+bridge sim - --seconds 14 | rows >"$work/plain"
+bridge sim - --seconds 14 --failsafe off | rows >"$work/off"
+grep -v ' 1$' "$work/plain" | cmp - "$work/off" && grep -q ' 1$' "$work/plain"
+verdict $? "--failsafe off sends nothing in failsafe: $(wc -l <"$work/off") of $(wc -l <"$work/plain") frames"
+bridge sim - --seconds 14 --failsafe ch3=500,ch5=on | rows >"$work/set"
+awk '/ 1$/ { $3 = 500; $5 = 1811 } { print }' "$work/plain" | cmp - "$work/set"
+verdict $? "--failsafe ch3=500,ch5=on replaces these two in failsafe, and keeps the flags"
+bridge sim - --seconds 14 --failsafe hold | rows >"$work/held"
+awk '/ 1$/ { flags = $19 " " $20; $0 = before " " flags; print; next } { print; $20 = $19 = ""; sub(/ *$/, ""); before = $0 }' "$work/plain" | cmp - "$work/held" && ! cmp -s "$work/plain" "$work/held"
+verdict $? "--failsafe hold repeats the values before, with the flags"
+
+# Frames to 0.45 s, silence to 1 s, frames again; the value of CH1 is 1 in the first half, 2 in the second.
+awk 'BEGIN { for (i = 1; i <= 100; i++) { us = i * 9000 + (i > 50) * 550000; printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", us, (i > 50 ? 2 : 1) } }' >"$work/gap.json"
+bridge "$work/gap.json" - | rows time >"$work/out"
+awk '{ kind = $1 " " $19 $20 } kind != before { print kind, $NF } { before = kind; n[kind]++ } END { for (k in n) print "n", k, n[k] }' "$work/out" | sort >"$work/got"
+printf '%s\n' '1 00 9000.0' '1 11 550000.0' '2 00 1009000.0' 'n 1 00 50' 'n 1 11 51' '2 11 1550000.0' 'n 2 00 50' 'n 2 11 23' | sort | diff - "$work/got"
+verdict $? "0.1 s after the last frame it sends both flags every 9 ms, until frames come again"
+[ "$(bridge "$work/gap.json" - --failsafe off | rows | wc -l)" -eq 100 ] &&
+  [ "$(bridge "$work/gap.json" - --failsafe ch1=3 | rows | grep -c '^3 .* 1 1$')" -eq 74 ]
+verdict $? "--failsafe is also for the time without frames"
+
+# A receiver that never sets the failsafe flag: after 100 lost frames values are failsafe's.
+awk 'BEGIN { for (i = 1; i <= 250; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[5,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992],\"lost_frame\":%d}\n", 9000 * i, (i > 100) }' >"$work/lost.json"
+[ "$(bridge "$work/lost.json" - --failsafe ch1=3 | rows | cut -d' ' -f1,19,20 | uniq -c | awk '{ printf "%s:%s,%s,%s ", $1, $2, $3, $4 }')" = "100:5,0,0 99:5,1,0 74:3,1,1 " ]
+verdict $? "100 lost frames in a row are failsafe"
+
+# ---- Two receivers
+
+chosen() { rows time | awk '{ who = $1 " " $19 $20 } who != before { printf "%s at %d ms; ", who, $NF / 1000 } { before = who }'; }
+got=$(bridge "$work/gap.json" - --second ch1=7 --seconds 2.5 | chosen)
+[ "$got" = "1 00 at 9 ms; 7 00 at 552 ms; " ] && grep -qx '0.550 s: ch1=7 takes over' "$work/err" || { echo "$got"; cat "$work/err"; false; }
+verdict $? "a second receiver takes over when no frames have come for 0.1 s"
+got=$(bridge "$work/gap.json" - --second ch1=7 --seconds 2.5 --back 0.2 | chosen)
+[ "$got" = "1 00 at 9 ms; 7 00 at 552 ms; 2 00 at 1216 ms; 7 00 at 1551 ms; " ] || { echo "$got"; cat "$work/err"; false; }
+verdict $? "the first one is used again after --back"
+[ "$(bridge "$work/lost.json" - --second ch1=7 --seconds 2 | chosen)" = "5 00 at 9 ms; 5 10 at 909 ms; 7 00 at 1002 ms; " ]
+verdict $? "a second receiver takes over after 0.1 s of lost frames"
+[ "$(bridge ch1=4,failsafe=on - --second ch1=7 --seconds 0.5 | chosen)" = "4 01 at 3 ms; 7 00 at 102 ms; " ]
+verdict $? "a second receiver takes over in failsafe"
+[ "$(bridge ch1=4,failsafe=on - --second ch1=7,failsafe=on --seconds 0.5 | chosen)" = "4 01 at 3 ms; " ]
+verdict $? "a second receiver that is in failsafe as well does not"
+
+# ---- A trainer: CH8 is the teacher's switch
+
+awk 'BEGIN { for (i = 1; i <= 100; i++) printf "{\"type\":\"frame\",\"channels\":[1,1,1,1,1,1,1,%d,1,1,1,1,1,1,1,1],\"failsafe\":%d}\n", (i > 40 ? 1811 : 992), (i > 80) }' >"$work/teacher.json"
+trained() { bridge "$work/teacher.json" - --second "$@" | rows | cut -d' ' -f1-5 | uniq -c | awk '{ $1 = $1 ":"; printf "%s; ", $0 }'; }
+[ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 7 7 7 7 1; 20: 1 1 1 1 1; " ]
+verdict $? "the pupil has CH1 to CH4 while the switch is on, and not in the teacher's failsafe"
+[ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8=ch2,ch4 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 1 7 1 7 1; 20: 1 1 1 1 1; " ]
+verdict $? "the pupil has the channels that are named"
+[ "$(trained ch1=7,failsafe=on --trainer ch8 --seconds 0.9)" = "100: 1 1 1 1 1; " ]
+verdict $? "a pupil in failsafe has none"
+
+# ---- On a wire
+
+# wire PIECES: writes frames with the values 0, 1, ... to a port in PIECES, a frame each 9 ms on average, and reads what comes out
+wire() {
+  python3 - "$SBUS" "$1" <<'END' 2>"$work/err"
+import os, pty, select, subprocess, sys, time, tty
+master, slave = pty.openpty()
+tty.setraw(slave)
+out, far = pty.openpty()
+tty.setraw(far)
+bridge = subprocess.Popen([sys.argv[1], "bridge", os.ttyname(slave), os.ttyname(far), "--latency"], stderr=subprocess.PIPE, text=True)
+time.sleep(0.7)
+def frame(raw):
+    bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
+    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+at_once = int(sys.argv[2])
+got = b""
+def read(until):
+    global got
+    while time.monotonic() < until:
+        if select.select([out], [], [], max(0, until - time.monotonic()))[0]:
+            got += os.read(out, 4096)
+begin = time.monotonic()
+for i in range(0, 100, at_once):
+    os.write(master, b"".join(frame(i + k) for k in range(at_once)))
+    read(begin + (i + at_once) * 0.009)
+os.close(slave)
+read(time.monotonic() + 0.05)
+bridge.send_signal(2)
+text = bridge.stderr.read()
+frames = [got[i:i + 25] for i in range(0, len(got), 25)]
+values = [f[1] | (f[2] & 7) << 8 for f in frames if len(f) == 25 and f[0] == 15 and f[23] == 0]
+print(len(values), values == sorted(set(values)))
+print(text, file=sys.stderr)
+END
+}
+got=$(wire 1)
+set -- $got
+[ "$1" -ge 98 ] && [ "$2" = True ] || { echo "$got"; cat "$work/err"; false; }
+verdict $? "frames on a port are sent on: $(grep '^last byte' "$work/err")"
+got=$(wire 4)
+set -- $got
+[ "$1" -ge 40 ] && [ "$1" -le 50 ] && [ "$2" = True ] && grep -qE '[0-9]+ frames sent, [1-9][0-9]* replaced by newer ones before their turn$' "$work/err" || { echo "$got"; cat "$work/err"; false; }
+verdict $? "of frames that an adapter brings at once two are sent with a gap before each: $1 of 100"
+
+player bridge sim --seconds 3
+"$SBUS" csv "$terminal" --every-frame --columns ch1-ch16 >"$work/rows" 2>"$work/err"
+wait "$player"
+"$SBUS" csv sim --simulated-time --seconds 4 --every-frame --columns ch1-ch16 >"$work/wanted"
+[ "$(wc -l <"$work/rows")" -gt 200 ] && ! grep -vxFf "$work/wanted" "$work/rows"
+verdict $? "without a DEVICE bridge makes a pseudo-terminal: $(wc -l <"$work/rows") frames"
+
+# ---- What is wrong
+
+while IFS='|' read -r arguments message; do
+  # shellcheck disable=SC2086  # the arguments are words
+  timeout 60 "$SBUS" bridge $arguments >"$work/out" 2>"$work/err" </dev/null
+  [ $? -ne 0 ] && grep -qxFe "$message" "$work/err" && [ ! -s "$work/out" ] || { cat "$work/err"; false; }
+  verdict $? "bridge says: $message"
+done <<'END'
+|SOURCE is required
+sim --map 1,x|--map: "1,x": at character 3 a channel, 1 to 16 or -1 to -16, is expected
+sim --map 17|--map: "17": at character 1 a channel, 1 to 16 or -1 to -16, is expected
+sim --map 1,1.5|--map: "1,1.5": at character 3 a channel, 1 to 16 or -1 to -16, is expected
+sim --map 1;2|--map: "1;2": at character 2 a comma and a channel, such as ,-3, is expected
+sim --mix ch1|--mix: "ch1": at character 4 = is expected
+sim --mix ch17=ch1|--mix: "ch17=ch1": at character 1 a channel, ch1 to ch16, is expected
+sim --mix ch1=2ch2|--mix: "ch1=2ch2": at character 6 * and a channel, or %, is expected
+sim --mix ch1=ch2+|--mix: "ch1=ch2+": at character 9 a channel, ch1 to ch16, is expected
+sim --mix ch1=ch2*2|--mix: "ch1=ch2*2": at character 8 +, - or the end is expected
+sim --mix ch1=ch2 --mix ch1=ch3|--mix: "ch1=ch3": at character 1 a channel that no other --mix sets is expected
+sim --limit ch1=5|--limit: "ch1=5": at character 6 .. is expected
+sim --limit ch1=9..5|--limit: "ch1=9..5": at character 8 a value of 9 or more is expected
+sim --limit ch1=9..5000|--limit: "ch1=9..5000": at character 8 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected
+sim --failsafe on|--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not on
+sim --failsafe ch3=3000|--failsafe: "ch3=3000" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
+sim --trainer ch5|--trainer: --second is the pupil's receiver; name it
+sim --second ch1=1 --trainer ch5=2|--trainer: "ch5=2": at character 5 a channel, ch1 to ch16, is expected
+- --second -|-: cannot be read twice; name another source
+sim /dev/null|sbus bridge: /dev/null: not a serial port that can be opened (unknown to the system); name the adapter's port
+no-such-file.txt -|sbus bridge: no-such-file.txt: cannot be opened (No such file or directory); the name of a recording is expected
+END
