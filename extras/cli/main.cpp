@@ -24,6 +24,7 @@ void addSubcommands(CLI::App &app) {
   tool::addHex(app);
   tool::addCsv(app);
   tool::addRecord(app);
+  tool::addWatch(app);
   tool::addSend(app);
   tool::addBridge(app);
   tool::addCalibrate(app);

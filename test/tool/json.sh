@@ -31,6 +31,7 @@ run telemetry recordings/sbus2.txt
 for unit in us percent; do
   run hex sim --simulated-time --seconds 0.1 --unit $unit
 done
+run watch sim --simulated-time --seconds 20 --when failsafe --record "$work/events"
 run ports
 python3 - "$work/all" ../extras/cli/sbus.1 "$SBUS" <<'END'
 import json, os, re, subprocess, sys
@@ -49,7 +50,7 @@ def check(line):
     kind = object.get("type")
     states.add(object.get("state"))
     for name, value in object.items():
-        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit") else
+        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file") else
                     list if name in ("channels", "us", "percent", "values", "data") else
                     bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission") else
                     (int, float))
@@ -61,7 +62,7 @@ def check(line):
 for line in open(sys.argv[1]):
     check(line)
 # The PC may have no serial port, no port by USB, and no adapter with a latency timer.
-rare = {("line", "start"), ("line", "timed")} | {("port", name) for name in fields["port"]} | {("error", "message")}
+rare = {("line", "start"), ("event", "date"), ("line", "timed")} | {("port", name) for name in fields["port"]} | {("error", "message")}
 wrong += ["no %s of %s came" % (name, kind) for kind in fields for name in fields[kind] if (kind, name) not in seen | rare]
 wrong += ["no state " + state for state in ("never seen", "ok", "lossy", "failsafe") if state not in states]
 if wrong:

@@ -12,6 +12,7 @@
 #   tool/hex.sh                the values, times and widths of `sbus hex`
 #   tool/send.sh               what `sbus send` sends
 #   tool/bridge.sh             what `sbus bridge` sends
+#   tool/watch.sh              what `sbus watch` keeps of events
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/stream.sh             what one subcommand prints and another reads, also live
 #   tool/telemetry.sh          `sbus telemetry`
@@ -296,6 +297,7 @@ SBUS=$sbus WORK=$work tool/kinds.sh
 SBUS=$sbus WORK=$work tool/counts.sh
 SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/bridge.sh
+SBUS=$sbus WORK=$work tool/watch.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/stream.sh

@@ -10,18 +10,17 @@
 namespace tool {
 
 FailsafeOption::FailsafeOption(Subcommand &subcommand) {
-  subcommand
-      .option("--failsafe", _text,
-              "without a link: sends nothing; the values before; these values (those of SOURCE, with its flags)")
-      .notEmpty()
-      .type("off|hold|CH=VALUE,...");
+  _option = subcommand.option(
+      "--failsafe", _text,
+      "without a link: sends nothing; the values before; these values (those of SOURCE, with its flags)");
+  _option.type("off|hold|CH=VALUE,...");
 }
 
 void FailsafeOption::read(const sbus::Range &range) {
-  if (_text.empty() || _text == "off" || _text == "hold") {
+  if (!_option.given() || _text == "off" || _text == "hold") {
     return;
   }
-  std::istringstream words(_text);
+  std::istringstream words(_text + ",");
   for (std::string word; std::getline(words, word, ',');) {
     const unsigned channel = channelOf(line::lower(word.substr(0, word.find('='))));
     if (channel == 0 || channel > sbus::ProportionalCount) {

@@ -28,6 +28,7 @@ class FailsafeOption {
 
  private:
   std::string _text;
+  Option _option;
   std::vector<std::pair<size_t, uint16_t>> _set;  // raw values of channels, counted from 0
   line::Values _held;                             // of the newest frame with a link; count 0: none has come
 };

@@ -16,7 +16,7 @@ class TrainerOption {
   explicit TrainerOption(Subcommand &subcommand) {
     _option =
         subcommand.option("--trainer", _text, "while this channel is on, CH1 to CH4, or these, come from --second");
-    _option.notEmpty().type("CH[=CH,...]");
+    _option.type("CH[=CH,...]");
   }
   TrainerOption(const TrainerOption &) = delete;
   TrainerOption &operator=(const TrainerOption &) = delete;

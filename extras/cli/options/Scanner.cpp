@@ -32,6 +32,11 @@ bool Scanner::take(const char *token) {
   return is;
 }
 
+bool Scanner::isNext(const char *characters) {
+  skipBlanks();
+  return _at < _text.size() && std::strchr(characters, _text[_at]) != nullptr;
+}
+
 bool Scanner::isAtEnd() {
   skipBlanks();
   return _at == _text.size();

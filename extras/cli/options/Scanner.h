@@ -16,6 +16,9 @@ class Scanner {
   // Takes a sign or word, and blanks before it. Returns false if something different is next.
   bool take(const char *token);
 
+  // Returns true if one of these characters is next.
+  bool isNext(const char *characters);
+
   // Returns true at the end of the text.
   bool isAtEnd();
 

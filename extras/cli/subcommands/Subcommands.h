@@ -13,6 +13,7 @@ void addMonitor(CLI::App &app);
 void addHex(CLI::App &app);
 void addCsv(CLI::App &app);
 void addRecord(CLI::App &app);
+void addWatch(CLI::App &app);
 void addSend(CLI::App &app);
 void addBridge(CLI::App &app);
 void addCalibrate(CLI::App &app);

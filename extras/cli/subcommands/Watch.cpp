@@ -1,0 +1,128 @@
+// sbus watch: a flight recorder, which keeps what was before and after each event.
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/Format.h"
+#include "cli/Json.h"
+#include "cli/Output.h"
+#include "cli/SilenceNote.h"
+#include "cli/options/RangeOption.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "cli/watch/Condition.h"
+#include "cli/watch/FlightRecorder.h"
+#include "line/Observer.h"
+#include "line/recording/WallTime.h"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  explicit Options(Subcommand &subcommand) : source(subcommand, Recordings::AtOnce), range(subcommand) {}
+
+  SourceOption source;
+  RangeOption range;
+  std::string when;
+  std::string folder;
+  double beforeS = 2;
+  double afterS = 5;
+  double longestS = 600;
+  unsigned keep = 100;
+  double mostMb = 1000;
+  bool json = false;
+};
+
+uint64_t toUs(double seconds) {
+  return static_cast<uint64_t>(seconds * 1e6);
+}
+
+const char *nameOf(RecordedEvent::Kind kind) {
+  const char *const names[] = {"begin", "continued", "end"};
+  return names[static_cast<int>(kind)];
+}
+
+std::string text(const RecordedEvent &event) {
+  return format("%12.3f s %-9s ", static_cast<double>(event.us) / 1e6, nameOf(event.kind)) + event.file +
+         (event.summary.empty() ? "" : ": " + event.summary) + '\n';
+}
+
+std::string json(const RecordedEvent &event, std::optional<int64_t> startUs) {
+  Json line("event");
+  line.decimal("time_us", static_cast<double>(event.us)).text("kind", nameOf(event.kind));
+  if (startUs) {
+    line.text("date", line::wallTime(*startUs + static_cast<int64_t>(event.us)));
+  }
+  if (!event.file.empty()) {
+    line.text("file", event.file);
+  }
+  return line.line();
+}
+
+void run(const Options &options) {
+  const SourceOption &source = options.source;
+  const Condition condition("--when", options.when, options.range.range());
+  const EventFiles files(options.folder, options.keep, static_cast<uint64_t>(options.mostMb * 1e6));
+  const std::unique_ptr<Input> input = source.open();
+  if (options.json) {
+    write(source.json().line());
+    flush();
+  }
+  FlightRecorder recorder({"watch " + source.name() + ": " + options.when, toUs(options.beforeS), toUs(options.afterS),
+                           toUs(options.longestS)},
+                          files, input->settings(), source.hasTimes(), source.startUs(),
+                          [&](const RecordedEvent &event) {
+                            write(options.json ? json(event, source.startUs()) : text(event));
+                            flush();
+                          });
+  line::Observer observer;
+  observer.reset(0, input->settings().characterUs());
+  observer.listen([&](const line::Stretch &stretch) {
+    if (stretch.isFrame()) {
+      recorder.tick(stretch.endUs(), condition.holds(observer, stretch.endUs()));
+    }
+  });
+  SilenceNote silence(source.name(), "frames");
+  input->run(
+      [&](const line::Character &character) {
+        recorder.put(character);
+        observer.put(character);
+      },
+      [&](uint64_t nowUs) {
+        observer.idleUntil(input->knownUs());
+        recorder.idleUntil(input->knownUs());
+        recorder.tick(nowUs, condition.holds(observer, nowUs));
+        silence.tick(nowUs, observer.counters().frames > 0);
+      });
+  recorder.finish();
+  if (recorder.failures() > 0) {
+    throw std::runtime_error(options.folder + ": " + std::to_string(recorder.failures()) +
+                             " recordings are not whole; what stopped them is said above");
+  }
+}
+
+}  // namespace
+
+void addWatch(CLI::App &app) {
+  Subcommand subcommand(app, "watch", "a flight recorder: keeps what was before and after each event");
+  const auto options = std::make_shared<Options>(subcommand);
+  subcommand.option("--when", options->when, "the event, such as 'failsafe || ch5>1500'").required().type("CONDITION");
+  subcommand.option("--record", options->folder, "the folder of the recordings").required().notEmpty().type("FILE");
+  subcommand.option("--before", options->beforeS, "seconds before an event (2)").between(0, 600).type("S");
+  subcommand.option("--after", options->afterS, "seconds after an event (5)").between(0, 3600).type("S");
+  subcommand.option("--longest", options->longestS, "seconds in a file; a longer event goes on in the next one (600)")
+      .between(1, 86400)
+      .type("S");
+  subcommand.option("--keep", options->keep, "files that are kept, the newest (100)").between(1, 99999).type("N");
+  subcommand.option("--most", options->mostMb, "megabytes that are kept (1000)").between(0.001, 1e6).type("MB");
+  subcommand.flag("--json", options->json, "JSON lines: the events");
+  subcommand.footer(
+      "A condition has ch1 to ch32 compared (<, <=, >, >=, ==, !=) with 1500, 1500us or 50%; age>50ms; quality<80; and "
+      "failsafe, lostframe, ok, lossy, stale, ch17 and ch18; joined by !, &&, || and (). The files are whole if the "
+      "disk is full, or the program is killed.");
+  subcommand.run([options] { run(*options); });
+}
+
+}  // namespace tool

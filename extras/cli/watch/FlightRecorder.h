@@ -1,0 +1,94 @@
+// Keeps the last seconds of a line, and writes them, and what follows, to a file whenever something happens.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/Recorder.h"
+#include "cli/watch/EventFiles.h"
+#include "line/recording/RecordingFile.h"
+
+namespace tool {
+
+struct RecordedEvent {
+  enum class Kind { Begin, Continued, End };
+
+  Kind kind;
+  uint64_t us;
+  std::string file;     // empty: it could not be written
+  std::string summary;  // of End: "1000 characters (0 with errors), 40 frames"
+};
+
+class FlightRecorder {
+ public:
+  struct Plan {
+    std::string title;
+    uint64_t beforeUs;
+    uint64_t afterUs;
+    uint64_t longestUs;  // of a file
+  };
+
+  // `startUs`: when time 0 was, in us since 1970; if that is known, the times of each file count from its own
+  // beginning.
+  FlightRecorder(const Plan &plan, EventFiles files, const line::LineSettings &settings, bool hasTimes,
+                 std::optional<int64_t> startUs, std::function<void(const RecordedEvent &)> tell);
+
+  void put(const line::Character &character);
+
+  // Takes whether it `happens` at `nowUs`.
+  void tick(uint64_t nowUs, bool happens);
+
+  // Takes the time up to which no other character came.
+  void idleUntil(uint64_t us);
+
+  // Ends the file.
+  void finish() { close(RecordedEvent::Kind::End, _nowUs); }
+
+  // Returns how many files could not be written to their end.
+  unsigned failures() const { return _failures; }
+
+ private:
+  // A file that is being written.
+  struct Open {
+    Open(const std::string &title, const std::string &path, uint64_t zero, const line::LineSettings &settings,
+         bool hasTimes, std::optional<int64_t> beganUs)
+        : name(path),
+          zeroUs(zero),
+          file(path, true),
+          put([this](const std::string &text) { file.write(text); }),
+          recorder(title, settings, true, hasTimes, beganUs, put) {}
+
+    const std::string name;
+    const uint64_t zeroUs;
+    uint64_t firstUs = 0;
+    line::LineFile file;
+    const Put put;
+    Recorder recorder;
+  };
+
+  void open(RecordedEvent::Kind kind, uint64_t nowUs);
+  void dropPart();
+  void write(line::Character character);
+  void close(RecordedEvent::Kind kind, uint64_t nowUs);
+  void fail(const std::string &reason);
+
+  const Plan _plan;
+  EventFiles _files;
+  const line::LineSettings _settings;
+  const bool _hasTimes;
+  const std::optional<int64_t> _startUs;
+  const std::function<void(const RecordedEvent &)> _tell;
+  std::deque<line::Character> _lately;  // of the last `beforeUs`, without what a file has
+  std::unique_ptr<Open> _open;
+  bool _isEvent = false;
+  uint64_t _nowUs = 0;
+  uint64_t _lastUs = 0;  // of the characters
+  uint64_t _untilUs = 0;
+  unsigned _failures = 0;
+};
+
+}  // namespace tool

@@ -1,0 +1,171 @@
+#!/bin/sh
+# Tests the recordings that `sbus watch` makes of events, and says "ok ..." or "FAILED ...".
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/watch
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+watch() { timeout 60 "$SBUS" watch "$@" 2>"$work/err"; }
+
+# Prints the events as "begin 1.000 end 2.000".
+events() { awk '{ printf "%s %s ", $3, $1 }'; }
+
+# ---- Conditions: frame i of 1000 ends at 9 ms * i, and has CH1 = i; CH17 is on from 300 on; frames 401 to 410 are lost, 501
+# to 510 in failsafe; 0.5 s pass before frame 701.
+
+awk 'BEGIN { for (i = 1; i <= 1000; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992],\"ch17\":%d,\"lost_frame\":%d,\"failsafe\":%d}\n", i * 9000 + (i > 700) * 500000, i, (i >= 300), (i > 400 && i <= 410), (i > 500 && i <= 510) }' >"$work/flight.json"
+while IFS='|' read -r condition wanted; do
+  rm -rf "$work/dir"
+  got=$(watch "$work/flight.json" --when "$(echo "$condition" | tr '/' '|')" --record "$work/dir" --after 0 | events)
+  [ "$got" = "$wanted" ] || { echo "$got"; cat "$work/err"; false; }
+  verdict $? "$(echo "$condition" | tr '/' '|'): $wanted"
+done <<'END'
+failsafe|begin 4.509 end 4.599 
+lostframe|begin 3.609 end 3.699 
+lossy|begin 3.609 end 3.699 
+stale|begin 6.400 end 6.809 begin 9.600 end 9.800 
+ch17|begin 2.700 end 9.800 
+!ch17|begin 0.009 end 2.700 
+!ok|begin 3.609 end 3.699 begin 4.509 end 4.599 begin 6.400 end 6.809 begin 9.600 end 9.800 
+ch1>990|begin 9.419 end 9.800 
+ch1>=990|begin 9.410 end 9.800 
+ch1<3|begin 0.009 end 0.027 
+ch1<=3|begin 0.009 end 0.036 
+ch1==500|begin 4.500 end 4.509 
+ch1!=2 && ch1<4|begin 0.009 end 0.018 begin 0.027 end 0.036 
+ch1>1498us|begin 9.410 end 9.800 
+ch1 > -10%|begin 8.699 end 9.800 
+ch17==1 && ch1<302|begin 2.700 end 2.718 
+ch24>0|
+ch24<1|
+age>50ms|begin 6.351 end 6.809 begin 9.551 end 9.800 
+age>0.05|begin 6.351 end 6.809 begin 9.551 end 9.800 
+quality<95 && ch1<600|begin 3.645 end 5.400 
+failsafe // ch1<3 && ch17|begin 4.509 end 4.599 
+(failsafe // ch1<3) && !ch17|begin 0.009 end 0.027 
+FAILSAFE//lostframe|begin 3.609 end 3.699 begin 4.509 end 4.599 
+END
+
+while IFS='|' read -r condition message; do
+  watch sim --when "$condition" --record "$work/none" >"$work/out"
+  [ $? -eq 2 ] && [ "$(head -n 1 "$work/err")" = "--when: \"$condition\": at character $message is expected" ] && [ ! -d "$work/none" ] || { cat "$work/err"; false; }
+  verdict $? "--when \"$condition\": at character $message is expected"
+done <<'END'
+|1 a channel such as ch5, failsafe, lostframe, ok, lossy, stale, age or quality, ! or (,
+failsafe && ch33>1|13 a channel such as ch5, failsafe, lostframe, ok, lossy, stale, age or quality, ! or (,
+ch5|4 <, <=, >, >=, == or !=
+ch5=3|4 <, <=, >, >=, == or !=
+ch5 > 3000|7 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,
+ch5>|5 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,
+(failsafe|10 &&, || or )
+failsafe)|9 &&, || or the end
+failsafe & ok|10 &&, || or the end
+!|2 a channel such as ch5, failsafe, lostframe, ok, lossy, stale, age or quality, ! or (,
+age>soon|5 a time such as 50ms or 0.05, in seconds,
+quality<x|9 a number of percent
+END
+
+# ---- What is in a file
+
+rm -rf "$work/dir"
+watch "$work/flight.json" --when 'failsafe' --record "$work/dir" --before 1 --after 2 >"$work/out"
+"$SBUS" hex "$work/flight.json" | awk '$1 - 0.003 >= 3.509 && $1 <= 6.6' >"$work/part"
+"$SBUS" hex "$work/dir/sbus-000001.txt" >"$work/hex"
+[ "$(sed -n 1p "$work/hex")" = "$(sed -n 1p "$work/part")" ] && [ "$(tail -n 1 "$work/hex")" = "$(grep '^ *6.300000' "$work/part")" ] &&
+  ! grep -vxFf "$work/part" "$work/hex" && ! grep -q ' - ' "$work/hex"
+verdict $? "a file has whole frames, from --before to --after: $(wc -l <"$work/hex") frames"
+rm -rf "$work/dir"
+watch "$work/flight.json" --when 'lostframe || failsafe' --record "$work/dir" --after 1 | events >"$work/out"
+[ "$(cat "$work/out")" = "begin 3.609 end 5.599 " ] && [ "$(ls "$work/dir")" = sbus-000001.txt ]
+verdict $? "an event within --after goes on in the same file: $(cat "$work/out")"
+rm -rf "$work/dir"
+watch "$work/flight.json" --when ch17 --record "$work/dir" --longest 2 --before 0.1 >"$work/out"
+for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1; done >"$work/values"
+seq 290 1000 | diff - "$work/values" && [ "$(grep -c continued "$work/out")" -eq 3 ]
+verdict $? "a long event goes on in other files, without a gap: $(ls "$work/dir" | wc -l) files"
+
+"$SBUS" send sim --seconds 14 >"$work/terminal" 2>"$work/player.err" &
+player=$!
+until_true test -s "$work/terminal"
+"$SBUS" watch "$(cat "$work/terminal")" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
+wait $player
+file=$(ls "$work"/dated/*)
+began=$(sed -n 's/^# format 1, began //p' "$file")
+[ "$(sed -n 's/.*"kind":"begin".*"file":"\(.*\)"}/\1/p' "$work/json")" = "$file" ] && [ "$work/dated/sbus-000001-$(echo "${began%.*}" | tr : -)Z.txt" = "$file" ] &&
+  [ "$(sed -n 's/^\([0-9][0-9]*\).*/\1/p' "$file" | head -n 1)" -lt 20000 ] && [ "$(grep -c '"event"' "$work/json")" -eq 2 ]
+verdict $? "a port's file has a date in its name and in its head, and its times count from it: ${file##*/}"
+python3 - "$work/json" "$file" <<'END'
+import json, sys, datetime
+read = lambda text: datetime.datetime.strptime(text, "%Y-%m-%dT%H:%M:%S.%fZ")
+head = [line.split(", began ")[1].strip() for line in open(sys.argv[2]) if ", began " in line][0]
+events = [json.loads(line) for line in open(sys.argv[1])]
+begin, end = [e for e in events if e["type"] == "event"]
+before = (read(begin["date"]) - read(head)).total_seconds()
+start = (read(begin["date"]) - read(events[0]["start"])).total_seconds()
+sys.exit(not (0.9 < before <= 1.01 and abs(start - begin["time_us"] / 1e6) < 1e-4 and end["kind"] == "end" and end["file"] == begin["file"]))
+END
+verdict $? "the event is --before after the file's date"
+
+# ---- Rotation
+
+rm -rf "$work/dir"
+mkdir "$work/dir"
+touch "$work/dir/sbus-000007-2020-01-01T00-00-00Z.txt" "$work/dir/sbus-notes.txt" "$work/dir/other.txt" "$work/dir/sbus-000001.txt.gz"
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' --record "$work/dir" --before 0 --after 0 --keep 3 >"$work/out"
+[ "$(ls "$work/dir" | paste -sd ' ')" = "other.txt sbus-000001.txt.gz sbus-000009.txt sbus-000010.txt sbus-000011.txt sbus-notes.txt" ]
+verdict $? "--keep 3 keeps the newest three, and the files of others: $(ls "$work/dir" | paste -sd ' ')"
+rm -rf "$work/dir"
+watch sim --simulated-time --seconds 100 --when failsafe --record "$work/dir" --most 0.2 >"$work/out"
+[ "$(grep -c begin "$work/out")" -eq 6 ] && [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-000004.txt sbus-000005.txt sbus-000006.txt" ]
+verdict $? "--most 0.2 removes the oldest until there are 0.2 MB: $(du -bc "$work"/dir/* | tail -n 1 | cut -f1) bytes"
+
+# ---- Whatever happens
+
+"$SBUS" send sim >"$work/terminal" 2>"$work/player.err" &
+player=$!
+until_true test -s "$work/terminal"
+"$SBUS" watch "$(cat "$work/terminal")" --when 'ch1>0' --record "$work/killed" >"$work/out" 2>"$work/err" &
+watcher=$!
+is_long() { [ "$(cat "$work"/killed/* 2>/dev/null | wc -l)" -gt 100 ]; }
+until_true is_long
+kill -KILL $watcher
+wait $watcher 2>/dev/null
+kill -INT $player
+wait $player
+[ -z "$(tail -c 1 "$work"/killed/*)" ] && "$SBUS" hex "$work"/killed/* >"$work/hex" && [ "$(grep -c ' frame ' "$work/hex")" -ge 90 ]
+verdict $? "a file is whole after SIGKILL: $(grep -c ' frame ' "$work/hex") frames"
+(trap '' XFSZ; ulimit -f 16; "$SBUS" watch sim --simulated-time --seconds 40 --when failsafe --record "$work/full") >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ "$(grep -c 'sbus-00000[12].txt: could not be written to its end (File too large); what came before is whole' "$work/err")" -eq 2 ] &&
+  [ "$(tail -n 1 "$work/err")" = "sbus watch: $work/full: 2 recordings are not whole; what stopped them is said above" ] &&
+  for file in "$work"/full/*; do [ -z "$(tail -c 1 "$file")" ] && "$SBUS" hex "$file" 2>&1 | grep -q ' frame ' || break; done
+verdict $? "a full disk is an error for each file, which is whole up to there, and watching goes on"
+touch "$work/file"
+for folder in "$work/file" "$work/no/such"; do
+  ! watch sim --when failsafe --record "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be made (.*); name a folder that can be written$" "$work/err"
+  verdict $? "watch says: $(cat "$work/err")"
+done
+
+# ---- Memory
+
+peak() {
+  python3 -c 'import resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" watch "$1" --when 'ch1<300' --record "$work/dir" --keep 5
+}
+"$SBUS" record sim "$work/short.txt" --simulated-time --seconds 20 2>"$work/err"
+python3 - "$work/short.txt" "$work/long.txt" <<'END'
+import sys
+lines = [line.split(" ", 1) for line in open(sys.argv[1]) if line[0] != "#"]
+with open(sys.argv[2], "w") as out:
+    for i in range(90):
+        out.writelines("%d %s" % (i * 20000000 + int(time), rest) for time, rest in lines)
+END
+short=$(peak "$work/short.txt")
+long=$(peak "$work/long.txt")
+[ "$long" -lt $((short + 4096)) ]
+verdict $? "watch of half an hour: $long KB, of 20 s: $short KB"
+rm "$work/long.txt"
