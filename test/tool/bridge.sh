@@ -193,7 +193,6 @@ sim --limit ch1=9..5|--limit: "ch1=9..5": at character 8 a value of 9 or more is
 sim --limit ch1=9..5000|--limit: "ch1=9..5000": at character 8 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected
 sim --failsafe on|--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not on
 sim --failsafe ch3=3000|--failsafe: "ch3=3000" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
-sim --failsafe=|--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not 
 sim --trainer ch5|--trainer: --second is the pupil's receiver; name it
 sim --second ch1=1 --trainer ch5=2|--trainer: "ch5=2": at character 5 a channel, ch1 to ch16, is expected
 - --second -|-: cannot be read twice; name another source

@@ -88,11 +88,9 @@ for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1; d
 seq 290 1000 | diff - "$work/values" && [ "$(grep -c continued "$work/out")" -eq 3 ]
 verdict $? "a long event goes on in other files, without a gap: $(ls "$work/dir" | wc -l) files"
 
-"$SBUS" send sim --seconds 14 >"$work/terminal" 2>"$work/player.err" &
-player=$!
-until_true test -s "$work/terminal"
-"$SBUS" watch "$(cat "$work/terminal")" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
-wait $player
+player send sim --seconds 14
+"$SBUS" watch "$terminal" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
+wait "$player"
 file=$(ls "$work"/dated/*)
 began=$(sed -n 's/^# format 1, began //p' "$file")
 [ "$(sed -n 's/.*"kind":"begin".*"file":"\(.*\)"}/\1/p' "$work/json")" = "$file" ] && [ "$work/dated/sbus-000001-$(echo "${began%.*}" | tr : -)Z.txt" = "$file" ] &&
@@ -125,17 +123,15 @@ verdict $? "--most 0.2 removes the oldest until there are 0.2 MB: $(du -bc "$wor
 
 # ---- Whatever happens
 
-"$SBUS" send sim >"$work/terminal" 2>"$work/player.err" &
-player=$!
-until_true test -s "$work/terminal"
-"$SBUS" watch "$(cat "$work/terminal")" --when 'ch1>0' --record "$work/killed" >"$work/out" 2>"$work/err" &
+player send sim
+"$SBUS" watch "$terminal" --when 'ch1>0' --record "$work/killed" >"$work/out" 2>"$work/err" &
 watcher=$!
 is_long() { [ "$(cat "$work"/killed/* 2>/dev/null | wc -l)" -gt 100 ]; }
 until_true is_long
 kill -KILL $watcher
 wait $watcher 2>/dev/null
-kill -INT $player
-wait $player
+kill -INT "$player"
+wait "$player"
 [ -z "$(tail -c 1 "$work"/killed/*)" ] && "$SBUS" hex "$work"/killed/* >"$work/hex" && [ "$(grep -c ' frame ' "$work/hex")" -ge 90 ]
 verdict $? "a file is whole after SIGKILL: $(grep -c ' frame ' "$work/hex") frames"
 (trap '' XFSZ; ulimit -f 16; "$SBUS" watch sim --simulated-time --seconds 40 --when failsafe --record "$work/full") >"$work/out" 2>"$work/err"
