@@ -91,7 +91,7 @@ export default async function () {
     await counts(page, 'rows', 3);
   });
 
-  // `sbus monitor` and `sbus plot` read the same file: test/tool.
+  // `sbus monitor` and `sbus summary` read the same file: test/tool.
   await check("a recording of a board's port has the port's settings, and plays again; so do rows that sbus has recorded", async (page) => {
     const rows = readFileSync(path.join(root, 'test/golden/AllChannels.csv'), 'utf8').trim().split('\r\n').slice(0, 3);
     const kept = readFileSync(path.join(root, 'test/recordings/board/rows.txt'), 'utf8').trim().split('\n');

@@ -25,7 +25,7 @@ export class RecordingSource implements Source {
   // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
     if (file.size > largest) {
-      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus plot and sbus csv can read it`);
+      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus summary and sbus csv can read it`);
     }
     const player = await Remote.read(core, file, signal, progress);
     if (signal.aborted) {
