@@ -22,7 +22,7 @@ dist:
 else
 
 dist:
-	@sh extras/setup/need.sh git dpkg-dev $(TOOL) $(SCOPE) $(STATIC) 'g++-aarch64-linux-gnu?'
+	@sh extras/setup/packages.sh git dpkg-dev $(TOOL) $(SCOPE) $(STATIC) 'g++-aarch64-linux-gnu?'
 	@sh extras/setup/dist.sh
 
 help:
@@ -61,13 +61,13 @@ sketch_name = $(notdir $(SKETCH:/=))
 sketch_options = $(shell sed -n 's/^$(sketch_name) //p' extras/host/OPTIONS $(if $(PTY),| sed 's/--seconds [0-9]*//'))
 
 demo:
-	@sh extras/setup/need.sh g++ libcli11-dev libserialport-dev
+	@sh extras/setup/packages.sh g++ libcli11-dev libserialport-dev
 	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/host SKETCH='$(SKETCH)' 1>&2
 	@build/host/$(sketch_name) $(if $(SOURCE),--source '$(SOURCE)',$(sketch_options)) \
 	  $(if $(PTY),--pty)
 
 sbus:
-	@sh extras/setup/need.sh $(TOOL)
+	@sh extras/setup/packages.sh $(TOOL)
 	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/cli
 	@echo build/sbus/sbus
 
@@ -89,7 +89,7 @@ uninstall:
 
 SCOPE_PORT ?= 8000
 scope:
-	@sh extras/setup/need.sh $(SCOPE)
+	@sh extras/setup/packages.sh $(SCOPE)
 	@$(MAKE) --no-print-directory -s -j$$(nproc) -C extras/scope
 	@node extras/scope/serve.mjs build/scope/index.html '$(SCOPE_PORT)'
 
@@ -107,35 +107,35 @@ ARM := gcc-arm-none-eabi 'libnewlib-arm-none-eabi|picolibc-arm-none-eabi'
 ARM_CXX := 'libstdc++-arm-none-eabi-dev?'
 
 test:
-	@sh extras/setup/need.sh $(TEST)
+	@sh extras/setup/packages.sh $(TEST)
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test
 
 test-all:
-	@sh extras/setup/need.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
+	@sh extras/setup/packages.sh $(TEST) clang clang-sanitizers libncurses-dev libevdev-dev nlohmann-json3-dev jq 'pkg-config|pkgconf' tmux 'zsh?' 'fish?' git unzip dpkg-dev $(STATIC) cmake python3-yaml $(SCOPE) 'chromium?' $(AVR) libsimavr-dev $(ARM) $(ARM_CXX) qemu-system-arm 'sigrok-cli?' doxygen
 	@$(MAKE) --no-print-directory -j$$(nproc) -C test test-all CAPTURES='$(if $(CAPTURES),$(if $(filter /%,$(firstword $(CAPTURES))),,$(CURDIR)/)$(CAPTURES))'
 
 impairment:
-	@sh extras/setup/need.sh $(TEST)
+	@sh extras/setup/packages.sh $(TEST)
 	@$(MAKE) --no-print-directory -s -C test impairment
 
 fuzz:
-	@sh extras/setup/need.sh clang clang-sanitizers
+	@sh extras/setup/packages.sh clang clang-sanitizers
 	@$(MAKE) --no-print-directory -C test fuzz
 
 size:
-	@sh extras/setup/need.sh $(AVR) $(ARM)
+	@sh extras/setup/packages.sh $(AVR) $(ARM)
 	@$(MAKE) --no-print-directory -C test size
 
 bench:
-	@sh extras/setup/need.sh $(ARM) $(ARM_CXX) qemu-system-arm
+	@sh extras/setup/packages.sh $(ARM) $(ARM_CXX) qemu-system-arm
 	@$(MAKE) --no-print-directory -C test bench
 
 figures:
-	@sh extras/setup/need.sh $(TEST) $(AVR) $(ARM) $(ARM_CXX) qemu-system-arm
+	@sh extras/setup/packages.sh $(TEST) $(AVR) $(ARM) $(ARM_CXX) qemu-system-arm
 	@extras/docs/figures.sh
 
 docs:
-	@sh extras/setup/need.sh doxygen
+	@sh extras/setup/packages.sh doxygen
 	@rm -rf build/docs && mkdir -p build/docs
 	@doxygen extras/docs/Doxyfile
 	@echo build/docs/html/index.html

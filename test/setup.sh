@@ -11,9 +11,9 @@ verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok setup: $2"; else echo "FAILED setup: $2"; fi
 }
 
-# ---- need.sh
+# ---- packages.sh
 
-# fake NAME, with a script on standard input: the only commands that need.sh finds are these and the links below. HAS and KNOWS
+# fake NAME, with a script on standard input: the only commands that packages.sh finds are these and the links below. HAS and KNOWS
 # name what dpkg has, and what apt knows once it has read its lists, if there is a NETWORK.
 fake() { { echo '#!/bin/sh'; cat; } >"$work/fakes/$1" && chmod +x "$work/fakes/$1"; }
 mkdir "$work/fakes" "$work/tools"
@@ -63,11 +63,11 @@ machine() {
   printf '%s\n' make g++ libcli11-dev pkgconf >"$work/state/knows"
 }
 
-# needs STATUS LAST PACKAGES...: need.sh ends with this status, and its last line is LAST
+# needs STATUS LAST PACKAGES...: packages.sh ends with this status, and its last line is LAST
 needs() {
   expected=$1 last=$2
   shift 2
-  timeout 60 env STATE="$work/state" PATH="$work/path:$work/tools" sh extras/setup/need.sh "$@" >"$work/out" 2>"$work/err" </dev/null
+  timeout 60 env STATE="$work/state" PATH="$work/path:$work/tools" sh extras/setup/packages.sh "$@" >"$work/out" 2>"$work/err" </dev/null
   [ $? -eq "$expected" ] && [ ! -s "$work/out" ] && [ "$(tail -n 1 "$work/err")" = "$last" ] || { cat "$work/out" "$work/err"; false; }
 }
 says() { [ "$(wc -l <"$work/err")" -eq "$1" ] || { cat "$work/err"; false; }; }

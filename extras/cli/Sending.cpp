@@ -14,7 +14,8 @@ void say(const std::string &text) {
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between them.
+// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between
+// them.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}

@@ -62,7 +62,7 @@ struct Candidate {
   int offBy;             ///< characters between the frame before and this one; below 0: that frame's tail lacks some
   bool isInSync;         ///< it follows an aligned frame directly
 
-  SBUS_IN_LINE bool isLines() const { return variant == lineVariant; }            ///< has the line's variant
+  SBUS_IN_LINE bool hasLineVariant() const { return variant == lineVariant; }     ///< has the line's variant
   SBUS_IN_LINE const LineVariant &line() const { return LineVariants[variant]; }  ///< its variant
   SBUS_IN_LINE uint8_t end() const { return bytes[Format::Size - 1]; }            ///< its end byte
   /// Returns the size with the tail.
@@ -101,7 +101,7 @@ SBUS_IN_LINE bool isHeaderNext(const Candidate<Format> &c) {
 /// Returns true if only what follows can prove it: while the line variant is unknown.
 template <typename Format>
 SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
-  return !c.isLines();
+  return !c.hasLineVariant();
 }
 
 /// Returns true if one stray character may follow it directly: before the first frame, or where the frame before is
@@ -122,14 +122,14 @@ SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format>
 /// Returns true if, before the first frame, its tail before a gap may be the end of the next frame: no gap comes
 /// before it.
 template <typename Format>
-SBUS_IN_LINE bool mayBeNoTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
-  return !c.isLines() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
+SBUS_IN_LINE bool isDoubtfulTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
+  return !c.hasLineVariant() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
 }
 
 /// Returns true if its end byte comes twice: noise may stand before the true header, or a stray character after the
 /// true end. If a stray character and then a gap followed the frame before, it is the latter.
 template <typename Format>
-SBUS_IN_LINE bool endsTwice(const Candidate<Format> &c) {
+SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
   return c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
 }
 
@@ -137,7 +137,7 @@ SBUS_IN_LINE bool endsTwice(const Candidate<Format> &c) {
 /// byte counts while the line's variant is unknown.
 template <typename Format>
 SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
-  const uint8_t variant = c.isLines() || Format::Variants == 1 ? c.variant : UnknownVariant;
+  const uint8_t variant = c.hasLineVariant() || Format::Variants == 1 ? c.variant : UnknownVariant;
   return innerHeader(c.bytes, Format::Size, variant);
 }
 
@@ -191,7 +191,7 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;
-  if (!isPlaced || !c.isLines()) {
+  if (!isPlaced || !c.hasLineVariant()) {
     if (isPlaced) {
       acquisition.forget();  // the first frame may follow without a gap
     }
@@ -223,7 +223,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
   // It must end at a gap, before a header, or as the line's frames end.
   const bool isGapAfter = c.isGapAfter();
   bool isAtGap = isGapAfter || c.isGapBefore();
-  bool isPlaced = isAtGap && !mayBeNoTail(c, acquisition);
+  bool isPlaced = isAtGap && !isDoubtfulTail(c, acquisition);
   bool isInTurn = false;
   if (!isGapAfter) {
     if (c.count <= c.size()) {
@@ -232,8 +232,8 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
       }
     } else if (!isHeaderNext(c)) {
       // A rejection here skips two characters: if both are headers, either may be the true one.
-      if (c.isLines()) {
-        if (!isSlotNext(c) && (endsTwice(c) || goesOn(c))) {
+      if (c.hasLineVariant()) {
+        if (!isSlotNext(c) && (repeatsEnd(c) || goesOn(c))) {
           return Verdict::reject(Rejection::GoesOn, 2);
         }
       } else if (hasStray(c, acquisition)) {
@@ -249,7 +249,7 @@ SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acqu
       }
     }
   }
-  if (!c.isLines() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= FirstOffBy)) {
+  if (!c.hasLineVariant() && !acquisition.allows(isAtGap || isInTurn, c.offBy <= FirstOffBy)) {
     return Verdict::reject(Rejection::NotAtGap);
   }
   // Out of sync it may be the end of one frame and the start of the next.

@@ -15,12 +15,12 @@ struct Case {
   int gapAt = Far;
   int offBy = 0;
   bool isInSync = true;
-  bool isLines = true;
+  bool hasLineVariant = true;
   bool isGapCertain = true;
 
   sbus::Candidate<sbus::Frame16> candidate() const {
     return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, sbus::variantOfEnd(bytes[24]),
-            isLines ? sbus::variantOfEnd(bytes[24]) : sbus::UnknownVariant, offBy, isInSync && offBy == 0};
+            hasLineVariant ? sbus::variantOfEnd(bytes[24]) : sbus::UnknownVariant, offBy, isInSync && offBy == 0};
   }
 };
 

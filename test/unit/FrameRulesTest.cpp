@@ -62,7 +62,7 @@ TEST_CASE(
     const char *what;
     Bytes bytes;
     int gapAt, offBy;
-    bool isLines;
+    bool hasLineVariant;
     const char *verdict;
   } rows[] = {
       {"in its place, a header follows", extra + Bytes{0x0F}, Far, 0, true, "aligned"},
@@ -78,7 +78,7 @@ TEST_CASE(
   };
   for (const auto &row : rows) {
     CAPTURE(row.what);
-    CHECK(judged({row.bytes, row.gapAt, row.offBy, true, row.isLines}) == row.verdict);
+    CHECK(judged({row.bytes, row.gapAt, row.offBy, true, row.hasLineVariant}) == row.verdict);
   }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("twice: on a line with breaks the end byte of another variant may be o
   }
 }
 
-TEST_CASE("endsTwice: noise may come before the header, unless a stray character is known to follow each frame") {
+TEST_CASE("repeatsEnd: noise may come before the header, unless a stray character is known to follow each frame") {
   const struct {
     unsigned next;
     int gapAt, offBy;
@@ -121,7 +121,7 @@ TEST_CASE("endsTwice: noise may come before the header, unless a stray character
   for (const auto &row : rows) {
     INFO("next ", row.next, ", gapAt ", row.gapAt, ", offBy ", row.offBy);
     const Case c = {Plain + Bytes{static_cast<uint8_t>(row.next)}, row.gapAt, row.offBy};
-    CHECK(rules::endsTwice(c.candidate()) == row.twice);
+    CHECK(rules::repeatsEnd(c.candidate()) == row.twice);
     CHECK((judged(c) == "goes on 2") == row.twice);  // and a header at 1 is no better
   }
 }

@@ -164,7 +164,8 @@ std::string misplacedWord(const CLI::App &app) {
     return "sbus: " + *option + " is an option of " + owner + "; write it after " + owner;
   }
   return name + ": " + *option + " is no option; " +
-         meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help + " lists them";
+         meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help +
+         " lists them";
 }
 
 std::string unknownSubcommand(const CLI::App &app, const std::string &name) {

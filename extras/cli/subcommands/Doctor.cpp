@@ -5,14 +5,14 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cli/Heard.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
+#include "cli/SettingTrial.h"
 #include "cli/Stop.h"
-#include "line/report/VariantOfLine.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Examination.h"
+#include "line/report/VariantOfLine.h"
 
 namespace tool {
 
@@ -96,7 +96,7 @@ Json verdict(bool well, const std::string &finding, const std::string &remedy) {
 }
 
 // Prints the verdict. Returns true if all is well.
-bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> &heard,
+bool tell(const SourceOption &source, const std::vector<std::unique_ptr<SettingTrial>> &heard,
           const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
     const std::string finding = "Rows of CSV: they come from a sketch; this is no S.Bus.";
@@ -106,11 +106,11 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
     return false;
   }
   sbus::Diagnosis diagnosis;
-  for (const std::unique_ptr<Heard> &each : heard) {
+  for (const std::unique_ptr<SettingTrial> &each : heard) {
     diagnosis.add(each->trial());
   }
   const sbus::Finding finding = diagnosis.finding();
-  const Heard &best = *heard[diagnosis.best()];
+  const SettingTrial &best = *heard[diagnosis.best()];
   const bool rejects = line::isWell(finding) && best.rejectsTelemetry();
   const bool well = line::isWell(finding) && !rejects;
   const std::string what =
@@ -130,7 +130,7 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<Heard>> 
 bool examine(const SourceOption &source, bool asJson) {
   const std::vector<line::LineSettings> settings = settingsOf(source);
   std::vector<line::LineSettings> tried;
-  std::vector<std::unique_ptr<Heard>> heard;
+  std::vector<std::unique_ptr<SettingTrial>> heard;
   for (const line::LineSettings &each : settings) {
     std::unique_ptr<Input> input;
     try {
@@ -144,10 +144,13 @@ bool examine(const SourceOption &source, bool asJson) {
       continue;
     }
     const bool rows = each == line::csvSettings();
-    const uint64_t us = source.isFile() ? Heard::ToItsEnd : source.isStream() ? FramesUs : rows ? RowsUs : TrialUs;
+    const uint64_t us = source.isFile()     ? SettingTrial::ToItsEnd
+                        : source.isStream() ? FramesUs
+                        : rows              ? RowsUs
+                                            : TrialUs;
     tried.push_back(each);
-    heard.push_back(std::make_unique<Heard>(each));
-    heard.back()->listen(*input, us, source.isFile() ? Heard::ToItsEnd : heard.size() == 1 ? FramesUs : TrialUs);
+    heard.push_back(std::make_unique<SettingTrial>(each));
+    heard.back()->listen(*input, us, source.isFile() ? SettingTrial::ToItsEnd : heard.size() == 1 ? FramesUs : TrialUs);
     write(asJson ? heard.back()->json(source.hasTimes()).line() : heard.back()->text());
     flush();
     if (stopped()) {

@@ -7,21 +7,21 @@
 
 #include "cli/Input.h"
 #include "cli/Json.h"
-#include "line/report/VariantOfLine.h"
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
+#include "line/report/VariantOfLine.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
 
-class Heard {
+class SettingTrial {
  public:
   static constexpr uint64_t ToItsEnd = UINT64_MAX;
 
-  explicit Heard(const line::LineSettings &settings);
-  Heard(const Heard &) = delete;  // its observer's listener points to it
-  Heard &operator=(const Heard &) = delete;
+  explicit SettingTrial(const line::LineSettings &settings);
+  SettingTrial(const SettingTrial &) = delete;  // its observer's listener points to it
+  SettingTrial &operator=(const SettingTrial &) = delete;
 
   // Listens for `us`, or for `framesUs` if frames come. ToItsEnd: until the source ends.
   void listen(Input &input, uint64_t us, uint64_t framesUs);

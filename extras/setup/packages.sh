@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs those of the named Debian packages that this machine lacks, or says exactly what to install.
 #
-#   sh extras/setup/need.sh g++ doctest-dev ...
+#   sh extras/setup/packages.sh g++ doctest-dev ...
 #
 # 'a|b' is a, or b where apt has no a. 'a?' is left out where apt does not have it, and a line says so: then the tests that
 # need it are skipped. Silent and quick where nothing is missing. `clang-sanitizers` stands for the run-time library of the

@@ -1,4 +1,4 @@
-#include "cli/Heard.h"
+#include "cli/SettingTrial.h"
 
 #include <algorithm>
 #include <numeric>
@@ -19,12 +19,12 @@ const char *polarityName(line::Polarity polarity) {
 
 }  // namespace
 
-Heard::Heard(const line::LineSettings &settings) : _settings(settings) {
+SettingTrial::SettingTrial(const line::LineSettings &settings) : _settings(settings) {
   _observer.reset(0, settings.characterUs());
   _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
 
-void Heard::listen(Input &input, uint64_t us, uint64_t framesUs) {
+void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
   input.run(
       [this, us](const line::Character &character) {
         if (us == ToItsEnd && _observer.characters() == 0) {
@@ -50,7 +50,7 @@ void Heard::listen(Input &input, uint64_t us, uint64_t framesUs) {
   _note = input.note();
 }
 
-std::string Heard::text() const {
+std::string SettingTrial::text() const {
   const unsigned long errors = _observer.characterErrors();
   const unsigned long telemetry = _observer.telemetry().characters();
   const unsigned long discarded = _observer.discardedBytes();
@@ -63,7 +63,7 @@ std::string Heard::text() const {
          "\n";
 }
 
-Json Heard::json(bool hasTimes) const {
+Json SettingTrial::json(bool hasTimes) const {
   std::optional<uint64_t> heardMs;
   if (hasTimes) {
     heardMs = trial().ms;
@@ -83,7 +83,7 @@ Json Heard::json(bool hasTimes) const {
       .flag("rows_of_csv", _isCsv);
 }
 
-std::string Heard::figures(bool hasTimes) const {
+std::string SettingTrial::figures(bool hasTimes) const {
   const sbus::Counters &seen = counters();
   if (seen.frames == 0) {
     return {};
@@ -104,7 +104,7 @@ std::string Heard::figures(bool hasTimes) const {
          (_silentUs == 0 ? "" : format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
 }
 
-std::string Heard::telemetry() const {
+std::string SettingTrial::telemetry() const {
   const line::TelemetrySlots &telemetry = _observer.telemetry();
   const unsigned long rejected = telemetry.rejectedGroups();
   std::vector<std::string> parts = _readings.quantities(0);
@@ -122,7 +122,7 @@ std::string Heard::telemetry() const {
   return text.empty() ? "" : text + "\n";
 }
 
-void Heard::take(const line::Stretch &stretch) {
+void SettingTrial::take(const line::Stretch &stretch) {
   _variant.take(stretch);
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
@@ -132,7 +132,7 @@ void Heard::take(const line::Stretch &stretch) {
 
 // Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening
 // ends.
-void Heard::heardUntil(uint64_t us) {
+void SettingTrial::heardUntil(uint64_t us) {
   if (us >= _lastUs + SilenceUs) {
     _silences.push_back(_lastUs);
     _silentUs += us - _lastUs;
@@ -141,7 +141,7 @@ void Heard::heardUntil(uint64_t us) {
 }
 
 // Returns the times from frame to frame in which the line was not silent: a silence may last for hours.
-std::vector<uint64_t> Heard::periods() const {
+std::vector<uint64_t> SettingTrial::periods() const {
   std::vector<uint64_t> periods;
   for (size_t i = 1; i < _ends.size(); i++) {
     const auto silence = std::lower_bound(_silences.begin(), _silences.end(), _ends[i - 1]);
@@ -154,18 +154,18 @@ std::vector<uint64_t> Heard::periods() const {
 
 // Returns the median, which an impaired frame does not change; the mean if the port hands bytes over in bursts, so that
 // no period is as it was on the line.
-uint64_t Heard::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
+uint64_t SettingTrial::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
   const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
   std::nth_element(periods.begin(), middle, periods.end());
   return _isLate ? us / periods.size() : *middle;
 }
 
-std::string Heard::frames() const {
+std::string SettingTrial::frames() const {
   return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
 }
 
 // Returns the gap after the last frame of a recording, which ends with this frame.
-uint64_t Heard::gapUs() const {
+uint64_t SettingTrial::gapUs() const {
   const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
   return std::max(_observer.gaps().low, frameUs) - frameUs;
 }
