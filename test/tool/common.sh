@@ -30,3 +30,10 @@ until_true() {
     sleep 0.1
   done
 }
+
+# peak ARGUMENTS...: prints the kilobytes that sbus needed. A sanitizer would keep what is freed.
+peak() {
+  python3 -c 'import os, resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True, env=dict(os.environ, ASAN_OPTIONS="quarantine_size_mb=1"))
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" "$@"
+}

@@ -148,12 +148,6 @@ verdict $? "a recording without a date has none"
 # ---- A long recording costs no memory: what is read of ten hours, 340 MB
 
 if [ "${LONG:-}" ]; then hours=10; else hours=1; fi
-peak() {  # FILE ARGUMENTS...: the kilobytes that sbus needed
-  python3 -c 'import os, resource, subprocess, sys
-# A sanitizer keeps what is freed.
-subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True, env=dict(os.environ, ASAN_OPTIONS="quarantine_size_mb=1"))
-print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" "$@"
-}
 python3 - "$work/16.txt" "$work/long.txt" $hours <<'END'
 import sys
 lines = [line.split(" ", 1) for line in open(sys.argv[1]) if line[0] != "#"]

@@ -147,11 +147,7 @@ done
 
 # ---- Memory
 
-peak() {
-  python3 -c 'import resource, subprocess, sys
-subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
-print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" watch "$1" --when 'ch1<300' --record "$work/dir" --keep 5
-}
+watched() { peak watch "$1" --when 'ch1<300' --record "$work/dir" --keep 5; }
 "$SBUS" record sim "$work/short.txt" --simulated-time --seconds 20 2>"$work/err"
 python3 - "$work/short.txt" "$work/long.txt" <<'END'
 import sys
@@ -160,8 +156,8 @@ with open(sys.argv[2], "w") as out:
     for i in range(90):
         out.writelines("%d %s" % (i * 20000000 + int(time), rest) for time, rest in lines)
 END
-short=$(peak "$work/short.txt")
-long=$(peak "$work/long.txt")
+short=$(watched "$work/short.txt")
+long=$(watched "$work/long.txt")
 [ "$long" -lt $((short + 4096)) ]
 verdict $? "watch of half an hour: $long KB, of 20 s: $short KB"
 rm "$work/long.txt"
