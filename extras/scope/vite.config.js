@@ -30,7 +30,7 @@ const oneFile = {
 
 export default defineConfig({
   base: './',
-  assetsInclude: ['**/*.wasm'],
+  assetsInclude: ['**/*.wasm.gz'],
   plugins: [oneFile],
   build: {
     modulePreload: false,

@@ -1,6 +1,6 @@
 // The library itself, compiled to WebAssembly (../wasm). All knowledge of S.Bus is there.
 
-import wasm from '../scope.wasm?inline';
+import wasm from '../scope.wasm.gz?inline';
 import { Finding } from './finding';
 import { Flag, Kind, type Stretch } from './line';
 import { imports, Native, type Exports } from './native';
@@ -43,16 +43,21 @@ export enum Scale {
   Calibrated,
 }
 
-const bytes = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
+// Packed it is a third as large.
+async function unpacked(): Promise<Uint8Array> {
+  const packed = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
+  return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+}
 
 export class Core {
-  // The module that a worker runs.
-  readonly wasm = bytes;
   private calibrating = false;
   private readonly native: Native['calls'];
 
   // Throws if the page and WebAssembly were not built together.
-  private constructor(private readonly memory: Native) {
+  private constructor(
+    private readonly memory: Native,
+    readonly wasm: Uint8Array, // the module that a worker runs
+  ) {
     this.native = memory.calls;
     memory.layout.enumeration('Finding', Finding);
     memory.layout.enumeration('CalibrationError', CalibrationError);
@@ -60,10 +65,11 @@ export class Core {
   }
 
   static async load(): Promise<Core> {
-    const { instance } = await WebAssembly.instantiate(bytes, imports);
+    const bytes = await unpacked();
+    const { instance } = await WebAssembly.instantiate(bytes as BufferSource, imports);
     const native = instance.exports as Exports;
     native._initialize();
-    return new Core(new Native(native));
+    return new Core(new Native(native), bytes);
   }
 
   // Returns the stretches in the records of a worker.

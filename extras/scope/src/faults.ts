@@ -40,6 +40,35 @@ export interface FaultMap {
   counts: number[]; // of spans, by Fault
 }
 
+// A part of a recording: from and to, in us; the share of its frames that was lost, 0..1; and what there was, a FlightKind.
+export type FlightPart = [number, number, number, number];
+
+// line::FlagSpan::Kind
+export enum FlightKind {
+  Failsafe,
+  LostFrame,
+  NoFrames,
+  Late,
+}
+
+// A whole recording, as sbus summary has it: wasm/Report.cpp.
+export interface Flight {
+  severity: number; // line::FlightVerdict::Severity
+  text: string;
+  fromUs: number;
+  toUs: number;
+  frames: number;
+  lostFrames: number;
+  failsafeFrames: number;
+  missing: number;
+  framesPerSecond: number;
+  discardedBytes: number;
+  characterErrors: number;
+  spans: { count: number; us: number; longest: [number, number][] }[]; // by FlightKind; the longest: from, to, in us
+  worst: FlightPart[]; // seconds, the worst first
+  strip: FlightPart[];
+}
+
 const leastLateUs = 100000; // a read that is later shows that the PC was busy
 
 // Returns whether the PC was late, and no silence, before a frame that came `afterUs` after the one before.

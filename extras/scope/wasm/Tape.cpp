@@ -1,5 +1,7 @@
 // Reads a file: a recording, or a capture of the wire. Its characters are handed over in parts to the instance that
 // decodes them (FedLine.h).
+#include "Tape.h"
+
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -11,17 +13,19 @@
 
 using namespace scope;
 
+Tape scope::theTape;
+
 namespace {
 
-std::string name;  // of the file
-line::LineSettings settings;
+std::string &name = theTape.name;
+line::LineSettings &settings = theTape.settings;
+line::Recording &tape = theTape.recording;
 std::unique_ptr<line::RecordingReader> reader;
 std::unique_ptr<line::RecordedCapture> capture;
 std::unique_ptr<line::CaptureText> captureText;  // of a capture; no reader then
 std::unique_ptr<line::SessionReader> session;    // of a capture that is one
 std::string metadata;                            // of the session
 std::string sessionError;                        // in its samples
-line::Recording tape;
 std::string partOfLine;
 std::string words;
 
@@ -78,6 +82,7 @@ EXPORT(openFile)(unsigned count)->void {
     return;
   }
   settings = csv ? line::csvSettings() : line::settingsIn(beginning);
+  theTape.startUs = line::startIn(beginning);
   reader = std::make_unique<line::RecordingReader>(settings.characterUs(), csv);
 }
 

@@ -1,7 +1,7 @@
 // A recording, rows of CSV or a capture of the wire, with a time line.
 
 import type { Core } from '../core';
-import type { FaultMap, Found } from '../faults';
+import type { Fault, FaultMap, Flight, Found } from '../faults';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
@@ -79,9 +79,9 @@ export class RecordingSource implements Source {
     this.player.seek(this.us);
   }
 
-  // Goes to the next fault, or the one before, and stands still.
-  seekFault(back: boolean): void {
-    this.player.seekFault(this.us, this.found, back, (us, found) => {
+  // Goes to the next fault, or the one before, and stands still. `only`: of that kind.
+  seekFault(back: boolean, only?: Fault): void {
+    this.player.seekFault(this.us, this.found, back, only, (us, found) => {
       this.us = us;
       this.playing = false;
       this.found = found ?? this.found;
@@ -91,6 +91,15 @@ export class RecordingSource implements Source {
 
   get faults(): FaultMap | undefined {
     return this.player.faults;
+  }
+
+  get flight(): Flight | undefined {
+    return this.player.flight;
+  }
+
+  // Returns the flight's report as a page of its own.
+  report(): Promise<string> {
+    return this.player.report();
   }
 
   // The faults at the position: bits 1 << Fault.

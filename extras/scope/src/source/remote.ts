@@ -1,7 +1,7 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Core } from '../core';
-import type { FaultMap, Found, Span } from '../faults';
+import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from '../worker/messages';
@@ -31,6 +31,7 @@ export class Remote implements Line {
   wantedUs = 0; // the position to play to
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
+  flight?: Flight; // of a recording that is decoded
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -38,6 +39,7 @@ export class Remote implements Line {
   private looking?: { id: number; tell: (us: number, found: Found | null) => void }; // for a fault
   private readonly came: Answer[] = []; // since the last picture
   private text = '';
+  private reported?: (html: string) => void;
   private ended?: (text: string) => void;
 
   private constructor(
@@ -140,15 +142,24 @@ export class Remote implements Line {
     this.ask({ kind: 'seek', id: this.id, us });
   }
 
-  // Goes to the next fault after `us`, or after the fault `at`; with `back`, to the one before. `tell` gets the position and the
+  // Goes to the next fault after `us`, or after the fault `at`; with `back`, to the one before; with
+  // `only`, of that kind. `tell` gets the position and the
   // fault, or null if there is no further one. It is not called if another position is sought meanwhile.
-  seekFault(us: number, at: Span | undefined, back: boolean, tell: (us: number, found: Found | null) => void): void {
+  seekFault(us: number, at: Span | undefined, back: boolean, only: Fault | undefined, tell: (us: number, found: Found | null) => void): void {
     this.looking = { id: ++this.id, tell };
-    this.ask({ kind: 'fault', id: this.id, us, at, back });
+    this.ask({ kind: 'fault', id: this.id, us, at, only, back });
   }
 
   get isLooking(): boolean {
     return this.looking?.id === this.id;
+  }
+
+  // Returns the report of a flight that is known, as a page of its own.
+  report(): Promise<string> {
+    return new Promise((resolve) => {
+      this.reported = resolve;
+      this.ask({ kind: 'report' });
+    });
   }
 
   // Of a live line: what it comes from.
@@ -234,6 +245,10 @@ export class Remote implements Line {
       this.ended = undefined;
     } else if (answer.kind === 'faults') {
       this.faults = answer.map;
+    } else if (answer.kind === 'flight') {
+      this.flight = answer.flight;
+    } else if (answer.kind === 'report') {
+      this.reported?.(answer.html);
     } else {
       this.came.push(answer);
       if (answer.kind === 'picture' && answer.found !== undefined && this.isLooking) {

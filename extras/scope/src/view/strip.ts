@@ -1,16 +1,17 @@
 // The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
-// Each fault has a height of its own, so that they can be told apart without colours.
+// Each fault has a height of its own, so that they can be told apart without colours; losses are as high as they are many.
 
-import { binCount, type Fault, faultNames, faults, type FaultMap, type Span } from '../faults';
+import { binCount, Fault, faultNames, faults, type FaultMap, type Flight, type Span } from '../faults';
 import { byId, make, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Announcer } from './announcer';
 
 const restMs = 1000; // from one announced fault to the next
 const tall = 8;
+const lossTall = 5.5; // all frames of a second lost
 
-// Top and height, of `tall`, by Fault.
-const bands: [number, number][] = [[0, 8], [4, 4], [0, 2.5], [3.5, 1], [6.5, 1.5]];
+// Top and height, of `tall`, by Fault. Lost frames are a thin line until it is known how many they are.
+const bands: [number, number][] = [[0, 8], [7.5, 0.5], [0, 2.5], [3.5, 1], [6.5, 1.5]];
 const classes = ['failsafe', 'lost', 'damage', 'silence', 'late'];
 
 // Returns 1:02.345.
@@ -51,12 +52,23 @@ function outline(fault: Fault, bins: Uint8Array): string {
   return path;
 }
 
+// Returns the losses of each part, as high as the root of their share: 0.3 % and 40 % can be told apart.
+const losses = ({ strip }: Flight, lengthUs: number): string =>
+  strip.filter(([, , lost]) => lost > 0).map(([fromUs, toUs, lost]) => {
+    const from = (binCount * fromUs) / lengthUs;
+    const height = lossTall * Math.sqrt(lost);
+    return `M${from.toFixed(2)} ${tall}h${Math.max((binCount * toUs) / lengthUs - from, 1).toFixed(2)}v${(-height).toFixed(2)}H${from.toFixed(2)}z`;
+  }).join('');
+
 export class Strip {
+  only?: Fault; // the kind that is shown, and to which N goes; all without one
   private shown?: FaultMap;
+  private shownFlight?: Flight;
   private readonly decoded = svg('rect', { class: 'decoded', height: tall });
   private readonly window = svg('rect', { class: 'window', height: tall });
   private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
   private readonly counts = faults.map(() => make('span'));
+  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show, and go to, only these' }));
   private readonly state = make('li');
   private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
 
@@ -64,24 +76,45 @@ export class Strip {
     byId('strip').append(this.decoded, this.window, ...this.paths);
     const rows = faults.map((fault) => {
       const sample = svg('svg', { viewBox: `0 0 8 ${tall}`, 'aria-hidden': 'true' }, svg('path', { class: classes[fault], d: boxOf(fault, 0, 8) }));
-      return make('li', {}, sample, this.counts[fault]);
+      const button = this.buttons[fault];
+      button.append(sample, this.counts[fault]);
+      button.addEventListener('click', () => this.filter(this.only === fault ? undefined : fault));
+      return make('li', {}, button);
     });
     byId('fault-counts').append(this.state, ...rows);
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
-  draw({ faults: map, found, isLast, lengthUs }: RecordingSource, from: number, to: number): void {
-    if (map !== this.shown) {
+  draw({ faults: map, flight, found, isLast, lengthUs }: RecordingSource, from: number, to: number): void {
+    if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
+      this.shownFlight = flight;
       this.drawMap(map ?? { us: 0, isComplete: false, bins: new Uint8Array(binCount), counts: faults.map(() => 0) }, lengthUs);
+      if (flight) {
+        setAttribute(this.paths[Fault.LostFrame], 'd', losses(flight, lengthUs));
+      }
     }
     const place = (us: number): number => Math.min(Math.max((binCount * us) / lengthUs, 0), binCount);
     setAttribute(this.window, 'x', place(from).toFixed(1));
     setAttribute(this.window, 'width', (place(to) - place(from)).toFixed(1));
-    const all = map?.isComplete ? ` of ${map.counts.reduce((sum, count) => sum + count)}` : '';
-    const text = isLast ? 'There is no further fault in this direction.' : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
+    const all = map?.isComplete ? ` of ${this.counted(map)}` : '';
+    const kind = this.only === undefined ? 'fault' : `fault "${faultNames[this.only]}"`;
+    const text = isLast ? `There is no further ${kind} in this direction.` : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
     setText(byId('fault-text'), text);
     this.announcer.say(text);
+  }
+
+  // Shows one kind of fault, or all.
+  filter(only?: Fault): void {
+    this.only = only;
+    faults.forEach((fault) => {
+      this.buttons[fault].setAttribute('aria-pressed', String(fault === only));
+      this.paths[fault].style.display = only === undefined || fault === only ? '' : 'none';
+    });
+  }
+
+  private counted({ counts }: FaultMap): number {
+    return this.only === undefined ? counts.reduce((sum, count) => sum + count) : counts[this.only];
   }
 
   private drawMap({ us, isComplete, bins, counts }: FaultMap, lengthUs: number): void {
@@ -89,7 +122,7 @@ export class Strip {
     faults.forEach((fault) => {
       setAttribute(this.paths[fault], 'd', outline(fault, bins));
       setText(this.counts[fault], `${faultNames[fault]}: ${counts[fault]} ×`);
-      (this.counts[fault].parentElement as HTMLElement).hidden = counts[fault] === 0;
+      (this.buttons[fault].parentElement as HTMLElement).hidden = counts[fault] === 0;
     });
     const all = counts.reduce((sum, count) => sum + count);
     setText(this.state, isComplete ? `whole recording: ${all || 'no'} fault${all === 1 ? '' : 's'}` : `${Math.floor((100 * us) / lengthUs)} % decoded`);

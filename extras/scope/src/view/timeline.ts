@@ -3,6 +3,7 @@
 import { byId, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
+import { ReportView } from './report';
 import { clock, namesOf, Strip } from './strip';
 
 const stepUs = 1000000; // of an arrow key
@@ -13,6 +14,7 @@ export class Timeline {
   private source?: RecordingSource;
   private readonly telling = new Throttle(toldMs);
   private readonly strip = new Strip();
+  private readonly report = new ReportView((us) => this.visit(us));
   private readonly panel = byId('timeline');
   private readonly play = byId('play');
   private readonly position = byId<HTMLInputElement>('position');
@@ -37,6 +39,8 @@ export class Timeline {
   show(source: RecordingSource | undefined): void {
     this.source = source;
     this.panel.hidden = !source;
+    this.strip.filter();
+    this.report.draw(source);
     if (source) {
       this.position.max = String(Math.ceil(source.lengthUs / 1000));
       this.apply();
@@ -62,6 +66,7 @@ export class Timeline {
     this.tell(source);
     setText(this.text, `${clock(source.positionUs, 1)} / ${clock(source.lengthUs, 1)}`);
     this.strip.draw(source, from, to);
+    this.report.draw(source);
   }
 
   private tell(source: RecordingSource): void {
@@ -88,10 +93,18 @@ export class Timeline {
     }
   }
 
+  // Goes there and stands still.
+  private visit(us: number): void {
+    this.seek(us);
+    if (this.source) {
+      this.source.playing = false;
+    }
+  }
+
   private seekFault(back: boolean): void {
     if (this.source) {
       this.leaving();
-      this.source.seekFault(back);
+      this.source.seekFault(back, this.strip.only);
     }
   }
 
@@ -105,12 +118,12 @@ export class Timeline {
     }
   }
 
-  // Goes to a fault by N or P, but not in the list of speeds, where a letter chooses.
+  // Goes to a fault by N, back by Shift+N or P, but not in the list of speeds, where a letter chooses.
   private key(event: KeyboardEvent): void {
     const key = event.key.toLowerCase();
     if ((key === 'n' || key === 'p') && !event.ctrlKey && !event.metaKey && !event.altKey && event.target !== this.speed && this.source) {
       event.preventDefault();
-      this.seekFault(key === 'p');
+      this.seekFault(key === 'p' || event.shiftKey);
     }
   }
 

@@ -106,22 +106,24 @@ export class Faults {
   }
 
   // Returns the first that begins after a time, or that follows a fault.
-  after(place: Place): Found | undefined {
-    return this.first((fault) => this.passed(fault, place), 1);
+  // `only`: of this kind.
+  after(place: Place, only?: Fault): Found | undefined {
+    return this.first(only, (fault) => this.passed(fault, place), 1);
   }
 
   // Returns the last that begins by a time, or that precedes a fault.
-  before(place: Place): Found | undefined {
-    return this.first((fault) => {
+  before(place: Place, only?: Fault): Found | undefined {
+    return this.first(only, (fault) => {
       const last = this.passed(fault, place) - 1;
       return last >= 0 && order(this.span(fault, last), place) === 0 ? last - 1 : last;
     }, -1);
   }
 
-  private first(candidate: (fault: Fault) => number, sign: number): Found | undefined {
-    const all = faults.map((fault) => [fault, candidate(fault)]).filter(([fault, at]) => at >= 0 && at < this.spans[fault].count);
+  private first(only: Fault | undefined, candidate: (fault: Fault) => number, sign: number): Found | undefined {
+    const kinds = only === undefined ? faults : [only];
+    const all = kinds.map((fault) => [fault, candidate(fault)]).filter(([fault, at]) => at >= 0 && at < this.spans[fault].count);
     const [span] = all.map(([fault, at]) => this.span(fault, at)).sort((one, other) => sign * order(one, other));
-    return span && { ...span, number: faults.reduce((sum, fault) => sum + this.passed(fault, span), 0) };
+    return span && { ...span, number: kinds.reduce((sum, fault) => sum + this.passed(fault, span), 0) };
   }
 
   // Returns how many spans of a fault begin by that place.

@@ -1,7 +1,7 @@
 // The messages between the page and what decodes a line for it: mostly a worker.
 
 import type { Setting, Simulation } from '../core';
-import type { FaultMap, Found, Span } from '../faults';
+import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Finding } from '../finding';
 import type { Samples } from '../history';
 import type { Status } from '../line';
@@ -33,7 +33,8 @@ export type Request =
   | { kind: 'open'; wasm: Uint8Array; file: File } // a recording
   | { kind: 'advance'; id: number; us: number } // all characters complete by then; of a port, all that have come
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
-  | { kind: 'fault'; id: number; us: number; at?: Span; back: boolean } // to the next one after `us`, or after the fault `at`
+  | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
+  | { kind: 'report' } // of a recording whose flight is known
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }
   | { kind: 'replugged'; place: PortPlace }
@@ -75,5 +76,7 @@ export type Answer =
   | { kind: 'opened'; lengthUs: number; carrier: string; picture: Picture }
   | Picture
   | { kind: 'faults'; map: FaultMap }
+  | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
+  | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
   | { kind: 'recorded'; text: string }; // the end of it

@@ -1,5 +1,6 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
+import type { Flight } from '../faults';
 import { imports, Native, type Exports } from '../native';
 import { bytesOf } from './bytes';
 import { directory, unpack, type Entry } from './zip';
@@ -94,6 +95,22 @@ export class Tape {
 
   timeOf(character: number): number {
     return character < this.size ? this.native.calls.recordingUs(character) : 0;
+  }
+
+  // Takes the next part of the flight. Returns true once that was the last one.
+  flightPart(): boolean {
+    return this.native.calls.flightPart() !== 0;
+  }
+
+  // Returns undefined of a recording without frames. After the last part.
+  flight(): Flight | undefined {
+    const text = this.native.words(this.native.calls.flightNumbers());
+    return text === '' ? undefined : JSON.parse(text);
+  }
+
+  // Returns the flight's report as a page of its own.
+  report(): string {
+    return this.native.words(this.native.calls.flightPage());
   }
 
   private handed(size: number): Uint8Array {

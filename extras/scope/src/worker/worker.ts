@@ -98,6 +98,7 @@ class Playing {
   private readonly player: Decoder;
   private readonly index: Index;
   private past?: Past;
+  private knowsFlight = false;
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' }>;
   private waking = (): void => undefined;
 
@@ -119,6 +120,8 @@ class Playing {
       if (!request.on) {
         answer({ kind: 'recorded', text: reader.words(calls.takeRecorded()) });
       }
+    } else if (request.kind === 'report') {
+      answer({ kind: 'report', html: this.tape.report() });
     } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault') {
       this.wanted = request;
       this.waking();
@@ -141,10 +144,21 @@ class Playing {
         this.past = this.past.work() ? undefined : this.past;
       } else if (!this.index.isComplete) {
         this.index.work();
+      } else if (!this.knowsFlight) {
+        this.workAtFlight();
       } else {
         await new Promise<void>((resolve) => (this.waking = resolve));
       }
       await turn();
+    }
+  }
+
+  // What seeks need comes first: the index.
+  private workAtFlight(): void {
+    this.knowsFlight = this.tape.flightPart();
+    const flight = this.knowsFlight ? this.tape.flight() : undefined;
+    if (flight) {
+      answer({ kind: 'flight', flight });
     }
   }
 
@@ -170,11 +184,11 @@ class Playing {
     this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
   }
 
-  private toFault({ id, us, at, back }: Extract<Request, { kind: 'fault' }>): void {
+  private toFault({ id, us, at, only, back }: Extract<Request, { kind: 'fault' }>): void {
     const { index } = this;
     const { faults, isComplete, endUs } = index;
     const place = at ?? { fromUs: us };
-    const found = back ? faults.before(place) : faults.after(place);
+    const found = back ? faults.before(place, only) : faults.after(place, only);
     if (isComplete || faults.knows(back ? us : (found?.fromUs ?? Infinity))) {
       this.wanted = undefined;
       if (found) {

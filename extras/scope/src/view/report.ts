@@ -1,0 +1,90 @@
+// A whole recording at a glance: its verdict, its figures, its worst seconds and its longest faults, each of which can be visited.
+
+import { byId, make, setAttribute, setText } from '../dom';
+import { type Flight, FlightKind, type FlightPart } from '../faults';
+import type { RecordingSource } from '../source/recording';
+import { clock } from './strip';
+
+const severities = ['good', 'warning', 'alarm']; // line::FlightVerdict::Severity
+const kinds = [FlightKind.Failsafe, FlightKind.NoFrames, FlightKind.LostFrame, FlightKind.Late];
+const names: Record<FlightKind, string> = {
+  [FlightKind.Failsafe]: 'Failsafe',
+  [FlightKind.LostFrame]: 'Lost frames',
+  [FlightKind.NoFrames]: 'No frames',
+  [FlightKind.Late]: 'PC late',
+};
+const shownUs = 2000; // after a frame it is seen
+
+const seconds = (us: number): string => `${(us / 1e6).toFixed(3)} s`;
+
+export class ReportView {
+  private shown?: Flight;
+  private source?: RecordingSource;
+  private readonly card = byId('report');
+  private readonly lists = byId('report-lists');
+
+  // `visit`: goes to a time in the recording, in us.
+  constructor(private readonly visit: (us: number) => void) {
+    byId('report-open').addEventListener('click', () => void this.open());
+  }
+
+  draw(source: RecordingSource | undefined): void {
+    this.source = source;
+    const flight = source?.flight;
+    if (flight !== this.shown) {
+      this.shown = flight;
+      this.card.hidden = !flight;
+      if (flight) {
+        this.show(flight);
+      }
+    }
+  }
+
+  private show(flight: Flight): void {
+    setAttribute(byId('report-verdict'), 'data-severity', severities[flight.severity]);
+    setText(byId('report-text'), flight.text);
+    setText(
+      byId('report-facts'),
+      `${seconds(flight.toUs - flight.fromUs)} long: ${flight.frames} frames, ${flight.framesPerSecond.toFixed(1)} a second; ` +
+        `${flight.lostFrames} with the lost-frame flag, ${flight.missing} missing, ${flight.failsafeFrames} in failsafe; ` +
+        `${flight.discardedBytes} discarded bytes, ${flight.characterErrors} character errors.`,
+    );
+    const { worst, spans } = flight;
+    this.lists.replaceChildren(
+      this.list(worst.length > 0 ? 'The worst seconds' : 'In no second was a frame lost', worst.map((part) => [part[0], part[1], textOf(part)])),
+      ...kinds.filter((kind) => spans[kind].count > 0).map((kind) => {
+        const { count, us, longest } = spans[kind];
+        const more = count > longest.length ? `; the ${longest.length} longest` : '';
+        return this.list(
+          `${names[kind]}: ${count} ${count === 1 ? 'time' : 'times'}, ${seconds(us)} in all${more}`,
+          longest.map(([fromUs, toUs]) => [fromUs, fromUs + shownUs, seconds(toUs - fromUs)]),
+        );
+      }),
+    );
+  }
+
+  // Each row: the time that is shown, the time that is visited, in us, and a text.
+  private list(title: string, rows: [number, number, string][]): HTMLElement {
+    const items = rows.map(([fromUs, toUs, text]) => {
+      const button = make('button', {}, clock(fromUs));
+      button.addEventListener('click', () => this.visit(toUs));
+      return make('li', {}, button, make('span', {}, text));
+    });
+    return make('section', {}, make('h3', {}, title), make('ol', {}, ...items));
+  }
+
+  // Opens the report in a tab of its own, to look at, to print or to save.
+  private async open(): Promise<void> {
+    const html = await this.source?.report();
+    if (html) {
+      const url = URL.createObjectURL(new Blob([html], { type: 'text/html' }));
+      window.open(url, '_blank');
+      setTimeout(() => URL.revokeObjectURL(url), 60000);
+    }
+  }
+}
+
+function textOf([, , lost, kind]: FlightPart): string {
+  const what = kind === FlightKind.LostFrame ? '' : `, ${names[kind as FlightKind].toLowerCase().replace('pc', 'PC')}`;
+  return `${(100 * lost).toFixed(1)} % lost${what}`;
+}
