@@ -20,6 +20,7 @@ void addSubcommands(CLI::App &app) {
   tool::addMonitor(app);
   tool::addDoctor(app);
   tool::addSummary(app);
+  tool::addCompare(app);
   tool::addTelemetry(app);
   tool::addHex(app);
   tool::addCsv(app);

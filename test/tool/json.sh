@@ -32,6 +32,9 @@ for unit in us percent; do
   run hex sim --simulated-time --seconds 0.1 --unit $unit
 done
 run watch sim --simulated-time --seconds 20 --when failsafe --record "$work/events"
+run compare sim sim:noise=20 --simulated-time --seconds 5
+"$SBUS" hex sim --simulated-time --seconds 5 --json | sed '100s/\[[0-9]*,/[2000,/' >"$work/other.json"
+run compare sim "$work/other.json" --simulated-time --seconds 5
 run ports
 python3 - "$work/all" ../extras/cli/sbus.1 "$SBUS" <<'END'
 import json, os, re, subprocess, sys
@@ -50,9 +53,9 @@ def check(line):
     kind = object.get("type")
     states.add(object.get("state"))
     for name, value in object.items():
-        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file") else
+        expected = (str if name in ("type", "signal", "byte", "end", "bytes", "why", "state", "polarity", "finding", "remedy", "line", "message", "name", "description", "usb_vendor", "usb_product", "serial_number", "known_as", "kind", "source", "start", "quantity", "unit", "date", "file", "by", "only") else
                     list if name in ("channels", "us", "percent", "values", "data") else
-                    bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission") else
+                    bool if name in ("ch17", "ch18", "dg1", "dg2", "lost_frame", "failsafe", "parity_error", "framing_error", "inverted", "timed", "has_24_channels", "rows_of_csv", "well", "permission", "by_contents") else
                     (int, float))
         if not isinstance(value, expected) or (expected != bool and isinstance(value, bool)):
             wrong.append("%s of %s is %r" % (name, kind, value))

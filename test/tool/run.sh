@@ -13,6 +13,7 @@
 #   tool/send.sh               what `sbus send` sends
 #   tool/bridge.sh             what `sbus bridge` sends
 #   tool/watch.sh              what `sbus watch` keeps of events
+#   tool/compare.sh            what `sbus compare` says of two lines
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/stream.sh             what one subcommand prints and another reads, also live
 #   tool/telemetry.sh          `sbus telemetry`
@@ -298,6 +299,7 @@ SBUS=$sbus WORK=$work tool/counts.sh
 SBUS=$sbus WORK=$work tool/send.sh
 SBUS=$sbus WORK=$work tool/bridge.sh
 SBUS=$sbus WORK=$work tool/watch.sh
+SBUS=$sbus WORK=$work tool/compare.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/stream.sh

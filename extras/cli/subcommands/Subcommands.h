@@ -22,6 +22,7 @@ void addDecode(CLI::App &app);
 void addWave(CLI::App &app);
 void addDoctor(CLI::App &app);
 void addSummary(CLI::App &app);
+void addCompare(CLI::App &app);
 void addTelemetry(CLI::App &app);
 void addExplain(CLI::App &app);
 

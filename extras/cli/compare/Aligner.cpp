@@ -1,0 +1,234 @@
+#include "cli/compare/Aligner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+namespace {
+
+constexpr int64_t WindowUs = 50000;  // how far the delay may jump: a period of the slowest receiver, a late port
+constexpr int64_t TryEachUs = 2000000;
+constexpr int64_t TryMostUs = 60000000;
+constexpr size_t VotesLeast = 8;
+constexpr int64_t VoteWidthUs = 20000;
+
+bool isSame(const line::Values &a, const line::Values &b) {
+  return a.raw == b.raw && a.switches == b.switches;
+}
+
+uint64_t hashOf(const line::Values &values) {
+  uint64_t hash = 1469598103934665603U;  // FNV-1a
+  const auto add = [&hash](unsigned value) { hash = (hash ^ value) * 1099511628211U; };
+  std::for_each(values.raw.begin(), values.raw.end(), add);
+  std::for_each(values.switches.begin(), values.switches.end(), add);
+  return hash;
+}
+
+}  // namespace
+
+// Returns how many frames in a row have the channels of `first`, with those from `next` on; 0 if the end is not there
+// yet.
+size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) {
+  size_t run = 1;
+  while (next < frames.size() && isSame(frames[next].values, first.values)) {
+    next++;
+    run++;
+  }
+  return next < frames.size() ? run : 0;
+}
+
+void Aligner::put(size_t side, int64_t us, const line::Values &values) {
+  const bool isChange = _newest[side] && !isSame(*_newest[side], values);
+  _newest[side] = values;
+  _sides[side].frames.push_back({us, isChange, values});
+  knownUntil(side, us);
+}
+
+void Aligner::knownUntil(size_t side, int64_t us) {
+  _sides[side].knownUs = std::max(_sides[side].knownUs, us);
+  work(false);
+}
+
+void Aligner::finish() {
+  work(true);
+  leave(INT64_MAX);
+  pairLeft(INT64_MAX);
+  sayBefore(INT64_MAX);
+}
+
+void Aligner::work(bool isEnd) {
+  if (!_hasDelay && !findDelay(isEnd)) {
+    return;
+  }
+  std::deque<Frame> &frames = _sides[0].frames;
+  while (!frames.empty()) {
+    const int64_t expectedUs = frames.front().us + std::llround(_delayUs);
+    if (!isEnd && _sides[1].knownUs < expectedUs + WindowUs) {
+      return;
+    }
+    const Frame frame = frames.front();
+    frames.pop_front();
+    match(frame);
+    leave(expectedUs - WindowUs);
+    pairLeft(frame.us - 2 * WindowUs);
+    sayBefore(frame.us - 3 * WindowUs);
+  }
+  // Without frames of the first one, those of the second are left once their time has passed.
+  if (!isEnd && frames.empty()) {
+    const int64_t us = std::min<int64_t>(_sides[0].knownUs, _sides[1].knownUs - std::llround(_delayUs));
+    leave(us + std::llround(_delayUs) - 2 * WindowUs);
+    pairLeft(us - 3 * WindowUs);
+    sayBefore(us - 4 * WindowUs);
+  }
+}
+
+// Each change that occurs once on either side votes for a delay. Returns true once the delay is found, or given up.
+bool Aligner::findDelay(bool isEnd) {
+  const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
+  if (knownUs == INT64_MIN && !isEnd) {
+    return false;
+  }
+  if (_tryUs == INT64_MIN) {
+    _tryUs = knownUs == INT64_MIN ? 0 : knownUs + TryEachUs;
+  }
+  if (!isEnd && knownUs < _tryUs) {
+    return false;
+  }
+  _tryUs += TryEachUs;
+  std::unordered_map<uint64_t, std::array<std::pair<unsigned, int64_t>, 2>> places;
+  for (const size_t side : {0, 1}) {
+    for (const Frame &frame : _sides[side].frames) {
+      if (frame.isChange) {
+        auto &[count, us] = places[hashOf(frame.values)][side];
+        count++;
+        us = frame.us;
+      }
+    }
+  }
+  std::vector<int64_t> votes;
+  for (const auto &[hash, place] : places) {
+    if (place[0].first == 1 && place[1].first == 1) {
+      votes.push_back(place[1].second - place[0].second);
+    }
+  }
+  std::sort(votes.begin(), votes.end());
+  size_t most = 0, first = 0;
+  for (size_t begin = 0, end = 0; begin < votes.size(); begin++) {
+    while (end < votes.size() && votes[end] <= votes[begin] + VoteWidthUs) {
+      end++;
+    }
+    if (end - begin > most) {
+      most = end - begin;
+      first = begin;
+    }
+  }
+  _isByContents = most >= VotesLeast && 2 * most > votes.size();
+  if (_isByContents) {
+    _delayUs = static_cast<double>(votes[first + most / 2]);
+  }
+  const auto &frames = _sides[0].frames;
+  const bool isLate = !frames.empty() && _sides[0].knownUs > frames.front().us + TryMostUs;
+  _hasDelay = _isByContents || isEnd || isLate;
+  if (_hasDelay) {
+    findPeriod();
+  }
+  return _hasDelay;
+}
+
+// Sets the shorter frame period of both.
+void Aligner::findPeriod() {
+  int64_t leastUs = INT64_MAX;
+  for (const Side &side : _sides) {
+    std::vector<int64_t> intervals;
+    for (size_t i = 1; i < side.frames.size(); i++) {
+      intervals.push_back(side.frames[i].us - side.frames[i - 1].us);
+    }
+    if (!intervals.empty()) {
+      std::nth_element(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2),
+                       intervals.end());
+      leastUs = std::min(leastUs, intervals[intervals.size() / 2]);
+    }
+  }
+  _periodUs = leastUs < INT64_MAX ? std::min<int64_t>(std::max<int64_t>(leastUs, 4000), 30000) : _periodUs;
+}
+
+// Takes the frame of the second side with which a run of the same length begins, if one begins here: receivers whose
+// clocks differ repeat a frame at other times. Otherwise takes the nearest one with these channels, within half a
+// period.
+void Aligner::match(const Frame &frame) {
+  std::deque<Frame> &others = _sides[1].frames;
+  const int64_t expectedUs = frame.us + std::llround(_delayUs);
+  const size_t run = frame.isChange ? runOf(frame, _sides[0].frames, 0) : 0;
+  size_t best = others.size();
+  int64_t leastUs = INT64_MAX;
+  bool isRun = false;
+  for (size_t i = 0; i < others.size() && others[i].us <= expectedUs + WindowUs; i++) {
+    const int64_t awayUs = std::abs(others[i].us - expectedUs);
+    const bool isBegin = run > 0 && others[i].isChange && awayUs <= WindowUs && runOf(others[i], others, i + 1) == run;
+    const bool isBetter = isBegin == isRun ? awayUs < leastUs : isBegin;
+    if ((isBegin || awayUs <= _periodUs / 2) && isBetter && isSame(others[i].values, frame.values)) {
+      best = i;
+      leastUs = awayUs;
+      isRun = isBegin;
+    }
+  }
+  if (best == others.size()) {
+    _sides[0].left.push_back(frame);
+    return;
+  }
+  const auto end = others.begin() + static_cast<std::ptrdiff_t>(best);
+  _sides[1].left.insert(_sides[1].left.end(), others.begin(), end);
+  add(frame, *end, true);
+  _delayUs += (static_cast<double>(end->us - frame.us) - _delayUs) / (leastUs > _periodUs / 2 ? 1 : 16);
+  others.erase(others.begin(), end + 1);
+}
+
+// Gives up the second side's frames before this time of theirs.
+void Aligner::leave(int64_t beforeUs) {
+  std::deque<Frame> &others = _sides[1].frames;
+  while (!others.empty() && others.front().us < beforeUs) {
+    _sides[1].left.push_back(others.front());
+    others.pop_front();
+  }
+}
+
+// Those that are left, and are at the same time, are a pair with different contents.
+void Aligner::pairLeft(int64_t beforeUs) {
+  const int64_t delayUs = std::llround(_delayUs);
+  std::deque<Frame> &ones = _sides[0].left, &others = _sides[1].left;
+  while (!ones.empty() || !others.empty()) {
+    const int64_t oneUs = ones.empty() ? INT64_MAX : ones.front().us;
+    const int64_t otherUs = others.empty() ? INT64_MAX : others.front().us - delayUs;
+    if (std::min(oneUs, otherUs) >= beforeUs) {
+      return;
+    }
+    const size_t side = oneUs <= otherUs ? 0 : 1;
+    if (!ones.empty() && !others.empty() && std::abs(oneUs - otherUs) <= _periodUs / 2) {
+      add(ones.front(), others.front(), false);
+      ones.pop_front();
+      others.pop_front();
+      continue;
+    }
+    Finding finding{Finding::Kind::Only, side, {}, 0, false};
+    finding.values[side] = _sides[side].left.front().values;
+    _found.emplace(std::min(oneUs, otherUs), finding);
+    _sides[side].left.pop_front();
+  }
+}
+
+void Aligner::add(const Frame &a, const Frame &b, bool isSameContent) {
+  _found.emplace(a.us, Finding{Finding::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent});
+}
+
+void Aligner::sayBefore(int64_t us) {
+  while (!_found.empty() && _found.begin()->first < us) {
+    _say(_found.begin()->first, _found.begin()->second);
+    _found.erase(_found.begin());
+  }
+}
+
+}  // namespace tool

@@ -1,0 +1,76 @@
+// Finds which frame of one source is which of another, by their contents. It keeps a few seconds, a minute at most.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "line/Statistics.h"
+
+namespace tool {
+
+// What was found, at a time of the first source.
+struct Finding {
+  enum class Kind { Pair, Only };
+
+  Kind kind;
+  size_t side;  // of Only: 0 is the first source
+  std::array<std::optional<line::Values>, 2> values;
+  int64_t delayUs;     // of Pair: how much later the second one is
+  bool isSameContent;  // of Pair: all channels
+};
+
+class Aligner {
+ public:
+  // Calls `say` with each finding in the order of their times.
+  explicit Aligner(std::function<void(int64_t us, const Finding &)> say) : _say(std::move(say)) {}
+
+  // Takes the next frame of a side, 0 or 1.
+  void put(size_t side, int64_t us, const line::Values &values);
+
+  // Takes the time up to which no other frame came.
+  void knownUntil(size_t side, int64_t us);
+
+  // Takes the end of both.
+  void finish();
+
+  // Returns true if the delay was found by contents, false if the times were taken for the same.
+  bool isByContents() const { return _isByContents; }
+
+ private:
+  struct Frame {
+    int64_t us;
+    bool isChange;  // its channels are not those of the frame before
+    line::Values values;
+  };
+  struct Side {
+    std::deque<Frame> frames;  // that are still to be matched
+    std::deque<Frame> left;    // that matched nothing
+    int64_t knownUs = INT64_MIN;
+  };
+
+  static size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next);
+  void work(bool isEnd);
+  bool findDelay(bool isEnd);
+  void findPeriod();
+  void match(const Frame &frame);
+  void leave(int64_t beforeUs);
+  void pairLeft(int64_t beforeUs);
+  void add(const Frame &a, const Frame &b, bool isSameContent);
+  void sayBefore(int64_t us);
+
+  const std::function<void(int64_t us, const Finding &)> _say;
+  std::array<Side, 2> _sides;
+  std::array<std::optional<line::Values>, 2> _newest;
+  std::multimap<int64_t, Finding> _found;
+  bool _hasDelay = false;
+  bool _isByContents = false;
+  double _delayUs = 0;  // follows the clocks
+  int64_t _periodUs = 9000;
+  int64_t _tryUs = INT64_MIN;  // when to look for the delay again
+};
+
+}  // namespace tool

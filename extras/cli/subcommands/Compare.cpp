@@ -1,0 +1,128 @@
+// sbus compare: two receivers, or the wire and a port: who lost what, the delay, the first difference.
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/Output.h"
+#include "cli/SilenceNote.h"
+#include "cli/compare/ComparisonReport.h"
+#include "cli/options/SourceOption.h"
+#include "cli/subcommands/Subcommands.h"
+#include "line/Observer.h"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  explicit Options(Subcommand &subcommand) : a(subcommand, Recordings::AtOnce, Words::One, "A") {}
+
+  SourceOption a;
+  std::string b;
+  bool json = false;
+};
+
+// One of the two sources, on its way to the aligner.
+class Compared {
+ public:
+  Compared(const SourceOption &source, size_t side, Aligner &aligner)
+      : _source(source), _side(side), _aligner(aligner), _input(source.open()), _silence(source.name(), "frames") {
+    if (!source.hasTimes()) {
+      throw std::runtime_error(source.name() + ": has no times; a port, a recording or a capture is expected");
+    }
+    _observer.reset(0, _input->settings().characterUs());
+    _observer.listen([this](const line::Stretch &stretch) {
+      if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
+        _aligner.put(_side, timeOf(stretch.endUs()), _observer.newest());
+      }
+    });
+  }
+  Compared(const Compared &) = delete;
+  Compared &operator=(const Compared &) = delete;
+
+  // Sets what is added to its times.
+  void setLater(int64_t us) { _laterUs = us; }
+
+  Input &input() { return *_input; }
+  Input::Taker taker() {
+    return {[this](const line::Character &character) { _observer.put(character); },
+            [this](uint64_t nowUs) {
+              _observer.idleUntil(_input->knownUs());
+              // A port that is unplugged knows of nothing: it has brought nothing for a second.
+              const uint64_t knownUs = std::max(_input->knownUs(), nowUs - std::min(nowUs, LateMostUs));
+              _aligner.knownUntil(_side, timeOf(knownUs) - HeldUs);
+              _silence.tick(nowUs, _observer.counters().frames > 0);
+            }};
+  }
+
+  void finish() {
+    _observer.finish();
+    _silence.end(_observer.counters().frames > 0);
+  }
+
+ private:
+  static constexpr uint64_t LateMostUs = 1000000;
+  static constexpr int64_t HeldUs = 100000;  // a frame may wait for what follows it
+
+  int64_t timeOf(uint64_t us) const { return static_cast<int64_t>(us) + _laterUs; }
+
+  const SourceOption &_source;
+  const size_t _side;
+  Aligner &_aligner;
+  const std::unique_ptr<Input> _input;
+  SilenceNote _silence;
+  line::Observer _observer;
+  int64_t _laterUs = 0;
+};
+
+// Returns how much later time 0 of `b` is, if both files say when they began.
+int64_t laterUs(const SourceOption &a, const SourceOption &b) {
+  return a.isFile() && b.isFile() && a.startUs() && b.startUs() ? *b.startUs() - *a.startUs() : 0;
+}
+
+void run(const Options &options) {
+  const SourceOption &a = options.a;
+  const SourceOption b(a, options.b);
+  ComparisonReport report([&options](const LostSpan &span) {
+    if (options.json) {
+      write(span.json());
+      flush();
+    }
+  });
+  Aligner aligner([&report](int64_t us, const Finding &finding) { report.put(us, finding); });
+  Compared one(a, 0, aligner);
+  Compared other(b, 1, aligner);
+  other.setLater(laterUs(a, b));
+  if (options.json) {
+    write(a.json().line() + b.json().line());
+    flush();
+  }
+  Input::runBoth(one.input(), one.taker(), other.input(), other.taker(), -laterUs(a, b));
+  one.finish();
+  other.finish();
+  aligner.finish();
+  report.finish();
+  if (!report.any()) {
+    throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common");
+  }
+  write(options.json ? report.json(aligner.isByContents()) : report.text({a.name(), b.name()}, aligner.isByContents()));
+  flush();
+}
+
+}  // namespace
+
+void addCompare(CLI::App &app) {
+  Subcommand subcommand(app, "compare",
+                        "two receivers, or wire and port: who lost what, the delay, the first difference");
+  const auto options = std::make_shared<Options>(subcommand);
+  subcommand.option("B", options->b, "the other source").required().notEmpty().type("");
+  subcommand.flag("--json", options->json, "JSON lines");
+  subcommand.footer(
+      "It is printed when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A frame is lost by "
+      "one "
+      "if only the other has it, or if only this one has the flag lost frame or failsafe.");
+  subcommand.run([options] { run(*options); });
+}
+
+}  // namespace tool

@@ -1,0 +1,201 @@
+#!/bin/sh
+# Tests what `sbus compare` says of two lines whose differences are known, and says "ok ..." or "FAILED ...".
+# SBUS: the program; WORK: an absolute folder for what is written.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+work=$WORK/compare
+rm -rf "$work"
+mkdir -p "$work"
+
+. tool/common.sh
+
+# line NAME SECONDS VALUES WHERE: frame i of a flight in $work/NAME, at 9 ms * i + SECONDS; VALUES changes `raw`, the value of CH1,
+# `lost` and `us`; frames for which WHERE is true are left out. CH1 is a walk of a stick that seldom has a value twice.
+line() {
+  awk -v "seconds=$2" 'BEGIN {
+    for (i = 1; i <= 3000; i++) {
+      raw = (i * 37 + int(i / 50) * 11) % 2000; lost = 0; us = i * 9000 + seconds * 1000000
+      '"$3"'
+      if (!('"${4:-0}"')) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,%d,172,992,992,992,992,992,992,992,992,992,992,992,992,992],\"lost_frame\":%d}\n", us, raw, i % 2000, lost
+    }
+  }' >"$work/$1"
+}
+# json A B: $work/json has the lines, $work/sum the figures of the last one
+compare() {
+  (cd "$work" && timeout 100 "$SBUS" compare "$@" --json) >"$work/json" 2>"$work/err"
+  status=$?
+  python3 -c 'import json, sys
+lines = [json.loads(line) for line in sys.stdin]
+c = lines[-1]
+if c["type"] == "comparison":
+    print(*[c[name] for name in ("frames_a", "frames_b", "alone_a", "alone_b", "same", "different", "lost_by_a", "lost_by_b")], "delay", *[round(c[name]) for name in ("delay_us", "least_delay_us", "most_delay_us")], "drift", c["drift_ppm"])
+' <"$work/json" >"$work/sum"
+  return $status
+}
+# said WANTED WHAT: the figures are these
+said() {
+  [ "$(cat "$work/sum")" = "$1" ] || { cat "$work/sum" "$work/err"; false; }
+  verdict $? "$2: $1"
+}
+spans() { sed -n 's/.*"loss","by":"\(.\)","from_us":\([0-9]*\).*"to_us":\([0-9]*\).*"frames":\([0-9]*\).*/\1 \2 \3 \4/p' "$work/json"; }
+
+line a.json 1 ''
+compare a.json a.json
+said "3000 3000 0 0 3000 0 0 0 delay 0 0 0 drift 0.0" "a line and itself are the same"
+line b.json 1 'us += 1234'
+compare a.json b.json
+said "3000 3000 0 0 3000 0 0 0 delay 1234 1234 1234 drift 0.0" "a delay"
+compare b.json a.json
+said "3000 3000 0 0 3000 0 0 0 delay -1234 -1234 -1234 drift 0.0" "the second one may be the earlier"
+for offset in 6 26; do
+  line b.json $offset ''
+  compare a.json b.json
+  said "3000 3000 0 0 3000 0 0 0 delay $((offset - 1))000000 $((offset - 1))000000 $((offset - 1))000000 drift 0.0" "a recording that was begun $((offset - 1)) s earlier"
+done
+line b.json 1 'us = int(us * 1.00005)'
+compare a.json b.json
+said "3000 3000 0 0 3000 0 0 0 delay 725 50 1400 drift 50.0" "a clock that is 50 ppm slow"
+
+line b.json 1 '' 'i == 100 || i > 1000 && i <= 1010'
+compare a.json b.json
+said "3000 2989 0 0 2989 0 0 11 delay 0 0 0 drift 0.0" "eleven frames are missing in B"
+[ "$(spans | paste -sd ,)" = "B 1900000 1900000 1,B 10009000 10090000 10" ] && grep -q '"difference","time_us":1900000.0,"only":"A"' "$work/json"
+verdict $? "in two spans: $(spans | paste -sd ,)"
+compare b.json a.json
+said "2989 3000 0 0 2989 0 11 0 delay 0 0 0 drift 0.0" "eleven frames are missing in A"
+line b.json 1 'us += 7' 'i <= 500 || i > 2900'
+compare a.json b.json
+said "3000 2400 600 0 2400 0 0 0 delay 7 7 7 drift 0.0" "what A has before and after B is not lost"
+line b.json 1 'if (i > 700 && i <= 720) { raw = (700 * 37 + 154) % 2000; lost = 1 }'
+sed -i 's/\[\([0-9]*\),[0-9]*,\(.*"lost_frame":1\)/[\1,700,\2/' "$work/b.json"
+compare a.json b.json
+said "3000 3000 0 0 2980 0 0 20 delay 0 0 0 drift 0.0" "lost frames that repeat the values before are lost"
+line b.json 1 'if (i == 800) raw = 2047; if (i == 900) raw = 2046'
+compare a.json b.json
+said "3000 3000 0 0 2998 2 0 0 delay 0 0 0 drift 0.0" "two frames have another CH1"
+grep -qx '{"type":"difference","time_us":8200000.0,"name":"CH1","a":1776,"b":2047}' "$work/json" || { grep difference "$work/json"; false; }
+verdict $? "the first difference has its channel and values"
+
+# A stick that stands still does not tell one frame from the next: the times do, once the delay is known.
+line a.json 1 'if (i > 1500) raw = 5'
+sed -i 's/\[5,[0-9]*,/[5,5,/' "$work/a.json"
+sed '1700d; 1800,1809d' "$work/a.json" >"$work/b.json"
+compare a.json b.json
+said "3000 2989 0 0 2989 0 0 11 delay 0 0 0 drift 0.0" "frames that are all alike"
+# Receivers whose clocks differ by 0.1 %; a new value each 18 ms.
+awk 'BEGIN { for (t = 0; t < 60000; t += 9) { raw = int(t / 18) * 37 % 2000; printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,%d,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", 1000000 + t * 1000, raw, int(t / 18) % 2000 } }' >"$work/a.json"
+awk 'BEGIN { for (t = 3; t < 60000; t += 9.01) { raw = int(t / 18) * 37 % 2000; printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,%d,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", 1000000 + t * 1000, raw, int(t / 18) % 2000 } }' >"$work/b.json"
+compare a.json b.json
+read -r a b x y same different by_a by_b rest <"$work/sum"
+[ "$a" -eq 6667 ] && [ "$same" -ge 6600 ] && [ "$different" -eq 0 ] && [ $((by_a + by_b)) -le 60 ] || { cat "$work/sum"; false; }
+verdict $? "receivers whose clocks differ by 0.1 %: $(cat "$work/sum")"
+
+# Dates tell how recordings of different beginnings belong together.
+line a.json 1 'raw = 5'
+for name in a b; do sed -i 's/,[0-9]*,172/,6,172/' "$work/a.json"; done
+"$SBUS" hex "$work/a.json" --json | sed -n 1p >"$work/head"
+(sed 's/}$/,"start":"2026-11-24T10:00:00.000000Z"}/' "$work/head"; cat "$work/a.json") >"$work/a-dated.json"
+(sed 's/}$/,"start":"2026-11-24T10:10:00.000000Z"}/' "$work/head"; awk -F'[:,]' -v OFS= '{ us = $4 - 600000000; if (us > 0) print }' "$work/a.json") >"$work/b-dated.json"
+line c.json 601 'raw = 5'
+sed -i 's/,[0-9]*,172/,6,172/' "$work/c.json"
+(sed 's/}$/,"start":"2026-11-24T09:50:00.000000Z"}/' "$work/head"; cat "$work/c.json") >"$work/c-dated.json"
+compare a-dated.json c-dated.json
+said "3000 3000 0 0 3000 0 0 0 delay 0 0 0 drift 0.0" "ten minutes between the beginnings, by their dates"
+grep -q '"by_contents":false' "$work/json"
+verdict $? "it says that contents did not tell the delay"
+
+# ---- The wire and a port, files and sources of other kinds
+
+"$SBUS" record sim "$work/sim.txt" --simulated-time --seconds 14 2>"$work/err"
+"$SBUS" wave "$work/sim.txt" -o "$work/sim.vcd"
+compare sim.txt sim.vcd
+read -r a b x y same rest <"$work/sum"
+[ "$a $b $same" = "1555 1555 1555" ]
+verdict $? "a recording and a capture of it are the same: $(cat "$work/sum")"
+compare sim sim:noise=50 --simulated-time --seconds 14
+"$SBUS" hex sim:noise=50 --simulated-time --seconds 14 --json | grep -c '"type":"frame"' >"$work/noisy"
+read -r a b alone y same different by_a by_b rest <"$work/sum"
+[ "$a $b $different $by_a" = "1555 $(cat "$work/noisy") 0 0" ] && [ $((same + by_b + alone)) -eq 1555 ] && [ "$same" -eq "$b" ]
+verdict $? "of a noisy line every frame has its partner: $(cat "$work/sum")"
+
+(cd "$work" && "$SBUS" compare sim.txt sim.txt) >"$work/text"
+cat >"$work/wanted" <<'END'
+A            sim.txt: 1555 frames
+B            sim.txt: 1555 frames
+same         1555 frames
+different    0 frames
+lost by A    0 frames in 0 spans
+lost by B    0 frames in 0 spans
+first        none
+delay        of B: median 0 us, 0 to 0 us, drift 0.0 us/s, found by the contents
+END
+diff "$work/wanted" "$work/text"
+verdict $? "compare prints a text"
+
+# ---- Two ports at once
+
+python3 - "$SBUS" >"$work/live" 2>"$work/err" <<'END'
+import json, os, pty, subprocess, sys, time, tty
+ports = []
+for _ in range(2):
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    ports.append((master, slave, os.ttyname(slave)))
+program = subprocess.Popen([sys.argv[1], "compare", ports[0][2], ports[1][2], "--json"], stdout=subprocess.PIPE, text=True)
+time.sleep(0.7)
+def frame(i):
+    bits = sum((i * 37 % 2000 if k == 0 else i if k == 1 else 992) << 11 * k for k in range(16))
+    return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+for i in range(400):
+    os.write(ports[0][0], frame(i))
+    if not 200 <= i < 210:
+        os.write(ports[1][0], frame(i))
+    time.sleep(0.009)
+time.sleep(0.3)
+program.send_signal(2)
+c = json.loads(program.stdout.read().split("\n")[-2])
+print(c["same"], c["different"], c["lost_by_a"], c["lost_by_b"], c["delay_us"])
+END
+read -r same different by_a by_b delay <"$work/live"
+[ "$same" -ge 380 ] && [ "$different $by_a" = "0 0" ] && [ "$by_b" -eq 10 ] || { cat "$work/live" "$work/err"; false; }
+verdict $? "two ports at once: $same frames the same, $by_b lost by B, delay $delay us"
+
+# ---- Memory
+
+peak() {
+  python3 -c 'import resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$SBUS" compare "$@"
+}
+python3 - "$work/sim.txt" "$work/long-a.txt" "$work/long-b.txt" <<'END'
+import sys
+lines = [line.split(" ", 1) for line in open(sys.argv[1]) if line[0] != "#"]
+with open(sys.argv[2], "w") as a, open(sys.argv[3], "w") as b:
+    for i in range(130):
+        for time, rest in lines:
+            us = i * 14000000 + int(time)
+            a.write("%d %s" % (us, rest))
+            if us // 9000 % 50:
+                b.write("%d %s" % (us * 1.00003 + 3000000, rest))
+END
+short=$(peak "$work/sim.txt" "$work/sim.vcd")
+long=$(peak "$work/long-a.txt" "$work/long-b.txt")
+[ "$long" -lt $((short + 8192)) ]
+verdict $? "compare of half an hour: $long KB, of 14 s: $short KB"
+rm "$work"/long-*
+
+# ---- What is wrong
+
+printf '0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00\n%.0s' 1 2 3 >"$work/bytes.txt"
+while IFS='|' read -r arguments message; do
+  # shellcheck disable=SC2086  # the arguments are words
+  (cd "$work" && timeout 60 "$SBUS" compare $arguments) >"$work/out" 2>"$work/err" </dev/null
+  [ $? -ne 0 ] && grep -qxFe "$message" "$work/err" && [ ! -s "$work/out" ] || { cat "$work/err"; false; }
+  verdict $? "compare says: $message"
+done <<'END'
+sim|B is required
+- -|-: cannot be read twice; name another source
+sim.txt bytes.txt|sbus compare: bytes.txt: has no times; a port, a recording or a capture is expected
+sim.txt no-such.txt|sbus compare: no-such.txt: cannot be opened (No such file or directory); the name of a recording is expected
+sim.txt c.json|sbus compare: sim.txt and c.json have no frame in common
+END
