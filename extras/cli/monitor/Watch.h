@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "line/report/VariantOfLine.h"
 #include "cli/monitor/MonitorView.h"
 #include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
+#include "line/report/VariantOfLine.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {

@@ -22,10 +22,10 @@ class Option {
   Option &required();
   Option &excludes(const Option &other);
   Option &between(double low, double high);
-  Option &seconds();                  // up to a year
-  Option &once();                     // of several values: each has the option's name before it
-  Option &notEmpty();                 // a name: an empty one is a variable that a script has forgotten to set
-  Option &notStandardOutput();        // the name of a file: standard output is already in use
+  Option &seconds();            // up to a year
+  Option &once();               // of several values: each has the option's name before it
+  Option &notEmpty();           // a name: an empty one is a variable that a script has forgotten to set
+  Option &notStandardOutput();  // the name of a file: standard output is already in use
   Option &oneOf(std::initializer_list<int> values);
   Option &oneOf(std::initializer_list<const char *> values);
 
