@@ -1,9 +1,9 @@
 /*
-  Calibrate: finds out what your radio really sends, and keeps it in EEPROM. Boards without EEPROM forget it.
+  Calibrate: measures what your radio really sends, and keeps the result in EEPROM. Boards without EEPROM forget it.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
-  Do what it says in the Serial Monitor. Then it sends CH1..CH4, -1000..+1000. Send it a letter to start again.
+  Follow the instructions in the Serial Monitor. Then it sends CH1..CH4, -1000..+1000. Send a letter to start again.
 */
 
 #include <DecodeSBus.h>

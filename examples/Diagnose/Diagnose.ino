@@ -1,10 +1,10 @@
 /*
-  Diagnose: no frames, or wrong ones? Says what is wrong with the line, and the remedy.
+  Diagnose: no frames, or wrong ones? Names the line's fault and the remedy.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
-  Opens the port in every way that a receiver may need, half a second each, prints over USB what came, then the verdict,
-  and begins again. Switch the radio on and open the Serial Monitor. A port that cannot invert the line needs an
+  Opens the port in every way that a receiver may need, half a second each, prints over USB what it received, then the
+  verdict, and begins again. Switch the radio on and open the Serial Monitor. A port that cannot invert the line needs an
   inverter in the signal wire, and is only tried at both baud rates.
 */
 

@@ -4,8 +4,8 @@
   Wiring (Arduino Leonardo or Micro): S.Bus -> inverter -> 0 (RX1), +5V -> 5V, GND -> GND
     Other boards and inverters: extras/docs/boards.md
 
-  For boards whose core makes a USB joystick: Leonardo and Micro; Zero and MKR (SAMD); ESP32-S2 and S3 with USB Mode > USB-OTG;
-  Pico (arduino-pico); Teensy with USB Type > Serial + Keyboard + Mouse + Joystick. CH1..CH8 are the axes X, Y, Z, RX, RY,
+  A USB joystick needs a Leonardo or Micro; a Zero or MKR (SAMD); an ESP32-S2 or S3 with USB Mode > USB-OTG; a Pico
+  (arduino-pico); or a Teensy with USB Type > Serial + Keyboard + Mouse + Joystick. CH1..CH8 are the axes X, Y, Z, RX, RY,
   RZ, slider and dial (six on Pico and Teensy), CH9..CH18 the buttons. All other boards print the axes and the sum of the
   buttons five times a second: a Grasshopper's USB is only a serial port, and an Uno's or a Mega's is a chip of its own.
 

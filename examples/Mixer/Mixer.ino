@@ -2,7 +2,7 @@
   Mixer: reads a receiver, mixes, and sends S.Bus on, to a flight controller or to S.Bus servos.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
-    D1 (TX1) -> the S.Bus input of what comes next, GND -> its GND
+    D1 (TX1) -> the S.Bus input of the next device, GND -> its GND
 
   For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All
   other channels and both flags are sent unchanged. When no frame has come for 100 ms it sends both flags set and the
@@ -33,7 +33,7 @@ void setup() {
 void loop() {
   dSBus.parseSBusFrame();
   if (dSBus.linkState() == sbus::LinkState::NeverSeen) {
-    return;  // there is nothing to send yet
+    return;  // no frame yet
   }
   dSBus.decodeSBusFrame(in, failsafe, lostFrame);  // on a stale link `in` stays, and both flags are set
   const int16_t aileron = sbus::toNormalised(in[0], sbus::FrSky);

@@ -2,13 +2,13 @@
   PwmIn: four servo outputs of an old receiver become S.Bus, for a flight controller or S.Bus servos.
 
   Wiring (Tlera Grasshopper): D2..D5 (Mega: 2, 3, 20, 21) <- the signal wires of CH1..CH4, GND -> GND. A receiver at 5 V
-    needs 1 kOhm and 2 kOhm as a divider before each pin of a board that does not bear 5 V.
-    D1 (TX1; Mega: 18, and an inverter) -> the S.Bus input of what comes next
+    needs 1 kOhm and 2 kOhm as a divider before each pin of a board that does not tolerate 5 V.
+    D1 (TX1; Mega: 18, and an inverter) -> the S.Bus input of the next device
 
   The interrupt of each pin measures its pulses. One that is not 800..2200 us long, or has a spike in it, is rejected,
   and its channel holds. When a channel has had no pulse for 60 ms, frames have the lost-frame flag; after 300 ms also
   the failsafe flag, and the throttle closes. Nothing is sent before each channel has come once. (If a receiver goes on
-  sending pulses when its radio is lost, nothing shows that here: set its failsafe to a closed throttle.) CH5 and up are
+  sending pulses without its radio, the sketch cannot notice: set its failsafe to a closed throttle.) CH5 and up are
   centred. Sends "CH1,CH2,CH3,CH4,lostFrame,failsafe" over USB five times a second: us, 0 before the first pulse, and
   flags.
 */

@@ -1,5 +1,5 @@
 /*
-  Telemetry: what the receiver and a sensor of an S.BUS2 line measure.
+  Telemetry: prints what the receiver and a sensor of an S.BUS2 line measure.
 
   Needs a Futaba receiver with S.BUS2 (R7008SB and others) in a mode that has telemetry: FASSTest 14CH or 18CH, T-FHSS.
   The receiver's own voltage comes by itself. A sensor comes in the slot that is set on the radio: set SLOT and Sensor
@@ -12,7 +12,7 @@
     -      -> GND
 
   Sends a line over USB five times a second: receiver or external voltage in V, and the sensor's battery and external voltage
-  in V, "-" for a value that has not come for a second; and how often the bytes between frames were no telemetry.
+  in V, "-" for a value older than a second; and how often the bytes between frames were no telemetry.
 */
 
 #include <DecodeSBusTelemetry.h>
