@@ -31,6 +31,7 @@ export interface Stretch {
   endUs: number;
   kind: Kind;
   flags: number;
+  state: LinkState; // of the link to show, at its end
   channels: Float64Array; // raw values; of a Row, the numbers as printed
   bytes: Uint8Array; // empty for a Row
   isTelemetry: boolean; // slots of S.BUS2, no frame

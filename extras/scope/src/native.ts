@@ -3,6 +3,7 @@
 import type { Sample } from './faults';
 import { Layout } from './layout';
 import { Flag, Kind, LinkState, statusNames, type Status, type Stretch } from './line';
+import type { Moment } from './trigger';
 
 export type Exports = Record<string, (...values: number[]) => number> & { memory: WebAssembly.Memory };
 
@@ -12,7 +13,7 @@ export const imports: WebAssembly.Imports = { wasi_snapshot_preview1: noSystem }
 
 const recordTypes = {
   endUs: 'double 1', lateUs: 'double 1', damagedUs: 'double 1', channels: 'double 32', kind: 'byte 1', flags: 'byte 1', channelCount: 'byte 1', size: 'byte 1',
-  slots: 'byte 1', bytes: 'byte 36', why: 'letter 88',
+  slots: 'byte 1', state: 'byte 1', bytes: 'byte 36', why: 'letter 88',
 };
 const statusTypes = Object.fromEntries(statusNames.map((name) => [name, 'double 1'])) as Record<keyof Status, string>;
 
@@ -76,6 +77,25 @@ export class Native {
     }
   }
 
+  // Hands over each record as a moment of the line, which is valid during the call.
+  eachMoment(records: Uint8Array, take: (moment: Moment, endUs: number) => void): void {
+    const { record } = this;
+    const view = new DataView(records.buffer);
+    for (let at = 0; at < records.length; at += this.recordSize) {
+      const kind = view.getUint8(at + record.kind);
+      take(
+        {
+          kind,
+          flags: view.getUint8(at + record.flags),
+          state: view.getUint8(at + record.state),
+          isTelemetry: view.getUint8(at + record.slots) > 0,
+          channels: new Float64Array(records.buffer, at + record.channels, view.getUint8(at + record.channelCount)),
+        },
+        view.getFloat64(at + record.endUs, true),
+      );
+    }
+  }
+
   status(nowUs: number): Status {
     const at = this.calls.status(nowUs);
     const view = new DataView(this.calls.memory.buffer);
@@ -129,6 +149,7 @@ export class Native {
       endUs: view.getFloat64(record.endUs, true),
       kind,
       flags: view.getUint8(record.flags),
+      state: view.getUint8(record.state),
       channels: new Float64Array(buffer, at + record.channels, view.getUint8(record.channelCount)).slice(),
       bytes: new Uint8Array(buffer, at + record.bytes, view.getUint8(record.size)).slice(),
       isTelemetry: view.getUint8(record.slots) > 0,

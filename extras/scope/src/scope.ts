@@ -22,6 +22,7 @@ import { StatisticsView } from './view/statistics';
 import { SticksView } from './view/sticks';
 import { TelemetryView } from './view/telemetry';
 import { Timeline } from './view/timeline';
+import { TriggerView } from './view/trigger';
 import { VerdictView } from './view/verdict';
 
 const pollAfter = 1000; // stretches
@@ -59,6 +60,7 @@ export class Scope implements Sink {
   private readonly statistics = new StatisticsView(this.history);
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
+  private readonly trigger: TriggerView;
 
   // `failed`: called once for each view that throws.
   constructor(
@@ -76,6 +78,7 @@ export class Scope implements Sink {
       table: byId('cursor-values'),
     });
     this.timeline = new Timeline(() => this.recorder.end());
+    this.trigger = new TriggerView(core, this.curves, this.frames, () => this.newest, () => this.recorder.end());
   }
 
   private leave(): void {
@@ -86,12 +89,14 @@ export class Scope implements Sink {
 
   private enter(source: Source): void {
     this.doctor = new Doctor(this.core, source);
+    this.trigger.enter(source);
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
   }
 
   // Takes a stretch of the line.
   take(stretch: Stretch): void {
     this.core.feedCalibrator(stretch);
+    this.trigger.take(stretch);
     this.show(stretch);
     if (++this.taken % pollAfter === 0) {
       this.recorder.poll(); // a page in the background draws nothing
@@ -102,6 +107,7 @@ export class Scope implements Sink {
   }
 
   jump(recalled: readonly Stretch[]): void {
+    this.trigger.jump();
     this.forget();
     recalled.forEach((stretch) => this.show(stretch));
   }
@@ -152,6 +158,7 @@ export class Scope implements Sink {
       'The view of the counters': () => this.counters.draw(status, live?.events),
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
+      'The trigger': () => this.trigger.draw(nowUs, status.state),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
       'The view of the bytes': () => this.frames.draw(),
       'The time line': () => this.timeline.draw(...this.curves.shownUs),

@@ -116,6 +116,7 @@ EXPORT(layout)()->const char * {
   FIELD(Record, channelCount)
   FIELD(Record, size)
   FIELD(Record, slots)
+  FIELD(Record, state)
   FIELD(Record, bytes)
   FIELD(Record, why)
   add("size", "Record", std::to_string(sizeof(Record)));

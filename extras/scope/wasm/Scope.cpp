@@ -142,12 +142,13 @@ void Scope::takeRow(uint64_t nowUs, uint64_t lateUs) {
 
 void Scope::add(const Record &record) {
   records.push_back(record);
-  _lately.push_back(record);
+  records.back().state = static_cast<uint8_t>(state(static_cast<uint64_t>(record.endUs)));
+  _lately.push_back(records.back());
   if (_lately.size() > Shown) {
     _lately.pop_front();
   }
   if (record.kind != static_cast<uint8_t>(line::Stretch::Kind::NoFrame)) {
-    _newest = record;
+    _newest = records.back();
   }
 }
 

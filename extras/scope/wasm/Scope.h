@@ -49,6 +49,7 @@ struct Record {
   uint8_t channelCount;
   uint8_t size;             // bytes
   uint8_t slots;            // telemetry slots in it, if it is no frame
+  uint8_t state;            // sbus::LinkState to show at its end
   uint8_t bytes[BytesMax];  // of the line
   char why[88];             // why it is no frame
 };
@@ -70,6 +71,8 @@ class Scope {
   uint64_t nowUs() const { return _turnUs; }
   // Forgets what was found: only what comes from now on counts.
   void mark();
+  // Returns the state of the link to show.
+  sbus::LinkState state(uint64_t nowUs) { return rows.recognised() ? rows.heldState(nowUs) : observer.heldState(nowUs); }
   // Returns when the newest character was complete; 0 before the first.
   uint64_t characterUs() const { return _characterUs; }
   // Returns how many reads were 0.1 s late or more: the PC was busy.

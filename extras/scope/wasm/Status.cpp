@@ -29,7 +29,7 @@ EXPORT(status)(double now)->const Status * {
   const bool text = rows.recognised();
   const line::Extent &gaps = text ? rows.gaps() : observer.gaps();
   const auto d = [](uint64_t value) { return static_cast<double>(value); };
-  answer.state = d(static_cast<uint64_t>(text ? rows.heldState(nowUs) : observer.heldState(nowUs)));
+  answer.state = d(static_cast<uint64_t>(theScope.state(nowUs)));
   answer.showsLostFrame = text ? rows.showsLostFrame(nowUs) : observer.showsLostFrame(nowUs);
   answer.showsFailsafe = text ? rows.showsFailsafe(nowUs) : observer.showsFailsafe(nowUs);
   answer.ageUs = d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs));
@@ -59,6 +59,11 @@ EXPORT(status)(double now)->const Status * {
   answer.finding = theScope.watch.finding() ? d(static_cast<uint64_t>(*theScope.watch.finding())) : -1;
   answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
+}
+
+// Returns the state of the link alone, which takes less time.
+EXPORT(linkState)(double now)->unsigned {
+  return static_cast<unsigned>(theScope.state(theScope.knownUs(static_cast<uint64_t>(now))));
 }
 
 // Returns what sensors have measured, after the slots that came, within the last second, a line each; "" without

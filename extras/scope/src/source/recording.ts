@@ -2,6 +2,7 @@
 
 import type { Core } from '../core';
 import type { Fault, FaultMap, Flight, Found } from '../faults';
+import type { Condition } from '../trigger';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
@@ -45,7 +46,7 @@ export class RecordingSource implements Source {
 
   get progress(): string {
     const { progress } = this.player;
-    const what = this.player.isLooking ? 'looking for a fault' : 'decoding up to this position';
+    const what = this.player.isLooking ? 'looking' : 'decoding up to this position';
     return progress === undefined ? '' : `${what}: ${Math.floor(100 * progress)} %`;
   }
 
@@ -86,6 +87,17 @@ export class RecordingSource implements Source {
       this.playing = false;
       this.found = found ?? this.found;
       this.isLast = found === null;
+    });
+  }
+
+  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stands still. `tell`: see
+  // Remote.seekEvent().
+  seekEvent(us: number, condition: Condition, afterUs: number, tell: (us: number, event: number | null) => void): void {
+    this.player.seekEvent(us, condition, afterUs, (to, event) => {
+      this.leave();
+      this.us = event === null ? this.us : to;
+      this.playing = false;
+      tell(to, event);
     });
   }
 

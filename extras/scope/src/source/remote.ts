@@ -4,6 +4,7 @@ import type { Core } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
+import type { Condition } from '../trigger';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from '../worker/messages';
 import { findPort } from '../worker/port';
 import PlayingWorker from '../worker/worker?worker&inline';
@@ -36,7 +37,7 @@ export class Remote implements Line {
   private id = 0; // of the newest request
   private answered = 0;
   private sought = 0; // the newest request that was a seek
-  private looking?: { id: number; tell: (us: number, found: Found | null) => void }; // for a fault
+  private looking?: { id: number; tell: (picture: Picture) => void }; // for a fault or an event
   private readonly came: Answer[] = []; // since the last picture
   private text = '';
   private reported?: (html: string) => void;
@@ -146,8 +147,15 @@ export class Remote implements Line {
   // `only`, of that kind. `tell` gets the position and the
   // fault, or null if there is no further one. It is not called if another position is sought meanwhile.
   seekFault(us: number, at: Span | undefined, back: boolean, only: Fault | undefined, tell: (us: number, found: Found | null) => void): void {
-    this.looking = { id: ++this.id, tell };
+    this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.found ?? null) };
     this.ask({ kind: 'fault', id: this.id, us, at, only, back });
+  }
+
+  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true. `tell` gets the position and the moment,
+  // or null if there is none. It is not called if another position is sought meanwhile.
+  seekEvent(us: number, condition: Condition, afterUs: number, tell: (us: number, event: number | null) => void): void {
+    this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.event ?? null) };
+    this.ask({ kind: 'event', id: this.id, us, condition, afterUs });
   }
 
   get isLooking(): boolean {
@@ -251,9 +259,9 @@ export class Remote implements Line {
       this.reported?.(answer.html);
     } else {
       this.came.push(answer);
-      if (answer.kind === 'picture' && answer.found !== undefined && this.isLooking) {
-        this.sought = answer.found ? answer.id : this.sought;
-        this.looking?.tell(answer.us, answer.found);
+      if (answer.kind === 'picture' && (answer.found !== undefined || answer.event !== undefined) && this.isLooking) {
+        this.sought = answer.jumped ? answer.id : this.sought;
+        this.looking?.tell(answer);
         this.looking = undefined;
       }
       this.text += answer.kind === 'picture' ? answer.recorded : '';

@@ -31,6 +31,7 @@ export class Curves {
   private shownChannels: number[] = [];
   private rows = false;
   private intervalUs = 0;
+  private event?: number; // the moment that is marked, in s
   private readonly cursors: Cursors;
   private readonly table: CursorTable;
 
@@ -64,6 +65,21 @@ export class Curves {
 
   pause(on: boolean): void {
     this.look((view) => view.pause(on));
+  }
+
+  get seconds(): number {
+    return this.view.seconds;
+  }
+
+  // Marks a moment, or no moment any more.
+  mark(us?: number): void {
+    this.event = us === undefined ? undefined : us / 1e6;
+    this.drawn.edge = NaN;
+  }
+
+  // Stops with the marked moment at a part of the width.
+  stop(part: number): void {
+    this.look((view) => view.place(this.event ?? 0, part));
   }
 
   // +1 zooms in.
@@ -267,6 +283,10 @@ export class Curves {
       ctx.fillStyle = palette[failsafe ? 'alarm-band' : 'warning-band'];
       ctx.fillRect(x, bbox.top, width, bbox.height);
     });
+    if (this.event !== undefined) {
+      ctx.fillStyle = palette.ink;
+      ctx.fillRect(Math.round(plot.valToPos(this.event, 'x', true)) - 1, bbox.top, 2, bbox.height);
+    }
     ctx.restore();
   }
 }

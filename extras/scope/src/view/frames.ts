@@ -16,6 +16,8 @@ export class FramesView {
   private stretches: Stretch[] = []; // the newest last
   private shown?: Stretch; // the frame shown bit by bit
   private held = false;
+  private stopUs?: number;
+  private stopped?: Stretch[]; // what it shows from that time on
   private readonly drawing = new Throttle(drawMs);
   private at = 8; // the bit pointed at, from 0 on; 8 is the payload's first
   private cells: HTMLElement[] = [];
@@ -45,7 +47,7 @@ export class FramesView {
 
   clear(): void {
     this.stretches = [];
-    this.shown = undefined;
+    this.shown = this.stopped = undefined;
     this.bits.replaceChildren();
     this.cells = this.bitCells = [];
     this.drawing.reset();
@@ -56,13 +58,23 @@ export class FramesView {
     if (this.stretches.length > kept) {
       this.stretches.shift();
     }
+    if (this.stopUs !== undefined && stretch.endUs >= this.stopUs) {
+      this.stopped ??= [...this.stretches];
+    }
+  }
+
+  // Stops at the stretch that ends then; without a time, goes on.
+  stopAt(us?: number): void {
+    this.stopUs = us;
+    this.stopped = undefined;
+    this.drawing.reset();
   }
 
   draw(): void {
     if (this.held || !this.drawing.due) {
       return;
     }
-    const newest = [...this.stretches].reverse();
+    const newest = [...(this.stopped ?? this.stretches)].reverse();
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
     setText(this.hint, newest.length === 0 ? 'No S.Bus bytes: none have come, or a board prints numbers instead.' : '');

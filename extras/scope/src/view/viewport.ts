@@ -66,6 +66,11 @@ export class Viewport {
     this.hold(to + (this.seconds - (to - from)) / 2);
   }
 
+  // Shows a time at a part of the width (0..1), and stands still.
+  place(time: number, part: number): void {
+    this.hold(time + (1 - part) * this.seconds);
+  }
+
   // Scrolls as far as it must to show this time.
   reveal(time: number): void {
     if (time < this.begin || time > this.edge) {

@@ -6,6 +6,7 @@ import type { Finding } from '../finding';
 import type { Samples } from '../history';
 import type { Status } from '../line';
 import type { Problem } from '../source/Source';
+import type { Condition } from '../trigger';
 import type { State } from './connection';
 
 export type Travel = [number, number] | undefined;
@@ -35,6 +36,7 @@ export type Request =
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
   | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
   | { kind: 'report' } // of a recording whose flight is known
+  | { kind: 'event'; id: number; us: number; condition: Condition; afterUs: number } // to so much after the next one after `us`
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }
   | { kind: 'replugged'; place: PortPlace }
@@ -66,6 +68,7 @@ export interface Picture {
   recorded: string;
   faults: number; // at `us`: bits 1 << Fault
   found?: Found | null; // the fault at `us`; null: no further fault in that direction
+  event?: number | null; // when the condition became true; null: it does not any more
   live?: LiveState; // not of a recording
 }
 

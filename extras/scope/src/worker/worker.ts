@@ -9,6 +9,7 @@ import { Faults } from './faults';
 import { serve } from './live';
 import type { Answer, Live, Picture, Request } from './messages';
 import { findPort } from './port';
+import { Search } from './search';
 import { Tape } from './tape';
 
 const sliceMs = 15; // of work, until messages are read
@@ -99,7 +100,8 @@ class Playing {
   private readonly index: Index;
   private past?: Past;
   private knowsFlight = false;
-  private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' }>;
+  private search?: Search;
+  private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
   private waking = (): void => undefined;
 
   constructor(
@@ -122,7 +124,7 @@ class Playing {
       }
     } else if (request.kind === 'report') {
       answer({ kind: 'report', html: this.tape.report() });
-    } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault') {
+    } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault' || request.kind === 'event') {
       this.wanted = request;
       this.waking();
     }
@@ -138,6 +140,8 @@ class Playing {
         this.index.work();
       } else if (wanted?.kind === 'fault') {
         this.toFault(wanted);
+      } else if (wanted?.kind === 'event') {
+        this.toEvent(wanted);
       } else if (wanted) {
         this.advance(wanted.id, wanted.us);
       } else if (this.past) {
@@ -169,7 +173,7 @@ class Playing {
     this.show(id, false, records);
   }
 
-  private seek(id: number, us: number, found?: Found): void {
+  private seek(id: number, us: number, found?: Found, event?: number): void {
     this.wanted = undefined;
     const { player, index } = this;
     const fromUs = Math.max(us - shownUs, 0);
@@ -180,7 +184,7 @@ class Playing {
     if (found) {
       this.advanceTo(found, records);
     }
-    this.show(id, true, records, found);
+    this.show(id, true, records, found, event);
     this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
   }
 
@@ -199,6 +203,26 @@ class Playing {
     } else {
       progress(index.us / endUs);
       index.work();
+    }
+  }
+
+  private toEvent({ id, us, condition, afterUs }: Extract<Request, { kind: 'event' }>): void {
+    const { index } = this;
+    if (this.search?.id !== id) {
+      const decoder = new Decoder(this.module, this.tape);
+      decoder.restore(index.before(Math.max(us - shownUs, 0)));
+      this.search = new Search(id, condition, decoder, us, index.endUs);
+    }
+    const { search } = this;
+    if (!search.work(performance.now() + sliceMs)) {
+      progress(search.us / index.endUs);
+      return;
+    }
+    this.wanted = this.search = undefined;
+    if (search.found === undefined) {
+      this.show(id, false, [], undefined, null);
+    } else {
+      this.seek(id, Math.min(search.found + afterUs, index.endUs), undefined, search.found);
     }
   }
 
@@ -221,8 +245,8 @@ class Playing {
     return isIn;
   }
 
-  private show(id: number, jumped: boolean, records: Uint8Array[], found?: Found | null): void {
-    answer({ ...this.picture(id, jumped, records), found }, records.map(({ buffer }) => buffer));
+  private show(id: number, jumped: boolean, records: Uint8Array[], found?: Found | null, event?: number | null): void {
+    answer({ ...this.picture(id, jumped, records), found, event }, records.map(({ buffer }) => buffer));
   }
 
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {

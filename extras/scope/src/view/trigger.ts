@@ -1,0 +1,213 @@
+// The trigger: stops curves and bytes at a moment at which a condition becomes true. `single` stops once; `normal` goes on and stops
+// at each event. In a recording it also goes to the next event.
+
+import { byId, setText } from '../dom';
+import { Kind, type LinkState, type Stretch } from '../line';
+import { RecordingSource } from '../source/recording';
+import type { Source } from '../source/Source';
+import { keep, recall } from '../storage';
+import { type Condition, ConditionError, has, parse, type Scaling, Trigger } from '../trigger';
+import type { Curves } from './curves';
+import type { FramesView } from './frames';
+
+const key = 'trigger';
+const help = 'ch5 > 1500, in raw, us or %; failsafe, lostframe, rejected, state = lossy; with and, or, not.';
+
+export class TriggerView {
+  private readonly panel = byId<HTMLFormElement>('trigger');
+  private readonly input = byId<HTMLInputElement>('trigger-condition');
+  private readonly place = byId<HTMLSelectElement>('trigger-place');
+  private readonly mode = byId<HTMLSelectElement>('trigger-mode');
+  private readonly button = byId('trigger-arm');
+  private readonly next = byId('trigger-next');
+  private trigger?: Trigger; // while it is armed
+  private eventUs?: number; // the newest one
+  private readyUs?: number; // when the picture stops; Infinity: once it is full
+  private atUs?: number; // of a recording: the position at which the newest event is shown
+  private source?: Source;
+
+  constructor(
+    private readonly scaling: Scaling,
+    private readonly curves: Curves,
+    private readonly frames: FramesView,
+    private readonly newest: () => Stretch | undefined,
+    private readonly leaving: () => void, // called before another place of a recording is sought
+  ) {
+    const open = byId('trigger-open');
+    open.addEventListener('click', () => {
+      this.panel.hidden = !this.panel.hidden;
+      open.setAttribute('aria-expanded', String(!this.panel.hidden));
+      if (this.panel.hidden) {
+        this.disarm();
+      } else {
+        this.input.focus();
+      }
+    });
+    this.input.value = recall(key) ?? '';
+    this.input.addEventListener('input', () => {
+      this.disarm();
+      this.say(help);
+    });
+    this.panel.addEventListener('submit', (event) => {
+      event.preventDefault();
+      this.press();
+    });
+    this.next.addEventListener('click', () => this.seek());
+    this.say(help);
+  }
+
+  enter(source: Source): void {
+    this.source = source;
+    this.disarm();
+    this.eventUs = this.atUs = undefined;
+    this.say(help);
+    this.next.hidden = !(source instanceof RecordingSource);
+  }
+
+  // Takes the next stretch of the line.
+  take(stretch: Stretch): void {
+    if (this.trigger?.take(stretch)) {
+      this.fire(stretch.endUs);
+    }
+  }
+
+  // The line has jumped: what was before is another place.
+  jump(): void {
+    if (this.trigger) {
+      this.trigger = new Trigger(this.trigger.condition, true);
+    }
+    if (this.readyUs === Infinity) {
+      this.readyUs = undefined;
+    }
+  }
+
+  // Call it for each picture, after the curves.
+  draw(nowUs: number, state: LinkState): void {
+    if (this.trigger?.silent(state)) {
+      this.fire(nowUs);
+    }
+    const { readyUs } = this;
+    const isFull = readyUs === Infinity && (nowUs >= Number(this.eventUs) + this.afterUs || this.source?.stands);
+    if (isFull || (readyUs !== undefined && nowUs >= readyUs)) {
+      this.stop();
+    } else if (readyUs === undefined && this.eventUs !== undefined && !this.curves.paused) {
+      this.release();
+    }
+  }
+
+  private get afterUs(): number {
+    return 1e6 * (1 - Number(this.place.value)) * this.curves.seconds;
+  }
+
+  private fire(us: number): void {
+    if (this.readyUs === undefined) {
+      this.eventUs = us;
+      this.readyUs = Infinity;
+      this.frames.stopAt(us);
+      this.curves.mark(us);
+      this.say(`Event at ${seconds(us)}; the picture fills.`);
+    }
+  }
+
+  private stop(): void {
+    const { source } = this;
+    this.readyUs = undefined;
+    this.curves.stop(Number(this.place.value));
+    const goesOn = this.trigger && this.mode.value === 'normal';
+    if (this.trigger && !goesOn) {
+      this.trigger = undefined;
+      this.button.setAttribute('aria-pressed', 'false');
+      setText(this.button, 'Arm');
+      if (source instanceof RecordingSource) {
+        source.playing = false;
+      }
+    }
+    this.atUs = source instanceof RecordingSource ? source.positionUs : undefined;
+    this.say(`Event at ${seconds(this.eventUs as number)}${goesOn ? '; waiting for the next one' : ''}.`);
+  }
+
+  // The curves go on, and so do the bytes.
+  private release(): void {
+    this.eventUs = undefined;
+    this.frames.stopAt();
+    this.curves.mark();
+    this.say(this.trigger ? 'Armed.' : help);
+  }
+
+  private press(): void {
+    if (this.trigger) {
+      this.disarm();
+      this.say(help);
+      return;
+    }
+    const condition = this.condition();
+    if (condition) {
+      this.release();
+      this.curves.pause(false);
+      this.trigger = new Trigger(condition, true);
+      this.button.setAttribute('aria-pressed', 'true');
+      setText(this.button, 'Disarm');
+      this.say('Armed.');
+    }
+  }
+
+  private disarm(): void {
+    this.trigger = undefined;
+    this.readyUs = undefined;
+    this.button.setAttribute('aria-pressed', 'false');
+    setText(this.button, 'Arm');
+  }
+
+  // Goes to the next event of the recording.
+  private seek(): void {
+    const { source } = this;
+    const condition = this.condition();
+    if (!condition || !(source instanceof RecordingSource)) {
+      return;
+    }
+    this.disarm();
+    this.leaving();
+    const fromUs = source.positionUs === this.atUs && this.eventUs !== undefined ? this.eventUs : source.positionUs;
+    this.say('Looking for the next event.');
+    source.seekEvent(fromUs, condition, this.afterUs, (us, event) => {
+      if (event === null) {
+        this.say(`No event after ${seconds(fromUs)}.`);
+        return;
+      }
+      this.eventUs = event;
+      this.readyUs = us;
+      this.frames.stopAt(event);
+      this.curves.mark(event);
+    });
+  }
+
+  // Returns the condition; says what is wrong with it if it is none.
+  private condition(): Condition | undefined {
+    this.input.removeAttribute('aria-invalid');
+    try {
+      const condition = parse(this.input.value, this.scaling);
+      const newest = this.newest();
+      if (newest?.kind === Kind.Row && has(condition, (part) => part.is === 'compare' && part.scaled !== undefined)) {
+        this.say('A board\'s numbers are compared as they are printed: leave out us and %.');
+        return undefined;
+      }
+      keep(key, this.input.value);
+      return condition;
+    } catch (error) {
+      if (!(error instanceof ConditionError)) {
+        throw error;
+      }
+      this.input.setAttribute('aria-invalid', 'true');
+      this.input.focus();
+      this.input.setSelectionRange(error.at, error.at + error.length);
+      this.say(error.message);
+      return undefined;
+    }
+  }
+
+  private say(text: string): void {
+    setText(byId('trigger-text'), text);
+  }
+}
+
+const seconds = (us: number): string => `${(us / 1e6).toFixed(3)} s`;

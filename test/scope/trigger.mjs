@@ -1,0 +1,143 @@
+// The trigger: what it stops at, where the picture stands then, and what it says about a condition that is none.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, check, connect, drawn, frame, opensWith, play, reads, recorded, seek, until } from './support.mjs';
+
+const set = async (page, condition, { place = '0.5', mode = 'single' } = {}) => {
+  if (await page.evaluate(() => document.querySelector('#trigger').hidden)) await page.click('#trigger-open');
+  await page.fill('#trigger-condition', condition);
+  await page.selectOption('#trigger-place', place);
+  await page.selectOption('#trigger-mode', mode);
+};
+const text = (page) => page.textContent('#trigger-text');
+const at = (us) => `Event at ${(us / 1e6).toFixed(3)} s.`;
+// The place of the marked moment, as a part of the curves' width: the pixels that have the ink's colour from top to bottom.
+const marked = (page) => page.evaluate(() => {
+  const canvas = document.querySelector('#plot canvas');
+  const over = document.querySelector('#plot .u-over').getBoundingClientRect();
+  const { left, width } = canvas.getBoundingClientRect();
+  const scale = canvas.width / width;
+  const ink = getComputedStyle(document.querySelector('#curves-title')).color;
+  const probe = Object.assign(document.createElement('canvas'), { width: canvas.width }).getContext('2d', { willReadFrequently: true });
+  probe.fillStyle = ink;
+  probe.fillRect(0, 0, 1, 1);
+  const wanted = probe.getImageData(0, 0, 1, 1).data.join();
+  probe.clearRect(0, 0, 1, 1);
+  probe.drawImage(canvas, 0, -Math.round(60 * scale));
+  const row = probe.getImageData(0, 0, canvas.width, 1).data;
+  for (let x = Math.ceil((over.left - left) * scale); x < canvas.width; x++) {
+    if (Array.from(row.slice(4 * x, 4 * x + 4)).join() === wanted) return ((x + 1) / scale - (over.left - left)) / over.width;
+  }
+  return undefined;
+});
+const isAt = async (page, part) => {
+  await drawn(page);
+  const found = await marked(page);
+  assert.ok(Math.abs(found - part) < 0.01, `the event is at ${found}, not at ${part} of the width`);
+};
+
+// Channels rise with the frame; failsafe from 120 to 129, a lost frame at 200, half a frame at 250, nothing from 300 on for half a second.
+const story = () => Array.from({ length: 400 }, (_, i) => {
+  const bytes = frame([500 + i, 992], { flags: i >= 120 && i < 130 ? 12 : i === 200 ? 4 : 0 });
+  return recorded(10000 * (i + 1) + (i >= 300 ? 500000 : 0), i === 250 ? bytes.slice(0, 12) : bytes);
+}).join('');
+const endUs = (i) => 10000 * (i + 1) + 2880 + (i >= 300 ? 500000 : 0);
+
+export default async function () {
+  await check('a condition that is none is said with its place, which is selected', async (page) => {
+    await page.click('#trigger-open');
+    for (const [condition, said, from, to] of [
+      ['', 'Character 1: a channel such as ch5, or failsafe, lostframe, rejected or state is expected.', 0, 0],
+      ['ch5 >', 'Character 6: a number is expected.', 5, 5],
+      ['ch33 > 1', 'Character 1: there is no such channel: ch1 to ch32 are expected.', 0, 4],
+      ['failsafe or ch5 ? 3', 'Character 17: "?" is not understood.', 16, 17],
+      ['ch5 > 1500 volt', 'Character 12: "and", "or" or the end is expected, not "volt".', 11, 15],
+    ]) {
+      await set(page, condition);
+      await page.click('#trigger-arm');
+      await reads(page, '#trigger-text', said);
+      assert.deepEqual(await page.evaluate(() => [document.querySelector('#trigger-condition').selectionStart, document.querySelector('#trigger-condition').selectionEnd]), [from, to]);
+      assert.equal(await page.getAttribute('#trigger-condition', 'aria-invalid'), 'true');
+      assert.equal(await page.textContent('#trigger-arm'), 'Arm');
+    }
+  });
+
+  await check('in a recording the trigger goes from event to event, each at the chosen place, with its bytes, and says where they end', async (page) => {
+    const file = path.join(build, 'trigger.txt');
+    writeFileSync(file, story());
+    for (const [condition, places] of [
+      ['ch1 > 600', [endUs(101)]],
+      ['ch1 > 600 and not failsafe', [endUs(101), endUs(130)]],
+      ['ch1 < 512 raw or lostframe', [endUs(0), endUs(120), endUs(200)]],
+      ['failsafe', [endUs(120)]],
+      ['rejected', undefined],
+      ['state = failsafe', [endUs(120)]],
+      ['state = stale', undefined],
+      ['ch1 >= 1250 us', [endUs(91)]],
+      ['ch1 > -50 %', [endUs(83)]],
+      ['ch1 = 700', [endUs(200)]],
+    ]) {
+      await play(page, file);
+      await page.click('#play');
+      await seek(page, 0);
+      await set(page, condition, { place: '0.9' });
+      for (const us of places ?? []) {
+        await page.click('#trigger-next');
+        await reads(page, '#trigger-text', at(us));
+        await isAt(page, 0.9);
+        await reads(page, '#lines li:first-child .time', (us / 1e6).toFixed(3));
+      }
+      if (condition === 'rejected' || condition === 'state = stale') {
+        await page.click('#trigger-next');
+        await reads(page, '#trigger-text', /^Event at/);
+        const seconds = parseFloat((await text(page)).slice(9));
+        const [low, high] = condition === 'rejected' ? [endUs(249), endUs(251)] : [endUs(299), endUs(300)];
+        assert.ok(1e6 * seconds > low && 1e6 * seconds <= high, `${condition}: ${seconds}`);
+      }
+      await page.click('#trigger-next');
+      await reads(page, '#trigger-text', /^No event after/);
+    }
+  }, { patience: 120000 });
+
+  await check('at a port the trigger stops the picture once, or again and again, and Continue goes on', async (page) => {
+    await opensWith(page, [frame([1000]), frame([1000])]);
+    await connect(page);
+    await reads(page, '#bars li:nth-child(1) .raw', '1000');
+    await page.evaluate((frames) => {
+      fake.value = 0;
+      setInterval(() => fake.port.feed(frames[fake.value]), 20);
+    }, [frame([1000]), frame([1600])]);
+    for (let i = 0; i < 5; i++) await page.click('#zoom-in'); // half a second
+    await set(page, 'ch1 > 1500', { place: '0.1' });
+    await page.click('#trigger-arm');
+    await reads(page, '#trigger-text', 'Armed.');
+    await page.waitForTimeout(300);
+    assert.equal(await text(page), 'Armed.');
+    await page.evaluate(() => (fake.value = 1));
+    await reads(page, '#trigger-text', /^Event at [\d.]+ s\.$/);
+    await isAt(page, 0.1);
+    assert.equal(await page.textContent('#pause'), 'Continue');
+    assert.equal(await page.textContent('#trigger-arm'), 'Arm');
+    const lines = await page.textContent('#lines');
+    await page.waitForTimeout(300);
+    assert.equal(await page.textContent('#lines'), lines);
+    await isAt(page, 0.1);
+    await page.click('#pause');
+    await until('the bytes go on', async () => (await page.textContent('#lines')) !== lines);
+
+    await page.evaluate(() => (fake.value = 0));
+    await reads(page, '#bars li:nth-child(1) .raw', '1000');
+    await set(page, 'ch1 > 1500', { place: '0.5', mode: 'normal' });
+    await page.click('#trigger-arm');
+    const seen = [];
+    for (let i = 0; i < 2; i++) {
+      await page.evaluate(() => (fake.value = 1));
+      await until('no further event', async () => !seen.includes(await text(page)) && /^Event at [\d.]+ s; waiting/.test(await text(page)));
+      seen.push(await text(page));
+      await isAt(page, 0.5);
+      await page.evaluate(() => (fake.value = 0));
+      await reads(page, '#bars li:nth-child(1) .raw', '1000');
+    }
+  });
+}
