@@ -41,6 +41,14 @@ export default async function () {
     await clean(page);
   }, { size: { width: 640, height: 400 }, deviceScaleFactor: 2 });
 
+  for (const [name, size] of Object.entries(sizes)) {
+    await check(`${name}, no signal: it fits, and axe-core finds nothing`, async (page) => {
+      await connect(page);
+      await page.waitForSelector('#guide');
+      await fits(page);
+      await clean(page);
+    }, { size });
+  }
   for (const colorScheme of ['light', 'dark']) {
     await check(`stale, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await reads(page, '#state', 'Fine');

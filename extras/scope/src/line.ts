@@ -24,6 +24,8 @@ export enum Flag {
   LostFrame = 4,
   Failsafe = 8, // by the frame's flag, or by too many lost frames in a row
   ByLosses = 128, // by these
+  HasFlags = 64, // a row with columns for failsafe and lost frame
+  HasSwitches = 32, // a row with columns for CH17 and CH18
 }
 
 // A piece of the line: a frame, or the bytes between two.

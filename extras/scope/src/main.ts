@@ -15,6 +15,7 @@ import { keep, recall } from './storage';
 import { CalibrationView } from './view/calibration';
 import { KnownPorts } from './view/knownPorts';
 import { NoticeView } from './view/notice';
+import { splitPanes } from './view/panes';
 import { ScaleView } from './view/scale';
 
 const stays = 'Save what is recorded, and reload the page.';
@@ -206,6 +207,7 @@ function recordButton(): void {
 
 wire();
 themes();
+splitPanes();
 void keepOffline();
 const scale = new ScaleView(core);
 const calibration = new CalibrationView(core, () => scale.calibrated());

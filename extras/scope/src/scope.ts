@@ -18,6 +18,7 @@ import { Curves } from './view/curves';
 import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
 import { NamesView } from './view/names';
+import { Room } from './view/room';
 import { StatisticsView } from './view/statistics';
 import { SticksView } from './view/sticks';
 import { TelemetryView } from './view/telemetry';
@@ -61,6 +62,7 @@ export class Scope implements Sink {
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
   private readonly trigger: TriggerView;
+  private readonly room = new Room();
 
   // `failed`: called once for each view that throws.
   constructor(
@@ -90,6 +92,7 @@ export class Scope implements Sink {
   private enter(source: Source): void {
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
+    this.room.enter();
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
   }
 
@@ -147,9 +150,11 @@ export class Scope implements Sink {
     setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     const { newest } = this;
+    byId('scaling').hidden = !unit.raw;
     const { live } = source.line;
     const doctor = this.doctor as Doctor;
     const views: Record<string, () => void> = {
+      'The choice of views': () => this.room.draw(source, status, newest),
       'The view of the verdict': () => this.verdict.draw(doctor.verdict(status, newest), live?.note ?? ''),
       'The view of the link': () => this.link.draw(status, newest),
       'The view of the channels': () => this.bars.draw(newest, unit, trusted),

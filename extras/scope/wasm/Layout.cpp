@@ -132,6 +132,8 @@ EXPORT(layout)()->const char * {
   addFlag("LostFrame", sbus::FlagLostFrame);
   addFlag("Failsafe", sbus::FlagFailsafe);
   addFlag("ByLosses", FlagByLosses);
+  addFlag("HasFlags", FlagHasFlags);
+  addFlag("HasSwitches", FlagHasSwitches);
   add("constant", "Enough", std::to_string(Scope::Enough));
   add("constant", "TransferSize", std::to_string(TransferSize));
   add("constant", "CharacterSize", std::to_string(sizeof(line::Character)));

@@ -135,7 +135,8 @@ void Scope::takeRow(uint64_t nowUs, uint64_t lateUs) {
     const uint8_t flag = kind == line::CsvKind::Switch17   ? sbus::FlagChannel17
                          : kind == line::CsvKind::Switch18 ? sbus::FlagChannel18
                                                            : 0;
-    record.flags = static_cast<uint8_t>(record.flags | (value != 0 ? flag : 0));
+    const uint8_t has = flag != 0 ? FlagHasSwitches : kind != line::CsvKind::Channel ? FlagHasFlags : 0;
+    record.flags = static_cast<uint8_t>(record.flags | has | (value != 0 ? flag : 0));
   }
   add(record);
 }

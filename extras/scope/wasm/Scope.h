@@ -31,6 +31,10 @@ inline std::string_view transferred(size_t count) {
 // In a record's flags, which a frame does not use: it is in failsafe by its losses, not by its flag.
 constexpr uint8_t FlagByLosses = 0x80;
 
+// In a row's flags: it has columns for failsafe and lost frame, or for CH17 and CH18.
+constexpr uint8_t FlagHasFlags = 0x40;
+constexpr uint8_t FlagHasSwitches = 0x20;
+
 // The range by which raw values are scaled.
 enum class Scale { FrSky, Futaba, Calibrated };
 

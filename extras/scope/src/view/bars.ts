@@ -43,6 +43,7 @@ export class Bars {
     const text = this.text.due;
     const spoken = text && this.speech.due;
     this.list.classList.toggle('doubtful', !trusted);
+    this.list.classList.toggle('plain', !unit.raw); // no µs, no percent
     this.list.classList.toggle('named', this.channels.anyNamed);
     for (let i = 0; i < count; i++) {
       const value = newest ? newest.channels[i] : undefined;

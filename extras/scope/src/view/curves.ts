@@ -17,7 +17,6 @@ import { picture } from './picture';
 import { bands, trace, type Area } from './strokes';
 import { Viewport } from './viewport';
 
-const height = 300;
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
 
@@ -43,7 +42,7 @@ export class Curves {
   ) {
     this.table = new CursorTable(ui.table, history);
     this.cursors = new Cursors(history, this.view, ui.cursors, (on) => this.pause(on || this.paused), () => this.told());
-    new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height })).observe(root);
+    new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height: root.clientHeight })).observe(root);
     root.addEventListener('keydown', (event) => this.key(event));
     new Gestures(root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
@@ -229,12 +228,12 @@ export class Curves {
     this.plot = new uPlot(
       {
         width: Math.max(this.root.clientWidth, 200),
-        height,
+        height: this.root.clientHeight,
         legend: { show: false },
         padding: [8, 4, 0, 0],
         scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] } },
         axes: [
-          { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => `${+tick.toFixed(2)} s`) },
+          { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+tick.toFixed(2)} s`)) }, // a line begins at 0
           { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
         ],
         series: [

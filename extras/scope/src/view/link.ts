@@ -12,6 +12,9 @@ const names: Record<LinkState, [string, string]> = {
   [LinkState.Stale]: ['Stale', 'alarm'],
 };
 
+// Of frames, of rows.
+const labels = [['Newest frame', 'Rate', 'Frame interval'], ['Newest row', 'Rate', 'Row interval']];
+
 const ms = (us: number, digits = 1): string => (us / 1000).toFixed(digits);
 
 function ageText(us: number): string {
@@ -26,6 +29,7 @@ export class LinkView {
   private readonly gap = make('strong', { id: 'gap' });
   private readonly gapEnds = make('small', { id: 'gap-ends' });
   private readonly rateUnit = make('small');
+  private readonly tiles: HTMLElement[]; // labels
   private readonly stateTile: HTMLElement;
   private readonly indicators = new Map<number, HTMLElement>();
   private readonly text = new Throttle(100);
@@ -50,20 +54,25 @@ export class LinkView {
     root.append(
       this.stateTile,
       indicators,
-      tile('Newest frame', this.age),
-      tile('Rate', this.rate, this.rateUnit),
-      tile('Frame interval', this.gap, this.gapEnds),
+      ...[this.age, this.rate, this.gap].map((value, i) => tile('', value, ...[[], [this.rateUnit], [this.gapEnds]][i])),
     );
+    this.tiles = [...root.querySelectorAll<HTMLElement>('.tile .label')].slice(1);
   }
 
   // Shows the two switches that come with 16 channels, CH17 and CH18. With 32 channels, where CH17 and CH18 are channels, Futaba
   // calls the switches DG1 and DG2. A line of 24 channels has none.
-  private switches(newest: Stretch | undefined): void {
+  // A board has the indicators for which it prints columns.
+  private choose(newest: Stretch | undefined): void {
+    const isRow = newest?.kind === Kind.Row;
+    const flags = newest?.flags ?? 0;
+    for (const flag of [Flag.LostFrame, Flag.Failsafe]) {
+      (this.indicators.get(flag) as HTMLElement).hidden = isRow && (flags & Flag.HasFlags) === 0;
+    }
     const count = newest?.channels.length ?? 16;
-    const more = count === 32 && newest?.kind !== Kind.Row;
+    const more = count === 32 && !isRow;
     for (const [flag, name, other] of [[Flag.Channel17, 'CH17', 'DG1'], [Flag.Channel18, 'CH18', 'DG2']] as const) {
       const indicator = this.indicators.get(flag) as HTMLElement;
-      indicator.hidden = count !== 16 && !more;
+      indicator.hidden = isRow ? (flags & Flag.HasSwitches) === 0 : count !== 16 && !more;
       setText(indicator.children[1] as HTMLElement, more ? other : name);
     }
   }
@@ -78,10 +87,11 @@ export class LinkView {
       setAttribute(indicator, 'data-on', String(on));
       setText(indicator.lastElementChild as HTMLElement, !on ? 'off' : flag === Flag.Failsafe && flags & Flag.ByLosses ? 'by losses' : 'on');
     });
-    this.switches(newest);
+    this.choose(newest);
     if (!this.text.due) {
       return;
     }
+    this.tiles.forEach((label, i) => setText(label, labels[Number(status.rows > 0)][i]));
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
     setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
     setText(this.rate, String(status.framesPerSecond));

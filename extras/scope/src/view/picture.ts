@@ -50,7 +50,7 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
     text(left - 8, y + 4, unit.text(tick), ' text-anchor="end"');
   }
   const step = stepOf(area.seconds);
-  for (let tick = Math.ceil((area.edge - area.seconds) / step); tick * step <= area.edge; tick++) {
+  for (let tick = Math.ceil(Math.max(area.edge - area.seconds, 0) / step); tick * step <= area.edge; tick++) {
     const x = +(left + ((tick * step - area.edge) / area.seconds + 1) * area.width).toFixed(1);
     line(x, top, x, bottom, palette.grid);
     text(x, bottom + 18, `${+(tick * step).toFixed(2)} s`, ' text-anchor="middle"');

@@ -1,7 +1,7 @@
 // The sticks as on a radio, from the scaled values of CH1 to CH4: aileron, elevator, throttle, rudder, as most radios send them.
 
 import type { Core } from '../core';
-import type { Stretch } from '../line';
+import { Kind, type Stretch } from '../line';
 import { byId, make, setText } from '../dom';
 import { keep, recall } from '../storage';
 import { Throttle } from '../throttle';
@@ -26,6 +26,7 @@ interface Stick {
 
 export class SticksView {
   private readonly select = byId<HTMLSelectElement>('stick-mode');
+  private readonly card: HTMLElement;
   private readonly sticks: Stick[];
   private readonly text = new Throttle(textMs);
 
@@ -33,6 +34,7 @@ export class SticksView {
     root: HTMLElement,
     private readonly core: Core,
   ) {
+    this.card = root.closest('section') as HTMLElement;
     this.sticks = ['Left stick', 'Right stick'].map((name) => {
       const place = make('i', { class: 'stick-at' });
       const text = make('span');
@@ -45,6 +47,8 @@ export class SticksView {
   }
 
   draw(newest: Stretch | undefined, unit: Unit, trusted: boolean): void {
+    const isRow = newest?.kind === Kind.Row;
+    this.card.hidden = isRow && ((!unit.raw && !unit.range) || newest.channels.length < names.length);
     const text = this.text.due;
     const mode = modes[this.select.value];
     this.sticks.forEach(({ place, text: shown }, side) => {

@@ -1,0 +1,181 @@
+// Places to look from: what stands where at four sizes, panes that change their size, and only what a source has.
+import assert from 'node:assert/strict';
+import { check, codes, connect, downloaded, frame, opensWith, reads, until } from './support.mjs';
+
+const boxOf = (page, selector) => page.$eval(selector, (element) => {
+  const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
+  return { left, right, top: top + scrollY, bottom: bottom + scrollY, width, height };
+});
+const above = async (page, selector, fold) => {
+  const { bottom } = await boxOf(page, selector);
+  assert.ok(bottom <= fold, `${selector} ends at ${bottom} px, the fold is at ${fold}`);
+};
+const shown = (page, selector) => page.$eval(selector, (element) => element.checkVisibility());
+const phone = { size: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+// The port brings this text twenty times a second.
+const printing = (page, text) => page.evaluate((bytes) => (fake.port.onOpen = () => fake.every(50, bytes)), codes(text));
+
+export default async function () {
+  await check('2560 x 1440: the page has all the width, and the curves more height', async (page) => {
+    await reads(page, '#state', 'Fine');
+    assert.ok((await boxOf(page, '#channels')).left <= 24);
+    assert.ok((await boxOf(page, '.curves')).right >= 2536);
+    assert.ok((await boxOf(page, '#plot')).height >= 500);
+    const canvas = await boxOf(page, '#plot canvas');
+    assert.ok(Math.abs(canvas.height - (await boxOf(page, '#plot')).height) < 2, 'the curves do not fill their pane');
+    await above(page, '.frames', 1440);
+  }, { size: { width: 2560, height: 1440 } });
+
+  await check('1280 x 800: channels, sticks and counters are above the fold', async (page) => {
+    await reads(page, '#state', 'Fine');
+    for (const selector of ['#bars', '#sticks', '#counters', '#plot']) await above(page, selector, 800);
+  }, { size: { width: 1280, height: 800 } });
+
+  await check('a phone shows verdict, sticks and losses first, and all 25 bytes without scrolling sideways', async (page) => {
+    await reads(page, '#state', 'Fine');
+    for (const selector of ['#verdict', '#sticks', '#losses-chart']) await above(page, selector, 844);
+    await reads(page, '#lines li:first-child code', /^([0-9A-F]{2} ){24}[0-9A-F]{2}$/);
+    const all = await page.$$eval('#lines code, #bits .byte', (places) => places.filter((each) => each.checkVisibility()).map((each) => {
+      const { left, right, width } = each.getBoundingClientRect();
+      return [left >= 0 && right <= 390 && each.scrollWidth <= width + 1, each.textContent];
+    }));
+    assert.deepEqual(all.filter(([fits]) => !fits), []);
+    assert.ok(all.length > 25);
+    const { height } = await page.evaluate(() => ({ height: document.documentElement.scrollHeight }));
+    assert.ok(height < 3370, `the page is ${height} px high`);
+  }, phone);
+
+  const heightOf = (page) => boxOf(page, '#plot').then(({ height }) => Math.round(height));
+  await check('the curves become higher by a drag and by keys, and the browser remembers it', async (page) => {
+    await reads(page, '#state', 'Fine');
+    const usual = await heightOf(page);
+    const { left, top } = await boxOf(page, '#split-curves');
+    await page.mouse.move(left + 50, top + 5);
+    await page.mouse.down();
+    await page.mouse.move(left + 50, top + 65, { steps: 4 });
+    await page.mouse.up();
+    assert.equal(await heightOf(page), usual + 60);
+    await page.mouse.move(left + 50, top + 200);
+    assert.equal(await heightOf(page), usual + 60, 'it goes on without a button');
+    await page.focus('#split-curves');
+    await page.keyboard.press('ArrowDown');
+    assert.equal(await heightOf(page), usual + 76);
+    await until('its value is not told', async () => Number(await page.getAttribute('#split-curves', 'aria-valuenow')) === usual + 76);
+    await page.reload();
+    await reads(page, '#state', 'Fine');
+    assert.equal(await heightOf(page), usual + 76);
+    await page.focus('#split-curves');
+    await page.keyboard.press('Home');
+    assert.equal(await heightOf(page), 160);
+    await page.keyboard.press('Enter');
+    assert.equal(await heightOf(page), usual);
+    await page.reload();
+    assert.equal(await heightOf(page), usual);
+  });
+
+  await check('the channels become wider, and leave the curves less', async (page) => {
+    await reads(page, '#state', 'Fine');
+    const before = [await boxOf(page, '#channels'), await boxOf(page, '#plot')];
+    await page.focus('#split-channels');
+    for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
+    const after = [await boxOf(page, '#channels'), await boxOf(page, '#plot')];
+    assert.equal(Math.round(after[0].width - before[0].width), 80);
+    assert.equal(Math.round(before[1].width - after[1].width), 80);
+    await page.dblclick('#split-channels', { position: { x: 8, y: 10 } });
+    assert.equal((await boxOf(page, '#channels')).width, before[0].width);
+  });
+
+  await check('a size that is stored, but senseless, is not taken', async (page) => {
+    for (const [kept, height] of [['99999', 1200], ['-5', undefined], ['wide', undefined]]) {
+      await page.evaluate((px) => localStorage.setItem('sbus-scope-curves', px), kept);
+      await page.reload();
+      await reads(page, '#state', 'Fine');
+      assert.equal(await heightOf(page), height ?? Math.round(0.38 * 900));
+    }
+  });
+
+  await check('a board that prints plain numbers shows no flags, no bytes, no sticks', async (page) => {
+    await printing(page, '12.5,80,-3\r\n');
+    await connect(page, 'board');
+    await reads(page, '#verdict-text', 'Rows come from a board.');
+    for (const selector of ['#bars', '#plot', '#intervals-chart']) assert.ok(await shown(page, selector), selector);
+    for (const selector of ['.frames', '.losses', '.stick-card', '.indicators', '#indicator-failsafe', '#telemetry', '#calibrate', '#bars .us', '#guide']) {
+      assert.equal(await shown(page, selector), false, selector);
+    }
+    await reads(page, '#link', /Newest row.*Row interval/);
+    await page.selectOption('#unit', 'raw');
+    await until('raw numbers are not scaled', () => shown(page, '#calibrate'));
+  });
+
+  await check('a board that prints flags shows these, and sticks once its unit is known', async (page) => {
+    await printing(page, '992,992,992,992,0,1\r\n');
+    await connect(page, 'board');
+    await page.waitForSelector('#indicator-lost-frame[data-on="true"]');
+    for (const [selector, is] of [['#indicator-failsafe', true], ['#indicator-ch17', false], ['.losses', true], ['.frames', false], ['.stick-card', false]]) {
+      assert.equal(await shown(page, selector), is, selector);
+    }
+    await page.selectOption('#unit', 'raw');
+    await until('there are no sticks', () => shown(page, '.stick-card'));
+    await page.click('#source-simulated');
+    await until('S.Bus lacks its views', async () => (await shown(page, '.frames')) && (await shown(page, '#indicator-ch17')));
+  });
+
+  await check('an adapter without a signal: the page shows its pins instead of empty views, until a frame comes', async (page) => {
+    await connect(page);
+    await page.waitForSelector('#guide');
+    const text = await page.$eval('#guide', (guide) => guide.innerText);
+    assert.match(text, /S-BUS_OUT.*RXD/);
+    assert.doesNotMatch(text, /GP1/);
+    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) assert.equal(await shown(page, selector), false, selector);
+    await page.evaluate((bytes) => fake.every(9, bytes), frame([1000]));
+    await reads(page, '#state', 'Fine');
+    for (const selector of ['#bars', '#plot', '#link', '.stick-card', '.frames', '.statistics']) await until(`${selector} is not there`, () => shown(page, selector));
+    assert.equal(await shown(page, '#guide'), false);
+  });
+
+  await check('a board without a signal: its pins; the simulation: its button', async (page) => {
+    await connect(page, 'board');
+    await page.waitForSelector('#guide');
+    assert.match(await page.$eval('#guide', (guide) => guide.innerText), /Grasshopper\s+D0/);
+    await page.click('#source-simulated');
+    await reads(page, '#state', 'Fine');
+    assert.equal(await shown(page, '#guide'), false);
+    await page.selectOption('#fault', 'silent');
+    await page.waitForSelector('#guide');
+    assert.match(await page.$eval('#guide', (guide) => guide.innerText), /Cut the wire/);
+    await page.click('#cut');
+    await reads(page, '#state', 'Fine');
+    assert.equal(await shown(page, '#guide'), false);
+  });
+
+  await check('no time is negative: not on the curves, not in the picture', async (page) => {
+    await page.addInitScript(() => {
+      const write = CanvasRenderingContext2D.prototype.fillText;
+      globalThis.written = [];
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...more) {
+        globalThis.written.push(text);
+        return write.call(this, text, ...more);
+      };
+    });
+    await page.reload();
+    await reads(page, '#state', 'Fine');
+    await until('nothing is written', () => page.evaluate(() => globalThis.written.includes('0 s')));
+    assert.deepEqual(await page.evaluate(() => globalThis.written.filter((text) => /^-.* s$/.test(text))), []);
+    const { text } = await downloaded(page, '#picture');
+    assert.match(text, />0 s</);
+    assert.doesNotMatch(text, />-[\d.]+ s</);
+  });
+
+  await check('a frame that is there at once needs no guide', async (page) => {
+    await page.evaluate(() => {
+      fake.guided = 0;
+      new MutationObserver(() => (fake.guided += Number(!document.querySelector('#guide').hidden))).observe(document.querySelector('#guide'), { attributes: true });
+    });
+    await opensWith(page, [frame([1000]), frame([1001]), frame([1002])]);
+    await connect(page);
+    await reads(page, '#bars li:first-child .raw', '1002');
+    await page.waitForTimeout(2000);
+    assert.equal(await page.evaluate(() => fake.guided), 0);
+  });
+}
