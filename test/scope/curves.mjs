@@ -105,11 +105,11 @@ export default async function () {
     await play(page, path.join(root, 'test/recordings/paper.txt'));
     await toEnd(page);
     const box = await page.locator('#plot .u-over').boundingBox();
-    await page.mouse.move(box.x + box.width - 2, box.y + 50);
+    await page.mouse.move(box.x + 0.998 * box.width, box.y + 50);
     await reads(page, '#readout', /^0\.3[678]\d s {3}CH1 995 {3}CH2 993 {3}CH3 1811 {3}CH4 992$/);
     await page.keyboard.down('Shift');
     await page.mouse.down();
-    await page.mouse.move(box.x + box.width - 40, box.y + 50, { steps: 4 });
+    await page.mouse.move(box.x + 0.96 * box.width, box.y + 50, { steps: 4 });
     await page.mouse.up();
     await reads(page, '#pause', 'Continue');
     await reads(page, '#window', '0.5 s');
