@@ -117,7 +117,7 @@ void Input::runBoth(Input &one, const Taker &takeOne, Input &other, const Taker 
   const auto placeUs = [&](size_t i) { return static_cast<int64_t>(inputs[i]->_nowUs) + zeroUs[i]; };
   while (!stopped() && (goesOn[0] || goesOn[1])) {
     bool waits = true;
-    for (const size_t i : {0, 1}) {
+    for (const size_t i : {size_t{0}, size_t{1}}) {
       const bool isAtOnce = inputs[i]->_pace == Pace::AtOnce;
       const bool isAhead = goesOn[1 - i] && isAtOnce && placeUs(i) > placeUs(1 - i);
       if (goesOn[i] && !isAhead && inputs[i]->advance()) {

@@ -100,7 +100,7 @@ bool Aligner::findDelay(bool isEnd) {
   }
   _tryUs += TryEachUs;
   std::unordered_map<uint64_t, std::array<std::pair<unsigned, int64_t>, 2>> places;
-  for (const size_t side : {0, 1}) {
+  for (const size_t side : {size_t{0}, size_t{1}}) {
     for (const Frame &frame : _sides[side].frames) {
       if (frame.isChange) {
         auto &[count, us] = places[hashOf(frame.values)][side];

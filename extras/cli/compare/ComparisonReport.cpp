@@ -100,7 +100,7 @@ void ComparisonReport::end(size_t side) {
   }
   const LostSpan span = _open[side]->span;
   _open[side].reset();
-  if (!_first || span.fromUs < _first->us) {
+  if (!_first) {
     _first = Difference{span.fromUs, "", 1 - side, {}};
   }
   _lost[side] += span.frames;
@@ -115,7 +115,7 @@ void ComparisonReport::end(size_t side) {
 
 // What one has after the other's last frame is not lost.
 void ComparisonReport::finish() {
-  for (const size_t side : {0, 1}) {
+  for (const size_t side : {size_t{0}, size_t{1}}) {
     if (_open[side] && _open[side]->isMissing) {
       _alone[1 - side] += _open[side]->span.frames;
       _open[side].reset();
@@ -148,7 +148,7 @@ std::string ComparisonReport::lostText(size_t side) const {
 
 std::string ComparisonReport::text(const std::array<std::string, 2> &names, bool isByContents) const {
   std::string text;
-  for (const size_t side : {0, 1}) {
+  for (const size_t side : {size_t{0}, size_t{1}}) {
     text += std::string(Names[side]) + "            " + names[side] + ": " + counted(_frames[side], "frame") +
             (_alone[side] > 0 ? format(", %lu before the first or after the last of %s", _alone[side], Names[1 - side])
                               : "") +

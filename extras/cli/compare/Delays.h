@@ -34,7 +34,7 @@ class Delays {
   int64_t leastUs() const { return _leastUs; }
   int64_t mostUs() const { return _mostUs; }
 
-  // Returns the median, exact to 0.1 % of the extent.
+  // Returns the median, exact to 0.2 % of the extent.
   int64_t medianUs() const {
     unsigned long before = 0;
     for (const auto &[bucket, count] : _buckets) {
@@ -54,7 +54,7 @@ class Delays {
   }
 
  private:
-  static constexpr size_t BucketsMost = 4096;
+  static constexpr size_t BucketsMost = 1024;
 
   int64_t bucketOf(int64_t us) const { return us >= 0 ? us / _widthUs : -((-us + _widthUs - 1) / _widthUs); }
 

@@ -65,7 +65,7 @@ class Bridge {
         _output(options.to, first.input->settings()),
         _choice(static_cast<uint64_t>(options.backS * 1e6)),
         _hasTimes(first.source.hasTimes() && (second == nullptr || second->source.hasTimes())) {
-    for (const size_t i : {0, 1}) {
+    for (const size_t i : {size_t{0}, size_t{1}}) {
       if (_receivers[i] != nullptr) {
         _receivers[i]->observer.listen([this, i](const line::Stretch &stretch) { take(i, stretch); });
       }

@@ -27,7 +27,7 @@ struct Options {
 class Compared {
  public:
   Compared(const SourceOption &source, size_t side, Aligner &aligner)
-      : _source(source), _side(side), _aligner(aligner), _input(source.open()), _silence(source.name(), "frames") {
+      : _side(side), _aligner(aligner), _input(source.open()), _silence(source.name(), "frames") {
     if (!source.hasTimes()) {
       throw std::runtime_error(source.name() + ": has no times; a port, a recording or a capture is expected");
     }
@@ -67,7 +67,6 @@ class Compared {
 
   int64_t timeOf(uint64_t us) const { return static_cast<int64_t>(us) + _laterUs; }
 
-  const SourceOption &_source;
   const size_t _side;
   Aligner &_aligner;
   const std::unique_ptr<Input> _input;
