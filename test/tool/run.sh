@@ -321,7 +321,7 @@ SBUS=$sbus WORK=$work tool/explain.sh
 verdict $? "--help-all lists subcommands and options"
 # An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
 sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
-  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && / SOURCE/; print "has", section }
+  /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || / A B$/); print "has", section }
   /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }
   common && section != ".SH SOURCE" { print section, "SOURCE" }' >"$work/manual"
 while read -r subcommand option; do

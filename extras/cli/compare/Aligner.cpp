@@ -42,7 +42,7 @@ size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_
 }
 
 void Aligner::put(size_t side, int64_t us, const line::Values &values) {
-  const bool isChange = _newest[side] && !isSame(*_newest[side], values);
+  const bool isChange = !_newest[side] || !isSame(*_newest[side], values);
   _newest[side] = values;
   _sides[side].frames.push_back({us, isChange, values});
   knownUntil(side, us);
@@ -61,6 +61,8 @@ void Aligner::finish() {
 }
 
 void Aligner::work(bool isEnd) {
+  sayAlone(0);
+  sayAlone(1);
   if (!_hasDelay && !findDelay(isEnd)) {
     return;
   }
@@ -89,11 +91,11 @@ void Aligner::work(bool isEnd) {
 // Each change that occurs once on either side votes for a delay. Returns true once the delay is found, or given up.
 bool Aligner::findDelay(bool isEnd) {
   const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
-  if (knownUs == INT64_MIN && !isEnd) {
+  if (knownUs == NeverUs && !isEnd) {
     return false;
   }
-  if (_tryUs == INT64_MIN) {
-    _tryUs = knownUs == INT64_MIN ? 0 : knownUs + TryEachUs;
+  if (_tryUs == NeverUs) {
+    _tryUs = knownUs == NeverUs ? 0 : knownUs + TryEachUs;
   }
   if (!isEnd && knownUs < _tryUs) {
     return false;
@@ -130,8 +132,9 @@ bool Aligner::findDelay(bool isEnd) {
   if (_isByContents) {
     _delayUs = static_cast<double>(votes[first + most / 2]);
   }
-  const auto &frames = _sides[0].frames;
-  const bool isLate = !frames.empty() && _sides[0].knownUs > frames.front().us + TryMostUs;
+  const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
+    return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
+  });
   _hasDelay = _isByContents || isEnd || isLate;
   if (_hasDelay) {
     findPeriod();
@@ -213,15 +216,30 @@ void Aligner::pairLeft(int64_t beforeUs) {
       others.pop_front();
       continue;
     }
-    Finding finding{Finding::Kind::Only, side, {}, 0, false};
-    finding.values[side] = _sides[side].left.front().values;
-    _found.emplace(std::min(oneUs, otherUs), finding);
+    addOnly(side, std::min(oneUs, otherUs), _sides[side].left.front());
     _sides[side].left.pop_front();
   }
 }
 
 void Aligner::add(const Frame &a, const Frame &b, bool isSameContent) {
   _found.emplace(a.us, Finding{Finding::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent});
+}
+
+void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
+  Finding finding{Finding::Kind::Only, side, {}, 0, false};
+  finding.values[side] = frame.values;
+  _found.emplace(us, finding);
+}
+
+// Before the delay is known: gives up what came a minute and more before the other side's first frame.
+void Aligner::sayAlone(size_t side) {
+  std::deque<Frame> &frames = _sides[side].frames;
+  const Side &other = _sides[1 - side];
+  while (!_hasDelay && other.frames.empty() && !frames.empty() && frames.front().us < other.knownUs - TryMostUs) {
+    addOnly(side, frames.front().us, frames.front());
+    sayBefore(INT64_MAX);
+    frames.pop_front();
+  }
 }
 
 void Aligner::sayBefore(int64_t us) {

@@ -41,15 +41,17 @@ class Aligner {
   bool isByContents() const { return _isByContents; }
 
  private:
+  static constexpr int64_t NeverUs = INT64_MIN / 2;
+
   struct Frame {
     int64_t us;
-    bool isChange;  // its channels are not those of the frame before
+    bool isChange;  // its channels are not those of a frame before
     line::Values values;
   };
   struct Side {
     std::deque<Frame> frames;  // that are still to be matched
     std::deque<Frame> left;    // that matched nothing
-    int64_t knownUs = INT64_MIN;
+    int64_t knownUs = NeverUs;
   };
 
   static size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next);
@@ -60,6 +62,8 @@ class Aligner {
   void leave(int64_t beforeUs);
   void pairLeft(int64_t beforeUs);
   void add(const Frame &a, const Frame &b, bool isSameContent);
+  void addOnly(size_t side, int64_t us, const Frame &frame);
+  void sayAlone(size_t side);
   void sayBefore(int64_t us);
 
   const std::function<void(int64_t us, const Finding &)> _say;
@@ -70,7 +74,7 @@ class Aligner {
   bool _isByContents = false;
   double _delayUs = 0;  // follows the clocks
   int64_t _periodUs = 9000;
-  int64_t _tryUs = INT64_MIN;  // when to look for the delay again
+  int64_t _tryUs = NeverUs;  // when to look for the delay again
 };
 
 }  // namespace tool

@@ -41,8 +41,11 @@ class Compared {
   Compared(const Compared &) = delete;
   Compared &operator=(const Compared &) = delete;
 
-  // Sets what is added to its times.
-  void setLater(int64_t us) { _laterUs = us; }
+  // Sets what is added to its times; none of its frames comes before time 0.
+  void begin(int64_t laterUs) {
+    _laterUs = laterUs;
+    _aligner.knownUntil(_side, timeOf(0));
+  }
 
   Input &input() { return *_input; }
   Input::Taker taker() {
@@ -92,7 +95,8 @@ void run(const Options &options) {
   Aligner aligner([&report](int64_t us, const Finding &finding) { report.put(us, finding); });
   Compared one(a, 0, aligner);
   Compared other(b, 1, aligner);
-  other.setLater(laterUs(a, b));
+  one.begin(0);
+  other.begin(laterUs(a, b));
   if (options.json) {
     write(a.json().line() + b.json().line());
     flush();
