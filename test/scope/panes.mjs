@@ -101,7 +101,7 @@ export default async function () {
     await reads(page, '#verdict-text', 'Rows come from a board.');
     for (const selector of ['#bars', '#plot', '#intervals-chart']) assert.ok(await shown(page, selector), selector);
     for (const selector of ['.frames', '.losses', '.stick-card', '.indicators', '#indicator-failsafe', '#telemetry', '#calibrate', '#bars .us', '#guide']) {
-      assert.equal(await shown(page, selector), false, selector);
+      await until(`${selector} is not shown`, async () => !(await shown(page, selector)));
     }
     await reads(page, '#link', /Newest row.*Row interval/);
     await page.selectOption('#unit', 'raw');

@@ -16,7 +16,7 @@ inline Line lineOf(const std::string &name) {
   source.silent = name == "silent";
   source.sticks = name == "calibration" ? line::Sticks::Calibration : line::Sticks::Flight;
   if (name != "flight" && name != "cut" && name != "calibration" && name != "silent" && name != "wire") {
-    source.recording = "../../recordings/" + name + ".txt";
+    source.name = "../../recordings/" + name + ".txt";
   }
   Line line;
   line.source = name == "wire" ? nullptr : source.open();
