@@ -14,7 +14,6 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t TailUs = 300000;          // as RecordedLine's
 constexpr size_t Ahead = 2;                  // characters: the next one tells what is known
 constexpr uint64_t StartMostUs = 1000000;    // a live text that begins later was joined in its middle
 constexpr int64_t SkewMostUs = 250000;       // how much later than its writer a live text's reader may have started
@@ -115,7 +114,7 @@ bool TextLine::mayGoTo(uint64_t us) {
 }
 
 bool TextLine::finished(uint64_t nowUs) const {
-  return _ended && _waiting.empty() && nowUs >= _lastUs + TailUs;
+  return _ended && _waiting.empty() && nowUs >= _lastUs + line::TailUs;
 }
 
 void TextLine::fill(uint64_t nowUs) {

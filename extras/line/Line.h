@@ -20,6 +20,9 @@ struct Character {
   bool stopWrong = false;
 };
 
+// For how long a line that has ended goes on being silent, so that what it brought last can still be shown.
+constexpr uint64_t TailUs = 300000;
+
 class Line {
  public:
   virtual ~Line() = default;

@@ -56,18 +56,22 @@ bool exists(const std::string &name) {
 
 // Takes the words behind the colon. Returns the first wrong one; empty if none is.
 std::string takeSourceWords(const std::string &words, Source &source) {
-  for (size_t begin = 0; begin != std::string::npos;) {
-    const size_t comma = words.find(',', begin);
-    const std::string word = lower(withoutBlanks(std::string_view(words).substr(begin, comma - begin)));
-    if (!takeSourceWord(word, source)) {
-      return quoted(word);
+  std::string wrong;
+  forEachAtCommas(words, [&](std::string_view each) {
+    const std::string word = lower(withoutBlanks(each));
+    if (!takeSourceWord(word, source) && wrong.empty()) {
+      wrong = quoted(word);
     }
-    begin = comma == std::string::npos ? comma : comma + 1;
-  }
-  return {};
+  });
+  return wrong;
 }
 
 }  // namespace
+
+bool isPortName(const std::string &name) {
+  struct stat status;
+  return stat(name.c_str(), &status) == 0 ? S_ISCHR(status.st_mode) : name.rfind("/dev/", 0) == 0;
+}
 
 // The name of a file may have a colon itself.
 Source parseSource(const std::string &text) {

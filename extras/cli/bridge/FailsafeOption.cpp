@@ -1,6 +1,5 @@
 #include "cli/bridge/FailsafeOption.h"
 
-#include <sstream>
 #include <stdexcept>
 
 #include "cli/TableReader.h"
@@ -20,8 +19,8 @@ void FailsafeOption::read(const sbus::Range &range) {
   if (!_option.given() || _text == "off" || _text == "hold") {
     return;
   }
-  std::istringstream words(_text + ",");
-  for (std::string word; std::getline(words, word, ',');) {
+  line::forEachAtCommas(_text, [&](std::string_view each) {
+    const std::string word(each);
     const unsigned channel = channelOf(line::lower(word.substr(0, word.find('='))));
     if (channel == 0 || channel > sbus::ProportionalCount) {
       rejectCommandLine("--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not " + word);
@@ -33,7 +32,7 @@ void FailsafeOption::read(const sbus::Range &range) {
       rejectCommandLine(std::string("--failsafe: ") + error.what());
     }
     _set.emplace_back(channel - 1, values.raw[channel - 1]);
-  }
+  });
 }
 
 bool FailsafeOption::apply(sbus::LinkState state, line::Values &values) {

@@ -61,17 +61,15 @@ unsigned valueOf(const line::Values &values, unsigned channel) {
 
 std::vector<CsvColumn> parseColumns(const std::string &text) {
   std::vector<CsvColumn> columns;
-  for (size_t begin = 0; begin != std::string::npos;) {
-    const size_t comma = text.find(',', begin);
-    const std::string word = line::lower(line::trimmed(std::string_view(text).substr(begin, comma - begin)));
+  line::forEachAtCommas(text, [&columns](std::string_view each) {
+    const std::string word = line::lower(line::trimmed(each));
     if (!append(word, columns)) {
       rejectCommandLine(
           "--columns: \"" + word +
           "\" is no column; there are ch1 to ch32, spans such as ch1-ch4, failsafe, lostframe, time, state, age "
           "and quality");
     }
-    begin = comma == std::string::npos ? comma : comma + 1;
-  }
+  });
   return columns;
 }
 

@@ -116,7 +116,6 @@ const SourceOption::Parsed &SourceOption::parsed() const {
   return *_parsed;
 }
 
-// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
 SourceOption::Parsed SourceOption::parse() const {
   const std::string &first = _words.empty() ? _word : _words.front();
   if (isValue(first)) {
@@ -131,12 +130,8 @@ SourceOption::Parsed SourceOption::parse() const {
   } catch (const std::runtime_error &error) {
     rejectCommandLine(error.what());
   }
-  struct stat status;
   parsed.name = parsed.source.isSimulated() ? "sim" : parsed.source.name;
-  parsed.kind = parsed.source.isSimulated()               ? Kind::Simulated
-                : stat(parsed.name.c_str(), &status) != 0 ? parsed.name.rfind("/dev/", 0) == 0 ? Kind::Port : Kind::File
-                : S_ISCHR(status.st_mode)                 ? Kind::Port
-                                                          : Kind::File;
+  parsed.kind = parsed.source.isSimulated() ? Kind::Simulated : line::isPortName(parsed.name) ? Kind::Port : Kind::File;
   return parsed;
 }
 
@@ -147,9 +142,8 @@ SourceOption::Parsed SourceOption::parseValues() const {
   for (const std::string &word : _words.empty() ? std::vector<std::string>{_word} : _words) {
     parsed.name += (parsed.name.empty() ? "" : ",") + word;
   }
-  for (size_t begin = 0; begin != std::string::npos;) {
-    const size_t comma = parsed.name.find(',', begin);
-    const std::string value = parsed.name.substr(begin, comma - begin);
+  line::forEachAtCommas(parsed.name, [&](std::string_view each) {
+    const std::string value(each);
     const std::string name = line::lower(value.substr(0, value.find('=')));
     if (!names.insert(name).second) {
       rejectCommandLine(line::quoted(value) + " sets " + name + " again; leave one of them out");
@@ -159,8 +153,7 @@ SourceOption::Parsed SourceOption::parseValues() const {
     } catch (const std::runtime_error &error) {
       rejectCommandLine(error.what());
     }
-    begin = comma == std::string::npos ? comma : comma + 1;
-  }
+  });
   return parsed;
 }
 
@@ -176,9 +169,8 @@ void SourceOption::openPipe(Parsed &parsed) const {
 
 void SourceOption::rejectOptions(const Parsed &parsed) const {
   const bool isFile = parsed.kind == Kind::File;
-  if (!isFile && parsed.kind != Kind::Simulated && parsed.source.disturbs()) {
-    rejectCommandLine(parsed.name + ": what follows the colon is for sim or a recording; leave it out for " +
-                      (parsed.kind == Kind::Port ? "a port" : "a stream of bytes"));
+  if (!isFile && parsed.kind != Kind::Simulated) {
+    rejectDisturbing(parsed, parsed.kind == Kind::Port ? "a port" : "a stream of bytes");
   }
   if (parsed.source.sbus2 && _baud > sbus::Baud) {
     rejectCommandLine("--baud: S.BUS2 has 100000 baud; leave it out");
@@ -194,6 +186,12 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
     if (_recordings == Recordings::InTrueTime && _loop.given()) {
       rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
     }
+  }
+}
+
+void SourceOption::rejectDisturbing(const Parsed &parsed, const char *what) {
+  if (parsed.source.disturbs()) {
+    rejectCommandLine(parsed.name + ": what follows the colon is for sim or a recording; leave it out for " + what);
   }
 }
 
@@ -272,10 +270,7 @@ const FileSource &SourceOption::file() const {
     cut(name(), read, toUs(_from), toUs(_to));
   }
   if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
-    if (parsed().source.disturbs()) {
-      rejectCommandLine(name() + ": what follows the colon is for sim or a recording; leave it out for " +
-                        (read.kind == FileKind::Rows ? "rows of CSV" : "bytes without times"));
-    }
+    rejectDisturbing(parsed(), read.kind == FileKind::Rows ? "rows of CSV" : "bytes without times");
   }
   _file = std::make_shared<const FileSource>(std::move(read));
   return *_file;

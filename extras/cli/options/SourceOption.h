@@ -86,6 +86,7 @@ class SourceOption {
   std::unique_ptr<line::Line> openText() const;
   std::unique_ptr<line::Line> openOnce(const line::LineSettings &port) const;
   void rejectOptions(const Parsed &parsed) const;
+  static void rejectDisturbing(const Parsed &parsed, const char *what);
   void rejectPart(const std::string &reason) const;
 
   Recordings _recordings;

@@ -41,18 +41,11 @@ std::string text(const char *name, const std::vector<line::FlagSpan> &spans) {
   if (spans.empty()) {
     return format("%-12s none\n", name);
   }
-  uint64_t us = 0;
-  for (const line::FlagSpan &span : spans) {
-    us += span.us();
-  }
-  std::vector<line::FlagSpan> shown = spans;
-  std::stable_sort(shown.begin(), shown.end(),
-                   [](const line::FlagSpan &a, const line::FlagSpan &b) { return a.us() > b.us(); });
-  shown.resize(std::min(shown.size(), ShownMost));
+  std::vector<line::FlagSpan> shown = longest(spans, ShownMost);
   std::sort(shown.begin(), shown.end(),
             [](const line::FlagSpan &a, const line::FlagSpan &b) { return a.fromUs < b.fromUs; });
   std::string text = format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
-                            seconds(us), shown.size() < spans.size() ? "; the longest are" : "");
+                            seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
   for (const line::FlagSpan &span : shown) {
     text += format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
   }

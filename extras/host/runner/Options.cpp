@@ -1,7 +1,5 @@
 #include "Options.h"
 
-#include <sys/stat.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
@@ -67,12 +65,6 @@ void addSent(const std::vector<std::string> &texts, Options &options) {
   }
 }
 
-// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
-bool isPortName(const std::string &name) {
-  struct stat status;
-  return stat(name.c_str(), &status) == 0 ? S_ISCHR(status.st_mode) : name.rfind("/dev/", 0) == 0;
-}
-
 void takeSource(const std::string &text, unsigned long baud, Options &options) {
   try {
     options.source = line::parseSource(text);
@@ -83,7 +75,7 @@ void takeSource(const std::string &text, unsigned long baud, Options &options) {
   if (options.source.sbus2 && baud != sbus::Baud) {
     throw CLI::ValidationError("--baud", "S.BUS2 has 100000 baud; leave it out");
   }
-  if (options.source.isSimulated() || !isPortName(options.source.name)) {
+  if (options.source.isSimulated() || !line::isPortName(options.source.name)) {
     return;
   }
   if (options.source.disturbs() || baud != sbus::Baud || options.pulses || options.simulatedTime) {

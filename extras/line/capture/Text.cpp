@@ -1,7 +1,8 @@
 #include "line/capture/Text.h"
 
 #include <cmath>
-#include <ctime>
+
+#include "line/recording/WallTime.h"
 
 namespace line {
 
@@ -90,9 +91,10 @@ double periodOf(std::string_view rate) {
 
 bool parseTimestamp(std::string_view word, int64_t &ns) {
   const std::string text(word);
-  std::tm calendar{};
-  const char *at = strptime(text.c_str(), "%Y-%m-%dT%H:%M:%S", &calendar);
-  if (at == nullptr || calendar.tm_year < 70 || calendar.tm_year > 200) {  // 64 bits of ns reach 2262
+  constexpr int64_t After2100 = 4133980800;  // seconds; 64 bits of ns reach 2262
+  int64_t seconds = 0;
+  const char *at = takeDate(text.c_str(), seconds);
+  if (at == nullptr || seconds < 0 || seconds >= After2100) {
     return false;
   }
   double fraction = 0;
@@ -100,7 +102,6 @@ bool parseTimestamp(std::string_view word, int64_t &ns) {
     takeNumber(at, text.c_str() + text.size(), fraction);
   }
   constexpr int64_t SecondNs = 1000000000;
-  const int64_t seconds = timegm(&calendar);
   ns = seconds * SecondNs + std::llround(fraction * SecondNs);
   return *at == '\0' || *at == 'Z' || *at == '+' || *at == '-';
 }

@@ -27,7 +27,6 @@ class ByteStream : public Line {
   std::string failure() const override { return _failure; }
 
  private:
-  static constexpr uint64_t TailUs = 300000;  // as RecordedLine's
   static constexpr size_t ReadMax = 256;
 
   void fill(uint64_t nowUs);

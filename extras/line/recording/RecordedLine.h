@@ -29,8 +29,6 @@ class RecordedLine : public Line {
   bool finished(uint64_t nowUs) const override;
 
  private:
-  static constexpr uint64_t TailUs = 300000;
-
   const std::shared_ptr<const Characters> _characters;
   uint64_t _leadUs;
   uint64_t _zeroUs = 0;

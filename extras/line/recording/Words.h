@@ -49,6 +49,16 @@ inline std::string_view takeLine(std::string_view &text) {
   return line;
 }
 
+// Calls `take` with each of the texts between commas, as it stands: one of an empty text.
+template <typename Take>
+void forEachAtCommas(std::string_view text, const Take &take) {
+  for (size_t begin = 0; begin != std::string_view::npos;) {
+    const size_t comma = text.find(',', begin);
+    take(text.substr(begin, comma - begin));
+    begin = comma == std::string_view::npos ? comma : comma + 1;
+  }
+}
+
 // Returns a wrong word in a form that a message can show on a terminal: in quotation marks, a long word cut short.
 inline std::string quoted(std::string_view word) {
   constexpr size_t Shown = 20;

@@ -1,8 +1,24 @@
 #include "line/report/FlagSpans.h"
 
+#include <algorithm>
+
 #include "line/Silence.h"
 
 namespace line {
+
+uint64_t sumUs(const std::vector<FlagSpan> &spans) {
+  uint64_t us = 0;
+  for (const FlagSpan &span : spans) {
+    us += span.us();
+  }
+  return us;
+}
+
+std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count) {
+  std::stable_sort(spans.begin(), spans.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.us() > b.us(); });
+  spans.resize(std::min(spans.size(), count));
+  return spans;
+}
 
 bool FlagSpans::brokenUntil(uint64_t us, uint32_t lateUs) {
   const Gap gap = _lastUs == 0 ? Gap::Ordinary : gapOf(_lastUs, us, lateUs);

@@ -2,6 +2,7 @@
 // the shades of its report.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,9 +18,14 @@ struct FlagSpan {
   uint64_t us() const { return toUs - fromUs; }
 };
 
+// Returns how long they are together.
+uint64_t sumUs(const std::vector<FlagSpan> &spans);
+
+// Returns the longest ones, the longest first.
+std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count);
+
 // A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a time when the PC
-// was late, or to the end. A frame
-// with both flags counts as failsafe only.
+// was late, or to the end. A frame with both flags counts as failsafe only.
 class FlagSpans {
  public:
   // Returns true if the line was silent from the newest frame until the next one, at `us`, or if the PC was late, as

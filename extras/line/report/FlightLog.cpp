@@ -20,14 +20,6 @@ uint64_t commonUs(const FlagSpan &span, uint64_t fromUs, uint64_t toUs) {
   return end > begin ? end - begin : 0;
 }
 
-uint64_t sumUs(const std::vector<FlagSpan> &spans) {
-  uint64_t us = 0;
-  for (const FlagSpan &span : spans) {
-    us += span.us();
-  }
-  return us;
-}
-
 // Finds out how bad parts of the flight were, asked for in their order.
 class Judge {
  public:

@@ -73,6 +73,14 @@ struct Badness {
   bool failsafe;
   bool silent;
   bool late;  // the PC was
+
+  // Returns the worst of these; of a part that has none of them, only frames were lost.
+  FlagSpan::Kind kind() const {
+    return failsafe ? FlagSpan::Kind::Failsafe
+           : silent ? FlagSpan::Kind::NoFrames
+           : late   ? FlagSpan::Kind::Late
+                    : FlagSpan::Kind::LostFrame;
+  }
 };
 
 // Returns the flight in `count` parts of equal length, at most one a second.

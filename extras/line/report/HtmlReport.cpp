@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "line/Format.h"
@@ -40,18 +41,16 @@ struct Listed {
   FlagSpan::Kind kind;
   const char *name;
   const char *colour;
+  const char *cause;  // of a bad second; the others only lost frames
 };
-constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "Failsafe", "failsafe"},
-                                {FlagSpan::Kind::NoFrames, "No frames", "silent"},
-                                {FlagSpan::Kind::LostFrame, "Lost frames", "lost"},
-                                {FlagSpan::Kind::Late, "PC late", "late"}};
+constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "Failsafe", "failsafe", "failsafe"},
+                                {FlagSpan::Kind::NoFrames, "No frames", "silent", "no frames"},
+                                {FlagSpan::Kind::LostFrame, "Lost frames", "lost", ""},
+                                {FlagSpan::Kind::Late, "PC late", "late", "PC late"}};
 
-std::string escaped(const std::string &text) {
-  std::string safe;
-  for (const char c : text) {
-    safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return safe;
+const Listed &listed(FlagSpan::Kind kind) {
+  return *std::find_if(std::begin(AllListed), std::end(AllListed),
+                       [kind](const Listed &each) { return each.kind == kind; });
 }
 
 // Returns "61.250 s" of a flight of less than an hour, else "1:01:01.250".
@@ -76,15 +75,14 @@ std::string strip(const FlightLog &flight) {
       static_cast<double>(parts.size()) * Width, Height, Height - 1, static_cast<double>(parts.size()) * Width);
   for (size_t i = 0; i < parts.size(); i++) {
     const Badness &part = parts[i];
-    const char *const name = part.failsafe ? "failsafe" : part.silent ? "silent" : part.late ? "late" : "lost";
     const double share = part.failsafe || part.silent ? std::max(part.lost, 0.3) : part.late ? 0.1 : part.lost;
     const double height = std::round(std::sqrt(share) * (Height - 1) * 10) / 10;
     if (height > 0) {
       text += format(
           "<rect class=\"%s\" x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\"><title>%s: %.1f %% "
           "lost</title></rect>\n",
-          name, static_cast<double>(i) * Width, Height - 1 - height, Width, height, timeText(part.fromUs).c_str(),
-          100 * part.lost);
+          listed(part.kind()).colour, static_cast<double>(i) * Width, Height - 1 - height, Width, height,
+          timeText(part.fromUs).c_str(), 100 * part.lost);
     }
   }
   text += "</svg>\n<p class=\"key quiet\">" + timeText(flight.firstUs()) + " to " + timeText(flight.lastUs());
@@ -129,11 +127,7 @@ std::string worst(const FlightLog &flight) {
   std::string rows;
   for (const Badness &part : worstSeconds(flight, WorstMost)) {
     rows += "<tr>" + cell(timeText(part.fromUs)) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
-            (part.failsafe ? "failsafe"
-             : part.silent ? "no frames"
-             : part.late   ? "PC late"
-                           : "") +
-            "</td></tr>\n";
+            listed(part.kind()).cause + "</td></tr>\n";
   }
   return "<section><h2>The worst seconds</h2>\n" +
          (rows.empty() ? "<p>In no second was a frame lost.</p>"
@@ -143,21 +137,15 @@ std::string worst(const FlightLog &flight) {
 }
 
 std::string spans(const FlightLog &flight, const Listed &listed) {
-  std::vector<FlagSpan> all = flight.spans(listed.kind);
+  const std::vector<FlagSpan> all = flight.spans(listed.kind);
   if (all.empty()) {
     return {};
   }
-  uint64_t us = 0;
-  for (const FlagSpan &span : all) {
-    us += span.us();
-  }
-  std::string text =
-      std::string("<section><h2>") + listed.name +
-      format(": %zu %s, %.3f s in all", all.size(), all.size() == 1 ? "time" : "times", static_cast<double>(us) / 1e6) +
-      (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
-  std::stable_sort(all.begin(), all.end(), [](const FlagSpan &a, const FlagSpan &b) { return a.us() > b.us(); });
-  all.resize(std::min(all.size(), SpansMost));
-  for (const FlagSpan &span : all) {
+  std::string text = std::string("<section><h2>") + listed.name +
+                     format(": %zu %s, %.3f s in all", all.size(), all.size() == 1 ? "time" : "times",
+                            static_cast<double>(sumUs(all)) / 1e6) +
+                     (all.size() > SpansMost ? format("; the %zu longest", SpansMost) : "") + "</h2>\n<table>";
+  for (const FlagSpan &span : longest(all, SpansMost)) {
     text +=
         "<tr>" + cell(timeText(span.fromUs)) + cell(format("%.3f s", static_cast<double>(span.us()) / 1e6)) + "</tr>\n";
   }

@@ -45,12 +45,11 @@ std::string style(const Palette &palette) {
   return text + "\n";
 }
 
-std::string escaped(const std::string &text) {
-  std::string safe;
-  for (const char c : text) {
-    safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c >= ' ' && c <= '~' ? c : '?');
-  }
-  return safe;
+// A picture is without an encoding: its names have ASCII only.
+std::string plain(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return escaped(text);
 }
 
 // An axis: from where to where, and its ticks, at 1, 2 or 5 times a power of ten.
@@ -91,14 +90,14 @@ class Drawing {
         "role=\"img\">\n",
         Width, Height, Width, Height);
     _text +=
-        "<title>" + escaped(_picture.title) + "</title>\n<style>\ntext{font:12px system-ui,sans-serif}" +
+        "<title>" + plain(_picture.title) + "</title>\n<style>\ntext{font:12px system-ui,sans-serif}" +
         ".title{font-size:15px;font-weight:600}.name{font-weight:600}.curve,.lead{fill:none;stroke-linejoin:round}" +
         ".curve{stroke-width:1.6}.lead{opacity:.5}.d1{stroke-dasharray:6 3}.d2,.d3{stroke-dasharray:2 3}\n" +
         style(Light) + "@media(prefers-color-scheme:dark){\n" + style(Dark) + "}\n</style>\n";
     _text += "<defs>" + pattern("failsafe", 45) + pattern("lost", -45) + pattern("silent", 0) + pattern("late", 90) +
              "</defs>\n";
     _text += "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
-    _text += format("<text class=\"title\" x=\"%.0f\" y=\"26\">", Left) + escaped(_picture.title) + "</text>\n";
+    _text += format("<text class=\"title\" x=\"%.0f\" y=\"26\">", Left) + plain(_picture.title) + "</text>\n";
     spans();
     axes();
     curves();
@@ -157,7 +156,7 @@ class Drawing {
   }
 
   void label(double x, double y, const char *anchor, const std::string &text) {
-    _text += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + escaped(text) + "</text>\n";
+    _text += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + plain(text) + "</text>\n";
   }
 
   void axes() {
@@ -239,7 +238,7 @@ class Drawing {
                format("\" d=\"M%.1f %.1fL%.0f %.1f\"/>\n", x, name.end, Left + PlotWidth + 14, name.y);
       _text += format("<text class=\"name n%zu\" x=\"%.0f\" y=\"%.1f\">", name.curve % Colours, Left + PlotWidth + 18,
                       name.y + 4) +
-               escaped(curve.name) + "</text>\n";
+               plain(curve.name) + "</text>\n";
     }
   }
 
@@ -250,6 +249,14 @@ class Drawing {
 };
 
 }  // namespace
+
+std::string escaped(const std::string &text) {
+  std::string safe;
+  for (const char c : text) {
+    safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return safe;
+}
 
 std::string svg(const Picture &picture) {
   return Drawing(picture).text();

@@ -34,4 +34,7 @@ struct Picture {
 
 std::string svg(const Picture &picture);
 
+// Returns the text as it stands between the tags of HTML and SVG.
+std::string escaped(const std::string &text);
+
 }  // namespace line

@@ -26,31 +26,20 @@ unsigned long long number(uint64_t us) {
   return us;
 }
 
-// A part without a kind has losses only.
-Kind kindOf(const line::Badness &part) {
-  return part.failsafe ? Kind::Failsafe : part.silent ? Kind::NoFrames : part.late ? Kind::Late : Kind::LostFrame;
-}
-
 std::string json(const std::vector<line::Badness> &parts) {
   std::string text;
   for (const line::Badness &part : parts) {
     text += line::format("%s[%llu,%llu,%.5f,%d]", text.empty() ? "" : ",", number(part.fromUs), number(part.toUs),
-                         part.lost, static_cast<int>(kindOf(part)));
+                         part.lost, static_cast<int>(part.kind()));
   }
   return "[" + text + "]";
 }
 
-std::string json(std::vector<line::FlagSpan> spans) {
-  uint64_t us = 0;
-  for (const line::FlagSpan &span : spans) {
-    us += span.us();
-  }
-  std::string text = line::format("{\"count\":%zu,\"us\":%llu,\"longest\":[", spans.size(), number(us));
-  std::stable_sort(spans.begin(), spans.end(),
-                   [](const line::FlagSpan &a, const line::FlagSpan &b) { return a.us() > b.us(); });
-  spans.resize(std::min(spans.size(), SpansMost));
-  for (const line::FlagSpan &span : spans) {
-    text += line::format("%s[%llu,%llu]", &span == &spans[0] ? "" : ",", number(span.fromUs), number(span.toUs));
+std::string json(const std::vector<line::FlagSpan> &spans) {
+  std::string text = line::format("{\"count\":%zu,\"us\":%llu,\"longest\":[", spans.size(), number(sumUs(spans)));
+  const std::vector<line::FlagSpan> shown = longest(spans, SpansMost);
+  for (const line::FlagSpan &span : shown) {
+    text += line::format("%s[%llu,%llu]", &span == &shown[0] ? "" : ",", number(span.fromUs), number(span.toUs));
   }
   return text + "]}";
 }
