@@ -3,6 +3,7 @@
 #include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
+#include "line/FrameBytes.h"
 
 namespace tool {
 
@@ -165,13 +166,9 @@ void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t endNs, const lin
   for (unsigned i = 0; i < _channels; i++) {
     row += i >= from && i < to ? "," + std::to_string(values.raw[i]) : ",";
   }
-  if (extra) {
-    const uint8_t flags = stretch.characters[sbus::FlagsIndex].value;
-    row += format(",%d,%d,%d,%d,", flags & 1, flags >> 1 & 1, flags >> 2 & 1, flags >> 3 & 1);
-  } else {
-    row += _channels == 24 ? "" : format(",%d,%d", values.switches[0], values.switches[1]);
-    row += format(",%d,%d,", values.lostFrame, values.failsafe);
-  }
+  const line::Values own = extra ? line::withFlags(values, stretch.characters[sbus::FlagsIndex].value) : values;
+  row += _channels == 24 ? "" : format(",%d,%d", own.switches[0], own.switches[1]);
+  row += format(",%d,%d,", own.lostFrame, own.failsafe);
   write(row + hex(stretch.characters.back().value) + '\n');
 }
 

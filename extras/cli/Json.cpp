@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cli/Format.h"
+#include "line/FrameBytes.h"
 #include "line/recording/WallTime.h"
 
 namespace tool {
@@ -83,14 +84,11 @@ Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const 
   if (!is24 && !extra) {
     json.flag("ch17", values.switches[0]).flag("ch18", values.switches[1]);
   }
+  const line::Values own = extra ? line::withFlags(values, stretch.characters[sbus::FlagsIndex].value) : values;
   if (extra) {
-    const uint8_t flags = stretch.characters[sbus::FlagsIndex].value;
-    const auto has = [flags](uint8_t mask) { return (flags & mask) != 0; };
-    json.flag("dg1", has(1)).flag("dg2", has(2));
-    json.flag("lost_frame", has(sbus::FlagLostFrame)).flag("failsafe", has(sbus::FlagFailsafe));
-  } else {
-    json.flag("lost_frame", values.lostFrame).flag("failsafe", values.failsafe);
+    json.flag("dg1", own.switches[0]).flag("dg2", own.switches[1]);
   }
+  json.flag("lost_frame", own.lostFrame).flag("failsafe", own.failsafe);
   return json.text("end", format("%02X", static_cast<unsigned>(stretch.characters.back().value)));
 }
 

@@ -8,6 +8,7 @@
 #include "cli/Format.h"
 #include "cli/HexText.h"
 #include "cli/Units.h"
+#include "line/FrameBytes.h"
 #include "line/recording/Recording.h"
 #include "line/recording/WallTime.h"
 #include "line/recording/Words.h"
@@ -95,14 +96,6 @@ bool endOf(const Object &object, uint8_t &end) {
   return isByte;
 }
 
-std::vector<line::Character> charactersOf(const uint8_t *bytes, size_t count) {
-  std::vector<line::Character> characters(count);
-  for (size_t i = 0; i < count; i++) {
-    characters[i].value = bytes[i];
-  }
-  return characters;
-}
-
 // Reads a frame. Returns what is wrong, or nothing.
 std::string frameOf(const Object &object, const sbus::Range &range, std::vector<line::Character> &characters) {
   std::vector<uint16_t> channels;
@@ -115,30 +108,24 @@ std::string frameOf(const Object &object, const sbus::Range &range, std::vector<
   if (first != object.end() && (isExtra ? channels.size() != 16 : *first != 1)) {
     return quoted("first", *first) + " is not 1, or 17 of a frame with header 2F";
   }
-  bool switches[2] = {}, lostFrame = false, failsafe = false;
-  for (const auto &[name, value] : {std::pair<const char *, bool *>{isExtra ? "dg1" : "ch17", &switches[0]},
-                                    {isExtra ? "dg2" : "ch18", &switches[1]},
-                                    {"lost_frame", &lostFrame},
-                                    {"failsafe", &failsafe}}) {
+  const bool is24 = channels.size() == sbus::ChannelCount24;
+  line::Values values;
+  std::copy(channels.begin(), channels.end(), values.raw.begin() + (isExtra ? sbus::ProportionalCount : 0));
+  for (const auto &[name, value] : {std::pair<const char *, bool *>{isExtra ? "dg1" : "ch17", &values.switches[0]},
+                                    {isExtra ? "dg2" : "ch18", &values.switches[1]},
+                                    {"lost_frame", &values.lostFrame},
+                                    {"failsafe", &values.failsafe}}) {
     if (!flagOf(object, name, *value)) {
       return quoted(name, object[name]) + " is not true or false";
     }
   }
-  uint8_t frame[sbus::FrameSize24] = {};
-  size_t size = sbus::FrameSize;
-  if (channels.size() == sbus::ChannelCount24) {
-    sbus::pack24(frame, channels.data(), failsafe, lostFrame);
-    size = sbus::FrameSize24;
-  } else {
-    channels.push_back(switches[0]);
-    channels.push_back(switches[1]);
-    sbus::pack(frame, channels.data(), failsafe, lostFrame);
-    frame[0] = isExtra ? sbus::ExtraHeader : frame[0];
-  }
-  if (!endOf(object, frame[size - 1])) {
+  uint8_t end = 0;
+  if (!endOf(object, end)) {
     return quoted("end", object["end"]) + " is not an end byte in hexadecimal, such as \"00\"";
   }
-  characters = charactersOf(frame, size);
+  using Kind = line::Stretch::Kind;
+  const Kind kind = is24 ? Kind::Frame24 : isExtra ? Kind::Extra : Kind::Frame;
+  characters = line::charactersOf(line::frameBytes(kind, values, end));
   return {};
 }
 
@@ -152,8 +139,8 @@ std::string slotOf(const Object &object, std::vector<line::Character> &character
       data->size() != 2 || !isWithin((*data)[0], 255) || !isWithin((*data)[1], 255)) {
     return "a slot has slot, 0 to 31, and data, two numbers from 0 to 255";
   }
-  const uint8_t bytes[] = {sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()};
-  characters = charactersOf(bytes, sizeof bytes);
+  characters =
+      line::charactersOf({sbus::slotId(slot->get<uint8_t>()), (*data)[0].get<uint8_t>(), (*data)[1].get<uint8_t>()});
   return {};
 }
 
@@ -302,15 +289,7 @@ std::string JsonReader::put(std::optional<double> endUs, const std::vector<line:
     return format("time_us %llu does not come after %llu, the time before", static_cast<unsigned long long>(endOfAll),
                   static_cast<unsigned long long>(_lastUs));
   }
-  const uint64_t lengthUs = came.size() * uint64_t{_characterUs};
-  uint64_t us = endOfAll - std::min(endOfAll, lengthUs);
-  us = _any ? std::max(us, _lastUs) : us;
-  for (line::Character character : came) {
-    us += _characterUs;
-    character.endUs = us;
-    characters.push_back(character);
-  }
-  _lastUs = us;
+  _lastUs = line::appendBackToBack(came, endOfAll, _lastUs, _characterUs, characters);
   _any = true;
   return {};
 }

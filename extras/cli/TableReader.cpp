@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "cli/HexText.h"
+#include "line/FrameBytes.h"
 #include "line/capture/Text.h"
 #include "line/recording/Recording.h"
 #include "line/recording/Words.h"
@@ -34,32 +35,6 @@ std::string nameOf(line::CsvKind kind, size_t column) {
 
 bool isFlag(double value) {
   return value == 0 || value == 1;
-}
-
-// Appends bytes that end at `endUs`.
-void append(const uint8_t *bytes, size_t count, uint64_t endUs, uint32_t characterUs,
-            std::deque<line::Character> &characters) {
-  const uint64_t lengthUs = uint64_t{count} * characterUs;
-  uint64_t us = endUs - std::min(endUs, lengthUs);
-  us = characters.empty() ? us : std::max(us, characters.back().endUs);
-  for (size_t i = 0; i < count; i++) {
-    us += characterUs;
-    line::Character character;
-    character.endUs = us;
-    character.value = bytes[i];
-    characters.push_back(character);
-  }
-}
-
-// Writes a frame of 16 channels from CH`first` on, counted from 0.
-void packFrom(const FrameValues &values, size_t first, uint8_t *frame) {
-  uint16_t channels[sbus::ChannelCount];
-  std::copy_n(values.raw + first, sbus::ProportionalCount, channels);
-  channels[SwitchesAt] = values.switches[0];
-  channels[SwitchesAt + 1] = values.switches[1];
-  sbus::pack(frame, channels, values.failsafe, values.lostFrame);
-  frame[0] = first == 0 ? frame[0] : uint8_t{sbus::ExtraHeader};
-  frame[sbus::FrameSize - 1] = values.end;
 }
 
 }  // namespace
@@ -223,24 +198,26 @@ std::string TableRows::takeTime(const Column &column, const line::CsvField &fiel
   return {};
 }
 
-void appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint32_t characterUs,
-                  std::deque<line::Character> &characters) {
-  uint8_t frame[sbus::FrameSize24];
+uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
+                      std::deque<line::Character> &characters) {
+  using Kind = line::Stretch::Kind;
+  const auto append = [&](Kind kind, uint64_t us) {
+    const std::vector<uint8_t> bytes = line::frameBytes(kind, row.values, row.values.end);
+    lastUs = line::appendBackToBack(line::charactersOf(bytes), us, lastUs, characterUs, characters);
+  };
   if (channels == sbus::ChannelCount24) {
-    sbus::pack24(frame, row.values.raw, row.values.failsafe, row.values.lostFrame);
-    frame[sbus::FrameSize24 - 1] = row.values.end;
-    append(frame, sbus::FrameSize24, endUs, characterUs, characters);
-    return;
+    append(Kind::Frame24, endUs);
+    return lastUs;
   }
+  const bool isPair = channels == TableChannelMax;
   const uint64_t firstUs = sbus::FrameSize * uint64_t{characterUs} + 1000;  // of a frame, with a gap after it
-  if (channels == TableChannelMax && row.hasRest) {
-    packFrom(row.values, sbus::ProportionalCount, frame);
-    append(frame, sbus::FrameSize, endUs - (row.hasFirst ? std::min(endUs, firstUs) : 0), characterUs, characters);
+  if (isPair && row.hasRest) {
+    append(Kind::Extra, endUs - (row.hasFirst ? std::min(endUs, firstUs) : 0));
   }
-  if (channels != TableChannelMax || row.hasFirst) {
-    packFrom(row.values, 0, frame);
-    append(frame, sbus::FrameSize, endUs, characterUs, characters);
+  if (!isPair || row.hasFirst) {
+    append(Kind::Frame, endUs);
   }
+  return lastUs;
 }
 
 std::string TableReader::line(std::string_view text, std::deque<line::Character> &characters) {
@@ -249,8 +226,7 @@ std::string TableReader::line(std::string_view text, std::deque<line::Character>
     return wrong;
   }
   const uint64_t endUs = _rows.row().us.value_or(_lastUs + PeriodUs);
-  appendFrames(_rows.row(), _rows.channels(), endUs, _characterUs, characters);
-  _lastUs = endUs;
+  _lastUs = appendFrames(_rows.row(), _rows.channels(), endUs, _lastUs, _characterUs, characters);
   _any = true;
   return {};
 }

@@ -1,7 +1,6 @@
 // Reads rows of CSV as `sbus csv` and `sbus decode --csv` print them, as frames.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "cli/TextLine.h"
 #include "cli/Units.h"
 #include "line/LineSettings.h"
+#include "line/Statistics.h"
 #include "line/recording/CsvRows.h"
 #include "sbus/Frame.h"
 
@@ -20,16 +20,12 @@ namespace tool {
 constexpr size_t TableChannelMax = 32;
 
 // The values of a frame. CH3 is at its low end until it is set, as in the failsafe of the paper's R-XSR: throttle off.
-struct FrameValues {
+struct FrameValues : line::Values {
   FrameValues() {
-    std::fill_n(raw, TableChannelMax, uint16_t{992});
+    raw.fill(992);
     raw[2] = 172;
   }
 
-  uint16_t raw[TableChannelMax];
-  bool switches[2] = {};
-  bool failsafe = false;
-  bool lostFrame = false;
   uint8_t end = 0;
 };
 
@@ -80,9 +76,10 @@ class TableRows {
   bool _isRow = false;
 };
 
-// Appends the frames of a row of `channels` channels to `characters`; the last one ends at `endUs`.
-void appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint32_t characterUs,
-                  std::deque<line::Character> &characters);
+// Appends the frames of a row of `channels` channels to `characters`; the last one ends at `endUs`, or later if the
+// line is busy until `lastUs`. Returns when it ends.
+uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
+                      std::deque<line::Character> &characters);
 
 // A frame for each row of a whole table.
 class TableReader : public LineReader {

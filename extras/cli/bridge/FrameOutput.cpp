@@ -4,7 +4,7 @@
 
 #include "cli/Json.h"
 #include "cli/Output.h"
-#include "sbus/Frame.h"
+#include "line/FrameBytes.h"
 
 namespace tool {
 
@@ -16,21 +16,7 @@ constexpr std::chrono::microseconds Gap(2000);
 
 std::vector<uint8_t> BridgedFrame::bytes() const {
   const bool isExtra = kind == line::Stretch::Kind::Extra;
-  const bool is24 = kind == line::Stretch::Kind::Frame24;
-  std::vector<uint8_t> frame(is24 ? sbus::FrameSize24 : sbus::FrameSize);
-  if (is24) {
-    sbus::pack24(frame.data(), values.raw.data(), values.failsafe, values.lostFrame);
-    return frame;
-  }
-  std::array<uint16_t, sbus::ChannelCount> channels{};
-  std::copy_n(values.raw.begin() + (isExtra ? sbus::ProportionalCount : 0), sbus::ProportionalCount, channels.begin());
-  std::copy(values.switches.begin(), values.switches.end(), channels.begin() + sbus::ProportionalCount);
-  sbus::pack(frame.data(), channels.data(), values.failsafe, values.lostFrame);
-  if (isExtra) {
-    frame[0] = sbus::ExtraHeader;
-    frame[sbus::FlagsIndex] = extraFlags;
-  }
-  return frame;
+  return line::frameBytes(kind, isExtra ? line::withFlags(values, extraFlags) : values);
 }
 
 FrameOutput::FrameOutput(const std::string &to, const line::LineSettings &settings)
@@ -74,11 +60,7 @@ void FrameOutput::send(const BridgedFrame &frame) {
 void FrameOutput::print(const BridgedFrame &frame) {
   line::Stretch stretch;
   stretch.kind = frame.kind;
-  for (const uint8_t byte : frame.bytes()) {
-    line::Character character;
-    character.value = byte;
-    stretch.characters.push_back(character);
-  }
+  stretch.characters = line::charactersOf(frame.bytes());
   const auto us = frame.us ? std::optional<double>(static_cast<double>(*frame.us)) : std::nullopt;
   write(frameJson(stretch, us, frame.values, ChannelForm()).line());
   flush();
