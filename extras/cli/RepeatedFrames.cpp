@@ -14,7 +14,7 @@ constexpr uint64_t RowUs = 200000;  // of rows without times, as a sketch and `s
 RepeatedFrames::RepeatedFrames(std::string name, std::unique_ptr<TextInput> text, uint64_t periodUs,
                                uint32_t characterUs, uint64_t fromUs, uint64_t toUs)
     : _name(std::move(name)),
-      _text(std::move(text)),
+      _lines(std::make_unique<TextLines>(std::move(text))),
       _periodUs(periodUs),
       _characterUs(characterUs),
       _frameUs(fromUs),
@@ -42,7 +42,7 @@ bool RepeatedFrames::next(uint64_t nowUs, line::Character &character) {
 }
 
 void RepeatedFrames::makeFrame() {
-  if (_text) {
+  if (_lines) {
     goTo(_frameUs);
   }
   _ended = _ended || (_toUs > 0 && _frameUs >= _toUs);
@@ -67,10 +67,9 @@ void RepeatedFrames::goTo(uint64_t us) {
 void RepeatedFrames::readRow() {
   _newRow.reset();
   for (std::string line; readLine(line);) {
-    _number++;
     const std::string wrong = _table.line(line);
     if (!wrong.empty()) {
-      _failure = _name + ":" + std::to_string(_number) + ": " + wrong;
+      _failure = _name + ":" + std::to_string(_lines->number()) + ": " + wrong;
       return;
     }
     if (_table.isRow()) {
@@ -89,20 +88,15 @@ void RepeatedFrames::readRow() {
   }
 }
 
+// Waits for the next line. Returns false at the end.
 bool RepeatedFrames::readLine(std::string &line) {
-  size_t end = _read.find('\n');
-  while (end == std::string::npos && !_textEnded) {
-    const std::string_view more = _text->read();
-    _textEnded = more.empty();
-    _failure = _textEnded && !_text->failure().empty() ? _name + ": " + _text->failure() : "";
-    _read += more;
-    end = _read.find('\n');
+  while (!_lines->take(line)) {
+    if (_lines->atEnd()) {
+      _failure = _lines->failure().empty() ? "" : _name + ": " + _lines->failure();
+      return false;
+    }
+    _lines->read();
   }
-  if (_read.empty()) {
-    return false;
-  }
-  line = _read.substr(0, end);
-  _read.erase(0, end == std::string::npos ? end : end + 1);
   return true;
 }
 

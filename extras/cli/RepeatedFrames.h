@@ -37,13 +37,10 @@ class RepeatedFrames : public line::Line {
   bool readLine(std::string &line);
 
   const std::string _name;
-  const std::unique_ptr<TextInput> _text;  // none: the values stay
+  const std::unique_ptr<TextLines> _lines;  // none: the values stay
   const uint64_t _periodUs;
   const uint32_t _characterUs;
   TableRows _table;
-  std::string _read;  // of the text
-  bool _textEnded = false;
-  unsigned long _number = 0;
   TableRow _row;                    // what is sent
   std::optional<TableRow> _newRow;  // what is sent from _newUs on
   uint64_t _newUs = 0;

@@ -59,10 +59,28 @@ std::string_view PipeText::read() {
   return {};
 }
 
+void TextLines::read() {
+  const std::string_view more = _input->read();
+  _atEnd = more.empty();
+  _text.erase(0, std::exchange(_at, 0));
+  _text += more;
+}
+
+bool TextLines::take(std::string &line) {
+  const size_t end = _text.find('\n', _at);
+  if (end == std::string::npos && (!_atEnd || _at == _text.size())) {
+    return false;
+  }
+  line = _text.substr(_at, end == std::string::npos ? end : end - _at);
+  _at = end == std::string::npos ? _text.size() : end + 1;
+  _number++;
+  return true;
+}
+
 TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
                    uint64_t fromUs, uint64_t toUs)
     : _name(std::move(name)),
-      _input(std::move(input)),
+      _lines(std::move(input)),
       _reader(std::move(reader)),
       _clock(clock),
       _fromUs(fromUs),
@@ -103,7 +121,7 @@ bool TextLine::wait() {
   if (!_waiting.empty() || _ended) {
     return false;
   }
-  _input->isReady(50);
+  _lines.isReady(50);
   return true;
 }
 
@@ -122,7 +140,7 @@ void TextLine::fill(uint64_t nowUs) {
     return _waiting.size() < Ahead || (_clock == Clock::Live && _newestUs < _waiting.front().endUs + BacklogMostUs);
   };
   bool came = false;
-  while (!_ended && isLow() && _input->isReady(0)) {
+  while (!_ended && isLow() && _lines.isReady(0)) {
     read();
     came = true;
   }
@@ -140,7 +158,7 @@ void TextLine::followLive(uint64_t nowUs) {
     _shiftUs = _firstUs > nowUs + StartMostUs ? now - static_cast<int64_t>(_firstUs) : 0;
   }
   const int64_t aheadUs = static_cast<int64_t>(_newestUs) + _shiftUs - now;
-  const bool isDrained = !_ended && !_input->isReady(0);
+  const bool isDrained = !_ended && !_lines.isReady(0);
   if (isDrained && aheadUs > 0 && (aheadUs < SkewMostUs || nowUs >= *_begunUs + SettledUs)) {
     _shiftUs -= aheadUs;
     if (aheadUs >= SkewMostUs) {
@@ -151,27 +169,21 @@ void TextLine::followLive(uint64_t nowUs) {
 }
 
 void TextLine::read() {
-  std::string_view text = _input->read();
-  if (text.empty()) {
+  _lines.read();
+  for (std::string line; !_ended && _lines.take(line);) {
+    take(line);
+  }
+  if (_lines.atEnd()) {
     takeEnd();
-    return;
   }
-  for (size_t end = text.find('\n'); end != std::string_view::npos && !_ended; end = text.find('\n')) {
-    _rest += text.substr(0, end);
-    take(_rest);
-    _rest.clear();
-    text.remove_prefix(end + 1);
-  }
-  _rest += text;
 }
 
-void TextLine::take(std::string_view line) {
-  _number++;
+void TextLine::take(const std::string &line) {
   const size_t from = _waiting.size();
   const std::string wrong = _reader->line(line, _waiting);
   keepPart(from);
   if (!wrong.empty()) {
-    _failure = _name + ":" + std::to_string(_number) + ": " + wrong;
+    _failure = _name + ":" + std::to_string(_lines.number()) + ": " + wrong;
     _ended = true;
   }
 }
@@ -193,14 +205,11 @@ void TextLine::keepPart(size_t from) {
 }
 
 void TextLine::takeEnd() {
-  if (!_rest.empty()) {
-    take(std::exchange(_rest, {}));
-  }
   const bool failed = std::exchange(_ended, true) && !_failure.empty();
   if (failed) {
     return;
   }
-  const std::string unread = _input->failure();
+  const std::string unread = _lines.failure();
   const std::string missing = _reader->finish();
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);

@@ -74,6 +74,33 @@ class PipeText : public TextInput {
   std::string _failure;
 };
 
+// The lines of a text that comes in pieces.
+class TextLines {
+ public:
+  explicit TextLines(std::unique_ptr<TextInput> input) : _input(std::move(input)) {}
+
+  bool isReady(int ms) { return _input->isReady(ms); }
+
+  // Waits for a character or more.
+  void read();
+
+  // Takes the next whole line, without its LF; at the end of the text also one without. Returns false if none has come.
+  bool take(std::string &line);
+
+  // Returns the number of the line that was taken last, counted from 1.
+  unsigned long number() const { return _number; }
+
+  bool atEnd() const { return _atEnd; }
+  std::string failure() const { return _input->failure(); }
+
+ private:
+  const std::unique_ptr<TextInput> _input;
+  std::string _text;
+  size_t _at = 0;  // of what was not taken
+  unsigned long _number = 0;
+  bool _atEnd = false;
+};
+
 class TextLine : public line::Line {
  public:
   enum class Clock {
@@ -95,20 +122,18 @@ class TextLine : public line::Line {
  private:
   void fill(uint64_t nowUs);
   void read();
-  void take(std::string_view line);
+  void take(const std::string &line);
   void takeEnd();
   void keepPart(size_t from);
   void followLive(uint64_t nowUs);
   uint64_t playedUs(uint64_t endUs) const;
 
   const std::string _name;
-  const std::unique_ptr<TextInput> _input;
+  TextLines _lines;
   const std::unique_ptr<LineReader> _reader;
   const Clock _clock;
   const uint64_t _fromUs;
   const uint64_t _toUs;
-  std::string _rest;  // of a line that goes on
-  unsigned long _number = 0;
   std::deque<line::Character> _waiting;
   uint64_t _firstUs = 0;  // of all characters, also of those that are left out; 0: none has come
   uint64_t _newestUs = 0;
