@@ -14,3 +14,10 @@ apt() {
 apt update || :  # fails where one of several repositories has gone, or has no arm64
 apt download "$@"
 for package in *.deb; do dpkg-deb -x "$package" .; done
+# An Arduino library has no links, not even in build/.
+rm -rf usr/share/doc
+find . -type l | while read -r link; do
+  target=$(readlink -f "$link") || target=
+  rm "$link"
+  case $target in "$PWD"/*) [ ! -f "$target" ] || cp "$target" "$link" ;; esac
+done

@@ -94,10 +94,11 @@ Words wordsFor(const CLI::App &app, const std::string &type) {
   Words words;
   std::istringstream parts(type);
   for (std::string part; std::getline(parts, part, '|');) {
-    const bool port = (part == "SOURCE" || part == "A" || part == "B") || part == "DEVICE";
+    const bool isSource = part == "SOURCE" || part == "A" || part == "B";
+    const bool port = isSource || part == "DEVICE";
     const Words ports = port ? portNames() : part == "SUBCOMMAND" ? subcommandNames(app) : Words();
     words.insert(words.end(), ports.begin(), ports.end());
-    if ((part == "SOURCE" || part == "A" || part == "B")) {
+    if (isSource) {
       words.push_back("sim");
     } else if (part == "LIST") {
       words.insert(words.end(), {"ch1-ch4,failsafe,lostframe", "ch1-ch18", "ch1-ch24", "ch1-ch32", "time,state,age"});

@@ -60,45 +60,32 @@ bool isValue(const std::string &word) {
 
 }  // namespace
 
-SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words, const char *name)
-    : _recordings(recordings) {
+SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words, const char *name) {
+  _given.recordings = recordings;
   constexpr const char *What = "a serial port, a file, - for standard input, sim, or values such as ch3=172,ch5=on";
   (words == Words::One ? subcommand.option(name, _word, What).notEmpty() : subcommand.option(name, _words, What))
       .required()
       .type("");
   _sendsFrames = words == Words::Several;
-  subcommand.option("--baud", _baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
+  subcommand.option("--baud", _given.baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
-  _csv = subcommand.flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
-  subcommand.option("--seconds", _seconds, "end after this many seconds").seconds().type("S");
-  _signal = subcommand.option("--signal", _overrules.signal, "of a capture with several signals: this one (found)")
-                .notEmpty()
-                .type("NAME");
-  _part = {subcommand.option("--from", _from, "of a file: begin at this time").between(0, YearS).type("S"),
-           subcommand.option("--to", _to, "of a file: end at this time").seconds().type("S")};
+  _given.csv = subcommand.flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
+  subcommand.option("--seconds", _given.seconds, "end after this many seconds").seconds().type("S");
+  _given.signal =
+      subcommand.option("--signal", _given.overrules.signal, "of a capture with several signals: this one (found)")
+          .notEmpty()
+          .type("NAME");
+  _given.part = {subcommand.option("--from", _given.from, "of a file: begin at this time").between(0, YearS).type("S"),
+                 subcommand.option("--to", _given.to, "of a file: end at this time").seconds().type("S")};
   if (recordings == Recordings::InTrueTime) {
-    _loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
+    _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
   }
-  _simulatedTime =
+  _given.simulatedTime =
       subcommand.flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
 }
 
-SourceOption::SourceOption(const SourceOption &first, const std::string &word)
-    : _recordings(first._recordings),
-      _word(word),
-      _baud(first._baud),
-      _seconds(first._seconds),
-      _from(first._from),
-      _to(first._to),
-      _csv(first._csv),
-      _part(first._part),
-      _loop(first._loop),
-      _simulatedTime(first._simulatedTime),
-      _signal(first._signal),
-      _overrules(first._overrules),
-      _periodUs(first._periodUs),
-      _range(first._range) {
+SourceOption::SourceOption(const SourceOption &first, const std::string &word) : _given(first._given), _word(word) {
   if (word == first._word && Pipe::isPipe(word)) {
     rejectCommandLine(word + ": cannot be read twice; name another source");
   }
@@ -149,7 +136,7 @@ SourceOption::Parsed SourceOption::parseValues() const {
       rejectCommandLine(line::quoted(value) + " sets " + name + " again; leave one of them out");
     }
     try {
-      assign(value, _range, parsed.values);
+      assign(value, _given.range, parsed.values);
     } catch (const std::runtime_error &error) {
       rejectCommandLine(error.what());
     }
@@ -161,8 +148,8 @@ void SourceOption::openPipe(Parsed &parsed) const {
   const auto start = std::chrono::steady_clock::now();
   _startUs = wallUs();
   _pipe = std::make_shared<Pipe>(parsed.name);
-  const Pipe::Content content = _csv.given() ? Pipe::Content::Line : _pipe->content(_seconds);
-  _isLiveText = content == Pipe::Content::Text && _recordings != Recordings::Again;
+  const Pipe::Content content = _given.csv.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
+  _isLiveText = content == Pipe::Content::Text && _given.recordings != Recordings::Again;
   parsed.kind = content == Pipe::Content::Line ? Kind::Stream : Kind::File;
   _waitedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -172,18 +159,18 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
   if (!isFile && parsed.kind != Kind::Simulated) {
     rejectDisturbing(parsed, parsed.kind == Kind::Port ? "a port" : "a stream of bytes");
   }
-  if (parsed.source.sbus2 && _baud > sbus::Baud) {
+  if (parsed.source.sbus2 && _given.baud > sbus::Baud) {
     rejectCommandLine("--baud: S.BUS2 has 100000 baud; leave it out");
   }
-  if (parsed.kind == Kind::Port && _simulatedTime.given()) {
+  if (parsed.kind == Kind::Port && _given.simulatedTime.given()) {
     rejectCommandLine("--simulated-time: is for sim and -; a port runs in real time");
   }
   if (!isFile) {
-    if (_signal.given()) {
+    if (_given.signal.given()) {
       rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
     }
     rejectPart("is for a file; leave it out for " + parsed.name);
-    if (_recordings == Recordings::InTrueTime && _loop.given()) {
+    if (_given.recordings == Recordings::InTrueTime && _given.loop.given()) {
       rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
     }
   }
@@ -196,7 +183,7 @@ void SourceOption::rejectDisturbing(const Parsed &parsed, const char *what) {
 }
 
 void SourceOption::rejectPart(const std::string &reason) const {
-  for (const Option &option : _part) {
+  for (const Option &option : _given.part) {
     if (option.given()) {
       rejectCommandLine(option.name() + ": " + reason);
     }
@@ -204,14 +191,14 @@ void SourceOption::rejectPart(const std::string &reason) const {
 }
 
 line::LineSettings SourceOption::settings() const {
-  if (_csv.given()) {
+  if (_given.csv.given()) {
     return line::csvSettings();
   }
   if (isFile() && !(_sendsFrames && file().kind == FileKind::Rows)) {
     return file().settings;
   }
   line::LineSettings settings;
-  settings.baud = _baud > 0 ? _baud : sbus::Baud;
+  settings.baud = _given.baud > 0 ? _given.baud : sbus::Baud;
   return settings;
 }
 
@@ -260,14 +247,14 @@ const FileSource &SourceOption::file() const {
   if (_file) {
     return *_file;
   }
-  line::Overrules overrules = _overrules;
-  overrules.baud = _baud;
-  FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _baud)
+  line::Overrules overrules = _given.overrules;
+  overrules.baud = _given.baud;
+  FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _given.baud)
                                 : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrules);
   if (!read.hasTimes || !read.hasRowTimes) {
     rejectPart("is for a file with times; leave it out for " + name());
-  } else if (read.isWhole() && (_from > 0 || _to > 0)) {
-    cut(name(), read, toUs(_from), toUs(_to));
+  } else if (read.isWhole() && (_given.from > 0 || _given.to > 0)) {
+    cut(name(), read, toUs(_given.from), toUs(_given.to));
   }
   if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
     rejectDisturbing(parsed(), read.kind == FileKind::Rows ? "rows of CSV" : "bytes without times");
@@ -278,25 +265,27 @@ const FileSource &SourceOption::file() const {
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = parsed().kind;
-  const bool atOnce = _simulatedTime.given() || (kind == Kind::File && _recordings != Recordings::InTrueTime);
+  const bool atOnce =
+      _given.simulatedTime.given() || (kind == Kind::File && _given.recordings != Recordings::InTrueTime);
   auto input =
       std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, leftSeconds());
-  input->setStart(toUs(_from));
+  input->setStart(toUs(_given.from));
   return input;
 }
 
 // Returns what is left of --seconds after the wait for a pipe's first bytes.
 double SourceOption::leftSeconds() const {
   constexpr double LeastS = 0.001;  // 0 would be for ever
-  return parsed().kind == Kind::Stream && _seconds > 0 ? std::max(LeastS, _seconds - _waitedS) : _seconds;
+  return parsed().kind == Kind::Stream && _given.seconds > 0 ? std::max(LeastS, _given.seconds - _waitedS)
+                                                             : _given.seconds;
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  if (_recordings == Recordings::InTrueTime && _loop.given()) {
+  if (_given.recordings == Recordings::InTrueTime && _given.loop.given()) {
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, toUs(_from));
+    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, toUs(_given.from));
   }
   return openOnce(port);
 }
@@ -309,15 +298,15 @@ std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &por
       return std::make_unique<line::ReopenedPort>(parsed.name, port);
     }
     case Kind::Stream:
-      if (!_csv.given() && !_pipe->hasRows()) {
+      if (!_given.csv.given() && !_pipe->hasRows()) {
         std::fprintf(stderr, "%s: brings bytes without times: times are not known\n", parsed.name.c_str());
       }
       return std::make_unique<line::ByteStream>(parsed.name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
-                                                _simulatedTime.given());
+                                                _given.simulatedTime.given());
     case Kind::File:
       return openFile(port);
     case Kind::Values: {
-      auto line = std::make_unique<RepeatedFrames>(parsed.values, _periodUs, settings().characterUs());
+      auto line = std::make_unique<RepeatedFrames>(parsed.values, _given.periodUs, settings().characterUs());
       return std::make_unique<line::SampledLine>(std::move(line), settings(), port);
     }
     case Kind::Simulated:
@@ -325,7 +314,7 @@ std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &por
   }
   line::Source source = parsed.source;
   source.settings = lineSettings();
-  if (!_simulatedTime.given()) {
+  if (!_given.simulatedTime.given()) {
     _startUs = wallUs();
   }
   return std::make_unique<line::SampledLine>(source.open(), source.settings, port);
@@ -338,17 +327,18 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   } else {
     input = std::make_unique<FileText>(file().path, name());
   }
-  const bool isLive = _isLiveText && _recordings == Recordings::InTrueTime && !_simulatedTime.given();
+  const bool isLive = _isLiveText && _given.recordings == Recordings::InTrueTime && !_given.simulatedTime.given();
   return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
-                                    isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, toUs(_from), toUs(_to));
+                                    isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, toUs(_given.from),
+                                    toUs(_given.to));
 }
 
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
   std::unique_ptr<line::Line> line;
-  if (read.kind == FileKind::Rows && _sendsFrames && !_csv.given()) {
-    return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _periodUs,
-                                            settings().characterUs(), toUs(_from), toUs(_to));
+  if (read.kind == FileKind::Rows && _sendsFrames && !_given.csv.given()) {
+    return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _given.periodUs,
+                                            settings().characterUs(), toUs(_given.from), toUs(_given.to));
   }
   if (read.isWhole()) {
     line = std::make_unique<line::RecordedLine>(std::shared_ptr<const line::Recording>(_file, &read.recording));

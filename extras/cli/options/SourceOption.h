@@ -63,11 +63,28 @@ class SourceOption {
   const FileSource &file() const;
 
   // Both are for a subcommand that sends: values, and the slow rows of a table, are sent as a frame each `periodUs`.
-  void setPeriod(uint64_t periodUs) { _periodUs = periodUs; }
-  void setRange(const sbus::Range &range) { _range = range; }
+  void setPeriod(uint64_t periodUs) { _given.periodUs = periodUs; }
+  void setRange(const sbus::Range &range) { _given.range = range; }
 
  private:
   enum class Kind { Port, File, Stream, Simulated, Values };
+
+  // What the command line says, and what two sources have in common.
+  struct Given {
+    Recordings recordings = Recordings::InTrueTime;
+    unsigned long baud = 0;  // 0: not given
+    double seconds = 0;
+    double from = 0;  // seconds
+    double to = 0;    // 0: to the end
+    Option csv;
+    std::vector<Option> part;  // --from and --to
+    Option loop;
+    Option simulatedTime;
+    Option signal;
+    line::Overrules overrules;
+    uint64_t periodUs = 9000;
+    sbus::Range range = sbus::FrSky;
+  };
 
   struct Parsed {
     std::string name;
@@ -89,22 +106,10 @@ class SourceOption {
   static void rejectDisturbing(const Parsed &parsed, const char *what);
   void rejectPart(const std::string &reason) const;
 
-  Recordings _recordings;
   bool _sendsFrames = false;
+  Given _given;
   std::vector<std::string> _words;
   std::string _word;
-  unsigned long _baud = 0;  // 0: not given
-  double _seconds = 0;
-  double _from = 0;  // seconds
-  double _to = 0;    // 0: to the end
-  Option _csv;
-  std::vector<Option> _part;  // --from and --to
-  Option _loop;
-  Option _simulatedTime;
-  Option _signal;
-  line::Overrules _overrules;
-  uint64_t _periodUs = 9000;
-  sbus::Range _range = sbus::FrSky;
   mutable std::optional<Parsed> _parsed;            // once it is known
   mutable std::shared_ptr<Pipe> _pipe;              // of standard input, and of a FIFO
   mutable bool _isLiveText = false;                 // the pipe is played while it is being written

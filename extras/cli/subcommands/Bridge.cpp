@@ -218,8 +218,7 @@ void addBridge(CLI::App &app) {
   subcommand.footer(
       "Only accepted frames are sent, each at once, with their flags; the end byte is 00, and telemetry is left out. "
       "While no frames come, it sends the newest values with the flags lost frame and failsafe every 9 ms. The TXD of "
-      "a "
-      "serial port must be inverted to drive a flight controller.");
+      "a serial port must be inverted to drive a flight controller.");
   subcommand.run([options] { run(*options); });
 }
 

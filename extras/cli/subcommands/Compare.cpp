@@ -123,8 +123,7 @@ void addCompare(CLI::App &app) {
   subcommand.flag("--json", options->json, "JSON lines");
   subcommand.footer(
       "It is printed when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A frame is lost by "
-      "one "
-      "if only the other has it, or if only this one has the flag lost frame or failsafe.");
+      "one if only the other has it, or if only this one has the flag lost frame or failsafe.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -1,6 +1,7 @@
 #include "cli/watch/EventFiles.h"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -19,8 +20,8 @@ namespace fs = std::filesystem;
 unsigned long numberOf(const std::string &name) {
   unsigned long number = 0;
   int end = 0;
-  const bool is = std::sscanf(name.c_str(), "sbus-%6lu%n", &number, &end) == 1 && end == 11 && name.size() > 15 - 1 &&
-                  name.compare(name.size() - 4, 4, ".txt") == 0;
+  const bool is = std::sscanf(name.c_str(), "sbus-%6lu%n", &number, &end) == 1 && end == 11 &&
+                  name.size() >= std::strlen("sbus-000042.txt") && name.compare(name.size() - 4, 4, ".txt") == 0;
   return is ? number : 0;
 }
 

@@ -80,7 +80,7 @@ export class RecordingSource implements Source {
     this.player.seek(this.us);
   }
 
-  // Goes to the next fault, or the one before, and stands still. `only`: of that kind.
+  // Goes to the next fault, or the one before, and stops there. `only`: of that kind.
   seekFault(back: boolean, only?: Fault): void {
     this.player.seekFault(this.us, this.found, back, only, (us, found) => {
       this.us = us;
@@ -90,7 +90,7 @@ export class RecordingSource implements Source {
     });
   }
 
-  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stands still. `tell`: see
+  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stops there. `tell`: see
   // Remote.seekEvent().
   seekEvent(us: number, condition: Condition, afterUs: number, tell: (us: number, event: number | null) => void): void {
     this.player.seekEvent(us, condition, afterUs, (to, event) => {

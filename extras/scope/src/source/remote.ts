@@ -143,16 +143,15 @@ export class Remote implements Line {
     this.ask({ kind: 'seek', id: this.id, us });
   }
 
-  // Goes to the next fault after `us`, or after the fault `at`; with `back`, to the one before; with
-  // `only`, of that kind. `tell` gets the position and the
-  // fault, or null if there is no further one. It is not called if another position is sought meanwhile.
+  // Goes to the next fault after `us`, or after the fault `at`; with `back`, to the one before; with `only`, of that kind. Calls
+  // `tell` with the position and the fault, or null at the last one; not at all if the page seeks another position first.
   seekFault(us: number, at: Span | undefined, back: boolean, only: Fault | undefined, tell: (us: number, found: Found | null) => void): void {
     this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.found ?? null) };
     this.ask({ kind: 'fault', id: this.id, us, at, only, back });
   }
 
-  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true. `tell` gets the position and the moment,
-  // or null if there is none. It is not called if another position is sought meanwhile.
+  // Goes to `afterUs` after the next moment after `us` at which the condition becomes true. Calls `tell` with the position and the
+  // moment, or null without one; not at all if the page seeks another position first.
   seekEvent(us: number, condition: Condition, afterUs: number, tell: (us: number, event: number | null) => void): void {
     this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.event ?? null) };
     this.ask({ kind: 'event', id: this.id, us, condition, afterUs });

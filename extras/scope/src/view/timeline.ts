@@ -93,7 +93,7 @@ export class Timeline {
     }
   }
 
-  // Goes there and stands still.
+  // Goes there and stops.
   private visit(us: number): void {
     this.seek(us);
     if (this.source) {

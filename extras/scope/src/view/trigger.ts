@@ -181,7 +181,7 @@ export class TriggerView {
     });
   }
 
-  // Returns the condition; says what is wrong with it if it is none.
+  // Returns the condition, or says what is wrong with it.
   private condition(): Condition | undefined {
     this.input.removeAttribute('aria-invalid');
     try {

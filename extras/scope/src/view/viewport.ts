@@ -66,7 +66,7 @@ export class Viewport {
     this.hold(to + (this.seconds - (to - from)) / 2);
   }
 
-  // Shows a time at a part of the width (0..1), and stands still.
+  // Shows a time at a part of the width (0..1), and stops there.
   place(time: number, part: number): void {
     this.hold(time + (1 - part) * this.seconds);
   }
