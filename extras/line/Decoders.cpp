@@ -26,13 +26,32 @@ void Places::rejected(int at, sbus::Rejection why) {
 }
 
 // Characters with errors do not reach a decoder: a frame that has one, and an extra byte at its end, looks whole to it.
-void Places::found(Stretch::Kind variant, int size) {
+void Places::found(Stretch::Kind variant, int size, uint8_t flags) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;
   _open.erase(_open.begin(), _open.begin() + size);
   votes += variant != Stretch::Kind::Extra && !isDoubtful(variant, begin);
   _foundEnd = end;
-  pieces.push_back({end - begin == static_cast<uint64_t>(size) ? variant : Stretch::Kind::NoFrame, begin, end});
+  if (end - begin == static_cast<uint64_t>(size)) {
+    pieces.push_back({variant, begin, end});
+    return;
+  }
+  pieces.push_back({Stretch::Kind::NoFrame, begin, end});
+  _bad.discardedBytes += static_cast<uint32_t>(size);
+  if (variant == Stretch::Kind::Extra) {
+    _bad.extraFrames++;
+  } else {
+    _bad.count(flags, 0);
+  }
+}
+
+sbus::Counters Places::without(sbus::Counters counters) const {
+  counters.frames -= _bad.frames;
+  counters.lostFrames -= _bad.lostFrames;
+  counters.failsafeFrames -= _bad.failsafeFrames;
+  counters.extraFrames -= _bad.extraFrames;
+  counters.discardedBytes += _bad.discardedBytes;
+  return counters;
 }
 
 // Returns true if this may be a part of the other decoder's frames, where gaps show nothing: 25 of each 36 bytes, or 36
@@ -61,7 +80,7 @@ bool Decoders::has24() const {
 }
 
 sbus::Counters Decoders::counters16() const {
-  sbus::Counters counters = _finder16.counters();
+  sbus::Counters counters = _finder16.events().without(_finder16.counters());
   counters.otherSizeFrames = std::max(counters.otherSizeFrames, has24() ? _finder24.counters().frames : 0);
   return counters;
 }

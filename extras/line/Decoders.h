@@ -19,12 +19,15 @@ class Places {
   // Returns the place of the first byte that may still belong to a frame, or `end`.
   uint64_t openAt(uint64_t end) const { return _open.empty() ? end : _open.front(); }
 
-  void extra() { found(Stretch::Kind::Extra, sbus::FrameSize); }
+  void extra() { found(Stretch::Kind::Extra, sbus::FrameSize, 0); }
   void discarded(const uint8_t *, int count) { _open.erase(_open.begin(), _open.begin() + count); }
   void begin() {}
   void lost() {}
   void rejected(int at, sbus::Rejection why);
   bool seesEachGap() const { return !isLumpy; }
+
+  // Returns the counters without the frames that had a character error: the decoder does not know of it.
+  sbus::Counters without(sbus::Counters counters) const;
 
   bool isLumpy = true;               // a port hands bytes over in bursts, within which gaps are not seen
   uint32_t votes = 0;                // frames that show that this decoder is right
@@ -32,11 +35,12 @@ class Places {
   std::vector<Rejected> rejections;  // the newest ones
 
  protected:
-  void found(Stretch::Kind variant, int size);
+  void found(Stretch::Kind variant, int size, uint8_t flags);
 
  private:
   bool isDoubtful(Stretch::Kind variant, uint64_t begin) const;
 
+  sbus::Counters _bad{};       // frames that had a character error
   std::deque<uint64_t> _open;  // places of the bytes that the decoder still holds
   uint64_t _foundEnd = 0;      // place after the last frame; 0 before the first
 };
@@ -44,7 +48,9 @@ class Places {
 template <typename Format>
 struct PlacesOf : Places {
   void interval(uint32_t) {}
-  void taken(const uint8_t *) { found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size); }
+  void taken(const uint8_t *frame) {
+    found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size, Format::flags(frame));
+  }
 };
 
 class Decoders {
@@ -58,7 +64,9 @@ class Decoders {
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
 
   bool has24() const;
-  const sbus::Counters &counters() const { return has24() ? _finder24.counters() : _finder16.counters(); }
+  sbus::Counters counters() const {
+    return places().without(has24() ? _finder24.counters() : _finder16.counters());
+  }
   // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, its otherSizeFrames
   // are the frames of the other decoder.
   sbus::Counters counters16() const;
