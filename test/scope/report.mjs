@@ -1,11 +1,11 @@
-// A whole flight at a glance: the page's figures, verdict and report are those of `sbus summary`, on lines of a generator.
+// A whole flight at a glance: the page's figures, verdict, report and rows are those of `sbus summary` and `sbus csv`, on lines of a generator.
 // SCOPE_SBUS is the program.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Native } from './native.mjs';
-import { build, check, frame, play, reads, recorded, until } from './support.mjs';
+import { build, check, downloaded, frame, play, reads, recorded, toEnd, until } from './support.mjs';
 
 const lines = 60;
 const seed = Number(process.env.SEED ?? 4202);
@@ -82,6 +82,21 @@ export default async function () {
     }
     assert.equal(severities.size, 3, 'not every verdict was there');
   }, { patience: 120000 });
+
+  await check(`the rows of ${lines} flights that the page saves are those of sbus csv`, async (page) => {
+    for (const file of flights) {
+      await play(page, file);
+      await toEnd(page);
+      const told = sbus('csv', '--every-frame', '--columns', 'time,ch1-ch16,failsafe,lostframe', file).trim().split('\n');
+      let rows = [];
+      await until(() => `${file}: ${rows.length} rows, not ${told.length}`, async () => {
+        const { text } = await downloaded(page, '#csv');
+        rows = text.trim().split('\n').slice(1).map((row) => row.split(',').filter((_, i) => i < 17 || i > 18).join());
+        return rows.length === told.length;
+      });
+      assert.deepEqual(rows, told, file);
+    }
+  }, { patience: 300000 });
 
   for (const file of flights.slice(0, 6)) {
     await check(`the page shows what sbus summary prints about ${path.basename(file)}`, async (page) => {
