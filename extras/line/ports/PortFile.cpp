@@ -106,7 +106,7 @@ PortFile::PortFile(const std::string &device, const LineSettings &settings, Way 
   if (sp_get_port_by_name(device.c_str(), &port) != SP_OK) {
     throw std::runtime_error(openError(device, 0, "unknown to the system"));
   }
-  _port.reset(port);  // closes it in the end
+  _port.reset(port);
   if (sp_open(port, way == Way::Read ? SP_MODE_READ : SP_MODE_WRITE) != SP_OK) {
     const int error = sp_last_error_code();
     throw std::runtime_error(openError(device, error, lastError()));
@@ -124,6 +124,11 @@ PortFile::~PortFile() {
   if (!_port) {
     close(_file);
   }
+}
+
+void PortFile::Close::operator()(sp_port *port) const {
+  sp_close(port);  // sp_free_port() leaves it open
+  sp_free_port(port);
 }
 
 }  // namespace line

@@ -25,7 +25,11 @@ class PortFile {
   int file() const { return _file; }
 
  private:
-  std::unique_ptr<sp_port, decltype(&sp_free_port)> _port{nullptr, sp_free_port};  // null for a pseudo-terminal
+  struct Close {
+    void operator()(sp_port *port) const;
+  };
+
+  std::unique_ptr<sp_port, Close> _port;  // null for a pseudo-terminal
   int _file = -1;
 };
 
