@@ -23,6 +23,9 @@ class CaptureTimes {
     return character.since(_zeroNs, _characterNs);
   }
 
+  // Returns the capture's time of an Observer's time 0.
+  int64_t zeroNs() const { return _zeroNs; }
+
   // Returns the capture's time `ns` as an Observer takes it.
   uint64_t us(int64_t ns) const { return static_cast<uint64_t>(std::max<int64_t>(0, ns - _zeroNs) / 1000); }
 

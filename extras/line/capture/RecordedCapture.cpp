@@ -5,7 +5,8 @@ namespace line {
 RecordedCapture::RecordedCapture(const Overrules &overrules)
     : _wire(
           overrules, [this] { _times.begin(_wire.wire()); },
-          [this](const WireCharacter &character) { recording.characters.push_back(_times.of(character)); }) {
+          [this](const WireCharacter &character) { recording.characters.push_back(_times.of(character)); },
+          [this](int64_t ns, bool high) { _edges.put(ns, high); }) {
 }
 
 std::string RecordedCapture::failure(const std::string &name, const CaptureEnd &end) const {

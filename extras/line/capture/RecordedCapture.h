@@ -5,6 +5,7 @@
 
 #include "line/capture/CaptureText.h"
 #include "line/capture/CaptureTimes.h"
+#include "line/capture/EdgeStore.h"
 #include "line/recording/Recording.h"
 
 namespace line {
@@ -23,11 +24,16 @@ class RecordedCapture {
 
   const LineSettings &settings() const { return _wire.wire().settings; }
 
+  // Returns the edges of the signal, and the capture's time of the recording's time 0.
+  const EdgeStore &edges() const { return _edges; }
+  int64_t zeroNs() const { return _times.zeroNs(); }
+
   Recording recording;
 
  private:
   WireDecoder _wire;
   CaptureTimes _times;
+  EdgeStore _edges;
 };
 
 }  // namespace line

@@ -18,9 +18,13 @@ namespace line {
 // characters.
 class WireDecoder : public LevelSink {
  public:
-  // `found` is called once, before the first character.
-  WireDecoder(Overrules overrules, std::function<void()> found, std::function<void(const WireCharacter &)> character)
-      : _overrules(std::move(overrules)), _onFound(std::move(found)), _onCharacter(std::move(character)) {}
+  // `found` is called once, before the first character; `level` for each level of the chosen signal.
+  WireDecoder(Overrules overrules, std::function<void()> found, std::function<void(const WireCharacter &)> character,
+              std::function<void(int64_t ns, bool high)> level = nullptr)
+      : _overrules(std::move(overrules)),
+        _onFound(std::move(found)),
+        _onCharacter(std::move(character)),
+        _onLevel(std::move(level)) {}
 
   void ofCharacters() override { _isMeasured = false; }
   void signals(const std::vector<std::string> &names) override;
@@ -64,6 +68,9 @@ class WireDecoder : public LevelSink {
   void begin();
   std::string someNames() const;
   void decode(int64_t ns, bool high) {
+    if (_onLevel) {
+      _onLevel(ns, high);
+    }
     if (_decoder->level(ns, high, _character)) {
       _onCharacter(_character);
     }
@@ -72,6 +79,7 @@ class WireDecoder : public LevelSink {
   const Overrules _overrules;
   const std::function<void()> _onFound;
   const std::function<void(const WireCharacter &)> _onCharacter;
+  const std::function<void(int64_t, bool)> _onLevel;
   std::vector<std::string> _names;           // of the signals
   std::vector<std::vector<Level>> _samples;  // of each signal
   std::vector<std::string> _others;

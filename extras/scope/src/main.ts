@@ -193,10 +193,10 @@ function themes(): void {
   byId('theme').addEventListener('click', () => {
     const now = document.documentElement.dataset.theme ?? (dark.matches ? 'dark' : 'light');
     document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark';
-    scope.curves.repaint();
+    scope.repaint();
   });
   for (const query of [dark, matchMedia('(forced-colors: active)')]) {
-    query.addEventListener('change', () => scope.curves.repaint());
+    query.addEventListener('change', () => scope.repaint());
   }
 }
 

@@ -25,6 +25,7 @@ import { TelemetryView } from './view/telemetry';
 import { Timeline } from './view/timeline';
 import { TriggerView } from './view/trigger';
 import { VerdictView } from './view/verdict';
+import { WireView } from './view/wire';
 
 const pollAfter = 1000; // stretches
 
@@ -63,6 +64,7 @@ export class Scope implements Sink {
   private readonly timeline: Timeline;
   private readonly trigger: TriggerView;
   private readonly room = new Room();
+  private readonly wire = new WireView();
 
   // `failed`: called once for each view that throws.
   constructor(
@@ -83,6 +85,12 @@ export class Scope implements Sink {
     this.trigger = new TriggerView(core, this.curves, this.frames, () => this.newest, () => this.recorder.end());
   }
 
+  // Redraws what depends on the theme.
+  repaint(): void {
+    this.curves.repaint();
+    this.wire.repaint();
+  }
+
   private leave(): void {
     this.recorder.end();
     this.forget();
@@ -93,6 +101,7 @@ export class Scope implements Sink {
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
     this.room.enter();
+    this.wire.show(source instanceof RecordingSource ? source : undefined);
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
   }
 
@@ -166,6 +175,7 @@ export class Scope implements Sink {
       'The trigger': () => this.trigger.draw(nowUs, status.state),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
       'The view of the bytes': () => this.frames.draw(),
+      'The view of the wire': () => this.wire.draw(),
       'The time line': () => this.timeline.draw(...this.curves.shownUs),
     };
     Object.entries(views).forEach(([view, draw]) => this.guard(view, draw));

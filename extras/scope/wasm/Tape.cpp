@@ -64,6 +64,18 @@ std::string finishCapture() {
   return failure;
 }
 
+int64_t ns(double us) {
+  return static_cast<int64_t>(us * 1000) + capture->zeroNs();
+}
+
+// Returns the level in the middle of a bit of a character that begins at `startUs`.
+bool isIdleAt(double startUs, int bit) {
+  const int64_t atNs = ns(startUs + (bit + 0.5) * capture->wire().wire().bitNs / 1000);
+  bool isHigh = false;
+  capture->edges().each(atNs, atNs + 1, [&isHigh](int64_t, bool high) { isHigh = high; });
+  return isHigh == settings.idleHigh();
+}
+
 }  // namespace
 
 // The file's name is in the buffer.
@@ -148,6 +160,68 @@ EXPORT(carrier)()->const char * {
             (wire.isMeasured() ? ", " + text(wire.wire().settings) : "");
   }
   return words.c_str();
+}
+
+// Writes the edges of a capture's wire from `fromUs` to `toUs` into the buffer: doubles, in us, each edge the other level.
+// Returns how many, plus 0x10000 if the first leads to high; -1 if there are more than `most`: levels() shows them.
+EXPORT(edges)(double fromUs, double toUs, unsigned most)->int {
+  const line::EdgeStore &edges = capture->edges();
+  const int64_t fromNs = ns(fromUs), toNs = ns(toUs);
+  if (edges.countAbout(fromNs, toNs) > most) {
+    return -1;
+  }
+  int count = 0;
+  bool isHigh = false;
+  edges.each(fromNs, toNs, [&](int64_t edgeNs, bool high) {
+    isHigh = count == 0 ? high : isHigh;
+    const double us = static_cast<double>(edgeNs - capture->zeroNs()) / 1000;
+    std::memcpy(transfer + sizeof us * static_cast<size_t>(count++), &us, sizeof us);
+  });
+  return count | (isHigh ? 0x10000 : 0);
+}
+
+// Writes which levels it had in each of `columns` parts of that time into the buffer: 1 low, 2 high, 3 both, 0 not known.
+EXPORT(levels)(double fromUs, double toUs, unsigned columns)->void {
+  capture->edges().levels(ns(fromUs), ns(toUs), transfer, columns);
+}
+
+// Returns up to when the edges are kept, in us; 0 if all are.
+EXPORT(edgesEndUs)()->double {
+  return capture->edges().isWhole() ? 0 : static_cast<double>(capture->edges().endNs() - capture->zeroNs()) / 1000;
+}
+
+EXPORT(bitUs)()->double {
+  return capture->wire().wire().bitNs / 1000;
+}
+
+// Writes the characters that end from `fromUs` on, `most` at most, into the buffer: of each two doubles, its beginning in us
+// and its value, plus 256 for a wrong parity and 512 for a wrong stop bit. Returns how many.
+EXPORT(characters)(double fromUs, unsigned most)->unsigned {
+  const double lengthUs = capture->wire().wire().bitNs * settings.format.bits() / 1000;
+  size_t at = 0;
+  for (size_t end = tape.characters.size(); at < end;) {
+    const size_t middle = (at + end) / 2;
+    const bool isBefore = static_cast<double>(line::Character(tape.characters[middle]).endUs) < fromUs;
+    (isBefore ? at : end) = isBefore ? middle + 1 : middle;
+  }
+  unsigned count = 0;
+  for (; count < most && at < tape.characters.size(); at++, count++) {
+    const line::Character character = tape.characters[at];
+    double startUs = static_cast<double>(character.endUs) - lengthUs;
+    const int64_t fromNs = ns(startUs);
+    bool isFirst = true;
+    capture->edges().each(fromNs, fromNs + 2000, [&](int64_t edgeNs, bool) {
+      if (isFirst && edgeNs >= fromNs) {  // its end was rounded down to a microsecond
+        isFirst = false;
+        startUs = static_cast<double>(edgeNs - capture->zeroNs()) / 1000;
+      }
+    });
+    const bool isParityWrong = character.bad && isIdleAt(startUs, 9) != line::isOdd(character.value);
+    const bool isStopWrong = character.bad && !isIdleAt(startUs, 10);
+    const double values[] = {startUs, character.value + (isParityWrong ? 256.0 : 0) + (isStopWrong ? 512.0 : 0)};
+    std::memcpy(transfer + sizeof values * count, values, sizeof values);
+  }
+  return count;
 }
 
 EXPORT(recordingLengthUs)()->double {

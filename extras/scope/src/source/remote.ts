@@ -5,7 +5,7 @@ import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
 import type { Condition } from '../trigger';
-import type { Answer, Live, LiveState, Opening, Picture, Request } from '../worker/messages';
+import type { Answer, Live, LiveState, Opening, Picture, Request, Wire } from '../worker/messages';
 import { findPort } from '../worker/port';
 import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
@@ -33,6 +33,7 @@ export class Remote implements Line {
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
+  wire?: Wire; // the part that was asked for last
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -256,6 +257,8 @@ export class Remote implements Line {
       this.flight = answer.flight;
     } else if (answer.kind === 'report') {
       this.reported?.(answer.html);
+    } else if (answer.kind === 'wire') {
+      this.wire = answer;
     } else {
       this.came.push(answer);
       if (answer.kind === 'picture' && (answer.found !== undefined || answer.event !== undefined) && this.isLooking) {

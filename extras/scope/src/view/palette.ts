@@ -1,6 +1,6 @@
 // The theme's colours as numbers, for a canvas and for a picture: they know neither variables nor light-dark().
 
-const names = ['card', 'ink', 'muted', 'grid', 'alarm-band', 'warning-band'] as const;
+const names = ['card', 'ink', 'muted', 'grid', 'alarm-band', 'warning-band', 'alarm'] as const;
 const curves = 8;
 
 export type Palette = Record<(typeof names)[number], string> & { curves: string[] };

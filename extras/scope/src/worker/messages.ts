@@ -37,6 +37,7 @@ export type Request =
   | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
   | { kind: 'report' } // of a recording whose flight is known
   | { kind: 'event'; id: number; us: number; condition: Condition; afterUs: number } // to so much after the next one after `us`
+  | { kind: 'wire'; fromUs: number; toUs: number; columns: number } // of a capture
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }
   | { kind: 'replugged'; place: PortPlace }
@@ -53,6 +54,19 @@ export interface LiveState {
   events?: ReadonlyMap<string, number>; // at the port: counts by cause
   note: string; // the setting that is being tried, or what the trials found
   round?: Finding; // of the last round of trials
+}
+
+// A part of a capture's wire: its edges if they are few, else the levels of each column.
+export interface Wire {
+  kind: 'wire';
+  fromUs: number;
+  toUs: number;
+  bitUs: number;
+  edges?: Float64Array; // us; each leads to the other level, the first to `isHigh`
+  isHigh: boolean;
+  levels?: Uint8Array; // 1 low, 2 high, 3 both, 0 not known
+  characters: { us: number; value: number; parityWrong: boolean; stopWrong: boolean }[]; // if they are few
+  keptUs: number; // up to when edges are kept; 0: all are
 }
 
 // The line as it is at `us`.
@@ -78,6 +92,7 @@ export type Answer =
   | { kind: 'refused' } // the worker does not find the port
   | { kind: 'opened'; lengthUs: number; carrier: string; picture: Picture }
   | Picture
+  | Wire
   | { kind: 'faults'; map: FaultMap }
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
   | { kind: 'report'; html: string }

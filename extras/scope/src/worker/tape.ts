@@ -3,7 +3,11 @@
 import type { Flight } from '../faults';
 import { imports, Native, type Exports } from '../native';
 import { bytesOf } from './bytes';
+import type { Wire } from './messages';
 import { directory, unpack, type Entry } from './zip';
+
+const mostEdges = 4000; // more of them are shown by levels
+const mostCharacters = 64;
 
 export class Tape {
   settings: Uint8Array = new Uint8Array();
@@ -91,6 +95,25 @@ export class Tape {
   part(from: number): { bytes: Uint8Array; count: number } {
     const bytes = this.handed(this.native.calls.recordingPart(from));
     return { bytes, count: bytes.length / this.layout.constant('CharacterSize') };
+  }
+
+  // Returns a part of a capture's wire.
+  wire(fromUs: number, toUs: number, columns: number): Wire {
+    const { calls } = this.native;
+    const first = calls.edges(fromUs, toUs, mostEdges);
+    const edges = first < 0 ? undefined : new Float64Array(this.handed(8 * (first & 0xffff)).buffer);
+    calls.levels(fromUs, toUs, columns);
+    const levels = edges ? undefined : this.handed(columns);
+    const bitUs = calls.bitUs();
+    const count = toUs - fromUs < 12 * bitUs * mostCharacters ? calls.characters(fromUs, mostCharacters) : 0;
+    const values = new Float64Array(this.handed(16 * count).buffer);
+    const characters = Array.from({ length: count }, (_, i) => ({
+      us: values[2 * i],
+      value: values[2 * i + 1] & 0xff,
+      parityWrong: (values[2 * i + 1] & 256) !== 0,
+      stopWrong: (values[2 * i + 1] & 512) !== 0,
+    })).filter(({ us }) => us < toUs);
+    return { kind: 'wire', fromUs, toUs, bitUs, edges, isHigh: first > 0xffff, levels, characters, keptUs: calls.edgesEndUs() };
   }
 
   timeOf(character: number): number {

@@ -117,6 +117,8 @@ class Playing {
     const { calls, reader } = this.player;
     if (request.kind === 'resetMarks') {
       calls.resetMarks();
+    } else if (request.kind === 'wire') {
+      answer(this.tape.wire(request.fromUs, request.toUs, request.columns));
     } else if (request.kind === 'record') {
       calls.record(Number(request.on));
       if (!request.on) {

@@ -1,0 +1,92 @@
+// The edges of a capture's wire, in bounded memory: at most 160 MB. An edge takes two or three bytes;
+// an hour of a receiver that sends each 9 ms takes 147 MB, when all its channels move.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace line {
+
+class EdgeStore {
+ public:
+  explicit EdgeStore(size_t blocksMax = BlocksMax) : _blocksMax(blocksMax) {}
+
+  // Takes the wire's level from `ns` on. Times never go back. Ignores a level that is no change, and all levels once there
+  // is no more room.
+  void put(int64_t ns, bool high);
+
+  // Returns false if there was no room for some.
+  bool isWhole() const { return _isWhole; }
+  // Returns the time of the newest edge that is kept; 0 before the first.
+  int64_t endNs() const { return _blocks.empty() ? 0 : _blocks.back()->lastNs; }
+
+  // Calls edge(ns, high) for the edges from `fromNs` to before `toNs`, after the newest edge before `fromNs` if there is
+  // one.
+  template <typename Edge>
+  void each(int64_t fromNs, int64_t toNs, Edge edge) const {
+    for (size_t i = blockBefore(fromNs); i < _blocks.size() && _blocks[i]->firstNs < toNs; i++) {
+      _blocks[i]->each([&](int64_t ns, int64_t nextNs, bool high) {
+        if (nextNs > fromNs && ns < toNs) {
+          edge(ns, high);
+        }
+      }, i + 1 < _blocks.size() ? _blocks[i + 1]->firstNs : INT64_MAX);
+    }
+  }
+
+  // Returns how many edges each() would hand over, or a few more.
+  size_t countAbout(int64_t fromNs, int64_t toNs) const;
+
+  // Writes which levels the wire had in each of `count` columns of that time: 1 low, 2 high, 3 both. 0: not known. A time
+  // of more than ExactBlocks is known by blocks, and the longest silence of each.
+  void levels(int64_t fromNs, int64_t toNs, uint8_t *columns, size_t count) const;
+
+ private:
+  static constexpr size_t BlockSize = 8192;
+  static constexpr size_t BlocksMax = (size_t{160} << 20) / BlockSize;
+  static constexpr size_t ExactBlocks = 512;
+  static constexpr size_t LongestDelta = 10;  // bytes
+
+  struct Block {
+    int64_t firstNs = 0;
+    int64_t lastNs = 0;
+    int64_t quietFromNs = 0;  // the longest time between two edges
+    int64_t quietNs = 0;
+    bool isQuietHigh = false;
+    bool firstHigh = false;
+    bool lastHigh = false;
+    uint32_t count = 1;
+    uint32_t used = 0;
+    uint8_t bytes[BlockSize - 48];  // the times between the edges, seven bits a byte, the highest bit: more follow
+
+    // `afterNs`: of the first edge of the next block.
+    template <typename Edge>
+    void each(Edge edge, int64_t afterNs) const {
+      int64_t ns = firstNs;
+      bool high = firstHigh;
+      for (uint32_t at = 0; at < used;) {
+        uint64_t delta = 0;
+        unsigned shift = 0;
+        do {
+          delta |= static_cast<uint64_t>(bytes[at] & 0x7f) << shift;
+          shift += 7;
+        } while ((bytes[at++] & 0x80) != 0);
+        const int64_t nextNs = ns + static_cast<int64_t>(delta);
+        edge(ns, nextNs, high);
+        ns = nextNs;
+        high = !high;
+      }
+      edge(ns, afterNs, high);
+    }
+  };
+
+  // Returns the last block that begins by then; 0 without one.
+  size_t blockBefore(int64_t ns) const;
+
+  const size_t _blocksMax;
+  bool _isWhole = true;
+  std::vector<std::unique_ptr<Block>> _blocks;
+};
+
+}  // namespace line

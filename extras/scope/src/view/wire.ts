@@ -1,0 +1,248 @@
+// The wire of a capture: its edges, from the whole capture down to a bit, and the names of the bits below them.
+
+import uPlot from 'uplot';
+import { byId, setText } from '../dom';
+import type { RecordingSource } from '../source/recording';
+import { Throttle } from '../throttle';
+import type { Wire } from '../worker/messages';
+import { Gestures } from './gestures';
+import { paletteOf, type Palette } from './palette';
+
+const usualUs = 4000; // a frame of 3 ms
+const leastUs = 20; // two bits of 100000 baud
+const askMs = 60;
+const step = 4; // of a button or a key
+const leastPx = 22; // of a bit or a character that has a name
+const names = ['start', 'd0', 'd1', 'd2', 'd3', 'd4', 'd5', 'd6', 'd7', 'parity', 'stop', 'stop'];
+const short: Record<string, string> = { start: 'st', parity: 'p', stop: 'sp' }; // where a bit is narrower than roomyPx
+const roomyPx = 38;
+const [firstData, parity, stop] = [1, 9, 10];
+
+const hex = (value: number): string => value.toString(16).toUpperCase().padStart(2, '0');
+
+export class WireView {
+  private readonly root = byId('wire-plot');
+  private plot?: uPlot;
+  private palette?: Palette;
+  private source?: RecordingSource;
+  private fromUs = 0;
+  private widthUs = usualUs;
+  private positionUs = NaN; // of the recording, to which it has gone
+  private asked = '';
+  private shown?: Wire;
+  private readonly asking = new Throttle(askMs);
+
+  constructor() {
+    byId('wire-in').addEventListener('click', () => this.zoom(1 / step, 0.5));
+    byId('wire-out').addEventListener('click', () => this.zoom(step, 0.5));
+    this.root.addEventListener('keydown', (event) => this.key(event));
+    new ResizeObserver(() => this.plot?.setSize({ width: this.root.clientWidth, height: this.root.clientHeight })).observe(this.root);
+    new Gestures(this.root, {
+      place: () => (this.plot as uPlot).over.getBoundingClientRect(),
+      scroll: (part) => this.scroll(part),
+      zoom: (factor, part) => this.zoom(factor, part),
+      reset: () => this.reset(),
+    });
+  }
+
+  // Shows the wire of a capture; without one, or for another recording, nothing.
+  show(source: RecordingSource | undefined): void {
+    this.source = source?.line.carrier ? source : undefined;
+    byId('wire').hidden = !this.source;
+    this.shown = undefined;
+    this.asked = '';
+    this.positionUs = NaN;
+    this.widthUs = usualUs;
+  }
+
+  // Redraws what depends on the theme.
+  repaint(): void {
+    this.plot?.destroy();
+    this.plot = undefined;
+  }
+
+  // Call it for each picture.
+  draw(): void {
+    const { source } = this;
+    if (!source) {
+      return;
+    }
+    this.plot ??= this.make();
+    if (source.positionUs !== this.positionUs) {
+      this.follow();
+    }
+    const columns = Math.max(Math.round(this.plot.bbox.width / devicePixelRatio), 1);
+    const wanted = `${this.fromUs} ${this.widthUs} ${columns}`;
+    if (wanted !== this.asked && this.asking.due) {
+      this.asked = wanted;
+      source.line.ask({ kind: 'wire', fromUs: this.fromUs, toUs: this.fromUs + this.widthUs, columns });
+    }
+    if (source.line.wire && source.line.wire !== this.shown) {
+      this.shown = source.line.wire;
+      this.plot.setData(pointsOf(this.shown), false);
+      this.plot.setScale('x', { min: this.shown.fromUs / 1e6, max: this.shown.toUs / 1e6 });
+    }
+    setText(byId('wire-width'), widthText(this.widthUs));
+    setText(byId('wire-text'), this.text());
+  }
+
+  private get lengthUs(): number {
+    return (this.source?.lengthUs ?? 0) + 1000;
+  }
+
+  private within(us: number): number {
+    return Math.max(Math.min(us, this.lengthUs - this.widthUs), Math.min(0, this.lengthUs - this.widthUs) / 2);
+  }
+
+  private scroll(part: number): void {
+    this.fromUs = this.within(this.fromUs + part * this.widthUs);
+  }
+
+  private zoom(factor: number, part: number): void {
+    const widthUs = Math.min(Math.max(factor * this.widthUs, leastUs), 1.05 * this.lengthUs);
+    this.fromUs += part * (this.widthUs - widthUs);
+    this.widthUs = widthUs;
+    this.fromUs = this.within(this.fromUs);
+  }
+
+  private reset(): void {
+    this.widthUs = usualUs;
+    this.follow();
+  }
+
+  // Goes to where the recording is.
+  private follow(): void {
+    this.positionUs = this.source?.positionUs ?? 0;
+    this.fromUs = this.within(this.positionUs - this.widthUs);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const part = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 }[event.key];
+    if (part !== undefined) {
+      this.scroll(part);
+    } else if (event.key === '+' || event.key === '=' || event.key === '-') {
+      this.zoom(event.key === '-' ? step : 1 / step, 0.5);
+    } else if (event.key === '0') {
+      this.reset();
+    } else if (event.key === 'End') {
+      this.follow();
+    } else {
+      return;
+    }
+    event.preventDefault();
+  }
+
+  // Returns what is at the pointer, or in the middle.
+  private text(): string {
+    const { plot, shown } = this;
+    if (!plot || !shown) {
+      return '';
+    }
+    if (shown.keptUs > 0 && shown.toUs > shown.keptUs) {
+      return `Edges are kept up to ${(shown.keptUs / 1e6).toFixed(3)} s: there was no room for more.`;
+    }
+    const left = plot.cursor.left ?? -1;
+    const us = left < 0 ? (shown.fromUs + shown.toUs) / 2 : 1e6 * plot.posToVal(left, 'x');
+    const at = shown.characters.filter((character) => character.us <= us).at(-1);
+    if (!at || us > at.us + names.length * shown.bitUs) {
+      return shown.characters.length > 0 ? `${(us / 1e6).toFixed(6)} s: the line is idle.` : `${(us / 1e6).toFixed(6)} s`;
+    }
+    const bit = Math.min(Math.floor((us - at.us) / shown.bitUs), names.length - 1);
+    const wrong = [at.parityWrong && 'wrong parity', at.stopWrong && 'wrong stop bit'].filter(Boolean).join(', ');
+    const value = bit >= firstData && bit < parity ? ` = ${(at.value >> (bit - firstData)) & 1}` : '';
+    return `${hex(at.value)} at ${(at.us / 1e6).toFixed(6)} s${wrong && `, ${wrong}`}; here ${names[bit]}${value}.`;
+  }
+
+  private make(): uPlot {
+    const palette = (this.palette = paletteOf(this.root));
+    this.shown = undefined;
+    const grid = { stroke: palette.grid, width: 1 };
+    return new uPlot(
+      {
+        width: Math.max(this.root.clientWidth, 200),
+        height: this.root.clientHeight,
+        legend: { show: false },
+        padding: [8, 4, 0, 4],
+        scales: { x: { time: false, auto: false }, y: { auto: false, range: [-0.9, 1.15] } },
+        axes: [
+          {
+            stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 }, size: 28, space: 110,
+            values: (_, ticks, __, ___, apart) => ticks.map((tick) => `${tick.toFixed(Math.max(0, -Math.floor(Math.log10(apart) + 1e-9)))} s`),
+          },
+          { show: false },
+        ],
+        series: [{}, { stroke: palette.curves[0], width: 1.5, points: { show: false } }],
+        cursor: { y: false, drag: { x: false, y: false }, points: { show: false }, bind: { dblclick: () => null } },
+        hooks: { draw: [(plot): void => this.names(plot)] },
+      },
+      [[], []],
+      this.root,
+    );
+  }
+
+  // Writes the characters and the names of their bits below the edges, as far as there is room.
+  private names(plot: uPlot): void {
+    const { shown, palette } = this;
+    if (!shown || !palette) {
+      return;
+    }
+    const { ctx } = plot;
+    const pixel = devicePixelRatio;
+    const x = (us: number): number => plot.valToPos(us / 1e6, 'x', true);
+    const bitPx = x(shown.fromUs + shown.bitUs) - x(shown.fromUs);
+    const [named, detailed] = [10 * bitPx > leastPx * pixel, bitPx > leastPx * pixel];
+    ctx.save();
+    ctx.textAlign = 'center';
+    ctx.font = `${12 * pixel}px system-ui, sans-serif`;
+    const write = (text: string, us: number, y: number, wrong: boolean): void => {
+      ctx.fillStyle = wrong ? palette.alarm : palette.ink;
+      ctx.fillText(text, x(us), plot.valToPos(y, 'y', true));
+    };
+    for (const { us, value, parityWrong, stopWrong } of named ? shown.characters : []) {
+      const isWrong = parityWrong || stopWrong;
+      ctx.strokeStyle = isWrong ? palette.alarm : palette.muted;
+      ctx.lineWidth = pixel;
+      ctx.strokeRect(x(us), plot.valToPos(-0.45, 'y', true), 11 * bitPx, plot.valToPos(-0.85, 'y', true) - plot.valToPos(-0.45, 'y', true));
+      write(hex(value) + (isWrong ? ' !' : ''), us + 5.5 * shown.bitUs, -0.72, isWrong);
+      names.forEach((name, bit) => {
+        const wrong = (bit === parity && parityWrong) || (bit === stop && stopWrong);
+        if (detailed) {
+          write(bitPx < roomyPx * pixel ? (short[name] ?? name) : name, us + (bit + 0.5) * shown.bitUs, -0.3, wrong);
+        }
+      });
+    }
+    ctx.restore();
+  }
+}
+
+// Returns the edges as points of a line: two at each edge, and those of a column in which both levels were.
+function pointsOf({ fromUs, toUs, edges, isHigh, levels }: Wire): uPlot.AlignedData {
+  const [xs, ys]: [number[], (number | null)[]] = [[], []];
+  const put = (us: number, level: number | null): void => {
+    xs.push(us / 1e6);
+    ys.push(level);
+  };
+  if (edges) {
+    let level = Number(isHigh);
+    edges.forEach((us, i) => {
+      put(Math.max(us, fromUs), i > 0 && us > fromUs ? 1 - level : level);
+      put(Math.max(us, fromUs), level);
+      level = 1 - level;
+    });
+    if (edges.length > 0) {
+      put(toUs, 1 - level);
+    }
+  } else if (levels) {
+    levels.forEach((mask, i) => {
+      const us = fromUs + ((i + 0.5) / levels.length) * (toUs - fromUs);
+      put(us, mask === 0 ? null : mask & 1 ? 0 : 1);
+      put(us, mask === 0 ? null : mask & 2 ? 1 : 0);
+    });
+  }
+  return [xs, ys];
+}
+
+function widthText(us: number): string {
+  const [value, unit] = us < 1000 ? [us, 'µs'] : us < 1e6 ? [us / 1000, 'ms'] : [us / 1e6, 's'];
+  return `${+value.toPrecision(3)} ${unit}`;
+}
