@@ -88,8 +88,6 @@ export default async function () {
     await page.setInputFiles('#file', file);
     await reads(page, '#title', /^Capture wire.vcd/);
     await page.click('#play');
-    await page.locator('#wire-plot').scrollIntoViewIfNeeded();
-    const over = await page.locator('#wire-plot .u-over').boundingBox();
     for (const [character, wrong] of [[5 * 25 + 1, ''], [bad.parity, ', wrong parity'], [bad.stop, ', wrong stop bit']]) {
       const begin = beginOf(character);
       const middleUs = 1000 * Math.round((begin + 6 * bitUs) / 1000);
@@ -104,6 +102,7 @@ export default async function () {
       const bits = bitsOf(character);
       for (const [bit, name] of names.entries()) {
         const us = begin + (bit + 0.5) * bitUs;
+        const over = await page.locator('#wire-plot .u-over').boundingBox();
         await page.mouse.move(over.x + (over.width * (us - fromUs)) / (toUs - fromUs), over.y + 20);
         await reads(page, '#wire-text', `${hex} at ${(begin / 1e6).toFixed(6)} s${wrong}; here ${name}.`);
         await drawn(page);

@@ -13,8 +13,8 @@ class EdgeStore {
  public:
   explicit EdgeStore(size_t blocksMax = BlocksMax) : _blocksMax(blocksMax) {}
 
-  // Takes the wire's level from `ns` on. Times never go back. Ignores a level that is no change, and all levels once there
-  // is no more room.
+  // Takes the wire's level from `ns` on. Times never go back. Ignores a level that is no change, and all levels once
+  // there is no more room.
   void put(int64_t ns, bool high);
 
   // Returns false if there was no room for some.
@@ -22,24 +22,26 @@ class EdgeStore {
   // Returns the time of the newest edge that is kept; 0 before the first.
   int64_t endNs() const { return _blocks.empty() ? 0 : _blocks.back()->lastNs; }
 
-  // Calls edge(ns, high) for the edges from `fromNs` to before `toNs`, after the newest edge before `fromNs` if there is
-  // one.
+  // Calls edge(ns, high) for the edges from `fromNs` to before `toNs`, after the newest edge before `fromNs` if there
+  // is one.
   template <typename Edge>
   void each(int64_t fromNs, int64_t toNs, Edge edge) const {
     for (size_t i = blockBefore(fromNs); i < _blocks.size() && _blocks[i]->firstNs < toNs; i++) {
-      _blocks[i]->each([&](int64_t ns, int64_t nextNs, bool high) {
-        if (nextNs > fromNs && ns < toNs) {
-          edge(ns, high);
-        }
-      }, i + 1 < _blocks.size() ? _blocks[i + 1]->firstNs : INT64_MAX);
+      _blocks[i]->each(
+          [&](int64_t ns, int64_t nextNs, bool high) {
+            if (nextNs > fromNs && ns < toNs) {
+              edge(ns, high);
+            }
+          },
+          i + 1 < _blocks.size() ? _blocks[i + 1]->firstNs : INT64_MAX);
     }
   }
 
   // Returns how many edges each() would hand over, or a few more.
   size_t countAbout(int64_t fromNs, int64_t toNs) const;
 
-  // Writes which levels the wire had in each of `count` columns of that time: 1 low, 2 high, 3 both. 0: not known. A time
-  // of more than ExactBlocks is known by blocks, and the longest silence of each.
+  // Writes which levels the wire had in each of `count` columns of that time: 1 low, 2 high, 3 both. 0: not known. A
+  // time of more than ExactBlocks is known by blocks, and the longest silence of each.
   void levels(int64_t fromNs, int64_t toNs, uint8_t *columns, size_t count) const;
 
  private:

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "line/uart/Levels.h"
 #include "line/capture/Capture.h"
 #include "line/capture/Overrules.h"
 #include "line/capture/WireFinder.h"
+#include "line/uart/Levels.h"
 
 namespace line {
 

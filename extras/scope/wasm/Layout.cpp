@@ -59,9 +59,10 @@ const char *nameOf(sbus::LinkState value) {
 const char *nameOf(sbus::Finding value) {
   using T = sbus::Finding;
   switch (value) {
-    VALUE(NoSignal) VALUE(NoFrames) VALUE(Channels24) VALUE(WrongPolarity) VALUE(WrongBaud) VALUE(WrongPolarityAndBaud)
-    VALUE(PolledTooSeldom) VALUE(InterruptsOff) VALUE(Noise) VALUE(Failsafe) VALUE(NoRadio) VALUE(Lossy)
-    VALUE(AllWellAndMore) VALUE(AllWell)
+    VALUE(NoSignal)
+    VALUE(NoFrames) VALUE(Channels24) VALUE(WrongPolarity) VALUE(WrongBaud) VALUE(WrongPolarityAndBaud)
+        VALUE(PolledTooSeldom) VALUE(InterruptsOff) VALUE(Noise) VALUE(Failsafe) VALUE(NoRadio) VALUE(Lossy)
+            VALUE(AllWellAndMore) VALUE(AllWell)
   }
   return nullptr;
 }
@@ -69,8 +70,9 @@ const char *nameOf(sbus::Finding value) {
 const char *nameOf(sbus::CalibrationError value) {
   using T = sbus::CalibrationError;
   switch (value) {
-    VALUE(None) VALUE(NeverSeen) VALUE(HardlyMoved) VALUE(CentreOutside) VALUE(NotStill) VALUE(NotCentred)
-    VALUE(NotPushed) VALUE(MovedOneWay) VALUE(NotRested) VALUE(NotHeld)
+    VALUE(None)
+    VALUE(NeverSeen) VALUE(HardlyMoved) VALUE(CentreOutside) VALUE(NotStill) VALUE(NotCentred) VALUE(NotPushed)
+        VALUE(MovedOneWay) VALUE(NotRested) VALUE(NotHeld)
   }
   return nullptr;
 }

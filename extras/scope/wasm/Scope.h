@@ -13,9 +13,9 @@
 #include "SimulatedLine.h"
 #include "Watch.h"
 #include "line/Examination.h"
+#include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/ports/PortReads.h"
-#include "line/LineSettings.h"
 #include "line/telemetry/Readings.h"
 
 namespace scope {
@@ -67,7 +67,8 @@ class Scope {
   void reset(uint64_t nowUs, const line::LineSettings &settings);
   void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
   void receivedBad(uint64_t nowUs);
-  // Takes all characters complete by `nowUs`; fewer if there are enough records, or if the recording needs its next part.
+  // Takes all characters complete by `nowUs`; fewer if there are enough records, or if the recording needs its next
+  // part.
   void advance(uint64_t nowUs);
   // Returns up to when the line is known: the PC may be late.
   uint64_t knownUs(uint64_t nowUs) const;
@@ -76,7 +77,9 @@ class Scope {
   // Forgets what was found: only what comes from now on counts.
   void mark();
   // Returns the state of the link to show.
-  sbus::LinkState state(uint64_t nowUs) { return rows.recognised() ? rows.heldState(nowUs) : observer.heldState(nowUs); }
+  sbus::LinkState state(uint64_t nowUs) {
+    return rows.recognised() ? rows.heldState(nowUs) : observer.heldState(nowUs);
+  }
   // Returns when the newest character was complete; 0 before the first.
   uint64_t characterUs() const { return _characterUs; }
   // Returns how many reads were 0.1 s late or more: the PC was busy.

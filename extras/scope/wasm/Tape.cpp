@@ -162,8 +162,9 @@ EXPORT(carrier)()->const char * {
   return words.c_str();
 }
 
-// Writes the edges of a capture's wire from `fromUs` to `toUs` into the buffer: doubles, in us, each edge the other level.
-// Returns how many, plus 0x10000 if the first leads to high; -1 if there are more than `most`: levels() shows them.
+// Writes the edges of a capture's wire from `fromUs` to `toUs` into the buffer: doubles, in us, each edge the other
+// level. Returns how many, plus 0x10000 if the first leads to high; -1 if there are more than `most`: levels() shows
+// them.
 EXPORT(edges)(double fromUs, double toUs, unsigned most)->int {
   const line::EdgeStore &edges = capture->edges();
   const int64_t fromNs = ns(fromUs), toNs = ns(toUs);
@@ -180,7 +181,8 @@ EXPORT(edges)(double fromUs, double toUs, unsigned most)->int {
   return count | (isHigh ? 0x10000 : 0);
 }
 
-// Writes which levels it had in each of `columns` parts of that time into the buffer: 1 low, 2 high, 3 both, 0 not known.
+// Writes which levels it had in each of `columns` parts of that time into the buffer: 1 low, 2 high, 3 both, 0 not
+// known.
 EXPORT(levels)(double fromUs, double toUs, unsigned columns)->void {
   capture->edges().levels(ns(fromUs), ns(toUs), transfer, columns);
 }
@@ -194,8 +196,8 @@ EXPORT(bitUs)()->double {
   return capture->wire().wire().bitNs / 1000;
 }
 
-// Writes the characters that end from `fromUs` on, `most` at most, into the buffer: of each two doubles, its beginning in us
-// and its value, plus 256 for a wrong parity and 512 for a wrong stop bit. Returns how many.
+// Writes the characters that end from `fromUs` on, `most` at most, into the buffer: of each two doubles, its beginning
+// in us and its value, plus 256 for a wrong parity and 512 for a wrong stop bit. Returns how many.
 EXPORT(characters)(double fromUs, unsigned most)->unsigned {
   const double lengthUs = capture->wire().wire().bitNs * settings.format.bits() / 1000;
   size_t at = 0;
