@@ -164,7 +164,14 @@ export default async function () {
     }
     await page.keyboard.press('Shift+N');
     await reads(page, '#fault-text', 'There is no further fault "lost frames" in this direction.');
+    await page.fill('#position', '0');
+    await page.click('#fault-counts li:nth-child(2) button');
+    await page.focus('#plot');
+    await page.keyboard.press('n');
+    await reads(page, '#fault-text', /^Fault 1 of 1: failsafe, 1:00/); // past lost frames
     await page.click('#fault-counts [aria-pressed="true"]');
+    await page.focus('#plot');
+    await page.keyboard.press('Shift+N');
     await page.keyboard.press('n');
     await reads(page, '#fault-text', /^Fault 2 of 4: lost frames/);
     await page.keyboard.press('n');
