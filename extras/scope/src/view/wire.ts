@@ -193,6 +193,7 @@ export class WireView {
     const [named, detailed] = [10 * bitPx > leastPx * pixel, bitPx > leastPx * pixel];
     ctx.save();
     ctx.textAlign = 'center';
+    ctx.textBaseline = 'middle';
     ctx.font = `${12 * pixel}px system-ui, sans-serif`;
     const write = (text: string, us: number, y: number, wrong: boolean): void => {
       ctx.fillStyle = wrong ? palette.alarm : palette.ink;
@@ -203,7 +204,7 @@ export class WireView {
       ctx.strokeStyle = isWrong ? palette.alarm : palette.muted;
       ctx.lineWidth = pixel;
       ctx.strokeRect(x(us), plot.valToPos(-0.45, 'y', true), 11 * bitPx, plot.valToPos(-0.85, 'y', true) - plot.valToPos(-0.45, 'y', true));
-      write(hex(value) + (isWrong ? ' !' : ''), us + 5.5 * shown.bitUs, -0.72, isWrong);
+      write(hex(value) + (isWrong ? ' !' : ''), us + 5.5 * shown.bitUs, -0.65, isWrong);
       names.forEach((name, bit) => {
         const wrong = (bit === parity && parityWrong) || (bit === stop && stopWrong);
         if (detailed) {
