@@ -91,6 +91,12 @@ verdict $? "a second receiver takes over when no frames have come for 0.1 s"
 got=$(bridge "$work/gap.json" - --second ch1=7 --seconds 2.5 --back 0.2 | chosen)
 [ "$got" = "1 00 at 9 ms; 7 00 at 552 ms; 2 00 at 1216 ms; 7 00 at 1551 ms; " ] || { echo "$got"; cat "$work/err"; false; }
 verdict $? "the first one is used again after --back"
+# Its frames end 0.5 ms after those of the second one: both come within one step of the program.
+awk 'BEGIN { for (i = 1; i <= 250; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[1,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", i * 9000 + 700 + (i > 50) * 549000 }' >"$work/back.json"
+awk 'BEGIN { for (i = 1; i <= 400; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[7,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", i * 9000 + 200 }' >"$work/beside.json"
+got=$(bridge "$work/back.json" - --second "$work/beside.json" --seconds 2.5 | chosen)
+[ "$got" = "1 00 at 9 ms; 7 00 at 558 ms; 1 00 at 2016 ms; " ] || { echo "$got"; cat "$work/err"; false; }
+verdict $? "the first one is not used before, however close its frames are to those of the second one"
 [ "$(bridge "$work/lost.json" - --second ch1=7 --seconds 2 | chosen)" = "5 00 at 9 ms; 5 10 at 909 ms; 7 00 at 1002 ms; " ]
 verdict $? "a second receiver takes over after 0.1 s of lost frames"
 [ "$(bridge ch1=4,failsafe=on - --second ch1=7 --seconds 0.5 | chosen)" = "4 01 at 3 ms; 7 00 at 102 ms; " ]
