@@ -28,6 +28,24 @@ TEST_CASE("a recording has what two reads brought on two lines, even if it came 
   CHECK(writer.take() == "100880~19000 0F E5!\n101120~19120 0F E5!\n");
 }
 
+TEST_CASE("after a stall of 3 s the reads that follow each other at once bring no characters of the future") {
+  line::PortReads reads;
+  reads.empty(1000000);
+  uint64_t lastUs = 0;
+  for (unsigned read = 0; read < 32; read++) {
+    reads.begin(256, 4000000, 16000);
+    for (unsigned i = 0; i < 256; i++) {
+      const uint64_t us = reads.next(0x0F).endUs;
+      CHECK(us >= lastUs);
+      lastUs = us;
+    }
+  }
+  CHECK(lastUs == 4016000);
+  reads.empty(4001000);
+  reads.begin(25, 4100000, 16000);
+  CHECK(reads.next(0x0F).endUs == 4100000 - 24 * line::CharacterUs);
+}
+
 // Its frame's last 25 bytes look like one of 16 channels.
 TEST_CASE("24 channels whose tenth payload byte is a header, at 16 ms, are taken for 16 channels on few lines") {
   CAPTURE(Seed);

@@ -22,8 +22,10 @@ class PortReads {
   // Takes a read at `nowUs` that found nothing.
   void empty(uint64_t nowUs) { _emptyUs = nowUs; }
 
-  // Takes a read at `nowUs` that brought this many characters: get each by next().
-  void begin(size_t count, uint64_t nowUs) {
+  // Takes a read at `nowUs` that brought this many characters: get each by next(). None ends more than `aheadUs` after
+  // the read: after a stall of the PC, reads bring at once what came in seconds.
+  void begin(size_t count, uint64_t nowUs, uint64_t aheadUs = UINT64_MAX) {
+    _latestUs = aheadUs < UINT64_MAX ? nowUs + aheadUs : UINT64_MAX;
     const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
     _nextUs = std::max(_nextUs, earliestUs);
     _readLateUs = static_cast<uint32_t>(std::min<uint64_t>(_lateUs + nowUs - _emptyUs, UINT32_MAX));
@@ -35,7 +37,7 @@ class PortReads {
     character.value = value;
     character.bad = bad;
     character.lateUs = _readLateUs;
-    _nextUs += _characterUs;
+    _nextUs = std::min(_nextUs + _characterUs, std::max(_nextUs, _latestUs));
     return character;
   }
 
@@ -56,6 +58,7 @@ class PortReads {
   uint32_t _readLateUs = 0;
   uint64_t _emptyUs = 0;
   uint64_t _nextUs = 0;  // the earliest end of the next character
+  uint64_t _latestUs = 0;
 };
 
 }  // namespace line

@@ -109,7 +109,7 @@ void SerialPort::take(const uint8_t *bytes, size_t count) {
     }
   }
   if (!characters.empty()) {
-    _reads.begin(characters.size(), _lastReadUs);
+    _reads.begin(characters.size(), _lastReadUs, PortReads::UsualLatencyUs);
   }
   for (const Character &character : characters) {
     _waiting.push_back(_reads.next(character.value, character.bad));
