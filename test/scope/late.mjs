@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { Native } from './native.mjs';
 import { build, check, connect, counter, counts, downloaded, frame, inWorkers, play, reads, recorded, toEnd, until } from './support.mjs';
 
 const good = frame([1000]);
@@ -19,6 +20,18 @@ const listen = (page) => page.evaluate(() => {
 });
 
 export default async function () {
+  await check('after a stall of 3 s, reads that follow each other at once bring nothing of the future: silence after them is noticed', async () => {
+    const page = await new Native().load();
+    page.wasm.openPort(0, 100000, 1);
+    page.advance(1000000);
+    for (let read = 0; read < 4; read++) {
+      page.give(Array.from({ length: 80 }, () => good).flat(), (count) => page.wasm.received(count, 4000000));
+    }
+    for (let us = 4000000; us <= 4200000; us += 10000) page.advance(us);
+    assert.equal(page.status(4200000, 'frames'), 320);
+    assert.equal(page.status(4200000, 'state'), 4); // stale
+  });
+
   await check('while the page is busy for 100 to 900 ms on a clean line, the link stays fine, and no frame is lost', async (page) => {
     await page.evaluate((bytes) => {
       fake.restMs = 0;

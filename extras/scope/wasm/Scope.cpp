@@ -51,7 +51,7 @@ void Scope::mark() {
 }
 
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
-  _reads.begin(count, nowUs);
+  _reads.begin(count, nowUs, line::PortReads::UsualLatencyUs);
   for (size_t i = 0; i < count; i++) {
     const line::Character character = _reads.next(bytes[i]);
     put(character);
@@ -62,7 +62,7 @@ void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
 }
 
 void Scope::receivedBad(uint64_t nowUs) {
-  _reads.begin(1, nowUs);
+  _reads.begin(1, nowUs, line::PortReads::UsualLatencyUs);
   put(_reads.next(0, true));
 }
 
