@@ -37,6 +37,9 @@ class Input {
   // std::runtime_error if the line fails.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 
+  // Returns the time of the tick, or of the one that follows the characters that come now.
+  uint64_t nowUs() const { return _nowUs; }
+
   // Returns the time up to which all characters have been handed over, for use in a tick: earlier than the tick's own
   // time if the port hands bytes over late.
   uint64_t knownUs() const { return _knownUs; }

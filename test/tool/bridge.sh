@@ -160,6 +160,41 @@ set -- $got
 [ "$1" -ge 40 ] && [ "$1" -le 50 ] && [ "$2" = True ] && grep -qE '[0-9]+ frames sent, [1-9][0-9]* replaced by newer ones before their turn$' "$work/err" || { echo "$got"; cat "$work/err"; false; }
 verdict $? "of frames that an adapter brings at once two are sent with a gap before each: $1 of 100"
 
+# The program is stopped for 1.5 s while frames come; then the line is silent.
+got=$(python3 - "$SBUS" <<'END' 2>"$work/err"
+import os, pty, select, signal, subprocess, sys, time, tty
+master, slave = pty.openpty()
+tty.setraw(slave)
+out, far = pty.openpty()
+tty.setraw(far)
+bridge = subprocess.Popen([sys.argv[1], "bridge", os.ttyname(slave), os.ttyname(far)])
+def frames(wanted, until):
+    got = b""
+    while time.monotonic() < until and not wanted(got):
+        if select.select([out], [], [], 0.05)[0]:
+            got += os.read(out, 4096)
+    return [got[i:i + 25] for i in range(0, len(got), 25)]
+def send(first, count):
+    for raw in range(first, first + count):
+        bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
+        os.write(master, bytes([15]) + bits.to_bytes(22, "little") + bytes(2))
+        time.sleep(0.009)
+time.sleep(0.7)
+send(1000, 30)
+frames(lambda got: False, time.monotonic() + 0.1)
+bridge.send_signal(signal.SIGSTOP)
+send(1, 150)
+bridge.send_signal(signal.SIGCONT)
+came = frames(lambda got: len(got) > 25 * 20, time.monotonic() + 10)
+bridge.send_signal(signal.SIGINT)
+bridge.wait()
+old = [f for f in came if f[23] == 0 and 0 < (f[1] | (f[2] & 7) << 8) < 100]
+print(len(old), sum(f[23] == 12 for f in came) >= 10)
+END
+)
+[ "$got" = "0 True" ] || { echo "$got"; cat "$work/err"; false; }
+verdict $? "after a stop bridge sends none of the frames that had to wait, and failsafe once the line is silent"
+
 player bridge sim --seconds 3
 "$SBUS" csv "$terminal" --every-frame --columns ch1-ch16 >"$work/rows" 2>"$work/err"
 wait "$player"

@@ -88,11 +88,17 @@ class Bridge {
 
  private:
   static constexpr uint64_t FillUs = 9000;  // the period of the paper's receiver
+  static constexpr uint64_t OldUs = 100000;
+
+  // Returns true for a frame that may have waited for 0.1 s: while the PC was busy, or the program stopped.
+  static bool isOld(const Receiver &receiver, const line::Stretch &frame) {
+    return frame.endUs() + OldUs < receiver.input->nowUs() + frame.characters.back().lateUs;
+  }
 
   void take(size_t i, const line::Stretch &stretch) {
     Receiver &receiver = *_receivers[i];
     bool isSent = false;
-    if (stretch.isFrame()) {
+    if (stretch.isFrame() && !isOld(receiver, stretch)) {
       if (stretch.kind != Kind::Extra) {
         _choice.put(i, stretch.endUs(), receiver.observer.newest());
       }
