@@ -8,38 +8,50 @@ namespace line {
 namespace {
 
 constexpr int64_t SecondUs = 1000000;
-constexpr size_t DateSize = 19;  // "2026-11-24T15:16:18"
+constexpr std::string_view Form = "0000-00-00T00:00:00";
+
+// Returns the days since 1970. A year begins in March here: the day that a leap year adds is its last.
+int64_t daysSince1970(int year, int month, int day) {
+  const int y = month < 3 ? year - 1 : year;
+  return int64_t{365} * y + y / 4 - y / 100 + y / 400 + (153 * ((month + 9) % 12) + 2) / 5 + day - 719469;
+}
 
 }  // namespace
 
 const char *takeDate(const char *text, int64_t &seconds) {
-  std::tm calendar{};
-  const char *const end = strptime(text, "%Y-%m-%dT%H:%M:%S", &calendar);
-  seconds = end == nullptr ? 0 : timegm(&calendar);
-  return end;
+  int fields[6] = {};
+  int *field = fields;
+  for (const char form : Form) {
+    const bool isDigit = *text >= '0' && *text <= '9';
+    if (form == '0' ? !isDigit : *text != form) {
+      return nullptr;
+    }
+    isDigit ? *field = *field * 10 + (*text - '0') : *++field;
+    text++;
+  }
+  const auto [year, month, day, hour, minute, second] = fields;
+  seconds = ((daysSince1970(year, month, day) * 24 + hour) * 60 + minute) * 60 + second;
+  return month >= 1 && month <= 12 && day >= 1 && day <= 31 && hour < 24 && minute < 60 && second <= 60 ? text
+                                                                                                        : nullptr;
 }
 
 std::string wallTime(int64_t us) {
   const int64_t second = (us >= 0 ? us : us - SecondUs + 1) / SecondUs;
   const std::time_t time = second;
-  std::tm calendar{};
-  gmtime_r(&time, &calendar);
   char date[32];
-  std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S", &calendar);
+  std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S", std::gmtime(&time));
   char text[48];
   std::snprintf(text, sizeof text, "%s.%06uZ", date, static_cast<unsigned>(us - second * SecondUs));
   return text;
 }
 
-// Each field of the date has all its digits, as wallTime() writes them.
 bool parseWallTime(std::string_view text, int64_t &us) {
-  const std::string date(text.substr(0, DateSize));
+  const std::string date(text.substr(0, Form.size()));
   int64_t seconds = 0;
-  const char *const end = takeDate(date.c_str(), seconds);
-  if (end != date.c_str() + DateSize || date.find_first_of(" \t") != std::string::npos) {
+  if (takeDate(date.c_str(), seconds) == nullptr) {
     return false;
   }
-  text.remove_prefix(DateSize);
+  text.remove_prefix(Form.size());
   us = seconds * SecondUs;
   if (!text.empty() && text.front() == '.') {
     text.remove_prefix(1);
