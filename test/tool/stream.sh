@@ -79,7 +79,10 @@ for i in range(100):
     os.write(master, frame(1000 + i))
     text = b""
     while not text.endswith(b"\n") and select.select([line.stdout], [], [], 0.5 if i > 4 else 0.02)[0]:
-        text += os.read(line.stdout.fileno(), 4096)
+        part = os.read(line.stdout.fileno(), 4096)
+        if not part:
+            sys.exit("the stages have ended")
+        text += part
     if text.split(b"\n")[-2:-1] == [b"%d" % (1000 + i)]:
         passed += 1
         late.append(time.monotonic() - begin)
