@@ -175,7 +175,7 @@ check '^995,993,1811,992,0,0$' 'make demo SOURCE=test/recordings/paper.txt' \
 
 check '^/dev/|no serial port' 'sbus ports'
 # There is no adapter here: the path is compared with the source of what `sbus ports` prints.
-check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/line/ports/LowLatency.cpp' \
+check '"/sys/bus/usb-serial/devices/" \+ .* \+ "/latency_timer";' 'cat extras/line/system/LowLatency.cpp' \
   'echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer'
 check '\(0 with errors\), [1-9][0-9]* frames$' 'adapter; timeout 60 build/sbus/sbus record $adapter receiver.txt' \
   'build/sbus/sbus record /dev/ttyUSB0 receiver.txt'

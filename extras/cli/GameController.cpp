@@ -104,7 +104,8 @@ void GameController::Destroy::operator()(libevdev_uinput *) const {
 
 GameController::GameController(const State &) {
   throw std::runtime_error(
-      "this sbus was built without libevdev. Install libevdev-dev and pkg-config, and build it again: make sbus");
+      "this sbus was built without libevdev. On Linux install libevdev-dev and pkg-config, and build it again: make "
+      "sbus");
 }
 
 std::string GameController::name() const {

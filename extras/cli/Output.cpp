@@ -1,22 +1,23 @@
 #include "cli/Output.h"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
 #include "line/recording/RecordingFile.h"
+#include "line/system/System.h"
 
 namespace tool {
 
 namespace {
 
 [[noreturn]] void fail() {
-  if (errno == EPIPE) {
+  if (line::isReaderGone(errno)) {
     std::_Exit(EXIT_FAILURE);
   }
   throw std::runtime_error(std::string("standard output cannot be written (") + std::strerror(errno) +
@@ -30,7 +31,7 @@ bool isTerminal() {
 }
 
 void setLineByLine() {
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  std::setvbuf(stdout, nullptr, line::LineBuffering, BUFSIZ);
 }
 
 void write(const std::string &text) {
@@ -66,9 +67,8 @@ void writeTo(const std::string &name, File kind, const std::function<void(const 
 }
 
 void rejectSameFile(const std::string &read, const std::string &written) {
-  struct stat one, other;
-  if (stat(read.c_str(), &one) == 0 && stat(written.c_str(), &other) == 0 && one.st_dev == other.st_dev &&
-      one.st_ino == other.st_ino && S_ISREG(one.st_mode)) {
+  std::error_code error;
+  if (std::filesystem::equivalent(read, written, error) && std::filesystem::is_regular_file(read, error)) {
     throw std::runtime_error(written + ": is also the input; name another file");
   }
 }

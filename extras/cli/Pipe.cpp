@@ -1,7 +1,5 @@
 #include "cli/Pipe.h"
 
-#include <fcntl.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,6 +16,7 @@
 #include "line/capture/PackedFile.h"
 #include "line/recording/PlainText.h"
 #include "line/recording/Recording.h"
+#include "line/system/System.h"
 #include "sbus/FrameRules.h"
 
 namespace tool {
@@ -74,7 +73,7 @@ Pipe::Pipe(std::string name) : _name(std::move(name)) {
   if (_name == "-") {
     _file = STDIN_FILENO;
   } else if (isPipe(_name)) {
-    _file = open(_name.c_str(), O_RDONLY | O_CLOEXEC);
+    _file = open(_name.c_str(), O_RDONLY | line::CloseOnExec);
     if (_file < 0) {
       throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) +
                                "); name a pipe that can be read");
@@ -133,8 +132,7 @@ Pipe::Content Pipe::content(double seconds) {
 
 // Reads what comes within `ms`. Returns false if nothing came.
 bool Pipe::readMore(int ms) {
-  pollfd state = {_file, POLLIN, 0};
-  if (poll(&state, 1, ms) <= 0) {
+  if (!line::isReadable(_file, ms)) {
     return false;
   }
   char bytes[4096];
@@ -150,11 +148,7 @@ FileName Pipe::wholeFile() {
   }
   struct stat status;
   if (_begin.empty() && fstat(_file, &status) == 0 && S_ISREG(status.st_mode) && lseek(_file, 0, SEEK_CUR) == 0) {
-    const int again = open("/dev/stdin", O_RDONLY | O_CLOEXEC);  // its name, for as long as it is open
-    if (again >= 0) {
-      close(again);
-      return {"/dev/stdin", _name};
-    }
+    return {"/dev/stdin", _name};
   }
   if (_copy < 0) {
     _copy = line::copyToTemporary(_begin, _file, stopped);

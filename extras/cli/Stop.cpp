@@ -1,7 +1,8 @@
 #include "cli/Stop.h"
 
 #include <csignal>
-#include <initializer_list>
+
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -17,10 +18,7 @@ void requestStop(int signal) {
 }  // namespace
 
 void catchSignals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    std::signal(signal, requestStop);
-  }
-  std::signal(SIGPIPE, SIG_IGN);
+  line::onStop(requestStop);
 }
 
 bool stopped() {

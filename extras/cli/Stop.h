@@ -5,8 +5,7 @@ namespace tool {
 
 constexpr int WrongCommandLine = 2;  // exit status
 
-// Makes SIGINT, SIGTERM and SIGHUP set stopped(); a second signal ends the program at once. A closed pipe becomes an
-// error of write().
+// Makes SIGINT, SIGTERM and SIGHUP (Windows: SIGBREAK) set stopped(); a second signal ends the program at once.
 void catchSignals();
 
 // Returns true after such a signal.

@@ -1,6 +1,5 @@
 #include "cli/TextLine.h"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "cli/Format.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -33,8 +33,7 @@ FileText::FileText(const std::string &path, const std::string &name) : _file(pat
 }
 
 bool PipeText::isReady(int ms) {
-  pollfd state = {_file, POLLIN, 0};
-  return !_begin.empty() || _ended || ::poll(&state, 1, ms) > 0;
+  return !_begin.empty() || _ended || line::isReadable(_file, ms);
 }
 
 std::string_view PipeText::read() {

@@ -1,7 +1,5 @@
 // sbus: looks at S.Bus lines, records, replays and diagnoses them.
 
-#include <fcntl.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +10,7 @@
 #include "cli/Stop.h"
 #include "cli/options/CommandLine.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/system/System.h"
 
 namespace {
 
@@ -36,16 +35,6 @@ void addSubcommands(CLI::App &app) {
   tool::addHelp(app);
 }
 
-// Opens /dev/null in place of each closed standard stream: otherwise the next file opened would get its number and its
-// text.
-void keepStreamsApart() {
-  for (int stream = 0; stream <= 2; stream++) {
-    if (fcntl(stream, F_GETFD) < 0) {
-      open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);  // using it fails, as before
-    }
-  }
-}
-
 // Returns "sbus", with the subcommand that was asked for.
 std::string nameOf(const CLI::App &app) {
   const auto subcommands = app.get_subcommands();
@@ -55,9 +44,10 @@ std::string nameOf(const CLI::App &app) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  keepStreamsApart();
+  line::prepareStreams();
   CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
   app.require_subcommand(1);
+  app.allow_windows_style_options(false);  // /tmp/flight.txt is a file on Windows, too
   app.set_version_flag("--version", VERSION, "the version");
   app.set_help_flag("-h,--help", "the subcommands; after a subcommand, its options");
   app.set_help_all_flag("--help-all", "what every subcommand takes");

@@ -68,11 +68,6 @@ std::string takeSourceWords(const std::string &words, Source &source) {
 
 }  // namespace
 
-bool isPortName(const std::string &name) {
-  struct stat status;
-  return stat(name.c_str(), &status) == 0 ? S_ISCHR(status.st_mode) : name.rfind("/dev/", 0) == 0;
-}
-
 // The name of a file may have a colon itself.
 Source parseSource(const std::string &text) {
   const size_t colon = text.rfind(':');

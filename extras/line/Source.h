@@ -45,7 +45,4 @@ struct Source {
 //   uninverted       sim or a file is idle HIGH, as on a receiver's uninverted pad
 Source parseSource(const std::string &text);
 
-// Returns true for a port. A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
-bool isPortName(const std::string &name);
-
 }  // namespace line

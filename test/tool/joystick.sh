@@ -230,7 +230,7 @@ unset UINPUT_ERRNO
 g++ -std=c++17 -fsanitize=address -I../extras -I../src -c ../extras/cli/GameController.cpp -o "$work/none.o" &&
   g++ -fsanitize=address $(find "${SBUS%/*}/objects" -name '*.o' ! -name GameController.o) "$work/none.o" \
     -lserialport -lncursesw -larchive -o "$work/sbus" &&
-  ! "$work/sbus" joystick sim 2>"$work/err" && grep -qx 'sbus joystick: this sbus was built without libevdev. Install libevdev-dev and pkg-config, and build it again: make sbus' "$work/err" &&
+  ! "$work/sbus" joystick sim 2>"$work/err" && grep -qx 'sbus joystick: this sbus was built without libevdev. On Linux install libevdev-dev and pkg-config, and build it again: make sbus' "$work/err" &&
   "$work/sbus" csv recordings/paper.txt >"$work/rows" && [ -s "$work/rows" ]
 verdict $? "without libevdev sbus builds, and joystick says what to install"
 

@@ -1,17 +1,15 @@
 #include "cli/monitor/Screen.h"
 
 #include <curses.h>
-#include <langinfo.h>
-#include <locale.h>
 #include <term.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 
 #include "cli/Output.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -44,6 +42,9 @@ short pairOf(Style style) {
 
 bool Screen::isPossible() {
   int error = 0;
+  if (!line::HasTerminfo) {
+    return isTerminal();
+  }
   if (!isTerminal() || setupterm(nullptr, STDOUT_FILENO, &error) != OK) {
     return false;
   }
@@ -53,9 +54,8 @@ bool Screen::isPossible() {
 }
 
 Screen::Screen() {
-  setlocale(LC_CTYPE, "");  // only this category: numbers keep their point
-  _unicode = std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
-  FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen("/dev/tty", "r");  // of sbus monitor -
+  _unicode = line::useTerminalLocale();
+  FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen(line::Keyboard, "r");  // of sbus monitor -
   _screen = keys == nullptr ? nullptr : newterm(nullptr, stdout, keys);
   if (_screen == nullptr) {
     throw std::runtime_error(

@@ -18,6 +18,7 @@
 #include "line/recording/RestoredLine.h"
 #include "line/recording/Words.h"
 #include "line/simulation/NoisyLine.h"
+#include "line/system/System.h"
 #include "line/uart/SampledLine.h"
 
 namespace tool {

@@ -1,6 +1,5 @@
 // sbus calibrate: measures which raw values a transmitter's sticks really give.
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Observer.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -22,8 +22,7 @@ namespace {
 
 // Returns true if Enter was pressed. Throws std::runtime_error if standard input has ended.
 bool isEnterPressed() {
-  pollfd input = {STDIN_FILENO, POLLIN, 0};
-  if (poll(&input, 1, 0) <= 0) {
+  if (!line::isReadable(STDIN_FILENO, 0)) {
     return false;
   }
   char keys[100];

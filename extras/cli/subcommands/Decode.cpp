@@ -15,6 +15,7 @@
 #include "cli/subcommands/Subcommands.h"
 #include "line/capture/CaptureTimes.h"
 #include "line/recording/RecordingWriter.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -93,9 +94,7 @@ std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) 
 }
 
 void decode(const Options &options, const ChannelForm &form, const Put &record) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    std::signal(signal, SIG_DFL);  // ends it at once, even while it waits for standard input: no file is left half done
-  }
+  line::onStop(SIG_DFL);  // ends it at once, even while it waits for standard input: no file is left half done
   if (options.capture == "-") {
     setLineByLine();
   }

@@ -1,8 +1,5 @@
 // sbus hex: the bytes, 25 a line, as RealTerm shows them; and what the decoder found in them.
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -20,6 +17,7 @@
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Observer.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -58,14 +56,8 @@ struct HexOptions {
   bool values = false;
   bool delta = false;
   bool json = false;
-  size_t width = 0;  // 0: the terminal's
+  unsigned width = 0;  // 0: the terminal's
 };
-
-// Returns the width of the terminal in columns; 0 if standard output is no terminal.
-size_t terminalWidth() {
-  winsize size{};
-  return isTerminal() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size_t{size.ws_col} : 0;
-}
 
 // Appends `text` to `rows`, broken at its blanks where a row would be longer than `width`.
 void fold(const std::string &text, size_t width, std::vector<std::string> &rows) {
@@ -88,7 +80,7 @@ class HexView {
     const std::string time =
         _hasTimes ? format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6) : format("%12s  ", "-");
     _lastUs = _options.delta ? stretch.endUs() : 0;
-    const size_t width = _options.width > 0 ? _options.width : terminalWidth();
+    const size_t width = _options.width > 0 ? _options.width : line::terminalColumns();
     if (width > 0) {
       showFolded(stretch, time, std::max(width, LeastWidth));
       return;

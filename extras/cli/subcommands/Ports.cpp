@@ -1,7 +1,6 @@
 // sbus ports: the serial ports of this PC, and what is known of each.
 
 #include <libserialport.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/ports/LowLatency.h"
+#include "line/system/System.h"
 
 namespace tool {
 
@@ -83,7 +83,7 @@ Json json(sp_port *port) {
   if (ms) {
     json.number("latency_ms", *ms);
   }
-  return json.flag("permission", access(device.c_str(), R_OK) == 0);
+  return json.flag("permission", line::mayOpen(device));
 }
 
 // Returns the advice for a port that keeps bytes back. While sbus has a port open it asks for 1 ms itself.
@@ -105,14 +105,14 @@ std::string describe(sp_port *port) {
   addLine(text, usbText(port));
   addLine(text, known(port));
   addLine(text, latencyText(device));
-  addLine(text, access(device.c_str(), R_OK) == 0 ? "" : "no permission: sbus doctor " + device + " says what to do");
+  addLine(text, line::mayOpen(device) ? "" : "no permission: sbus doctor " + device + " says what to do");
   return text;
 }
 
 void run(bool asJson) {
   sp_port **ports = nullptr;
   if (sp_list_ports(&ports) != SP_OK) {
-    throw std::runtime_error("the system does not list its ports; look into /dev/serial/by-id");
+    throw std::runtime_error(std::string("the system does not list its ports; look into ") + line::PortsPlace);
   }
   const std::unique_ptr<sp_port *, decltype(&sp_free_port_list)> owner(ports, sp_free_port_list);
   if (ports[0] == nullptr) {

@@ -50,7 +50,8 @@ void addRecord(CLI::App &app) {
       .notEmpty()
       .type("");
   subcommand.footer(
-      "The file grows with every frame, and is whole after Ctrl-C, if the disk is full, or if the program is killed.");
+      "The file grows with every frame. Its lines are whole after Ctrl-C, if the disk is full, and if the program is "
+      "killed; Ctrl-C may cut the last frame.");
   subcommand.run([source, name] { run(*source, *name); });
 }
 

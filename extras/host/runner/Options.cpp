@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "line/system/System.h"
+
 namespace host {
 
 namespace {

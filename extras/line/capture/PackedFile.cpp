@@ -2,18 +2,18 @@
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <fcntl.h>
-#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
 
 #include "line/recording/Words.h"
+#include "line/system/System.h"
 
 namespace line {
 
@@ -49,6 +49,20 @@ std::string readSome(int file, size_t size) {
   return bytes;
 }
 
+// Opens a file. What /dev/stdin and /dev/fd/N name begins at its beginning again, on every system.
+int openToRead(const std::string &path) {
+  const std::string folder = "/dev/fd/";
+  const int known = path == "/dev/stdin"         ? STDIN_FILENO
+                    : path.rfind(folder, 0) == 0 ? std::atoi(&path[folder.size()])
+                                                 : -1;
+  if (known < 0) {
+    return ::open(path.c_str(), O_RDONLY | CloseOnExec);
+  }
+  const int file = dup(known);
+  lseek(file, 0, SEEK_SET);
+  return file;
+}
+
 // Returns the name without its end, if it has this end.
 bool cutEnd(std::string &name, std::string_view end) {
   const bool has = name.size() > end.size() && lower(name).compare(name.size() - end.size(), end.size(), end) == 0;
@@ -70,8 +84,7 @@ bool maybePacked(std::string_view begin) {
 
 int copyToTemporary(std::string_view begin, int file, bool (*isOver)()) {
   constexpr int LookMs = 50;
-  std::FILE *const stream = std::tmpfile();
-  const int copy = stream == nullptr ? -1 : fcntl(fileno(stream), F_DUPFD_CLOEXEC, 3);
+  const int copy = openTemporary();
   bool works = copy >= 0;
   std::string bytes(begin);
   for (bool isAtEnd = false; works && !isAtEnd;) {
@@ -80,30 +93,29 @@ int copyToTemporary(std::string_view begin, int file, bool (*isOver)()) {
       works = count > 0 || (count < 0 && errno == EINTR);
       at += count > 0 ? static_cast<size_t>(count) : 0;
     }
-    pollfd state = {file, POLLIN, 0};
     bytes.assign(ReadSize, '\0');
-    const bool isThere = ::poll(&state, 1, LookMs) > 0;
+    const bool isThere = isReadable(file, LookMs);
     const ssize_t count = isThere ? ::read(file, &bytes[0], bytes.size()) : 0;
     bytes.resize(count > 0 ? static_cast<size_t>(count) : 0);
     isAtEnd = isOver() || (isThere && count == 0) || (count < 0 && errno != EINTR);
   }
   if (!works || lseek(copy, 0, SEEK_SET) != 0) {
-    throw std::runtime_error(std::string("a pipe cannot be kept in ") + P_tmpdir + " (" + std::strerror(errno) +
+    throw std::runtime_error(std::string("a pipe cannot be kept in a temporary file (") + std::strerror(errno) +
                              "): save it in a file first");
   }
-  std::fclose(stream);
   return copy;
 }
 
 PackedFile::PackedFile(const std::string &path, std::string name)
     : _name(std::move(name)),
-      _file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
+      _file(path == "-" ? STDIN_FILENO : openToRead(path)),
       _archive(nullptr, archive_read_free) {
   if (_file < 0) {
     throw std::runtime_error(_name + ": cannot be opened (" + std::strerror(errno) +
                              "); the name of a recording is expected");
   }
-  _isPipe = lseek(_file, 0, SEEK_CUR) < 0;
+  struct stat status;
+  _isPipe = fstat(_file, &status) != 0 || !S_ISREG(status.st_mode);
   if (_isPipe) {
     _begin = readSome(_file, Zip.size());
     if (begins(_begin, Zip)) {  // its entries are read in any order
@@ -140,12 +152,12 @@ void PackedFile::open() {
 }
 
 // Reads from a pipe: what has come, as soon as it has.
-long PackedFile::fill(archive *, void *self, const void **bytes) {
+std::ptrdiff_t PackedFile::fill(archive *, void *self, const void **bytes) {
   PackedFile &file = *static_cast<PackedFile *>(self);
   if (!file._begin.empty()) {
     file._block = std::exchange(file._begin, "");
     *bytes = file._block.data();
-    return static_cast<long>(file._block.size());
+    return static_cast<std::ptrdiff_t>(file._block.size());
   }
   file._block.resize(ReadSize);
   *bytes = file._block.data();

@@ -1,6 +1,7 @@
 // Reads a file's bytes. It unpacks gzip and xz, and a ZIP, one entry after the other.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -54,7 +55,7 @@ class PackedFile {
   void open();
   bool next();
   bool works(int status);
-  static long fill(archive *, void *self, const void **bytes);
+  static std::ptrdiff_t fill(archive *, void *self, const void **bytes);
 
   const std::string _name;
   int _file;

@@ -1,6 +1,5 @@
 #include "line/ports/ByteStream.h"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +7,8 @@
 #include <cstring>
 #include <stdexcept>
 #include <utility>
+
+#include "line/system/System.h"
 
 namespace line {
 
@@ -35,8 +36,11 @@ bool ByteStream::next(uint64_t nowUs, Character &character) {
 }
 
 bool ByteStream::wait() {
-  pollfd state = {_file, POLLIN, 0};
-  return _begin.empty() && !_ended && _waiting.empty() && ::poll(&state, 1, _reads.knownAfterMs()) >= 0;
+  if (!_begin.empty() || _ended || !_waiting.empty()) {
+    return false;
+  }
+  isReadable(_file, _reads.knownAfterMs());
+  return true;
 }
 
 // Reads more bytes, if any wait. Ctrl-C ends the waiting.
@@ -47,8 +51,7 @@ void ByteStream::fill(uint64_t nowUs) {
     _begin.erase(0, count);
     return;
   }
-  pollfd state = {_file, POLLIN, 0};
-  if (_ended || ::poll(&state, 1, _patient ? -1 : 0) != 1) {
+  if (_ended || !isReadable(_file, _patient ? -1 : 0)) {
     _reads.empty(_patient ? 0 : nowUs);
     return;
   }

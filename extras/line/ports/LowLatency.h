@@ -10,15 +10,15 @@ class LowLatency {
  public:
   using Control = int (*)(int file, unsigned long request, ...);  // ioctl()
 
-  // Does nothing where the system or the adapter does not allow it.
-  LowLatency(int file, Control control);
+  // Does nothing where the system, such as any but Linux, or the adapter does not allow it.
+  explicit LowLatency(int file, Control control = nullptr);
   ~LowLatency();
   LowLatency(const LowLatency &) = delete;
   LowLatency &operator=(const LowLatency &) = delete;
 
  private:
-  const int _file;
-  const Control _control;
+  const int _file = -1;
+  const Control _control = nullptr;
   bool _isOurs = false;  // this object has set it
 };
 

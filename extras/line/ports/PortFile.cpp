@@ -1,16 +1,9 @@
 #include "line/ports/PortFile.h"
 
-#include <fcntl.h>
-#include <grp.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <sys/sysmacros.h>
-#include <termios.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
 namespace line {
@@ -22,33 +15,6 @@ std::string lastError() {
   const std::string text = message != nullptr && message[0] != '\0' ? message : "not supported";
   sp_free_error_message(message);
   return text;
-}
-
-// Returns how to get the permission: a port belongs to a group, "dialout" on Debian, "uucp" on Arch.
-std::string permissionRemedy(const std::string &device, const struct stat &status) {
-  const group *const owners = (status.st_mode & S_IRGRP) != 0 ? getgrgid(status.st_gid) : nullptr;
-  if (owners == nullptr || status.st_gid == 0) {
-    const std::string name = device.substr(device.rfind('/') + 1);
-    return "a udev rule gives it: SUBSYSTEM==\"tty\", KERNEL==\"" + name +
-           "\", MODE=\"0666\" in /etc/udev/rules.d/99-sbus.rules, then plug it in again";
-  }
-  return std::string("join the group that may use it (sudo usermod -aG ") + owners->gr_name + " $USER), log in again";
-}
-
-// Returns why `device` could not be opened. `error`, `message`: the system's.
-std::string openError(const std::string &device, int error, const std::string &message) {
-  struct stat status;
-  if (stat(device.c_str(), &status) != 0 && errno == ENOENT) {
-    return device + ": there is no such port; plug the adapter in and look for its name in /dev/serial/by-id";
-  }
-  switch (error) {
-    case EACCES:
-      return device + ": no permission; " + permissionRemedy(device, status);
-    case EBUSY:
-      return device + ": in use; close the other program that has it open";
-    default:
-      return device + ": not a serial port that can be opened (" + message + "); name the adapter's port";
-  }
 }
 
 bool configure(sp_port *port, const LineSettings &settings) {
@@ -71,35 +37,12 @@ bool runsAt(sp_port *port, int wanted) {
   return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: what 12 bits can bear
 }
 
-// Returns true for a pseudo-terminal, which libserialport does not know.
-bool isPseudoTerminal(const std::string &device) {
-  constexpr unsigned First = 136;  // major numbers of Linux
-  constexpr unsigned Last = 143;
-  struct stat status;
-  return stat(device.c_str(), &status) == 0 && S_ISCHR(status.st_mode) && major(status.st_rdev) >= First &&
-         major(status.st_rdev) <= Last;
-}
-
-int openPseudoTerminal(const std::string &device, int flags) {
-  const int file = open(device.c_str(), flags | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  termios settings;
-  if (file < 0 || tcgetattr(file, &settings) != 0) {
-    throw std::runtime_error(openError(device, errno, std::strerror(errno)));
-  }
-  if (flags == O_RDONLY && flock(file, LOCK_EX | LOCK_NB) != 0) {  // two readers would have half of the bytes each
-    close(file);
-    throw std::runtime_error(openError(device, EBUSY, ""));
-  }
-  cfmakeraw(&settings);
-  tcsetattr(file, TCSANOW, &settings);
-  return file;
-}
-
 }  // namespace
 
 PortFile::PortFile(const std::string &device, const LineSettings &settings, Way way) {
-  if (isPseudoTerminal(device)) {
-    _file = openPseudoTerminal(device, way == Way::Read ? O_RDONLY : O_WRONLY);
+  std::error_code error;
+  if (isPseudoTerminal(device) || isPseudoTerminal(std::filesystem::canonical(device, error).string())) {
+    openPseudoTerminal(device, way);
     return;
   }
   sp_port *port = nullptr;
@@ -107,12 +50,12 @@ PortFile::PortFile(const std::string &device, const LineSettings &settings, Way 
     throw std::runtime_error(openError(device, 0, "unknown to the system"));
   }
   _port.reset(port);
-  if (sp_open(port, way == Way::Read ? SP_MODE_READ : SP_MODE_WRITE) != SP_OK) {
-    const int error = sp_last_error_code();
-    throw std::runtime_error(openError(device, error, lastError()));
+  // A port to write to, too: Windows does not tell its settings otherwise.
+  if (sp_open(port, way == Way::Read ? SP_MODE_READ : SP_MODE_READ_WRITE) != SP_OK) {
+    const int number = sp_last_error_code();
+    throw std::runtime_error(openError(device, number, lastError()));
   }
-  if (!configure(port, settings) || !runsAt(port, static_cast<int>(settings.baud)) ||
-      sp_get_port_handle(port, &_file) != SP_OK) {
+  if (!configure(port, settings) || !runsAt(port, static_cast<int>(settings.baud))) {
     LineSettings wanted = settings;
     wanted.polarity = Polarity::Either;
     throw std::runtime_error(device + ": this adapter cannot do " + text(wanted) +

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "line/ports/PortFile.h"
+
 namespace line {
 
 template <typename Port>
@@ -44,7 +46,7 @@ class Reopened {
  private:
   static constexpr uint64_t RetryUs = 500000;
 
-  bool comesBack() const { return _device.rfind("/dev/pts/", 0) != 0; }
+  bool comesBack() const { return !isPseudoTerminal(_device); }
 
   void reopen() {
     try {

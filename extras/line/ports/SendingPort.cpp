@@ -1,9 +1,5 @@
 #include "line/ports/SendingPort.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-
 namespace line {
 
 size_t SendingPort::write(uint64_t nowUs, const uint8_t *bytes, size_t size) {
@@ -11,8 +7,8 @@ size_t SendingPort::write(uint64_t nowUs, const uint8_t *bytes, size_t size) {
   if (port == nullptr) {
     return 0;
   }
-  const ssize_t count = ::write(port->file(), bytes, size);
-  if (count < 0 && errno != EAGAIN && errno != EINTR) {
+  const std::ptrdiff_t count = port->write(bytes, size);
+  if (count < 0) {
     _port.gone();
   }
   return count > 0 ? static_cast<size_t>(count) : 0;

@@ -1,11 +1,5 @@
 #include "line/ports/SerialPort.h"
 
-#include <poll.h>
-#include <sys/ioctl.h>
-#include <termios.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -16,30 +10,18 @@ namespace {
 
 constexpr int IdleMs = 50;  // between two reads of a silent port
 
-// Makes the system mark characters with errors: the board drops them, and libserialport does not look at parity.
-bool markCharacterErrors(int file) {
-  termios settings;
-  if (tcgetattr(file, &settings) != 0) {
-    return false;
-  }
-  settings.c_iflag &= ~static_cast<tcflag_t>(IGNPAR | IGNBRK | BRKINT);
-  settings.c_iflag |= INPCK | PARMRK;
-  return tcsetattr(file, TCSANOW, &settings) == 0;
-}
-
 }  // namespace
 
 SerialPort::SerialPort(const std::string &device, const LineSettings &settings)
     : _device(device),
       _port(device, settings, PortFile::Way::Read),
-      _lowLatency(_port.file(), ioctl),
+      _lowLatency(_port.file()),
       _latencyFile(latencyFile(device)),
       _latencyMs(latencyMs(_latencyFile)),
       _reads(settings.characterUs(), _latencyMs ? *_latencyMs * 1000 : PortReads::UsualLatencyUs) {
-  if (!markCharacterErrors(_port.file())) {
+  if (!_port.markErrors()) {
     throw std::runtime_error(device + ": the system does not report parity and framing errors; name another port");
   }
-  tcflush(_port.file(), TCIFLUSH);
 }
 
 bool SerialPort::next(uint64_t nowUs, Character &character) {
@@ -60,8 +42,7 @@ bool SerialPort::next(uint64_t nowUs, Character &character) {
 
 // After bytes the next read is due when it can prove that the line fell silent.
 bool SerialPort::wait() {
-  pollfd state = {_port.file(), POLLIN, 0};
-  ::poll(&state, 1, _isSilent ? IdleMs : _reads.knownAfterMs());
+  _port.wait(_isSilent ? IdleMs : _reads.knownAfterMs());
   return true;
 }
 
@@ -84,17 +65,14 @@ uint64_t SerialPort::nowUs() const {
 void SerialPort::poll() {
   uint8_t bytes[256];
   const uint64_t askedUs = nowUs();
-  const ssize_t count = read(_port.file(), bytes, sizeof bytes);
-  const bool failed = count < 0 && errno != EAGAIN && errno != EINTR;
+  const std::ptrdiff_t count = _port.read(bytes, sizeof bytes);
   if (count > 0) {
     take(bytes, static_cast<size_t>(count));
   } else {
     _isSilent = askedUs > _lastReadUs + uint64_t{1000} * static_cast<unsigned>(_reads.knownAfterMs());
     _reads.empty(askedUs);
   }
-  // A read looks the same on a port that has gone and on a silent one; poll() shows the difference.
-  pollfd state = {_port.file(), POLLIN, 0};
-  if (failed || (::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {
+  if (count < 0) {
     _failure = _device + ": the port has gone. Plug the adapter in and start again";
   }
 }

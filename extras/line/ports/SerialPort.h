@@ -27,7 +27,7 @@ class SerialPort : public Line {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // The system (PARMRK) puts FF 00 before a character with an error, and hands over FF as FF FF.
+  // PortFile puts FF 00 before a character with an error, and hands over FF as FF FF.
   enum class Mark { None, Escape, Bad };
 
   uint64_t nowUs() const;

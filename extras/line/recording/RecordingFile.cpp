@@ -1,6 +1,5 @@
 #include "line/recording/RecordingFile.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +8,8 @@
 #include <fstream>
 #include <stdexcept>
 #include <utility>
+
+#include "line/system/System.h"
 
 namespace line {
 
@@ -44,7 +45,7 @@ LineFile::LineFile(const std::string &name, bool isNew) : _name(name) {
   if (isNew) {
     requireNew(name);
   }
-  _file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  _file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | CloseOnExec, 0666);
   if (_file < 0) {
     throw std::runtime_error(name + ": cannot be written (" + std::strerror(errno) + "); name another file");
   }

@@ -1,3 +1,5 @@
+#if !defined(_WIN32)
+
 #include "line/ports/PseudoTerminal.h"
 
 #include <fcntl.h>
@@ -65,3 +67,5 @@ size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {
 }
 
 }  // namespace line
+
+#endif

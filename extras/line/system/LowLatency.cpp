@@ -1,12 +1,16 @@
 #include "line/ports/LowLatency.h"
 
+#if defined(__linux__)
 #include <linux/serial.h>
 #include <sys/ioctl.h>
+#endif
 
 #include <filesystem>
 #include <fstream>
 
 namespace line {
+
+#if defined(__linux__)
 
 namespace {
 
@@ -14,7 +18,8 @@ constexpr int Flag = static_cast<int>(ASYNC_LOW_LATENCY);  // the settings' flag
 
 }  // namespace
 
-LowLatency::LowLatency(int file, Control control) : _file(file), _control(control) {
+LowLatency::LowLatency(int file, Control control)
+    : _file(file), _control(control != nullptr ? control : Control{ioctl}) {
   serial_struct settings{};
   if (_control(_file, TIOCGSERIAL, &settings) == 0 && (settings.flags & Flag) == 0) {
     settings.flags |= Flag;
@@ -30,10 +35,19 @@ LowLatency::~LowLatency() {
   }
 }
 
+#else
+
+LowLatency::LowLatency(int /*file*/, Control /*control*/) {
+}
+
+LowLatency::~LowLatency() = default;
+
+#endif
+
 std::string latencyFile(const std::string &device) {
   std::error_code error;
   const std::filesystem::path port = std::filesystem::canonical(device, error);
-  const std::string name = (error ? std::filesystem::path(device) : port).filename();
+  const std::string name = (error ? std::filesystem::path(device) : port).filename().string();
   return "/sys/bus/usb-serial/devices/" + name + "/latency_timer";
 }
 
