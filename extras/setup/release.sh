@@ -71,7 +71,8 @@ echo "
 Set. What is left to do by hand:
   - read git diff; make test-all
   - git commit -am 'Release $VERSION' && sh extras/setup/tags.sh
-    The tag v$VERSION makes the release on GitHub: .github/workflows/release.yml
+    The tag v$VERSION makes the release on GitHub: .github/workflows/release.yml. If its job windows fails, sbus for Windows is
+    missing there
   - the first time, in GitHub's settings: Pages > Source: GitHub Actions; Environments > github-pages: allow tags v*;
     General > Discussions. Then the Library Manager
     request, a pull request that adds $(property url) to repositories.txt of

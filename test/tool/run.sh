@@ -20,6 +20,7 @@
 #   tool/languages.sh          README's programs for Python and Node
 #   tool/calibrate.sh          `sbus calibrate`
 #   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in of /dev/uinput
+#   tool/systems.sh            what `sbus` does on any system: the workflow runs it on Windows and macOS
 #   tool/json.sh               JSON lines, compared with the manual
 #   tool/explain.sh            the tables of `sbus explain`
 #   tool/STATUS                the exit status
@@ -303,6 +304,7 @@ SBUS=$sbus WORK=$work tool/compare.sh
 SBUS=$sbus WORK=$work tool/json.sh
 SBUS=$sbus WORK=$work tool/summary.sh
 SBUS=$sbus WORK=$work tool/stream.sh
+SBUS=$sbus WORK=$work tool/systems.sh
 SBUS=$sbus WORK=$work tool/telemetry.sh
 SBUS=$sbus WORK=$work tool/languages.sh
 SBUS=$sbus WORK=$work tool/calibrate.sh
