@@ -8,7 +8,6 @@ const { Viewport } = await load('view/viewport');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('faults');
 const { Faults, mostSpans } = await load('worker/faults');
-const { parse, holds, Trigger } = await load('trigger');
 
 let seed = Number(process.argv[2] ?? 20181);
 const first = seed;
@@ -42,42 +41,6 @@ check('a full history forgets the oldest samples, and finds the sample nearest t
   assert.equal(history.nearest(0), extra);
   assert.equal(history.nearest(1e9), history.end - 1);
   assert.equal(new History().nearest(1), 0);
-});
-
-const scaling = { microseconds: (_, raw) => raw / 2 + 1000, percent: (_, raw) => (raw - 1000) / 10 };
-const moment = (channels, { flags = 0, kind = 0, state = 1, isTelemetry = false } = {}) => ({ channels, flags, kind, state, isTelemetry });
-
-check('a condition holds for the frames that it names, whatever the blanks, the case and the unit', () => {
-  const sixteen = (value) => Array.from({ length: 16 }, (_, i) => (i === 4 ? value : 0));
-  for (const [text, yes, no] of [
-    ['ch5 > 1500', moment(sixteen(1501)), moment(sixteen(1500))],
-    ['CH5>=1500 raw', moment(sixteen(1500)), moment(sixteen(1499))],
-    ['ch5<1500us', moment(sixteen(999)), moment(sixteen(1000))],
-    ['ch5 <= -50.5 %', moment(sixteen(495)), moment(sixteen(496))],
-    ['ch5 == 7', moment(sixteen(7)), moment(sixteen(8))],
-    ['ch5 != 7 or ch5 = 7', moment(sixteen(7)), moment([1, 2])],
-    ['ch17 = 1', moment(sixteen(0), { flags: 1 }), moment(sixteen(0), { flags: 2 })],
-    ['ch18 = 1', moment(sixteen(0), { flags: 2 }), moment(sixteen(0), { flags: 1 })],
-    ['failsafe', moment([], { flags: 8 }), moment([], { flags: 4 })],
-    ['lostframe', moment([], { flags: 4 }), moment([], { flags: 8 })],
-    ['not lostframe', moment([]), moment([], { flags: 4 })],
-    ['rejected', moment([], { kind: 3 }), moment([], { kind: 3, isTelemetry: true })],
-    ['state = lossy', moment([], { state: 2 }), moment([], { state: 1 })],
-    ['state != ok', moment([], { state: 4 }), moment([], { state: 1 })],
-    ['failsafe or ch5 > 5 and ch5 < 9', moment(sixteen(6)), moment(sixteen(9))],
-    ['(failsafe or ch5 > 5) and ch5 < 9', moment(sixteen(1), { flags: 8 }), moment(sixteen(9), { flags: 8 })],
-  ]) {
-    const condition = parse(text, scaling);
-    assert.deepEqual([holds(condition, yes), holds(condition, no)], [true, false], text);
-  }
-});
-
-check('a trigger fires where its condition becomes true, not where it stays so, and by a silence', () => {
-  const trigger = new Trigger(parse('ch1 > 5 or state = stale', scaling), true);
-  const fired = [9, 9, 5, 6, 7, 1, 8].map((value) => trigger.take(moment([value])));
-  assert.deepEqual(fired, [false, false, false, true, false, false, true]);
-  trigger.take(moment([1]));
-  assert.deepEqual([1, 4, 4].map((state) => trigger.silent(state)), [false, true, false]);
 });
 
 check('the statistics of a full history are those of the samples that it still has', () => {

@@ -26,16 +26,16 @@ while IFS='|' read -r condition wanted; do
 done <<'END'
 failsafe|begin 4.509 end 4.599 
 lostframe|begin 3.609 end 3.699 
-lossy|begin 3.609 end 3.699 
+lossy|begin 3.690 end 4.509 
 stale|begin 6.400 end 6.809 begin 9.600 end 9.800 
 ch17|begin 2.700 end 9.800 
 !ch17|begin 0.009 end 2.700 
-!ok|begin 3.609 end 3.699 begin 4.509 end 4.599 begin 6.400 end 6.809 begin 9.600 end 9.800 
+!ok|begin 3.690 end 4.790 begin 6.400 end 6.809 begin 9.600 end 9.800 
 ch1>990|begin 9.419 end 9.800 
 ch1>=990|begin 9.410 end 9.800 
 ch1<3|begin 0.009 end 0.027 
 ch1<=3|begin 0.009 end 0.036 
-ch1==500|begin 4.500 end 4.509 
+ch1 = 500|begin 4.500 end 4.509 
 ch1!=2 && ch1<4|begin 0.009 end 0.018 begin 0.027 end 0.036 
 ch1>1498us|begin 9.410 end 9.800 
 ch1 > -10%|begin 8.699 end 9.800 
@@ -46,7 +46,7 @@ age>50ms|begin 6.351 end 6.809 begin 9.551 end 9.800
 age>0.05|begin 6.351 end 6.809 begin 9.551 end 9.800 
 quality<95 && ch1<600|begin 3.645 end 5.400 
 failsafe // ch1<3 && ch17|begin 4.509 end 4.599 
-(failsafe // ch1<3) && !ch17|begin 0.009 end 0.027 
+(failsafe or ch1<3) and not ch17|begin 0.009 end 0.027 
 FAILSAFE//lostframe|begin 3.609 end 3.699 begin 4.509 end 4.599 
 END
 
@@ -55,16 +55,15 @@ while IFS='|' read -r condition message; do
   [ $? -eq 2 ] && [ "$(head -n 1 "$work/err")" = "--when: \"$condition\": at character $message is expected" ] && [ ! -d "$work/none" ] || { cat "$work/err"; false; }
   verdict $? "--when \"$condition\": at character $message is expected"
 done <<'END'
-|1 a channel such as ch5, failsafe, lostframe, ok, lossy, stale, age or quality, ! or (,
-failsafe && ch33>1|13 a channel such as ch5, failsafe, lostframe, ok, lossy, stale, age or quality, ! or (,
-ch5|4 <, <=, >, >=, == or !=
-ch5=3|4 <, <=, >, >=, == or !=
+|1 a channel such as ch5, failsafe, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
+failsafe && ch33>1|13 a channel from ch1 to ch32
+ch5|4 <, <=, >, >=, = or !=
 ch5 > 3000|7 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,
 ch5>|5 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%,
 (failsafe|10 &&, || or )
 failsafe)|9 &&, || or the end
 failsafe & ok|10 &&, || or the end
-!|2 a channel such as ch5, failsafe, lostframe, ok, lossy, stale, age or quality, ! or (,
+!|2 a channel such as ch5, failsafe, lostframe, rejected, ok, lossy, stale, state, age, quality, ! or (
 age>soon|5 a time such as 50ms or 0.05, in seconds,
 quality<x|9 a number of percent
 END

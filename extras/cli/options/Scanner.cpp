@@ -32,16 +32,6 @@ bool Scanner::take(const char *token) {
   return is;
 }
 
-bool Scanner::isNext(const char *characters) {
-  skipBlanks();
-  return _at < _text.size() && std::strchr(characters, _text[_at]) != nullptr;
-}
-
-bool Scanner::isAtEnd() {
-  skipBlanks();
-  return _at == _text.size();
-}
-
 std::string Scanner::word() {
   skipBlanks();
   _at = std::min(_text.find_first_not_of(Letters, _at), _text.size());
@@ -90,7 +80,8 @@ void Scanner::expect(const std::string &what) {
 }
 
 void Scanner::end(const std::string &what) {
-  if (!isAtEnd()) {
+  skipBlanks();
+  if (_at < _text.size()) {
     expect(what);
   }
 }

@@ -16,12 +16,6 @@ class Scanner {
   // Takes a sign or word, and blanks before it. Returns false if something different is next.
   bool take(const char *token);
 
-  // Returns true if one of these characters is next.
-  bool isNext(const char *characters);
-
-  // Returns true at the end of the text.
-  bool isAtEnd();
-
   // Takes letters and digits, in small letters; returns "" where none are next.
   std::string word();
 

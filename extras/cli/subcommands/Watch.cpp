@@ -1,5 +1,6 @@
 // sbus watch: a flight recorder, which keeps what was before and after each event.
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -8,12 +9,12 @@
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
+#include "cli/Units.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
-#include "cli/watch/Condition.h"
 #include "cli/watch/FlightRecorder.h"
-#include "line/Observer.h"
+#include "line/Condition.h"
 #include "line/recording/WallTime.h"
 
 namespace tool {
@@ -61,9 +62,22 @@ std::string json(const RecordedEvent &event, std::optional<int64_t> startUs) {
   return line.line();
 }
 
+line::Condition conditionOf(const Options &options) {
+  line::Condition condition(options.when, [range = options.range.range()](unsigned, uint16_t raw, bool isPercent) {
+    return isPercent ? std::round(10 * valueOf(raw, Unit::Percent, range)) / 10
+                     : std::round(valueOf(raw, Unit::Us, range));
+  });
+  const line::Condition::Error &error = condition.error();
+  if (!error.text.empty()) {
+    rejectCommandLine("--when: \"" + options.when + "\": at character " + std::to_string(error.at + 1) + " " +
+                      error.text);
+  }
+  return condition;
+}
+
 void run(const Options &options) {
   const SourceOption &source = options.source;
-  const Condition condition("--when", options.when, options.range.range());
+  const line::Condition condition = conditionOf(options);
   const EventFiles files(options.folder, options.keep, static_cast<uint64_t>(options.mostMb * 1e6));
   const std::unique_ptr<Input> input = source.open();
   if (options.json) {
@@ -79,10 +93,13 @@ void run(const Options &options) {
                           });
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
+  bool isRejected = false;  // the newest stretch
+  const auto tick = [&](uint64_t nowUs) {
+    recorder.tick(nowUs, condition.holds(line::Moment(observer, nowUs, isRejected)));
+  };
   observer.listen([&](const line::Stretch &stretch) {
-    if (stretch.isFrame()) {
-      recorder.tick(stretch.endUs(), condition.holds(observer, stretch.endUs()));
-    }
+    isRejected = line::isRejected(stretch);
+    tick(stretch.endUs());
   });
   SilenceNote silence(source.name(), "frames");
   input->run(
@@ -93,7 +110,7 @@ void run(const Options &options) {
       [&](uint64_t nowUs) {
         observer.idleUntil(input->knownUs());
         recorder.idleUntil(input->knownUs());
-        recorder.tick(nowUs, condition.holds(observer, nowUs));
+        tick(nowUs);
         silence.tick(nowUs, observer.counters().frames > 0);
       });
   recorder.finish();
@@ -119,9 +136,9 @@ void addWatch(CLI::App &app) {
   subcommand.option("--most", options->mostMb, "megabytes that are kept (1000)").between(0.001, 1e6).type("MB");
   subcommand.flag("--json", options->json, "JSON lines: the events");
   subcommand.footer(
-      "A condition has ch1 to ch32 compared (<, <=, >, >=, ==, !=) with 1500, 1500us or 50%; age>50ms; quality<80; and "
-      "failsafe, lostframe, ok, lossy, stale, ch17 and ch18; joined by !, &&, || and (). The files are whole if the "
-      "disk is full, or the program is killed.");
+      "A condition has ch1 to ch32 compared (<, <=, >, >=, =, !=) with 1500, 1500us or 50%; age>50ms; quality<80; and "
+      "failsafe, lostframe, rejected, ok, lossy, stale, ch17 and ch18; joined by !, &&, || and (). The files are whole "
+      "if the disk is full, or the program is killed.");
   subcommand.run([options] { run(*options); });
 }
 

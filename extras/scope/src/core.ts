@@ -37,6 +37,14 @@ export interface Range {
   high: number;
 }
 
+// A condition at which the picture stops; or what is wrong with its text, and where.
+export interface Condition {
+  steps: Uint8Array;
+  error: string;
+  from: number;
+  to: number;
+}
+
 export enum Scale {
   FrSky,
   Futaba,
@@ -103,6 +111,18 @@ export class Core {
 
   percent(channel: number, raw: number): number {
     return this.native.thousandths(channel, raw) / 10;
+  }
+
+  // Reads a text such as "ch5 > 1500 us && !failsafe". `isBoard`: it compares the numbers of a board.
+  condition(text: string, isBoard: boolean): Condition {
+    const bytes = new TextEncoder().encode(`${text} `);
+    const { native } = this;
+    let error = '';
+    this.memory.transfer(bytes, (count) => (error = this.memory.words(native.readCondition(count, Number(isBoard)))));
+    const place = (at: number): number => new TextDecoder().decode(bytes.subarray(0, at)).length;
+    const at = native.conditionErrorAt();
+    const steps = new Uint8Array(native.memory.buffer, native.conditionSteps(), native.conditionSize()).slice();
+    return { steps, error, from: place(at), to: place(at + native.conditionErrorLength()) };
   }
 
   range(channel: number): Range {

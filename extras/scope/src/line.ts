@@ -16,6 +16,7 @@ export enum Kind {
   Extra, // header 2F: CH17..CH32
   NoFrame,
   Row, // numbers that a board has printed
+  Silence, // nothing, but an event
 }
 
 export enum Flag {
@@ -24,6 +25,7 @@ export enum Flag {
   LostFrame = 4,
   Failsafe = 8, // by the frame's flag, or by too many lost frames in a row
   ByLosses = 128, // by these
+  Event = 16, // a condition becomes true here
   HasFlags = 64, // a row with columns for failsafe and lost frame
   HasSwitches = 32, // a row with columns for CH17 and CH18
 }

@@ -3,7 +3,6 @@
 import type { Sample } from './faults';
 import { Layout } from './layout';
 import { Flag, Kind, LinkState, statusNames, type Status, type Stretch } from './line';
-import type { Moment } from './trigger';
 
 export type Exports = Record<string, (...values: number[]) => number> & { memory: WebAssembly.Memory };
 
@@ -77,23 +76,12 @@ export class Native {
     }
   }
 
-  // Hands over each record as a moment of the line, which is valid during the call.
-  eachMoment(records: Uint8Array, take: (moment: Moment, endUs: number) => void): void {
-    const { record } = this;
-    const view = new DataView(records.buffer);
-    for (let at = 0; at < records.length; at += this.recordSize) {
-      const kind = view.getUint8(at + record.kind);
-      take(
-        {
-          kind,
-          flags: view.getUint8(at + record.flags),
-          state: view.getUint8(at + record.state),
-          isTelemetry: view.getUint8(at + record.slots) > 0,
-          channels: new Float64Array(records.buffer, at + record.channels, view.getUint8(at + record.channelCount)),
-        },
-        view.getFloat64(at + record.endUs, true),
-      );
-    }
+  // Marks the records from now on at which a condition (Core.condition()) becomes true. Returns true if it
+  // may become true while nothing comes.
+  watchFor(steps?: Uint8Array): boolean {
+    let needsTime = this.calls.watchFor(0);
+    this.transfer(steps ?? new Uint8Array(), (size) => (needsTime = this.calls.watchFor(size)));
+    return needsTime !== 0;
   }
 
   status(nowUs: number): Status {

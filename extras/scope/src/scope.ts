@@ -109,6 +109,9 @@ export class Scope implements Sink {
   take(stretch: Stretch): void {
     this.core.feedCalibrator(stretch);
     this.trigger.take(stretch);
+    if (stretch.kind === Kind.Silence) {
+      return;
+    }
     this.show(stretch);
     if (++this.taken % pollAfter === 0) {
       this.recorder.poll(); // a page in the background draws nothing
@@ -172,7 +175,7 @@ export class Scope implements Sink {
       'The view of the counters': () => this.counters.draw(status, live?.events),
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
-      'The trigger': () => this.trigger.draw(nowUs, status.state),
+      'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
       'The view of the bytes': () => this.frames.draw(),
       'The view of the wire': () => this.wire.draw(),

@@ -128,12 +128,14 @@ EXPORT(layout)()->const char * {
   addValues<sbus::CalibrationError>("CalibrationError");
   addValues<Scale>("Scale");
   add("value", "Kind", "Row " + std::to_string(addValues<line::Stretch::Kind>("Kind")));
+  add("value", "Kind", "Silence " + std::to_string(Record::SilenceKind));
   static_assert(Record::RowKind == static_cast<int>(line::Stretch::Kind::NoFrame) + 1, "the page's Kind has no hole");
   addFlag("Channel17", sbus::FlagChannel17);
   addFlag("Channel18", sbus::FlagChannel18);
   addFlag("LostFrame", sbus::FlagLostFrame);
   addFlag("Failsafe", sbus::FlagFailsafe);
   addFlag("ByLosses", FlagByLosses);
+  addFlag("Event", FlagEvent);
   addFlag("HasFlags", FlagHasFlags);
   addFlag("HasSwitches", FlagHasSwitches);
   add("constant", "Enough", std::to_string(Scope::Enough));

@@ -1,7 +1,9 @@
-// Scales raw values by FrSky's range, Futaba's, or that of a radio that was calibrated here; and calibrates.
+// Scales raw values by FrSky's range, Futaba's, or that of a radio that was calibrated here; calibrates; and reads
+// conditions, which compare scaled values.
 #include <cstring>
 
 #include "Scope.h"
+#include "line/Condition.h"
 #include "sbus/Calibrator.h"
 
 using namespace scope;
@@ -14,14 +16,15 @@ sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 sbus::CalibrationError finishError = sbus::CalibrationError::None;
 double range[3];
+line::Condition condition("", nullptr);
 
 sbus::CalibratedChannel uncalibrated() {
   return {scale == Scale::Futaba ? sbus::Futaba : sbus::FrSky, 0};
 }
 
 sbus::CalibratedChannel of(unsigned channel) {
-  const bool known =
-      scale == Scale::Calibrated && channel < sbus::ProportionalCount && sbus::isCalibrated(calibration.channels[channel]);
+  const bool known = scale == Scale::Calibrated && channel < sbus::ProportionalCount &&
+                     sbus::isCalibrated(calibration.channels[channel]);
   return known ? calibration.channels[channel] : uncalibrated();
 }
 
@@ -37,6 +40,28 @@ EXPORT(microseconds)(unsigned channel, double raw)->int {
 }
 EXPORT(thousandths)(unsigned channel, double raw)->int {
   return of(channel).toNormalised(static_cast<uint16_t>(raw));
+}
+
+// Reads a condition, the text in the buffer. Returns what is wrong with it, or "".
+EXPORT(readCondition)(unsigned count, int isBoard)->const char * {
+  const auto shown = [](unsigned channel, uint16_t raw, bool isPercent) {
+    return isPercent ? thousandths(channel, raw) / 10.0 : microseconds(channel, raw);
+  };
+  condition = line::Condition(transferred(count), isBoard != 0 ? line::Condition::Shown() : shown);
+  return condition.error().text.c_str();
+}
+EXPORT(conditionErrorAt)()->unsigned {
+  return static_cast<unsigned>(condition.error().at);
+}
+EXPORT(conditionErrorLength)()->unsigned {
+  return static_cast<unsigned>(condition.error().length);
+}
+// Returns the condition, for watchFor() of another instance.
+EXPORT(conditionSteps)()->const line::Condition::Step * {
+  return condition.steps().data();
+}
+EXPORT(conditionSize)()->unsigned {
+  return static_cast<unsigned>(condition.steps().size() * sizeof(line::Condition::Step));
 }
 
 // Raw values at -100 %, 0 % and +100 %.

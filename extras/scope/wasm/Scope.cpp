@@ -1,6 +1,7 @@
 #include "Scope.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "line/Silence.h"
 
@@ -110,7 +111,37 @@ void Scope::advance(uint64_t nowUs) {
   }
   if (records.size() < Enough) {
     watch.until(observer, settings, nowUs);
+    const uint64_t us = knownUs(nowUs);
+    if (happens(us)) {
+      Record record{};
+      record.endUs = static_cast<double>(us);
+      record.kind = Record::SilenceKind;
+      record.flags = FlagEvent;
+      records.push_back(record);
+    }
   }
+}
+
+void Scope::watchFor(std::optional<line::Condition> condition) {
+  _condition = std::move(condition);
+  happens(knownUs(_turnUs));  // not now: it is true already
+}
+
+// Returns true if the condition becomes true.
+bool Scope::happens(uint64_t nowUs) {
+  if (!_condition) {
+    return false;
+  }
+  line::Moment moment(observer, nowUs, _isRejected);
+  if (rows.recognised() && _newest) {
+    moment.setChannels(_newest->channels, _newest->channelCount);
+    moment.values[line::Moment::Age] = static_cast<double>(rows.ageUs(nowUs));
+    moment.values[line::Moment::State] = static_cast<double>(state(nowUs));
+    moment.values[line::Moment::Failsafe] = rows.failsafe();
+    moment.values[line::Moment::LostFrame] = rows.lostFrame();
+  }
+  const bool before = std::exchange(_holds, _condition->holds(moment));
+  return _holds && !before;
 }
 
 // A port is read some milliseconds late: only what was later shows in the line's state.
@@ -151,6 +182,9 @@ void Scope::add(const Record &record) {
   if (record.kind != static_cast<uint8_t>(line::Stretch::Kind::NoFrame)) {
     _newest = records.back();
   }
+  if (happens(static_cast<uint64_t>(record.endUs))) {
+    records.back().flags |= FlagEvent;
+  }
 }
 
 void Scope::recall() {
@@ -175,6 +209,7 @@ void Scope::take(const line::Stretch &stretch) {
                  [](const line::Character &character) { return character.value; });
   record.slots = static_cast<uint8_t>(stretch.slots.size());
   readings.put(observer.telemetry().proved());
+  _isRejected = line::isRejected(stretch);
   const std::string words = line::why(stretch);
   words.copy(record.why, sizeof record.why - 1);
   add(record);

@@ -12,6 +12,7 @@
 #include "Recorder.h"
 #include "SimulatedLine.h"
 #include "Watch.h"
+#include "line/Condition.h"
 #include "line/Examination.h"
 #include "line/LineSettings.h"
 #include "line/Observer.h"
@@ -31,6 +32,9 @@ inline std::string_view transferred(size_t count) {
 // In a record's flags, which a frame does not use: it is in failsafe by its losses, not by its flag.
 constexpr uint8_t FlagByLosses = 0x80;
 
+// In the flags of a record: the condition becomes true there.
+constexpr uint8_t FlagEvent = 0x10;
+
 // In a row's flags: it has columns for failsafe and lost frame, or for CH17 and CH18.
 constexpr uint8_t FlagHasFlags = 0x40;
 constexpr uint8_t FlagHasSwitches = 0x20;
@@ -43,12 +47,13 @@ struct Record {
   static constexpr size_t ChannelsMax = 32;
   static constexpr size_t BytesMax = sbus::FrameSize24;
   static constexpr uint8_t RowKind = 4;
+  static constexpr uint8_t SilenceKind = 5;  // nothing came, but the condition became true
 
   double endUs;
   double lateUs;                 // it may have come this much earlier
   double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest values of all channels
-  uint8_t kind;                  // line::Stretch::Kind, or RowKind
+  uint8_t kind;                  // line::Stretch::Kind, RowKind or SilenceKind
   uint8_t flags;                 // as in a frame's flags byte; failsafe also by losses
   uint8_t channelCount;
   uint8_t size;             // bytes
@@ -80,6 +85,8 @@ class Scope {
   sbus::LinkState state(uint64_t nowUs) {
     return rows.recognised() ? rows.heldState(nowUs) : observer.heldState(nowUs);
   }
+  // Marks the records from now on at which a condition becomes true.
+  void watchFor(std::optional<line::Condition> condition);
   // Returns when the newest character was complete; 0 before the first.
   uint64_t characterUs() const { return _characterUs; }
   // Returns how many reads were 0.1 s late or more: the PC was busy.
@@ -105,6 +112,7 @@ class Scope {
   void take(const line::Stretch &stretch);
   void add(const Record &record);
   void takeRow(uint64_t nowUs, uint64_t lateUs);
+  bool happens(uint64_t nowUs);
 
   static constexpr size_t Shown = 8;  // records
 
@@ -112,6 +120,9 @@ class Scope {
   std::optional<Record> _newest;  // frame or row
   line::PortReads _reads;         // of a port
   Damage _damage;
+  std::optional<line::Condition> _condition;
+  bool _holds = false;       // the condition
+  bool _isRejected = false;  // the newest stretch
   uint64_t _characterUs = 0;
   unsigned _lateReads = 0;
   uint32_t _lateUs = 0;  // of the newest character

@@ -108,6 +108,19 @@ EXPORT(takenRecords)()->void {
   theScope.records.clear();
 }
 
+// A condition is in the buffer (conditionSteps()); of 0 bytes there is none. Returns true if it may
+// become true while nothing comes.
+EXPORT(watchFor)(unsigned size)->int {
+  std::optional<line::Condition> condition;
+  if (size > 0) {
+    const auto *const steps = reinterpret_cast<const line::Condition::Step *>(transfer);
+    condition.emplace(steps, steps + size / sizeof *steps);
+  }
+  const bool needsTime = condition && condition->needsTime();
+  theScope.watchFor(std::move(condition));
+  return needsTime;
+}
+
 EXPORT(record)(int on)->void {
   theScope.record(on != 0);
 }

@@ -61,11 +61,6 @@ EXPORT(status)(double now)->const Status * {
   return &answer;
 }
 
-// Returns the state of the link alone, which takes less time.
-EXPORT(linkState)(double now)->unsigned {
-  return static_cast<unsigned>(theScope.state(theScope.knownUs(static_cast<uint64_t>(now))));
-}
-
 // Returns what sensors have measured, after the slots that came, within the last second, a line each; "" without
 // telemetry.
 EXPORT(telemetry)(double now)->const char * {

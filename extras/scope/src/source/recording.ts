@@ -2,7 +2,6 @@
 
 import type { Core } from '../core';
 import type { Fault, FaultMap, Flight, Found } from '../faults';
-import type { Condition } from '../trigger';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
@@ -92,8 +91,8 @@ export class RecordingSource implements Source {
 
   // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stops there. `tell`: see
   // Remote.seekEvent().
-  seekEvent(us: number, condition: Condition, afterUs: number, tell: (us: number, event: number | null) => void): void {
-    this.player.seekEvent(us, condition, afterUs, (to, event) => {
+  seekEvent(us: number, steps: Uint8Array, afterUs: number, tell: (us: number, event: number | null) => void): void {
+    this.player.seekEvent(us, steps, afterUs, (to, event) => {
       this.leave();
       this.us = event === null ? this.us : to;
       this.playing = false;

@@ -4,7 +4,6 @@ import type { Core } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
-import type { Condition } from '../trigger';
 import type { Answer, Live, LiveState, Opening, Picture, Request, Wire } from '../worker/messages';
 import { findPort } from '../worker/port';
 import PlayingWorker from '../worker/worker?worker&inline';
@@ -153,9 +152,14 @@ export class Remote implements Line {
 
   // Goes to `afterUs` after the next moment after `us` at which the condition becomes true. Calls `tell` with the position and the
   // moment, or null without one; not at all if the page seeks another position first.
-  seekEvent(us: number, condition: Condition, afterUs: number, tell: (us: number, event: number | null) => void): void {
+  seekEvent(us: number, steps: Uint8Array, afterUs: number, tell: (us: number, event: number | null) => void): void {
     this.looking = { id: ++this.id, tell: (picture) => tell(picture.us, picture.event ?? null) };
-    this.ask({ kind: 'event', id: this.id, us, condition, afterUs });
+    this.ask({ kind: 'event', id: this.id, us, steps, afterUs });
+  }
+
+  // Marks the events of a condition (Flag.Event) from now on, or of none.
+  watchFor(steps?: Uint8Array): void {
+    this.ask({ kind: 'watch', steps });
   }
 
   get isLooking(): boolean {

@@ -2,16 +2,16 @@
 // at each event. In a recording it also goes to the next event.
 
 import { byId, setText } from '../dom';
-import { Kind, type LinkState, type Stretch } from '../line';
+import type { Core } from '../core';
+import { Flag, Kind, type Stretch } from '../line';
 import { RecordingSource } from '../source/recording';
 import type { Source } from '../source/Source';
 import { keep, recall } from '../storage';
-import { type Condition, ConditionError, has, parse, type Scaling, Trigger } from '../trigger';
 import type { Curves } from './curves';
 import type { FramesView } from './frames';
 
 const key = 'trigger';
-const help = 'ch5 > 1500, in raw, us or %; failsafe, lostframe, rejected, state = lossy; with and, or, not.';
+const help = 'ch5 > 1500, in raw, us or %; failsafe, lostframe, rejected, lossy, stale, age > 50 ms, quality < 80; with &&, ||, !.';
 
 export class TriggerView {
   private readonly panel = byId<HTMLFormElement>('trigger');
@@ -20,14 +20,14 @@ export class TriggerView {
   private readonly mode = byId<HTMLSelectElement>('trigger-mode');
   private readonly button = byId('trigger-arm');
   private readonly next = byId('trigger-next');
-  private trigger?: Trigger; // while it is armed
+  private steps?: Uint8Array; // the condition while it is armed
   private eventUs?: number; // the newest one
   private readyUs?: number; // when the picture stops; Infinity: once it is full
   private atUs?: number; // of a recording: the position at which the newest event is shown
   private source?: Source;
 
   constructor(
-    private readonly scaling: Scaling,
+    private readonly core: Core,
     private readonly curves: Curves,
     private readonly frames: FramesView,
     private readonly newest: () => Stretch | undefined,
@@ -66,26 +66,20 @@ export class TriggerView {
 
   // Takes the next stretch of the line.
   take(stretch: Stretch): void {
-    if (this.trigger?.take(stretch)) {
+    if (this.steps && stretch.flags & Flag.Event) {
       this.fire(stretch.endUs);
     }
   }
 
   // The line has jumped: what was before is another place.
   jump(): void {
-    if (this.trigger) {
-      this.trigger = new Trigger(this.trigger.condition, true);
-    }
     if (this.readyUs === Infinity) {
       this.readyUs = undefined;
     }
   }
 
   // Call it for each picture, after the curves.
-  draw(nowUs: number, state: LinkState): void {
-    if (this.trigger?.silent(state)) {
-      this.fire(nowUs);
-    }
+  draw(nowUs: number): void {
     const { readyUs } = this;
     const isFull = readyUs === Infinity && (nowUs >= Number(this.eventUs) + this.afterUs || this.source?.stands);
     if (isFull || (readyUs !== undefined && nowUs >= readyUs)) {
@@ -113,11 +107,9 @@ export class TriggerView {
     const { source } = this;
     this.readyUs = undefined;
     this.curves.stop(Number(this.place.value));
-    const goesOn = this.trigger && this.mode.value === 'normal';
-    if (this.trigger && !goesOn) {
-      this.trigger = undefined;
-      this.button.setAttribute('aria-pressed', 'false');
-      setText(this.button, 'Arm');
+    const goesOn = this.steps && this.mode.value === 'normal';
+    if (this.steps && !goesOn) {
+      this.arm();
       if (source instanceof RecordingSource) {
         source.playing = false;
       }
@@ -131,45 +123,49 @@ export class TriggerView {
     this.eventUs = undefined;
     this.frames.stopAt();
     this.curves.mark();
-    this.say(this.trigger ? 'Armed.' : help);
+    this.say(this.steps ? 'Armed.' : help);
   }
 
   private press(): void {
-    if (this.trigger) {
+    if (this.steps) {
       this.disarm();
       this.say(help);
       return;
     }
-    const condition = this.condition();
-    if (condition) {
+    const steps = this.condition();
+    if (steps) {
       this.release();
       this.curves.pause(false);
-      this.trigger = new Trigger(condition, true);
-      this.button.setAttribute('aria-pressed', 'true');
-      setText(this.button, 'Disarm');
+      this.arm(steps);
       this.say('Armed.');
     }
   }
 
   private disarm(): void {
-    this.trigger = undefined;
     this.readyUs = undefined;
-    this.button.setAttribute('aria-pressed', 'false');
-    setText(this.button, 'Arm');
+    this.arm();
+  }
+
+  // Arms the trigger, or without a condition disarms it.
+  private arm(steps?: Uint8Array): void {
+    this.steps = steps;
+    this.source?.line.watchFor(steps);
+    this.button.setAttribute('aria-pressed', String(steps !== undefined));
+    setText(this.button, steps ? 'Disarm' : 'Arm');
   }
 
   // Goes to the next event of the recording.
   private seek(): void {
     const { source } = this;
-    const condition = this.condition();
-    if (!condition || !(source instanceof RecordingSource)) {
+    const steps = this.condition();
+    if (!steps || !(source instanceof RecordingSource)) {
       return;
     }
     this.disarm();
     this.leaving();
     const fromUs = source.positionUs === this.atUs && this.eventUs !== undefined ? this.eventUs : source.positionUs;
     this.say('Looking for the next event.');
-    source.seekEvent(fromUs, condition, this.afterUs, (us, event) => {
+    source.seekEvent(fromUs, steps, this.afterUs, (us, event) => {
       if (event === null) {
         this.say(`No event after ${seconds(fromUs)}.`);
         return;
@@ -182,27 +178,18 @@ export class TriggerView {
   }
 
   // Returns the condition, or says what is wrong with it.
-  private condition(): Condition | undefined {
-    this.input.removeAttribute('aria-invalid');
-    try {
-      const condition = parse(this.input.value, this.scaling);
-      const newest = this.newest();
-      if (newest?.kind === Kind.Row && has(condition, (part) => part.is === 'compare' && part.scaled !== undefined)) {
-        this.say('A board\'s numbers are compared as they are printed: leave out us and %.');
-        return undefined;
-      }
+  private condition(): Uint8Array | undefined {
+    const { steps, error, from, to } = this.core.condition(this.input.value, this.newest()?.kind === Kind.Row);
+    if (error === '') {
+      this.input.removeAttribute('aria-invalid');
       keep(key, this.input.value);
-      return condition;
-    } catch (error) {
-      if (!(error instanceof ConditionError)) {
-        throw error;
-      }
-      this.input.setAttribute('aria-invalid', 'true');
-      this.input.focus();
-      this.input.setSelectionRange(error.at, error.at + error.length);
-      this.say(error.message);
-      return undefined;
+      return steps;
     }
+    this.input.setAttribute('aria-invalid', 'true');
+    this.input.focus();
+    this.input.setSelectionRange(from, to);
+    this.say(`Character ${from + 1}: ${error}.`);
+    return undefined;
   }
 
   private say(text: string): void {

@@ -20,6 +20,7 @@ export class Decoder {
   next = 0; // the first character that it has not decoded
   private native: Native;
   private readonly first: Uint32Array;
+  private steps?: Uint8Array;
 
   constructor(
     private readonly module: WebAssembly.Module,
@@ -54,6 +55,12 @@ export class Decoder {
     }
   }
 
+  // See Native.watchFor(). Also after restore().
+  watchFor(steps?: Uint8Array): boolean {
+    this.steps = steps;
+    return this.native.watchFor(steps);
+  }
+
   image(): Image {
     const { memory, first } = this;
     const places = [];
@@ -85,6 +92,7 @@ export class Decoder {
     image.places.forEach((at, i) => memory.set(image.blocks.subarray(i * blockSize, (i + 1) * blockSize), at));
     this.us = image.us;
     this.next = image.next;
+    this.native.watchFor(this.steps);
   }
 
   private get memory(): Uint32Array {

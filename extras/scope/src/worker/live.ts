@@ -88,6 +88,7 @@ class LiveLine {
       case 'use': void this.feed.use(request.setting); break;
       case 'cutWire': this.core.cutWire(request.cut); break;
       case 'replugged': void this.find(request.place).then((port) => port && this.feed.replugged?.(port)); break;
+      case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
       case 'record':
         native.calls.record(Number(request.on));

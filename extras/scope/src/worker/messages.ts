@@ -6,7 +6,6 @@ import type { Finding } from '../finding';
 import type { Samples } from '../history';
 import type { Status } from '../line';
 import type { Problem } from '../source/Source';
-import type { Condition } from '../trigger';
 import type { State } from './connection';
 
 export type Travel = [number, number] | undefined;
@@ -36,12 +35,13 @@ export type Request =
   | { kind: 'seek'; id: number; us: number } // as if it had been played up to there
   | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
   | { kind: 'report' } // of a recording whose flight is known
-  | { kind: 'event'; id: number; us: number; condition: Condition; afterUs: number } // to so much after the next one after `us`
+  | { kind: 'event'; id: number; us: number; steps: Uint8Array; afterUs: number } // to so much after the next one after `us`
   | { kind: 'wire'; fromUs: number; toUs: number; columns: number } // of a capture
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }
   | { kind: 'replugged'; place: PortPlace }
   | { kind: 'resetMarks' }
+  | { kind: 'watch'; steps?: Uint8Array } // marks the events of this condition, or none
   | { kind: 'record'; on: boolean }
   | { kind: 'close' }; // a live line
 

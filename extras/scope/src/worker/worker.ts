@@ -119,6 +119,8 @@ class Playing {
       calls.resetMarks();
     } else if (request.kind === 'wire') {
       answer(this.tape.wire(request.fromUs, request.toUs, request.columns));
+    } else if (request.kind === 'watch') {
+      this.player.watchFor(request.steps);
     } else if (request.kind === 'record') {
       calls.record(Number(request.on));
       if (!request.on) {
@@ -208,12 +210,12 @@ class Playing {
     }
   }
 
-  private toEvent({ id, us, condition, afterUs }: Extract<Request, { kind: 'event' }>): void {
+  private toEvent({ id, us, steps, afterUs }: Extract<Request, { kind: 'event' }>): void {
     const { index } = this;
     if (this.search?.id !== id) {
       const decoder = new Decoder(this.module, this.tape);
       decoder.restore(index.before(Math.max(us - shownUs, 0)));
-      this.search = new Search(id, condition, decoder, us, index.endUs);
+      this.search = new Search(id, steps, decoder, us, index.endUs);
     }
     const { search } = this;
     if (!search.work(performance.now() + sliceMs)) {
