@@ -1,33 +1,36 @@
-// The border to WebAssembly: a page whose structs, enumerations or constants differ from its WebAssembly's does not start.
-import { check, connect, counts, frame, opensWith, reads } from './support.mjs';
+// The border to WebAssembly (extras/scope/border.mjs): a page that does not match it does not compile. No browser.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { cpSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { check } from './support.mjs';
+
+const npm = path.join(process.env.SCOPE_BUILD ?? path.resolve(import.meta.dirname, '../../build/scope'), 'npm');
 
 export default async function () {
+  const folder = path.join(npm, 'mismatch');
+  const border = path.join(folder, 'border.ts');
+  cpSync(path.join(npm, 'src'), folder, { recursive: true });
+  writeFileSync(path.join(folder, 'tsconfig.json'), JSON.stringify({ extends: '../tsconfig.json', include: ['.'] }));
+  const text = readFileSync(border, 'utf8');
   for (const [edit, to, said] of [
-    [' byte 36', ' byte 35', 'the fields of Record differ: bytes is byte 36 in the page and byte 35 in WebAssembly'],
-    ['field Record why ', 'field Record who ', 'the fields of Record differ: why is letter 88 in the page and undefined in WebAssembly'],
-    ['field Status resyncs ', 'field Status resynks ', 'the fields of Status differ: resyncs is double 1 in the page and undefined in WebAssembly'],
-    ['value LinkState Stale 4', 'value LinkState Stale 5', 'the values of LinkState differ: Stale is 4 in the page and 5 in WebAssembly'],
-    ['value Kind Row 4', 'value Mind Row 4', 'the values of Kind differ: Row is 4 in the page and undefined in WebAssembly'],
-    ['value Flag Failsafe 8', 'value Flag Failsafe 4', 'the values of Flag differ: Failsafe is 8 in the page and 4 in WebAssembly'],
-    ['value Finding Noise 8', 'value Finding Voice 8', 'the values of Finding differ: Noise is 8 in the page and undefined in WebAssembly'],
-    ['value CalibrationError NotHeld 9', 'value CalibrationError NotHeld 8', 'the values of CalibrationError differ: NotHeld is 9 in the page and 8 in WebAssembly'],
-    ['value Scale Futaba 1', 'value Scale Futaba 2', 'the values of Scale differ: Futaba is 1 in the page and 2 in WebAssembly'],
-    ['constant Enough ', 'constant Mostly ', 'WebAssembly has no Enough'],
+    ['', '', undefined],
+    [/\bwhy\b/g, 'who', "Property 'why' does not exist on type 'RecordReader'"],
+    [/\bresyncs\b/g, 'resynks', `Type '"resyncs"' is not assignable to type 'keyof Status'`],
+    [/Stale,/, 'Old,', "Property 'Stale' does not exist on type 'typeof LinkState'"],
+    [/ HasSwitches = /, ' HasThem = ', "Property 'HasSwitches' does not exist on type 'typeof Flag'"],
+    [/ recall\(/, ' remember(', "Property 'recall' does not exist on type 'Exports'"],
+    [/ received\(count: number, /, ' received(', 'Expected 1 arguments, but got 2'],
+    [/ carrier\(\): Text/, ' carrier(): number', "Argument of type 'number' is not assignable to parameter of type 'Text'"],
   ]) {
-    await check(`the page rejects a WebAssembly that says "${to}"`, async (page) => {
-      await page.addInitScript(([from, other]) => (fake.layout = (text) => text.replace(from, other)), [edit, to]);
-      await page.reload();
-      await reads(page, '#verdict-text', `The page has failed: ${said}.`);
-      page.complaints.length = 0; // that was one
+    await check(said ? `with ${to.trim()} at the border the page does not compile: ${said}` : 'with the border as it is the page compiles', async () => {
+      const edited = text.replace(edit, to);
+      assert.ok(!said || edited !== text);
+      writeFileSync(border, edited);
+      const { stdout, status } = spawnSync('node_modules/.bin/tsc', ['--noEmit', '-p', folder], { cwd: npm, encoding: 'utf8' });
+      assert.equal(status === 0, said === undefined, stdout);
+      assert.ok(stdout.includes(said ?? ''), stdout);
     });
   }
-
-  await check('fields are read where WebAssembly has them', async (page) => {
-    await page.addInitScript(() => (fake.layout = (text) => text.replace(/(Status frames )(\d+)(.*?)(Status lostFrames )(\d+)/s, '$1$5$3$4$2')));
-    await page.reload();
-    await opensWith(page, [frame([1000]), frame([1000])]);
-    await connect(page);
-    await counts(page, 'lostFrames', 2); // frames
-    await counts(page, 'frames', 0);
-  });
+  rmSync(folder, { recursive: true });
 }

@@ -1,4 +1,4 @@
-// Runs in the page before its scripts: a clock that tests can set, drawing as on a slow PC, the memory and layout of the
+// Runs in the page before its scripts: a clock that tests can set, drawing as on a slow PC, the memory of the
 // WebAssembly, and a screen that may sleep.
 {
   const real = performance.now.bind(performance);
@@ -12,14 +12,6 @@
   const picture = requestAnimationFrame;
   fake.restMs = 50;
   globalThis.requestAnimationFrame = (draw) => (fake.restMs > 0 ? setTimeout(() => picture(draw), fake.restMs) : picture(draw));
-
-  // `fake.layout` changes the layout's text, to one of the same length.
-  const disguise = (at, { buffer }) => {
-    const bytes = new Uint8Array(buffer, at);
-    const text = new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
-    new TextEncoder().encodeInto(fake.layout?.(text) ?? text, bytes);
-    return at;
-  };
 
   // A worker has the memories of its WebAssembly instances in `memories`, and what `fakeOfWorkers` has.
   const prelude = () => `${globalThis.fakeOfWorkers ?? ''}{
@@ -40,9 +32,9 @@
 
   const instantiate = WebAssembly.instantiate;
   WebAssembly.instantiate = async (...parts) => {
-    const { exports } = (await instantiate(...parts)).instance;
-    fake.memory = exports.memory;
-    return { instance: { exports: { ...exports, layout: () => disguise(exports.layout(), exports.memory) } } };
+    const made = await instantiate(...parts);
+    fake.memory = made.instance.exports.memory;
+    return made;
   };
 
   // As in Chromium's third_party/blink/renderer/modules/wake_lock, commit 047c7dc.

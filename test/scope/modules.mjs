@@ -18,7 +18,8 @@ export async function load(name) {
 function write(name) {
   if (written.has(name)) return;
   written.add(name);
-  const text = readFileSync(path.join(here, '../../extras/scope/src', `${name}.ts`), 'utf8');
+  const folder = name === 'border' ? build : path.join(here, '../../extras/scope/src'); // it is written with the WebAssembly
+  const text = readFileSync(path.join(folder, `${name}.ts`), 'utf8');
   const { code } = transformSync(text, { loader: 'ts', target: 'es2022' });
   const file = path.join(build, 'modules', `${name}.mjs`);
   mkdirSync(path.dirname(file), { recursive: true });

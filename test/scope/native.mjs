@@ -2,7 +2,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
+import { load } from './modules.mjs';
 import { build } from './support.mjs';
+
+const { CharacterSize, Enough, RecordReader, StatusReader } = await load('border');
 
 export class Native {
   async load() {
@@ -24,25 +27,22 @@ export class Native {
   }
 
   status(us, name) {
-    const at = this.wasm.status(us) + this.layout(`field Status ${name}`);
-    return new DataView(this.wasm.memory.buffer).getFloat64(at, true);
+    return new StatusReader(new DataView(this.wasm.memory.buffer), this.wasm.status(us))[name];
   }
 
   // Returns the records that have come by then: when, and of which kind.
   advance(us) {
     const records = [];
-    const recordSize = this.layout('size Record');
-    const [endUsAt, kindAt] = ['endUs', 'kind'].map((name) => this.layout(`field Record ${name}`));
-    for (let count = 256; count >= 256 || this.wasm.needsMore(); ) {
+    for (let count = Enough; count >= Enough || this.wasm.needsMore(); ) {
       if (this.wasm.needsMore()) {
         const size = this.wasm.recordingPart(this.fed);
-        this.fed += size / this.layout('constant CharacterSize');
+        this.fed += size / CharacterSize;
         this.wasm.feed(size, Number(this.fed === this.wasm.recordingSize()));
       }
       count = this.wasm.advance(us);
-      const view = new DataView(this.wasm.memory.buffer, this.wasm.records());
-      for (let at = 0; at < count * recordSize; at += recordSize) {
-        records.push({ endUs: view.getFloat64(at + endUsAt, true), kind: view.getUint8(at + kindAt) });
+      const record = new RecordReader(new DataView(this.wasm.memory.buffer), this.wasm.records());
+      for (const end = record.at + count * RecordReader.size; record.at < end; record.at += RecordReader.size) {
+        records.push({ endUs: record.endUs, kind: record.kind });
       }
       this.wasm.takenRecords();
     }
@@ -51,12 +51,6 @@ export class Native {
 
   travel(channel) {
     return Array.from(new Float64Array(this.wasm.memory.buffer, this.wasm.travel(channel), 2));
-  }
-
-  // Returns a number of the layout: the first one after these words.
-  layout(words) {
-    this.text ??= this.words(this.wasm.layout());
-    return Number(new RegExp(`^${words} (\\d+)`, 'm').exec(this.text)[1]);
   }
 
   // Opens a recording at its beginning; advance() plays it.

@@ -15,7 +15,7 @@ namespace line {
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: what is later is a mistake
 constexpr size_t CaptureLineMax = size_t{1} << 16;                           // characters of text
 constexpr size_t SignalsMax = 4096;                                          // of a capture
-constexpr size_t CaptureHeadMax = size_t{1} << 16;  // characters in which the format must show itself
+constexpr size_t CaptureHeadMax = 65536;  // characters in which the format must show itself
 
 // Receives the levels that a reader reads.
 class LevelSink {

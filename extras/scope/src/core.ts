@@ -1,23 +1,11 @@
 // The library itself, compiled to WebAssembly (../wasm). All knowledge of S.Bus is there.
 
 import wasm from '../scope.wasm.gz?inline';
-import { Finding } from './finding';
-import { Flag, Kind, type Stretch } from './line';
-import { imports, Native, type Exports } from './native';
+import { type CalibrationError, type Finding, Flag, Kind, ReadConditionReader, type Scale } from './border';
+import type { Stretch } from './line';
+import { imports, Native } from './native';
 
-// sbus::CalibrationError
-export enum CalibrationError {
-  None,
-  NeverSeen,
-  HardlyMoved,
-  CentreOutside,
-  NotStill,
-  NotCentred,
-  NotPushed,
-  MovedOneWay,
-  NotRested,
-  NotHeld,
-}
+export { CalibrationError, Scale } from './border';
 
 export interface Setting {
   baud: number;
@@ -45,12 +33,6 @@ export interface Condition {
   to: number;
 }
 
-export enum Scale {
-  FrSky,
-  Futaba,
-  Calibrated,
-}
-
 // Packed it is a third as large.
 async function unpacked(): Promise<Uint8Array> {
   const packed = Uint8Array.from(atob(wasm.slice(wasm.indexOf(',') + 1)), (letter) => letter.charCodeAt(0));
@@ -61,23 +43,17 @@ export class Core {
   private calibrating = false;
   private readonly native: Native['calls'];
 
-  // Throws if the page and WebAssembly were not built together.
   private constructor(
     private readonly memory: Native,
     readonly wasm: Uint8Array, // the module that a worker runs
   ) {
     this.native = memory.calls;
-    memory.layout.enumeration('Finding', Finding);
-    memory.layout.enumeration('CalibrationError', CalibrationError);
-    memory.layout.enumeration('Scale', Scale);
   }
 
   static async load(): Promise<Core> {
     const bytes = await unpacked();
     const { instance } = await WebAssembly.instantiate(bytes as BufferSource, imports);
-    const native = instance.exports as Exports;
-    native._initialize();
-    return new Core(new Native(native), bytes);
+    return new Core(Native.of(instance), bytes);
   }
 
   // Returns the stretches in the records of a worker.
@@ -116,13 +92,12 @@ export class Core {
   // Reads a text such as "ch5 > 1500 us && !failsafe". `isBoard`: it compares the numbers of a board.
   condition(text: string, isBoard: boolean): Condition {
     const bytes = new TextEncoder().encode(`${text} `);
-    const { native } = this;
-    let error = '';
-    this.memory.transfer(bytes, (count) => (error = this.memory.words(native.readCondition(count, Number(isBoard)))));
-    const place = (at: number): number => new TextDecoder().decode(bytes.subarray(0, at)).length;
-    const at = native.conditionErrorAt();
-    const steps = new Uint8Array(native.memory.buffer, native.conditionSteps(), native.conditionSize()).slice();
-    return { steps, error, from: place(at), to: place(at + native.conditionErrorLength()) };
+    let at = 0;
+    this.memory.transfer(bytes, (count) => (at = this.native.readCondition(count, Number(isBoard))));
+    const { buffer } = this.native.memory;
+    const { error, errorAt, errorLength, steps, size } = new ReadConditionReader(new DataView(buffer), at);
+    const place = (end: number): number => new TextDecoder().decode(bytes.subarray(0, end)).length;
+    return { steps: new Uint8Array(buffer, steps, size).slice(), error: this.memory.words(error), from: place(errorAt), to: place(errorAt + errorLength) };
   }
 
   range(channel: number): Range {

@@ -2,7 +2,7 @@
 
 import type { Core } from './core';
 import { Fault, faultNames } from './faults';
-import { Finding } from './finding';
+import { Finding } from './border';
 import { Flag, LinkState, type Status, type Stretch } from './line';
 import type { Problem, Source } from './source/Source';
 

@@ -2,6 +2,8 @@
 
 import type { Stretch } from './line';
 
+export { FlightKind } from './border';
+
 export enum Fault {
   Failsafe,
   LostFrame, // without failsafe
@@ -42,14 +44,6 @@ export interface FaultMap {
 
 // A part of a recording: from and to, in us; the share of its frames that was lost, 0..1; and what there was, a FlightKind.
 export type FlightPart = [number, number, number, number];
-
-// line::FlagSpan::Kind
-export enum FlightKind {
-  Failsafe,
-  LostFrame,
-  NoFrames,
-  Late,
-}
 
 // A whole recording, as sbus summary has it: wasm/Report.cpp.
 export interface Flight {

@@ -17,6 +17,7 @@ sbus::Calibration calibration;
 sbus::CalibrationError finishError = sbus::CalibrationError::None;
 double range[3];
 line::Condition condition("", nullptr);
+ReadCondition answer;
 
 sbus::CalibratedChannel uncalibrated() {
   return {scale == Scale::Futaba ? sbus::Futaba : sbus::FrSky, 0};
@@ -42,26 +43,16 @@ EXPORT(thousandths)(unsigned channel, double raw)->int {
   return of(channel).toNormalised(static_cast<uint16_t>(raw));
 }
 
-// Reads a condition, the text in the buffer. Returns what is wrong with it, or "".
-EXPORT(readCondition)(unsigned count, int isBoard)->const char * {
+// Reads a condition, the text in the buffer.
+EXPORT(readCondition)(unsigned count, int isBoard)->const ReadCondition * {
   const auto shown = [](unsigned channel, uint16_t raw, bool isPercent) {
     return isPercent ? thousandths(channel, raw) / 10.0 : microseconds(channel, raw);
   };
   condition = line::Condition(transferred(count), isBoard != 0 ? line::Condition::Shown() : shown);
-  return condition.error().text.c_str();
-}
-EXPORT(conditionErrorAt)()->unsigned {
-  return static_cast<unsigned>(condition.error().at);
-}
-EXPORT(conditionErrorLength)()->unsigned {
-  return static_cast<unsigned>(condition.error().length);
-}
-// Returns the condition, for watchFor() of another instance.
-EXPORT(conditionSteps)()->const line::Condition::Step * {
-  return condition.steps().data();
-}
-EXPORT(conditionSize)()->unsigned {
-  return static_cast<unsigned>(condition.steps().size() * sizeof(line::Condition::Step));
+  const auto &[text, at, length] = condition.error();
+  const std::vector<line::Condition::Step> &steps = condition.steps();
+  answer = {text.c_str(), at, length, steps.data(), steps.size() * sizeof steps[0]};
+  return &answer;
 }
 
 // Raw values at -100 %, 0 % and +100 %.

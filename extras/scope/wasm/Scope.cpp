@@ -115,7 +115,7 @@ void Scope::advance(uint64_t nowUs) {
     if (happens(us)) {
       Record record{};
       record.endUs = static_cast<double>(us);
-      record.kind = Record::SilenceKind;
+      record.kind = static_cast<uint8_t>(Kind::Silence);
       record.flags = FlagEvent;
       records.push_back(record);
     }
@@ -154,7 +154,7 @@ void Scope::takeRow(uint64_t nowUs, uint64_t lateUs) {
   Record record{};
   record.endUs = static_cast<double>(nowUs);
   record.lateUs = static_cast<double>(lateUs);
-  record.kind = Record::RowKind;
+  record.kind = static_cast<uint8_t>(Kind::Row);
   record.flags =
       static_cast<uint8_t>((rows.lostFrame() ? sbus::FlagLostFrame : 0) | (rows.failsafe() ? sbus::FlagFailsafe : 0));
   for (size_t i = 0; i < rows.row().size(); i++) {

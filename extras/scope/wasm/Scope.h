@@ -21,7 +21,7 @@
 
 namespace scope {
 
-constexpr size_t TransferSize = size_t{1} << 16;  // bytes that the page can hand over at once
+constexpr size_t TransferSize = 65536;  // bytes that the page can hand over at once
 
 // The buffer for them: bytes of a port, text of a recording.
 alignas(8) extern uint8_t transfer[TransferSize];
@@ -42,18 +42,27 @@ constexpr uint8_t FlagHasSwitches = 0x20;
 // The range by which raw values are scaled.
 enum class Scale { FrSky, Futaba, Calibrated };
 
-// A stretch of the line; the page reads it by Layout.cpp.
+// Of a record. The first ones are those of line::Stretch.
+enum class Kind : uint8_t {
+  Frame,    // 16 channels and two switches
+  Frame24,  // 24 channels
+  Extra,    // header 2F: CH17..CH32
+  NoFrame,  // bytes between frames
+  Row,      // numbers that a board has printed
+  Silence,  // nothing came, but a condition became true
+};
+static_assert(static_cast<int>(Kind::NoFrame) == static_cast<int>(line::Stretch::Kind::NoFrame), "others follow");
+
+// A stretch of the line; the page reads it, by border.mjs.
 struct Record {
   static constexpr size_t ChannelsMax = 32;
   static constexpr size_t BytesMax = sbus::FrameSize24;
-  static constexpr uint8_t RowKind = 4;
-  static constexpr uint8_t SilenceKind = 5;  // nothing came, but the condition became true
 
   double endUs;
   double lateUs;                 // it may have come this much earlier
   double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest values of all channels
-  uint8_t kind;                  // line::Stretch::Kind, RowKind or SilenceKind
+  uint8_t kind;                  // Kind
   uint8_t flags;                 // as in a frame's flags byte; failsafe also by losses
   uint8_t channelCount;
   uint8_t size;             // bytes
@@ -61,6 +70,15 @@ struct Record {
   uint8_t state;            // sbus::LinkState to show at its end
   uint8_t bytes[BytesMax];  // of the line
   char why[88];             // why it is no frame
+};
+
+// A condition that was read from a text.
+struct ReadCondition {
+  const char *error;  // "": it is good
+  size_t errorAt;
+  size_t errorLength;
+  const line::Condition::Step *steps;  // for watchFor()
+  size_t size;                         // of the steps, in bytes
 };
 
 class Scope {

@@ -3,18 +3,37 @@
 
 namespace scope {
 
-// Its fields, each a double.
-#define SCOPE_STATUS(field)                                                                                           \
-  field(state) field(showsLostFrame) field(showsFailsafe) field(ageUs) field(linkQuality) field(framesPerSecond)      \
-      field(gapMinUs) field(gapMeanUs) field(gapMaxUs) field(characters) field(characterErrors) field(frames)         \
-          field(lostFrames) field(failsafeFrames) field(rejectedByEnd) field(rejectedByFlags) field(rejectedByLength) \
-              field(discardedBytes) field(resyncs) field(overflows) field(extraFrames) field(rows) field(otherLines)  \
-                  field(garbled) field(lateUs) field(lateReads) field(quietUs) field(finding) field(findingSoFar)
-
+// The page reads it, by border.mjs.
 struct Status {
-#define SCOPE_FIELD(name) double name = 0;
-  SCOPE_STATUS(SCOPE_FIELD)
-#undef SCOPE_FIELD
+  double state;
+  double showsLostFrame;
+  double showsFailsafe;
+  double ageUs;
+  double linkQuality;  // percent; only for frames
+  double framesPerSecond;
+  double gapMinUs;
+  double gapMeanUs;
+  double gapMaxUs;
+  double characters;
+  double characterErrors;
+  double frames;
+  double lostFrames;
+  double failsafeFrames;
+  double rejectedByEnd;
+  double rejectedByFlags;
+  double rejectedByLength;
+  double discardedBytes;
+  double resyncs;
+  double overflows;
+  double extraFrames;
+  double rows;
+  double otherLines;
+  double garbled;
+  double lateUs;        // that the PC is late; 0 if it is less than 0.1 s
+  double lateReads;     // of a port: those that were 0.1 s late or more
+  double quietUs;       // since the newest character
+  double finding;       // of the last whole second of the line's time; -1 before the first is over
+  double findingSoFar;  // of all that has come
 };
 
 }  // namespace scope

@@ -1,6 +1,7 @@
 // Decodes a tape in a WebAssembly instance of its own. All that it knows is in its memory: a copy of that is the line's state.
 
-import { imports, Native, type Exports } from '../native';
+import type { Exports } from '../border';
+import { imports, Native } from '../native';
 import type { Tape } from './tape';
 
 const stepUs = 1000000;
@@ -26,8 +27,7 @@ export class Decoder {
     private readonly module: WebAssembly.Module,
     private readonly tape: Tape,
   ) {
-    this.native = this.instance();
-    this.native.calls._initialize();
+    this.native = this.instance(true);
     this.native.transfer(tape.settings, () => this.native.calls.playRecording());
     this.advance(0);
     this.first = this.memory.slice();
@@ -80,7 +80,7 @@ export class Decoder {
   // Goes to where an image was taken, by this decoder or by another one of the same tape.
   restore(image: Image): void {
     if (this.memory.byteLength > image.size) {
-      this.native = this.instance(); // a memory never shrinks, and its heap begins behind the end
+      this.native = this.instance(false); // a memory never shrinks, and its heap begins behind the end
     }
     const lacking = image.size - this.memory.byteLength;
     if (lacking > 0) {
@@ -99,9 +99,8 @@ export class Decoder {
     return new Uint32Array(this.calls.memory.buffer);
   }
 
-  private instance(): Native {
-    const { exports } = new WebAssembly.Instance(this.module, imports);
-    return new Native(exports as Exports, this.tape.layout);
+  private instance(isNew: boolean): Native {
+    return Native.of(new WebAssembly.Instance(this.module, imports), isNew);
   }
 
   private feed(): void {

@@ -1,8 +1,8 @@
 // The line in WebAssembly's memory: a simulated receiver or a port.
 
 import type { Setting, Simulation } from '../core';
-import type { Finding } from '../finding';
-import { imports, Native, type Exports } from '../native';
+import type { Exports, Finding } from '../border';
+import { imports, Native } from '../native';
 
 export class LineCore {
   private readonly calls: Exports;
@@ -13,9 +13,7 @@ export class LineCore {
 
   static async load(wasm: Uint8Array): Promise<LineCore> {
     const { instance } = await WebAssembly.instantiate(wasm as BufferSource, imports);
-    const exports = instance.exports as Exports;
-    exports._initialize();
-    return new LineCore(new Native(exports));
+    return new LineCore(Native.of(instance));
   }
 
   openSimulated({ calibration, channels, noise, line }: Simulation): void {

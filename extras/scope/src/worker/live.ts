@@ -1,6 +1,7 @@
 // A live line: a simulated receiver or a port, read and decoded apart from the page's pictures. It runs in a worker; in the page
 // where a worker has no ports.
 
+import { RecordReader } from '../border';
 import type { Setting } from '../core';
 import type { Status } from '../line';
 import { LineCore } from './lineCore';
@@ -111,10 +112,10 @@ class LiveLine {
     const nowUs = (this.us = this.feed.nowUs(us));
     native.records(nowUs, (records) => {
       this.records.push(records);
-      this.count += records.length / native.recordSize;
+      this.count += records.length / RecordReader.size;
     });
     while (this.count > mostRecords) {
-      this.count -= (this.records.shift() as Uint8Array).length / native.recordSize;
+      this.count -= (this.records.shift() as Uint8Array).length / RecordReader.size;
     }
     void this.trials.tick(this.status(nowUs));
   }

@@ -2,7 +2,7 @@
 
 import type { Setting, Simulation } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
-import type { Finding } from '../finding';
+import type { Finding } from '../border';
 import type { Samples } from '../history';
 import type { Status } from '../line';
 import type { Problem } from '../source/Source';

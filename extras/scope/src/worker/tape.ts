@@ -1,7 +1,8 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
 import type { Flight } from '../faults';
-import { imports, Native, type Exports } from '../native';
+import { CaptureHeadMax, CharacterSize } from '../border';
+import { imports, Native } from '../native';
 import { bytesOf } from './bytes';
 import type { Wire } from './messages';
 import { directory, unpack, type Entry } from './zip';
@@ -17,12 +18,7 @@ export class Tape {
   private readonly native: Native;
 
   constructor(module: WebAssembly.Module) {
-    this.native = new Native(new WebAssembly.Instance(module, imports).exports as Exports);
-    this.native.calls._initialize();
-  }
-
-  get layout(): Native['layout'] {
-    return this.native.layout;
+    this.native = Native.of(new WebAssembly.Instance(module, imports));
   }
 
   // Returns what is wrong with the file, or ''. Throws an Error if it cannot be unpacked.
@@ -50,14 +46,14 @@ export class Tape {
 
   // `taken`: how many more bytes of the file were read.
   private async readText(file: File, isGzip: boolean, taken: (count: number) => void): Promise<string> {
-    const { calls, layout } = this.native;
+    const { calls } = this.native;
     const reader = bytesOf(file, isGzip ? 'gzip' : undefined, taken);
     let head = new Uint8Array();
     let part = await reader.read();
-    for (; !part.done && head.length < layout.constant('HeadSize'); part = await reader.read()) {
+    for (; !part.done && head.length < CaptureHeadMax; part = await reader.read()) {
       head = joined(head, part.value);
     }
-    this.native.transfer(head.subarray(0, layout.constant('HeadSize')), (count) => calls.openFile(count));
+    this.native.transfer(head.subarray(0, CaptureHeadMax), (count) => calls.openFile(count));
     if (head.length === 0) {
       calls.openFile(0);
     }
@@ -94,7 +90,7 @@ export class Tape {
   // Returns the characters from there on, as many as a decoder takes at once.
   part(from: number): { bytes: Uint8Array; count: number } {
     const bytes = this.handed(this.native.calls.recordingPart(from));
-    return { bytes, count: bytes.length / this.layout.constant('CharacterSize') };
+    return { bytes, count: bytes.length / CharacterSize };
   }
 
   // Returns a part of a capture's wire.

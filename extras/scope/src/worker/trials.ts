@@ -1,7 +1,7 @@
 // While no frame comes, tries the other settings of a live line's port.
 
 import type { Setting } from '../core';
-import { Finding } from '../finding';
+import { Finding } from '../border';
 import type { Status } from '../line';
 import type { Problem } from '../source/Source';
 import type { State } from './connection';
