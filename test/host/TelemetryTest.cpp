@@ -1,6 +1,7 @@
 // The slots of a line's telemetry with their times, and what named sensors measure, as a text.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -207,4 +208,9 @@ TEST_CASE("readings have the newest of each quantity, both of the receiver's, an
   CHECK(texts(121000) == "receiver voltage 4.5 V; slots 0, 1");
   CHECK(texts(121660) == "receiver voltage 4.5 V; slot 1");
   CHECK(texts(121661).empty());
+  std::string numbers;
+  readings.each(62320, [&numbers](const line::Quantity &quantity, double number) {
+    numbers += std::to_string(quantity.slot) + " " + std::to_string(std::lround(10 * number)) + "; ";
+  });
+  CHECK(numbers == "0 241; 0 45; 1 56; 2 125; ");
 }

@@ -24,7 +24,7 @@ function check(sentence, show) {
 }
 const filled = (count, flags = () => 0, us = (i) => 9000 * i) => {
   const history = new History();
-  for (let i = 0; i < count; i++) history.add({ endUs: us(i), flags: flags(i), channels: [i] });
+  for (let i = 0; i < count; i++) history.add({ endUs: us(i), flags: flags(i), channels: [i], readings: [] });
   return history;
 };
 const near = (actual, expected) => assert.ok(Math.abs(actual - expected) < 1e-9, `${actual}, not ${expected}`);

@@ -1,5 +1,7 @@
 #include "line/telemetry/Readings.h"
 
+#include <cstdlib>
+
 namespace line {
 
 std::vector<Quantity> quantitiesIn(const std::vector<TelemetrySlots::Slot> &slots, const SensorsBySlot &sensors) {
@@ -28,18 +30,16 @@ void Readings::put(const std::vector<TelemetrySlots::Slot> &slots) {
     _slots[slot.number] = slot.endUs;
   }
   for (const Quantity &quantity : quantitiesIn(slots, _sensors)) {
-    _readings[{quantity.slot, quantity.name}] = {quantity, slots.back().endUs};
+    _readings[{quantity.slot, quantity.name}] = {quantity, std::strtod(quantity.value.c_str(), nullptr),
+                                                 slots.back().endUs};
   }
 }
 
 std::vector<std::string> Readings::quantities(uint64_t sinceUs) const {
   std::vector<std::string> texts;
-  for (const auto &[key, reading] : _readings) {
-    if (reading.endUs >= sinceUs) {
-      const Quantity &quantity = reading.quantity;
-      texts.push_back(quantity.name + (' ' + quantity.value) + ' ' + quantity.unit);
-    }
-  }
+  each(sinceUs, [&texts](const Quantity &quantity, double) {
+    texts.push_back(quantity.name + (' ' + quantity.value) + ' ' + quantity.unit);
+  });
   return texts;
 }
 

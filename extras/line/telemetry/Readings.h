@@ -32,9 +32,20 @@ class Readings {
   std::vector<std::string> quantities(uint64_t sinceUs) const;
   std::string slots(uint64_t sinceUs) const;  // empty if there is none
 
+  // Calls take(quantity, number) for each that came at `sinceUs` or later, in rising order of slots.
+  template <typename Take>
+  void each(uint64_t sinceUs, Take take) const {
+    for (const auto &[key, reading] : _readings) {
+      if (reading.endUs >= sinceUs) {
+        take(reading.quantity, reading.number);
+      }
+    }
+  }
+
  private:
   struct Reading {
     Quantity quantity;
+    double number;  // its value
     uint64_t endUs;
   };
 

@@ -4,6 +4,7 @@ import wasm from '../scope.wasm.gz?inline';
 import { type CalibrationError, type Finding, Flag, Kind, ReadConditionReader, type Scale } from './border';
 import type { Stretch } from './line';
 import { imports, Native } from './native';
+import type { SensorType } from './sensors';
 
 export { CalibrationError, Scale } from './border';
 
@@ -73,6 +74,11 @@ export class Core {
 
   isWell(finding: Finding): boolean {
     return this.native.findingIsWell(finding) !== 0;
+  }
+
+  // Returns the known sensors of telemetry, in WebAssembly's order.
+  get sensors(): SensorType[] {
+    return this.memory.words(this.native.sensorNames()).trim().split('\n').map((line) => line.split(' ')).map(([name, slots]) => ({ name, slots: Number(slots) }));
   }
 
   // Values.

@@ -5,7 +5,7 @@ import { Flag, Kind, type Stretch } from './line';
 // Frames or rows, the oldest first.
 export interface Samples {
   times: Float64Array; // s
-  values: Float32Array; // History.channels of each
+  values: Float64Array; // History.columns of each
   flags: Uint8Array;
 }
 
@@ -13,9 +13,10 @@ export class History implements Samples {
   static readonly capacity = 1 << 15;
   static readonly seconds = 300;
   static readonly channels = 32;
+  static readonly columns = 65; // the channels, then the readings of sensors
 
   readonly times = new Float64Array(History.capacity); // s
-  readonly values = new Float32Array(History.capacity * History.channels).fill(NaN);
+  readonly values = new Float64Array(History.capacity * History.columns);
   readonly flags = new Uint8Array(History.capacity);
   private taken = 0; // samples, since clear()
 
@@ -38,8 +39,8 @@ export class History implements Samples {
       this.times.set(times.subarray(from));
       this.flags.copyWithin(count, 0, held);
       this.flags.set(flags.subarray(from));
-      this.values.copyWithin(count * History.channels, 0, held * History.channels);
-      this.values.set(values.subarray(from * History.channels));
+      this.values.copyWithin(count * History.columns, 0, held * History.columns);
+      this.values.set(values.subarray(from * History.columns));
       this.taken += count;
     }
   }
@@ -57,8 +58,8 @@ export class History implements Samples {
     return this.times[sample % History.capacity];
   }
 
-  value(sample: number, channel: number): number {
-    return this.values[(sample % History.capacity) * History.channels + channel];
+  value(sample: number, column: number): number {
+    return this.values[(sample % History.capacity) * History.columns + column];
   }
 
   failsafe(sample: number): boolean {
@@ -101,7 +102,7 @@ export const isSample = ({ kind }: Stretch): boolean => kind !== Kind.NoFrame &&
 
 export function samplesOf(stretches: readonly Stretch[]): Samples {
   const count = stretches.length;
-  const samples = { times: new Float64Array(count), values: new Float32Array(count * History.channels).fill(NaN), flags: new Uint8Array(count) };
+  const samples = { times: new Float64Array(count), values: new Float64Array(count * History.columns), flags: new Uint8Array(count) };
   stretches.forEach((stretch, i) => put(samples, i, stretch));
   return samples;
 }
@@ -109,7 +110,7 @@ export function samplesOf(stretches: readonly Stretch[]): Samples {
 function put({ times, values, flags }: Samples, at: number, stretch: Stretch): void {
   times[at] = stretch.endUs / 1e6;
   flags[at] = stretch.flags;
-  for (let i = 0; i < History.channels; i++) {
-    values[at * History.channels + i] = i < stretch.channels.length ? stretch.channels[i] : NaN;
-  }
+  values.fill(NaN, at * History.columns, (at + 1) * History.columns);
+  values.set(stretch.channels, at * History.columns);
+  values.set(stretch.readings, at * History.columns + History.channels);
 }

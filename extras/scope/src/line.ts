@@ -12,6 +12,7 @@ export interface Stretch {
   flags: number;
   state: LinkState; // of the link to show, at its end
   channels: Float64Array; // raw values; of a Row, the numbers as printed
+  readings: Float64Array; // what sensors measured within the last second; NaN: nothing; empty without any
   bytes: Uint8Array; // empty for a Row
   isTelemetry: boolean; // slots of S.BUS2, no frame
   why: string; // why it is no frame; '' for a frame
@@ -30,8 +31,8 @@ export interface Line {
   // Hands over all that has come by `nowUs`.
   advance(nowUs: number, sink: Sink): void;
   status(): Status;
-  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it ("receiver voltage
-  // 4.6 V"); empty without telemetry.
+  // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a
+  // stretch's readings, name, value and unit, with tabs between. Empty without telemetry.
   telemetry(): readonly string[];
   // Returns the lowest and highest value of a channel, from 0 on; undefined before the first value.
   travel(channel: number): [number, number] | undefined;

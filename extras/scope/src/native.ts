@@ -113,6 +113,7 @@ export class Native {
     return {
       endUs, kind, flags, state,
       channels: record.channels.slice(0, record.channelCount),
+      readings: record.readings.slice(0, record.readingCount),
       bytes: record.bytes.slice(0, record.size),
       isTelemetry: record.slots > 0,
       why: kind === Kind.NoFrame ? this.wordsIn(record.why) : '',

@@ -11,6 +11,7 @@ import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
 import type { Source } from './source/Source';
 import type { State } from './worker/connection';
+import { Sensors } from './sensors';
 import { Units } from './unit';
 import { Bars } from './view/bars';
 import { CountersView } from './view/counters';
@@ -58,7 +59,8 @@ export class Scope implements Sink {
   private readonly link = new LinkView(byId('link'));
   private readonly verdict = new VerdictView();
   private readonly counters = new CountersView(byId('counters'));
-  private readonly telemetry = new TelemetryView();
+  private readonly sensors: Sensors;
+  private readonly telemetry: TelemetryView;
   private readonly statistics = new StatisticsView(this.history);
   private readonly frames: FramesView;
   private readonly timeline: Timeline;
@@ -71,10 +73,12 @@ export class Scope implements Sink {
     private readonly core: Core,
     private readonly failed: (view: string, error: Error) => void,
   ) {
+    this.sensors = new Sensors(core.sensors);
+    this.telemetry = new TelemetryView(this.sensors, () => this.sense());
     this.bars = new Bars(byId('bars'), core, this.channels, () => this.choice.current?.line);
     this.sticks = new SticksView(byId('sticks'), core);
     this.frames = new FramesView(core, byId('bits'), byId('bit-text'), byId('lines'), byId('hold'));
-    this.curves = new Curves(byId('plot'), this.history, this.channels, {
+    this.curves = new Curves(byId('plot'), this.history, this.channels, this.sensors, {
       pause: byId('pause'),
       window: byId('window'),
       readout: byId('readout'),
@@ -101,8 +105,21 @@ export class Scope implements Sink {
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
     this.room.enter();
+    this.telemetry.enter();
+    if (this.sensors.any) {
+      this.sense();
+    }
     this.wire.show(source instanceof RecordingSource ? source : undefined);
     this.timeline.show(source instanceof RecordingSource ? source : undefined);
+  }
+
+  // Reads the line's telemetry by the sensors that are chosen; a recording from its beginning on.
+  private sense(): void {
+    const source = this.choice.current;
+    source?.line.ask({ kind: 'sensors', sensors: this.sensors.bytes });
+    if (source instanceof RecordingSource) {
+      source.seek(source.positionUs);
+    }
   }
 
   // Takes a stretch of the line.

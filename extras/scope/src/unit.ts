@@ -8,6 +8,7 @@ export interface Unit {
   low: number; // the ends of a bar
   high: number;
   range?: Range; // -100, 0, +100 %
+  axis?: string; // of a sensor: it has an axis of its own, at the right
   text(value: number): string;
 }
 

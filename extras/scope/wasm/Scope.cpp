@@ -1,6 +1,8 @@
 #include "Scope.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "line/Silence.h"
@@ -22,6 +24,11 @@ uint8_t flagsOf(const line::Observer &observer) {
 
 }  // namespace
 
+size_t readingOf(const line::Quantity &quantity) {
+  const bool isSecond = quantity.slot == 0 && std::string_view(quantity.name) == "external voltage";
+  return isSecond ? Record::ReadingsMax - 1 : quantity.slot;
+}
+
 Scope::Scope() {
   observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
@@ -33,7 +40,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
   _newest.reset();
   rows = BoardRows();
   _damage = Damage();
-  readings = line::Readings();
+  readings = line::Readings(sensors);
   _finished = false;
   observer.reset(nowUs, settings.characterUs());
   _reads = line::PortReads(settings.characterUs());
@@ -210,6 +217,12 @@ void Scope::take(const line::Stretch &stretch) {
   record.slots = static_cast<uint8_t>(stretch.slots.size());
   readings.put(observer.telemetry().proved());
   _isRejected = line::isRejected(stretch);
+  std::fill(std::begin(record.readings), std::end(record.readings), NAN);
+  const uint64_t sinceUs = stretch.endUs() - std::min(stretch.endUs(), line::Readings::FreshUs);
+  readings.each(sinceUs, [&record](const line::Quantity &quantity, double number) {
+    record.readings[readingOf(quantity)] = number;
+    record.readingCount = Record::ReadingsMax;
+  });
   const std::string words = line::why(stretch);
   words.copy(record.why, sizeof record.why - 1);
   add(record);

@@ -57,14 +57,17 @@ static_assert(static_cast<int>(Kind::NoFrame) == static_cast<int>(line::Stretch:
 struct Record {
   static constexpr size_t ChannelsMax = 32;
   static constexpr size_t BytesMax = sbus::FrameSize24;
+  static constexpr size_t ReadingsMax = sbus::SlotCount + 1;  // see readingOf()
 
   double endUs;
   double lateUs;                 // it may have come this much earlier
   double damagedUs;              // when the first damaged bytes since the last frame came (Damage.h); 0: none
   double channels[ChannelsMax];  // of a frame: the newest values of all channels
+  double readings[ReadingsMax];  // what sensors have measured within the last second, by readingOf(); NaN: nothing
   uint8_t kind;                  // Kind
   uint8_t flags;                 // as in a frame's flags byte; failsafe also by losses
   uint8_t channelCount;
+  uint8_t readingCount;     // ReadingsMax, or 0 without any
   uint8_t size;             // bytes
   uint8_t slots;            // telemetry slots in it, if it is no frame
   uint8_t state;            // sbus::LinkState to show at its end
@@ -80,6 +83,9 @@ struct ReadCondition {
   const line::Condition::Step *steps;  // for watchFor()
   size_t size;                         // of the steps, in bytes
 };
+
+// Returns the place of a quantity among a record's readings: its slot. The receiver has two in slot 0.
+size_t readingOf(const line::Quantity &quantity);
 
 class Scope {
  public:
@@ -115,6 +121,7 @@ class Scope {
   void record(bool on);
 
   line::Observer observer;
+  line::SensorsBySlot sensors = {{uint8_t{0}, line::sensorOf("receiver")}};
   line::Readings readings;
   line::Examination examination;  // of what came since the port was opened, or since mark()
   Watch watch;

@@ -61,17 +61,37 @@ EXPORT(status)(double now)->const Status * {
   return &answer;
 }
 
-// Returns what sensors have measured, after the slots that came, within the last second, a line each; "" without
-// telemetry.
+// Returns what sensors have measured, after the slots that came, within the last second, a line each: its place among a
+// record's readings, name, value and unit with tabs between. "" without telemetry.
 EXPORT(telemetry)(double now)->const char * {
   static std::string lines;
   const auto nowUs = static_cast<uint64_t>(now);
   const uint64_t sinceUs = nowUs - std::min(nowUs, line::Readings::FreshUs);
   lines = theScope.readings.slots(sinceUs);
-  for (const std::string &quantity : theScope.readings.quantities(sinceUs)) {
-    lines += "\n" + quantity;
-  }
+  theScope.readings.each(sinceUs, [](const line::Quantity &quantity, double) {
+    lines += "\n" + std::to_string(readingOf(quantity)) + '\t' + quantity.name + '\t' + quantity.value + '\t' +
+             quantity.unit;
+  });
   return lines.c_str();
+}
+
+// Returns all sensors, a line each: name and how many slots.
+EXPORT(sensorNames)()->const char * {
+  static std::string names;
+  names.clear();
+  for (const line::Sensor &sensor : line::sensors()) {
+    names += sensor.name + (" " + std::to_string(sensor.slots)) + "\n";
+  }
+  return names.c_str();
+}
+
+// The sensors of the line are in the buffer: of each the first slot, and its number among sensorNames().
+EXPORT(setSensors)(unsigned count)->void {
+  theScope.sensors.clear();
+  for (unsigned i = 0; i + 1 < count; i += 2) {
+    theScope.sensors[transfer[i]] = &line::sensors()[transfer[i + 1]];
+  }
+  theScope.readings = line::Readings(theScope.sensors);
 }
 
 // Returns the least and greatest value of a channel, from 0 on; nullptr before the first.

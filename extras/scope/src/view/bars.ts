@@ -6,7 +6,7 @@ import { make, setAttribute, setText } from '../dom';
 import type { Line, Stretch } from '../line';
 import { Throttle } from '../throttle';
 import type { Unit } from '../unit';
-import { dashOf } from './dash';
+import { chipOf } from './chip';
 
 const textMs = 100; // numbers that change faster cannot be read
 const spokenMs = 500; // for screen readers
@@ -95,13 +95,7 @@ export class Bars {
   private add(channel: number): Bar {
     const { curves } = this.channels;
     const name = make('span', { class: 'name' });
-    const chip = make('button', { class: 'chip', 'aria-pressed': String(curves.has(channel)) }, swatch(channel), name);
-    chip.dataset.color = String(channel % 8);
-    chip.addEventListener('click', () => {
-      const on = !curves.has(channel);
-      curves[on ? 'add' : 'delete'](channel);
-      chip.setAttribute('aria-pressed', String(on));
-    });
+    const chip = chipOf(curves, channel, name);
     const ends = [0, 1, 2].map((i) => make('i', { class: i === 1 ? 'end middle' : 'end' }));
     const fill = make('span', { class: 'fill' });
     const low = make('b', { class: 'mark low' });
@@ -115,17 +109,4 @@ export class Bars {
     this.list.append(row);
     return { row, chip, name, track, fill, low, high, ends, raw, us, percent };
   }
-}
-
-// Draws a piece of the channel's curve.
-function swatch(channel: number): SVGSVGElement {
-  const namespace = 'http://www.w3.org/2000/svg';
-  const svg = document.createElementNS(namespace, 'svg');
-  const line = svg.appendChild(document.createElementNS(namespace, 'path'));
-  svg.setAttribute('class', 'swatch');
-  svg.setAttribute('viewBox', '0 0 26 8');
-  svg.setAttribute('aria-hidden', 'true');
-  line.setAttribute('d', 'M0 4h26');
-  line.setAttribute('stroke-dasharray', dashOf(channel).join(' '));
-  return svg;
 }

@@ -2,7 +2,7 @@
 
 import { make, setText } from '../dom';
 import type { History } from '../history';
-import type { Unit } from '../unit';
+import type { Curve } from './strokes';
 
 const rows = ['A', 'B', 'B − A'];
 const first = ['Time', '1/Δt'];
@@ -20,11 +20,12 @@ export class CursorTable {
   ) {}
 
   // `samples`: at A and B; none hides the table.
-  draw(samples: number[], channels: number[], names: string[], unit: Unit): void {
+  draw(samples: number[], curves: Curve[]): void {
     this.root.hidden = samples.length === 0;
     if (this.root.hidden) {
       return;
     }
+    const names = curves.map(({ name }) => name);
     if (names.join('\n') !== this.columns) {
       this.columns = names.join('\n');
       this.make(names);
@@ -35,8 +36,8 @@ export class CursorTable {
     const time = (sample: number): string => (gone ? '–' : seconds(this.history.time(sample)));
     this.fill(0, [time(a), time(b), Number.isNaN(between) ? '–' : signed(between, seconds)]);
     this.fill(1, ['', '', between ? `${+(1 / Math.abs(between)).toPrecision(4)} Hz` : '–']);
-    channels.forEach((channel, i) => {
-      const [atA, atB] = samples.map((sample) => (gone ? NaN : this.history.value(sample, channel)));
+    curves.forEach(({ column, unit }, i) => {
+      const [atA, atB] = samples.map((sample) => (gone ? NaN : this.history.value(sample, column)));
       const text = (value: number): string => (Number.isNaN(value) ? '–' : unit.text(value));
       this.fill(first.length + i, [text(atA), text(atB), signed(atB - atA, text)]);
     });

@@ -1,4 +1,4 @@
-// Curves of the chosen channels, on a scale that stays: the newest values are at the right edge, or the curves are paused.
+// Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or the curves are paused.
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
@@ -7,6 +7,7 @@ import { setText } from '../dom';
 import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
+import { fit, type Sensors } from '../sensors';
 import { ticksOf, type Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
@@ -14,11 +15,16 @@ import { dashOf } from './dash';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { picture } from './picture';
-import { bands, trace, type Area } from './strokes';
+import { bands, trace, type Area, type Curve } from './strokes';
 import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
+
+// Returns the width of an axis with these texts, in pixels.
+const widthOf = (_: uPlot, texts: string[] | null): number => 14 + 7 * Math.max(...(texts ?? ['']).map(({ length }) => length));
+
+const scaleOf = ({ axis }: Unit): string => (axis === undefined ? 'y' : `sensors ${axis}`);
 
 export class Curves {
   private plot?: uPlot;
@@ -27,7 +33,7 @@ export class Curves {
   private drawn = { edge: NaN, seconds: 0, begin: 0, end: 0, atMs: 0 };
   private unit?: Unit;
   private palette?: Palette;
-  private shownChannels: number[] = [];
+  private curves: Curve[] = [];
   private rows = false;
   private intervalUs = 0;
   private event?: number; // the moment that is marked, in s
@@ -38,6 +44,7 @@ export class Curves {
     private readonly root: HTMLElement,
     private readonly history: History,
     private readonly channels: Channels,
+    private readonly sensors: Sensors,
     private readonly ui: { pause: HTMLElement; window: HTMLElement; readout: HTMLElement; cursors: HTMLElement; table: HTMLElement },
   ) {
     this.table = new CursorTable(ui.table, history);
@@ -99,9 +106,8 @@ export class Curves {
 
   // Returns what is shown, as the text of an SVG file.
   svg(title: string): string {
-    const { shownChannels: channels, unit, palette, drawn: times, longest } = this;
-    const names = channels.map((channel) => this.channels.name(channel));
-    return picture(this.history, { title, channels, names, unit: unit as Unit, times, longest, thickness: this.thickness(channels) }, palette as Palette);
+    const { curves, unit, palette, drawn: times, longest, thickness } = this;
+    return picture(this.history, { title, curves, unit: unit as Unit, times, longest, thickness }, palette as Palette);
   }
 
   // `intervalUs`: the mean interval of frames or rows.
@@ -110,19 +116,19 @@ export class Curves {
     this.intervalUs = intervalUs;
     this.rows = newest !== undefined && newest.bytes.length === 0;
     const channels = this.channels.drawn(newest?.channels.length || 16);
-    const shown = `${channels} ${unit.low} ${unit.high} ${unit.range?.low}`;
+    this.curves = [...channels.map((column) => ({ column, name: this.channels.name(column), unit })), ...this.sensors.drawn()];
+    const shown = `${this.curves.map((curve) => `${curve.column} ${curve.unit.axis}`)} ${unit.low} ${unit.high} ${unit.range?.low}`;
     if (shown !== this.shown || !this.plot) {
       this.shown = shown;
       this.unit = unit;
-      this.shownChannels = channels;
-      this.make(channels);
+      this.make(this.curves);
     }
     if (this.hasMoved()) {
       this.redraw();
     }
-    this.read(channels);
+    this.read();
     this.cursors.draw();
-    this.table.draw(this.cursors.samples, channels, channels.map((channel) => this.channels.name(channel)), unit);
+    this.table.draw(this.cursors.samples, this.curves);
   }
 
   private look(act: (view: Viewport) => void): void {
@@ -156,6 +162,7 @@ export class Curves {
   private redraw(): void {
     const { edge, seconds } = this.drawn;
     const plot = this.plot as uPlot;
+    fit(this.history, this.curves, this.drawn.begin, this.drawn.end);
     const ends = [edge - seconds, edge]; // each curve reads the history itself
     plot.setData([ends, ...plot.series.slice(1).map(() => ends)] as uPlot.AlignedData, false);
     plot.setScale('x', { min: edge - seconds, max: edge });
@@ -170,18 +177,18 @@ export class Curves {
     return silenceUs(this.rows, this.intervalUs) / 1e6;
   }
 
-  private thickness(channels: number[]): number {
-    return channels.length > many ? 1 : 2;
+  private get thickness(): number {
+    return this.curves.length > many ? 1 : 2;
   }
 
-  private path(plot: uPlot, channel: number, unit: Unit): uPlot.Series.Paths {
+  private path(plot: uPlot, curve: Curve): uPlot.Series.Paths {
     const stroke = new Path2D();
-    trace(this.history, channel, unit, this.area(plot), this.longest, stroke);
+    trace(this.history, curve, this.area(plot), this.longest, stroke);
     return { stroke };
   }
 
   // Shows the values at the pointer.
-  private read(channels: number[]): void {
+  private read(): void {
     const plot = this.plot;
     const left = plot?.cursor.left ?? -1;
     if (!plot || left < 0 || this.history.end === 0) {
@@ -189,7 +196,10 @@ export class Curves {
       return;
     }
     const sample = this.history.nearest(plot.posToVal(left, 'x'));
-    const values = channels.map((channel) => `${this.channels.name(channel)} ${this.unit?.text(this.history.value(sample, channel))}`);
+    const values = this.curves.map(({ column, name, unit }) => {
+      const value = this.history.value(sample, column);
+      return `${name} ${Number.isNaN(value) ? '–' : unit.text(value)}`;
+    });
     setText(this.ui.readout, [`${this.history.time(sample).toFixed(3)} s`, ...values].join('   '));
   }
 
@@ -217,12 +227,13 @@ export class Curves {
     event.preventDefault();
   }
 
-  private make(channels: number[]): void {
+  private make(curves: Curve[]): void {
     this.plot?.destroy();
     const palette = (this.palette = paletteOf(this.root));
     const unit = this.unit as Unit;
     const grid = { stroke: palette.grid, width: 1 };
     const axis = { stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
+    const others = [...new Set(curves.map((curve) => curve.unit))].filter(({ axis }) => axis !== undefined);
     this.root.replaceChildren();
     this.drawn.edge = NaN;
     this.plot = new uPlot(
@@ -231,19 +242,24 @@ export class Curves {
         height: this.root.clientHeight,
         legend: { show: false },
         padding: [8, 4, 0, 0],
-        scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] } },
+        scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] },
+          ...Object.fromEntries(others.map((each) => [scaleOf(each), { auto: false, range: (): [number, number] => [each.low, each.high] }])) },
         axes: [
           { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+tick.toFixed(2)} s`)) }, // a line begins at 0
           { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
+          ...others.map((each) => ({
+            ...axis, grid: { show: false }, scale: scaleOf(each), side: 1 as const, size: widthOf, values: (_: uPlot, ticks: number[]): string[] => ticks.map(each.text),
+          })),
         ],
         series: [
           {},
-          ...channels.map((channel) => ({
-            stroke: palette.curves[channel % palette.curves.length],
-            width: this.thickness(channels),
-            dash: dashOf(channel),
+          ...curves.map((curve) => ({
+            scale: scaleOf(curve.unit),
+            stroke: palette.curves[curve.column % palette.curves.length],
+            width: this.thickness,
+            dash: dashOf(curve.column),
             points: { show: false },
-            paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, channel, unit),
+            paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, curve),
           })),
         ],
         cursor: {
@@ -265,7 +281,7 @@ export class Curves {
           ],
         },
       },
-      [[], ...channels.map(() => [])],
+      [[], ...curves.map(() => [])],
       this.root,
     );
     this.cursors.enter(this.plot.over);

@@ -4,7 +4,7 @@ import type { History } from '../history';
 import { ticksOf, type Unit } from '../unit';
 import { dashOf } from './dash';
 import type { Palette } from './palette';
-import { bands, trace, type Area } from './strokes';
+import { bands, trace, type Area, type Curve } from './strokes';
 
 const width = 1200;
 const left = 70;
@@ -13,23 +13,24 @@ const top = 64;
 const plotHeight = 420;
 const legendHeight = 24;
 const legendWidth = 150; // of a name
+const sensorWidth = 380; // of a name with a scale
 
 export interface Shown {
   title: string;
-  channels: number[];
-  names: string[];
-  unit: Unit;
+  curves: Curve[];
+  unit: Unit; // of the channels
   times: Pick<Area, 'edge' | 'seconds' | 'begin' | 'end'>;
   longest: number; // s without a frame: the curve breaks
   thickness: number;
 }
 
 export function picture(history: History, shown: Shown, palette: Palette): string {
-  const { title, channels, names, unit, times, longest, thickness } = shown;
+  const { title, curves, unit, times, longest, thickness } = shown;
   const area: Area = { ...times, left, top, width: width - left - right, height: plotHeight };
   const bottom = top + plotHeight;
-  const perRow = Math.floor(area.width / legendWidth);
-  const height = bottom + 40 + legendHeight * Math.ceil(channels.length / perRow);
+  const each = curves.some((curve) => curve.unit.axis !== undefined) ? sensorWidth : legendWidth;
+  const perRow = Math.floor(area.width / each);
+  const height = bottom + 40 + legendHeight * Math.ceil(curves.length / perRow);
   const parts: string[] = [];
   const text = (x: number, y: number, words: string, more = ''): void => void parts.push(`<text x="${x}" y="${y}"${more}>${escaped(words)}</text>`);
   const line = (x1: number, y1: number, x2: number, y2: number, stroke: string, more = ''): void =>
@@ -55,17 +56,18 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
     line(x, top, x, bottom, palette.grid);
     text(x, bottom + 18, `${+(tick * step).toFixed(2)} s`, ' text-anchor="middle"');
   }
-  channels.forEach((channel, i) => {
-    const dash = dashOf(channel).join(' ') || 'none';
-    const stroke = `${paint('stroke', palette.curves[channel % palette.curves.length])} stroke-width="${thickness}" stroke-dasharray="${dash}"`;
+  curves.forEach((curve, i) => {
+    const { column, name, unit: own } = curve;
+    const dash = dashOf(column).join(' ') || 'none';
+    const stroke = `${paint('stroke', palette.curves[column % palette.curves.length])} stroke-width="${thickness}" stroke-dasharray="${dash}"`;
     const pen = new Path();
-    trace(history, channel, unit, area, longest, pen);
+    trace(history, curve, area, longest, pen);
     parts.push(
-      `<path clip-path="url(#plot)" fill="none" stroke-linejoin="round" ${stroke} d="${pen.text}"><title>${escaped(names[i])}</title></path>`,
+      `<path clip-path="url(#plot)" fill="none" stroke-linejoin="round" ${stroke} d="${pen.text}"><title>${escaped(name)}</title></path>`,
     );
-    const [x, y] = [left + (i % perRow) * legendWidth, bottom + 44 + legendHeight * Math.floor(i / perRow)];
+    const [x, y] = [left + (i % perRow) * each, bottom + 44 + legendHeight * Math.floor(i / perRow)];
     parts.push(`<line x1="${x}" y1="${y - 4}" x2="${x + 36}" y2="${y - 4}" ${stroke}/>`);
-    text(x + 44, y, names[i]);
+    text(x + 44, y, own.axis === undefined ? name : `${name}, ${own.text(own.low)} to ${own.text(own.high)}`);
   });
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`,

@@ -3,6 +3,13 @@
 import type { History } from '../history';
 import type { Unit } from '../unit';
 
+// A curve to draw: a channel, or what a sensor measures.
+export interface Curve {
+  column: number; // of the history
+  name: string;
+  unit: Unit;
+}
+
 // A Path2D, for example.
 export interface Pen {
   moveTo(x: number, y: number): void;
@@ -21,9 +28,9 @@ export interface Area {
   end: number;
 }
 
-// Draws a channel's curve. It breaks where nothing came for longer than `longest`, in s. Samples at one pixel's height are one
+// Draws a curve. It breaks where nothing came for longer than `longest`, in s. Samples at one pixel's height are one
 // stroke: 16 curves of 1100 samples each are drawn sixty times a second.
-export function trace(history: History, channel: number, unit: Unit, area: Area, longest: number, pen: Pen): void {
+export function trace(history: History, { column, unit }: Pick<Curve, 'column' | 'unit'>, area: Area, longest: number, pen: Pen): void {
   const { left, top, width, height, edge, seconds } = area;
   let [x, y] = [0, 0];
   let before = -Infinity; // the time of x, y
@@ -36,7 +43,7 @@ export function trace(history: History, channel: number, unit: Unit, area: Area,
   };
   for (let sample = area.begin; sample < area.end; sample++) {
     const time = history.time(sample);
-    const value = history.value(sample, channel);
+    const value = history.value(sample, column);
     const nextX = Math.round(left + ((time - edge) / seconds + 1) * width);
     const nextY = Math.round(top + ((unit.high - value) / (unit.high - unit.low)) * height);
     if (Number.isNaN(value) || time - before > longest) {

@@ -28,6 +28,7 @@ export class Decoder {
     private readonly tape: Tape,
   ) {
     this.native = this.instance(true);
+    this.native.transfer(tape.sensors, (count) => this.native.calls.setSensors(count));
     this.native.transfer(tape.settings, () => this.native.calls.playRecording());
     this.advance(0);
     this.first = this.memory.slice();

@@ -91,6 +91,7 @@ class LiveLine {
       case 'replugged': void this.find(request.place).then((port) => port && this.feed.replugged?.(port)); break;
       case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
+      case 'sensors': native.transfer(request.sensors, (count) => native.calls.setSensors(count)); break;
       case 'record':
         native.calls.record(Number(request.on));
         if (!request.on) {

@@ -36,6 +36,7 @@ export type Request =
   | { kind: 'fault'; id: number; us: number; at?: Span; only?: Fault; back: boolean } // to the next one after `us`, or after the fault `at`
   | { kind: 'report' } // of a recording whose flight is known
   | { kind: 'event'; id: number; us: number; steps: Uint8Array; afterUs: number } // to so much after the next one after `us`
+  | { kind: 'sensors'; sensors: Uint8Array } // see Sensors.bytes; a recording is decoded from its beginning once more
   | { kind: 'wire'; fromUs: number; toUs: number; columns: number } // of a capture
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }

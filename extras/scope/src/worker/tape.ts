@@ -12,6 +12,7 @@ const mostCharacters = 64;
 
 export class Tape {
   settings: Uint8Array = new Uint8Array();
+  sensors: Uint8Array = new Uint8Array(); // in its telemetry's slots
   size = 0; // characters
   lengthUs = 0;
   carrier = ''; // of a capture: the signal that carries the line

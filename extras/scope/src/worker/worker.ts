@@ -96,8 +96,8 @@ class Index {
 }
 
 class Playing {
-  private readonly player: Decoder;
-  private readonly index: Index;
+  private player: Decoder;
+  private index: Index;
   private past?: Past;
   private knowsFlight = false;
   private search?: Search;
@@ -107,7 +107,7 @@ class Playing {
   constructor(
     private readonly module: WebAssembly.Module,
     private readonly tape: Tape,
-    endUs: number,
+    private readonly endUs: number,
   ) {
     this.player = new Decoder(module, tape);
     this.index = new Index(new Decoder(module, tape), tape.size, endUs);
@@ -117,6 +117,8 @@ class Playing {
     const { calls, reader } = this.player;
     if (request.kind === 'resetMarks') {
       calls.resetMarks();
+    } else if (request.kind === 'sensors') {
+      this.sense(request.sensors);
     } else if (request.kind === 'wire') {
       answer(this.tape.wire(request.fromUs, request.toUs, request.columns));
     } else if (request.kind === 'watch') {
@@ -132,6 +134,15 @@ class Playing {
       this.wanted = request;
       this.waking();
     }
+  }
+
+  // Decodes with other sensors. A seek follows.
+  private sense(sensors: Uint8Array): void {
+    const { module, tape, endUs } = this;
+    tape.sensors = sensors;
+    this.player = new Decoder(module, tape);
+    this.index = new Index(new Decoder(module, tape), tape.size, endUs);
+    this.past = this.search = undefined;
   }
 
   async run(): Promise<never> {
