@@ -43,6 +43,23 @@ TEST_CASE("a byte order mark before a text is no error") {
   CHECK(line::isCsvText(Mark + "1,2\n1,2\n"));
 }
 
+TEST_CASE("bookmarks are comments, and the last list of them counts") {
+  const auto bookmarksIn = [](const std::string &text) {
+    const Recording recording = line::parseRecording(text);
+    CHECK(recording.error.empty());
+    CHECK(recording.characters.size() == 1);
+    std::string all;
+    for (const line::Bookmark &bookmark : recording.bookmarks) {
+      all += std::to_string(bookmark.us) + ":" + bookmark.name + ";";
+    }
+    return all;
+  };
+  CHECK(bookmarksIn("# bookmark 7 a  b \n120 0F\n# bookmark 90 \r\n# bookmark 80 c") == "7:a  b;90:;80:c;");
+  CHECK(bookmarksIn("120 0F\n# bookmarks\n# bookmark 7 a\n# bookmarks\n# bookmark 8 b\n") == "8:b;");
+  CHECK(bookmarksIn("120 0F\n# bookmark 7 a\n# bookmarks\n").empty());
+  CHECK(bookmarksIn("120 0F\n# bookmark x a\n#bookmark 7 a\n# a bookmark 7 a\n# bookmark\n").empty());
+}
+
 TEST_CASE("a board's line may have any baud rate") {
   CHECK(line::settingsIn("# 9600 baud, 8N1\n").baud == 9600);
   CHECK(line::settingsIn("# 9600 baud, 8N1\n").format == line::csvSettings().format);

@@ -103,8 +103,8 @@ export default async function () {
     await page.selectOption('[data-slot="2"]', 'SBS-01T');
     await until('slot 2 is measured', async () => (await list(page)).some((line) => line.startsWith('temperature')));
     const offered = () => page.$$eval('[data-slot="1"] option', (all) => all.map(({ value }) => value));
-    assert.deepEqual(await offered(), ['?', 'SBS-01T', 'F1713', 'SBS-01R', 'SBS-01TAS']);
-    await page.selectOption('[data-slot="2"]', '?');
+    assert.deepEqual(await offered(), ['unknown', 'SBS-01T', 'F1713', 'SBS-01R', 'SBS-01TAS']);
+    await page.selectOption('[data-slot="2"]', 'unknown');
     await until('both slots are free', async () => (await offered()).includes('SBS-01V'));
     await page.selectOption('[data-slot="1"]', 'SBS-01V');
     await page.reload();

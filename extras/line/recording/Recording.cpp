@@ -134,10 +134,25 @@ bool isCsvText(std::string_view beginning) {
   return false;
 }
 
+// Takes a comment without its #. Only bookmarks mean anything.
+void RecordingReader::comment(std::string_view text) {
+  const std::string_view word = takeWord(text);
+  Bookmark bookmark{};
+  if (word == "bookmarks") {
+    _recording.bookmarks.clear();
+  } else if (word == "bookmark" && parseTime(takeWord(text), bookmark.us)) {
+    bookmark.name = withoutBlanks(text);
+    _recording.bookmarks.push_back(std::move(bookmark));
+  }
+}
+
 // Takes the characters of a line. Returns what is wrong with it, or nothing.
 std::string RecordingReader::parse(std::string_view line) {
   const std::string_view timeWord = takeWord(line);
   if (timeWord.empty() || timeWord.front() == '#') {
+    if (timeWord == "#") {
+      comment(line);
+    }
     return {};
   }
   Character character;

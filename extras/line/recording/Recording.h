@@ -5,6 +5,8 @@
 //                          after one with a wrong parity or stop bit
 //   16120~18000 0F E5      of a port that hands bytes over late: each was complete up to 18000 us earlier, and gaps may
 //                          stand between them
+//   # bookmarks            from here on the ones that count: a list that stands before it was changed
+//   # bookmark 16120 stall
 #pragma once
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "line/Line.h"
 #include "line/LineSettings.h"
@@ -81,10 +84,17 @@ class Characters {
   std::deque<Late> _late;        // where it changes
 };
 
+// A moment that has a name.
+struct Bookmark {
+  uint64_t us;
+  std::string name;
+};
+
 struct Recording {
   Characters characters;
-  std::string error;       // what is wrong and what is expected; empty if nothing is
-  unsigned errorLine = 0;  // where, counted from 1; 0 if it is wrong as a whole
+  std::vector<Bookmark> bookmarks;  // in the file's order
+  std::string error;                // what is wrong and what is expected; empty if nothing is
+  unsigned errorLine = 0;           // where, counted from 1; 0 if it is wrong as a whole
 };
 
 constexpr size_t RecordingLineMax = 4096;                                     // characters of text
@@ -120,6 +130,8 @@ class RecordingReader {
   // Returns the characters that have come since the last call.
   Characters take() { return std::exchange(_recording.characters, {}); }
 
+  bool isCsv() const { return _csv; }
+
   // Returns what is wrong with the newest line, or nothing.
   const std::string &error() const { return _recording.error; }
 
@@ -130,6 +142,7 @@ class RecordingReader {
  private:
   void row(std::string_view text);
   std::string parse(std::string_view line);
+  void comment(std::string_view text);
   void putRow(std::string_view text, uint64_t endUs, uint32_t characterUs);
   void put(const Character &character);
 

@@ -38,6 +38,8 @@ export interface Line {
   travel(channel: number): [number, number] | undefined;
   resetMarks(): void;
 
+  // The line's time from which the newest recording counts.
+  readonly recordingUs: number;
   // Begins a recording.
   record(): void;
   // Returns what was recorded since the last call.

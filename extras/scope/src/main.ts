@@ -153,7 +153,7 @@ function wire(): void {
   byId('record').addEventListener('click', () => {
     const { current } = scope.choice;
     if (scope.recorder.on) {
-      scope.recorder.end();
+      scope.endRecording();
     } else if (current) {
       scope.recorder.begin(current.line, current.title);
     }

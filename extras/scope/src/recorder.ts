@@ -3,6 +3,7 @@
 import { Awake } from './awake';
 import { download } from './dom';
 import type { History } from './history';
+import { type Bookmark, commentsOf } from './bookmarks';
 import type { Line } from './line';
 
 const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
@@ -36,8 +37,8 @@ export class Recorder {
     }
   }
 
-  // Saves the file once the line has handed over the rest.
-  end(): void {
+  // Saves the file once the line has handed over the rest, with those bookmarks that lie within it.
+  end(bookmarks: readonly Bookmark[], nowUs: number): void {
     const { line } = this;
     if (!line) {
       return;
@@ -48,7 +49,11 @@ export class Recorder {
     const parts = [...this.parts, this.text];
     this.parts = [];
     this.text = '';
-    void line.endRecorded().then((rest) => download(`sbus-${stamp()}.txt`, [...parts, rest], 'text/plain'));
+    const set = bookmarks.filter(({ us }) => us <= nowUs);
+    void line.endRecorded().then((rest) => {
+      const within = set.map(({ us, name }) => ({ us: us - line.recordingUs, name })).filter(({ us }) => us >= 0);
+      download(`sbus-${stamp()}.txt`, [...parts, rest, commentsOf(within)], 'text/plain');
+    });
   }
 
   private append(text: string): void {

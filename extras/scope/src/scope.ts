@@ -1,5 +1,6 @@
 // Ties a source to the views: takes what comes from it, and draws that sixty times a second.
 
+import { Bookmarks } from './bookmarks';
 import { Channels } from './channels';
 import type { Core } from './core';
 import { Doctor } from './doctor';
@@ -14,6 +15,7 @@ import type { State } from './worker/connection';
 import { Sensors } from './sensors';
 import { Units } from './unit';
 import { Bars } from './view/bars';
+import { BookmarksView } from './view/bookmarks';
 import { CountersView } from './view/counters';
 import { Curves } from './view/curves';
 import { FramesView } from './view/frames';
@@ -63,6 +65,8 @@ export class Scope implements Sink {
   private readonly telemetry: TelemetryView;
   private readonly statistics = new StatisticsView(this.history);
   private readonly frames: FramesView;
+  private readonly bookmarks = new Bookmarks();
+  private readonly bookmarksView: BookmarksView;
   private readonly timeline: Timeline;
   private readonly trigger: TriggerView;
   private readonly room = new Room();
@@ -85,8 +89,28 @@ export class Scope implements Sink {
       cursors: byId('cursors'),
       table: byId('cursor-values'),
     });
-    this.timeline = new Timeline(() => this.recorder.end());
-    this.trigger = new TriggerView(core, this.curves, this.frames, () => this.newest, () => this.recorder.end());
+    this.timeline = new Timeline(this.bookmarks, () => this.endRecording());
+    this.bookmarksView = new BookmarksView(this.bookmarks, () => this.shownUs, (us) => this.visit(us));
+    this.trigger = new TriggerView(core, this.curves, this.frames, () => this.newest, () => this.endRecording());
+  }
+
+  // Saves what was recorded.
+  endRecording(): void {
+    this.recorder.end(this.bookmarks.all, this.choice.current?.line.us ?? 0);
+  }
+
+  // The time that is shown, in us: a recording's position, or the curves' right edge.
+  private get shownUs(): number {
+    const { current } = this.choice;
+    return current instanceof RecordingSource ? current.positionUs : this.curves.shownUs[1];
+  }
+
+  private visit(us: number): void {
+    if (this.choice.current instanceof RecordingSource) {
+      this.timeline.visit(us);
+    } else {
+      this.curves.show(us);
+    }
   }
 
   // Redraws what depends on the theme.
@@ -96,7 +120,7 @@ export class Scope implements Sink {
   }
 
   private leave(): void {
-    this.recorder.end();
+    this.endRecording();
     this.forget();
     this.curves.forget();
   }
@@ -105,6 +129,7 @@ export class Scope implements Sink {
     this.doctor = new Doctor(this.core, source);
     this.trigger.enter(source);
     this.room.enter();
+    this.bookmarksView.enter(source);
     this.telemetry.enter();
     if (this.sensors.any) {
       this.sense();
@@ -181,6 +206,7 @@ export class Scope implements Sink {
     const { newest } = this;
     byId('scaling').hidden = !unit.raw;
     const { live } = source.line;
+    this.curves.name(this.bookmarks.all);
     const doctor = this.doctor as Doctor;
     const views: Record<string, () => void> = {
       'The choice of views': () => this.room.draw(source, status, newest),
@@ -191,6 +217,7 @@ export class Scope implements Sink {
       'The view of the names': () => this.names.draw(newest?.channels.length || 16),
       'The view of the counters': () => this.counters.draw(status, live?.events),
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
+      'The view of the bookmarks': () => this.bookmarksView.draw(),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
       'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),

@@ -121,8 +121,10 @@ EXPORT(watchFor)(unsigned size)->int {
   return needsTime;
 }
 
-EXPORT(record)(int on)->void {
+// Returns the time from which a recording that begins counts.
+EXPORT(record)(int on)->double {
   theScope.record(on != 0);
+  return static_cast<double>(theScope.nowUs());
 }
 
 // Returns what was recorded since the last call.

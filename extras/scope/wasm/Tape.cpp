@@ -151,6 +151,20 @@ EXPORT(endFile)()->const char * {
   return words.c_str();
 }
 
+// Returns the bookmarks of a recording, a line each: its time in us, a tab and its name.
+EXPORT(bookmarks)()->const char * {
+  words.clear();
+  for (const line::Bookmark &bookmark : tape.bookmarks) {
+    words += std::to_string(bookmark.us) + '\t' + bookmark.name + '\n';
+  }
+  return words.c_str();
+}
+
+// Returns true for a recording, which comments may follow; false for rows of CSV and a capture.
+EXPORT(isRecording)()->int {
+  return reader != nullptr && !reader->isCsv();
+}
+
 // Returns what carries the line in a capture, or "".
 EXPORT(carrier)()->const char * {
   words = "";

@@ -20,6 +20,7 @@ export class RecordingSource implements Source {
   private constructor(
     private readonly player: Remote,
     readonly title: string,
+    readonly file: File,
   ) {}
 
   // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
@@ -32,7 +33,7 @@ export class RecordingSource implements Source {
       player.close();
       signal.throwIfAborted();
     }
-    return () => new RecordingSource(player, player.carrier ? `Capture ${file.name}, ${player.carrier}` : `Recording ${file.name}`);
+    return () => new RecordingSource(player, player.carrier ? `Capture ${file.name}, ${player.carrier}` : `Recording ${file.name}`, file);
   }
 
   get line(): Remote {

@@ -1,5 +1,6 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
+import type { Bookmark } from '../bookmarks';
 import type { Core } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
@@ -33,6 +34,7 @@ export class Remote implements Line {
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
   wire?: Wire; // the part that was asked for last
+  recordingUs = 0; // from when on the newest recording counts
   failure?: Problem;
   private id = 0; // of the newest request
   private answered = 0;
@@ -48,6 +50,7 @@ export class Remote implements Line {
     private readonly channel: Channel,
     private readonly end: () => void,
     readonly lengthUs: number,
+    readonly bookmarks: readonly Bookmark[] | undefined, // in the file, if that is a recording as a plain text
     readonly carrier: string, // of a capture: the signal that carries the line
     private picture: Picture,
   ) {}
@@ -70,8 +73,8 @@ export class Remote implements Line {
         };
         worker.postMessage({ kind: 'open', wasm: core.wasm, file } satisfies Request);
       });
-      const { lengthUs, carrier, picture } = await opened;
-      const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, carrier, picture).listening();
+      const { lengthUs, carrier, bookmarks, picture } = await opened;
+      const remote = new Remote(core, worker, () => worker.terminate(), lengthUs, bookmarks, carrier, picture).listening();
       worker.onerror = (event): void => {
         event.preventDefault(); // the page says it
         remote.fail();
@@ -117,7 +120,7 @@ export class Remote implements Line {
       void broken?.then(() => resolve(undefined));
     });
     const end = (): void => channel.postMessage({ kind: 'close' }); // the worker goes on: it may have other lines
-    return opened && new Remote(core, channel, end, 0, '', opened.picture).listening();
+    return opened && new Remote(core, channel, end, 0, undefined, '', opened.picture).listening();
   }
 
   // What decodes the line has failed: nothing comes any more.
@@ -252,6 +255,8 @@ export class Remote implements Line {
       this.progress = answer.part;
     } else if (answer.kind === 'failed') {
       this.fail();
+    } else if (answer.kind === 'recording') {
+      this.recordingUs = answer.us;
     } else if (answer.kind === 'recorded') {
       this.ended?.(this.takeRecorded() + answer.text);
       this.ended = undefined;

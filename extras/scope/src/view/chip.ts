@@ -1,11 +1,11 @@
 // A button that shows or hides a curve, with a piece of the curve.
 
 import { make } from '../dom';
-import { dashOf } from './dash';
+import { colorOf, dashOf } from './dash';
 
 export function chipOf(curves: Set<number>, column: number, name: HTMLElement): HTMLButtonElement {
   const chip = make('button', { class: 'chip', 'aria-pressed': String(curves.has(column)) }, swatch(column), name);
-  chip.dataset.color = String(column % 8);
+  chip.dataset.color = String(colorOf(column));
   chip.addEventListener('click', () => {
     const on = !curves.has(column);
     curves[on ? 'add' : 'delete'](column);

@@ -2,6 +2,7 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import type { Bookmark } from '../bookmarks';
 import type { Channels } from '../channels';
 import { setText } from '../dom';
 import { silenceUs } from '../faults';
@@ -11,7 +12,7 @@ import { fit, type Sensors } from '../sensors';
 import { ticksOf, type Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
-import { dashOf } from './dash';
+import { colorOf, dashOf } from './dash';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { picture } from './picture';
@@ -37,6 +38,7 @@ export class Curves {
   private rows = false;
   private intervalUs = 0;
   private event?: number; // the moment that is marked, in s
+  private bookmarks: readonly Bookmark[] = [];
   private readonly cursors: Cursors;
   private readonly table: CursorTable;
 
@@ -81,6 +83,19 @@ export class Curves {
   mark(us?: number): void {
     this.event = us === undefined ? undefined : us / 1e6;
     this.drawn.edge = NaN;
+  }
+
+  // Shows bookmarks.
+  name(bookmarks: readonly Bookmark[]): void {
+    if (bookmarks !== this.bookmarks) {
+      this.bookmarks = bookmarks;
+      this.drawn.edge = NaN;
+    }
+  }
+
+  // Shows a time in the middle, and stops there.
+  show(us: number): void {
+    this.look((view) => view.place(us / 1e6, 0.5));
   }
 
   // Stops with the marked moment at a part of the width.
@@ -255,7 +270,7 @@ export class Curves {
           {},
           ...curves.map((curve) => ({
             scale: scaleOf(curve.unit),
-            stroke: palette.curves[curve.column % palette.curves.length],
+            stroke: palette.curves[colorOf(curve.column)],
             width: this.thickness,
             dash: dashOf(curve.column),
             points: { show: false },
@@ -270,6 +285,7 @@ export class Curves {
         },
         hooks: {
           drawClear: [(plot): void => this.bands(plot, palette)],
+          draw: [(plot): void => this.flags(plot, palette)],
           setSelect: [
             (plot): void => {
               const { left, width } = plot.select;
@@ -285,6 +301,31 @@ export class Curves {
       this.root,
     );
     this.cursors.enter(this.plot.over);
+  }
+
+  // Draws the bookmarks, each with its name.
+  private flags(plot: uPlot, palette: Palette): void {
+    const { ctx, bbox } = plot;
+    const pixel = devicePixelRatio;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.font = `${12 * pixel}px system-ui, sans-serif`;
+    ctx.textBaseline = 'top';
+    ctx.strokeStyle = ctx.fillStyle = palette.ink;
+    ctx.setLineDash([2 * pixel, 2 * pixel]);
+    for (const { us, name } of this.bookmarks) {
+      const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
+      const isNear = x + ctx.measureText(name).width > bbox.left + bbox.width; // the right edge
+      ctx.textAlign = isNear ? 'right' : 'left';
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+      ctx.fillText(name, x + (isNear ? -4 : 4) * pixel, bbox.top + 2 * pixel);
+    }
+    ctx.restore();
   }
 
   // Marks where the receiver was in failsafe, and where radio frames were lost.

@@ -2,7 +2,7 @@
 
 import type { History } from '../history';
 import { ticksOf, type Unit } from '../unit';
-import { dashOf } from './dash';
+import { colorOf, dashOf } from './dash';
 import type { Palette } from './palette';
 import { bands, trace, type Area, type Curve } from './strokes';
 
@@ -59,7 +59,7 @@ export function picture(history: History, shown: Shown, palette: Palette): strin
   curves.forEach((curve, i) => {
     const { column, name, unit: own } = curve;
     const dash = dashOf(column).join(' ') || 'none';
-    const stroke = `${paint('stroke', palette.curves[column % palette.curves.length])} stroke-width="${thickness}" stroke-dasharray="${dash}"`;
+    const stroke = `${paint('stroke', palette.curves[colorOf(column)])} stroke-width="${thickness}" stroke-dasharray="${dash}"`;
     const pen = new Path();
     trace(history, curve, area, longest, pen);
     parts.push(

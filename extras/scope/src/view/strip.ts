@@ -1,6 +1,7 @@
 // The whole recording as a strip, under the slider that seeks in it: its faults, how far it is decoded, and what the curves show.
 // Each fault has a height of its own, so that they can be told apart without colours; losses are as high as they are many.
 
+import type { Bookmark } from '../bookmarks';
 import { binCount, Fault, faultNames, faults, type FaultMap, type Flight, type Span } from '../faults';
 import { byId, make, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
@@ -66,6 +67,7 @@ export class Strip {
   private shownFlight?: Flight;
   private readonly decoded = svg('rect', { class: 'decoded', height: tall });
   private readonly window = svg('rect', { class: 'window', height: tall });
+  private readonly bookmarks = svg('path', { class: 'bookmark' });
   private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
   private readonly counts = faults.map(() => make('span'));
   private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show, and go to, only these' }));
@@ -73,7 +75,7 @@ export class Strip {
   private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
 
   constructor() {
-    byId('strip').append(this.decoded, this.window, ...this.paths);
+    byId('strip').append(this.decoded, this.window, ...this.paths, this.bookmarks);
     const rows = faults.map((fault) => {
       const sample = svg('svg', { viewBox: `0 0 8 ${tall}`, 'aria-hidden': 'true' }, svg('path', { class: classes[fault], d: boxOf(fault, 0, 8) }));
       const button = this.buttons[fault];
@@ -85,7 +87,7 @@ export class Strip {
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
-  draw({ faults: map, flight, found, isLast, lengthUs }: RecordingSource, from: number, to: number): void {
+  draw({ faults: map, flight, found, isLast, lengthUs }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
     if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
       this.shownFlight = flight;
@@ -97,6 +99,7 @@ export class Strip {
     const place = (us: number): number => Math.min(Math.max((binCount * us) / lengthUs, 0), binCount);
     setAttribute(this.window, 'x', place(from).toFixed(1));
     setAttribute(this.window, 'width', (place(to) - place(from)).toFixed(1));
+    setAttribute(this.bookmarks, 'd', bookmarks.map(({ us }) => `M${place(us).toFixed(2)} 0v${tall}`).join(''));
     const all = map?.isComplete ? ` of ${this.counted(map)}` : '';
     const kind = this.only === undefined ? 'fault' : `fault "${faultNames[this.only]}"`;
     const text = isLast ? `There is no further ${kind} in this direction.` : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';

@@ -6,7 +6,7 @@ import { Throttle } from '../throttle';
 import { chipOf } from './chip';
 
 const drawMs = 200;
-const unknown = '?';
+const unknown = 'unknown';
 
 interface Row {
   item: HTMLElement;

@@ -1,5 +1,6 @@
 // A recording's time line.
 
+import type { Bookmarks } from '../bookmarks';
 import { byId, setAttribute, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
@@ -23,7 +24,10 @@ export class Timeline {
   private readonly loop = byId<HTMLInputElement>('loop');
 
   // `leaving`: called before another place of the recording is sought.
-  constructor(private readonly leaving: () => void) {
+  constructor(
+    private readonly bookmarks: Bookmarks,
+    private readonly leaving: () => void,
+  ) {
     this.play.addEventListener('click', () => this.toggle());
     this.position.addEventListener('input', () => this.seek(Number(this.position.value) * 1000));
     this.position.addEventListener('keydown', (event) => this.step(event));
@@ -65,7 +69,7 @@ export class Timeline {
     this.position.value = String(Math.floor(source.positionUs / 1000));
     this.tell(source);
     setText(this.text, `${clock(source.positionUs, 1)} / ${clock(source.lengthUs, 1)}`);
-    this.strip.draw(source, from, to);
+    this.strip.draw(source, from, to, this.bookmarks.all);
     this.report.draw(source);
   }
 
@@ -94,7 +98,7 @@ export class Timeline {
   }
 
   // Goes there and stops.
-  private visit(us: number): void {
+  visit(us: number): void {
     this.seek(us);
     if (this.source) {
       this.source.playing = false;

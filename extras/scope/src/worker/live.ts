@@ -92,12 +92,15 @@ class LiveLine {
       case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
       case 'sensors': native.transfer(request.sensors, (count) => native.calls.setSensors(count)); break;
-      case 'record':
-        native.calls.record(Number(request.on));
-        if (!request.on) {
+      case 'record': {
+        const us = native.calls.record(Number(request.on));
+        if (request.on) {
+          this.answer({ kind: 'recording', us });
+        } else {
           this.answer({ kind: 'recorded', text: native.words(native.calls.takeRecorded()) });
         }
         break;
+      }
       case 'close':
         clearInterval(this.timer);
         this.feed.close();

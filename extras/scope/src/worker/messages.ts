@@ -1,5 +1,6 @@
 // The messages between the page and what decodes a line for it: mostly a worker.
 
+import type { Bookmark } from '../bookmarks';
 import type { Setting, Simulation } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Finding } from '../border';
@@ -91,11 +92,12 @@ export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string }
   | { kind: 'refused' } // the worker does not find the port
-  | { kind: 'opened'; lengthUs: number; carrier: string; picture: Picture }
+  | { kind: 'opened'; lengthUs: number; carrier: string; bookmarks?: Bookmark[]; picture: Picture } // bookmarks: of a recording as a plain text
   | Picture
   | Wire
   | { kind: 'faults'; map: FaultMap }
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
+  | { kind: 'recording'; us: number } // it has begun: its times count from then
   | { kind: 'recorded'; text: string }; // the end of it

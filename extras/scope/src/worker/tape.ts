@@ -1,5 +1,6 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
+import type { Bookmark } from '../bookmarks';
 import type { Flight } from '../faults';
 import { CaptureHeadMax, CharacterSize } from '../border';
 import { imports, Native } from '../native';
@@ -15,6 +16,7 @@ export class Tape {
   sensors: Uint8Array = new Uint8Array(); // in its telemetry's slots
   size = 0; // characters
   lengthUs = 0;
+  bookmarks?: Bookmark[]; // of a recording as a plain text
   carrier = ''; // of a capture: the signal that carries the line
   private readonly native: Native;
 
@@ -41,6 +43,7 @@ export class Tape {
       this.size = calls.recordingSize();
       this.lengthUs = calls.recordingLengthUs();
       this.carrier = this.native.words(calls.carrier());
+      this.bookmarks = isZip || isGzip || !calls.isRecording() ? undefined : bookmarksIn(this.native.words(calls.bookmarks()));
     }
     return wrong;
   }
@@ -137,6 +140,10 @@ export class Tape {
     const { calls } = this.native;
     return new Uint8Array(calls.memory.buffer, calls.transferBuffer(), size).slice();
   }
+}
+
+function bookmarksIn(text: string): Bookmark[] {
+  return text.split('\n').filter(Boolean).map((line) => line.split('\t')).map(([us, ...name]) => ({ us: Number(us), name: name.join(' ') }));
 }
 
 function joined(first: Uint8Array, second: Uint8Array): Uint8Array<ArrayBuffer> {

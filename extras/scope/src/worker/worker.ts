@@ -124,8 +124,10 @@ class Playing {
     } else if (request.kind === 'watch') {
       this.player.watchFor(request.steps);
     } else if (request.kind === 'record') {
-      calls.record(Number(request.on));
-      if (!request.on) {
+      const us = calls.record(Number(request.on));
+      if (request.on) {
+        answer({ kind: 'recording', us });
+      } else {
         answer({ kind: 'recorded', text: reader.words(calls.takeRecorded()) });
       }
     } else if (request.kind === 'report') {
@@ -329,9 +331,9 @@ async function open({ wasm, file }: Extract<Request, { kind: 'open' }>): Promise
       answer({ kind: 'failed', error });
       return;
     }
-    const { lengthUs, carrier } = tape;
+    const { lengthUs, carrier, bookmarks } = tape;
     playing = new Playing(module, tape, lengthUs + 1000);
-    answer({ kind: 'opened', lengthUs, carrier, picture: playing.picture(0, false, []) });
+    answer({ kind: 'opened', lengthUs, carrier, bookmarks, picture: playing.picture(0, false, []) });
     await playing.run();
   } catch (error) {
     answer({ kind: 'failed', error: `${file.name}: cannot be read: ${(error as Error).message}` });

@@ -1,0 +1,75 @@
+// The bookmarks of the line: set by a button or B; a card lists them, once there are some.
+
+import { type Bookmark, type Bookmarks, commentsOf, longestName } from '../bookmarks';
+import { byId, download, make, setText } from '../dom';
+import { RecordingSource } from '../source/recording';
+import type { Source } from '../source/Source';
+import { clock } from './strip';
+
+export class BookmarksView {
+  private readonly list = byId('bookmarks-list');
+  private readonly save = byId('bookmarks-save');
+  private shown?: readonly Bookmark[];
+  private source?: Source;
+
+  // `now`: the time that is shown, in us. `visit`: goes to such a time.
+  constructor(
+    private readonly bookmarks: Bookmarks,
+    private readonly now: () => number,
+    private readonly visit: (us: number) => void,
+  ) {
+    byId('bookmark').addEventListener('click', () => this.add());
+    for (const root of [byId('plot'), byId('timeline')]) {
+      root.addEventListener('keydown', (event) => this.key(event));
+    }
+    this.save.addEventListener('click', () => this.saveFile());
+  }
+
+  enter(source: Source): void {
+    this.source = source;
+    this.bookmarks.enter(source.line.bookmarks ?? []);
+    this.save.hidden = source.line.bookmarks === undefined;
+  }
+
+  // Call it for each picture.
+  draw(): void {
+    const { all } = this.bookmarks;
+    if (all !== this.shown) {
+      this.shown = all;
+      byId('bookmarks').hidden = all.length === 0 && !this.source?.line.bookmarks?.length;
+      this.list.replaceChildren(...all.map((bookmark) => this.row(bookmark)));
+    }
+  }
+
+  private add(): void {
+    const { us, name } = this.bookmarks.add(this.now());
+    setText(byId('bookmark-announcement'), `${name} at ${clock(us)}`);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !(event.target instanceof HTMLSelectElement);
+    if (event.key.toLowerCase() === 'b' && isPlain) {
+      event.preventDefault();
+      this.add();
+    }
+  }
+
+  private row(bookmark: Bookmark): HTMLElement {
+    const time = clock(bookmark.us);
+    const go = make('button', {}, time);
+    const name = make('input', { type: 'text', value: bookmark.name, maxlength: longestName, 'aria-label': `Name of the bookmark at ${time}` });
+    const remove = make('button', { 'aria-label': `Remove the bookmark at ${time}`, title: 'Remove' }, '×');
+    go.addEventListener('click', () => this.visit(bookmark.us));
+    name.addEventListener('change', () => this.bookmarks.rename(bookmark, name.value));
+    remove.addEventListener('click', () => this.bookmarks.remove(bookmark));
+    return make('li', {}, go, name, remove);
+  }
+
+  // Saves the recording that is played, with the bookmarks as they are now.
+  private saveFile(): void {
+    if (this.source instanceof RecordingSource) {
+      const { file, line } = this.source;
+      download(file.name, [file, '\n', commentsOf(this.bookmarks.all, Boolean(line.bookmarks?.length))], 'text/plain');
+    }
+  }
+}
