@@ -33,16 +33,16 @@ class Ticker;
 ///
 /// The paper's sketch calls parseSBusFrame() and decodeSBusFrame() instead.
 ///
-/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN() (which a
-/// Grasshopper's core does not call: no bytes wait there).
+/// DecodeSBus24 decodes FrSky's 24 channels. Call all methods from setup(), loop() or serialEventN(). (A Grasshopper's
+/// core does not call serialEventN(), because no bytes wait there.)
 ///
-/// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): no method has to be called in
-/// time, and the object must live until end(). DecodeSBusBackground does so on other boards:
+/// On a Grasshopper (STM32L0) the port calls the object when bytes come, above loop(): the sketch need not call a
+/// method in time, but the object must live until end(). DecodeSBusBackground does the same on other boards:
 /// extras/docs/interrupts.md.
 template <typename Format, typename Events = sbus::NoEvents>
 class DecodeSBusOf {
  public:
-  using ChannelArray = sbus::ChannelArray<uint16_t, Format::Channels>;  ///< an array or a pointer: 18 values, or 24
+  using ChannelArray = sbus::ChannelArray<uint16_t, Format::Channels>;  ///< an array or a pointer: 18 or 24 values
   using Frame = sbus::FrameValue<Format::Channels>;                     ///< an SBusFrame, or an SBusFrame24
 
   // ---- Open and close
@@ -58,45 +58,44 @@ class DecodeSBusOf {
   DecodeSBusOf(Port &port, int8_t rx, int8_t tx) : _port(port, rx, tx) {}
 
   /// Opens the port as 8E2, inverted if the port can invert (otherwise the line needs an inverter), and forgets all
-  /// frames and counters. Default: 100000 baud; Fast S.Bus has 200000.
+  /// frames and counters. Default: 100000 baud. Fast S.Bus: 200000 baud.
   ///
-  /// `config` is SERIAL_8E2 for an uninverted line, or another format of the core. A setting that the port does not
-  /// support is not reported, and no frames come: the example Diagnose finds that out. Below 47060 baud begin() opens
-  /// nothing.
-  /// It does not open a Stream that is no hardware serial port: use listen().
+  /// `config` is SERIAL_8E2 for an uninverted line, or another format of the core. If the port does not support a
+  /// setting, begin() does not report it, and no frames come: the example Diagnose finds the cause. Below 47060 baud
+  /// begin() opens nothing. It does not open a Stream other than a hardware serial port: use listen().
   ///
-  /// Without pins in the constructor an ESP32 or ESP8266 uses the core's pins; with core 1 or 2 those of a classic
-  /// ESP32's Serial1 belong to its flash (extras/docs/boards.md).
+  /// Without pins in the constructor an ESP32 or ESP8266 uses the core's pins. With core 1 or 2, Serial1's pins on a
+  /// classic ESP32 belong to its flash (extras/docs/boards.md).
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
   /// Starts on a port that the sketch has opened with `baud`, such as a SoftwareSerial, and forgets all frames and
   /// counters.
   void listen(unsigned long baud = sbus::Baud);
 
-  /// Closes a hardware serial port. Call it only after begin(): otherwise the Uno R4 crashes, and the nRF52 waits for
-  /// ever. The last frame can be decoded until it is stale.
+  /// Closes a hardware serial port. Call it only after begin(): otherwise the Uno R4 crashes, and the nRF52 waits
+  /// forever. The last frame can be decoded until it is stale.
   void end();
 
   // ---- Called in every loop()
 
-  /// Reads the bytes that wait, as parseSBusFrame() does, and writes the newest frame to `frame`, as decodeSBusFrame()
-  /// does: an SBusFrame, of DecodeSBus24 an SBusFrame24. Returns true if it is new. Flags and age are right after each
-  /// call, also if no frame comes: check frame.failsafe whatever it returns. Call it as often as parseSBusFrame().
+  /// Reads the waiting bytes, like parseSBusFrame(), and writes the newest frame to `frame`, like decodeSBusFrame(): an
+  /// SBusFrame, or an SBusFrame24 for DecodeSBus24. Returns true if the frame is new. Flags and age are right after
+  /// each call, even if no frame comes: check frame.failsafe whatever it returns. Call it as often as parseSBusFrame().
   bool read(Frame &frame);
 
   /// Reads the bytes that wait on the port, and never waits for more. Call it in every loop(), at least every 5 ms (2.5
-  /// ms at 200000 baud): a core's buffer of 64 bytes is full after 7.7 ms of a line without gaps, and then loses bytes.
-  /// On a Grasshopper it need not be called, unless the sketch has set the port's onReceive() itself.
+  /// ms at 200000 baud): on a line without gaps, a core's buffer of 64 bytes is full after 7.7 ms, and then loses
+  /// bytes. On a Grasshopper the sketch need not call it, unless it has set the port's onReceive() itself.
   ///
   /// Call it also when nothing waits: only an empty call proves that the line was silent. A sketch that calls it only
   /// when bytes wait (serialEvent1()) loses a frame each time its loop() is late by 2 ms.
   ///
-  /// While interrupts are off, bytes are lost, and two frames may be joined, above all on an AVR
+  /// While interrupts are off, bytes get lost, and parts of two frames may be joined, above all on an AVR
   /// (extras/docs/boards.md).
   ///
-  /// A frame is complete at the first call after its last byte. The very first frame, the first with the end byte of
-  /// another variant, and one after discarded bytes or 50 ms of silence may have to wait for the next frame or for 3 ms
-  /// of silence.
+  /// A frame is complete at the first call after its last byte. The very first frame, the first frame of another line
+  /// variant, and a frame after discarded bytes or 50 ms of silence may have to wait for the next frame, or for 3 ms of
+  /// silence.
   void parseSBusFrame();
 
   /// Returns true while the newest frame is younger than the timeout; false before the first frame.
@@ -105,7 +104,7 @@ class DecodeSBusOf {
   /// Writes the newest frame to `channels`: 18 values, CH1..CH16 as 0..2047, CH17 and CH18 as 0 or 1. DecodeSBus24
   /// writes 24 values, CH1..CH24 as 0..2047. It may be called at any rate.
   ///
-  /// - lostFrame: this radio frame did not arrive, and the channels are repeated. It comes and goes in flight.
+  /// - lostFrame: this radio frame did not arrive, and the channels repeat old values. It comes and goes in flight.
   /// - failsafe: the receiver is in failsafe, and the channels are its failsafe setting; or it has reported lost frames
   ///   for too long (setLossLimit()).
   ///
@@ -126,14 +125,14 @@ class DecodeSBusOf {
   // ---- The link
 
   /// Returns how far the channels can be trusted: NeverSeen before the first frame, then Ok, Lossy, Failsafe or Stale.
-  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, as micros() wraps after 71 minutes.
+  /// Call this, SBusFrameOk() or decodeSBusFrame() at least once an hour, because micros() wraps after 71 minutes.
   sbus::LinkState linkState();
 
-  /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never too small: it
-  /// counts from the last poll before the frame's end came. Call it at least once an hour.
+  /// Returns the age of the newest frame in ms, 0..4294967; ULONG_MAX before the first. The age is never
+  /// underestimated: it counts from the last poll before the frame's end. Call it at least once an hour.
   unsigned long frameAge();
 
-  /// Returns the counters of the line since begin(), all of one moment; all are 0 before the first byte.
+  /// Returns the counters since begin(), all taken at one moment. All are 0 before the first byte.
   sbus::Counters counters() const {
     for (;;) {
       const uint8_t polls = _port.polls();
@@ -184,7 +183,7 @@ class DecodeSBusOf {
   static uint32_t clock() { return micros(); }
 };
 
-/// Decodes sixteen channels and two switches, as nearly all receivers send them, and the extra channels of Futaba's
+/// Decodes sixteen channels and two switches, which nearly all receivers send, and the extra channels of Futaba's
 /// FASSTest 26.
 class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
  public:
@@ -197,11 +196,11 @@ class DecodeSBus : public DecodeSBusOf<sbus::Frame16> {
 };
 
 /// Decodes the 24 channels of FrSky's ACCESS and TD receivers that are set to "SBUS 24". On a line of 16 channels it
-/// delivers no frame, and counters().otherSizeFrames counts; so does a DecodeSBus on a line of 24 channels.
+/// delivers no frame, and counters().otherSizeFrames grows; likewise for a DecodeSBus on a line of 24 channels.
 using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 
-/// Decodes sixteen channels and two switches, and treats a frame whose channels are all 0 as lost: it counts in
-/// counters().lostFrames, and its channels are not handed out: the sketch's array keeps its values, so it must outlive
-/// loop(). Until a frame has come that is not lost, failsafe is true. A FrSky receiver that is set to "No pulses" may
-/// send such frames, and does not always set a flag in them.
+/// Decodes sixteen channels and two switches, and treats a frame with 0 on all channels as lost: it counts in
+/// counters().lostFrames, and the sketch's array keeps its values, so the array must outlive loop(). Failsafe is true
+/// until a frame comes that is not lost. A FrSky receiver that is set to "No pulses" may send such frames, and does not
+/// always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;

@@ -17,14 +17,14 @@
 
 #if !defined(SBUS_TICKER)
 
-/// A Grasshopper's port calls by itself: there this is `Decoder`.
+/// A Grasshopper's port calls back by itself: there this is `Decoder`.
 template <typename Decoder>
 using DecodeSBusBackgroundOf = Decoder;
 
 #else
 
-/// Decodes as `Decoder` does, while loop() does other things: the port is read each millisecond, in an interrupt or, on
-/// an ESP32, in a task. On a Grasshopper this is `Decoder` itself, which does that already.
+/// Decodes like `Decoder`, while loop() does other things: it reads the port each millisecond, in an interrupt or, on
+/// an ESP32, in a task. On a Grasshopper this is `Decoder` itself, which already listens in the background.
 ///
 ///     DecodeSBusBackground dSBus(Serial1);
 ///     void setup() { dSBus.begin(); }
@@ -34,7 +34,7 @@ using DecodeSBusBackgroundOf = Decoder;
 ///     }
 ///
 /// Call all methods from setup() and loop(), at any moment. Several objects can work on different ports, and each must
-/// live until end(). extras/docs/interrupts.md says what reads on which board; on others this header does not compile.
+/// live until end(). extras/docs/interrupts.md lists the boards; on others this header does not compile.
 ///
 /// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBusTelemetry.
 template <typename Decoder>
@@ -54,29 +54,29 @@ class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
     check<Port>();
   }
 
-  /// Opens the port, as DecodeSBusOf::begin() does, and listens from then on. If a Teensy's IntervalTimers or a Pico's
-  /// alarms are all taken, or another decoder listens on a Pico's other core, nothing listens: call parseSBusFrame() in
-  /// loop() then, as for a DecodeSBus.
+  /// Opens the port, like DecodeSBusOf::begin(), and listens from then on. If a Teensy's IntervalTimers or a Pico's
+  /// alarms are all taken, or another decoder listens on a Pico's other core, nothing listens: then call
+  /// parseSBusFrame() in loop(), as for a DecodeSBus.
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig) {
     this->stopTicks();
     Decoder::begin(baud, config);
     this->startTicks(poll);
   }
 
-  /// Starts on a port that the sketch has opened, as DecodeSBusOf::listen() does, and listens as after begin().
+  /// Starts on a port that the sketch has opened, like DecodeSBusOf::listen(), and listens as after begin().
   void listen(unsigned long baud = sbus::Baud) {
     this->stopTicks();
     Decoder::listen(baud);
     this->startTicks(poll);
   }
 
-  /// Stops listening, and closes the port, as DecodeSBusOf::end() does.
+  /// Stops listening, and closes the port, like DecodeSBusOf::end().
   void end() {
     this->stopTicks();
     Decoder::end();
   }
 
-  /// Reads the bytes that wait, as DecodeSBusOf::parseSBusFrame() does. It may be called at any rate, or never.
+  /// Reads the waiting bytes, like DecodeSBusOf::parseSBusFrame(). Call it at any rate, or never.
   void parseSBusFrame() {
     const sbus::Ticked::Hold hold(*this);
     Decoder::parseSBusFrame();
@@ -96,5 +96,5 @@ class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
 
 #endif
 
-/// Decodes as DecodeSBus does, while loop() does other things.
+/// Decodes like DecodeSBus, while loop() does other things.
 using DecodeSBusBackground = DecodeSBusBackgroundOf<DecodeSBus>;

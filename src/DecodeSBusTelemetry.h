@@ -6,14 +6,14 @@
 #include "sbus/Sensors.h"
 #include "sbus/Telemetry.h"
 
-/// Decodes sixteen channels and two switches as DecodeSBus does, and the telemetry of an S.BUS2 line:
+/// Decodes sixteen channels and two switches like DecodeSBus, and the telemetry of an S.BUS2 line:
 ///
 ///     DecodeSBusTelemetry dSBus(Serial1);
 ///     sbus::ReceiverVoltage voltage;
 ///     if (dSBus.readSensor(0, voltage)) { Serial.println(voltage.decivolts); }
 ///
 /// A slot does not say which sensor fills it: read it as the type that the radio has for this slot. There is no
-/// checksum: if a wrong value would do harm, believe a value that has come twice (`trust.times` of readSensor()).
+/// checksum: if a wrong value would do harm, trust a value only once it has come twice (`trust.times` of readSensor()).
 template <typename Events>
 class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   using Decoder = DecodeSBusOf<sbus::Frame16, Events>;
@@ -23,9 +23,9 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
 
   /// Reads the sensor whose first slot is `slot`, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
   /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
-  /// sensor's slots have come within the last second; otherwise `sensor` is unchanged. The values of one sensor are of
+  /// sensor's slots have come within the last second; otherwise `sensor` is unchanged. All values of a sensor are from
   /// one moment, and can be read one frame, 15 ms, after they were sent. From the first call for a sensor on, its slots
-  /// are kept together; the first ones may have come apart: then it returns false, until they come together. Call it at
+  /// are kept together. If the slots before that call came apart, it returns false until they come together. Call it at
   /// any rate, from where decodeSBusFrame() may be called.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor) {
@@ -37,10 +37,9 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
     return true;
   }
 
-  /// Reads the sensor, and says how far its values can be trusted. `trust.age`: how old they are, ms, at most 10 ms too
-  /// high (FASSTest 12CH, and after four lost frames in a row: 60 ms); 65535 means 65535 or more. `trust.times`:
-  /// how often in a row they have come without a change, 1..8, where 8 is 8 or more. `trust` changes only if it returns
-  /// true.
+  /// Reads the sensor, and says how far its values can be trusted. `trust.age`: their age in ms, at most 10 ms too high
+  /// (60 ms with FASSTest 12CH, and after four lost frames in a row); 65535 means 65535 or more. `trust.times`: how
+  /// often in a row they have come unchanged, 1..8; 8 means 8 or more. `trust` changes only if it returns true.
   template <typename Sensor>
   bool readSensor(uint8_t slot, Sensor &sensor, sbus::Trust &trust) {
     sbus::SlotData data[Sensor::Slots];
@@ -63,10 +62,10 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
   }
 
   /// Returns how many times since begin() the bytes between two frames were not just slots of the announced group.
-  /// Slots of such a group that are certainly whole are read all the same. (An SBus2Sensor reads none of them.) The
-  /// cause is a disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
+  /// Slots of a rejected group that are certainly whole are still read, except by an SBus2Sensor. The cause is a
+  /// disturbance, two sensors in one slot, or a sensor that sends at the wrong time.
   uint32_t rejectedGroups() const { return this->_finder.events().rejectedGroups(); }
 };
 
-/// Decodes an S.BUS2 line, and only listens; SBus2Sensor also answers.
+/// Decodes an S.BUS2 line, and only listens. SBus2Sensor also answers.
 using DecodeSBusTelemetry = DecodeSBusTelemetryOf<sbus::Telemetry>;

@@ -13,14 +13,14 @@
 ///     void setup() { sBus.begin(); }
 ///     void loop() { sBus.write(channels, failsafe, lostFrame); }
 ///
-/// EncodeSBus24 sends FrSky's 24 channels. If a DecodeSBus listens on the same port, call begin() and end() of the
-/// DecodeSBus only. A port that the sketch has opened needs no begin(). Call all methods from setup(), loop() or
-/// serialEventN(), none from an interrupt.
+/// EncodeSBus24 sends FrSky's 24 channels. If a DecodeSBus listens on the same port, call only the DecodeSBus's begin()
+/// and end(). A port that the sketch has opened needs no begin(). Call all methods from setup(), loop() or
+/// serialEventN(), never from an interrupt.
 template <typename Format>
 class EncodeSBusOf {
  public:
-  /// Remembers `port`, and opens nothing yet: a hardware serial port, or any other Stream, which the sketch opens. It
-  /// must outlive the object.
+  /// Remembers `port`, and opens nothing yet: a hardware serial port, or any other Stream, which the sketch opens.
+  /// `port` must outlive the object.
   template <typename Port>
   explicit EncodeSBusOf(Port &port) : _port(port) {}
 
@@ -32,26 +32,27 @@ class EncodeSBusOf {
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
   /// Closes a hardware serial port. Call it only after begin(). The known cores first send the bytes that they hold,
-  /// and wait for up to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
+  /// which takes up to 8 ms. Do not call write() afterwards: some ports do not notice that they are closed (AVR).
   void end();
 
-  /// Sets the frame period, 0..65535 us. Default: 9000 us. A frame takes 3000 us (1500 us at 200000 baud), one of 24
-  /// channels 4320 us. Receivers need a gap after it, so set at least 4000 us (2000 us), or 6000 us for 24 channels.
+  /// Sets the frame period, 0..65535 us. Default: 9000 us. A frame takes 3000 us (1500 us at 200000 baud), or 4320 us
+  /// with 24 channels. Receivers need a gap after it, so set at least 4000 us (2000 us), or 6000 us for 24 channels.
   void setPeriod(uint16_t us) { _period = us; }
 
-  /// Sends a frame if the period is over and the port takes the whole frame. Returns true if it has sent one; the first
-  /// call sends at once. Call it in every loop(), after begin(). Nothing else may write to the port.
+  /// Sends a frame if the period is over and the port takes the whole frame, and then returns true. The first call
+  /// sends at once. Call it in every loop(), after begin(). Nothing else may write to the port.
   ///
   /// `channels` has 18 values: CH1..CH16, clamped to 2047, then CH17 and CH18, where any value but 0 is sent as 1.
   /// EncodeSBus24 takes 24 values, CH1..CH24, clamped to 2047.
   ///
   /// It does not wait if the port has room for 25 bytes. A port that never has that much room, or cannot say how much
-  /// it has, gets the frame once its room is the largest seen, and the core waits for up to 3 ms (Uno R4, mbed). The
-  /// period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that frame.
+  /// it has, gets the frame once it has the most room seen so far, and the core waits for up to 3 ms (Uno R4, mbed).
+  /// The period is exact while a loop() takes less than half of the gap; after a longer loop() it starts from that
+  /// frame.
   bool write(sbus::ChannelArray<const uint16_t, Format::Channels> channels, bool failsafe, bool lostFrame);
 
-  /// Sends `frame`, an SBusFrame or, with EncodeSBus24, an SBusFrame24, likewise. Until DecodeSBus::read() has returned
-  /// true, its channels are 0, below the low of every make: send nothing then, as S.Bus servos ignore the flags.
+  /// Sends `frame` likewise: an SBusFrame, or an SBusFrame24 with EncodeSBus24. Until DecodeSBus::read() has returned
+  /// true, its channels are 0, below every make's low: send nothing then, because S.Bus servos ignore the flags.
   bool write(const sbus::FrameValue<Format::Channels> &frame) {
     return write(frame.channels, frame.failsafe, frame.lostFrame);
   }

@@ -34,7 +34,7 @@ struct SlotHolder {
 
 }  // namespace sbus
 
-/// Decodes an S.BUS2 line as DecodeSBusTelemetry does, and answers as a sensor on the same port:
+/// Decodes an S.BUS2 line like DecodeSBusTelemetry, and answers as a sensor on the same port:
 ///
 ///     SBus2Sensor dSBus(Serial1);
 ///     void setup() { dSBus.begin(); }
@@ -45,15 +45,15 @@ struct SlotHolder {
 ///     }
 ///
 /// TX goes to the line through a diode, anode at TX; on a Teensy 4 TX may be the line itself
-/// (extras/docs/telemetry.md). An answer is sent only after an accepted frame that announces its group, never in slot
-/// 0, starts within 100 us of its time, and ends before the next frame could begin; otherwise it is skipped. After
+/// (extras/docs/telemetry.md). An answer follows only an accepted frame that announces its group, and is never in slot
+/// 0. It starts within 100 us of its time, and ends before the next frame could begin; otherwise it is skipped. After
 /// begin() the sensor first listens for 17 frames. Nothing else may write to the port.
 ///
-/// A port that does not show when a frame ended gets no answers, and skippedSlots() counts: any Stream that is no
-/// hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
+/// On a port that does not show when a frame ended, the sensor never answers, and skippedSlots() grows: any Stream
+/// other than a hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
 ///
-/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry keep it from doing so meanwhile. On
-/// an ESP32 they wait for that task, up to 1.5 ms. Do not call them from an interrupt.
+/// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry hold it off while they run. On an
+/// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt.
 class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder> {
   using Decoder = sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder>;
 
@@ -74,9 +74,10 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
         _start(start<Port>),
         _handOver(sbus::handOverOf(&port, &port, sbus::Choice<2>())) {}
 
-  /// Remembers `port`, whose TX is the line itself, without a diode; RX stays free: `SBus2Sensor dSBus(Serial1,
-  /// sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do that (Teensyduino 1.59 and
-  /// later); for other ports this constructor does not compile. It was tried on a stand-in only.
+  /// Remembers `port`, and uses its TX as the line itself, without a diode; RX stays free:
+  /// `SBus2Sensor dSBus(Serial1, sbus::SingleWire)`. The board drives TX only while it answers. Only a Teensy 4 can do
+  /// this (Teensyduino 1.59 and later); for other ports this constructor does not compile. It was tried only on a
+  /// stand-in.
   ///
   /// begin() then always opens the port inverted, whatever its `config`. Nothing else may open the port: it would hold
   /// the line. Do not turn interrupts off for more than 100 us: an interrupt releases the line.
@@ -85,22 +86,22 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
     _port.onSingleWire(port);
   }
 
-  /// Opens the port, as DecodeSBusOf::begin() does.
+  /// Opens the port, like DecodeSBusOf::begin().
   void begin(unsigned long baud = sbus::Baud, uint32_t config = sbus::PortConfig);
 
-  /// Starts on a port that the sketch has opened, as DecodeSBusOf::listen() does.
+  /// Starts on a port that the sketch has opened, like DecodeSBusOf::listen().
   void listen(unsigned long baud = sbus::Baud);
 
-  /// Stops answering, and closes the port, as DecodeSBusOf::end() does.
+  /// Stops answering, and closes the port, like DecodeSBusOf::end().
   void end();
 
-  /// Reads the bytes that wait on the port, as DecodeSBusOf::parseSBusFrame() does, and sends the answer that is due.
+  /// Reads the bytes that wait on the port, like DecodeSBusOf::parseSBusFrame(), and sends the answer that is due.
   ///
-  /// On a Grasshopper, on a Pico and on an AVR that has a timer 2, interrupts do all that; on an ESP32 a task does it.
-  /// There this method does nothing, and the sketch need not call it. On all other boards call it at least every 75 us:
-  /// a later poll cannot know when the frame ended, and skips its answers. If a slot begins within 100 us, it waits for
-  /// that. There do not disable interrupts for longer than 0.1 ms; a Teensy 4 notices it, and skips answers. Do not
-  /// call it from an interrupt.
+  /// On a Grasshopper, a Pico and an AVR with a timer 2, interrupts do all this; on an ESP32 a task does. There this
+  /// method does nothing, and the sketch need not call it. On all other boards call it at least every 75 us: a later
+  /// poll cannot know when the frame ended, and skips its answers. If a slot begins within 100 us, the method waits for
+  /// it. On these boards do not disable interrupts for longer than 0.1 ms; a Teensy 4 notices this, and skips answers.
+  /// Do not call it from an interrupt.
   void parseSBusFrame();
 
   /// See DecodeSBusOf.
@@ -113,9 +114,9 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   // ---- Answering
 
   /// Answers with `sensor`, a type of sbus/Sensors.h, from slot `slot` on, 1..31, until the next call or stopSensor().
-  /// An answer never mixes the values of two calls. Returns false if a value is out of its range: then it answers with
-  /// the nearest one within. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not lie
-  /// within one group of eight. It may be called at any rate.
+  /// An answer never mixes the values of two calls. Returns false if a value is out of range, and answers with the
+  /// nearest value in range. Returns false, and changes nothing, for slot 0, and if the sensor's slots do not lie
+  /// within one group of eight. Call it at any rate.
   template <typename Sensor>
   bool writeSensor(uint8_t slot, const Sensor &sensor) {
     sbus::SlotData data[Sensor::Slots];

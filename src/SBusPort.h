@@ -1,7 +1,8 @@
 /// @file
-/// Tells a sketch what a port can do. `port/` has all that differs between cores: Format.h (8E2, inverted), Buffer.h
-/// (sizes, bursts), PortKind.h (how each core's port is opened) and Port.h (reading and writing). None of them names a
-/// board: the port's class and the core's macros decide. extras/docs/boards.md says what that means on each board.
+/// Tells a sketch what a port can do. `port/` contains everything that differs between cores: Format.h (8E2, inverted),
+/// Buffer.h (sizes, bursts), PortKind.h (how each core's port is opened) and Port.h (reading and writing). None of them
+/// names a board: the port's class and the core's macros decide. extras/docs/boards.md lists the results for each
+/// board.
 #pragma once
 
 #include "port/Port.h"
@@ -15,8 +16,8 @@ constexpr bool inverts(Port &) {
   return KindOf<Port>::Inverts;
 }
 
-/// Returns true if begin() can open this port inverted and uninverted, any number of times: an ESP32's or ESP8266's on
-/// the pins of DecodeSBus's constructor, or on the core's.
+/// Returns true if begin() can open this port inverted and uninverted, any number of times: on an ESP32 or ESP8266 on
+/// the pins given to DecodeSBus's constructor, or on the core's.
 template <typename Port>
 constexpr bool opensBothWays(Port &) {
   return KindOf<Port>::BothWays;

@@ -1,6 +1,6 @@
 /// @file
-/// Names this board's S.Bus port, so that the examples run on every board as they are. No other file of the library
-/// knows boards; extras/docs/boards.md has the table. A sketch that names its port itself does not need this header.
+/// Names this board's S.Bus port, so that the examples run on every board unchanged. No other file of the library knows
+/// boards; extras/docs/boards.md has the table. A sketch that names its port itself does not need this header.
 ///
 ///     #include <SBusUart.h>
 ///     DecodeSBus dSBus(SBUS_UART);
@@ -16,8 +16,9 @@
 /// Four pins that SBUS_UART leaves free. To choose others, define it before this header.
 
 /// @def SBUS_TAKES_USB
-/// 1 if SBUS_UART is also the port that Serial prints on: an Uno cannot print and receive. Then this header rejects the
-/// sketch, unless it has defined SBUS_MAY_TAKE_USB before; such a sketch must not print. Otherwise 0.
+/// 1 if SBUS_UART is also the port that Serial prints on: an Uno cannot both print and receive.
+/// Then this header rejects the sketch, unless the sketch has defined SBUS_MAY_TAKE_USB before; it must then not print.
+/// Otherwise 0.
 
 #if !defined(SBUS_UART)
 #if defined(ARDUINO_ARCH_NRF52) || defined(ARDUINO_ARCH_NRF52840) || defined(ARDUINO_ARDUINO_NANO33BLE) || \
@@ -51,7 +52,7 @@
 #define SBUS_UART Serial1
 #endif
 
-// AVR, Nano Every and STM32duino say which ports there are; for DxCore and megaTinyCore the chip does (USART1).
+// AVR, Nano Every and STM32duino say which ports exist; for DxCore and megaTinyCore the chip does (USART1).
 #elif (defined(ARDUINO_ARCH_AVR) || defined(ARDUINO_ARCH_MEGAAVR)) && !defined(HAVE_HWSERIAL1) && !defined(USART1)
 #define SBUS_UART Serial
 #define SBUS_TAKES_USB 1
@@ -101,7 +102,7 @@
 
 namespace sbus {
 
-/// Returns the port alone, of SBUS_UART.
+/// Returns the port of SBUS_UART, without the pins.
 template <typename Port, typename... Pins>
 constexpr Port &portOf(Port &port, Pins...) {
   return port;

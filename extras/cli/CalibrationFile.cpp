@@ -58,7 +58,7 @@ void readCalibration(const std::string &name, ChannelRanges &ranges) {
     line.erase(std::min(line.find('#'), line.size()));
     if (line.find_first_not_of(" \t\r") != std::string::npos && !takeLine(line, ranges, named)) {
       throw std::runtime_error(format(
-          "%s:%u: a channel's raw values at -100, 0 and +100 %% are expected, such as CH1 172 992 1811, and each "
+          "%s:%u: a channel's raw values at -100, 0 and +100 %% are expected, such as CH1 172 992 1811, with each "
           "channel of CH1 to CH16 at most once",
           name.c_str(), number));
     }

@@ -107,7 +107,7 @@ sbus::Calibration CalibrationGuide::calibration() const {
   uint8_t channel = 0;
   if (!isDone()) {
     worst(CalibrationError::None, text);
-    throw std::runtime_error("nothing was written, since the third step was not completed: " + text);
+    throw std::runtime_error("nothing was written, because the third step was not completed: " + text);
   }
   _calibrator.finish((1 << Sticks) - 1, found, channel);
   return found;

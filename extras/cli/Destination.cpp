@@ -24,7 +24,7 @@ bool Destination::waitForReader() const {
     return true;
   }
   if (!_terminal->hasReader()) {
-    std::fprintf(stderr, "waiting until a program opens %s; Ctrl-C ends it\n", _terminal->name().c_str());
+    std::fprintf(stderr, "waiting for a program to open %s; Ctrl-C ends it\n", _terminal->name().c_str());
   }
   while (!_terminal->hasReader() && !stopped()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

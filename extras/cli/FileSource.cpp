@@ -117,7 +117,7 @@ FileSource readBytes(line::PackedFile &file, const std::string &name, bool isTex
   if (source.recording.characters.empty()) {
     throw std::runtime_error(name + ": is empty: bytes of a line are expected");
   }
-  std::fprintf(stderr, "%s: has bytes without times: times are not known, frames are taken back to back\n",
+  std::fprintf(stderr, "%s: bytes without times: times are not known, frames are taken as back to back\n",
                name.c_str());
   return source;
 }
@@ -220,7 +220,7 @@ FileKind kindOfText(const std::string &head, const std::string &name) {
   }
   if (std::any_of(head.begin(), head.end(), isControl)) {
     throw std::runtime_error(name +
-                             ": is no text; bytes as a receiver has sent them are read if the file is called "
+                             ": is not text; sbus reads a receiver's raw bytes if the file is called "
                              "NAME.bin or NAME.raw, or from standard input: - <" +
                              name);
   }

@@ -227,7 +227,7 @@ bool JsonSplitter::put(char c) {
 std::string JsonReader::line(std::string_view text, std::deque<line::Character> &characters) {
   for (const char c : text) {
     if (!_splitter.isWithin() && c != '{' && !line::isBlank(c)) {
-      return line::quoted(line::withoutBlanks(text)) + " is no JSON object; " + Expected;
+      return line::quoted(line::withoutBlanks(text)) + " is not a JSON object; " + Expected;
     }
     if (!_splitter.put(c)) {
       continue;
@@ -251,7 +251,7 @@ std::string JsonReader::finish() {
 std::string JsonReader::take(const std::string &object, std::deque<line::Character> &characters) {
   const Object read = Object::parse(object, nullptr, false);
   if (!read.is_object()) {
-    return line::quoted(object) + " is no JSON object; " + Expected;
+    return line::quoted(object) + " is not a JSON object; " + Expected;
   }
   const std::string type = typeOf(read);
   if (type == "line") {
@@ -268,7 +268,7 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
                                                  : bytesOf(read, "byte", came);
   std::optional<double> us;
   if (!wrong.empty() || !timeOf(read, us)) {
-    return wrong.empty() ? quoted("time_us", read["time_us"]) + " is no time in microseconds" : wrong;
+    return wrong.empty() ? quoted("time_us", read["time_us"]) + " is not a time in microseconds" : wrong;
   }
   if (type == "character") {
     bool parityError = false, framingError = false;
@@ -286,7 +286,7 @@ std::string JsonReader::put(std::optional<double> endUs, const std::vector<line:
                             std::deque<line::Character> &characters) {
   const uint64_t endOfAll = endUs ? static_cast<uint64_t>(std::llround(*endUs)) : _lastUs + PeriodUs;
   if (_any && endOfAll <= _lastUs) {
-    return format("time_us %llu does not come after %llu, the time before", static_cast<unsigned long long>(endOfAll),
+    return format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
                   static_cast<unsigned long long>(_lastUs));
   }
   _lastUs = line::appendBackToBack(came, endOfAll, _lastUs, _characterUs, characters);

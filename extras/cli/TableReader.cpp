@@ -94,7 +94,7 @@ std::string TableRows::takeNames(const std::vector<std::string> &names) {
     Column column;
     if (!parseName(each, column)) {
       return line::quoted(each) +
-             " is no column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
+             " is not a column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
     }
     _channels = column.kind == Kind::Channel ? std::max(_channels, column.index + 1) : _channels;
     _columns.push_back(column);
@@ -135,11 +135,11 @@ std::string TableRows::takeRow(const line::CsvRow &fields) {
   for (size_t i = 0; i < fields.size(); i++) {
     const std::string wrong = takeField(_columns[i], fields[i]);
     if (!wrong.empty()) {
-      return line::quoted(fields[i].text) + " is no value of column " + std::to_string(i + 1) + "; " + wrong;
+      return line::quoted(fields[i].text) + " is not a value for column " + std::to_string(i + 1) + "; " + wrong;
     }
   }
   if (_row.us && _lastUs && *_row.us <= *_lastUs) {
-    return "its time does not come after that of the row before";
+    return "its time is not after that of the previous row";
   }
   _lastUs = _row.us;
   _isRow = true;

@@ -45,15 +45,15 @@ std::string nameOf(const CLI::App &app) {
 
 int main(int argc, char **argv) {
   line::prepareStreams();
-  CLI::App app{"Looks at S.Bus lines, records, replays and diagnoses them.", "sbus"};
+  CLI::App app{"Monitors, records, sends and diagnoses S.Bus lines.", "sbus"};
   app.require_subcommand(1);
   app.allow_windows_style_options(false);  // /tmp/flight.txt is a file on Windows, too
-  app.set_version_flag("--version", VERSION, "the version");
-  app.set_help_flag("-h,--help", "the subcommands; after a subcommand, its options");
-  app.set_help_all_flag("--help-all", "what every subcommand takes");
+  app.set_version_flag("--version", VERSION, "print the version");
+  app.set_help_flag("-h,--help", "list the subcommands; after a subcommand, its options");
+  app.set_help_all_flag("--help-all", "print what every subcommand takes");
   app.footer(
-      "SOURCE is a serial port (see `sbus ports`), a file (a recording, a capture of a logic analyser, bytes), - for "
-      "standard input, or sim, a receiver that is built in. `sbus help SUBCOMMAND` tells more; so does `man sbus`.");
+      "SOURCE is a serial port (see `sbus ports`), a file (a recording, a logic analyser's capture, bytes), - for "
+      "standard input, or sim, a built-in receiver. `sbus help SUBCOMMAND` and `man sbus` tell more.");
   addSubcommands(app);
   tool::catchSignals();
   try {

@@ -80,7 +80,7 @@ Source parseSource(const std::string &text) {
   source.name = isSim ? "" : text.substr(0, colon);
   const std::string wrong = takeSourceWords(text.substr(isSim ? 4 : colon + 1), source);
   if (!wrong.empty()) {
-    throw std::runtime_error(text + ": " + wrong + " is no word after the colon; " +
+    throw std::runtime_error(text + ": " + wrong + " is not allowed after the colon; " +
                              (isSim ? "there are 16, 24, 32, sbus2, silent, calibration, noise=1 to noise=100000 and "
                                       "uninverted, such as sim:24,noise=30"
                                     : "there are noise=1 to noise=100000 and uninverted"));

@@ -1,6 +1,6 @@
 /// @file
-/// Sends on a port of the STM32L0 by DMA. The core's own way needs an interrupt for each character: if that comes late
-/// by a character, once, the port sends the contents of the flash for ever (stm32l0_uart.c:703: TC is served while
+/// Sends on a port of the STM32L0 by DMA. The core's own way needs an interrupt for each character: if one comes late
+/// by a character, even once, the port sends the contents of the flash forever (stm32l0_uart.c:703: TC is served while
 /// TXEIE is on, then `tx_data` counts up from address 0).
 ///
 /// Not part of the interface: it may change in any release.
@@ -19,15 +19,15 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// What is sent is copied, and needs no interrupt: whatever happens, the port sends these characters, one directly after
-// the other, and nothing else.
+// The characters are copied, and sending needs no interrupt: whatever happens, the port sends these characters, one
+// directly after the other, and nothing else.
 class DmaSender {
  public:
   static constexpr size_t Room = 36;  // characters: the longest frame
 
   // Returns true if `port` is one of the board's Uarts.
   static bool knows(const HardwareSerial *port);
-  // Returns Room if it takes characters now; 0 while it sends, and always if others have its DMA channels (SPI, Wire).
+  // Returns Room if it takes characters now; 0 while it sends, and always if SPI or Wire has its DMA channels.
   static size_t room(const HardwareSerial *port);
   // Sends up to Room characters. Returns false, and sends nothing, if room() is 0.
   static bool send(const HardwareSerial *port, const uint8_t *characters, size_t size);

@@ -1,6 +1,6 @@
 /// @file
-/// Finds out when a frame ended from how full a UART's receive FIFO is: for a driver that hands characters over at no
-/// known time.
+/// Derives when a frame ended from the fill level of a UART's receive FIFO, for a driver that hands characters over at
+/// unknown times.
 ///
 /// Not part of the interface: it may change in any release.
 #pragma once
@@ -13,9 +13,9 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are held up: if it
-// holds one more than at the look before, a character came between the two looks. A look that comes late makes the
-// bounds wide, never wrong.
+// The FIFO counts each character at once, even if the driver's interrupt and the sketch's tasks are delayed: if it
+// holds one more than at the previous look, a character came between the two looks. A late look makes the bounds wide,
+// never wrong.
 //
 // That character is the last one handed over if the driver then hands over as many as the FIFO held: no other
 // characters waited before these, neither where the sketch reads nor on their way there, since the driver had taken
@@ -43,8 +43,8 @@ class FifoWatch {
   // Returns when the last of the characters came that the newest poll has found, if it has found any.
   End end() const { return _end; }
 
-  // Returns bounds that serve to look for the next frame, but are too wide to answer this one: a port waits for two
-  // more characters, its driver's interrupt is late, and so is the poll.
+  // Returns bounds that are good enough to look for the next frame, but too wide to answer this one: a port waits for
+  // two more characters, its driver's interrupt is late, and so is the poll.
   static End unknown(uint32_t by) { return {by - 1000, by}; }
 
  private:

@@ -18,8 +18,8 @@ class HardwareSerialIMXRT;
 
 namespace sbus {
 
-/// The core's SERIAL_8E2, a macro or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1: to
-/// them the second stop bit is an idle line.
+/// The core's SERIAL_8E2, a macro or an enumerator (ESP32, ESP8266). Teensy 3.2 and nRF52832 have only SERIAL_8E1: they
+/// see the second stop bit as an idle line.
 #if defined(SERIAL_8E1) && !defined(SERIAL_8E2)
 constexpr auto EvenConfig = SERIAL_8E1;
 #else

@@ -1,6 +1,6 @@
 /// @file
-/// Says how long after its end a character is handed over by the port: so gaps are seen, and an S.BUS2 sensor knows
-/// when a frame ended.
+/// Says how long after its end the port hands a character over: this reveals the gaps, and tells an S.BUS2 sensor when
+/// a frame ended.
 ///
 /// Not part of the interface: it may change in any release.
 #pragma once
@@ -16,9 +16,9 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// When a port counts a character among those that wait.
+// The moment at which a port counts a character as waiting.
 enum class HandOver : uint8_t {
-  Unknown,        // at some time: a sensor does not answer there (but on an ESP32: below)
+  Unknown,        // at an unknown time: a sensor does not answer there (except on an ESP32: below)
   EachCharacter,  // by an interrupt for each, in its first stop bit
   Fifo,           // in its first stop bit, even while interrupts are off
   Dma16,          // with the sixteenth since the last time, or when the line was idle for a character
@@ -44,7 +44,7 @@ struct End {
   uint32_t earliest, latest;
 };
 
-// Returns when a frame ended whose end was among the `found` characters of a poll at `by`, but not of one at `before`.
+// Returns when a frame ended if its end was among the `found` characters of a poll at `by`, but not of one at `before`.
 inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   if (handOver == HandOver::Unknown) {
     return {by - UINT16_MAX, by};
@@ -54,8 +54,8 @@ inline End endOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by
 }
 
 // Returns when a frame ended, for a port that calls back at once: it did at `before` and at `by`, with `found`
-// characters between the two. Other interrupts may hold up a callback; so both must agree on the end, and it is no
-// later than the earlier of the two says.
+// characters between the two. Other interrupts may delay a callback, so both must agree on the end, and it is no later
+// than the earlier of the two says.
 inline End promptEndOf(HandOver handOver, unsigned found, uint32_t before, uint32_t by) {
   constexpr int32_t MostHeldUp = 40;  // us
   const uint32_t end = by - (handOver == HandOver::Dma16 && found % 16 != 0 ? CharacterTime : 0);

@@ -13,8 +13,8 @@ namespace sbus {
 
 struct Trust;
 
-/// The methods of `Decoder` for a sketch whose port an interrupt or a task polls: while one of them runs, that waits.
-/// Call them from setup() and loop() only. `Holder::Hold` says how that is done.
+/// The methods of `Decoder` for a sketch in which an interrupt or a task polls the port: it waits while one of them
+/// runs. Call them only from setup() and loop(). `Holder::Hold` makes it wait.
 template <typename Decoder, typename Holder>
 class HeldOf : public Decoder, protected Holder {
   using Hold = typename Holder::Hold;

@@ -1,5 +1,5 @@
 /// @file
-/// Lets a port call back when it has handed bytes over, and keeps that call out of what loop() does meanwhile.
+/// Lets a port call back when it has handed bytes over, and keeps the call from disturbing what loop() does meanwhile.
 ///
 /// Not part of the interface: it may change in any release.
 #pragma once
@@ -18,8 +18,8 @@ namespace sbus {
 #if defined(SERIAL_SBUS)  // STM32L0
 
 // The STM32L0's port calls back at PendSV level, above loop(): at once, and then not until bytes have been read
-// (Uart.cpp: 385, stm32l0_uart.c:99, 1171). With the event that finds no callback, or no place in PendSV's queue, all
-// later ones are lost until bytes are read: any method that finds the newest frame old does that.
+// (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses all
+// later ones until bytes are read: any method that finds the newest frame old reads them.
 class Listener {
  public:
   static constexpr bool Calls = true;  // some ports call back
@@ -42,8 +42,8 @@ class Listener {
     }
   }
 
-  // Returns true if nothing else is between enter() and leave(). Otherwise that is being interrupted, and its leave()
-  // returns true.
+  // Returns true if no other caller is between enter() and leave(). Otherwise this interrupts that caller, and its
+  // leave() returns true.
   bool enter() {
     if (_isBusy) {
       _wasCalled = true;

@@ -57,7 +57,7 @@ class Port : private CoreKind::Pins {
     }
   }
 
-  // Returns how many bytes wait; where they may stand on both sides of a loss, only those before it.
+  // Returns how many bytes wait; if bytes may have been lost between them, only those before the loss.
   int available() {
     const int waiting = _stream.available();
     const int most = 2 * _half + 1;

@@ -16,7 +16,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// Does nothing: the sensor is polled from loop(). The timers of the cores inherit from it what they do not have.
+// Does nothing: the sensor is polled from loop(). The timers of the cores inherit what they lack.
 class NoSlotTimer {
  public:
   // The port calls back (Listener.h); otherwise due() polls it.
@@ -28,8 +28,8 @@ class NoSlotTimer {
   };
   static bool isHeld() { return false; }
 
-  // Keeps due() from running on another core, while this exists. It is for code that due() may interrupt: a Hold would
-  // cost answers there.
+  // Keeps due() from running on another core while this exists. For code that due() may interrupt: a Hold would cost
+  // answers there.
   using Apart = Hold;
 
   // Exists from a look at the clock until the start bit, on cores where other interrupts could come in between.

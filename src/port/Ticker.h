@@ -13,7 +13,7 @@ namespace sbus {
 
 /// @cond  Not for sketches.
 
-// What each core's Ticker has, unless it says otherwise.
+// The defaults of each core's Ticker.
 class AnyTicker {
  public:
   // Exists while the list of decoders changes.

@@ -15,8 +15,8 @@ namespace sbus {
 
 class Ticker : public AnyTicker {
  public:
-  // The task is on another core than loop(): loop() waits for it. The task, which others need as well, does not wait
-  // for loop(): it leaves a note.
+  // The task is on another core than loop(): loop() waits for it. The task, which others also need, does not wait for
+  // loop(): it leaves a note.
   class Change {
    public:
     explicit Change(TickType_t most = portMAX_DELAY)

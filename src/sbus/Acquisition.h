@@ -20,7 +20,8 @@ class Acquisition {
     forget();
   }
 
-  /// Forgets the characters since the last gap. `isSilent`: a long silence makes the next character the line's first.
+  /// Forgets the characters since the last gap. `isSilent`: after a long silence the next character counts as the
+  /// line's first.
   void forget(bool isSilent = false) { _run = _lastRun = isSilent ? 0 : Unseen; }
 
   /// Counts `found` characters.
@@ -29,8 +30,8 @@ class Acquisition {
   }
 
   /// Takes a gap before the next character; `waiting` of the characters before it belong to no frame yet. Returns true
-  /// if a frame of the other size has just ended. If the line variant is unknown (`isVariantOpen`), frames are then
-  /// forbidden until one of the right size has come, or eight gaps.
+  /// if a frame of the other size has just ended. If the line variant is unknown (`isVariantOpen`), this forbids frames
+  /// until one of the right size, or eight gaps, have come.
   bool gap(int waiting, bool isVariantOpen) {
     if (_run == 0) {
       return false;  // this gap was taken before
@@ -51,23 +52,23 @@ class Acquisition {
     return isOther;
   }
 
-  /// Returns true if as many characters as a frame has have come since the last gap: if another gap follows, the two
-  /// prove each other, though a call of the port may have come late.
+  /// Returns true if a frame's number of characters has come since the last gap: if another gap follows, the two prove
+  /// each other, even if the port called late.
   bool isFrame() const { return _run == Format::Size || (_run > Format::Size && _run == _lastRun); }
 
-  /// Returns how many characters stood between the two newest gaps; 255 if unknown.
+  /// Returns how many characters came between the two newest gaps; 255 if unknown.
   int lastRun() const { return _lastRun; }
 
-  /// Returns true if a frame may begin here: frames are not forbidden, and it begins at a gap if the line shows any, or
-  /// is the first on the line (`isFirst`).
+  /// Returns true if a frame may begin here: frames are not forbidden, and the frame begins at a gap, is the first on
+  /// the line (`isFirst`), or the line shows no gaps.
   bool allows(bool isAtGap, bool isFirst) const {
     const bool hidesGaps = !showsGaps();  // in the condition it would cost 44 bytes on a Cortex-M0+
     return !isDoubted() && (isAtGap || hidesGaps || isFirst);
   }
 
-  /// Takes the end byte of a frame that a slot's ID follows. Returns true if the frame before announced the group
-  /// before. Frames of 24 channels whose sticks rest may look like one of S.BUS2 and an ID, but not in turn:
-  /// without this rule 2141 of 10000 such frames are accepted (`make impairment WITHOUT=turn`).
+  /// Takes the end byte of a frame that a slot's ID follows. Returns true if the previous frame announced the previous
+  /// group. With sticks at rest, frames of 24 channels may look like an S.BUS2 frame and an ID, but not in turn:
+  /// without this rule 2141 of 10000 of these frames are accepted (`make impairment WITHOUT=turn`).
   bool isInTurn(uint8_t end) {
     const uint8_t before = _group;
     _group = static_cast<uint8_t>(end + 0x10) & 0x3F;

@@ -18,12 +18,12 @@ constexpr uint16_t SlotPitch = 660;       ///< us, from the start of a slot to t
 constexpr uint16_t SlotTime = 360;        ///< us, of its three characters
 
 /// Keeps the data of the slots that a board fills, and plans the answers to each frame that announces their group. The
-/// board hears its own characters: these do not count as telemetry of a sensor.
+/// board hears its own characters; they do not count as a sensor's telemetry.
 ///
-/// No answer starts more than 100 us off its time: where the end of a frame is known less exactly, or a slot's time has
-/// passed, the rest of the group is skipped. Nothing is ever sent in slot 0, which is the receiver's.
+/// No answer starts more than 100 us off its time: if the end of a frame is known less exactly, or a slot's time has
+/// passed, the rest of the group is skipped. Nothing is ever sent in slot 0, which belongs to the receiver.
 ///
-/// The context that reads the port calls the events and plan(), and the one that sends calls start(); both may
+/// The context that reads the port calls the events and plan(), and the context that sends calls start(). Both may
 /// interrupt write().
 class Answers : public Telemetry {
  public:
@@ -47,9 +47,9 @@ class Answers : public Telemetry {
   /// Returns true, once, if the newest byte is the last one of an accepted frame.
   bool takeFrameEnd();
 
-  /// Plans the answers to the accepted frame, whose end lies between `earliest` and `latest`, us. If the two are more
-  /// than 100 us apart, the answers are skipped. So are those that might not be complete before the next frame, which
-  /// begins `gap` us after the end.
+  /// Plans the answers to the accepted frame, which ended between `earliest` and `latest`, us. Skips the answers if the
+  /// two are more than 100 us apart, and any answer that might not be complete before the next frame, `gap` us after
+  /// the end.
   void plan(uint32_t earliest, uint32_t latest, uint32_t gap);
 
   /// Returns how many us after `now` a timer must poll the port next, 0..500: 0 while the end of a frame is expected.
@@ -65,7 +65,7 @@ class Answers : public Telemetry {
   /// of the group is skipped. Otherwise writes three characters to `characters`; send them at once.
   bool start(uint32_t now, uint8_t *characters);
 
-  /// Takes back the answer that the newest start() has given, because the port could not send it. It counts as skipped.
+  /// Takes back the answer of the newest start(), because the port could not send it. It counts as skipped.
   void unsent();
 
   /// Skips what is planned.

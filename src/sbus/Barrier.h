@@ -1,5 +1,5 @@
 /// @file
-/// Keeps the compiler in order.
+/// Compiler barrier.
 ///
 /// Not part of the interface: it may change in any release.
 #pragma once

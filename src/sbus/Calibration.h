@@ -10,7 +10,8 @@
 
 namespace sbus {
 
-/// The calibration of one channel. All members 0: the channel is not calibrated, and scales to its centre always.
+/// The calibration of one channel. If all members are 0, the channel is not calibrated, and always scales to its
+/// centre.
 struct CalibratedChannel {
   Range range;        ///< low above high: the channel is reversed
   uint16_t deadZone;  ///< raw counts, 0..2047, on either side of the centre, that scale to the centre
@@ -40,7 +41,7 @@ static_assert(sizeof(Calibration) == 4 + 8 * ProportionalCount, "it is stored: n
 /// The state of a stored calibration.
 enum class StoredState : uint8_t {
   Good,          ///< unchanged since it was sealed: the only one to use
-  OtherVersion,  ///< nothing was stored there yet, or something different
+  OtherVersion,  ///< nothing or something else was stored there
   Damaged,       ///< bytes have changed since it was sealed
   Impossible,    ///< it was sealed with a channel for which isPossible() is false
 };
@@ -50,8 +51,8 @@ constexpr bool isCalibrated(const CalibratedChannel &channel) {
   return channel.range.low != channel.range.high;
 }
 
-/// Returns true if the channel is not calibrated (all 0), or if its centre lies between its ends, none of the three is
-/// above 2047, and the dead zone ends before the ends.
+/// Returns true if the channel is not calibrated (all 0), or if its centre lies between its ends, all three are at most
+/// 2047, and the dead zone ends before the ends.
 bool isPossible(const CalibratedChannel &channel);
 
 /// Sets version and check value. Call it after every change, before you store it.

@@ -1,5 +1,6 @@
 /// @file
-/// Measures what one radio really sends, as ground stations do: the sticks move through their whole travel, then rest.
+/// Measures what one radio really sends, as ground stations do: move the sticks through their whole travel, then let
+/// them rest.
 ///
 ///     sbus::Calibrator calibrator;     // 1. move all sticks, sliders and switches to all their ends
 ///     calibrator.feed(...)             //    each frame
@@ -32,8 +33,8 @@ enum class CalibrationError : uint8_t {
   NotHeld,        ///< it was not held still for Calibrator::HeldFrames at the end of the third step
 };
 
-/// Returns what is wrong and what to do, to follow a channel's name: "CH3" " hardly moved: move it to both ends".
-/// Returns "" for None.
+/// Returns what is wrong and what to do, as a text to print after a channel's name: "CH3" " hardly moved: move it to
+/// both ends". Returns "" for None.
 Text text(CalibrationError error);
 
 /// Measures the travel of all channels in three steps. Call all methods from one context. The caller decides how long a
@@ -41,7 +42,7 @@ Text text(CalibrationError error);
 /// ms.
 class Calibrator {
  public:
-  static constexpr uint16_t TravelMin = 400;      ///< raw counts, a quarter of a FrSky's travel: less is no movement
+  static constexpr uint16_t TravelMin = 400;      ///< raw counts, a quarter of a FrSky's travel: less is not movement
   static constexpr uint16_t StillMax = 32;        ///< raw counts, 2 % of that travel: the jitter of a resting stick
   static constexpr uint8_t SeenFrames = 3;        ///< frames in a row that must reach an end for it to count
   static constexpr uint8_t HeldFrames = 64;       ///< frames at one place that count as held: 0.45..0.9 s
@@ -56,8 +57,8 @@ class Calibrator {
   /// Starts the second step, or starts it again: sticks centred, throttle low, nothing moves.
   void centre() { begin(Centre); }
 
-  /// Starts the third step: push all sticks up and right, and hold them there until it ends. Only where they are held
-  /// counts. A channel that is held more than a quarter of its travel below its resting place is reversed.
+  /// Starts the third step: push all sticks up and right, and hold them there until it ends. Only the place where they
+  /// are held counts. A channel that is held more than a quarter of its travel below its resting place is reversed.
   void high() { begin(High); }
 
   /// Takes a frame of decodeSBusFrame(): call it once for each frame. Ignores frames with a flag set. A wrong value in
@@ -65,7 +66,7 @@ class Calibrator {
   void feed(ChannelArray<const uint16_t, ProportionalCount> channels, bool failsafe, bool lostFrame);
 
   /// Sets the dead zone on either side of the centre, 0..99 raw counts, clamped. Default: DefaultDeadZone. A stick that
-  /// jitters more gets a larger one. A channel that rests at an end has none.
+  /// jitters more gets a larger dead zone. A channel that rests at an end has no dead zone.
   void setDeadZone(uint16_t counts) { _deadZone = counts > DeadZoneMax ? uint16_t{DeadZoneMax} : counts; }
 
   /// Reports how far a channel, 0..15, has moved in the first step. Returns false, and leaves both unchanged, while no
@@ -73,8 +74,8 @@ class Calibrator {
   bool reached(uint8_t channel, uint16_t &low, uint16_t &high) const;
 
   /// Calibrates one channel, 0..15 for CH1..CH16, and returns None. If that is not possible yet, leaves `calibrated`
-  /// unchanged, and returns what is missing first: NotRested once it has moved, NotPushed once it has rested. It may be
-  /// called at any time.
+  /// unchanged, and returns what is missing first: NotRested once it has moved, NotPushed once it has rested. Call it
+  /// at any time.
   ///
   /// A channel that rests within 1/16 of an end of its travel (throttle, switch) has its centre in the middle of the
   /// travel, unless it rests at 700..1350: then it was moved one way only. Other channels must rest at least 1/4 away

@@ -1,5 +1,5 @@
 /// @file
-/// A sketch's array of channels, whose size the compiler checks.
+/// A sketch's array of channels; the compiler checks its size.
 #pragma once
 
 #include <stddef.h>
@@ -7,8 +7,8 @@
 
 namespace sbus {
 
-/// What a function takes that reads or writes `Count` channels: an array, which does not compile if it is too small, or
-/// a pointer to as many values. `Value` is const uint16_t, or uint16_t if it writes.
+/// The parameter of a function that reads or writes `Count` channels: an array, which does not compile if it is too
+/// small, or a pointer to as many values. `Value` is const uint16_t, or uint16_t if the function writes.
 template <typename Value, uint8_t Count>
 class ChannelArray {
   template <typename>
@@ -28,12 +28,12 @@ class ChannelArray {
     static_assert(Size >= Count || Count != 24, "The array is too small: CH1..CH24 are uint16_t channels[24]");
   }
 
-  /// Takes a pointer, or an array whose size another file knows: not nullptr, which does not compile.
+  /// Takes a pointer, or an array with a size that only another file knows. nullptr does not compile.
   template <typename Pointer>
   ChannelArray(Pointer pointer, decltype(static_cast<Value *>(typename OfPointer<Pointer>::Type())) = nullptr)
       : _first(pointer) {}
 
-  /// Returns the address of CH1; nullptr if the pointer was.
+  /// Returns the address of CH1, or nullptr if the pointer was nullptr.
   operator Value *() const { return _first; }
 
  private:

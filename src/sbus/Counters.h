@@ -17,18 +17,18 @@ struct Counters {
   /// 25 bytes from a 0F or 2F on without an end byte: a byte is missing, or the 0F or 2F was no header
   uint32_t rejectedByEnd;
   uint32_t rejectedByFlags;   ///< 25 bytes from a 0F or 2F on with unused bits of the flags set
-  uint32_t rejectedByLength;  ///< 25 bytes from a 0F or 2F on that more bytes belong to, or with a gap inside
+  uint32_t rejectedByLength;  ///< 25 bytes from a 0F or 2F on, with further bytes or a gap inside
 
   uint32_t discardedBytes;   ///< bytes that belong to no frame: of impaired frames, noise, telemetry
-  uint32_t resyncs;          ///< times that frames were found again after some had been missed
+  uint32_t resyncs;          ///< how often frames were found again after some had been missed
   uint32_t overflows;        ///< polls that found the port's buffer full: it has probably lost bytes
   uint32_t shortfalls;       ///< late polls that found too few bytes: some were lost while interrupts were off
   uint32_t extraFrames;      ///< frames with header 2F, for DecodeSBus::decodeExtraChannels()
   uint32_t otherSizeFrames;  ///< as many bytes between two gaps as a frame of 24 channels has (DecodeSBus24: of 16)
   uint32_t period;           ///< us, frame interval, smoothed over about eight frames; 0 before the second frame
 
-  /// Counts a frame with these flags, `interval` us after the one before. A negative interval is not used: a blocked
-  /// loop() has hidden when the frame before came.
+  /// Counts a frame with these flags, `interval` us after the previous one. A negative interval is not used: a blocked
+  /// loop() has hidden when the previous frame came.
   void count(uint8_t flags, uint32_t interval) {
     if (static_cast<int32_t>(period) > 0) {
       period += static_cast<uint32_t>(static_cast<int32_t>(interval - period) >> 3);

@@ -1,5 +1,5 @@
 /// @file
-/// Finds out what is wrong with a line, from what came with each setting of the port that was tried.
+/// Finds out what is wrong with a line, from what arrived with each port setting that was tried.
 ///
 ///   sbus::Diagnosis diagnosis;                      // a round: each setting is tried once
 ///   diagnosis.add({100000, true, 500, counters});   // the expected setting first
@@ -19,16 +19,16 @@ namespace sbus {
 struct Trial {
   unsigned long baud;  ///< of the port
   bool inverted;       ///< the port inverts
-  uint32_t ms;         ///< how long the port was polled; 500 ms have 12 frames of the slowest receiver known (25 Hz)
+  uint32_t ms;         ///< how long the port was polled; in 500 ms the slowest receiver known (25 Hz) sends 12 frames
   Counters counters;   ///< since the port was opened with this setting
 };
 
-/// What is wrong with the line; of several faults, the one to mend first.
+/// What is wrong with the line; of several faults, the one to fix first.
 enum class Finding : uint8_t {
   NoSignal,              ///< no byte with any setting
   NoFrames,              ///< bytes, but no setting brings a frame every PeriodMax
   Channels24,            ///< no frames of 16 channels, but frames of 24, for a DecodeSBus24
-  WrongPolarity,         ///< frames come with the other polarity than the expected one
+  WrongPolarity,         ///< frames come with the opposite polarity
   WrongBaud,             ///< frames come with the other baud rate
   WrongPolarityAndBaud,  ///< frames come with the other polarity and the other baud rate
   PolledTooSeldom,       ///< the port's buffer overflowed
@@ -47,8 +47,8 @@ Text text(Finding finding);
 /// Returns what to do about the finding, in at most 100 ASCII characters.
 Text remedy(Finding finding);
 
-/// Returns about how many frames were impaired, including those with header 2F. It derives that from the discarded
-/// bytes, since each 0F of an impaired frame counts as a rejected header. Returns 0 without a resync.
+/// Returns approximately how many frames were impaired, including those with header 2F. It estimates this from the
+/// discarded bytes, because each 0F of an impaired frame counts as a rejected header. Returns 0 without a resync.
 uint32_t impairedFrames(const Counters &counters);
 
 /// One round of trials. Call all methods from one context.

@@ -23,12 +23,12 @@ constexpr uint8_t CharacterTime = 120;    ///< us, at 100000 baud
 
 // The frame: header, 16 channels of 11 bits, flags, end byte.
 constexpr uint8_t FrameSize = 25;     ///< bytes
-constexpr uint8_t HeaderByte = 0x0F;  ///< the first byte; the payload may hold it as well
+constexpr uint8_t HeaderByte = 0x0F;  ///< the first byte; it may also occur in the payload
 /// Header of a frame with the extra channels CH17..CH32, which Futaba's FASSTest 26 sends before each frame.
 constexpr uint8_t ExtraHeader = 0x2F;
-constexpr uint8_t PayloadIndex = 1;  ///< of the first of 22 bytes
-constexpr uint8_t FlagsIndex = 23;   ///< of the flags byte
-constexpr uint8_t EndIndex = 24;     ///< of the end byte
+constexpr uint8_t PayloadIndex = 1;  ///< index of the first of 22 bytes
+constexpr uint8_t FlagsIndex = 23;   ///< index of the flags byte
+constexpr uint8_t EndIndex = 24;     ///< index of the end byte
 
 // The frame with FrSky's 24 channels (ACCESS and TD receivers): its CH17 and CH18 are not switches.
 constexpr uint8_t FrameSize24 = 36;     ///< bytes, the payload 33 of them
@@ -51,7 +51,7 @@ struct LineVariant {
   uint8_t end;         ///< the end byte's bits within endMask
   uint8_t endMask;     ///< the bits of the end byte that identify the variant; the others name the telemetry group
   uint8_t tailSize;    ///< characters that follow each frame directly
-  uint8_t headerMask;  ///< 0xDF: frames with extra channels (header 2F) may come between; otherwise 0xFF
+  uint8_t headerMask;  ///< 0xDF: frames with extra channels (header 2F) may come in between; otherwise 0xFF
 };
 
 /// The variants known from captures of real receivers. A new variant is a new row with its capture.
@@ -100,8 +100,8 @@ constexpr bool isFrame(const uint8_t *frame) {
   return frame[0] == HeaderByte && isFlagsByte(frame[FlagsIndex]) && isEndByte(frame[EndIndex]);
 }
 
-/// Returns the lost-frame flag of `frame` (25 bytes): the radio frame did not arrive, and the channels are repeated. It
-/// comes and goes in flight.
+/// Returns the lost-frame flag of `frame` (25 bytes): the radio frame did not arrive, and the channels repeat old
+/// values. It comes and goes in flight.
 constexpr bool lostFrame(const uint8_t *frame) {
   return (frame[FlagsIndex] & FlagLostFrame) != 0;
 }
@@ -120,15 +120,15 @@ int innerHeader(const uint8_t *frame, int size, uint8_t variant);
 /// as 0..2047, CH17 and CH18 as 0 or 1.
 void unpack(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
-/// Unpacks a frame whose payload, byte 1, is aligned to four bytes, on a little-endian machine: in 84 instructions of a
-/// Cortex-M0+ instead of the 167 of unpack(), and 18 bytes less (`make bench`).
+/// Unpacks a frame on a little-endian machine, with its payload (byte 1) aligned to four bytes: a Cortex-M0+ needs 84
+/// instructions instead of unpack()'s 167, and 18 bytes less (`make bench`).
 void unpackAligned(const uint8_t *frame, ChannelArray<uint16_t, ChannelCount> channels);
 
 /// Writes the 16 channels of a frame with header 2F to `channels`: CH17..CH32, 0..2047.
 void unpackExtra(const uint8_t *frame, ChannelArray<uint16_t, ProportionalCount> channels);
 
-/// Writes a frame, 25 bytes with end byte 00, from 18 `channels`: the exact inverse of unpack(). It clamps CH1..CH16 to
-/// 2047, and sends any CH17 or CH18 but 0 as 1.
+/// Writes a frame, 25 bytes with end byte 00, from 18 `channels`: the exact inverse of unpack(). CH1..CH16 are clamped
+/// to 2047; CH17 and CH18 are sent as 1 unless they are 0.
 void pack(uint8_t *frame, ChannelArray<const uint16_t, ChannelCount> channels, bool failsafe, bool lostFrame);
 
 /// Writes the 24 channels of a 36-byte `frame` to `channels`: CH1..CH24, 0..2047.
@@ -143,7 +143,7 @@ struct Frame16 {
   static constexpr uint8_t Channels = ChannelCount;    ///< values that unpack() writes
   static constexpr uint8_t Variants = UnknownVariant;  ///< how many rows of LineVariants such lines can have
   static constexpr uint8_t OtherSize = FrameSize24;    ///< bytes of a frame of the other format
-  static constexpr bool HasExtra = true;               ///< frames with extra channels may come between
+  static constexpr bool HasExtra = true;               ///< frames with extra channels may come in between
   static constexpr bool Withholds = false;             ///< unpack() leaves the channels of some lost frames alone
   static constexpr unsigned LongestSpread = 22;        ///< characters: 16 of a frame spread over 4 ms, and a gap
   /// Returns the time that `count` characters take, in characters: some receivers spread a frame over 4 ms instead
@@ -181,7 +181,7 @@ struct Frame24 {
 };
 
 /// Frame16 from a receiver that sends raw 0 on all channels for "no pulses", and does not always set a flag:
-/// github.com/ArduPilot/ardupilot/issues/9400. Such a frame counts as lost, and its channels are not handed out.
+/// github.com/ArduPilot/ardupilot/issues/9400. These frames count as lost, and their channels are not handed out.
 struct Frame16NoPulses : Frame16 {
   static constexpr bool Withholds = true;  ///< see Frame16
   /// Returns true if CH1..CH16 of the frame are 0.

@@ -1,5 +1,5 @@
 /// @file
-/// Two places for frames that take turns, so that no frame is copied.
+/// Two alternating places for frames, so that no frame is copied.
 ///
 /// Not part of the interface: it may change in any release.
 #pragma once
@@ -55,7 +55,7 @@ class FrameBuffer {
     forget(count);
   }
 
-  /// Moves the incoming frame back to `beginning`, where bytes() was: once a search, not once a rejected header.
+  /// Moves the incoming frame back to `beginning`, where bytes() was: once per search, not once per rejected header.
   void moveTo(uint8_t *beginning) {
     const uint8_t *const left = _incoming;
     if (left == beginning) {
@@ -68,7 +68,8 @@ class FrameBuffer {
     }
   }
 
-  /// Completes the frame that the buffer begins with, and returns it. The bytes after it continue in the other place.
+  /// Completes the frame at the beginning of the buffer, and returns it. The bytes after it continue in the other
+  /// place.
   const uint8_t *complete() {
     uint8_t *const frame = _incoming;
     _incoming = _newest;

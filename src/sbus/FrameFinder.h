@@ -14,22 +14,22 @@
 namespace sbus {
 
 /// The events of a FrameFinder, in the order of the line's bytes. NoEvents ignores them at no cost; another class with
-/// these functions can take its place. Places count from the first byte that taken(), discarded() and extra() have not
-/// had.
+/// these functions can take its place. Places are counted from the first byte that taken(), discarded() and extra()
+/// have not reported yet.
 struct NoEvents {
   void begin() {}                          ///< reset() was called: all is forgotten
-  void interval(uint32_t) {}               ///< the next frame came this many us after the one before; see Counters
+  void interval(uint32_t) {}               ///< the next frame came this many us after the previous one; see Counters
   void taken(const uint8_t *) {}           ///< the next bytes are this frame
   void extra() {}                          ///< the next 25 bytes are a frame with header 2F
   void discarded(const uint8_t *, int) {}  ///< the next bytes, with their number, belong to no frame
   void lost() {}                           ///< bytes are missing before the next one
   void rejected(int, Rejection) {}         ///< the header at this place begins no frame
-  /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two of these prove
+  /// Returns true if the polls reveal each gap. If they reveal only some, the characters between two gaps prove
   /// nothing.
   static constexpr bool seesEachGap() { return true; }
   /// Returns true if a DecodeSBus calls asked() in each poll.
   static constexpr bool wantsTimes() { return false; }
-  void asked(int, uint32_t) {}  ///< this number of bytes had come by this time, us, and waits on the port
+  void asked(int, uint32_t) {}  ///< by this time, us, this number of bytes had come and waits on the port
 };
 
 /// Finds frames. The bytes are read directly into the incoming frame:
@@ -53,8 +53,8 @@ struct NoEvents {
 ///   of one frame and the start of the next;
 /// - they end there: a gap or a header follows, or frames of this line end in this way.
 ///
-/// Rejected characters are searched again from the second on. FrameRules.h has the rules, extras/docs/receiver.md says
-/// what each is worth.
+/// After a rejection the search goes on from the second character. FrameRules.h has the rules, and
+/// extras/docs/receiver.md says what each is worth.
 ///
 /// `Format` is Frame16, or Frame24 with 36 bytes. `Events` learns what becomes of each byte.
 ///
@@ -70,14 +70,14 @@ class FrameFinderOf : private Events {
   /// `idleCharacters`: how long the port waits for more bytes before it hands over less than a burst.
   void reset(uint32_t now, uint8_t characterTime, uint8_t idleCharacters = MostIdleCharacters);
 
-  /// Returns where to write the next bytes, room() of them. It changes with each received() and broken().
+  /// Returns where to write the next room() bytes. It changes with each received() and broken().
   uint8_t *space() { return _buffer.space(); }
 
   /// Returns how many bytes fit there, 1 or more.
   int room() const { return _buffer.room(); }
 
   /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next. `isPrompt`: the
-  /// port has just handed them over, and called back.
+  /// port has just handed them over and called back.
   void poll(unsigned found, uint32_t now, bool isPrompt = false);
 
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
@@ -86,7 +86,7 @@ class FrameFinderOf : private Events {
     return _buffer.filled() < Format::Size ? nullptr : settle();
   }
 
-  /// Takes `count` bytes, 1..room(), that were written to space(); `waiting` bytes of this poll are not read yet.
+  /// Takes `count` bytes, 1..room(), that were written to space(); `waiting` more bytes of this poll are not read yet.
   /// Returns the frame (25 bytes) that they completed, or nullptr.
   const uint8_t *received(int count, int waiting) {
     _buffer.received(count);
@@ -101,25 +101,25 @@ class FrameFinderOf : private Events {
   const Events &events() const { return *this; }  ///< the receiver of the events
 
   /// Returns the last complete frame, 25 bytes; nullptr before the first. The second frame after it may overwrite it:
-  /// use what was read only if counters().frames has not changed meanwhile.
+  /// use the bytes you read only if counters().frames has not changed meanwhile.
   const uint8_t *frame() const { return _counters.frames != 0 ? newest() : nullptr; }
 
-  /// Returns frame() without the test for the first; undefined before it.
+  /// Returns frame() without testing for the first one; undefined before the first frame.
   const uint8_t *newest() const { return _buffer.newest(); }
 
-  /// Returns a time, in us, shortly before the end of the last frame came: an age from it is never too small, and too
-  /// large by some characters and a poll. Undefined before the first frame. Read it before the clock, so that no age is
-  /// negative.
+  /// Returns a time, in us, shortly before the end of the last frame: an age counted from it is never too small, and at
+  /// most some characters and a poll too large. Undefined before the first frame. Read it before the clock, so that no
+  /// age is negative.
   uint32_t frameTime() const { return _frameTime; }
 
-  /// Returns the last complete frame with header 2F, 25 bytes; undefined while counters().extraFrames is 0. Use what
-  /// was read only if that counter has not changed meanwhile.
+  /// Returns the last complete frame with header 2F, 25 bytes; undefined while counters().extraFrames is 0. Use the
+  /// bytes you read only if that counter has not changed meanwhile.
   const uint8_t *extra() const { return _extra; }
 
   /// Returns the frameTime() of extra().
   uint32_t extraTime() const { return _extraTime; }
 
-  /// Returns the time of the poll before the newest poll(), us: the bytes that the newest found had not come then.
+  /// Returns the time of the poll before the newest poll(), us: the bytes that the newest poll found had not come then.
   uint32_t pollBefore() const { return _timing.pollBefore(); }
 
   /// Returns true if no byte is left that may begin a frame.
@@ -192,7 +192,7 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
   _acquisition.characters(found);
 }
 
-/// Finds frames of 16 channels, as nearly all receivers send them.
+/// Finds frames of 16 channels, which nearly all receivers send.
 using FrameFinder = FrameFinderOf<Frame16>;
 
 }  // namespace sbus

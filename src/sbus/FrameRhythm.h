@@ -1,5 +1,5 @@
 /// @file
-/// How soon the next frame may begin: a sensor's answers must not meet it.
+/// How soon the next frame may begin: a sensor's answers must not collide with it.
 ///
 /// Not part of the interface: it may change in any release.
 #pragma once
@@ -11,9 +11,9 @@
 namespace sbus {
 
 /// Keeps the shortest interval between the frames of the last 1024 to 2048. An answer that destroys a frame makes an
-/// interval longer, never shorter: so a period is known from frames that answers cannot have damaged. Before anything
-/// is answered, and after an answer that collided, or after which a frame was lost, it only listens for some frames:
-/// 16, then twice as many each time, up to 1024; half as many again after 64 frames whose answers were fine.
+/// interval longer, never shorter, so the shortest interval comes from frames that answers cannot have damaged. Before
+/// the first answer, and after an answer that collided or cost a frame, it only listens for some frames: 16, then twice
+/// as many each time, up to 1024. The number halves after 64 frames with good answers.
 ///
 /// Times are in us and wrap. The context that reads the port calls it.
 class FrameRhythm {
@@ -29,7 +29,7 @@ class FrameRhythm {
     _left = FirstPause;
   }
 
-  /// Takes the end of a frame, and what became of the answers since the frame before.
+  /// Takes the end of a frame, and what became of the answers since the previous frame.
   void frame(uint32_t end, Answers::Outcome outcome) {
     const uint32_t interval = end - _end;
     _end = end;
@@ -54,14 +54,14 @@ class FrameRhythm {
     }
     _shortest = us < _shortest ? us : _shortest;
     _candidate = us < _candidate ? us : _candidate;
-    if (++_frames == Memory) {  // an interval that does not come any more is forgotten
+    if (++_frames == Memory) {  // an interval that no longer occurs is forgotten
       _shortest = _candidate;
       _candidate = Unknown;
       _frames = 0;
     }
   }
 
-  /// Takes a frame that ended between `earliest` and `latest`. It counts if it came early in any case. The next
+  /// Takes a frame that ended between `earliest` and `latest`. It counts only if it certainly came early. The next
   /// interval is not known.
   void early(uint32_t earliest, uint32_t latest) {
     if (_isKnown && latest - _end < _shortest) {
@@ -72,7 +72,7 @@ class FrameRhythm {
     miss();
   }
 
-  /// Takes a frame whose end is not known: the next interval is not known, either.
+  /// Takes a frame with an unknown end: the next interval is unknown, too.
   void miss() { _isKnown = false; }
 
   /// Returns the shortest interval from the end of a frame to the end of the next one, us; 0 while it only listens.
@@ -97,7 +97,7 @@ class FrameRhythm {
   uint8_t _fine = 0;              // frames with answers, and nothing wrong
   uint16_t _pause = FirstPause;   // frames: the next pause
   uint16_t _left = FirstPause;    // frames of this one
-  bool _isKnown = false;          // when the frame before ended
+  bool _isKnown = false;          // the end of the previous frame
 };
 
 }  // namespace sbus

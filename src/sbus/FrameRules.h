@@ -11,7 +11,7 @@
 #include "Frame.h"
 #include "Slots.h"
 
-/// For functions whose call would cost more than their body.
+/// For functions that cost more to call than to inline.
 #define SBUS_IN_LINE __attribute__((always_inline)) inline
 
 namespace sbus {
@@ -22,17 +22,17 @@ enum class Rejection : uint8_t {
   Flags,      ///< unused bits of the flags are set
   GapInside,  ///< a gap lies inside
   GoesOn,     ///< more characters follow than a frame has
-  NotAtGap,   ///< out of sync: the line's frames stand at gaps, or have the other size
+  NotAtGap,   ///< out of sync: the line's frames begin at gaps, or have the other size
   FalseSync   ///< they may be the end of one frame and the start of the next
 };
 
 /// The judgement of 25 characters (36 for 24 channels).
 class Verdict {
  public:
-  /// They are a frame. `isAligned`: certainly, whatever stood before them.
+  /// They are a frame. `isAligned`: certainly, whatever came before them.
   static constexpr Verdict accept(bool isAligned) { return Verdict(isAligned ? Aligned : Accepted, Rejection::NoEnd); }
   static constexpr Verdict wait() { return Verdict(Open, Rejection::NoEnd); }  ///< the next characters decide
-  /// They are no frame. The next one may begin `next` characters further on, 1 or more.
+  /// They are not a frame. The next one may begin `next` characters further on, 1 or more.
   static constexpr Verdict reject(Rejection why, int next = 1) { return Verdict(next, why); }
 
   constexpr bool isAccepted() const { return _next < Open; }     ///< accept()
@@ -59,7 +59,7 @@ struct Candidate {
   bool isGapCertain;     ///< false: loop() may have been blocked
   uint8_t variant;       ///< of its end byte, a row of LineVariants
   uint8_t lineVariant;   ///< of the line, or UnknownVariant
-  int offBy;             ///< characters between the frame before and this one; below 0: that frame's tail lacks some
+  int offBy;             ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
   bool isInSync;         ///< it follows an aligned frame directly
 
   SBUS_IN_LINE bool hasLineVariant() const { return variant == lineVariant; }     ///< has the line's variant
@@ -104,9 +104,9 @@ SBUS_IN_LINE bool mustBeFollowed(const Candidate<Format> &c) {
   return !c.hasLineVariant();
 }
 
-/// Returns true if one stray character may follow it directly: before the first frame, or where the frame before is
-/// missing, since the line's variant may be mistaken. No frame may begin with its second byte: otherwise the first byte
-/// could be the stray one. (isEndByte() instead of the mask costs 52 bytes on a Cortex-M0+.)
+/// Returns true if one stray character may follow it directly: before the first frame, or after a missing frame,
+/// because the line's variant may be mistaken. No frame may begin at its second byte: otherwise the first byte could be
+/// the stray one. (isEndByte() instead of the mask costs 52 bytes on a Cortex-M0+.)
 template <typename Format>
 SBUS_IN_LINE bool mayHaveStray(const Candidate<Format> &c) {
   return (c.lineVariant == UnknownVariant || c.offBy != 0) &&
@@ -119,15 +119,15 @@ SBUS_IN_LINE bool hasStray(const Candidate<Format> &c, const Acquisition<Format>
   return c.gapAt == after && acquisition.lastRun() == after && mayHaveStray(c);
 }
 
-/// Returns true if, before the first frame, its tail before a gap may be the end of the next frame: no gap comes
-/// before it.
+/// Returns true if, before the first frame, the five bytes of its tail may belong to the next frame: a gap follows
+/// them, but no gap comes before it.
 template <typename Format>
 SBUS_IN_LINE bool isDoubtfulTail(const Candidate<Format> &c, const Acquisition<Format> &acquisition) {
   return !c.hasLineVariant() && c.gapAt > Format::Size && c.gapAt <= c.size() && acquisition.lastRun() != c.gapAt;
 }
 
-/// Returns true if its end byte comes twice: noise may stand before the true header, or a stray character after the
-/// true end. If a stray character and then a gap followed the frame before, it is the latter.
+/// Returns true if its end byte comes twice: noise may precede the true header, or a stray character may follow the
+/// true end. If a stray character and then a gap followed the previous frame, it is the latter.
 template <typename Format>
 SBUS_IN_LINE bool repeatsEnd(const Candidate<Format> &c) {
   return c.bytes[c.size()] == c.end() && !(c.offBy == 1 && c.gapAt == 0);
@@ -141,9 +141,9 @@ SBUS_IN_LINE int falseSyncAt(const Candidate<Format> &c) {
   return innerHeader(c.bytes, Format::Size, variant);
 }
 
-/// Returns true if a gap after it would still prove that it is aligned. A gap proves nothing where the part before
-/// `inner` may be the rest of one frame, and the part from `inner` on a frame that lost as many characters: then the
-/// first part is short, and more characters than noise has stand before it.
+/// Returns true if a gap after it would still prove that it is aligned. A gap proves nothing if the part before `inner`
+/// may be the rest of one frame, and the part from `inner` on a frame that lost as many characters: then the first part
+/// is short, and more characters come before it than noise has.
 template <typename Format>
 SBUS_IN_LINE bool mayBeAligned(const Candidate<Format> &c, int inner) {
   return c.count <= c.size() && (inner >= Format::Size / 2 || c.offBy <= MostNoise);
@@ -160,8 +160,8 @@ SBUS_IN_LINE bool mayEndInBreak(uint8_t variant, bool hasBreaks) {
   return Format::HasExtra && hasBreaks && variant != SlotsVariant;
 }
 
-// ---- For gaps that are not seen, as when a port is polled too seldom: where each gap is seen, these rules and
-// isInTurn() change nothing, except that breaks would not be noticed.
+// ---- For unseen gaps, as when a port is polled too seldom: where each gap is seen, these rules and isInTurn() change
+// nothing, except that breaks would not be noticed.
 
 /// Returns true if telemetry slots may follow the frames of this variant.
 template <typename Format>
@@ -185,9 +185,9 @@ SBUS_IN_LINE bool goesOn(const Candidate<Format> &c) {
 
 // ---- The verdict
 
-/// Judges a frame with extra channels. It must stand where a frame is expected, or at a gap: otherwise a noise
-/// character 2F directly before a frame would make that frame its own. The line's variant must be known, and a header
-/// or a gap must follow.
+/// Judges a frame with extra channels. It must begin where a frame is expected, or at a gap: otherwise a noise
+/// character 2F directly before a frame would swallow that frame. The line's variant must be known, and a header or a
+/// gap must follow.
 template <typename Format>
 SBUS_IN_LINE Verdict judgeExtra(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   const bool isPlaced = c.offBy == 0 || c.gapAt == 0 || c.gapAt == Format::Size;

@@ -20,19 +20,19 @@ enum class Silence : uint8_t {
   Unknown,  ///< perhaps a gap
   Likely,   ///< a gap, unless loop() was blocked
   Gap,      ///< certainly a gap: longer than two characters
-  Long,     ///< longer than any frame period: the next character may stand anywhere in a frame
+  Long,     ///< longer than any frame period: the next character may be anywhere in a frame
 };
 
 /// Ports hand bytes over late and in bursts: the Grasshopper's after 16 bytes, or when the line was idle for one
-/// character. So the first byte that a poll finds began at most one burst before the last empty poll, and the byte
-/// before it had arrived when it was found. Between the two the line was silent:
+/// character. So the first byte that a poll finds began at most one burst before the last empty poll, and the previous
+/// byte had arrived when it was found. Between the two the line was silent:
 ///
 ///     silence  >=  last empty poll - last poll that found bytes - one burst
 ///
-/// A port that calls back when it hands bytes over needs no empty polls: the time of the call takes their place.
+/// A port that calls back when it hands bytes over needs no empty polls: the time of the call replaces them.
 ///
-/// A sketch that polls only when bytes wait (serialEvent1(), an interrupt) has neither. There a poll is assumed to be
-/// late by at most the shortest time between two polls; if it is later, a gap is reported that does not exist.
+/// A sketch that polls only when bytes wait (serialEvent1(), an interrupt) has neither. It is assumed to poll late by
+/// at most the shortest time between two polls; if it is later, LineTiming reports a gap that does not exist.
 ///
 /// Times are in us, and wrap after 71 minutes. Call all methods from the context that reads the port.
 class LineTiming {
@@ -48,8 +48,8 @@ class LineTiming {
     _idleCharacters = idleCharacters;
   }
 
-  /// Returns a time before the end of the byte that `more` others follow in this poll. The poll before did not find
-  /// this byte: the port held it back, together with those that follow it, and waited for each of them.
+  /// Returns a time before the end of the byte that `more` others follow in this poll. The previous poll did not find
+  /// this byte: the port held it back, with those that follow it, and waited for each of them.
   uint32_t endedAfter(unsigned more) const {
     constexpr unsigned Each = MostIdleCharacters + 1;
     return _pollBefore - (MostIdleCharacters + (more < LongestBurst ? more : LongestBurst) * Each) * _characterTime;
@@ -64,7 +64,7 @@ class LineTiming {
     }
   }
 
-  /// Takes the time of a poll that found `found` bytes, 1 or more. `isPrompt`: the port has just called back, and so
+  /// Takes the time of a poll that found `found` bytes, 1 or more. `isPrompt`: the port has just called back, so it
   /// handed them over no earlier. (Inlined: 57 cycles a frame less.)
   template <typename Format>
   __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t now, bool isPrompt = false) {
@@ -82,19 +82,19 @@ class LineTiming {
     return isLong(silence) ? Silence::Long : Silence::Gap;
   }
 
-  /// Returns true if fallsShort() may be true: some polls have found nothing, so that the time of the poll before is
-  /// known, and the newest poll came later than one character and a gap explain. (Asked first: an AVR's sensor polls each
-  /// 100 us while the end of a frame is expected.)
+  /// Returns true if fallsShort() may be true: some polls have found nothing, so that the time of the previous poll is
+  /// known, and the newest poll came later than one character and a gap can explain. (Asked first: an AVR's sensor
+  /// polls each 100 us while the end of a frame is expected.)
   bool mayFallShort() const {
     return _shortest == HasEmptyPolls && capped(_lastPoll - _pollBefore) > unsigned{_characterTime} * (Gap + 2);
   }
 
-  /// False on an AVR, which has ints of 16 bits: while interrupts are off, its micros() counts 2 ms at most.
+  /// False on an AVR, recognised by its 16-bit ints: while interrupts are off, its micros() counts 2 ms at most.
   static constexpr bool ClockRuns = UINT_MAX > UINT16_MAX;
 
   /// Returns true if the newest poll must have found more than its `found` bytes. The first of them belong to a frame
   /// that lacked `missing` bytes, 0 if none was incomplete. In a frame the characters follow each other, and a frame is
-  /// complete at most one `period`, us, after the frame before it. Call it only if mayFallShort().
+  /// complete at most one `period`, us, after the previous frame. Call it only if mayFallShort().
   template <typename Format>
   bool fallsShort(int found, int missing, uint32_t period) const {
     const int handedOver = _idleCharacters != 0 ? found + static_cast<int>(LongestBurst) : found;

@@ -58,7 +58,7 @@ class Link {
   /// Returns true if a frame of this age, in us, is as old as the timeout.
   bool isStale(uint32_t age) const { return age >= _timeout * 1000UL && _timeout != 0; }
 
-  /// Returns the age of the newest frame in us at the last call of state(), and UINT32_MAX once the clock has wrapped.
+  /// Returns the age of the newest frame, in us, at the last call of state(); UINT32_MAX once the clock has wrapped.
   /// Undefined before the first frame.
   uint32_t age() const { return _age; }
 

@@ -15,20 +15,19 @@ namespace sbus {
 ///     uint8_t percent = quality.update(dSBus);
 ///
 /// 100 means that every expected frame came, without the lost-frame or failsafe flag. Betaflight computes the link
-/// quality of S.Bus likewise (src/main/rx/rx.c, setLinkQuality()); the number of ExpressLRS counts radio packets, not
+/// quality of S.Bus likewise (src/main/rx/rx.c, setLinkQuality()). ExpressLRS's own number counts radio packets, not
 /// frames (extras/docs/link-quality.md).
 ///
-/// The receiver's frame rate is not known: the highest rate that was seen is expected, less one frame a second every
-/// ten seconds, until the measured rate is higher again.
+/// The receiver's frame rate is not known: the expected rate is the highest one seen, reduced by one frame a second
+/// every ten seconds, until the measured rate is higher again.
 class LinkQuality {
  public:
   /// Returns the link quality at `now`, us, 0..100; 0 before the first frame and while the link is stale. Call it every
-  /// 250 ms or more often, from one context. Less than a second after the link came back, and if the last call is
-  /// more than a second ago, it knows no rate: then it returns the percentage of the received frames that were not
-  /// lost.
+  /// 250 ms or more often, from one context. In the first second after the link came back, and if the last call is more
+  /// than a second ago, it knows no rate, and returns the percentage of the received frames that were not lost.
   uint8_t update(const Counters &counters, LinkState state, uint32_t now);
 
-  /// Returns that of a DecodeSBus, or of another decoder, now.
+  /// Returns the link quality of a DecodeSBus, or of another decoder, now.
   template <typename Decoder>
   uint8_t update(Decoder &decoder) {
     return update(decoder.counters(), decoder.linkState(), decoder.clock());

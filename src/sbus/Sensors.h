@@ -1,10 +1,10 @@
 /// @file
 /// What the slots of Futaba's sensors mean, both ways, with integers only. Slots.h finds slots on a line.
 ///
-/// Each type has its number of `Slots`, which follow one another within a group; `decode()` reads them, `encode()`
-/// writes them: `decode()` of what `encode()` has written gives the same values, within the ranges given. For a value
-/// out of its range `encode()` writes the nearest one within, and returns false. A slot does not say which sensor fills
-/// it; decode it as the type that the radio has for this slot.
+/// Each type has its number of `Slots`, which follow one another within a group. `decode()` reads them, and `encode()`
+/// writes them: `decode()` gives back the values that `encode()` has written, within the ranges given. For a value out
+/// of range `encode()` writes the nearest value in range, and returns false. A slot does not say which sensor fills it;
+/// decode it as the type that the radio has for this slot.
 ///
 /// Sources, two or more for each: github.com/BrushlessPower/SBUS2-Telemetry (src/SBUS2.cpp), github.com/dgatf/msrc
 /// (board/project/protocol/sbus.c), github.com/mstrens/oXs_on_RP2040 (src/sbus2_tlm.cpp and its documents),
@@ -19,7 +19,7 @@
 
 namespace sbus {
 
-/// The receiver's own voltage, in slot 0: its supply and an external one in turn, each every 120 ms. Never send it.
+/// The receiver's own voltage, in slot 0: its supply and an external voltage in turn, each every 120 ms. Never send it.
 struct ReceiverVoltage {
   static constexpr uint8_t Slots = 1;  ///< how many slots
   uint16_t decivolts;                  ///< 0.1 V, 0..1023
@@ -71,7 +71,7 @@ struct CurrentF1678 {
   bool encode(SlotData *slots) const;  ///< writes them; returns false if one was out of range
 };
 
-/// Climb and altitude: VARIO-F1672. A radio takes the first altitude for its zero.
+/// Climb and altitude: VARIO-F1672. A radio takes the first altitude as zero.
 struct VarioF1672 {
   static constexpr uint8_t Slots = 2;  ///< how many slots
   int16_t centimetresPerSecond;        ///< 0.01 m/s

@@ -1,9 +1,9 @@
 /// @file
-/// The telemetry slots of an S.BUS2 line: what receiver and sensors send between two frames. Sensors.h says what their
-/// data mean.
+/// The telemetry slots of an S.BUS2 line, which the receiver and its sensors send between two frames. Sensors.h decodes
+/// their data.
 ///
-/// Sources: Futaba has not published it. github.com/BrushlessPower/SBUS2-Telemetry, github.com/dgatf/msrc and
-/// github.com/delamonpansie/jitel agree in all that is here; PX4-Autopilot's test_data/sbus2_r7008SB.txt shows slot 0.
+/// Sources: Futaba has not published the format. github.com/BrushlessPower/SBUS2-Telemetry, github.com/dgatf/msrc and
+/// github.com/delamonpansie/jitel agree on everything here; PX4-Autopilot's test_data/sbus2_r7008SB.txt shows slot 0.
 ///
 /// All functions may be called from any context.
 #pragma once
@@ -38,7 +38,7 @@ constexpr uint8_t slotId(uint8_t number) {
 }
 
 /// Returns true if `byte` may be the ID of a slot, the first of three characters that a sensor sends. Its next two bits
-/// are the group that the end byte before announced; some home-made sensors send those of another group.
+/// are the group that the previous end byte announced; some home-made sensors send another group's bits.
 constexpr bool isSlotId(uint8_t byte) {
   return (byte & 0x07) == 0x03;
 }
@@ -61,19 +61,20 @@ constexpr bool announcesSlots(uint8_t end) {
 
 /// Splits the `count` characters between a frame with this end byte and the next frame into `slots` (room for 8).
 /// Returns how many there are; -1 if the characters are not just slots of the announced group in rising order. There is
-/// no checksum, and no other proof: if a character is missing, or there is one too many, all of them are rejected.
+/// no checksum and no other proof: if a character is missing or extra, all of them are rejected.
 ///
 /// On some lines a break, 00, follows each transmission: the frame, and each slot (Futaba R7008SB, R7003SB:
-/// github.com/bolderflight/sbus/issues/79). Bit k of `breaks`, 0 at first, says that one has followed slot k: then one
-/// must follow it, or the slot may have lost a character and taken the break for data.
+/// github.com/bolderflight/sbus/issues/79). Bit k of `breaks`, 0 at first, says that a break has followed slot k. From
+/// then on one must follow it: otherwise the slot may have lost a character and taken the break for data.
 int8_t readSlots(uint8_t end, const uint8_t *characters, uint8_t count, Slot *slots, uint32_t &breaks);
 
 /// Finds slots that are whole although readSlots() rejects the group's `count` characters, and writes their data to
 /// `data` (bit k of the result: data[k] has slot k of the group). Bit k of `expected` and of `breaks` says that slot k
-/// comes on this line, and that a break follows it. `isOpen`: a frame that was rejected follows the group among them.
+/// comes on this line, and that a break follows it. `isOpen`: the characters also hold a rejected frame, after the
+/// group.
 ///
-/// A slot is whole if it is where the expected slots before it, or those after it, leave it, and the next slot
-/// follows it. Characters that are missing or too many cost only the slots from the first to the last of them.
+/// A slot is whole if it is at the place that the expected slots before it, or after it, leave for it, and the next
+/// slot follows it. Missing or extra characters cost only the slots from the first to the last of them.
 uint8_t wholeSlots(uint8_t end, bool isOpen, const uint8_t *characters, uint8_t count, uint8_t expected, uint8_t breaks,
                    SlotData *data);
 

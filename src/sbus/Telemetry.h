@@ -13,13 +13,13 @@ namespace sbus {
 
 /// How far the data of some slots can be trusted: Telemetry::read().
 struct Trust {
-  uint16_t age;   ///< ms, of Telemetry::read() before the newest frame
-  uint8_t times;  ///< 1..8, 8 or more: how often in a row each of the slots has come with these data
+  uint16_t age;   ///< ms, at the newest frame for Telemetry::read()
+  uint8_t times;  ///< 1..8, 8 means 8 or more: how often in a row each slot has come with these data
 };
 
-/// Holds the newest data of all 32 slots. The bytes between two frames are accepted once the second frame is there: if
-/// all of them are slots (readSlots()), otherwise those slots that are certainly whole (wholeSlots()). It needs 152
-/// bytes.
+/// Holds the newest data of all 32 slots, in 152 bytes. Once the second of two frames has come, the bytes between them
+/// are accepted: all, if they are just slots (readSlots()), otherwise those slots that are certainly whole
+/// (wholeSlots()).
 ///
 /// The context that reads the port calls the events; they may interrupt read().
 class Telemetry {
@@ -28,14 +28,14 @@ class Telemetry {
   static constexpr uint8_t MissesMax = 16;
 
   /// Copies the data of `count` slots from slot `first` on to `data`. Returns false, and leaves `data` unchanged,
-  /// unless each of them came in one of its last 16 rounds (1 s). All of them are of one moment: from the first call
+  /// unless each of them came in one of its last 16 rounds (1 s). All of them are from one moment: from the first call
   /// on, these slots only change together.
   bool read(uint8_t first, uint8_t count, SlotData *data);
 
-  /// Reads the same, and how far it can be trusted.
+  /// Also reports how far the data can be trusted.
   bool read(uint8_t first, uint8_t count, SlotData *data, Trust &trust);
 
-  /// Returns how many times the bytes after a frame that announces a group were not just slots of this group.
+  /// Returns how often the bytes after a frame that announces a group were not just slots of this group.
   uint32_t rejectedGroups() const { return _rejected; }
 
   // The events of a FrameFinder.
@@ -51,11 +51,10 @@ class Telemetry {
   void asked(int, uint32_t) {}                          ///< see NoEvents
 
  protected:
-  /// Forgets what slot `slot` has brought between the two newest frames, and copies it to `data`. Returns false if it
-  /// has brought nothing.
+  /// Moves the data that slot `slot` brought between the two newest frames to `data`. Returns false if it brought none.
   bool forget(uint8_t slot, SlotData &data);
 
-  /// Is taken() without wholeSlots(): some 500 bytes less on a Cortex-M0+.
+  /// Like taken(), without wholeSlots(): some 500 bytes less on a Cortex-M0+.
   void takeWhole(const uint8_t *frame);
 
  private:

@@ -182,13 +182,14 @@ TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal di
     std::string text, error;
   } rows[] = {
       {noRate, "2: does not say when its samples were taken: --rate is expected"},
-      {replaced(bits, "with 2/8", "with 0/8"), "2: there are no signals: \"Acquisition with 1/8 channels\" or more is expected"},
-      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4: is longer than a year: is its rate right?"},
+      {replaced(bits, "with 2/8", "with 0/8"),
+       "2: there are no signals: \"Acquisition with 1/8 channels\" or more is expected"},
+      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4:is longer than a year: is its rate right?"},
       {begin + "CLK:0101\n", "3: the samples of 2 signals are expected, but only those of 1 came"},
       {begin + "CLK:01\nRX:011\n", "4: there are 3 samples: as many as above, 2, are expected"},
-      {begin + "CLK:0\nRX:1\nRX:1\n", "5: \"RX\" stands where samples of \"CLK\" are expected"},
-      {begin + "CLK:0101 0102\n", "3: \"2\" is no bit: 0 or 1 is expected"},
-      {begin + "CLK:0f g0\n", "3: \"g\" is no hexadecimal digit"},
+      {begin + "CLK:0\nRX:1\nRX:1\n", "5: \"RX\" is found where samples of \"CLK\" are expected"},
+      {begin + "CLK:0101 0102\n", "3: \"2\" is not a bit: 0 or 1 is expected"},
+      {begin + "CLK:0f g0\n", "3: \"g\" is not a hexadecimal digit"},
       {begin + "0101\n", "3: \"0101\" has no samples: a signal's name, a colon and samples are expected"},
   };
   for (const auto &row : rows) {

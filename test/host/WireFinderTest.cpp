@@ -26,7 +26,7 @@ TEST_CASE("of several signals, the one with S.Bus is decoded, or the one that --
     CHECK(holds(Decoded(text, "TX").failure, "there is no signal TX: one of "));
   }
   const std::string failure = Decoded(textOf(wireOf(), TestFormat::PulseView, true), "CLK").failure;
-  CHECK(holds(failure, "signal CLK is no S.Bus: its shortest pulses last 3.0 us, as bits of 333333 baud do"));
+  CHECK(holds(failure, "signal CLK is not S.Bus: its shortest pulses last 3.0 us, as bits of 333333 baud do"));
   CHECK_FALSE(holds(failure, "signal RX"));
   CHECK(Decoded("Time [s],A,B,C,D,E,F,G,H,I\n0,0,0,0,0,0,0,0,0,0\n1,0,0,0,0,0,0,0,0,1\n", "X").failure ==
         "there is no signal X: one of A, B, C, D, E, F, G, H, ... is expected");
@@ -195,16 +195,25 @@ TEST_CASE("a signal that is not S.Bus is rejected with the reason") {
   const struct {
     std::string text, failure;
   } rows[] = {
-      {textOf(glitch, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
-      {textOf(wireOf(10400), TestFormat::Saleae), "its shortest pulses last 10.4 us, as bits of 96153 baud do: 10 us or 5 us are expected, within 3 %"},
+      {textOf(glitch, TestFormat::Saleae),
+       "signal RX is not S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
+      {textOf(wireOf(10400), TestFormat::Saleae),
+       "its shortest pulses last 10.4 us, as bits of 96153 baud do: 10 us or 5 us are expected, within 3 %"},
       {textOf(seldom, TestFormat::Saleae), "signal RX was sampled every 3.3 us, but a bit lasts 10.0 us"},
-      {textOf(brief, TestFormat::Saleae), "signal RX has 3 good characters at 100000 baud, 8E2, inverted, but no frame. No signal has a frame of S.Bus: a frame is 25 characters"},
+      {textOf(brief, TestFormat::Saleae),
+       "signal RX has 3 good characters at 100000 baud, 8E2, inverted, but no frame. No signal has a frame of S.Bus: a "
+       "frame is 25 characters"},
       {textOf(silent, TestFormat::Saleae), "signal RX has no pulses: is the probe on S-BUS_OUT, and the receiver on?"},
-      {textOf(silent, TestFormat::Saleae, true), "no signal has pulses: is the probe on S-BUS_OUT, and the receiver on? No signal has a frame"},
-      {textOf(uart, TestFormat::Vcd), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do: 10 us or 5 us are expected, within 3 %. No"},
+      {textOf(silent, TestFormat::Saleae, true),
+       "no signal has pulses: is the probe on S-BUS_OUT, and the receiver on? No signal has a frame"},
+      {textOf(uart, TestFormat::Vcd),
+       "signal RX is not S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do: 10 us or 5 us are "
+       "expected, within 3 %. No"},
       {textOf(silent, TestFormat::Scope), "has no pulses"},  // noise alone
-      {textOf(uart, TestFormat::Saleae), "signal RX is no S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
-      {textOf(other, TestFormat::Saleae), "have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected"},
+      {textOf(uart, TestFormat::Saleae),
+       "signal RX is not S.Bus: its shortest pulses last 8.7 us, as bits of 115207 baud do"},
+      {textOf(other, TestFormat::Saleae),
+       "have a wrong parity or stop bit: 8 data bits, even parity and 2 stop bits are expected"},
   };
   for (const auto &row : rows) {
     INFO(row.failure);

@@ -270,7 +270,7 @@ TEST_CASE("an oscilloscope's samples beyond its range, in whatever encoding, are
       text += std::to_string(us) + "," + (edge % 2 == 1 ? row.high : us % 2 == 0 ? row.low : row.lowToo) + "\n";
     }
     CHECK(Decoded(text).bytes() == All);
-    CHECK(holds(Decoded(text + "1e6,-\n").error, "\"-\" is no voltage: a number is expected in column 2"));
+    CHECK(holds(Decoded(text + "1e6,-\n").error, "\"-\" is not a voltage: a number is expected in column 2"));
   }
 }
 

@@ -102,8 +102,8 @@ export default async function () {
   const slow = 'Time [s],Channel 0\n0.0,0\n0.1,1\n0.2,0\n0.3,1\n0.4,0\n';
   for (const [name, content, said] of [
     ['idle.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', `idle.csv: signal Channel 0 has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
-    ['slow.csv', slow, `slow.csv: signal Channel 0 is no S.Bus: its shortest pulses last 100000.0 us, as bits of 10 baud do: 10 us or 5 us are expected, within 3 %. ${noSignal}`],
-    ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps what came before it\.$/],
+    ['slow.csv', slow, `slow.csv: signal Channel 0 is not S.Bus: its shortest pulses last 100000.0 us, as bits of 10 baud do: 10 us or 5 us are expected, within 3 %. ${noSignal}`],
+    ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps the part before it\.$/],
     ['other.zip', session(wire, 0, { metadata: false }), 'other.zip: is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
     ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
     ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],

@@ -107,7 +107,7 @@ while IFS='|' read -r keys words options message; do
     [ "$(tail -n 1 "$work/err")" = "sbus calibrate: $message" ] && [ ! -e "$work/file" ]
   verdict $? "calibrate sim:$words $options says: $message"
 done <<'END'
-enter||--seconds 20|nothing was written, since the third step was not completed: CH1 is where it rested: push it up or right
-enter|silent|--seconds 14|nothing was written, since the third step was not completed: CH1 was not seen: switch the radio on
+enter||--seconds 20|nothing was written, because the third step was not completed: CH1 is where it rested: push it up or right
+enter|silent|--seconds 14|nothing was written, because the third step was not completed: CH1 was not seen: switch the radio on
 none||--seconds 20|standard input has ended, so Enter cannot be pressed; run it in a terminal
 END

@@ -72,7 +72,7 @@ adapter() {  # LINE PERIOD_MS LATENCY_MS FRAMES
   until [ -s "$WORK/terminal" ] || ! kill -0 $player; do sleep 0.1; done
   terminal=$(cat "$WORK/terminal")
 }
-note='This port does not tell how long it keeps bytes back: gaps shorter than 19 ms are not seen.'
+note='This port does not tell how long it holds bytes back: gaps shorter than 19 ms are not seen.'
 while read -r line period latency status finding; do
   adapter "$line" "$period" "$latency" 1000
   asked_live "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"

@@ -93,7 +93,7 @@ verdict $? "decode --csv -o writes the table and the recording"
 [ $? -eq 1 ] && bytes "$work/part.txt" >"$work/part" && [ "$(wc -l <"$work/part")" -gt 100 ] && head -n "$(wc -l <"$work/part")" "$work/wanted" | cmp - "$work/part"
 verdict $? "decode -o keeps what came before an error in the capture"
 "$SBUS" csv "$work/broken.vcd" >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && grep -q "^sbus csv: $work/broken.vcd:2001: .*; sbus decode -o FILE keeps what came before it$" "$work/err"
+[ $? -eq 1 ] && grep -q "^sbus csv: $work/broken.vcd:2001: .*; sbus decode -o FILE keeps the part before it$" "$work/err"
 verdict $? "an error in a capture is reported with its place"
 
 # ---- Bytes without times
@@ -148,6 +148,6 @@ printf '0F E5 03\nand so on\n' | rejected words.txt ":2: \"an\"$want"
 echo '00000000: 0fe5 031f f8c0 073e f081 0f7c e003 06f8  .......>...|....' | rejected xxd.txt ":1: $offset"
 echo '00000000  0f e5 03 1f f8 c0 07 3e  f0 81 0f 7c e0 03 06 f8  |.......>...|....|' | rejected hexdump.txt ":1: $offset"
 printf '# nothing\n' | rejected nothing.txt ': is empty: at least one line "microseconds byte byte ..." is expected'
-printf '\017\345\003' | rejected control.txt ": is no text; bytes as a receiver has sent them are read if the file is called NAME.bin or NAME.raw, or from standard input: - <$work/control.txt"
+printf '\017\345\003' | rejected control.txt ": is not text; sbus reads a receiver's raw bytes if the file is called NAME.bin or NAME.raw, or from standard input: - <$work/control.txt"
 printf '<SALEAE>\000\000' | rejected digital_0.bin ": is Logic 2's binary export: export it as CSV"
 printf '' | rejected empty.bin ': is empty: at least one line "microseconds byte byte ..." is expected'

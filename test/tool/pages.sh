@@ -160,7 +160,7 @@ until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do sleep 0.1; tries=$((trie
 open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows ' ok' && kill -STOP $player &&
   shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows ' ok'
 verdict $? "a silent line is stale, with its last values, until frames come again"
-kill $player && shows 'the program at its other end has gone' && shows ' 992 1500'
+kill $player && shows 'the program at the other end is gone' && shows ' 992 1500'
 verdict $? "the page says that its port has gone"
 wait $player
 close

@@ -173,7 +173,7 @@ verdict $? "help and --help print the same"
 
 "$sbus" wave recordings/paper.txt -o "$work/paper.vcd"
 rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus decode reads it" wave "$work/paper.vcd"
-rejected "$work/paper.vcd:24: \"24\" is no word after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
+rejected "$work/paper.vcd:24: \"24\" is not allowed after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
 verdict $? "a recording that looks like bits is not taken for a capture"
@@ -214,8 +214,8 @@ verdict $? "times are those of the recording"
   "$sbus" monitor sim --simulated-time --seconds 0.2 --record "$work/monitor.txt" 2>"$work/err" | cmp - "$work/lines" &&
   sed 's/^# sbus record/# sbus monitor/' "$work/record.txt" | cmp - "$work/monitor.txt" && grep -qE '^.*monitor.txt: [1-9][0-9]* characters \(0 with errors\), [1-9][0-9]* frames$' "$work/err"
 verdict $? "monitor --record writes what record writes, and shows what monitor shows"
-rejected "sbus monitor: $work/monitor.txt: is there already; name another file, or remove it" monitor sim --record "$work/monitor.txt"
-rejected "sbus monitor: /dev/full: could not be written to its end (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full
+rejected "sbus monitor: $work/monitor.txt: already exists; name another file, or remove it" monitor sim --record "$work/monitor.txt"
+rejected "sbus monitor: /dev/full: could not be written completely (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full
 "$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
 verdict $? "monitor --record writes a sketch's rows as they are"
 
@@ -251,7 +251,7 @@ done
 # A disk with place for 8 KB: a write in the middle of a line fails.
 (trap '' XFSZ; ulimit -f 16; "$sbus" record sim "$work/full.txt" --simulated-time --seconds 5) 2>"$work/err"
 [ $? -eq 1 ] && is_whole "$work/full.txt" && [ "$(wc -c <"$work/full.txt")" -gt 8000 ] &&
-  grep -q "^sbus record: .*full.txt: could not be written to its end (File too large); what came before is whole" "$work/err"
+  grep -q "^sbus record: .*full.txt: could not be written completely (File too large); what was written before is valid" "$work/err"
 verdict $? "a full disk is an error, and the recording is complete up to there"
 
 # An adapter's name in /dev/serial/by-id is a link, which comes again with it.

@@ -90,14 +90,14 @@ while IFS='|' read -r text message; do
 done <<'END'
 |: is empty: at least one line "microseconds byte byte ..." is expected
 CH1\n|: has no rows; rows as sbus csv prints them are expected
-CH1,CH33\n1,2\n|:1: "CH33" is no column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality
+CH1,CH33\n1,2\n|:1: "CH33" is not a column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality
 CH1,CH19\n1,2\n|:1: CH19: a line ends at CH18, CH24 or CH32
 CH1,CH2\n1,2\n3\n|:3: has 1 fields; 2 are expected
-CH1\n2048\n|:2: "2048" is no value of column 1; 0 to 2047 is expected
-CH1\n1.5\n|:2: "1.5" is no value of column 1; 0 to 2047 is expected
-CH1,failsafe\n1,2\n|:2: "2" is no value of column 2; 0 or 1 is expected
-time,CH1\nsoon,2\n|:2: "soon" is no value of column 1; a time in seconds is expected
-time,CH1\n2,2\n1,2\n|:3: its time does not come after that of the row before
+CH1\n2048\n|:2: "2048" is not a value for column 1; 0 to 2047 is expected
+CH1\n1.5\n|:2: "1.5" is not a value for column 1; 0 to 2047 is expected
+CH1,failsafe\n1,2\n|:2: "2" is not a value for column 2; 0 or 1 is expected
+time,CH1\nsoon,2\n|:2: "soon" is not a value for column 1; a time in seconds is expected
+time,CH1\n2,2\n1,2\n|:3: its time is not after that of the previous row
 END
 while IFS='|' read -r arguments message; do
   # shellcheck disable=SC2086  # the arguments are words

@@ -124,10 +124,10 @@ done <<'END'
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"failsafe":"no"}|1: failsafe: "no" is not true or false
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"first":2}|1: first: 2 is not 1, or 17 of a frame with header 2F
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"end":4}|1: end: 4 is not an end byte in hexadecimal, such as "00"
-{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"time_us":-1}|1: time_us: -1 is no time in microseconds
+{"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"time_us":-1}|1: time_us: -1 is not a time in microseconds
 {"type":"slot","slot":32,"data":[1,2]}|1: a slot has slot, 0 to 31, and data, two numbers from 0 to 255
 {"type":"no_frame","bytes":"0G"}|1: bytes: bytes in hexadecimal are expected, such as "0F E3"
-{"type":frame}|1: "{"type":frame}" is no JSON object; JSON lines as sbus hex --json writes them are expected
+{"type":frame}|1: "{"type":frame}" is not a JSON object; JSON lines as sbus hex --json writes them are expected
 {"type":"end"}| has no frames; JSON lines as sbus hex --json writes them are expected
 {"type":"frame"| ends within an object; JSON lines as sbus hex --json writes them are expected
 END

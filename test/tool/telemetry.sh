@@ -42,7 +42,7 @@ verdict $? "telemetry prints no quantity for a slot without a name"
 
 grep -v '^#' recordings/paper.txt >"$work/paper.txt"
 "$SBUS" telemetry "$work/paper.txt" >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: frames came, and none announced a telemetry slot: this is no S.BUS2 line" "$work/err"
+[ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: frames came, and none announced a telemetry slot: this is not an S.BUS2 line" "$work/err"
 verdict $? "telemetry of a line without any fails"
 sed '/^[0-9]* \(03\|83\|43\|1B\|9B\|5B\)/d' "$work/line.txt" >"$work/silent.txt"
 "$SBUS" telemetry "$work/silent.txt" >"$work/out" 2>"$work/err"
@@ -81,7 +81,7 @@ while IFS='|' read -r slots expected finding telemetry; do
   verdict $? "doctor, breaks and after 04 the bytes $slots: $finding"
 done <<'END'
 03 C0 2E 00|0|All well, and other bytes come between the frames.|receiver voltage 4.6 V; slot 0
-03 C0|1|Telemetry rejected: the frames are well, but what follows them is not just slots.|19 of 19 groups rejected: a byte is missing or too many, or two sensors share a slot
+03 C0|1|Telemetry rejected: the frames are good, but the bytes after them are not just slots.|19 of 19 groups rejected: a byte is missing or too many, or two sensors share a slot
 END
 
 { cat "$work/line.txt"; awk 'BEGIN { for (i = 20; i < 120; i++) print 120 + 15000 * i, "0F 11 04 20 A8 01 08 16 50 03 10 80 00 04 20 00 01 08 40 00 02 10 80 00", (i % 4) "4" }'; } >"$work/long.txt"

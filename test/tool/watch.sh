@@ -134,13 +134,13 @@ wait "$player"
 [ -z "$(tail -c 1 "$work"/killed/*)" ] && "$SBUS" hex "$work"/killed/* >"$work/hex" && [ "$(grep -c ' frame ' "$work/hex")" -ge 90 ]
 verdict $? "a file is whole after SIGKILL: $(grep -c ' frame ' "$work/hex") frames"
 (trap '' XFSZ; ulimit -f 16; "$SBUS" watch sim --simulated-time --seconds 40 --when failsafe --record "$work/full") >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && [ "$(grep -c 'sbus-00000[12].txt: could not be written to its end (File too large); what came before is whole' "$work/err")" -eq 2 ] &&
-  [ "$(tail -n 1 "$work/err")" = "sbus watch: $work/full: 2 recordings are not whole; what stopped them is said above" ] &&
+[ $? -eq 1 ] && [ "$(grep -c 'sbus-00000[12].txt: could not be written completely (File too large); what was written before is valid' "$work/err")" -eq 2 ] &&
+  [ "$(tail -n 1 "$work/err")" = "sbus watch: $work/full: 2 recordings are incomplete; the reasons are above" ] &&
   for file in "$work"/full/*; do [ -z "$(tail -c 1 "$file")" ] && "$SBUS" hex "$file" 2>&1 | grep -q ' frame ' || break; done
 verdict $? "a full disk is an error for each file, which is whole up to there, and watching goes on"
 touch "$work/file"
 for folder in "$work/file" "$work/no/such"; do
-  ! watch sim --when failsafe --record "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be made (.*); name a folder that can be written$" "$work/err"
+  ! watch sim --when failsafe --record "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be created (.*); name a folder that can be written$" "$work/err"
   verdict $? "watch says: $(cat "$work/err")"
 done
 

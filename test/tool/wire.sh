@@ -169,7 +169,7 @@ gzip -c "$work/long.csv" >"$work/long.gz"
 head -c $(($(wc -c <"$work/long.gz") * 9 / 10)) "$work/long.gz" >"$work/cut.gz"
 "$SBUS" decode "$work/cut.gz" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 10 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
-  grep -qx "sbus decode: $work/cut.gz: cannot be read to its end (truncated gzip input); what came before it is decoded above" "$work/err"
+  grep -qx "sbus decode: $work/cut.gz: cannot be read to its end (truncated gzip input); the part before it is decoded above" "$work/err"
 verdict $? "decode of a .gz that is cut off prints what came before, and fails"
 
 # Sessions of sigrok and PulseView. Real sessions (sigrokproject/sigrok-dumps) have their entries in each of these orders.
@@ -215,7 +215,7 @@ verdict $? "decode rejects a session without samples"
 head -c $(($(wc -c <"$work/1.sr") * 2 / 3)) "$work/1.sr" >"$work/cut.sr"
 "$SBUS" decode "$work/cut.sr" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 3 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
-  grep -q "cut.sr: cannot be read to its end (.*; what came before it is decoded above" "$work/err"
+  grep -q "cut.sr: cannot be read to its end (.*; the part before it is decoded above" "$work/err"
 verdict $? "decode reports a session that is cut off"
 if [ -n "$have_sigrok" ]; then
   sigrok-cli -I vcd -i "$work/sbus2.vcd" -o "$work/sigrok.sr" && "$SBUS" decode "$work/sigrok.sr" --csv |

@@ -11,7 +11,7 @@ namespace tool {
 FailsafeOption::FailsafeOption(Subcommand &subcommand) {
   _option = subcommand.option(
       "--failsafe", _text,
-      "without a link: sends nothing; the values before; these values (those of SOURCE, with its flags)");
+      "without a link, send nothing, the last values, or these values (SOURCE's own, with its flags)");
   _option.type("off|hold|CH=VALUE,...");
 }
 

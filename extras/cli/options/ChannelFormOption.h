@@ -13,7 +13,7 @@ class ChannelFormOption {
  public:
   // Adds both to a subcommand; it must not move afterwards.
   explicit ChannelFormOption(Subcommand &subcommand) : _range(subcommand) {
-    subcommand.option("--unit", _text, "of the channels in JSON lines (raw)")
+    subcommand.option("--unit", _text, "the unit of the channels in JSON lines (raw)")
         .oneOf({"raw", "us", "percent"})
         .type("raw|us|percent");
   }

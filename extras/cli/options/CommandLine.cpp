@@ -141,9 +141,9 @@ Words wordsAfter(const CLI::App &app, const Words &before) {
 }  // namespace
 
 void addHelp(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("help", "what a subcommand takes");
+  CLI::App *const subcommand = app.add_subcommand("help", "prints what a subcommand takes");
   const auto name = std::make_shared<std::string>();
-  subcommand->add_option("SUBCOMMAND", *name, "all of them without it")->type_name("");
+  subcommand->add_option("SUBCOMMAND", *name, "the subcommand; without it, all are listed")->type_name("");
   subcommand->callback([&app, name] { printHelp(app, *name); });
 }
 
@@ -164,13 +164,13 @@ std::string misplacedWord(const CLI::App &app) {
     const std::string &owner = subcommands.front()->get_name();
     return "sbus: " + *option + " is an option of " + owner + "; write it after " + owner;
   }
-  return name + ": " + *option + " is no option; " +
+  return name + ": " + *option + " is not an option; " +
          meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help +
          " lists them";
 }
 
 std::string unknownSubcommand(const CLI::App &app, const std::string &name) {
-  return name + " is no subcommand; " + meant(name, subcommandNames(app)) + "sbus --help lists them";
+  return name + " is not a subcommand; " + meant(name, subcommandNames(app)) + "sbus --help lists them";
 }
 
 void printCompletions(const CLI::App &app, const Words &words) {

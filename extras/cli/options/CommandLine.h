@@ -17,7 +17,7 @@ void addHelp(CLI::App &app);
 // it could place all words.
 std::string misplacedWord(const CLI::App &app);
 
-// Returns "NAME is no subcommand ..." with the name that was probably meant.
+// Returns "NAME is not a subcommand ..." with the name that was probably meant.
 std::string unknownSubcommand(const CLI::App &app, const std::string &name);
 
 // Prints what the last of `words`, those after `sbus`, may become, one a line; ":files" for the names of files.

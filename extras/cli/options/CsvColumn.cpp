@@ -66,7 +66,7 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
     if (!append(word, columns)) {
       rejectCommandLine(
           "--columns: \"" + word +
-          "\" is no column; there are ch1 to ch32, spans such as ch1-ch4, failsafe, lostframe, time, state, age "
+          "\" is not a column; there are ch1 to ch32, spans such as ch1-ch4, failsafe, lostframe, time, state, age "
           "and quality");
     }
   });

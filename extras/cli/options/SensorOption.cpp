@@ -24,12 +24,12 @@ void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
   const bool isNumber =
       !number.empty() && number.size() <= 2 && number.find_first_not_of("0123456789") == std::string::npos;
   if (equals == std::string::npos || !isNumber || std::stoul(number) >= sbus::SlotCount) {
-    rejectCommandLine("--sensor: " + text + " is no slot and name, such as 1=SBS-01V; slots are 0 to 31");
+    rejectCommandLine("--sensor: " + text + " is not a slot and name, such as 1=SBS-01V; slots are 0 to 31");
   }
   const auto slot = static_cast<uint8_t>(std::stoul(number));
   const line::Sensor *const sensor = line::sensorOf(text.substr(equals + 1));
   if (sensor == nullptr) {
-    rejectCommandLine("--sensor: " + text + " is no known sensor; these are: " + knownNames());
+    rejectCommandLine("--sensor: " + text + " is not a known sensor; these are: " + knownNames());
   }
   if (slot % sbus::SlotsOfGroup + sensor->slots > sbus::SlotsOfGroup) {
     rejectCommandLine(

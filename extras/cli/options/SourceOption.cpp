@@ -46,7 +46,7 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
   }
   if (file.recording.characters.empty()) {
     char text[100];
-    std::snprintf(text, sizeof text, ": has nothing there; it has characters from %.3f s to %.3f s",
+    std::snprintf(text, sizeof text, ": has no characters there; it has characters from %.3f s to %.3f s",
                   static_cast<double>(all[0].endUs) / 1e6, static_cast<double>(all.back().endUs) / 1e6);
     throw std::runtime_error(name + text);
   }
@@ -71,19 +71,19 @@ SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words 
   subcommand.option("--baud", _given.baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
-  _given.csv = subcommand.flag("--csv", "the port carries the rows that a sketch prints, at 115200 baud");
+  _given.csv = subcommand.flag("--csv", "the port carries a sketch's rows, at 115200 baud");
   subcommand.option("--seconds", _given.seconds, "end after this many seconds").seconds().type("S");
   _given.signal =
-      subcommand.option("--signal", _given.overrules.signal, "of a capture with several signals: this one (found)")
+      subcommand.option("--signal", _given.overrules.signal, "the signal of a capture (the one with the most frames)")
           .notEmpty()
           .type("NAME");
-  _given.part = {subcommand.option("--from", _given.from, "of a file: begin at this time").between(0, YearS).type("S"),
-                 subcommand.option("--to", _given.to, "of a file: end at this time").seconds().type("S")};
+  _given.part = {subcommand.option("--from", _given.from, "begin at this time in a file").between(0, YearS).type("S"),
+                 subcommand.option("--to", _given.to, "end at this time in a file").seconds().type("S")};
   if (recordings == Recordings::InTrueTime) {
     _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
   }
   _given.simulatedTime =
-      subcommand.flag("--simulated-time", "sim and - go as fast as they can, and come out the same each time");
+      subcommand.flag("--simulated-time", "play sim and - as fast as possible, with the same output each time");
 }
 
 SourceOption::SourceOption(const SourceOption &first, const std::string &word) : _given(first._given), _word(word) {
@@ -300,7 +300,7 @@ std::unique_ptr<line::Line> SourceOption::openOnce(const line::LineSettings &por
     }
     case Kind::Stream:
       if (!_given.csv.given() && !_pipe->hasRows()) {
-        std::fprintf(stderr, "%s: brings bytes without times: times are not known\n", parsed.name.c_str());
+        std::fprintf(stderr, "%s: bytes without times: times are not known\n", parsed.name.c_str());
       }
       return std::make_unique<line::ByteStream>(parsed.name, _pipe->descriptor(), _pipe->begin(), port.characterUs(),
                                                 _given.simulatedTime.given());

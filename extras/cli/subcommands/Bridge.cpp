@@ -206,7 +206,7 @@ void run(Options &options) {
 }  // namespace
 
 void addBridge(CLI::App &app) {
-  Subcommand subcommand(app, "bridge", "sends each frame on, changed: trainer, two receivers, tests in the loop");
+  Subcommand subcommand(app, "bridge", "changes each frame and sends it on: trainer, two receivers, tests in the loop");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand
       .option("DEVICE", options->to,
@@ -216,15 +216,15 @@ void addBridge(CLI::App &app) {
   subcommand.option("--second", options->second, "a second receiver, used while the first has no link")
       .notEmpty()
       .type("SOURCE");
-  subcommand.option("--back", options->backS, "how long the first must have its link again to be used (1)")
+  subcommand.option("--back", options->backS, "how long the first must have its link before it is used again (1)")
       .between(0, 60)
       .type("S");
   subcommand.flag("--latency", options->latency,
-                  "says at the end how long it took from the read of a frame's last byte to its write");
+                  "print at the end the time from reading a frame's last byte to writing the frame");
   subcommand.footer(
       "Only accepted frames are sent, each at once, with their flags; the end byte is 00, and telemetry is left out. "
-      "While no frames come, it sends the newest values with the flags lost frame and failsafe every 9 ms. The TXD of "
-      "a serial port must be inverted to drive a flight controller.");
+      "While no frames come, bridge sends the newest values every 9 ms with the lost-frame and failsafe flags. A "
+      "serial port's TXD must be inverted to drive a flight controller.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -85,12 +85,12 @@ void addCalibrate(CLI::App &app) {
   Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto name = std::make_shared<std::string>();
-  subcommand.option("FILE", *name, "the file to write; an existing one is not overwritten; - is standard output")
+  subcommand.option("FILE", *name, "the file to write; an existing file is not overwritten; - is standard output")
       .required()
       .notEmpty()
       .type("");
   subcommand.footer(
-      "It says what to do, in three steps. CH1 to CH4 must be sticks; channels that hardly moved are left out.");
+      "It guides you in three steps. CH1 to CH4 must be sticks; channels that hardly moved are left out.");
   subcommand.run([source, name] { run(*source, *name); });
 }
 

@@ -117,13 +117,13 @@ void run(const Options &options) {
 
 void addCompare(CLI::App &app) {
   Subcommand subcommand(app, "compare",
-                        "two receivers, or wire and port: who lost what, the delay, the first difference");
+                        "compares two receivers, or wire and port: losses, delay, the first difference");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("B", options->b, "the other source").required().notEmpty().type("");
   subcommand.flag("--json", options->json, "JSON lines");
   subcommand.footer(
-      "It is printed when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A frame is lost by "
-      "one if only the other has it, or if only this one has the flag lost frame or failsafe.");
+      "It prints when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A source has lost a "
+      "frame if only the other one has it, or if only this one has the lost-frame or failsafe flag.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -112,7 +112,7 @@ void run(const SourceOption &source, const CsvOptions &options) {
 }  // namespace
 
 void addCsv(CLI::App &app) {
-  Subcommand subcommand(app, "csv", "what the sketch prints: for a serial plotter or a spreadsheet");
+  Subcommand subcommand(app, "csv", "prints what the sketch prints, for a serial plotter or a spreadsheet");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<CsvOptions>();
   subcommand
@@ -120,10 +120,10 @@ void addCsv(CLI::App &app) {
               "ch1 to ch32, spans, failsafe, lostframe, time, state, age, quality (ch1-ch4,failsafe,lostframe)")
       .type("LIST");
   subcommand.option("--rate", options->rate, "rows a second (5)").between(0.01, 1000).type("N");
-  options->everyFrame = subcommand.flag("--every-frame", "a row for each frame, whatever the rate");
-  options->header = subcommand.flag("--header", "the columns' names in the first row");
+  options->everyFrame = subcommand.flag("--every-frame", "print a row for each frame, whatever the rate");
+  options->header = subcommand.flag("--header", "print the column names in the first row");
   subcommand.footer(
-      "Like the sketch it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
+      "Like the sketch, it prints nothing before the first frame, and nothing once the newest is 0.1 s old.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -125,7 +125,7 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   output.end(options.capture, capture, observer);
   flush();
   if (!capture.error.empty()) {
-    throw std::runtime_error(capture.error + "; what came before it is " +
+    throw std::runtime_error(capture.error + "; the part before it is " +
                              (options.output.empty() ? "decoded above" : "in " + options.output));
   }
   const std::string slow = line::tooSlow(capture.periodNs, wire.wire().bitNs);
@@ -137,7 +137,7 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   }
   if (output.leftOut() > 0) {
     throw std::runtime_error(options.capture + ": " + std::to_string(output.leftOut()) +
-                             " frames have other channels than the first ones, and are left out; --json has all");
+                             " frames have other channels than the first ones and are left out; --json prints all");
   }
 }
 
@@ -153,7 +153,7 @@ void run(const Options &options, const ChannelForm &form) {
 }  // namespace
 
 void addDecode(CLI::App &app) {
-  Subcommand subcommand(app, "decode", "a logic analyser's or oscilloscope's recording of the wire");
+  Subcommand subcommand(app, "decode", "decodes the wire as a logic analyser or an oscilloscope recorded it");
   const auto options = std::make_shared<Options>();
   subcommand
       .option("CAPTURE", options->capture,
@@ -165,36 +165,36 @@ void addDecode(CLI::App &app) {
       .type("");
   subcommand
       .option("-o,--output", options->output,
-              "a recording to write, in place of the table; an existing file is not overwritten")
+              "write a recording instead of the table; an existing file is not overwritten")
       .notStandardOutput()
       .type("FILE.txt");
   line::Overrules &overrules = options->overrules;
-  subcommand.option("--signal", overrules.signal, "the only signal to look at (the one with the most frames)")
+  subcommand.option("--signal", overrules.signal, "decode only this signal (the one with the most frames)")
       .type("NAME");
-  subcommand.option("--baud", overrules.baud, "of the wire, within 3 % (100000 or 200000)")
+  subcommand.option("--baud", overrules.baud, "the wire's baud rate, within 3 % (100000 or 200000)")
       .between(50000, 400000)
       .type("N");
-  subcommand.option("--invert", options->invert, "yes: the wire is idle low, as S.Bus is (found)")
+  subcommand.option("--invert", options->invert, "yes: the wire idles low, like S.Bus (detected)")
       .oneOf({"yes", "no"})
       .type("yes|no");
   subcommand
       .option(
           "--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
-          "samples a second; each row or bit is one (as the capture says)")
+          "samples a second; each row or bit is one sample (as the capture says)")
       .between(1, 1e10)
       .type("HZ");
   subcommand
       .option(
           "--threshold", [&overrules](double volts) { overrules.threshold = volts; },
-          "voltage above which the wire is high, in the capture's unit (found)")
+          "the voltage above which the wire is high, in the capture's unit (detected)")
       .type("V");
-  const Option csv = subcommand.flag("--csv", options->csv, "rows for a spreadsheet");
+  const Option csv = subcommand.flag("--csv", options->csv, "print rows for a spreadsheet");
   subcommand.flag("--json", options->json, "JSON lines").excludes(csv);
-  subcommand.flag("--characters", options->characters, "the characters, not the frames");
+  subcommand.flag("--characters", options->characters, "print the characters, not the frames");
   subcommand.footer(
-      "The signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold are found unless "
-      "options name them. Times are the capture's: of a frame the end of its last byte, of a character its start bit's "
-      "edge. Exits with 1 if there is no frame.");
+      "Decode finds the signal, its polarity, its baud rate (100000 or 200000) and an oscilloscope's threshold, "
+      "unless options name them. Times are the capture's: the end of a frame's last byte, or the first edge of a "
+      "character. It exits with 1 if there is no frame.");
   const auto form = std::make_shared<ChannelFormOption>(subcommand);
   subcommand.run([options, form] {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either

@@ -55,12 +55,12 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
 std::string remedyAtPc(sbus::Finding finding) {
   switch (finding) {
     case sbus::Finding::NoSignal:
-      return "Check the wire to RXD, GND and the receiver: is it powered and bound, and its port set to S.Bus, not "
+      return "Check the wire to RXD, GND and the receiver: is it powered and bound, and is its port set to S.Bus, not "
              "CPPM?";
     case sbus::Finding::NoFrames:
-      return "Connect GND. Is it S.Bus? Is RXD not inverted, or an inverter one too many?";
+      return "Connect GND. Is it S.Bus? Is RXD not inverted, or is there one inverter too many?";
     case sbus::Finding::Channels24:
-      return "Set the receiver to 16 channels for what reads no more.";
+      return "Set the receiver to 16 channels for devices that read no more.";
     case sbus::Finding::WrongPolarity:
       return "Invert the adapter's RXD, or add or remove an inverter.";
     case sbus::Finding::WrongBaud:
@@ -68,7 +68,7 @@ std::string remedyAtPc(sbus::Finding finding) {
     case sbus::Finding::WrongPolarityAndBaud:
       return "Invert the adapter's RXD, or add or remove an inverter; use the baud rate that has frames.";
     case sbus::Finding::PolledTooSeldom:
-      return "Close what keeps this PC busy.";
+      return "Close the programs that keep this PC busy.";
     default:
       return sbus::remedy(finding);
   }
@@ -99,7 +99,7 @@ Json verdict(bool well, const std::string &finding, const std::string &remedy) {
 bool tell(const SourceOption &source, const std::vector<std::unique_ptr<SettingTrial>> &heard,
           const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
-    const std::string finding = "Rows of CSV: they come from a sketch; this is no S.Bus.";
+    const std::string finding = "Rows of CSV: they come from a sketch; this is not S.Bus.";
     const std::string remedy =
         "sbus monitor shows them: at 115200 baud with --csv. For S.Bus name the receiver's port.";
     write(asJson ? verdict(false, finding, remedy).line() : finding + "\n" + remedy + "\n");
@@ -114,7 +114,7 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<SettingT
   const bool rejects = line::isWell(finding) && best.rejectsTelemetry();
   const bool well = line::isWell(finding) && !rejects;
   const std::string what =
-      rejects ? "Telemetry rejected: the frames are well, but what follows them is not just slots." : text(finding);
+      rejects ? "Telemetry rejected: the frames are good, but the bytes after them are not just slots." : text(finding);
   const std::string cure = rejects
                                ? "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"
                                : remedyAtPc(finding);
@@ -168,11 +168,11 @@ bool examine(const SourceOption &source, bool asJson) {
 }  // namespace
 
 void addDoctor(CLI::App &app) {
-  Subcommand subcommand(app, "doctor", "what is wrong with a line, and the remedy, in two seconds");
+  Subcommand subcommand(app, "doctor", "finds what is wrong with a line, and the remedy, in two seconds");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::Again);
   subcommand.footer(
-      "It tries both baud rates; of sim and of a recording also both polarities. Exit status: 0 if all is well, "
-      "1 if not.");
+      "It tries both baud rates; for sim and a recording also both polarities. Exit status: 0 if all is well, 1 if "
+      "not.");
   const auto json = std::make_shared<bool>(false);
   subcommand.flag("--json", *json, "JSON lines: each setting that was tried, then the verdict");
   subcommand.run([source, json] {

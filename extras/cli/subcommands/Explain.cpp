@@ -107,7 +107,7 @@ class Frame {
     if (isExtra() && _size == sbus::FrameSize) {
       return "header of an extra frame: CH17 to CH32 of Futaba FASSTest 26";
     }
-    blame(0, format("%02X is no header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
+    blame(0, format("%02X is not a header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
                     _size == sbus::FrameSize ? ", or 2F of an extra frame," : ""));
     return "not a header";
   }
@@ -150,7 +150,7 @@ class Frame {
     static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
     const uint8_t variant = sbus::variantOfEnd(_bytes[at]);
     if (variant == sbus::UnknownVariant || (_size == sbus::FrameSize24 && variant >= sbus::Frame24::Variants)) {
-      blame(at, format("%02X is no end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
+      blame(at, format("%02X is not an end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
                        _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";
     }
@@ -236,9 +236,10 @@ void run(const std::vector<std::string> &words) {
 }  // namespace
 
 void addExplain(CLI::App &app) {
-  Subcommand subcommand(app, "explain", "a frame byte by byte, and the bits of each channel");
+  Subcommand subcommand(app, "explain", "explains a frame byte by byte, and the bits of each channel");
   const auto words = std::make_shared<std::vector<std::string>>();
-  subcommand.option("BYTES", *words, "a frame in hexadecimal, words or one text; without it, or with -, standard input")
+  subcommand
+      .option("BYTES", *words, "a frame in hexadecimal, as words or one text; without it, or with -, standard input")
       .type("");
   subcommand.footer(
       "A frame has 25 bytes, or 36 with 24 channels. Microseconds are a FrSky's: 172, 992 and 1811 are 988, 1500 and "

@@ -249,27 +249,26 @@ void run(const SourceOption &source, const HexOptions &options, const ChannelFor
 }  // namespace
 
 void addHex(CLI::App &app) {
-  Subcommand subcommand(app, "hex", "the bytes, 25 a line, and what was rejected and why");
+  Subcommand subcommand(app, "hex", "prints the bytes, 25 a line, and what was rejected and why");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto options = std::make_shared<HexOptions>();
-  const Option values = subcommand.flag("--values", options->values, "the raw values of a frame's channels beside it");
+  const Option values =
+      subcommand.flag("--values", options->values, "print the channels' raw values beside each frame");
   const Option delta =
-      subcommand.flag("--delta", options->delta, "the time since the line before, not since the beginning");
+      subcommand.flag("--delta", options->delta, "print the time since the previous line, not since the beginning");
   subcommand.flag("--json", options->json, "JSON lines: the frames, and the discarded bytes")
       .excludes(values)
       .excludes(delta);
-  subcommand
-      .option("--width", options->width,
-              "breaks lines at this many columns (the terminal's; elsewhere lines are whole)")
+  subcommand.option("--width", options->width, "break lines at this many columns (the terminal's; no breaks elsewhere)")
       .between(LeastWidth, 1000)
       .type("N");
-  subcommand.option("--color", options->colour, "auto: on a terminal (auto)")
+  subcommand.option("--color", options->colour, "auto: colours on a terminal (auto)")
       .oneOf({"auto", "always", "never"})
       .type("auto|always|never");
   subcommand.footer(
-      "Each line has the time at which its last byte ended in seconds, - if it is not known; the bytes, ! after one "
-      "with a wrong parity or stop bit; "
-      "frame, frame24 (24 channels), extra (header 2F) or - for none; the end byte or the reason.");
+      "Each line has the time at which its last byte ended, in seconds, or - if unknown; the bytes, with ! after "
+      "each with a wrong parity or stop bit; frame, frame24 (24 channels), extra (header 2F) or - for no frame; and "
+      "the end byte or the reason.");
   const auto form = std::make_shared<ChannelFormOption>(subcommand);
   subcommand.run([source, options, form] { run(*source, *options, form->form()); });
 }

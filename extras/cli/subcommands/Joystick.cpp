@@ -188,33 +188,32 @@ void run(const SourceOption &source, const Options &options) {
 }  // namespace
 
 void addJoystick(CLI::App &app) {
-  Subcommand subcommand(app, "joystick", "a game controller that moves like the transmitter's sticks");
+  Subcommand subcommand(app, "joystick", "creates a game controller that moves like the transmitter's sticks");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand
-      .option("--calibration", options->calibration,
-              "for the channels in FILE, from sbus calibrate, in place of --range")
+      .option("--calibration", options->calibration, "FILE from sbus calibrate, in place of --range for its channels")
       .notEmpty()
       .type("FILE");
   subcommand
       .option("--map", options->map, "the channels of the axes X, Y, Z, RX, RY, RZ, throttle, rudder; -3: reversed")
       .type("mode1|mode2|mode3|mode4|CH,CH,...");
   options->throttleOption =
-      subcommand.option("--throttle", options->throttle, "the channel that failsafe closes; -3: at its high end (3)")
+      subcommand.option("--throttle", options->throttle, "the channel that a lost link closes; -3: at its high end (3)")
           .between(-16, 16)
           .type("CH");
   subcommand
       .option("--failsafe", options->failsafe,
-              "without a link: all centred and the throttle closed, or as it was (centre)")
+              "without a link, centre all axes and close the throttle, or hold them (centre)")
       .oneOf({"centre", "hold"})
       .type("centre|hold");
   subcommand.flag("--latency", options->latency,
-                  "says at the end how long it took from the read of a frame's last byte to the event");
+                  "print at the end the time from reading a frame's last byte to the event");
   subcommand.footer(
       "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
       "for games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how "
-      "to get it.");
+      "to get access.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -192,20 +192,19 @@ void run(const SourceOption &source, const MonitorOptions &options) {
 }  // namespace
 
 void addMonitor(CLI::App &app) {
-  Subcommand subcommand(app, "monitor", "channels, flags, times and losses on a page");
+  Subcommand subcommand(app, "monitor", "shows channels, flags, times and losses on a page");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
   const auto options = std::make_shared<MonitorOptions>();
   options->range = std::make_unique<RangeOption>(subcommand);
-  subcommand.option("--record", options->record, "records while it shows; an existing file is not overwritten")
+  subcommand.option("--record", options->record, "also record the line; an existing file is not overwritten")
       .notStandardOutput()
       .type("FILE");
   options->sensors = std::make_unique<SensorOption>(subcommand);
-  subcommand.flag("--json", options->json, "JSON lines in place of the page: a line a second, and one at a change");
+  subcommand.flag("--json", options->json, "JSON lines in place of the page: one a second, and one at each change");
   subcommand.footer(
-      "Keys: q quits, r resets marks and counters, space pauses, t shows the sensors where the page has no room for "
-      "all, ? helps. The page stays when the line has "
-      "ended, until --seconds are over. Where standard output is no terminal: a line a second, and one when the state "
-      "changes.");
+      "Keys: q quits, r resets marks and counters, space pauses, t shows the sensors if the page has no room for "
+      "everything, ? helps. The page stays after the line has ended, until --seconds are over. If standard output is "
+      "not a terminal, it prints a line every second, and one when the state changes.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

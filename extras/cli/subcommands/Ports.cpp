@@ -33,8 +33,8 @@ constexpr KnownPort KnownPorts[] = {
     {0x1209, 0x6663, "Cicada: what its sketch prints, rows of CSV"},
     {0x1209, 0x6662, "Gnat: what its sketch prints, rows of CSV"},
     {0x2341, AnyProduct, "Arduino: what its sketch prints; read it with --csv"},
-    {0x1A86, AnyProduct, "CH340 or the like: no setting inverts it, put an inverter in front of RXD"},
-    {0x10C4, 0xEA60, "CP210x: no setting inverts it, put an inverter in front of RXD"},
+    {0x1A86, AnyProduct, "CH340 or similar: no setting inverts it; put an inverter in front of RXD"},
+    {0x10C4, 0xEA60, "CP210x: no setting inverts it; put an inverter in front of RXD"},
 };
 
 const char *known(sp_port *port) {
@@ -90,7 +90,7 @@ Json json(sp_port *port) {
 std::string latencyText(const std::string &device) {
   const std::string file = line::latencyFile(device);
   const std::optional<unsigned> ms = line::latencyMs(file);
-  return !ms || *ms <= 1 ? "" : "keeps bytes back for up to " + std::to_string(*ms) + " ms: echo 1 | sudo tee " + file;
+  return !ms || *ms <= 1 ? "" : "holds bytes back for up to " + std::to_string(*ms) + " ms: echo 1 | sudo tee " + file;
 }
 
 void addLine(std::string &text, const std::string &line) {
@@ -127,9 +127,9 @@ void run(bool asJson) {
 }  // namespace
 
 void addPorts(CLI::App &app) {
-  Subcommand subcommand(app, "ports", "the serial ports, and what is known of each");
+  Subcommand subcommand(app, "ports", "lists the serial ports, and what is known about each");
   const auto asJson = std::make_shared<bool>(false);
-  subcommand.flag("--json", *asJson, "JSON lines, one a port");
+  subcommand.flag("--json", *asJson, "JSON lines, one per port");
   subcommand.run([asJson] { run(*asJson); });
 }
 

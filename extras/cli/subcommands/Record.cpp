@@ -42,7 +42,7 @@ void run(const SourceOption &source, const std::string &name) {
 }  // namespace
 
 void addRecord(CLI::App &app) {
-  Subcommand subcommand(app, "record", "keeps a line in a text file, or a sketch's rows as CSV");
+  Subcommand subcommand(app, "record", "records a line in a text file, or a sketch's rows as CSV");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto name = std::make_shared<std::string>();
   subcommand.option("FILE", *name, "the recording; an existing file is not overwritten; - is standard output")
@@ -50,8 +50,8 @@ void addRecord(CLI::App &app) {
       .notEmpty()
       .type("");
   subcommand.footer(
-      "The file grows with every frame. Its lines are whole after Ctrl-C, if the disk is full, and if the program is "
-      "killed; Ctrl-C may cut the last frame.");
+      "The file grows with every frame, and stays valid after Ctrl-C, which may cut the last frame, when the disk fills "
+      "up, and if the program is killed.");
   subcommand.run([source, name] { run(*source, *name); });
 }
 

@@ -39,16 +39,16 @@ void run(Options &options) {
 }  // namespace
 
 void addSend(CLI::App &app) {
-  Subcommand subcommand(app, "send", "sends a recording again, the built-in receiver, or values such as ch3=172");
+  Subcommand subcommand(app, "send", "sends a recording, the built-in receiver, or values such as ch3=172");
   const auto options = std::make_shared<Options>(subcommand);
-  subcommand.option("--period", options->periodMs, "the frame period of values and of slow rows, ms (9)")
+  subcommand.option("--period", options->periodMs, "the frame period of values and slow rows, in ms (9)")
       .between(1, 1000)
       .type("MS");
-  subcommand.option("--speed", options->speed, "this many times as fast (1)").between(0.001, 1000).type("N");
+  subcommand.option("--speed", options->speed, "send this many times as fast (1)").between(0.001, 1000).type("N");
   subcommand.footer(
-      "Values: ch1 to ch16 are raw, 0 to 2047, microseconds (1500us), percent (-50%), on (the high end) or off; ch17, "
-      "ch18, failsafe and lostframe are on or off. A channel without a value is 992, CH3, the throttle, 172. The TXD "
-      "of a serial port must be inverted to drive a flight controller.");
+      "Values: ch1 to ch16 are raw, 0 to 2047, microseconds (1500us), percent (-50%), on (the high end) or off; "
+      "ch17, ch18, failsafe and lostframe are on or off. A channel without a value is 992; CH3, the throttle, is "
+      "172. A serial port's TXD must be inverted to drive a flight controller.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -117,7 +117,7 @@ struct Options {
 
 std::string html(const line::FlightLog &flight, const SourceOption &source) {
   if (!source.hasTimes()) {
-    throw std::runtime_error(source.name() + ": its times are not known, and a report is made of them");
+    throw std::runtime_error(source.name() + ": its times are not known, and a report needs them");
   }
   line::ReportFacts facts;
   facts.name = source.name() == "-" ? "standard input" : source.name().substr(source.name().rfind('/') + 1);
@@ -165,8 +165,8 @@ void addSummary(CLI::App &app) {
           .notEmpty()
           .type("FILE.html");
   subcommand.footer(
-      "It is printed when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
-      "frame with the flag to the next one without; no frames: 0.1 s and more. PC late: a port was read 0.1 s late or "
+      "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
+      "frame with the flag to the next one without; no frames: 0.1 s or more. PC late: a port was read 0.1 s late or "
       "more, so what the line did meanwhile is not known.");
   subcommand.run([source, options] { run(*source, *options); });
 }

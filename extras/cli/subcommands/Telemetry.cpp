@@ -42,11 +42,11 @@ class TelemetryView {
     silence.end(framesCame());
     const line::TelemetrySlots &telemetry = _observer.telemetry();
     if (telemetry.count() == 0) {
-      throw std::runtime_error(source +
-                               (telemetry.rejectedGroups() > 0 ? ": what came between the frames is no slot of theirs"
-                                : telemetry.announced()
-                                    ? ": frames came, and no slot after them: is the receiver in a mode with telemetry?"
-                                    : ": frames came, and none announced a telemetry slot: this is no S.BUS2 line"));
+      throw std::runtime_error(
+          source + (telemetry.rejectedGroups() > 0 ? ": the bytes between the frames are not their slots"
+                    : telemetry.announced()
+                        ? ": frames came, and no slot after them: is the receiver in a mode with telemetry?"
+                        : ": frames came, and none announced a telemetry slot: this is not an S.BUS2 line"));
     }
   }
 
@@ -107,15 +107,15 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool as
 }  // namespace
 
 void addTelemetry(CLI::App &app) {
-  Subcommand subcommand(app, "telemetry", "the sensors of an S.BUS2 line, as CSV");
+  Subcommand subcommand(app, "telemetry", "prints the sensors of an S.BUS2 line as CSV");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto sensors = std::make_shared<SensorOption>(subcommand);
   const auto json = std::make_shared<bool>(false);
-  subcommand.flag("--json", *json, "JSON lines: a slot each");
+  subcommand.flag("--json", *json, "JSON lines, one per slot");
   subcommand.footer(
       "A slot does not say which sensor fills it: name the sensors that the radio has. Slot 0 is the receiver's own "
       "voltage. There is no checksum: the bytes between two frames are printed only if they are slots of the "
-      "announced group, once the second frame is there or the line has ended.");
+      "announced group, once the second frame has come or the line has ended.");
   subcommand.run([source, sensors, json] { run(*source, sensors->sensors(), *json); });
 }
 

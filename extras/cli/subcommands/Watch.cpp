@@ -116,29 +116,31 @@ void run(const Options &options) {
   recorder.finish();
   if (recorder.failures() > 0) {
     throw std::runtime_error(options.folder + ": " + std::to_string(recorder.failures()) +
-                             " recordings are not whole; what stopped them is said above");
+                             " recordings are incomplete; the reasons are above");
   }
 }
 
 }  // namespace
 
 void addWatch(CLI::App &app) {
-  Subcommand subcommand(app, "watch", "a flight recorder: keeps what was before and after each event");
+  Subcommand subcommand(app, "watch", "records what happens before and after each event, like a flight recorder");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand.option("--when", options->when, "the event, such as 'failsafe || ch5>1500'").required().type("CONDITION");
-  subcommand.option("--record", options->folder, "the folder of the recordings").required().notEmpty().type("FILE");
+  subcommand.option("--record", options->folder, "the folder for the recordings").required().notEmpty().type("FILE");
   subcommand.option("--before", options->beforeS, "seconds before an event (2)").between(0, 600).type("S");
   subcommand.option("--after", options->afterS, "seconds after an event (5)").between(0, 3600).type("S");
-  subcommand.option("--longest", options->longestS, "seconds in a file; a longer event goes on in the next one (600)")
+  subcommand
+      .option("--longest", options->longestS,
+              "the length of a file, in seconds; a longer event goes on in the next one (600)")
       .between(1, 86400)
       .type("S");
-  subcommand.option("--keep", options->keep, "files that are kept, the newest (100)").between(1, 99999).type("N");
-  subcommand.option("--most", options->mostMb, "megabytes that are kept (1000)").between(0.001, 1e6).type("MB");
+  subcommand.option("--keep", options->keep, "how many files to keep, the newest (100)").between(1, 99999).type("N");
+  subcommand.option("--most", options->mostMb, "how many megabytes to keep (1000)").between(0.001, 1e6).type("MB");
   subcommand.flag("--json", options->json, "JSON lines: the events");
   subcommand.footer(
-      "A condition has ch1 to ch32 compared (<, <=, >, >=, =, !=) with 1500, 1500us or 50%; age>50ms; quality<80; and "
-      "failsafe, lostframe, rejected, ok, lossy, stale, ch17 and ch18; joined by !, &&, || and (). The files are whole "
-      "if the disk is full, or the program is killed.");
+      "A condition compares (<, <=, >, >=, =, !=) ch1 to ch32 with 1500, 1500us or 50%, age with a time such as "
+      "50ms, or quality with percent; or it names failsafe, lostframe, rejected, ok, lossy, stale, ch17 or ch18. Join "
+      "with !, && and || (or not, and, or) and (). The files stay valid if the disk fills up or the program is killed.");
   subcommand.run([options] { run(*options); });
 }
 

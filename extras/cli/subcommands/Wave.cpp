@@ -29,7 +29,7 @@ void run(const SourceOption &source, const std::string &output) {
 }  // namespace
 
 void addWave(CLI::App &app) {
-  Subcommand subcommand(app, "wave", "the wire of a recording as VCD, for PulseView and the like");
+  Subcommand subcommand(app, "wave", "writes the wire of a recording as VCD, for PulseView and similar programs");
   const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
   const auto output = std::make_shared<std::string>();
   subcommand.option("-o,--output", *output, "a file (standard output)").type("FILE.vcd");

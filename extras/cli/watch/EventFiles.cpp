@@ -32,7 +32,7 @@ EventFiles::EventFiles(std::string folder, unsigned keep, uint64_t mostBytes)
   std::error_code error;
   fs::create_directory(_folder, error);
   if (error || !fs::is_directory(_folder)) {
-    throw std::runtime_error(_folder + ": cannot be made (" + (error ? error.message() : "it is a file") +
+    throw std::runtime_error(_folder + ": cannot be created (" + (error ? error.message() : "it is a file") +
                              "); name a folder that can be written");
   }
 }

@@ -131,7 +131,7 @@ std::string AsyncReader::read(std::string_view line, Row &row) {
   }
   const std::string_view value = _fields[_columns.value];
   if (!parseByte(value, row.value)) {
-    return quoted(value) + " is no byte: export the table with hexadecimal values, such as 0x0F";
+    return quoted(value) + " is not a byte: export the table with hexadecimal values, such as 0x0F";
   }
   const auto field = [this](size_t column) { return column == None ? std::string_view() : _fields[column]; };
   row.parityWrong = field(_columns.error) == "parity" || !field(_columns.parity).empty();

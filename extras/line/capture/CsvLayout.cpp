@@ -200,7 +200,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   Header header;
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
-    return "is no capture of a wire that is known: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
+    return "is not a known capture of a wire: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
            "or "
            "bits as 0 and 1 are expected";
   }

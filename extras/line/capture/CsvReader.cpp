@@ -104,7 +104,7 @@ std::string DigitalReader::changed(std::string_view row) {
         _sink.level(i, ns, level == '1');
       }
     } else if (std::string_view("xXzZ").find(level) == std::string_view::npos) {
-      return quoted(field) + " is no level: 0 or 1 is expected in column " + std::to_string(column + 1);
+      return quoted(field) + " is not a level: 0 or 1 is expected in column " + std::to_string(column + 1);
     }
   }
   return {};
@@ -182,7 +182,7 @@ std::string AnalogueReader::takeVolts(std::string_view row) {
     double volts = 0;
     if (!takeNumber(at, end, volts, _layout.decimalMark) && !takeInfinity(at, end, volts)) {
       const std::string_view word(at, static_cast<size_t>(std::find(at, end, _layout.separator) - at));
-      return quoted(word) + " is no voltage: a number is expected in column " + std::to_string(column + 1);
+      return quoted(word) + " is not a voltage: a number is expected in column " + std::to_string(column + 1);
     }
     _signals[i].volts.push_back(volts);
     at = std::find(at, end, _layout.separator);

@@ -14,7 +14,7 @@ std::string RecordedCapture::failure(const std::string &name, const CaptureEnd &
     return end.rejection;
   }
   if (!end.error.empty()) {
-    return end.error + "; sbus decode -o FILE keeps what came before it";
+    return end.error + "; sbus decode -o FILE keeps the part before it";
   }
   if (recording.characters.empty()) {
     return name + ": " + (_wire.found() ? "has no characters: " + std::string(FrameForm) : _wire.failure(end.periodNs));

@@ -80,7 +80,7 @@ std::string SigrokTextReader::take(std::string_view line) {
   if (_names.size() < _signals) {
     _names.push_back(name);
   } else if (name != _names[_rows.size()]) {
-    return quoted(name) + " stands where samples of " + quoted(_names[_rows.size()]) + " are expected";
+    return quoted(name) + " is found where samples of " + quoted(_names[_rows.size()]) + " are expected";
   }
   std::string samples;
   std::string error = samplesOf(line, samples);
@@ -100,7 +100,8 @@ std::string SigrokTextReader::samplesOf(std::string_view text, std::string &samp
     const char *const digits = "0123456789abcdef";
     const size_t value = std::string_view(digits, _hex ? 16 : 2).find(c);
     if (value == std::string_view::npos && !isBlank(c)) {
-      return quoted(std::string_view(&c, 1)) + (_hex ? " is no hexadecimal digit" : " is no bit: 0 or 1 is expected");
+      return quoted(std::string_view(&c, 1)) +
+             (_hex ? " is not a hexadecimal digit" : " is not a bit: 0 or 1 is expected");
     }
     for (int bit = _hex ? 3 : 0; bit >= 0 && !isBlank(c); bit--) {
       samples += (value >> bit & 1) != 0 ? '1' : '0';

@@ -74,7 +74,7 @@ std::string VcdReader::finish() {
 std::string VcdReader::headerWord(std::string_view word) {
   if (_section.empty()) {
     if (word.front() != '$') {
-      return quoted(word) + " stands outside of a section: one such as $var or $enddefinitions is expected";
+      return quoted(word) + " is outside a section: one such as $var or $enddefinitions is expected";
     }
     _section = word;
     _words.clear();
@@ -231,7 +231,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
       _passing = word == "$comment";
       return {};
     default:
-      return quoted(word) + " is no value change: #TIME, or 0 or 1 and a variable's code is expected";
+      return quoted(word) + " is not a value change: #TIME, or 0 or 1 and a variable's code is expected";
   }
 }
 
@@ -321,7 +321,7 @@ std::string VcdReader::setTime(std::string_view digits) {
   }
   const auto ns = static_cast<int64_t>(time * _unitNumerator / _unitDenominator);
   if (ns < _ns) {
-    return "time " + std::to_string(time) + " is before the one that came before it: times in order are expected";
+    return "time " + std::to_string(time) + " is before the previous one: times in order are expected";
   }
   _ns = ns;
   _endNs = ns;

@@ -186,7 +186,7 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   if (!slow.empty()) {
     return slow;
   }
-  const std::string seen = "is no S.Bus: its shortest pulses last " + microseconds(pulseNs);
+  const std::string seen = "is not S.Bus: its shortest pulses last " + microseconds(pulseNs);
   if (best.good + best.bad == 0 || !lastsABit(pulseNs)) {
     const double baud = 1e9 / std::max(pulseNs, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +

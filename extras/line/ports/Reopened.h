@@ -33,8 +33,8 @@ class Reopened {
   // Notes that the port is gone.
   void gone() {
     _port.reset();  // while it is open, the system would give the adapter another name
-    _news = _device + (comesBack() ? ": the port has gone; plug the adapter in again, it goes on by itself"
-                                   : ": the program at its other end has gone");
+    _news = _device + (comesBack() ? ": the port is gone; plug the adapter in again to go on"
+                                   : ": the program at the other end is gone");
   }
 
   // Returns true if it is gone and will not come back.

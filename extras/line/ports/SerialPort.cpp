@@ -48,13 +48,13 @@ bool SerialPort::wait() {
 
 std::string SerialPort::note() const {
   if (!_latencyMs) {
-    return "This port does not tell how long it keeps bytes back: gaps shorter than " +
+    return "This port does not tell how long it holds bytes back: gaps shorter than " +
            std::to_string(_reads.knownAfterMs()) + " ms are not seen.";
   }
-  return *_latencyMs <= 1 ? ""
-                          : "The adapter keeps bytes back for up to " + std::to_string(*_latencyMs) +
-                                " ms, which hides the gaps between frames. To see them: echo 1 | sudo tee " +
-                                _latencyFile;
+  return *_latencyMs <= 1
+             ? ""
+             : "The adapter holds bytes back for up to " + std::to_string(*_latencyMs) +
+                   " ms, which hides the gaps between frames. To see them: echo 1 | sudo tee " + _latencyFile;
 }
 
 // Reads the clock: the caller's time may be older than the bytes.
@@ -73,7 +73,7 @@ void SerialPort::poll() {
     _reads.empty(askedUs);
   }
   if (count < 0) {
-    _failure = _device + ": the port has gone. Plug the adapter in and start again";
+    _failure = _device + ": the port is gone. Plug the adapter in and start again";
   }
 }
 

@@ -37,7 +37,7 @@ Recording readRecording(const std::string &name, uint32_t characterUs) {
 void requireNew(const std::string &name) {
   struct stat status;
   if (stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
-    throw std::runtime_error(name + ": is there already; name another file, or remove it");
+    throw std::runtime_error(name + ": already exists; name another file, or remove it");
   }
 }
 
@@ -71,9 +71,9 @@ void LineFile::write(const std::string &lines) {
 
 // A full disk takes only a part of a line: then it removes that part.
 void LineFile::fail() {
-  _failure = _name + ": could not be written to its end (" + std::strerror(errno) + ")";
+  _failure = _name + ": could not be written completely (" + std::strerror(errno) + ")";
   if (ftruncate(_file, _size) == 0) {
-    _failure += "; what came before is whole";
+    _failure += "; what was written before is valid";
   }
   _failure += "; is the disk full?";
 }
@@ -81,7 +81,7 @@ void LineFile::fail() {
 std::string LineFile::finish() {
   const int file = std::exchange(_file, -1);
   if (file >= 0 && close(file) != 0 && _failure.empty()) {
-    _failure = _name + ": could not be written to its end (" + std::strerror(errno) + "); is the disk full?";
+    _failure = _name + ": could not be written completely (" + std::strerror(errno) + "); is the disk full?";
   }
   return _failure;
 }

@@ -130,7 +130,7 @@ std::string worst(const FlightLog &flight) {
             listed(part.kind()).cause + "</td></tr>\n";
   }
   return "<section><h2>The worst seconds</h2>\n" +
-         (rows.empty() ? "<p>In no second was a frame lost.</p>"
+         (rows.empty() ? "<p>No second has a lost frame.</p>"
                        : "<table><tr><th class=\"n\">from</th><th class=\"n\">frames lost</th><th></th></tr>\n" + rows +
                              "</table>") +
          "</section>\n";

@@ -42,7 +42,7 @@ PseudoTerminal::PseudoTerminal() : _handle(posix_openpt(O_RDWR | O_NOCTTY | O_CL
     if (_handle >= 0) {
       close(_handle);
     }
-    throw std::runtime_error("the system gives no pseudo-terminal (" + reason + "); do without one");
+    throw std::runtime_error("the system provides no pseudo-terminal (" + reason + "); do without one");
   }
   _name = name;
 }
