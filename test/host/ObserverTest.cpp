@@ -254,21 +254,6 @@ TEST_CASE("of the simulated receivers every frame is found, and each character o
   }
 }
 
-// No decoder gets the character with an error: with another byte after it, the frame looks whole.
-TEST_CASE("what has a frame's size without its character with an error is no frame, and is not counted as one") {
-  Watched line;
-  line.frame(992).frame(992);
-  Bytes impaired = Watched::frameOf(1);
-  impaired.push_back(0);
-  line.send(impaired, 12).gap(5880).frame(992);
-  const sbus::Counters counters = line.observer.counters();
-  CHECK(line.frames() == 3);
-  CHECK(counters.frames == 3);
-  CHECK(counters.lostFrames == 0);
-  CHECK(counters.discardedBytes == 25);
-  CHECK(why(line.stretches[2]) == "parity or framing error (byte 12)");
-}
-
 TEST_CASE("a noisy line: each rejection stands at a header, and no frame has a character with an error") {
   for (const auto channels : {line::Channels::Sixteen, line::Channels::TwentyFour, line::Channels::ThirtyTwo}) {
     CAPTURE(channels);
