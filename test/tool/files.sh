@@ -84,7 +84,7 @@ verdict $? "--baud overrules what is found in a capture"
   "$SBUS" hex "$work/sbus2-1.vcd" >"$work/hex" && "$SBUS" hex "$work/decoded.txt" | cmp - "$work/hex"
 verdict $? "decode -o writes a recording"
 "$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" 2>"$work/err" >"$work/out"
-[ $? -eq 1 ] && grep -q 'decoded.txt: is there already; name another file' "$work/err"
+[ $? -eq 1 ] && grep -q 'decoded.txt: already exists; name another file' "$work/err"
 verdict $? "decode -o does not overwrite a file"
 "$SBUS" decode "$work/sbus2-1.vcd" --csv -o "$work/both.txt" | cmp - tool/golden/decode-sbus2.csv && cmp "$work/both.txt" "$work/decoded.txt"
 verdict $? "decode --csv -o writes the table and the recording"
@@ -100,7 +100,7 @@ verdict $? "an error in a capture is reported with its place"
 
 frame='0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00'
 octal='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
-note='has bytes without times: times are not known, frames are taken back to back'
+note='bytes without times: times are not known, frames are taken as back to back'
 # written NAME: standard input is a file whose bytes are two frames
 written() {
   cat >"$work/$1"

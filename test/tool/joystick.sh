@@ -179,7 +179,7 @@ verdict $? "programs have time to read the last report before the controller is 
 
 # ---- Files that are no calibrations
 
-expected="a channel's raw values at -100, 0 and +100 % are expected, such as CH1 172 992 1811, and each channel of CH1 to CH16 at most once"
+expected="a channel's raw values at -100, 0 and +100 % are expected, such as CH1 172 992 1811, with each channel of CH1 to CH16 at most once"
 while IFS='|' read -r text message; do
   printf '%b' "$text" >"$work/bad.txt"
   ! joystick sim --calibration "$work/bad.txt" && [ "$(cat "$work/err")" = "sbus joystick: $work/bad.txt$(eval echo "\"$message\"")" ] || { cat "$work/err"; false; }

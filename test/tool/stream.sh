@@ -133,7 +133,7 @@ done <<'END'
 END
 head -n 3 "$work/line.json" >"$work/two.json" && echo '["frame"]' >>"$work/two.json"
 "$SBUS" hex "$work/two.json" >"$work/out" 2>"$work/err"
-[ $? -eq 1 ] && [ "$(grep -c ' end ' "$work/out")" -ge 1 ] && grep -q ':4: "\["frame"\]" is no JSON object' "$work/err"
+[ $? -eq 1 ] && [ "$(grep -c ' end ' "$work/out")" -ge 1 ] && grep -q ':4: "\["frame"\]" is not a JSON object' "$work/err"
 verdict $? "what comes before a wrong object is printed"
 
 # ---- When it was

@@ -54,10 +54,10 @@ while IFS='|' read -r sensor words; do
   [ $? -eq 2 ] && [ ! -s "$work/out" ] && grep -qF -- "$words" "$work/err"
   verdict $? "telemetry --sensor $sensor is rejected: $words"
 done <<'END'
-1=SBS-01X|is no known sensor; these are: receiver, SBS-01T
-SBS-01V|is no slot and name, such as 1=SBS-01V
+1=SBS-01X|is not a known sensor; these are: receiver, SBS-01T
+SBS-01V|is not a slot and name, such as 1=SBS-01V
 32=SBS-01V|slots are 0 to 31
-x=SBS-01V|is no slot and name
+x=SBS-01V|is not a slot and name
 6=F1678|F1678 has 3 slots, which do not fit into the group of slots 0 to 7 from slot 6 on
 9=F1675|F1675 has 8 slots
 0=SBS-01V|slot 0 is a slot of receiver
