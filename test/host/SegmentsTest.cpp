@@ -120,7 +120,7 @@ TEST_CASE("a gap of eight characters within a frame is seen, a gap of seven is n
   }
 }
 
-TEST_CASE("a frame that lost a character to an error and got another at its end is none, and is not counted, though a decoder accepts it") {
+TEST_CASE("a frame that lost a character to an error, with another after it, is none and not counted, though its size fits") {
   for (const size_t bad : {size_t{1}, size_t{3}, size_t{22}}) {
     CAPTURE(bad);
     Watched line;
