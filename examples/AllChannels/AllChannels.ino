@@ -1,5 +1,5 @@
 /*
-  AllChannels: all eighteen channels of an S.Bus receiver on a line.
+  AllChannels: all eighteen channels of an S.Bus receiver, as numbers on a line.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR):
     R-XSR S-BUS_OUT -> D0 (RX1)
@@ -15,7 +15,7 @@
 #include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 const int FIRST = 1;                       // the first channel on the line, 1..18
 const unsigned long PERIOD_DISPLAY = 200;  // ms

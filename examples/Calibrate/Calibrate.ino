@@ -1,9 +1,10 @@
 /*
-  Calibrate: measures what your radio really sends, and keeps the result in EEPROM. Boards without EEPROM forget it.
+  Calibrate: measures what your radio really sends, and keeps the result in EEPROM. Boards without EEPROM do not store
+  it.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
-  Follow the instructions in the Serial Monitor. Then it sends CH1..CH4, -1000..+1000. Send a letter to start again.
+  Follow the instructions in the Serial Monitor. Then it prints CH1..CH4, -1000..+1000. Send a letter to start again.
 */
 
 #include <DecodeSBus.h>
@@ -13,7 +14,7 @@
 #include "Guide.h"
 #include "Storage.h"
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 sbus::Calibrator calibrator;
 sbus::Calibration calibration;
 Guide guide = {dSBus, calibrator, {}};

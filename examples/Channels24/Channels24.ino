@@ -1,8 +1,8 @@
 /*
-  Channels24: all 24 channels of an FrSky receiver on a line.
+  Channels24: all 24 channels of an FrSky receiver, as numbers on a line.
 
-  Set the receiver to 24 channels on the radio: in ETHOS "SBUS 24", not "SBUS 16"; in EdgeTX switch "SBUS24" on in the
-  receiver's options. Receivers of the series ACCESS and TD can do it. No numbers? The example Diagnose says why.
+  On the radio, set the receiver to 24 channels: in ETHOS choose "SBUS 24", not "SBUS 16"; in EdgeTX switch on "SBUS24"
+  in the receiver's options. ACCESS and TD receivers can do this. No numbers? The example Diagnose says why.
 
   Wiring (Tlera Grasshopper, FrSky ACCESS or TD receiver):
     SBUS OUT -> D0 (RX1)
@@ -18,7 +18,7 @@
 #include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBus24 dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus24 dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 const int FIRST = 1;                       // the first channel on the line, 1..24
 const unsigned long PERIOD_DISPLAY = 200;  // ms

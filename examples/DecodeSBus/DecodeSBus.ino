@@ -7,8 +7,8 @@
     R-XSR GND       -> GND
 
   Sends a line "CH1,CH2,CH3,CH4,failsafe,lostFrame" over USB five times a second, for Serial Oscilloscope
-  (http://x-io.co.uk/serial-oscilloscope/) and for the Serial Plotter of the Arduino IDE. The channels are 0..2047, the
-  two flags 0 or 1. Nothing is sent before the first frame.
+  (http://x-io.co.uk/serial-oscilloscope/) and the Serial Plotter of the Arduino IDE. The channels are 0..2047, the two
+  flags 0 or 1. It sends nothing before the first frame.
 
   After J. Lemaire, "Decoding the S-Bus protocol with a Grasshopper".
 */
@@ -17,7 +17,7 @@
 #include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
@@ -27,8 +27,8 @@ bool lostFrame;
 
 elapsedMillis timerDisplay;
 
-// As in the paper: the core calls it after every loop() while bytes wait on Serial1. Other cores read here, or in
-// loop(); the Grasshopper's port has called the library already when the bytes came.
+// As in the paper: the core calls this after every loop() while bytes wait on Serial1. Other cores read here, or in
+// loop(); on the Grasshopper the port has already called the library when the bytes came.
 void serialEvent1() {
   dSBus.parseSBusFrame();
 }

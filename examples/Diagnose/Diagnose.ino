@@ -1,18 +1,18 @@
 /*
-  Diagnose: no frames, or wrong ones? Names the line's fault and the remedy.
+  Diagnose: no frames, or wrong ones? It finds the line's fault and the remedy.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
 
-  Opens the port in every way that a receiver may need, half a second each, prints over USB what it received, then the
-  verdict, and begins again. Switch the radio on and open the Serial Monitor. A port that cannot invert the line needs an
-  inverter in the signal wire, and is only tried at both baud rates.
+  Opens the port in every way that a receiver may need, for half a second each, prints over USB what it received and the
+  verdict, and starts again. Switch the radio on and open the Serial Monitor. A port that cannot invert the line needs
+  an inverter in the signal wire; it is tried only at the two baud rates.
 */
 
 #include <DecodeSBus.h>
 #include <SBusUart.h>
 #include <sbus/Diagnosis.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 auto &input = sbus::portOf(SBUS_UART);
 
 struct Setting {
@@ -40,7 +40,7 @@ void print(uint32_t number, const char *text) {
 
 void tryOut(const Setting &setting) {
   dSBus.begin(setting.baud, setting.config);
-  while (input.read() >= 0) {  // drops what came before
+  while (input.read() >= 0) {  // drops older bytes
   }
   const uint32_t start = millis();
   while (static_cast<uint32_t>(millis()) - start < TRIAL) {
@@ -53,7 +53,7 @@ void tryOut(const Setting &setting) {
   print(counters.discardedBytes, " discarded bytes\r\n");
 }
 
-// The numbers are those of the setting with the most frames.
+// Prints the numbers of the setting with the most frames.
 void tell() {
   const sbus::Finding finding = diagnosis.finding();
   const sbus::Counters &seen = diagnosis.seen();

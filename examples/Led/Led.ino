@@ -2,7 +2,7 @@
   Led: the board's LED shows the link and obeys CH5. It prints nothing, so it runs on boards with one port: Uno R3,
   Nano, ESP8266.
 
-  Wiring (Uno R3, Nano): S.Bus -> inverter -> 0, +5V -> 5V, GND -> GND. Take the wire off pin 0 while you upload.
+  Wiring (Uno R3, Nano): S.Bus -> inverter -> 0, +5V -> 5V, GND -> GND. Disconnect pin 0 while you upload.
     Inverters: extras/docs/wiring.md. All boards: extras/docs/boards.md
 
   The LED
@@ -17,12 +17,12 @@
 #include <SBusUart.h>
 #include <sbus/Scaling.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 #if defined(LED_BUILTIN)
 const uint8_t LED = LED_BUILTIN;
 #else
-const uint8_t LED = 2;  // of most ESP32 boards
+const uint8_t LED = 2;  // on most ESP32 boards
 #endif
 #if defined(ESP8266)
 const bool LIT_BY_HIGH = false;  // most boards with an ESP8266 have the LED between 3.3 V and the pin
@@ -39,7 +39,7 @@ void setup() {
 }
 
 void loop() {
-  dSBus.read(frame);  // failsafe also if no frame has come, or none for 100 ms
+  dSBus.read(frame);  // failsafe: also if no frame has come for 100 ms, or ever
   const unsigned long period = dSBus.linkState() == sbus::LinkState::NeverSeen ? 1000 : 100;  // ms
   const bool isOn = frame.failsafe ? millis() / period % 2 != 0 : frame.channels[SWITCH] > sbus::FrSky.centre;
   digitalWrite(LED, isOn == LIT_BY_HIGH ? HIGH : LOW);

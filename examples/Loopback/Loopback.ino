@@ -1,20 +1,20 @@
 /*
   Loopback: checks a board and its wiring without any receiver.
 
-  Wiring: a wire from TX1 to RX1 (Tlera Grasshopper: D1 to D0; Arduino Mega: 18 to 19), and nothing else there.
+  Wiring: a wire from TX1 to RX1 (Tlera Grasshopper: D1 to D0; Arduino Mega: 18 to 19), and nothing else on these pins.
 
-  Sends a hundred frames, no two alike, and reads them back. Prints over USB PASS, or what is wrong; then again.
+  Sends a hundred frames, no two alike, and reads them back. Prints PASS, or what is wrong, over USB, and starts again.
 */
 
 #include <DecodeSBus.h>
 #include <EncodeSBus.h>
 #include <SBusUart.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 EncodeSBus eSBus(SBUS_UART);
 
 const uint16_t FRAMES = 100;
-const uint32_t PATIENCE = 50;  // ms, for the last frame to come back
+const uint32_t PATIENCE = 50;  // ms, to wait for the last frame to come back
 
 uint16_t sent, right, wrong;
 uint32_t sentTime;

@@ -1,12 +1,11 @@
 /*
-  Mixer: reads a receiver, mixes, and sends S.Bus on, to a flight controller or to S.Bus servos.
+  Mixer: reads a receiver, mixes, and sends S.Bus to a flight controller or to S.Bus servos.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
     D1 (TX1) -> the S.Bus input of the next device, GND -> its GND
 
-  For a flying wing: aileron (CH1) and elevator (CH2) come in, the left and the right elevon go out in their places. All
-  other channels and both flags are sent unchanged. When no frame has come for 100 ms it sends both flags set and the
-  throttle closed.
+  For a flying wing: it turns aileron (CH1) and elevator (CH2) into the left and the right elevon. All other channels
+  and both flags are sent unchanged. When no frame has come for 100 ms, it sets both flags and closes the throttle.
   Sends "aileron,elevator,left,right" over USB five times a second, each -1000..+1000.
 */
 
@@ -16,7 +15,7 @@
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 EncodeSBus eSBus(SBUS_UART);  // another port needs eSBus.begin()
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms

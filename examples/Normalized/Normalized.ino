@@ -8,7 +8,7 @@
 
   Sends a line "CH1,CH2,CH3,CH4" over USB five times a second. The formula is S. Levy's, as quoted by the paper: FrSky's
   172 becomes -1, 1811 becomes +1 (and 992, FrSky's centre, 0.001). A stick beyond its 100 % goes beyond +-1. For Futaba
-  replace sbus::FrSky by sbus::Futaba below.
+  replace sbus::FrSky with sbus::Futaba below.
 */
 
 #include <DecodeSBus.h>
@@ -16,7 +16,7 @@
 #include <elapsedMillis.h>
 #include <sbus/Scaling.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
@@ -32,7 +32,7 @@ void setup() {
 }
 
 float normalized(uint16_t value) {
-  return sbus::toUnit(value, sbus::FrSky);  // or sbus::Futaba, or {low, centre, high} of your own
+  return sbus::toUnit(value, sbus::FrSky);  // or sbus::Futaba, or your own {low, centre, high}
 }
 
 void loop() {

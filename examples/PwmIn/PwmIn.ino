@@ -1,13 +1,13 @@
 /*
-  PwmIn: four servo outputs of an old receiver become S.Bus, for a flight controller or S.Bus servos.
+  PwmIn: turns four servo outputs of an old receiver into S.Bus, for a flight controller or S.Bus servos.
 
   Wiring (Tlera Grasshopper): D2..D5 (Mega: 2, 3, 20, 21) <- the signal wires of CH1..CH4, GND -> GND. A receiver at 5 V
     needs 1 kOhm and 2 kOhm as a divider before each pin of a board that does not tolerate 5 V.
     D1 (TX1; Mega: 18, and an inverter) -> the S.Bus input of the next device
 
-  The interrupt of each pin measures its pulses. One that is not 800..2200 us long, or has a spike in it, is rejected,
+  Each pin's interrupt measures its pulses. A pulse that is not 800..2200 us long, or has a spike in it, is rejected,
   and its channel holds. When a channel has had no pulse for 60 ms, frames have the lost-frame flag; after 300 ms also
-  the failsafe flag, and the throttle closes. Nothing is sent before each channel has come once. (If a receiver goes on
+  the failsafe flag, and the throttle closes. Nothing is sent until each channel has come once. (If a receiver goes on
   sending pulses without its radio, the sketch cannot notice: set its failsafe to a closed throttle.) CH5 and up are
   centred. Sends "CH1,CH2,CH3,CH4,lostFrame,failsafe" over USB five times a second: us, 0 before the first pulse, and
   flags.
@@ -24,14 +24,14 @@
 #define IRAM_ATTR  // an ESP8266 demands it of interrupts; what they call lies in flash, and waits while that is written
 #endif
 
-EncodeSBus eSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+EncodeSBus eSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 #if defined(__AVR_ATmega32U4__)
 #error "PwmIn needs four pins with interrupts; this board has three: extras/docs/converters.md names other boards"
 #endif
 #if defined(__AVR_ATmega2560__)
 const uint8_t PINS[] = {2, 3, 20, 21};
 #else
-const uint8_t PINS[] = {SBUS_PINS};  // pins that have interrupts
+const uint8_t PINS[] = {SBUS_PINS};  // pins with interrupts
 #endif
 
 const uint8_t INPUTS = 4;
@@ -50,7 +50,7 @@ void IRAM_ATTR changed(uint8_t input) {
   const uint32_t now = micros();
   bool isHigh[INPUTS];
   for (uint8_t i = 0; i < INPUTS; i++) {
-    isHigh[i] = digitalRead(PINS[i]) == HIGH;  // all of them at once
+    isHigh[i] = digitalRead(PINS[i]) == HIGH;  // all pins at once
   }
   for (uint8_t i = 0; i < INPUTS; i++) {
     inputs[i].look(isHigh[i], now, i == input);

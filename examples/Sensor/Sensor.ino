@@ -1,9 +1,9 @@
 /*
   Sensor: a board measures two voltages, and a Futaba radio shows them as volts and amperes.
 
-  Needs a Futaba receiver with S.BUS2 (R7008SB and others) in a mode that has telemetry: FASSTest 14CH or 18CH, T-FHSS. On
-  the radio choose these sensors and slots by hand: SBS-01V in slot 6, CURR-F1678 (or SBS-01C) in slot 24. It was tried on
-  simulated receivers, not on a Futaba: tell us (extras/docs/telemetry.md).
+  Needs a Futaba receiver with S.BUS2 (R7008SB and others) in a mode that has telemetry: FASSTest 14CH or 18CH, T-FHSS.
+  On the radio choose these sensors and slots by hand: SBS-01V in slot 6, CURR-F1678 (or SBS-01C) in slot 24. It was
+  tried only on simulated receivers, not on a Futaba: tell us (extras/docs/telemetry.md).
 
   Wiring (Tlera Grasshopper, Futaba R7008SB):
     S.BUS2 -> D0 (RX1)
@@ -13,7 +13,7 @@
     the battery, divided by 11 (10 kOhm and 1 kOhm) -> A0
     a current sensor, 0.1 V an ampere               -> A1
 
-  A Teensy 4 can do without diode and RX: dSBus(Serial1, sbus::SingleWire), extras/docs/telemetry.md says how.
+  A Teensy 4 can do without diode and RX, with dSBus(Serial1, sbus::SingleWire): extras/docs/telemetry.md.
 
   Servos belong on the receiver's other outputs. Sends a line over USB once a second: slots sent and skipped since the
   start, and collisions with another sensor.
@@ -23,11 +23,11 @@
 #include <SBusUart.h>
 #include <elapsedMillis.h>
 
-SBus2Sensor dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+SBus2Sensor dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 const uint8_t PIN_VOLTAGE = A0;
 #if defined(ESP8266)
-const uint8_t PIN_CURRENT = A0;  // it has no other
+const uint8_t PIN_CURRENT = A0;  // it has no other analogue pin
 #elif defined(ESP32)
 const uint8_t PIN_CURRENT = A3;  // a classic ESP32 has no A1
 #else
@@ -39,8 +39,8 @@ const uint8_t SLOT_CURRENT = 24;
 
 const uint32_t REFERENCE = 3300;     // mV, what analogRead() takes for FULL_SCALE
 const uint32_t FULL_SCALE = 1023;    // ESP32: 4095
-const uint32_t DIVIDER = 11;         // of the battery's voltage
-const uint32_t MV_PER_AMPERE = 100;  // of the current sensor
+const uint32_t DIVIDER = 11;         // for the battery's voltage
+const uint32_t MV_PER_AMPERE = 100;  // for the current sensor
 
 const unsigned long PERIOD_MEASURE = 100;   // ms
 const unsigned long PERIOD_DISPLAY = 1000;  // ms
@@ -77,7 +77,7 @@ void setup() {
   dSBus.begin();
 }
 
-// Without Serial.print() a call takes some microseconds: boards without a timer of their own need one every 75 us.
+// Without Serial.print() this takes some microseconds: boards without a timer for the slots need a call every 75 us.
 void loop() {
   dSBus.parseSBusFrame();
   if (timerMeasure >= PERIOD_MEASURE) {

@@ -1,15 +1,15 @@
 /*
-  Servos: CH1..CH4 to four servos or speed controllers, with a failsafe for when the radio is lost.
+  Servos: CH1..CH4 to four servos or speed controllers, with a failsafe for a lost link.
 
   Wiring (Tlera Grasshopper, FrSky R-XSR): S-BUS_OUT -> D0 (RX1), +5V -> VIN, GND -> GND
-    D2..D5 -> the signal wires of CH1..CH4; the servos have a supply of their own, and its GND goes to GND
-    Uno R3, Nano: S.Bus -> inverter -> 0. Take this wire off while you upload. All boards: extras/docs/boards.md
+    D2..D5 -> the signal wires of CH1..CH4; the servos have their own supply, with its GND connected to GND
+    Uno R3, Nano: S.Bus -> inverter -> 0. Disconnect this wire while you upload. All boards: extras/docs/boards.md
 
   Needs the library Servo, or ESP32Servo on an ESP32, from the Library Manager, unless the board's core has one.
 
-  On failsafe, and when no frame has come for 100 ms, the throttle closes and the rest holds where it is. Take the
-  propeller off to try that. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second, where a port is
-  left for that: not on an Uno.
+  On failsafe, and when no frame has come for 100 ms, the throttle closes and the other servos hold. Take the propeller
+  off before you try this. Sends the pulses "CH1,CH2,CH3,CH4" in us over USB five times a second, if the board has a
+  second port: an Uno has not.
 */
 
 #define SBUS_MAY_TAKE_USB
@@ -26,13 +26,13 @@
 #include <Servo.h>  // No such file? Install the library Servo from the Library Manager
 #endif
 
-DecodeSBus dSBus(SBUS_UART);     // the port of this board, Serial1 of most: extras/docs/boards.md
-const int PINS[] = {SBUS_PINS};  // of the servos: 2, 3, 4, 5 on most boards
+DecodeSBus dSBus(SBUS_UART);     // this board's port, on most boards Serial1: extras/docs/boards.md
+const int PINS[] = {SBUS_PINS};  // servo pins: 2, 3, 4, 5 on most boards
 
 const int THROTTLE = 2;                    // CH3, counted from 0
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
-// us, until a frame comes
+// us, until the first frame
 int16_t pulses[] = {sbus::CentrePulse, sbus::CentrePulse, sbus::LowPulse, sbus::CentrePulse};
 Servo servos[4];
 uint16_t channels[18];
@@ -48,7 +48,7 @@ void setup() {
 #endif
   dSBus.begin();
   for (int i = 0; i < 4; i++) {
-    servos[i].writeMicroseconds(pulses[i]);  // before it sends any: the throttle begins closed
+    servos[i].writeMicroseconds(pulses[i]);  // before any pulse: the throttle starts closed
     servos[i].attach(PINS[i]);
     servos[i].writeMicroseconds(pulses[i]);  // some libraries forget what was set before attach() (ESP32, Uno R4)
   }
@@ -56,7 +56,7 @@ void setup() {
 
 void loop() {
   dSBus.parseSBusFrame();
-  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe also if no frame has come, or none for 100 ms
+  dSBus.decodeSBusFrame(channels, failsafe, lostFrame);  // failsafe: also if no frame has come for 100 ms, or ever
   for (int i = 0; i < 4; i++) {
     if (!failsafe) {
       pulses[i] = sbus::limited(sbus::toMicroseconds(channels[i], sbus::FrSky), sbus::LowPulse, sbus::HighPulse);

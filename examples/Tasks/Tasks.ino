@@ -3,17 +3,17 @@
 
   Wiring (ESP32, FrSky R-XSR): S-BUS_OUT -> GPIO16, +5V -> 5V, GND -> GND. Grasshopper: S-BUS_OUT -> D0, +5V -> VIN
 
-  On an ESP32 the reading task hands each frame over through a queue of one place, where a new frame replaces an old
-  one. The second task waits there for 100 ms at most: if no frame comes in that time, or the frame says failsafe, it
+  On an ESP32 the reading task hands each frame over through a queue of one place, in which a new frame replaces the old
+  one. The second task waits there for at most 100 ms: if no frame comes in that time, or the frame says failsafe, it
   closes the throttle. Other boards have no FreeRTOS: loop() does both in turn. Sends "throttle,failsafe" over USB five
-  times a second, 0..2047 and 0 or 1. The rules: extras/docs/interrupts.md.
+  times a second, 0..2047 and 0 or 1. extras/docs/interrupts.md has the rules.
 */
 
 #include <DecodeSBus.h>
 #include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBus dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBus dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 const int THROTTLE = 2;                    // CH3, counted from 0
 const uint16_t CLOSED = 172;               // Futaba: 352
@@ -21,7 +21,7 @@ const unsigned long PERIOD_DISPLAY = 200;  // ms
 
 elapsedMillis timerDisplay;
 
-// Called with the newest frame; if none came in time, with one that says failsafe.
+// Takes the newest frame or, if none came in time, one with the failsafe flag.
 void drive(const SBusFrame &frame) {
   const uint16_t throttle = frame.failsafe ? CLOSED : frame.channels[THROTTLE];
   if (timerDisplay >= PERIOD_DISPLAY) {
@@ -61,7 +61,7 @@ void driveTask(void *) {
 
 void setup() {
   Serial.begin(115200);
-  const BaseType_t core = xPortGetCoreID();  // 1, where Wi-Fi is not; 0 if there is only one
+  const BaseType_t core = xPortGetCoreID();  // 1, away from Wi-Fi; 0 if there is only one core
   newest = xQueueCreate(1, sizeof(SBusFrame));
   if (newest == nullptr ||
       xTaskCreatePinnedToCore(driveTask, "drive", STACK, nullptr, DRIVES, nullptr, core) != pdPASS ||

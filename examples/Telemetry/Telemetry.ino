@@ -2,8 +2,8 @@
   Telemetry: prints what the receiver and a sensor of an S.BUS2 line measure.
 
   Needs a Futaba receiver with S.BUS2 (R7008SB and others) in a mode that has telemetry: FASSTest 14CH or 18CH, T-FHSS.
-  The receiver's own voltage comes by itself. A sensor comes in the slot that is set on the radio: set SLOT and Sensor
-  below to match. It was tried on simulated receivers and recordings of real ones, not on a Futaba: tell us
+  The receiver always sends its own voltage. A sensor uses the slot that is set on the radio: set SLOT and Sensor below
+  to match. It was tried on simulated receivers and recordings of real ones, not on a Futaba: tell us
   (extras/docs/telemetry.md).
 
   Wiring (Tlera Grasshopper, Futaba R7008SB):
@@ -11,18 +11,18 @@
     +      -> VIN
     -      -> GND
 
-  Sends a line over USB five times a second: receiver or external voltage in V, and the sensor's battery and external voltage
-  in V, "-" for a value older than a second; and how often the bytes between frames were no telemetry.
+  Sends a line over USB five times a second: receiver or external voltage in V, and the sensor's battery and external
+  voltage in V, "-" for a value older than a second; and how often the bytes between frames were not telemetry.
 */
 
 #include <DecodeSBusTelemetry.h>
 #include <SBusUart.h>
 #include <elapsedMillis.h>
 
-DecodeSBusTelemetry dSBus(SBUS_UART);  // the port of this board, Serial1 of most: extras/docs/boards.md
+DecodeSBusTelemetry dSBus(SBUS_UART);  // this board's port, on most boards Serial1: extras/docs/boards.md
 
 typedef sbus::VoltageSbs01V Sensor;  // others: src/sbus/Sensors.h
-const uint8_t SLOT = 1;              // its first slot, as the radio has it
+const uint8_t SLOT = 1;              // its first slot, as set on the radio
 
 const unsigned long PERIOD_DISPLAY = 200;  // ms
 
