@@ -31,7 +31,7 @@ void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
           _examination.begin(_observer, character.endUs);
           _lastUs = character.endUs;
         }
-        heardUntil(character.endUs);
+        heardUntil(character.endUs, character.lateUs);
         _isLate = _isLate || character.lateUs > 0;
         _observer.put(character);
         _isCsv = (_rows.put(character) && _rows.recognised()) || _isCsv;
@@ -131,11 +131,14 @@ void SettingTrial::take(const line::Stretch &stretch) {
 }
 
 // Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening
-// ends.
-void SettingTrial::heardUntil(uint64_t us) {
+// ends. The character may have come up to `lateUs` earlier.
+void SettingTrial::heardUntil(uint64_t us, uint64_t lateUs) {
   if (us >= _lastUs + SilenceUs) {
     _silences.push_back(_lastUs);
     _silentUs += us - _lastUs;
+  }
+  if (_observer.characters() > 0 && us >= _lastUs + lateUs + SilenceUs) {
+    _provedSilentUs += us - lateUs - _lastUs;
   }
   _lastUs = us;
 }

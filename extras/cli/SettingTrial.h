@@ -49,12 +49,16 @@ class SettingTrial {
   // Returns true if more groups of telemetry slots were rejected than read.
   bool rejectsTelemetry() const { return _observer.telemetry().rejectedGroups() > _observer.telemetry().groups(); }
 
+  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and more. What came while the PC was busy
+  // proves no silence.
+  bool isInterrupted() const { return _provedSilentUs >= 500000; }
+
   // Returns a line that says why the times of this source are not exact; empty if they are.
   std::string note() const { return _note.empty() ? "" : _note + "\n"; }
 
  private:
   void take(const line::Stretch &stretch);
-  void heardUntil(uint64_t us);
+  void heardUntil(uint64_t us, uint64_t lateUs = 0);
   std::vector<uint64_t> periods() const;
   uint64_t usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const;
   uint64_t gapUs() const;
@@ -69,6 +73,7 @@ class SettingTrial {
   std::vector<uint64_t> _ends;      // of the frames, in us
   std::vector<uint64_t> _silences;  // where they begin, in us
   uint64_t _silentUs = 0;
+  uint64_t _provedSilentUs = 0;
   line::CsvRows _rows;
   bool _isCsv = false;
   uint64_t _lastUs = 0;  // of the characters

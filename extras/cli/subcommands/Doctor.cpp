@@ -111,13 +111,20 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<SettingT
   }
   const sbus::Finding finding = diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
-  const bool rejects = line::isWell(finding) && best.rejectsTelemetry();
-  const bool well = line::isWell(finding) && !rejects;
-  const std::string what =
-      rejects ? "Telemetry rejected: the frames are good, but the bytes after them are not just slots." : text(finding);
-  const std::string cure = rejects
-                               ? "Disconnect the sensors one by one: do two share a slot, or does one answer too late?"
-                               : remedyAtPc(finding);
+  std::string what = text(finding);
+  std::string cure = remedyAtPc(finding);
+  bool well = line::isWell(finding);
+  if (well && best.isInterrupted()) {
+    what = "Interruptions: frames come, but now and then the line is silent.";
+    cure =
+        "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary lists "
+        "the times.";
+    well = false;
+  } else if (well && best.rejectsTelemetry()) {
+    what = "Telemetry rejected: the frames are good, but the bytes after them are not just slots.";
+    cure = "Disconnect the sensors one by one: do two share a slot, or does one answer too late?";
+    well = false;
+  }
   if (asJson) {
     write(verdict(well, what, cure).text("line", best.variant()).line());
     return well;
