@@ -57,6 +57,11 @@ cat >"$work/wanted" <<'END'
 END
 diff "$work/wanted" "$work/json"
 verdict $? "summary --json of a flight has the same figures"
+"$SBUS" hex --json "$work/flight.txt" | head -n 51 | head -c -10 >"$work/cut.json"
+"$SBUS" summary "$work/cut.json" >"$work/text" 2>"$work/err"
+[ $? -eq 1 ] && grep -q ': S.BUS, 49 frames, 3 with the lost-frame flag' "$work/text" && grep -q 'ends within an object' "$work/err" &&
+  ! "$SBUS" summary "$work/cut.json" --html "$work/cut.html" 2>"$work/err" && [ -s "$work/cut.html" ]
+verdict $? "summary of JSON lines that were cut off has the frames before, and fails"
 
 # ---- The report: the same flight as a page
 

@@ -1,6 +1,7 @@
 // sbus summary: a flight in a few lines: when failsafe and losses were and for how long, and how often frames came.
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -130,25 +131,36 @@ void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
   line::FlightLog flight(input->settings().characterUs());
   SilenceNote silence(source.name(), "frames");
-  input->run([&flight](const line::Character &character) { flight.put(character); },
-             [&](uint64_t nowUs) {
-               flight.idleUntil(input->knownUs());
-               silence.tick(nowUs, flight.any());
-             });
+  std::exception_ptr failure;  // of a source that has frames before its wrong line: they are summarised
+  try {
+    input->run([&flight](const line::Character &character) { flight.put(character); },
+               [&](uint64_t nowUs) {
+                 flight.idleUntil(input->knownUs());
+                 silence.tick(nowUs, flight.any());
+               });
+  } catch (const std::runtime_error &) {
+    failure = std::current_exception();
+  }
   flight.finish();
+  if (failure && !flight.any()) {
+    std::rethrow_exception(failure);
+  }
   silence.end(flight.any());
   if (options.html.given()) {
     rejectSameFile(source.name(), options.output);
     const std::string page = html(flight, source);
     writeTo(options.output, File::New, [&page](const Put &put) { put(page); });
-    return;
+  } else {
+    write(options.json ? source.json().line() + json(flight, source.hasTimes())
+                       : text(flight, source.name(), source.hasTimes()));
+    if (!options.json && !input->note().empty()) {
+      write(input->note() + '\n');
+    }
+    flush();
   }
-  write(options.json ? source.json().line() + json(flight, source.hasTimes())
-                     : text(flight, source.name(), source.hasTimes()));
-  if (!options.json && !input->note().empty()) {
-    write(input->note() + '\n');
+  if (failure) {
+    std::rethrow_exception(failure);
   }
-  flush();
 }
 
 }  // namespace
