@@ -63,7 +63,7 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
         line.baud = found.settings.baud;
         line.inverted = _inverted;
       }
-      Json json = lineJson(line);
+      Json json = lineJson(line).range(_channelForm);
       write((_isMeasured ? json.number("measured_baud", static_cast<uint64_t>(measured + 0.5)) : json).line());
     }
   }

@@ -49,6 +49,11 @@ Json &Json::numbers(const char *name, const std::vector<double> &values) {
   return add(name, "[" + list + "]");
 }
 
+Json &Json::range(const ChannelForm &form) {
+  const sbus::Range &range = form.range;
+  return form.unit == Unit::Percent ? numbers("range", {1.0 * range.low, 1.0 * range.centre, 1.0 * range.high}) : *this;
+}
+
 Json &Json::channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form) {
   std::vector<double> all;
   for (size_t i = first - 1; i < first - 1 + count; i++) {

@@ -35,6 +35,8 @@ class Json {
   Json &digits(const char *name, const std::string &number) { return add(name, number); }
   Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if there is none
   Json &numbers(const char *name, const std::vector<double> &values);
+  // Adds the range if the channels are percent of it.
+  Json &range(const ChannelForm &form);
   // Adds the values of `count` channels from CH`first` on, in a unit.
   Json &channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form);
 

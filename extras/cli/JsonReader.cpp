@@ -160,7 +160,7 @@ std::string bytesOf(const Object &object, const char *name, std::vector<line::Ch
 }
 
 // Takes what a line says of itself.
-void takeLineObject(const Object &object, JsonHead &head, sbus::Range *range) {
+void takeLineObject(const Object &object, JsonHead &head) {
   const auto baud = object.find("baud");
   if (baud != object.end() && *baud == 2 * sbus::Baud) {
     head.settings.baud = 2 * sbus::Baud;
@@ -172,14 +172,23 @@ void takeLineObject(const Object &object, JsonHead &head, sbus::Range *range) {
   if (start != object.end() && start->is_string() && line::parseWallTime(start->get<std::string>(), us)) {
     head.startUs = us;
   }
+}
+
+// Reads range, three raw values; leaves it as it is if there is none. Returns false if it is wrong.
+bool rangeOf(const Object &object, sbus::Range &range) {
   const auto named = object.find("range");
-  if (range != nullptr && named != object.end() && named->is_array() && named->size() == 3) {
-    uint16_t points[3] = {};
-    for (size_t i = 0; i < 3; i++) {
-      points[i] = (*named)[i].is_number_unsigned() ? (*named)[i].get<uint16_t>() : uint16_t{0};
-    }
-    *range = {points[0], points[1], points[2]};
+  if (named == object.end()) {
+    return true;
   }
+  const auto isRaw = [](const Object &value) {
+    return value.is_number_unsigned() && value.get<uint64_t>() <= sbus::ChannelMax;
+  };
+  if (!named->is_array() || named->size() != 3 || !std::all_of(named->begin(), named->end(), isRaw)) {
+    return false;
+  }
+  range = {(*named)[0].get<uint16_t>(), (*named)[1].get<uint16_t>(), (*named)[2].get<uint16_t>()};
+  return range.low != range.centre && range.centre != range.high &&
+         (range.low < range.centre) == (range.centre < range.high);
 }
 
 bool isLineType(const std::string &type) {
@@ -197,7 +206,7 @@ JsonHead readJsonHead(std::string_view text) {
     }
     const Object read = Object::parse(splitter.take(), nullptr, false);
     if (read.is_object() && typeOf(read) == "line") {
-      takeLineObject(read, head, nullptr);
+      takeLineObject(read, head);
       head.isKnown = true;
     } else if (read.is_object() && isLineType(typeOf(read))) {
       std::optional<double> us;
@@ -254,9 +263,8 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
     return line::quoted(object) + " is not a JSON object; " + Expected;
   }
   const std::string type = typeOf(read);
-  if (type == "line") {
-    JsonHead head;
-    takeLineObject(read, head, &_range);
+  if (type == "line" && !rangeOf(read, _range)) {
+    return quoted("range", read["range"]) + " is not three raw values such as [172,992,1811]";
   }
   if (!isLineType(type)) {
     return {};

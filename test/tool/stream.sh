@@ -33,6 +33,9 @@ for unit in us percent; do
   grep -q "\"$unit\":\[" "$work/unit" && ! grep -q '"channels"' "$work/unit"
   verdict $? "hex --json --unit $unit has no raw values"
 done
+for range in futaba 1811,992,172; do
+  "$SBUS" hex "$work/24.txt" --json --unit percent --range $range | tee "$work/unit" | same 24 "JSON lines in percent of $range" hex
+done
 "$SBUS" hex "$work/16.txt" --json | python3 -c 'import json, sys
 for line in sys.stdin: print(json.dumps(json.loads(line), indent=2))' | same 16 'JSON in several rows' hex
 "$SBUS" hex "$work/sbus2.txt" >"$work/wanted" && "$SBUS" hex "$work/sbus2.txt" --json >"$work/line.json" && gzip -k "$work/line.json"
@@ -120,6 +123,8 @@ done <<'END'
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,"15"]}|1: channels[15]: "15" is not a whole number from 0 to 2047
 {"type":"frame","us":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]}|1: us[0]: 0 is not a number from 880.0 to 2159.4
 {"type":"frame","percent":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,150]}|1: percent[15]: 150 is not a number from -121.0 to 128.8
+{"type":"line","range":[172,992,70000]}|1: range: [172,992,70000] is not three raw values such as [172,992,1811]
+{"type":"line","range":[992,992,1811]}|1: range: [992,992,1811] is not three raw values such as [172,992,1811]
 {"type":"frame","us":[],"percent":[]}|1: has us and percent; leave one of them out
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"failsafe":"no"}|1: failsafe: "no" is not true or false
 {"type":"frame","channels":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15],"first":2}|1: first: 2 is not 1, or 17 of a frame with header 2F

@@ -222,7 +222,7 @@ void writeJsonEnd(const line::Observer &observer) {
 void run(const SourceOption &source, const HexOptions &options, const ChannelForm &form) {
   const std::unique_ptr<Input> input = source.open();
   if (options.json) {
-    write(source.json().line());
+    write(source.json().range(form).line());
     flush();
   }
   line::Observer observer;
