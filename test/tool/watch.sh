@@ -50,6 +50,15 @@ failsafe // ch1<3 && ch17|begin 4.509 end 4.599
 FAILSAFE//lostframe|begin 3.609 end 3.699 begin 4.509 end 4.599 
 END
 
+rm -rf "$work/dir"
+watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 0 --after 0 >"$work/out"
+[ "$("$SBUS" csv "$work/dir/sbus-000002.txt" --every-frame --columns ch1 | tr '\n' ' ')" = "600 601 " ] && "$SBUS" summary "$work/dir/sbus-000002.txt" | grep -q ' 0 discarded bytes'
+verdict $? "with --before 0 a recording begins with the frame that is the event"
+rm -rf "$work/dir"
+watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 600 --after 0 >"$work/out"
+[ "$(cat "$work"/dir/*.txt >"$work/all.txt"; "$SBUS" csv "$work/all.txt" --every-frame --columns ch1)" = "$(seq 601)" ]
+verdict $? "no frame is missing between the recordings of two events"
+
 while IFS='|' read -r condition message; do
   watch sim --when "$condition" --record "$work/none" >"$work/out"
   [ $? -eq 2 ] && [ "$(head -n 1 "$work/err")" = "--when: \"$condition\": at character $message is expected" ] && [ ! -d "$work/none" ] || { cat "$work/err"; false; }

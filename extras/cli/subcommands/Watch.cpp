@@ -94,12 +94,12 @@ void run(const Options &options) {
   line::Observer observer;
   observer.reset(0, input->settings().characterUs());
   bool isRejected = false;  // the newest stretch
-  const auto tick = [&](uint64_t nowUs) {
-    recorder.tick(nowUs, condition.holds(line::Moment(observer, nowUs, isRejected)));
+  const auto tick = [&](uint64_t nowUs, uint64_t sinceUs) {
+    recorder.tick(nowUs, condition.holds(line::Moment(observer, nowUs, isRejected)), sinceUs);
   };
   observer.listen([&](const line::Stretch &stretch) {
     isRejected = line::isRejected(stretch);
-    tick(stretch.endUs());
+    tick(stretch.endUs(), stretch.characters.front().endUs);
   });
   SilenceNote silence(source.name(), "frames");
   input->run(
@@ -110,7 +110,7 @@ void run(const Options &options) {
       [&](uint64_t nowUs) {
         observer.idleUntil(input->knownUs());
         recorder.idleUntil(input->knownUs());
-        tick(nowUs);
+        tick(nowUs, nowUs);
         silence.tick(nowUs, observer.counters().frames > 0);
       });
   recorder.finish();

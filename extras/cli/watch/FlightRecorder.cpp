@@ -10,6 +10,7 @@ namespace tool {
 namespace {
 
 constexpr uint64_t GapWithinUs = 100000;  // a file goes on for this long to end between two frames
+constexpr uint64_t EventUs = 100000;      // of the frame that is an event, until it is known to be a frame
 
 }  // namespace
 
@@ -28,16 +29,15 @@ void FlightRecorder::put(const line::Character &character) {
   const bool isGap = silenceUs > 2 * uint64_t{_settings.characterUs()};
   if (_open && character.endUs > _open->firstUs + _plan.longestUs + (isGap ? 0 : GapWithinUs)) {
     close(RecordedEvent::Kind::Continued, character.endUs);
-    open(RecordedEvent::Kind::Continued, character.endUs);
+    open(RecordedEvent::Kind::Continued, character.endUs, character.endUs);
   }
   if (_open) {
     write(character);
+    _goneUs = character.endUs;
     return;
   }
   _lately.push_back(character);
-  while (_lately.front().endUs + _plan.beforeUs < character.endUs) {
-    _lately.pop_front();
-  }
+  forget(character.endUs - std::min(character.endUs, _plan.beforeUs + EventUs));
 }
 
 void FlightRecorder::idleUntil(uint64_t us) {
@@ -46,26 +46,33 @@ void FlightRecorder::idleUntil(uint64_t us) {
   }
 }
 
-void FlightRecorder::tick(uint64_t nowUs, bool happens) {
+void FlightRecorder::tick(uint64_t nowUs, bool happens, uint64_t sinceUs) {
   _nowUs = nowUs;
   if (happens) {
     _untilUs = nowUs + _plan.afterUs;
   }
   if (happens && !_isEvent) {
     _isEvent = true;
-    open(RecordedEvent::Kind::Begin, nowUs);
+    open(RecordedEvent::Kind::Begin, nowUs, sinceUs);
   } else if (_isEvent && !happens && nowUs > _untilUs) {
     close(RecordedEvent::Kind::End, nowUs);
     _isEvent = false;
   }
 }
 
-void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs) {
-  const uint64_t oldestUs = nowUs - std::min(nowUs, _plan.beforeUs);
-  while (!_lately.empty() && _lately.front().endUs < oldestUs) {
+// Drops what ended before this time.
+void FlightRecorder::forget(uint64_t us) {
+  while (!_lately.empty() && _lately.front().endUs < us) {
+    _goneUs = _lately.front().endUs;
     _lately.pop_front();
   }
-  dropPart();
+}
+
+void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sinceUs) {
+  forget(std::min(nowUs - std::min(nowUs, _plan.beforeUs), sinceUs));
+  if (!_lately.empty() && _lately.front().endUs < sinceUs) {
+    dropPart();
+  }
   const uint64_t firstUs = _lately.empty() ? nowUs : _lately.front().endUs;
   const uint64_t zeroUs = _startUs ? firstUs - std::min<uint64_t>(firstUs, _settings.characterUs()) : 0;
   const auto beganUs = _startUs ? std::optional<int64_t>(*_startUs + static_cast<int64_t>(zeroUs)) : std::nullopt;
@@ -84,9 +91,12 @@ void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs) {
   }
 }
 
-// Drops the rest of a frame whose beginning is too old: what comes before the first gap.
+// Drops the rest of a frame whose beginning is gone: what comes before the first gap.
 void FlightRecorder::dropPart() {
   const uint64_t gapUs = 2 * uint64_t{_settings.characterUs()};
+  if (_lately.front().endUs > _goneUs + gapUs) {
+    return;
+  }
   const size_t most = std::min<size_t>(_lately.size(), sbus::FrameSize24);
   for (size_t i = 1; i < most; i++) {
     if (_lately[i].endUs - _lately[i - 1].endUs > gapUs) {

@@ -39,8 +39,8 @@ class FlightRecorder {
 
   void put(const line::Character &character);
 
-  // Takes whether it `happens` at `nowUs`.
-  void tick(uint64_t nowUs, bool happens);
+  // Takes whether it `happens` at `nowUs`, by a frame whose first character ended at `sinceUs`, or without one.
+  void tick(uint64_t nowUs, bool happens, uint64_t sinceUs = UINT64_MAX);
 
   // Takes the time up to which no other character came.
   void idleUntil(uint64_t us);
@@ -70,7 +70,8 @@ class FlightRecorder {
     Recorder recorder;
   };
 
-  void open(RecordedEvent::Kind kind, uint64_t nowUs);
+  void forget(uint64_t us);
+  void open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sinceUs);
   void dropPart();
   void write(line::Character character);
   void close(RecordedEvent::Kind kind, uint64_t nowUs);
@@ -87,6 +88,7 @@ class FlightRecorder {
   bool _isEvent = false;
   uint64_t _nowUs = 0;
   uint64_t _lastUs = 0;  // of the characters
+  uint64_t _goneUs = 0;  // the end of the character before those
   uint64_t _untilUs = 0;
   unsigned _failures = 0;
 };
