@@ -49,8 +49,8 @@ class SettingTrial {
   // Returns true if more groups of telemetry slots were rejected than read.
   bool rejectsTelemetry() const { return _observer.telemetry().rejectedGroups() > _observer.telemetry().groups(); }
 
-  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and more. What came while the PC was busy
-  // proves no silence.
+  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and more. What came while the PC was
+  // busy proves no silence.
   bool isInterrupted() const { return _provedSilentUs >= 500000; }
 
   // Returns a line that says why the times of this source are not exact; empty if they are.
