@@ -11,8 +11,9 @@ namespace tool {
 
 class SilenceNote {
  public:
-  // Waits for `what`, such as "frames".
-  SilenceNote(const std::string &source, const char *what) : _source(source), _what(what) {}
+  // Waits for `what`, such as "frames". Of a file it only says if none came at all: its times may begin at any time.
+  SilenceNote(const std::string &source, const char *what, bool isFile = false)
+      : _source(source), _what(what), _done(isFile) {}
 
   // Takes the time, and whether it `has` come.
   void tick(uint64_t nowUs, bool has) {
@@ -37,7 +38,7 @@ class SilenceNote {
   const std::string _source;
   const char *const _what;
   uint64_t _beginUs = UINT64_MAX;
-  bool _done = false;
+  bool _done;
 };
 
 }  // namespace tool

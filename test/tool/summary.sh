@@ -62,6 +62,11 @@ verdict $? "summary --json of a flight has the same figures"
 [ $? -eq 1 ] && grep -q ': S.BUS, 49 frames, 3 with the lost-frame flag' "$work/text" && grep -q 'ends within an object' "$work/err" &&
   ! "$SBUS" summary "$work/cut.json" --html "$work/cut.html" 2>"$work/err" && [ -s "$work/cut.html" ]
 verdict $? "summary of JSON lines that were cut off has the frames before, and fails"
+sed 's/^[0-9]* /9&/' "$work/flight.txt" >"$work/late.txt"
+{ "$SBUS" summary "$work/late.txt" && "$SBUS" hex "$work/late.txt" && "$SBUS" csv "$work/late.txt" --every-frame &&
+  "$SBUS" watch "$work/late.txt" --when ok --record "$work/events" && "$SBUS" compare "$work/late.txt" "$work/late.txt"; } >"$work/text" 2>"$work/err"
+[ $? -eq 0 ] && [ ! -s "$work/err" ] || { cat "$work/err"; false; }
+verdict $? "a recording whose times begin late is not said to be silent"
 
 # ---- The report: the same flight as a page
 

@@ -27,7 +27,7 @@ struct Options {
 class Compared {
  public:
   Compared(const SourceOption &source, size_t side, Aligner &aligner)
-      : _side(side), _aligner(aligner), _input(source.open()), _silence(source.name(), "frames") {
+      : _side(side), _aligner(aligner), _input(source.open()), _silence(source.name(), "frames", source.isFile()) {
     if (!source.hasTimes()) {
       throw std::runtime_error(source.name() + ": has no times; a port, a recording or a capture is expected");
     }

@@ -23,13 +23,14 @@ struct CsvOptions {
 
 class CsvView {
  public:
-  CsvView(const CsvOptions &options, const std::string &source, bool hasTimes, uint32_t characterUs)
-      : _source(source),
-        _hasTimes(hasTimes),
+  CsvView(const CsvOptions &options, const SourceOption &source, uint32_t characterUs)
+      : _source(source.name()),
+        _hasTimes(source.hasTimes()),
         _columns(parseColumns(options.columns)),
         _everyFrame(options.everyFrame.given()),
         _periodUs(static_cast<uint64_t>(1e6 / options.rate)),
-        _nextUs(_periodUs) {
+        _nextUs(_periodUs),
+        _silence(_source, "frames", source.isFile()) {
     _observer.reset(0, characterUs);
     _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
     if (options.header.given()) {
@@ -98,12 +99,12 @@ class CsvView {
   uint64_t _firstUs = 0;  // of the first row
   line::Observer _observer;
   line::CsvRows _rows;
-  SilenceNote _silence{_source, "frames"};
+  SilenceNote _silence;
 };
 
 void run(const SourceOption &source, const CsvOptions &options) {
   const std::unique_ptr<Input> input = source.open();
-  CsvView view(options, source.name(), source.hasTimes(), input->settings().characterUs());
+  CsvView view(options, source, input->settings().characterUs());
   input->run([&view](const line::Character &character) { view.put(character); },
              [&](uint64_t nowUs) { view.tick(nowUs, input->knownUs()); });
   view.finish();

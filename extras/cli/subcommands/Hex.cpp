@@ -232,7 +232,7 @@ void run(const SourceOption &source, const HexOptions &options, const ChannelFor
     options.json ? writeJson(stretch, observer.newest(), source.hasTimes(), form) : view.show(stretch);
   });
   observer.listen([&held](const line::Stretch &stretch) { held.take(stretch); });
-  SilenceNote silence(source.name(), "bytes");
+  SilenceNote silence(source.name(), "bytes", source.isFile());
   input->run([&observer](const line::Character &character) { observer.put(character); },
              [&](uint64_t nowUs) {
                observer.idleUntil(input->knownUs());

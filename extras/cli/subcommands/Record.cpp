@@ -20,7 +20,7 @@ void run(const SourceOption &source, const std::string &name) {
     Recorder recorder("record " + source.name(), input->settings(), source.isFile() && source.isWire(),
                       source.hasTimes(), source.startUs(), put);
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
-    SilenceNote silence(source.name(), "frames");
+    SilenceNote silence(source.name(), "frames", source.isFile());
     uint64_t endUs = 0;
     const bool isFile = source.isFile();  // a file ends with its last character, however long reading takes
     input->run(

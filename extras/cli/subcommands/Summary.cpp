@@ -130,7 +130,7 @@ std::string html(const line::FlightLog &flight, const SourceOption &source) {
 void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
   line::FlightLog flight(input->settings().characterUs());
-  SilenceNote silence(source.name(), "frames");
+  SilenceNote silence(source.name(), "frames", source.isFile());
   std::exception_ptr failure;  // of a source that has frames before its wrong line: they are summarised
   try {
     input->run([&flight](const line::Character &character) { flight.put(character); },

@@ -95,7 +95,7 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool as
     write(source.json().line());
   }
   TelemetryView view(input->settings().characterUs(), sensors, source.hasTimes(), asJson);
-  SilenceNote silence(source.name(), "frames");
+  SilenceNote silence(source.name(), "frames", source.isFile());
   input->run([&view](const line::Character &character) { view.observer().put(character); },
              [&](uint64_t nowUs) {
                view.observer().idleUntil(input->knownUs());

@@ -101,7 +101,7 @@ void run(const Options &options) {
     isRejected = line::isRejected(stretch);
     tick(stretch.endUs(), stretch.characters.front().endUs);
   });
-  SilenceNote silence(source.name(), "frames");
+  SilenceNote silence(source.name(), "frames", source.isFile());
   input->run(
       [&](const line::Character &character) {
         recorder.put(character);
