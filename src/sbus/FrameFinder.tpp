@@ -1,4 +1,6 @@
 // The methods of FrameFinderOf, for the files that compile one format each: in one file the compiler would inline less.
+// They stand in the order of calls. Read poll(), idle() and received() first: they are in FrameFinder.h, since sketches
+// inline them.
 #include <string.h>
 
 #include "FrameFinder.h"
