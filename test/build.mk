@@ -53,7 +53,7 @@ sketch:
 # An archive, so that a program takes what it uses and nothing else: the ports and the clock are fakes. Of arduino only
 # what a HardwareSerial is made of.
 HOST_OBJECTS := $(SOURCES:%.cpp=src/%.o) $(LINE_SOURCES:%.cpp=%.o) arduino/Print.o \
-  $(addprefix board/,BoardUart.o BoardTransmitter.o Port.o PortSettings.o PortWatch.o Sender.o)
+  $(addprefix board/,BoardUart.o BoardTransmitter.o BoardPort.o PortSettings.o PortWatch.o Sender.o)
 $(OUT)/board.a: $(HOST_OBJECTS:%=$(OUT)/sketches/objects/%)
 	@rm -f $@
 	ar rcs $@ $^
@@ -152,7 +152,7 @@ list-fuzz:
 	@printf '%s\n' $(FUZZ)
 .PHONY: fuzz list-fuzz
 # Without what only reads files, for which libarchive would have to be linked.
-$(OUT)/fuzz/Wire: $(filter-out %/CaptureFile.cpp %/PackedFile.cpp %/TextFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) \
+$(OUT)/fuzz/WireFuzz: $(filter-out %/CaptureFile.cpp %/PackedFile.cpp %/TextFile.cpp,$(wildcard $(EXTRAS)/line/capture/*.cpp)) \
   $(addprefix $(EXTRAS)/line/,Decoders.cpp HeldLink.cpp uart/Levels.cpp Observer.cpp Segments.cpp Statistics.cpp telemetry/TelemetrySlots.cpp)
 $(OUT)/fuzz/%: fuzz/%.cpp $(FUZZ_SOURCES) $(CORE_HEADERS:%=$(SRC)/%) support/BitByBit.h build.mk
 	@mkdir -p $(@D)

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -41,7 +41,7 @@ std::string calibrationText(const sbus::Calibration &calibration) {
   for (const sbus::CalibratedChannel &channel : calibration.channels) {
     number++;
     if (sbus::isCalibrated(channel)) {
-      text += format("CH%u %u %u %u\n", number, channel.range.low, channel.range.centre, channel.range.high);
+      text += line::format("CH%u %u %u %u\n", number, channel.range.low, channel.range.centre, channel.range.high);
     }
   }
   return text;
@@ -57,7 +57,7 @@ void readCalibration(const std::string &name, ChannelRanges &ranges) {
   for (unsigned number = 1; std::getline(in, line); number++) {
     line.erase(std::min(line.find('#'), line.size()));
     if (line.find_first_not_of(" \t\r") != std::string::npos && !takeLine(line, ranges, named)) {
-      throw std::runtime_error(format(
+      throw std::runtime_error(line::format(
           "%s:%u: a channel's raw values at -100, 0 and +100 %% are expected, such as CH1 172 992 1811, with each "
           "channel of CH1 to CH16 at most once",
           name.c_str(), number));

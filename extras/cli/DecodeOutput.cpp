@@ -1,8 +1,8 @@
 #include "cli/DecodeOutput.h"
 
-#include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
+#include "line/Format.h"
 #include "line/FrameBytes.h"
 
 namespace tool {
@@ -10,7 +10,7 @@ namespace tool {
 namespace {
 
 std::string hex(uint8_t byte) {
-  return format("%02X", byte);
+  return line::format("%02X", byte);
 }
 
 double ms(int64_t ns) {
@@ -19,7 +19,7 @@ double ms(int64_t ns) {
 
 // Rounds to a tenth of a microsecond: samples are rarely shorter.
 std::string us(int64_t ns) {
-  return format("%.1f", static_cast<double>(ns) / 1e3);
+  return line::format("%.1f", static_cast<double>(ns) / 1e3);
 }
 
 }  // namespace
@@ -39,9 +39,9 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
       }
       write("signal " + wire.signal() +
             (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") + others +
-            (_isMeasured
-                 ? ": " + text(found.settings) + format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
-                 : ", as the analyser has decoded it") +
+            (_isMeasured ? ": " + text(found.settings) +
+                               line::format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
+                         : ", as the analyser has decoded it") +
             '\n');
       if (_showsCharacters) {
         write("\n     time ms  byte\n");
@@ -79,10 +79,11 @@ void DecodeOutput::character(const line::WireCharacter &character) {
   const std::string byte = hex(character.value);
   switch (_form) {
     case Form::Table:
-      write(format("%12.4f  ", ms(character.startNs)) + byte + (character.bad() ? "  " + fault(character) : "") + '\n');
+      write(line::format("%12.4f  ", ms(character.startNs)) + byte + (character.bad() ? "  " + fault(character) : "") +
+            '\n');
       break;
     case Form::Csv:
-      write(us(character.startNs) + "," + byte + format(",%d,%d\n", character.parityWrong, character.stopWrong));
+      write(us(character.startNs) + "," + byte + line::format(",%d,%d\n", character.parityWrong, character.stopWrong));
       break;
     case Form::Json:
       write(Json("character")
@@ -116,14 +117,14 @@ void DecodeOutput::frame(const line::Stretch &stretch, int64_t endNs, const line
   switch (_form) {
     case Form::Table: {
       std::string head = "\n     time ms";
-      std::string row = format("%12.4f", ms(endNs));
+      std::string row = line::format("%12.4f", ms(endNs));
       for (size_t i = from; i < to; i++) {
-        head += format(" %5s", ("CH" + std::to_string(i + 1)).c_str());
-        row += format(" %5u", values.raw[i]);
+        head += line::format(" %5s", ("CH" + std::to_string(i + 1)).c_str());
+        row += line::format(" %5u", values.raw[i]);
       }
       if (to == 16) {
         head += "  CH17 CH18";
-        row += format("  %4d %4d", values.switches[0], values.switches[1]);
+        row += line::format("  %4d %4d", values.switches[0], values.switches[1]);
       }
       row += "   " + end +
              (extra              ? ""
@@ -167,8 +168,8 @@ void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t endNs, const lin
     row += i >= from && i < to ? "," + std::to_string(values.raw[i]) : ",";
   }
   const line::Values own = extra ? line::withFlags(values, stretch.characters[sbus::FlagsIndex].value) : values;
-  row += _channels == 24 ? "" : format(",%d,%d", own.switches[0], own.switches[1]);
-  row += format(",%d,%d,", own.lostFrame, own.failsafe);
+  row += _channels == 24 ? "" : line::format(",%d,%d", own.switches[0], own.switches[1]);
+  row += line::format(",%d,%d,", own.lostFrame, own.failsafe);
   write(row + hex(stretch.characters.back().value) + '\n');
 }
 
@@ -189,10 +190,10 @@ void DecodeOutput::noFrame(const line::Stretch &stretch, const std::vector<line:
   if (_form != Form::Table) {
     return;
   }
-  write(format("%12.4f ", ms(endNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
+  write(line::format("%12.4f ", ms(endNs)) + "no frame, " + why(stretch) + ": " + bytes + '\n');
   for (size_t i = 0; i < characters.size(); i++) {
     if (characters[i].bad()) {
-      write(format("%12.4f     ", ms(characters[i].startNs)) + "byte " + std::to_string(i) + ", " +
+      write(line::format("%12.4f     ", ms(characters[i].startNs)) + "byte " + std::to_string(i) + ", " +
             hex(characters[i].value) + ": " + fault(characters[i]) + '\n');
     }
   }
@@ -208,11 +209,11 @@ std::string DecodeOutput::fault(const line::WireCharacter &character) const {
   const int parity = line::isOdd(character.value) ? idle : 1 - idle;
   const std::string parityError =
       character.parityWrong
-          ? format("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity)
+          ? line::format("parity error, the parity bit is %d on the wire, %d is expected", 1 - parity, parity)
           : "";
   const std::string framingError =
       character.stopWrong
-          ? format("framing error, the first stop bit is %d on the wire, %d is expected", 1 - idle, idle)
+          ? line::format("framing error, the first stop bit is %d on the wire, %d is expected", 1 - idle, idle)
           : "";
   return parityError + (character.bad() && character.parityWrong && character.stopWrong ? "; " : "") + framingError;
 }
@@ -225,7 +226,8 @@ void DecodeOutput::end(const std::string &name, const line::CaptureEnd &capture,
             std::to_string(_parityErrors) + " parity errors, " + std::to_string(_framingErrors) + " framing errors; " +
             std::to_string(counters.frames) + " frames, " + std::to_string(counters.lostFrames) + " lost, " +
             std::to_string(counters.failsafeFrames) + " in failsafe" +
-            (counters.frames > 1 ? format(", every %.2f ms", static_cast<double>(observer.gaps().mean()) / 1000) : "") +
+            (counters.frames > 1 ? line::format(", every %.2f ms", static_cast<double>(observer.gaps().mean()) / 1000)
+                                 : "") +
             '\n');
       break;
     case Form::Csv:

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 #include "line/FrameBytes.h"
 #include "line/recording/WallTime.h"
 
@@ -14,7 +14,7 @@ namespace {
 std::string quoted(const std::string &text) {
   std::string json = "\"";
   for (const char c : text) {
-    json += c >= 0 && c < ' ' ? format("\\u%04x", static_cast<unsigned>(c))
+    json += c >= 0 && c < ' ' ? line::format("\\u%04x", static_cast<unsigned>(c))
                               : (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
   }
   return json + '"';
@@ -32,7 +32,7 @@ Json &Json::text(const char *name, const std::string &value) {
 }
 
 Json &Json::decimal(const char *name, std::optional<double> value) {
-  return add(name, value ? format("%.1f", *value) : "null");
+  return add(name, value ? line::format("%.1f", *value) : "null");
 }
 
 Json &Json::counts(const sbus::Counters &counters) {
@@ -44,7 +44,7 @@ Json &Json::counts(const sbus::Counters &counters) {
 Json &Json::numbers(const char *name, const std::vector<double> &values) {
   std::string list;
   for (const double value : values) {
-    list += (list.empty() ? "" : ",") + format("%.10g", value);
+    list += (list.empty() ? "" : ",") + line::format("%.10g", value);
   }
   return add(name, "[" + list + "]");
 }
@@ -94,13 +94,13 @@ Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const 
     json.flag("dg1", own.switches[0]).flag("dg2", own.switches[1]);
   }
   json.flag("lost_frame", own.lostFrame).flag("failsafe", own.failsafe);
-  return json.text("end", format("%02X", static_cast<unsigned>(stretch.characters.back().value)));
+  return json.text("end", line::format("%02X", static_cast<unsigned>(stretch.characters.back().value)));
 }
 
 Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs) {
   std::string bytes;
   for (const line::Character &character : stretch.characters) {
-    bytes += (bytes.empty() ? "" : " ") + format("%02X", static_cast<unsigned>(character.value)) +
+    bytes += (bytes.empty() ? "" : " ") + line::format("%02X", static_cast<unsigned>(character.value)) +
              (character.bad ? "!" : "");
   }
   Json json("no_frame");

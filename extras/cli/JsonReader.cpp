@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "cli/Format.h"
 #include "cli/HexText.h"
 #include "cli/Units.h"
+#include "line/Format.h"
 #include "line/FrameBytes.h"
 #include "line/recording/Recording.h"
 #include "line/recording/WallTime.h"
@@ -75,7 +75,7 @@ std::string channelsOf(const Object &object, const sbus::Range &range, std::vect
     const Object &value = (*values)[i];
     const std::optional<uint16_t> one = value.is_number() ? rawOf(value.get<double>(), unit, range) : std::nullopt;
     if (!one) {
-      return quoted(format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " +
+      return quoted(line::format("%s[%u]", fieldOf(unit), static_cast<unsigned>(i)), value) + " is not " +
              extentOf(unit, range);
     }
     raw.push_back(*one);
@@ -294,7 +294,7 @@ std::string JsonReader::put(std::optional<double> endUs, const std::vector<line:
                             std::deque<line::Character> &characters) {
   const uint64_t endOfAll = endUs ? static_cast<uint64_t>(std::llround(*endUs)) : _lastUs + PeriodUs;
   if (_any && endOfAll <= _lastUs) {
-    return format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
+    return line::format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
                   static_cast<unsigned long long>(_lastUs));
   }
   _lastUs = line::appendBackToBack(came, endOfAll, _lastUs, _characterUs, characters);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -17,7 +17,7 @@ void Latency::passed(size_t characters, bool written) {
 
 std::string Latency::text(const char *what) {
   std::sort(_us.begin(), _us.end());
-  return format(
+  return line::format(
       "last byte read to %s written: median %u us, worst %u us of %zu frames; %zu waited for later bytes, %u us "
       "at most",
       what, _us.empty() ? 0 : _us[_us.size() / 2], _us.empty() ? 0 : _us.back(), _us.size(), _lateUs.size(),

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -101,7 +101,7 @@ std::string SettingTrial::figures(bool hasTimes) const {
                                          aSecond(sbus::impairedFrames(seen)) + " damaged, frame interval " +
                                          std::to_string(usualPeriodUs(periods, us)) + " us";
   return _variant.text() + ": " + rate + lost +
-         (_silentUs == 0 ? "" : format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
+         (_silentUs == 0 ? "" : line::format("; silent for %.2f s", static_cast<double>(_silentUs) / 1e6)) + "\n";
 }
 
 std::string SettingTrial::telemetry() const {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 #include "line/system/System.h"
 
 namespace tool {
@@ -213,7 +213,7 @@ void TextLine::takeEnd() {
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);
   } else if (!_any) {
-    _failure = _name + format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(_firstUs),
+    _failure = _name + line::format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(_firstUs),
                               seconds(_newestUs));
   }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 #include "line/capture/Text.h"
 #include "sbus/Frame.h"
 
@@ -52,7 +52,7 @@ std::string extentOf(Unit unit, const sbus::Range &range) {
     return "a whole number from 0 to 2047";
   }
   const double one = valueOf(0, unit, range), other = valueOf(sbus::ChannelMax, unit, range);
-  return format("a number from %.1f to %.1f", std::min(one, other), std::max(one, other));
+  return line::format("a number from %.1f to %.1f", std::min(one, other), std::max(one, other));
 }
 
 std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &range) {

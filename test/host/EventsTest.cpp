@@ -48,7 +48,7 @@ struct Heard {
 };
 
 // An impaired line: its bytes with the times of their ends, and where its whole frames are.
-struct ImpairedLine {
+struct ImpairedBytes {
   std::vector<uint8_t> bytes;
   std::vector<uint32_t> endUs;
   std::set<uint64_t> frames;
@@ -56,8 +56,8 @@ struct ImpairedLine {
 };
 
 template <typename Format>
-ImpairedLine impairedLine(line::Random &random) {
-  ImpairedLine line;
+ImpairedBytes impairedBytes(line::Random &random) {
+  ImpairedBytes line;
   uint32_t us = 1000;
   const auto send = [&](uint8_t byte) {
     us += sbus::CharacterTime;
@@ -133,7 +133,7 @@ void hear(uint64_t seed) {
   std::array<uint32_t, 6> reasons{};
   for (int number = 0; number < 300; number++) {
     CAPTURE(number);
-    const ImpairedLine line = impairedLine<Format>(random);
+    const ImpairedBytes line = impairedBytes<Format>(random);
     constexpr uint32_t LoopsUs[] = {120, 500, 1000, 3000};
     const uint32_t loopUs = LoopsUs[number % 4];
     const bool overflows = number % 5 == 0;

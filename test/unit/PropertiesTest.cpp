@@ -1,5 +1,5 @@
 // Properties of all input: RapidCheck's random values, compared with the plain implementations of test/support. The
-// properties of a calibration's steps are in fuzz/Calibration.cpp.
+// properties of a calibration's steps are in fuzz/CalibrationFuzz.cpp.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 

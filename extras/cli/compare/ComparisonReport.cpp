@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cli/Format.h"
 #include "cli/Json.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -17,7 +17,7 @@ double seconds(int64_t us) {
 }
 
 std::string counted(unsigned long count, const char *what) {
-  return format("%lu %s%s", count, what, count == 1 ? "" : "s");
+  return line::format("%lu %s%s", count, what, count == 1 ? "" : "s");
 }
 
 bool isFlagged(const line::Values &values) {
@@ -128,20 +128,21 @@ std::string ComparisonReport::differenceText() const {
   if (!_first) {
     return "none";
   }
-  const std::string time = format("%.3f s: ", seconds(_first->us));
+  const std::string time = line::format("%.3f s: ", seconds(_first->us));
   return time + (_first->name.empty()
                      ? std::string("only ") + Names[_first->side] + " has the frame"
-                     : _first->name + format(" is %u in A, %u in B", _first->values[0], _first->values[1]));
+                     : _first->name + line::format(" is %u in A, %u in B", _first->values[0], _first->values[1]));
 }
 
 std::string ComparisonReport::lostText(size_t side) const {
   std::vector<LostSpan> shown = _longest[side];
   std::sort(shown.begin(), shown.end(), [](const LostSpan &a, const LostSpan &b) { return a.fromUs < b.fromUs; });
-  std::string text = format("lost by %s    %s in %s%s\n", Names[side], counted(_lost[side], "frame").c_str(),
-                            counted(_spans[side], "span").c_str(), _spans[side] > ShownMost ? "; the longest are" : "");
+  std::string text =
+      line::format("lost by %s    %s in %s%s\n", Names[side], counted(_lost[side], "frame").c_str(),
+                   counted(_spans[side], "span").c_str(), _spans[side] > ShownMost ? "; the longest are" : "");
   for (const LostSpan &span : shown) {
-    text += format("%14.3f s to %10.3f s   %s\n", seconds(span.fromUs), seconds(span.toUs),
-                   counted(span.frames, "frame").c_str());
+    text += line::format("%14.3f s to %10.3f s   %s\n", seconds(span.fromUs), seconds(span.toUs),
+                         counted(span.frames, "frame").c_str());
   }
   return text;
 }
@@ -150,17 +151,18 @@ std::string ComparisonReport::text(const std::array<std::string, 2> &names, bool
   std::string text;
   for (const size_t side : {size_t{0}, size_t{1}}) {
     text += std::string(Names[side]) + "            " + names[side] + ": " + counted(_frames[side], "frame") +
-            (_alone[side] > 0 ? format(", %lu before the first or after the last of %s", _alone[side], Names[1 - side])
-                              : "") +
+            (_alone[side] > 0
+                 ? line::format(", %lu before the first or after the last of %s", _alone[side], Names[1 - side])
+                 : "") +
             '\n';
   }
   text += "same         " + counted(_same, "frame") + "\ndifferent    " + counted(_different, "frame") + '\n' +
           lostText(0) + lostText(1);
   text += "first        " + differenceText() + '\n';
-  return text + format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s\n",
-                       static_cast<long long>(_delays.medianUs()), static_cast<long long>(_delays.leastUs()),
-                       static_cast<long long>(_delays.mostUs()), _delays.driftPpm(),
-                       isByContents ? "the contents" : "the times alone");
+  return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s\n",
+                             static_cast<long long>(_delays.medianUs()), static_cast<long long>(_delays.leastUs()),
+                             static_cast<long long>(_delays.mostUs()), _delays.driftPpm(),
+                             isByContents ? "the contents" : "the times alone");
 }
 
 std::string ComparisonReport::json(bool isByContents) const {

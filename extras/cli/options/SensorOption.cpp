@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cli/Format.h"
 #include "cli/Output.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -33,14 +33,14 @@ void addSensor(const std::string &text, line::SensorsBySlot &sensors) {
   }
   if (slot % sbus::SlotsOfGroup + sensor->slots > sbus::SlotsOfGroup) {
     rejectCommandLine(
-        format("--sensor: %s has %u slots, which do not fit into the group of slots %u to %u from slot %u on",
-               sensor->name, sensor->slots, slot / 8 * 8, slot / 8 * 8 + 7, slot));
+        line::format("--sensor: %s has %u slots, which do not fit into the group of slots %u to %u from slot %u on",
+                     sensor->name, sensor->slots, slot / 8 * 8, slot / 8 * 8 + 7, slot));
   }
   for (const auto &[first, other] : sensors) {
     const bool isSame = first == slot && other == sensor;
     if (!isSame && slot < first + other->slots && first < slot + sensor->slots) {
-      rejectCommandLine(
-          format("--sensor: %s: slot %u is a slot of %s", text.c_str(), std::max<unsigned>(slot, first), other->name));
+      rejectCommandLine(line::format("--sensor: %s: slot %u is a slot of %s", text.c_str(),
+                                     std::max<unsigned>(slot, first), other->name));
     }
   }
   sensors[slot] = sensor;

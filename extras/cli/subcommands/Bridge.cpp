@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "cli/Format.h"
 #include "cli/Latency.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
@@ -16,6 +15,7 @@
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "line/Observer.h"
 
 namespace tool {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/Format.h"
 #include "cli/HexText.h"
 #include "cli/Output.h"
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "sbus/Frame.h"
 #include "sbus/Scaling.h"
 #include "sbus/Slots.h"
@@ -35,13 +35,14 @@ Input parse(const std::string &text) {
   for (const HexText::Byte &byte : hex.bytes) {
     input.bytes.push_back(byte.value);
     if (byte.bad) {
-      input.problems.push_back(format("byte %zu: %02X is marked with !, a parity or framing error",
-                                      input.bytes.size() - 1, static_cast<unsigned>(byte.value)));
+      input.problems.push_back(line::format("byte %zu: %02X is marked with !, a parity or framing error",
+                                            input.bytes.size() - 1, static_cast<unsigned>(byte.value)));
     }
   }
   if (!hex.wrong.empty()) {
-    input.problems.push_back(format("byte %zu: \"%s\" is not hexadecimal; two digits a byte are expected, such as 0F",
-                                    input.bytes.size(), hex.wrong.c_str()));
+    input.problems.push_back(
+        line::format("byte %zu: \"%s\" is not hexadecimal; two digits a byte are expected, such as 0F",
+                     input.bytes.size(), hex.wrong.c_str()));
   }
   return input;
 }
@@ -61,18 +62,19 @@ class Frame {
       : _bytes(std::move(bytes)), _problems(std::move(problems)), _size(is24() ? sbus::FrameSize24 : sbus::FrameSize) {}
 
   void print() {
-    write(format("read as a frame of %d channels, %zu bytes\n\nbyte  hex  bit 7..0  meaning\n", channels(), _size));
+    write(
+        line::format("read as a frame of %d channels, %zu bytes\n\nbyte  hex  bit 7..0  meaning\n", channels(), _size));
     for (size_t i = 0; i < _bytes.size(); i++) {
       const std::string bits = bitsOf(_bytes[i], 8);
-      write(format("%4zu   %02X  %s  ", i, static_cast<unsigned>(_bytes[i]), bits.c_str()) + meaning(i) + '\n');
+      write(line::format("%4zu   %02X  %s  ", i, static_cast<unsigned>(_bytes[i]), bits.c_str()) + meaning(i) + '\n');
     }
     if (_bytes.size() > sbus::PayloadIndex + 1) {
       write("\nchannel  raw    us  bits, the highest first\n");
       printChannels();
     }
     if (_bytes.size() < _size) {
-      _problems.push_back(format("byte %zu is missing: only %zu of the %zu bytes of a frame came", _bytes.size(),
-                                 _bytes.size(), _size));
+      _problems.push_back(line::format("byte %zu is missing: only %zu of the %zu bytes of a frame came", _bytes.size(),
+                                       _bytes.size(), _size));
     }
   }
 
@@ -90,7 +92,7 @@ class Frame {
             !(sbus::isFlagsByte(_bytes[sbus::FlagsIndex]) && sbus::isEndByte(_bytes[sbus::EndIndex])));
   }
 
-  void blame(size_t at, const std::string &what) { _problems.push_back(format("byte %zu: ", at) + what); }
+  void blame(size_t at, const std::string &what) { _problems.push_back(line::format("byte %zu: ", at) + what); }
 
   std::string meaning(size_t at) {
     return at == 0                  ? header()
@@ -107,12 +109,12 @@ class Frame {
     if (isExtra() && _size == sbus::FrameSize) {
       return "header of an extra frame: CH17 to CH32 of Futaba FASSTest 26";
     }
-    blame(0, format("%02X is not a header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
+    blame(0, line::format("%02X is not a header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
                     _size == sbus::FrameSize ? ", or 2F of an extra frame," : ""));
     return "not a header";
   }
 
-  std::string name(size_t channel) const { return format("CH%zu", channel + (isExtra() ? 17 : 1)); }
+  std::string name(size_t channel) const { return line::format("CH%zu", channel + (isExtra() ? 17 : 1)); }
 
   // "CH2 bit 4..0, CH1 bit 10..8": the channels whose bits the byte holds, its highest bit first.
   std::string payload(size_t at) const {
@@ -122,7 +124,7 @@ class Frame {
       const size_t channel = bit / ChannelBits;
       const size_t next = std::min(first + 8, (channel + 1) * ChannelBits);
       const size_t low = bit % ChannelBits;
-      text = name(channel) + format(next - bit > 1 ? " bit %zu..%zu" : " bit %zu", low + (next - bit - 1), low) +
+      text = name(channel) + line::format(next - bit > 1 ? " bit %zu..%zu" : " bit %zu", low + (next - bit - 1), low) +
              (text.empty() ? "" : ", ") + text;
       bit = next;
     }
@@ -132,7 +134,7 @@ class Frame {
   std::string flags(size_t at) {
     const unsigned flags = _bytes[at];
     if (!sbus::isFlagsByte(_bytes[at])) {
-      blame(at, format("%02X has unused flags set; bit 4 to 7 are 0 on every receiver known", flags));
+      blame(at, line::format("%02X has unused flags set; bit 4 to 7 are 0 on every receiver known", flags));
     }
     const auto text = [flags](unsigned flag, const char *set, const char *clear) {
       return std::string((flags & flag) != 0 ? set : clear);
@@ -150,13 +152,13 @@ class Frame {
     static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
     const uint8_t variant = sbus::variantOfEnd(_bytes[at]);
     if (variant == sbus::UnknownVariant || (_size == sbus::FrameSize24 && variant >= sbus::Frame24::Variants)) {
-      blame(at, format("%02X is not an end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
+      blame(at, line::format("%02X is not an end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
                        _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";
     }
     const unsigned slot = sbus::firstSlotOf(_bytes[at]);
     const std::string slots = variant == sbus::SlotsVariant
-                                  ? format(", telemetry slots %u to %u", slot, slot + sbus::SlotsOfGroup - 1)
+                                  ? line::format(", telemetry slots %u to %u", slot, slot + sbus::SlotsOfGroup - 1)
                                   : std::string();
     return std::string("end byte: ") + Texts[variant] + slots;
   }
@@ -182,8 +184,8 @@ class Frame {
                                : sbus::unpack(whole.data(), raw);
     const size_t bits = (std::min(_bytes.size(), payloadEnd()) - sbus::PayloadIndex) * 8;
     for (size_t channel = 0; (channel + 1) * ChannelBits <= bits; channel++) {
-      write(format("%-7s %4u %5d  ", name(channel).c_str(), static_cast<unsigned>(raw[channel]),
-                   sbus::toMicroseconds(raw[channel], sbus::FrSky)) +
+      write(line::format("%-7s %4u %5d  ", name(channel).c_str(), static_cast<unsigned>(raw[channel]),
+                         sbus::toMicroseconds(raw[channel], sbus::FrSky)) +
             sources(channel) + '\n');
     }
   }
@@ -196,7 +198,7 @@ class Frame {
       const size_t from = std::max(channel * ChannelBits, at * 8);
       const unsigned value = _bytes[sbus::PayloadIndex + at] >> (from - at * 8);
       const std::string piece = bitsOf(value, static_cast<unsigned>(bit - from));
-      text += (text.empty() ? "" : ", ") + piece + format(" of byte %zu", at + sbus::PayloadIndex);
+      text += (text.empty() ? "" : ", ") + piece + line::format(" of byte %zu", at + sbus::PayloadIndex);
       bit = from;
     }
     return text;

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <vector>
 
-#include "cli/Format.h"
 #include "cli/HeldSlots.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
@@ -16,6 +15,7 @@
 #include "cli/options/ChannelFormOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "line/Observer.h"
 #include "line/system/System.h"
 
@@ -77,8 +77,8 @@ class HexView {
       : _observer(observer), _options(options), _hasTimes(hasTimes), _colours(coloursOf(options.colour)) {}
 
   void show(const line::Stretch &stretch) {
-    const std::string time =
-        _hasTimes ? format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6) : format("%12s  ", "-");
+    const std::string time = _hasTimes ? line::format("%12.6f  ", static_cast<double>(stretch.endUs() - _lastUs) / 1e6)
+                                       : line::format("%12s  ", "-");
     _lastUs = _options.delta ? stretch.endUs() : 0;
     const size_t width = _options.width > 0 ? _options.width : line::terminalColumns();
     if (width > 0) {
@@ -144,7 +144,7 @@ class HexView {
     std::string text;
     for (size_t i = from; i < to; i++) {
       const line::Character &character = stretch.characters[i];
-      const std::string byte = format("%02X", static_cast<unsigned>(character.value));
+      const std::string byte = line::format("%02X", static_cast<unsigned>(character.value));
       text += character.bad ? _colours.bad + byte + "!" + _colours.off + colour : byte + " ";
     }
     return text;
@@ -160,7 +160,7 @@ class HexView {
     if (!stretch.isFrame()) {
       return kind + " " + why(stretch);
     }
-    return kind + format(" end %02X", static_cast<unsigned>(stretch.characters.back().value)) +
+    return kind + line::format(" end %02X", static_cast<unsigned>(stretch.characters.back().value)) +
            (stretch.kind == line::Stretch::Kind::Extra ? ", CH17..CH32" : "");
   }
 
@@ -186,7 +186,7 @@ class HexView {
     const size_t first = stretch.kind == line::Stretch::Kind::Extra ? sbus::ProportionalCount : 0;
     const size_t count = stretch.kind == line::Stretch::Kind::Frame24 ? sbus::ChannelCount24 : sbus::ProportionalCount;
     for (size_t channel = first; channel < first + count; channel++) {
-      texts.push_back(format(" %4u", static_cast<unsigned>(_observer.newest().raw[channel])));
+      texts.push_back(line::format(" %4u", static_cast<unsigned>(_observer.newest().raw[channel])));
     }
     return texts;
   }

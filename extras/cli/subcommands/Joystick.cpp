@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "cli/CalibrationFile.h"
-#include "cli/Format.h"
 #include "cli/GameController.h"
 #include "cli/Latency.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "line/Observer.h"
 
 namespace tool {

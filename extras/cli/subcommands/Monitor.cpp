@@ -6,12 +6,12 @@
 #include <memory>
 #include <thread>
 
+#include "cli/LineRecorder.h"
 #include "cli/Output.h"
-#include "cli/Recorder.h"
 #include "cli/Stop.h"
 #include "cli/monitor/MonitorPage.h"
+#include "cli/monitor/MonitoredLine.h"
 #include "cli/monitor/Screen.h"
-#include "cli/monitor/Watch.h"
 #include "cli/options/RangeOption.h"
 #include "cli/options/SensorOption.h"
 #include "cli/options/SourceOption.h"
@@ -34,7 +34,7 @@ struct MonitorOptions {
 
 class Page {
  public:
-  explicit Page(Watch &watch) : _watch(watch) {}
+  explicit Page(MonitoredLine &watch) : _watch(watch) {}
 
   // Returns false once a key has quit the page.
   bool takeKeys() {
@@ -87,7 +87,7 @@ class Page {
     _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
   }
 
-  Watch &_watch;
+  MonitoredLine &_watch;
   Screen _screen;
   MonitorView _view;
   uint64_t _nextUs = 0;
@@ -101,7 +101,7 @@ class Page {
 using Tick = std::function<void(uint64_t nowUs)>;
 
 // Shows the line as a page. Calls `ended` once the line has ended, while the page stays.
-void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)> &run,
+void showPage(MonitoredLine &watch, Input &input, const std::function<void(const Tick &)> &run,
               const std::function<void()> &ended) {
   Page page(watch);
   uint64_t endUs = 0;
@@ -117,7 +117,7 @@ void showPage(Watch &watch, Input &input, const std::function<void(const Tick &)
 }
 
 // Prints a line a second, and one when the state changes.
-void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> &run) {
+void showLines(MonitoredLine &watch, bool json, const std::function<void(const Tick &)> &run) {
   uint64_t lookUs = 0;
   uint64_t nextUs = LineUs;
   std::string state;
@@ -136,12 +136,12 @@ void showLines(Watch &watch, bool json, const std::function<void(const Tick &)> 
   flush();
 }
 
-void show(const SourceOption &source, Input &input, const MonitorOptions &options, Recorder *recorder) {
+void show(const SourceOption &source, Input &input, const MonitorOptions &options, LineRecorder *recorder) {
   // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: Futaba's three points become 1100,
   // 1520 and 1940.
   const sbus::Range scale = options.range->range();
   const sbus::Range pulses = options.range->isMake() ? sbus::FrSky : scale;
-  Watch watch(source.name(), source.hasTimes(), input.settings(), scale, pulses, options.sensors->sensors());
+  MonitoredLine watch(source.name(), source.hasTimes(), input.settings(), scale, pulses, options.sensors->sensors());
   if (options.json) {
     write(source.json().line());
   }
@@ -182,8 +182,8 @@ void run(const SourceOption &source, const MonitorOptions &options) {
     return;
   }
   writeTo(options.record, File::New, [&](const Put &put) {
-    Recorder recorder("monitor " + source.name(), input->settings(), source.isFile() && source.isWire(),
-                      source.hasTimes(), source.startUs(), put);
+    LineRecorder recorder("monitor " + source.name(), input->settings(), source.isFile() && source.isWire(),
+                          source.hasTimes(), source.startUs(), put);
     show(source, *input, options, &recorder);
     std::fprintf(stderr, "%s: %s\n", options.record.c_str(), recorder.summary().c_str());
   });

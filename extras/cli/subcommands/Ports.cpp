@@ -6,11 +6,11 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "line/ports/LowLatency.h"
 #include "line/system/System.h"
 
@@ -74,8 +74,8 @@ Json json(sp_port *port) {
   int vendor = 0;
   int product = 0;
   if (sp_get_port_transport(port) == SP_TRANSPORT_USB && sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK) {
-    json.text("usb_vendor", format("%04x", static_cast<unsigned>(vendor)))
-        .text("usb_product", format("%04x", static_cast<unsigned>(product)))
+    json.text("usb_vendor", line::format("%04x", static_cast<unsigned>(vendor)))
+        .text("usb_product", line::format("%04x", static_cast<unsigned>(product)))
         .text("serial_number", textOf(sp_get_port_usb_serial(port)))
         .text("known_as", known(port));
   }

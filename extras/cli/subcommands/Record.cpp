@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "cli/Format.h"
+#include "cli/LineRecorder.h"
 #include "cli/Output.h"
-#include "cli/Recorder.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -17,8 +17,8 @@ namespace {
 void run(const SourceOption &source, const std::string &name) {
   const std::unique_ptr<Input> input = source.open();
   writeTo(name, File::New, [&](const Put &put) {
-    Recorder recorder("record " + source.name(), input->settings(), source.isFile() && source.isWire(),
-                      source.hasTimes(), source.startUs(), put);
+    LineRecorder recorder("record " + source.name(), input->settings(), source.isFile() && source.isWire(),
+                          source.hasTimes(), source.startUs(), put);
     std::fprintf(stderr, "%s: recording; Ctrl-C ends it\n", name.c_str());
     SilenceNote silence(source.name(), "frames", source.isFile());
     uint64_t endUs = 0;
@@ -34,7 +34,7 @@ void run(const SourceOption &source, const std::string &name) {
           silence.tick(nowUs, recorder.knows());
         });
     recorder.finish();
-    const std::string time = source.hasTimes() ? format("%.1f s, ", static_cast<double>(endUs) / 1e6) : "";
+    const std::string time = source.hasTimes() ? line::format("%.1f s, ", static_cast<double>(endUs) / 1e6) : "";
     std::fprintf(stderr, "%s: %s%s\n", name.c_str(), time.c_str(), recorder.summary().c_str());
   });
 }

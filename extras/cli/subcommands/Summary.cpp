@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "line/report/HtmlReport.h"
 
 namespace tool {
@@ -40,15 +40,17 @@ constexpr Listed AllListed[] = {{line::FlagSpan::Kind::Failsafe, "failsafe", "fa
 
 std::string text(const char *name, const std::vector<line::FlagSpan> &spans) {
   if (spans.empty()) {
-    return format("%-12s none\n", name);
+    return line::format("%-12s none\n", name);
   }
   std::vector<line::FlagSpan> shown = longest(spans, ShownMost);
   std::sort(shown.begin(), shown.end(),
             [](const line::FlagSpan &a, const line::FlagSpan &b) { return a.fromUs < b.fromUs; });
-  std::string text = format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
-                            seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
+  std::string text =
+      line::format("%-12s %zu %s, %.3f s in all%s\n", name, spans.size(), spans.size() == 1 ? "time" : "times",
+                   seconds(sumUs(spans)), shown.size() < spans.size() ? "; the longest are" : "");
   for (const line::FlagSpan &span : shown) {
-    text += format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
+    text +=
+        line::format("%14.3f s to %10.3f s %10.3f s\n", seconds(span.fromUs), seconds(span.toUs), seconds(span.us()));
   }
   return text;
 }
@@ -62,7 +64,8 @@ std::string json(const char *type, const std::vector<line::FlagSpan> &spans) {
 }
 
 std::string textOf(const line::FlightLog &flight) {
-  std::string text = format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs()), seconds(flight.lastUs()));
+  std::string text =
+      line::format("%-12s %.3f s to %.3f s\n", "frames", seconds(flight.firstUs()), seconds(flight.lastUs()));
   for (const Listed &each : AllListed) {
     const std::vector<line::FlagSpan> all = flight.spans(each.kind);
     text += all.empty() && each.kind == line::FlagSpan::Kind::Late ? "" : tool::text(each.name, all);
@@ -73,7 +76,7 @@ std::string textOf(const line::FlightLog &flight) {
   }
   text += "intervals from the end of a frame to the end of the next, in ms\n";
   for (const auto &[ms, count] : flight.intervals()) {
-    text += format("%12llu %9lu  ", static_cast<unsigned long long>(ms), count) +
+    text += line::format("%12llu %9lu  ", static_cast<unsigned long long>(ms), count) +
             std::string((count * BarMost + most - 1) / most, '#') + '\n';
   }
   return text;
@@ -82,7 +85,7 @@ std::string textOf(const line::FlightLog &flight) {
 std::string text(const line::FlightLog &flight, const std::string &name, bool hasTimes) {
   const sbus::Counters counters = flight.observer().counters();
   return name + ": " + flight.variant() + ", " +
-         format(
+         line::format(
              "%lu frames, %lu with the lost-frame flag, %lu in failsafe; %lu discarded bytes, %lu character errors\n",
              static_cast<unsigned long>(counters.frames), static_cast<unsigned long>(counters.lostFrames),
              static_cast<unsigned long>(counters.failsafeFrames), flight.observer().discardedBytes(),

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
 #include "cli/options/SensorOption.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
+#include "line/Format.h"
 #include "line/Observer.h"
 #include "line/capture/Text.h"
 #include "line/telemetry/Readings.h"
@@ -62,8 +62,8 @@ class TelemetryView {
         writeJson(slot, quantity == shown.end() ? nullptr : &quantity->second);
         continue;
       }
-      write((_hasTimes ? format("%.6f", static_cast<double>(slot.endUs) / 1e6) : "-") +
-            format(",%u,%u,%u,", slot.number, slot.data.data0, slot.data.data1) +
+      write((_hasTimes ? line::format("%.6f", static_cast<double>(slot.endUs) / 1e6) : "-") +
+            line::format(",%u,%u,%u,", slot.number, slot.data.data0, slot.data.data1) +
             (quantity == shown.end()
                  ? ",,"
                  : quantity->second.name + (',' + quantity->second.value) + ',' + quantity->second.unit) +

@@ -5,7 +5,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/Output.h"
 #include "cli/SilenceNote.h"
@@ -15,6 +14,7 @@
 #include "cli/subcommands/Subcommands.h"
 #include "cli/watch/FlightRecorder.h"
 #include "line/Condition.h"
+#include "line/Format.h"
 #include "line/recording/WallTime.h"
 
 namespace tool {
@@ -46,7 +46,7 @@ const char *nameOf(RecordedEvent::Kind kind) {
 }
 
 std::string text(const RecordedEvent &event) {
-  return format("%12.3f s %-9s ", static_cast<double>(event.us) / 1e6, nameOf(event.kind)) + event.file +
+  return line::format("%12.3f s %-9s ", static_cast<double>(event.us) / 1e6, nameOf(event.kind)) + event.file +
          (event.summary.empty() ? "" : ": " + event.summary) + '\n';
 }
 

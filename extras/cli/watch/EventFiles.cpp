@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/Format.h"
+#include "line/Format.h"
 #include "line/recording/WallTime.h"
 
 namespace tool {
@@ -56,7 +56,7 @@ std::string EventFiles::next(std::optional<int64_t> beginUs) {
   }
   std::string date = beginUs ? "-" + line::wallTime(*beginUs).substr(0, 19) + "Z" : "";
   std::replace(date.begin(), date.end(), ':', '-');
-  return format("%s/sbus-%06lu", _folder.c_str(), number) + date + ".txt";
+  return line::format("%s/sbus-%06lu", _folder.c_str(), number) + date + ".txt";
 }
 
 }  // namespace tool

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/Recorder.h"
+#include "cli/LineRecorder.h"
 #include "cli/watch/EventFiles.h"
 #include "line/recording/RecordingFile.h"
 
@@ -67,7 +67,7 @@ class FlightRecorder {
     uint64_t firstUs = 0;
     line::LineFile file;
     const Put put;
-    Recorder recorder;
+    LineRecorder recorder;
   };
 
   void forget(uint64_t us);

@@ -148,7 +148,7 @@ Uart Serial1(1);
 Uart Serial2(2);
 Uart Serial3(3);
 
-host::Port &Uart::port() const {
+host::BoardPort &Uart::port() const {
   return Board::instance().port(_number);
 }
 

@@ -1,5 +1,5 @@
 // Uart: the board's serial ports. The program around the sketch decides what a port receives, and where its bytes go
-// (board/Port.h).
+// (board/BoardPort.h).
 #pragma once
 
 #if !defined(HOST_PLAIN_CORE)
@@ -15,7 +15,7 @@
 #endif
 
 namespace host {
-class Port;
+class BoardPort;
 }
 
 class Uart : public HardwareSerial {
@@ -55,7 +55,7 @@ class Uart : public HardwareSerial {
 #endif
 
  private:
-  host::Port &port() const;
+  host::BoardPort &port() const;
 
   const int _number;
 };

@@ -38,7 +38,7 @@ void Board::spend(uint64_t us) {
     // Callbacks come when they are due.
     const uint64_t nowUs = _clock.nowUs();
     uint64_t nextUs = std::min(nowUs + StepUs, _pulsePins.nextUs());
-    for (Port &port : _ports) {
+    for (BoardPort &port : _ports) {
       nextUs = port.isUsed() ? std::min(nextUs, port.nextUs(nowUs)) : nextUs;
     }
     const uint64_t now = std::min(left, std::max(nextUs, nowUs + 1) - nowUs);
@@ -56,7 +56,7 @@ void Board::step(uint64_t us) {
       share(number);  // a packet may follow the one that has been sent
     }
   }
-  for (Port &port : _ports) {
+  for (BoardPort &port : _ports) {
     if (port.isUsed()) {
       port.receive(_clock.nowUs());
     }
@@ -66,7 +66,7 @@ void Board::step(uint64_t us) {
   if (_interruptsEnabled && !_inCallback) {
     _inCallback = true;
     _pulsePins.callBack();
-    for (Port &port : _ports) {
+    for (BoardPort &port : _ports) {
       port.callBack();
     }
     _inCallback = false;

@@ -5,11 +5,11 @@
 #include <functional>
 #include <utility>
 
+#include "BoardPort.h"
 #include "Clock.h"
 #include "Eeprom.h"
 #include "JumperWire.h"
 #include "Pins.h"
-#include "Port.h"
 #include "PulsePins.h"
 #include "SketchInput.h"
 #include "SketchOutput.h"
@@ -27,7 +27,7 @@ class Board {
   void setClock(const Clock &clock) { _clock = clock; }
   const Clock &clock() const { return _clock; }
 
-  Port &port(int number) { return _ports[number - 1]; }  // 1..3
+  BoardPort &port(int number) { return _ports[number - 1]; }  // 1..3
   SketchOutput &output() { return _output; }
   SketchInput &input() { return _input; }
   Eeprom &eeprom() { return _eeprom; }
@@ -63,7 +63,7 @@ class Board {
   void send(int number);
 
   Clock _clock;
-  Port _ports[PortCount];
+  BoardPort _ports[PortCount];
   std::deque<Jumper> _jumpers;
   SketchOutput _output;
   SketchInput _input;

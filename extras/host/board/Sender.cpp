@@ -23,21 +23,22 @@ Sender::Sender() : _transmitter(Places, PacketSize) {
 void Sender::record(std::unique_ptr<line::RecordingFile> file) {
   _file = std::move(file);
   if (_transmitter.isOpen()) {
-    _file->opened(_sending->settings.tx);  // a constructor of the sketch has opened it before main()
+    _file->opened(_transmission->settings.tx);  // a constructor of the sketch has opened it before main()
   }
 }
 
 void Sender::open(uint64_t nowUs, const PortSettings &settings) {
   _transmitter.open(settings.tx.characterNs());
   _dataMask = static_cast<uint8_t>((1u << settings.tx.format.dataBits) - 1);
-  const auto same = std::find_if(_sendings.begin(), _sendings.end(),
-                                 [&settings](const Sending &sending) { return sending.settings == settings; });
-  if (same == _sendings.end()) {
-    _sending = &_sendings.emplace_back();
-    _sending->settings = settings;
-    _sending->observer.reset(nowUs, settings.tx.characterUs());
+  const auto same =
+      std::find_if(_transmissions.begin(), _transmissions.end(),
+                   [&settings](const Transmission &transmission) { return transmission.settings == settings; });
+  if (same == _transmissions.end()) {
+    _transmission = &_transmissions.emplace_back();
+    _transmission->settings = settings;
+    _transmission->observer.reset(nowUs, settings.tx.characterUs());
   } else {
-    _sending = &*same;
+    _transmission = &*same;
   }
   if (_file) {
     _file->opened(settings.tx);
@@ -55,7 +56,7 @@ bool Sender::next(uint64_t nowUs, line::Character &character) {
     return false;
   }
   character.value &= _dataMask;
-  _sending->observer.put(character);
+  _transmission->observer.put(character);
   if (_file) {
     _file->put(character);
   }

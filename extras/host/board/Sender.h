@@ -13,7 +13,7 @@
 namespace host {
 
 // What was sent while the port had certain settings.
-struct Sending {
+struct Transmission {
   PortSettings settings;
   line::Observer observer;
 };
@@ -37,14 +37,14 @@ class Sender {
   BoardTransmitter &transmitter() { return _transmitter; }
 
   // For the report.
-  std::deque<Sending> &sendings() { return _sendings; }          // one for each of the settings used
+  std::deque<Transmission> &transmissions() { return _transmissions; }  // one for each of the settings used
   std::string finish() { return _file ? _file->finish() : ""; }  // what has gone wrong with the file, or nothing
 
  private:
   BoardTransmitter _transmitter;
   uint8_t _dataMask = 0xFF;  // the bits of a byte that are sent
-  std::deque<Sending> _sendings;
-  Sending *_sending = nullptr;  // the one with the current settings
+  std::deque<Transmission> _transmissions;
+  Transmission *_transmission = nullptr;  // the one with the current settings
   std::unique_ptr<line::RecordingFile> _file;
 };
 

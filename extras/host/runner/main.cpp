@@ -16,7 +16,7 @@
 
 #include "MakeLine.h"
 #include "Options.h"
-#include "Report.h"
+#include "RunReport.h"
 #include "Uart.h"
 #include "UsbSerial.h"
 #include "board/Board.h"

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "line/Source.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 
 avr::Numbers framesAndChannels(const avr::SeenFrame &frame) {
   avr::Numbers numbers = avr::counters(frame);
@@ -30,7 +30,7 @@ TEST_CASE(
     CAPTURE(std::string(model.name));
     avr::Line line;
     line.source = line::Source().open();
-    const Board board(model, "Background", std::move(line), 17.5);
+    const AvrBoard board(model, "Background", std::move(line), 17.5);
     const avr::Expected expected(board.characters());
     REQUIRE(board.printed().size() > 200);
     const avr::Numbers spins = avr::numbersIn(board.printed().back().text);

@@ -4,13 +4,13 @@
 #include <regex>
 #include <string>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "line/Source.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 
 constexpr unsigned BusySeconds = 12;  // 60 for ten thousand answers
 
@@ -24,7 +24,7 @@ avr::Line bus() {
 }
 
 // An answer that is wrong in any way makes the report longer.
-unsigned long answers(const Board &board) {
+unsigned long answers(const AvrBoard &board) {
   const std::string report = board.report();
   MESSAGE(report);
   std::smatch right;
@@ -37,7 +37,7 @@ unsigned long answers(const Board &board) {
 TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
   for (const avr::Model &model : {avr::Mega, avr::Leonardo}) {
     CAPTURE(std::string(model.name));
-    const Board board(model, "Sensor", bus(), 12);
+    const AvrBoard board(model, "Sensor", bus(), 12);
     CHECK(answers(board) >= 12000 / 60 * 5 * 9 / 10);
     CHECK(board.sent().size() / 3 <= answers(board) + 1);  // the last one may be under way
     REQUIRE(board.printed().size() == 11);
@@ -48,7 +48,7 @@ TEST_CASE("Sensor answers on an S.BUS2 line, in its slots") {
 
 TEST_CASE(
     "while loop() writes a sensor for 3 ms, eleven slots are answered, and no frame is lost; end() restores timer 2") {
-  const Board board(avr::Mega, "Busy", bus(), BusySeconds);
+  const AvrBoard board(avr::Mega, "Busy", bus(), BusySeconds);
   CHECK(answers(board) >= BusySeconds * 1000 / 60 * 11 * 9 / 10);
   CHECK(board.mistakes() == "");
   const avr::Numbers last = avr::numbersIn(board.printed().back().text);

@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "line/Source.h"
 #include "sbus/Scaling.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 using avr::Expected;
 using avr::Numbers;
 using avr::Pulse;
 
-constexpr size_t PpmPin = Board::OC1A;
+constexpr size_t PpmPin = AvrBoard::OC1A;
 constexpr double LeastSync = 4500;  // us
 // libsimavr moves an edge to the end of the instruction that it falls into, of up to 5 cycles.
 constexpr double Instruction = 0.32;  // us
@@ -95,7 +95,7 @@ struct SentFrame {
   bool failsafe, lostFrame;
 };
 
-std::vector<SentFrame> framesOf(const Board &board) {
+std::vector<SentFrame> framesOf(const AvrBoard &board) {
   std::vector<SentFrame> frames;
   const std::vector<avr::Sent> &sent = board.sent();
   for (size_t first = 0; first + 25 <= sent.size(); first += 25) {
@@ -145,7 +145,7 @@ TEST_CASE("PpmOut: each frame has the newest channels, to 0.5 us, every 22.5 ms;
         Run{avr::Mega, "cut", 2000000, 3, 80, 2.13e6, 3e6}, Run{avr::Leonardo, "cut", 2000000, 3, 80, 2.13e6, 3e6}}) {
     CAPTURE(std::string(run.model.name));
     CAPTURE(run.name);
-    const Board board(run.model, "PpmOut", flight(run.cutUs), run.seconds);
+    const AvrBoard board(run.model, "PpmOut", flight(run.cutUs), run.seconds);
     const Expected expected(board.characters());
     const std::vector<Pulse> &pulses = board.pulses(PpmPin);
     std::string wrong;
@@ -187,7 +187,7 @@ TEST_CASE("PwmIn: each pulse of an old receiver is sent as S.Bus, as exactly as 
     CAPTURE(atOnce);
     OldReceiver receiver;
     receiver.fly(100000, 10000000, atOnce);
-    const Board board(avr::Mega, "PwmIn", receiver.line(), 10);
+    const AvrBoard board(avr::Mega, "PwmIn", receiver.line(), 10);
     const std::vector<SentFrame> frames = framesOf(board);
     CHECK(frames.size() >= 1090);
     std::vector<double> offs;
@@ -219,7 +219,7 @@ TEST_CASE("PwmIn: a channel without pulses has the lost-frame flag after 60 ms, 
   receiver.fly(2000000, 4000000, false, 1);
   const double againUs = 4000000;
   receiver.fly(againUs, 5000000, false);
-  const Board board(avr::Mega, "PwmIn", receiver.line(), 5);
+  const AvrBoard board(avr::Mega, "PwmIn", receiver.line(), 5);
   for (const SentFrame &frame : framesOf(board)) {
     CAPTURE(frame.us);
     const double age = frame.us > againUs + 10000 ? 0 : frame.us - lastUs;
@@ -237,7 +237,7 @@ TEST_CASE("PwmIn: spikes of 0.5 to 60 us in a fifth of the pulses change no chan
   OldReceiver receiver;
   receiver.fly(100000, 10000000, false);
   receiver.disturb(20);
-  const Board board(avr::Mega, "PwmIn", receiver.line(), 10);
+  const AvrBoard board(avr::Mega, "PwmIn", receiver.line(), 10);
   double most = 0;
   size_t lost = 0;
   const std::vector<SentFrame> frames = framesOf(board);

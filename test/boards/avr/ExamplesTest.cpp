@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "Lines.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 using avr::Expected;
 using avr::Leonardo;
 using avr::Line;
@@ -32,7 +32,7 @@ constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
 
 // Checks all that it prints.
-std::string textOf(const Board &board) {
+std::string textOf(const AvrBoard &board) {
   std::string text;
   for (const Printed &line : board.printed()) {
     text += line.text + "\n";
@@ -41,7 +41,7 @@ std::string textOf(const Board &board) {
 }
 
 // Checks all that it prints, except what Counters prints about SBusFrameOk().
-std::vector<Printed> rowsOf(const Board &board) {
+std::vector<Printed> rowsOf(const AvrBoard &board) {
   std::vector<Printed> rows;
   std::copy_if(board.printed().begin(), board.printed().end(), std::back_inserter(rows),
                [](const Printed &line) { return line.text.rfind("ok,", 0) != 0; });
@@ -143,7 +143,7 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
     CAPTURE(std::string(run.model.name));
     CAPTURE(run.sketch);
     CAPTURE(run.line);
-    const Board board(run.model, run.sketch, lineOf(run.line), run.seconds);
+    const AvrBoard board(run.model, run.sketch, lineOf(run.line), run.seconds);
     const Expected expected(board.characters());
     const std::vector<Printed> rows = rowsOf(board);
     CHECK(wrongRow(expected, rows, run.rule) == "");
@@ -167,7 +167,7 @@ TEST_CASE("a character with a parity error is lost, and one frame with it: 24 by
     CAPTURE(character);
     Line line = lineOf("flight");
     line.bad = character;
-    const Board board(run.first, "Counters", std::move(line), 1.1);
+    const AvrBoard board(run.first, "Counters", std::move(line), 1.1);
     const std::vector<Printed> rows = rowsOf(board);
     REQUIRE(rows.size() == 1);
     CHECK(wrongRow(Expected(board.characters()), rows, avr::counters) == "");
@@ -181,7 +181,7 @@ TEST_CASE(
     "SBusFrameOk() is false 100 ms after the line went silent, less what a port may have held back and a loop()") {
   for (const Model &model : {Mega, Leonardo}) {
     CAPTURE(std::string(model.name));
-    const Board board(model, "Counters", lineOf("cut"), 3);
+    const AvrBoard board(model, "Counters", lineOf("cut"), 3);
     std::vector<double> changes;
     for (const Printed &line : board.printed()) {
       if (line.text.rfind("ok,", 0) == 0) {
@@ -207,7 +207,7 @@ TEST_CASE("Loopback says once a second whether its frames come back") {
     const bool passes = run.first == "wire";
     for (const Model &model : {Mega, Leonardo}) {
       CAPTURE(std::string(model.name));
-      const Board board(model, "Loopback", lineOf(run.first), passes ? 2 : 1);
+      const AvrBoard board(model, "Loopback", lineOf(run.first), passes ? 2 : 1);
       CHECK(textOf(board) == (passes ? run.second + run.second : run.second));
       CHECK(board.mistakes() == "");
     }
@@ -248,14 +248,14 @@ TEST_CASE("Diagnose prints what came with each setting, and what to do") {
     const std::regex period("[0-9]+ us");  // it depends on the polls
     for (const Model &model : {Mega, Leonardo}) {
       CAPTURE(std::string(model.name));
-      const std::string text = textOf(Board(model, "Diagnose", lineOf(run.first), 1.2));
+      const std::string text = textOf(AvrBoard(model, "Diagnose", lineOf(run.first), 1.2));
       CHECK(std::regex_replace(text, period, "some us") == run.second);
     }
   }
 }
 
 TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the radio is off") {
-  const Board board(Mega, "Diagnose", lineOf("flight"), 15);
+  const AvrBoard board(Mega, "Diagnose", lineOf("flight"), 15);
   const Expected expected(board.characters());
   size_t trials = 0;
   std::string words;
@@ -286,7 +286,7 @@ TEST_CASE("Diagnose counts the frames of each trial, and finds failsafe when the
 
 TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses them for what it prints") {
   const std::string move = "1. Move all sticks, sliders and switches to all their ends.\n";
-  const Board first(Mega, "Calibrate", lineOf("calibration"), 29);
+  const AvrBoard first(Mega, "Calibrate", lineOf("calibration"), 29);
   std::vector<Printed> rows = first.printed();
   const std::string ok = "  CH1 ok 172..1811,  CH2 ok 172..1811,  CH3 ok 172..1811,  CH4 ok 172..1811\n";
   const std::string text = textOf(first);
@@ -313,12 +313,12 @@ TEST_CASE("Calibrate finds the sticks' ends and centres, stores them, and uses t
   CHECK(eeprom.begin() + sizeof stored + std::count(eeprom.begin() + sizeof stored, eeprom.end(), 0xFF) ==
         eeprom.end());
 
-  const Board again(Mega, "Calibrate", lineOf("paper"), 1, eeprom);  // prints numbers at once
+  const AvrBoard again(Mega, "Calibrate", lineOf("paper"), 1, eeprom);  // prints numbers at once
   CHECK(wrongRow(Expected(again.characters()), again.printed(), avr::calibrated(stored)) == "");
   CHECK(again.printed().size() >= 2);
   CHECK(again.eeprom() == eeprom);
 
   std::vector<uint8_t> changed = eeprom;
   changed[50] = 1;  // of CH7, was 0: begins again
-  CHECK(textOf(Board(Mega, "Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
+  CHECK(textOf(AvrBoard(Mega, "Calibrate", lineOf("calibration"), 1, changed)).rfind(move, 0) == 0);
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "sbus/Calibration.h"
 #include "support/BitByBit.h"
 

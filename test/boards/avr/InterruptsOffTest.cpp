@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "support/BitByBit.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 
 // Frames in which all channels are equal, every 9 ms. No two of a second have the same.
 class EqualChannels : public line::Line {
@@ -45,7 +45,7 @@ TEST_CASE("interrupts off for 9.3 to 9.56 ms, a period and three characters, joi
     CAPTURE(std::string(model.name));
     avr::Line line;
     line.source = std::make_unique<EqualChannels>();
-    const Board board(model, "InterruptsOff", std::move(line), 52);
+    const AvrBoard board(model, "InterruptsOff", std::move(line), 52);
     const avr::Numbers last = avr::numbersIn(board.printed().back().text);
     MESSAGE(std::string(model.name), ": stops, frames, wrong: ", board.printed().back().text);
     REQUIRE(last.size() == 3);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "line/Source.h"
 
 namespace avr {

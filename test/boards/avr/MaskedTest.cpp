@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "line/simulation/SimulatedBus.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 
 constexpr double Seconds = 12;
 
@@ -50,8 +50,8 @@ TEST_CASE("interrupts disabled at random, and frames that come early: answers ar
     line.source = std::move(source);
     line.isShared = true;
     const auto low = [](unsigned number) { return static_cast<uint8_t>(number); };
-    const Board board(avr::Mega, "Masked", std::move(line), Seconds,
-                      {low(run.longestUs), low(run.longestUs >> 8), low(run.apartUs), low(run.apartUs >> 8)});
+    const AvrBoard board(avr::Mega, "Masked", std::move(line), Seconds,
+                         {low(run.longestUs), low(run.longestUs >> 8), low(run.apartUs), low(run.apartUs >> 8)});
     MESSAGE(run.longestUs, " us masked, ", run.apartUs, " us apart, ",
             std::string(run.isUnsteady ? "unsteady: " : "steady: "), bus.judge().text(), "; at most ",
             bus.judge().mostOffUs(), "; ", board.printed().back().text);

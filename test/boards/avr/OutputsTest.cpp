@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "Board.h"
+#include "AvrBoard.h"
 #include "Expected.h"
 #include "Lines.h"
 #include "sbus/Scaling.h"
 
 namespace {
 
-using avr::Board;
+using avr::AvrBoard;
 using avr::Expected;
 using avr::Leonardo;
 using avr::lineOf;
@@ -44,8 +44,8 @@ TEST_CASE("Led blinks slowly before the first frame, follows CH5 in flight, and 
     for (const Run &run : runs) {
       CAPTURE(std::string(model.name));
       CAPTURE(run.line);
-      const Board board(model, "Led", lineOf(run.line), run.seconds);
-      const std::vector<avr::Pulse> &pulses = board.pulses(Board::Led);
+      const AvrBoard board(model, "Led", lineOf(run.line), run.seconds);
+      const std::vector<avr::Pulse> &pulses = board.pulses(AvrBoard::Led);
       size_t next = 0;
       for (const Blink &blink : run.blinks) {
         for (size_t i = 0; i < blink.count; i++, next++) {
@@ -77,7 +77,7 @@ TEST_CASE("Joystick sends each change of the sticks over a Leonardo's USB") {
     numbers[8] = buttons;
     return numbers;
   };
-  const Board board(Leonardo, "Joystick", lineOf("flight"), 13);
+  const AvrBoard board(Leonardo, "Joystick", lineOf("flight"), 13);
   const Expected expected(board.characters());
   std::string wrong;
   for (const avr::Report &report : board.reports()) {

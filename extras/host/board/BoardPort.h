@@ -24,7 +24,7 @@ struct Reception {
   unsigned long bad = 0;  // a wrong parity or stop bit, as the port saw it
 };
 
-class Port {
+class BoardPort {
  public:
   void attach(line::Line &line, const line::LineSettings &wire);
 

@@ -1,4 +1,4 @@
-#include "Report.h"
+#include "RunReport.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -36,7 +36,7 @@ void reportReception(const Reception &reception, int number) {
 }
 
 // Prints why the port did not receive all characters.
-void reportLosses(const Port &port, int number) {
+void reportLosses(const BoardPort &port, int number) {
   if (port.missedClosed() > 0) {
     std::fprintf(stderr, "Serial%d was closed while %lu characters came\n", number, port.missedClosed());
   }
@@ -49,7 +49,7 @@ void reportLosses(const Port &port, int number) {
 
 // Reports the port with the line.
 void reportLine(Board &board, int on) {
-  Port &port = board.port(on);
+  BoardPort &port = board.port(on);
   if (port.everOpened()) {
     for (const Reception &reception : port.receptions()) {
       reportReception(reception, on);
@@ -67,7 +67,7 @@ void reportLine(Board &board, int on) {
 
 // Reports a port that hears another one.
 void reportWire(Board &board, const WireOption &wire) {
-  const Port &port = board.port(wire.to);
+  const BoardPort &port = board.port(wire.to);
   const bool any = std::any_of(port.receptions().begin(), port.receptions().end(),
                                [](const Reception &reception) { return reception.sent > 0; });
   if (!any) {
@@ -85,14 +85,14 @@ void reportWire(Board &board, const WireOption &wire) {
 // Reports a port that has sent something, or that should have.
 void reportSender(Board &board, int number, bool recorded) {
   bool any = false;
-  for (Sending &sending : board.port(number).sender().sendings()) {
-    if (sending.observer.characters() == 0) {
+  for (Transmission &sent : board.port(number).sender().transmissions()) {
+    if (sent.observer.characters() == 0) {
       continue;
     }
     any = true;
-    std::fprintf(stderr, "Serial%d sent at %s: ", number, text(sending.settings.tx).c_str());
-    reportTraffic(sending.observer, board.clock().nowUs());
-    const unsigned long period = sending.observer.counters().period;
+    std::fprintf(stderr, "Serial%d sent at %s: ", number, text(sent.settings.tx).c_str());
+    reportTraffic(sent.observer, board.clock().nowUs());
+    const unsigned long period = sent.observer.counters().period;
     if (period > 0) {
       std::fprintf(stderr, ", one every %lu us", period);
     }

@@ -15,12 +15,12 @@ namespace tool {
 
 // Holds the characters back until it is clear whether they are S.Bus or a sketch's rows. A copy of a recording is
 // always a recording with the same times, even if it holds rows.
-class Recorder {
+class LineRecorder {
  public:
   // Hands the text to `write`. The file's first comment is "sbus " and `title`. `isCopy`: of a recording. Without
   // `hasTimes` a comment says that the times are not the line's; with `startUs` another says when time 0 was.
-  Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
-           std::optional<int64_t> startUs, const Put &write);
+  LineRecorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
+               std::optional<int64_t> startUs, const Put &write);
 
   void put(const line::Character &character);
 

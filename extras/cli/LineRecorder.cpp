@@ -1,4 +1,4 @@
-#include "cli/Recorder.h"
+#include "cli/LineRecorder.h"
 
 namespace tool {
 
@@ -8,8 +8,8 @@ constexpr size_t TextMax = 4096;  // bytes of a text without rows
 
 }  // namespace
 
-Recorder::Recorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
-                   std::optional<int64_t> startUs, const Put &write)
+LineRecorder::LineRecorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
+                           std::optional<int64_t> startUs, const Put &write)
     : _title("sbus " + title), _settings(settings), _hasTimes(hasTimes), _startUs(startUs), _write(write) {
   _observer.reset(0, settings.characterUs());
   if (isCopy) {
@@ -17,7 +17,7 @@ Recorder::Recorder(const std::string &title, const line::LineSettings &settings,
   }
 }
 
-void Recorder::put(const line::Character &character) {
+void LineRecorder::put(const line::Character &character) {
   _lastEndUs = character.endUs;
   _observer.put(character);
   const bool line = _rows.put(character);
@@ -32,14 +32,14 @@ void Recorder::put(const line::Character &character) {
   flush();
 }
 
-void Recorder::idleUntil(uint64_t us) {
+void LineRecorder::idleUntil(uint64_t us) {
   if (us > _lastEndUs + 2 * uint64_t{_settings.characterUs()}) {
     _writer.finish();
     flush();
   }
 }
 
-void Recorder::finish() {
+void LineRecorder::finish() {
   if (_kind == Kind::Unknown && !_first.empty()) {
     begin(Kind::Characters);
   }
@@ -47,7 +47,7 @@ void Recorder::finish() {
   flush();
 }
 
-std::string Recorder::summary() {
+std::string LineRecorder::summary() {
   if (_kind == Kind::Rows) {
     return std::to_string(_rowCount) + " rows of CSV";
   }
@@ -57,7 +57,7 @@ std::string Recorder::summary() {
          " with errors), " + std::to_string(counters.frames) + " frames" + (_observer.has24() ? " of 24 channels" : "");
 }
 
-void Recorder::decide(const line::Character &character) {
+void LineRecorder::decide(const line::Character &character) {
   const bool text = !character.bad && (character.value == '\r' || character.value == '\n' ||
                                        (character.value >= ' ' && character.value <= '~'));
   if (_rows.recognised()) {
@@ -67,7 +67,7 @@ void Recorder::decide(const line::Character &character) {
   }
 }
 
-void Recorder::begin(Kind kind) {
+void LineRecorder::begin(Kind kind) {
   _kind = kind;
   if (kind == Kind::Characters) {
     _writer.comment(_title);
@@ -93,7 +93,7 @@ void Recorder::begin(Kind kind) {
 }
 
 // Leaves out a row whose beginning was not heard.
-void Recorder::writeRow(bool complete) {
+void LineRecorder::writeRow(bool complete) {
   if (complete && _rows.isRow() && _rows.row().size() == _columns) {
     std::string text;
     for (const line::CsvField &field : _rows.row()) {
@@ -104,7 +104,7 @@ void Recorder::writeRow(bool complete) {
   }
 }
 
-void Recorder::flush() {
+void LineRecorder::flush() {
   const std::string lines = _writer.take();
   if (!lines.empty()) {
     _write(lines);

@@ -1,12 +1,12 @@
-#include "cli/monitor/Watch.h"
+#include "cli/monitor/MonitoredLine.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "cli/Format.h"
 #include "cli/Json.h"
 #include "cli/options/CsvColumn.h"
+#include "line/Format.h"
 #include "sbus/Diagnosis.h"
 
 namespace tool {
@@ -21,31 +21,32 @@ constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
 constexpr size_t AllColumns = 18;          // examples/AllChannels
 
 std::string age(uint64_t us) {
-  return us < SecondUs        ? format("%4lu ms", static_cast<unsigned long>(us / 1000))
-         : us < 10 * SecondUs ? format("%5.1f s", static_cast<double>(us) / 1e6)
-                              : format("%5.0f s", static_cast<double>(us) / 1e6);
+  return us < SecondUs        ? line::format("%4lu ms", static_cast<unsigned long>(us / 1000))
+         : us < 10 * SecondUs ? line::format("%5.1f s", static_cast<double>(us) / 1e6)
+                              : line::format("%5.0f s", static_cast<double>(us) / 1e6);
 }
 
 std::string count(const char *name, uint64_t value) {
-  return format("%s %lu", name, static_cast<unsigned long>(value));
+  return line::format("%s %lu", name, static_cast<unsigned long>(value));
 }
 
 std::string gaps(const line::Extent &gaps) {
   const auto ms = [](uint64_t us) { return static_cast<double>(us) / 1000; };
-  return gaps.count == 0 ? "gap -"
-                         : format("gap min %.2f mean %.2f max %.2f ms", ms(gaps.low), ms(gaps.mean()), ms(gaps.high));
+  return gaps.count == 0
+             ? "gap -"
+             : line::format("gap min %.2f mean %.2f max %.2f ms", ms(gaps.low), ms(gaps.mean()), ms(gaps.high));
 }
 
 }  // namespace
 
-Watch::Watch(const std::string &source, bool hasTimes, const line::LineSettings &settings, const sbus::Range &range,
-             const sbus::Range &pulses, const line::SensorsBySlot &sensors)
+MonitoredLine::MonitoredLine(const std::string &source, bool hasTimes, const line::LineSettings &settings,
+                             const sbus::Range &range, const sbus::Range &pulses, const line::SensorsBySlot &sensors)
     : _source(source), _hasTimes(hasTimes), _settings(settings), _range(range), _pulses(pulses), _readings(sensors) {
   _observer.reset(0, settings.characterUs());
   _observer.listen([this](const line::Stretch &stretch) { take(stretch); });
 }
 
-void Watch::put(const line::Character &character) {
+void MonitoredLine::put(const line::Character &character) {
   _characterUs = character.endUs;
   _observer.put(character);
   if (_rows.put(character) && _rows.recognised()) {
@@ -54,13 +55,13 @@ void Watch::put(const line::Character &character) {
 }
 
 // The page has the name of the source above it.
-void Watch::news(const std::string &text, uint64_t nowUs) {
+void MonitoredLine::news(const std::string &text, uint64_t nowUs) {
   const std::string name = _source + ": ";
   _news = text.compare(0, name.size(), name) == 0 ? text.substr(name.size()) : text;
   _newsUs = nowUs;
 }
 
-void Watch::reset() {
+void MonitoredLine::reset() {
   _observer.resetMarks();
   _before = _observer.counters();
   _errorsBefore = _observer.characterErrors();
@@ -69,7 +70,7 @@ void Watch::reset() {
   _rowGaps = line::Extent();
 }
 
-void Watch::take(const line::Stretch &stretch) {
+void MonitoredLine::take(const line::Stretch &stretch) {
   _variant.take(stretch);
   _readings.put(_observer.telemetry().proved());
   if (stretch.isFrame()) {
@@ -77,7 +78,7 @@ void Watch::take(const line::Stretch &stretch) {
   }
 }
 
-bool Watch::rowIsRaw() const {
+bool MonitoredLine::rowIsRaw() const {
   const size_t columns = _row.size();
   return (columns == SketchColumns || columns == AllColumns || columns == sbus::ChannelCount24 || columns == 32) &&
          std::all_of(_row.begin(), _row.end(), [](const line::CsvField &field) {
@@ -85,7 +86,7 @@ bool Watch::rowIsRaw() const {
          });
 }
 
-void Watch::takeRow(uint64_t endUs) {
+void MonitoredLine::takeRow(uint64_t endUs) {
   if (_isCsv) {
     _rowGaps.add(endUs - _rowUs);
   }
@@ -102,7 +103,7 @@ void Watch::takeRow(uint64_t endUs) {
   }
 }
 
-MonitorView Watch::view(uint64_t nowUs) {
+MonitorView MonitoredLine::view(uint64_t nowUs) {
   MonitorView view;
   view.source = _source;
   view.range = _range;
@@ -128,7 +129,7 @@ MonitorView Watch::view(uint64_t nowUs) {
   return view;
 }
 
-std::string Watch::json(uint64_t nowUs) {
+std::string MonitoredLine::json(uint64_t nowUs) {
   if (_isCsv) {
     std::vector<double> values(_row.size());
     std::transform(_row.begin(), _row.end(), values.begin(), [](const line::CsvField &field) { return field.value; });
@@ -161,7 +162,7 @@ std::string Watch::json(uint64_t nowUs) {
       .line();
 }
 
-void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
+void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
   const std::string variant = _variant.text();
   view.kind = (variant.empty() ? "" : variant + ", ") + std::to_string(_settings.baud) + " baud";
@@ -184,14 +185,14 @@ void Watch::showFrames(MonitorView &view, uint64_t nowUs) {
   }
   view.indicators.push_back({"Frame lost", _observer.showsLostFrame(nowUs), Mood::Warn});
   view.indicators.push_back({"Failsafe", _observer.showsFailsafe(nowUs), Mood::Bad});
-  view.quality = format("quality %u %%", _observer.linkQuality(nowUs));
+  view.quality = line::format("quality %u %%", _observer.linkQuality(nowUs));
   view.groups = groups(nowUs, seen);
   if (_observer.telemetry().count() > 0) {
     view.sensors = telemetry(nowUs);
   }
 }
 
-MonitorView::Group Watch::telemetry(uint64_t nowUs) const {
+MonitorView::Group MonitoredLine::telemetry(uint64_t nowUs) const {
   const uint64_t sinceUs = nowUs - std::min(nowUs, line::Readings::FreshUs);
   MonitorView::Group group = {"Sensors", _readings.quantities(sinceUs)};
   const std::string slots = _readings.slots(sinceUs);
@@ -199,12 +200,12 @@ MonitorView::Group Watch::telemetry(uint64_t nowUs) const {
   return group;
 }
 
-std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
+std::vector<MonitorView::Group> MonitoredLine::groups(uint64_t nowUs, bool seen) const {
   const sbus::Counters &now = _observer.counters();
   return {
       {"Frames",
        {seen ? "newest" + age(_observer.ageUs(nowUs)) + " old" : "none yet",
-        _hasTimes ? format("%3u frames/s", _observer.perSecond(nowUs)) : "  - frames/s",
+        _hasTimes ? line::format("%3u frames/s", _observer.perSecond(nowUs)) : "  - frames/s",
         count("lost by radio", now.lostFrames - _before.lostFrames),
         count("failsafe", now.failsafeFrames - _before.failsafeFrames), count("total", now.frames - _before.frames)}},
       {"Line",
@@ -219,7 +220,7 @@ std::vector<MonitorView::Group> Watch::groups(uint64_t nowUs, bool seen) const {
   };
 }
 
-void Watch::showState(MonitorView &view, uint64_t nowUs) {
+void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
   const line::Values &values = _observer.newest();
   const bool bytesCome = _observer.characters() > 0 && nowUs < _characterUs + BytesUs;
   const sbus::LinkState state = _observer.heldState(nowUs);
@@ -251,13 +252,13 @@ void Watch::showState(MonitorView &view, uint64_t nowUs) {
       view.mood = Mood::Bad;
       view.old = true;
       view.banner =
-          "Stale: no frame for " + format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
+          "Stale: no frame for " + line::format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
           (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
       break;
   }
 }
 
-void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
+void MonitoredLine::showRows(MonitorView &view, uint64_t nowUs) const {
   const uint64_t ageUs = nowUs > _rowUs ? nowUs - _rowUs : 0;
   const bool sketch = _wasRaw && _row.size() == SketchColumns;
   const size_t channels = sketch                                 ? SketchColumns - 2
@@ -283,7 +284,7 @@ void Watch::showRows(MonitorView &view, uint64_t nowUs) const {
   view.state = stateName(view.old ? sbus::LinkState::Stale : sbus::LinkState::Ok);
   view.mood = view.old ? Mood::Bad : Mood::Good;
   if (view.old) {
-    view.banner = "Stale: no row for " + format("%.1f s", static_cast<double>(ageUs) / 1e6) +
+    view.banner = "Stale: no row for " + line::format("%.1f s", static_cast<double>(ageUs) / 1e6) +
                   ": a sketch prints none while the line is silent. The values are old.";
   } else if (sketch && _row[channels].value > 0) {
     view.state = stateName(sbus::LinkState::Failsafe);

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "SerialConfig.h"
-#include "board/Port.h"
+#include "board/BoardPort.h"
 #include "stm32l0_uart.h"
 
 namespace {
@@ -39,7 +39,7 @@ TEST_CASE(
   for (const auto &row : rows) {
     INFO(row.apartUs, " us from character to character");
     EvenLine line(20, row.apartUs);
-    host::Port port;
+    host::BoardPort port;
     port.attach(line, {});
     port.open(0, host::portSettings(100000, SERIAL_SBUS));
     for (uint64_t nowUs = 0; nowUs < 1000 + 3 * row.apartUs; nowUs += 10) {

@@ -12,14 +12,14 @@
 
 namespace tool {
 
-class Watch {
+class MonitoredLine {
  public:
   // `hasTimes`: the times are those of the line; otherwise it shows neither rates nor gaps. `range`, `pulses`: as
   // MonitorView's.
-  Watch(const std::string &source, bool hasTimes, const line::LineSettings &settings, const sbus::Range &range,
-        const sbus::Range &pulses, const line::SensorsBySlot &sensors);
-  Watch(const Watch &) = delete;  // its observer's listener leads into it
-  Watch &operator=(const Watch &) = delete;
+  MonitoredLine(const std::string &source, bool hasTimes, const line::LineSettings &settings, const sbus::Range &range,
+                const sbus::Range &pulses, const line::SensorsBySlot &sensors);
+  MonitoredLine(const MonitoredLine &) = delete;  // its observer's listener leads into it
+  MonitoredLine &operator=(const MonitoredLine &) = delete;
 
   void put(const line::Character &character);
   void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }

@@ -1,4 +1,4 @@
-#include "Receivers.h"
+#include "BenchReceivers.h"
 
 int MemorySerial::available() {
   static const uint8_t zeros[16] = {};

@@ -1,4 +1,4 @@
-#include "Board.h"
+#include "AvrBoard.h"
 
 #include <simavr/avr_eeprom.h>
 #include <simavr/avr_extint.h>
@@ -41,7 +41,8 @@ bool isSerial(const line::LineSettings &settings) {
 
 }  // namespace
 
-Board::Board(const Model &model, const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom)
+AvrBoard::AvrBoard(const Model &model, const std::string &sketch, Line line, double seconds,
+                   std::vector<uint8_t> eeprom)
     : _model(model), _avr(avr_make_mcu_by_name(model.chip)), _line(std::move(line)) {
   avr_global_logger_set([](avr_t *, int, const char *, va_list) {});
   avr_init(_avr);
@@ -91,11 +92,11 @@ Board::Board(const Model &model, const std::string &sketch, Line line, double se
   run(seconds);
 }
 
-Board::~Board() {
+AvrBoard::~AvrBoard() {
   avr_terminate(_avr);
 }
 
-void Board::load(const std::string &sketch) {
+void AvrBoard::load(const std::string &sketch) {
   const std::string file = std::string(ELVES "/") + _model.name + "/" + sketch + ".elf";
   elf_firmware_t firmware = {};
   if (elf_read_firmware(file.c_str(), &firmware) != 0 || firmware.flashsize == 0) {
@@ -107,7 +108,7 @@ void Board::load(const std::string &sketch) {
   _avr->frequency = CyclesPerUs * 1000000;
 }
 
-void Board::findUsarts() {
+void AvrBoard::findUsarts() {
   for (avr_io_t *io = _avr->io_port; io != nullptr; io = io->next) {
     if (std::strcmp(io->kind, "uart") == 0) {
       avr_uart_t *const usart = reinterpret_cast<avr_uart_t *>(io);  // its first member
@@ -118,15 +119,15 @@ void Board::findUsarts() {
   _usart = _usarts[_model.receiver];
 }
 
-avr_irq_t *Board::port(const Pin &pin) const {
+avr_irq_t *AvrBoard::port(const Pin &pin) const {
   return avr_io_getirq(_avr, AVR_IOCTL_IOPORT_GETIRQ(static_cast<uint32_t>(pin.port)), pin.bit);
 }
 
-avr_irq_t *Board::written(avr_io_addr_t address) const {
+avr_irq_t *AvrBoard::written(avr_io_addr_t address) const {
   return avr_iomem_getirq(_avr, address, nullptr, AVR_IOMEM_IRQ_ALL);
 }
 
-void Board::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
+void AvrBoard::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
   _callbacks.push_back(std::move(callback));
   const auto call = [](avr_irq_t *, uint32_t value, void *to) {
     (*static_cast<std::function<void(uint32_t)> *>(to))(value);
@@ -134,7 +135,7 @@ void Board::on(avr_irq_t *irq, std::function<void(uint32_t)> callback) {
   avr_irq_register_notify(irq, call, &_callbacks.back());
 }
 
-void Board::run(double seconds) {
+void AvrBoard::run(double seconds) {
   const auto end = static_cast<uint64_t>(seconds * 1e6);
   for (uint64_t us = 0; us < end; us = clockUs(_avr->cycle)) {
     const int state = avr_run(_avr);
@@ -144,24 +145,24 @@ void Board::run(double seconds) {
   }
 }
 
-uint64_t Board::clockUs(avr_cycle_count_t cycle) const {
+uint64_t AvrBoard::clockUs(avr_cycle_count_t cycle) const {
   return (cycle - _clockZero) / CyclesPerUs;
 }
 
-std::vector<uint8_t> Board::eeprom() const {
+std::vector<uint8_t> AvrBoard::eeprom() const {
   std::vector<uint8_t> bytes(_model.eepromBytes);
   avr_eeprom_desc_t description = {bytes.data(), 0, static_cast<uint32_t>(bytes.size())};
   avr_ioctl(_avr, AVR_IOCTL_EEPROM_GET, &description);
   return bytes;
 }
 
-size_t Board::unusedRam() const {
+size_t AvrBoard::unusedRam() const {
   const uint8_t *const end = _avr->data + _avr->ramend + 1, *const variablesEnd = _avr->data + _variablesEnd;
   return static_cast<size_t>(std::find_if(variablesEnd, end, [](uint8_t byte) { return byte != Untouched; }) -
                              variablesEnd);
 }
 
-std::string Board::mistakes() const {
+std::string AvrBoard::mistakes() const {
   std::string all;
   for (size_t number = 0; number < None; number++) {
     all += _mismatch[number].empty() ? "" : "USART" + std::to_string(number) + ": " + _mismatch[number] + "\n";
@@ -175,7 +176,7 @@ std::string Board::mistakes() const {
 }
 
 // Returns what the port's registers say.
-line::LineSettings Board::settings(size_t number) const {
+line::LineSettings AvrBoard::settings(size_t number) const {
   constexpr line::Parity Parities[] = {line::Parity::None, line::Parity::None, line::Parity::Even, line::Parity::Odd};
   const avr_uart_t &usart = *_usarts[number];
   const uint32_t divisor = 1u + _avr->data[usart.ubrrl.reg] + 256u * (_avr->data[usart.ubrrh.reg] & 0x0Fu);
@@ -192,7 +193,7 @@ line::LineSettings Board::settings(size_t number) const {
 // misses a stop bit that is set after the baud rate: we calculate the time of a character. Nor does it raise UDREn
 // before all has been sent (1.6, avr_uart.c, avr_uart_txc_raise()): its own timer never elapses, and shifted() does
 // that.
-void Board::control(size_t number, uint32_t value) {
+void AvrBoard::control(size_t number, uint32_t value) {
   avr_uart_t &usart = *_usarts[number];
   if ((value & TransmitterOn) != 0) {
     const line::LineSettings now = settings(number);
@@ -212,7 +213,7 @@ void Board::control(size_t number, uint32_t value) {
   }
 }
 
-void Board::open() {
+void AvrBoard::open() {
   const uint64_t us = clockUs(_avr->cycle);
   _settings = settings(_model.receiver);
   _sampler.open(us, _settings, {});
@@ -228,7 +229,7 @@ void Board::open() {
   _opened.push_back(us);
 }
 
-bool Board::next(line::Character &character) {
+bool AvrBoard::next(line::Character &character) {
   if (_line.source) {
     return _line.source->next(std::min(_line.cutUs, clockUs(_avr->cycle) + line::CharacterUs), character);
   }
@@ -240,8 +241,8 @@ bool Board::next(line::Character &character) {
   return true;
 }
 
-avr_cycle_count_t Board::characterThrough(avr_t *, avr_cycle_count_t when, void *board) {
-  Board &self = *static_cast<Board *>(board);
+avr_cycle_count_t AvrBoard::characterThrough(avr_t *, avr_cycle_count_t when, void *board) {
+  AvrBoard &self = *static_cast<AvrBoard *>(board);
   if (self._isComing) {
     self._next.bad = self._next.bad || self._characters.size() == self._line.bad;
     self._characters.push_back(self._next);
@@ -254,8 +255,8 @@ avr_cycle_count_t Board::characterThrough(avr_t *, avr_cycle_count_t when, void 
   return self._isComing ? std::max(self._clockZero + self._next.endUs * CyclesPerUs, when + 1) : poll;
 }
 
-avr_cycle_count_t Board::levelChanges(avr_t *, avr_cycle_count_t when, void *board) {
-  Board &self = *static_cast<Board *>(board);
+avr_cycle_count_t AvrBoard::levelChanges(avr_t *, avr_cycle_count_t when, void *board) {
+  AvrBoard &self = *static_cast<AvrBoard *>(board);
   const std::vector<Level> &levels = self._line.levels;
   const auto cycleOf = [](const Level &level) { return static_cast<avr_cycle_count_t>(level.us * CyclesPerUs); };
   while (self._nextLevel < levels.size() && cycleOf(levels[self._nextLevel]) <= when) {
@@ -265,7 +266,7 @@ avr_cycle_count_t Board::levelChanges(avr_t *, avr_cycle_count_t when, void *boa
   return self._nextLevel < levels.size() ? cycleOf(levels[self._nextLevel]) : 0;
 }
 
-void Board::receive(const line::Character &character) {
+void AvrBoard::receive(const line::Character &character) {
   if (!_isOpen) {
     return;
   }
@@ -284,7 +285,7 @@ void Board::receive(const line::Character &character) {
 }
 
 // RXC, and UPE of the oldest character: libsimavr has no parity, and its own times for received characters.
-void Board::showReceived() {
+void AvrBoard::showReceived() {
   avr_uart_t &usart = *_usart;
   avr_regbit_setto(_avr, usart.upe, !_received.empty() && _received.front().bad);
   if (_received.empty()) {
@@ -295,20 +296,20 @@ void Board::showReceived() {
   }
 }
 
-uint8_t Board::dataRead(avr_t *, avr_io_addr_t, void *board) {
-  std::deque<line::Character> &received = static_cast<Board *>(board)->_received;
+uint8_t AvrBoard::dataRead(avr_t *, avr_io_addr_t, void *board) {
+  std::deque<line::Character> &received = static_cast<AvrBoard *>(board)->_received;
   if (received.empty()) {
     return 0;
   }
   const uint8_t value = received.front().value;
   received.pop_front();
-  static_cast<Board *>(board)->showReceived();
+  static_cast<AvrBoard *>(board)->showReceived();
   return value;
 }
 
 // A character has been sent. UDR, if it holds another one, is empty then: UDREn, otherwise TXCn (ATmega2560 datasheet,
 // 22.6.3).
-avr_cycle_count_t Board::shifted(avr_t *avr, avr_cycle_count_t when, void *transmitter) {
+avr_cycle_count_t AvrBoard::shifted(avr_t *avr, avr_cycle_count_t when, void *transmitter) {
   Transmitter &self = *static_cast<Transmitter *>(transmitter);
   avr_raise_interrupt(avr, self.hasNext ? &self.usart->udrc : &self.usart->txc);
   self.isSending = self.hasNext;
@@ -317,7 +318,7 @@ avr_cycle_count_t Board::shifted(avr_t *avr, avr_cycle_count_t when, void *trans
 }
 
 // A character is written to UDR. It begins to leave the TX pin at once, or after the one before.
-void Board::send(size_t number, uint8_t byte) {
+void AvrBoard::send(size_t number, uint8_t byte) {
   const uint64_t us = clockUs(_avr->cycle);
   Transmitter &transmitter = _transmitters[number];
   if (transmitter.isSending) {
@@ -347,7 +348,7 @@ void Board::send(size_t number, uint8_t byte) {
   }
 }
 
-void Board::print(uint8_t byte) {
+void AvrBoard::print(uint8_t byte) {
   if (_row.text.empty()) {
     _row.us = clockUs(_avr->cycle);
   }
@@ -360,7 +361,7 @@ void Board::print(uint8_t byte) {
 }
 
 // Called whenever something is written to the port, be it to another pin.
-void Board::edge(size_t pin, bool high) {
+void AvrBoard::edge(size_t pin, bool high) {
   if (high && _rose[pin] == 0) {
     _rose[pin] = _avr->cycle;
   } else if (!high && _rose[pin] != 0) {

@@ -55,16 +55,16 @@ struct Pulse {
   double exactUs;  // when it begins
 };
 
-class Board {
+class AvrBoard {
  public:
   static constexpr size_t OC1A = 4, Led = 5;  // pins, beside 0..3
 
   // Runs the sketch of that board for `seconds`. The EEPROM begins with `eeprom`. Throws std::runtime_error if the
   // sketch has not been built, or crashes.
-  Board(const Model &model, const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom = {});
-  ~Board();
-  Board(const Board &) = delete;  // libsimavr has been given its address
-  Board &operator=(const Board &) = delete;
+  AvrBoard(const Model &model, const std::string &sketch, Line line, double seconds, std::vector<uint8_t> eeprom = {});
+  ~AvrBoard();
+  AvrBoard(const AvrBoard &) = delete;  // libsimavr has been given its address
+  AvrBoard &operator=(const AvrBoard &) = delete;
 
   const std::vector<line::Character> &characters() const { return _characters; }  // on the line
   const std::vector<uint64_t> &opened() const { return _opened; }                 // when the line's port was

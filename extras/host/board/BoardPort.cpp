@@ -1,10 +1,10 @@
-#include "Port.h"
+#include "BoardPort.h"
 
 #include <algorithm>
 
 namespace host {
 
-void Port::attach(line::Line &line, const line::LineSettings &wire) {
+void BoardPort::attach(line::Line &line, const line::LineSettings &wire) {
   _line = &line;
   _hasBegun = false;
   _wire = wire;
@@ -15,14 +15,14 @@ void Port::attach(line::Line &line, const line::LineSettings &wire) {
   }
 }
 
-void Port::rewire(uint64_t nowUs, const line::LineSettings &wire) {
+void BoardPort::rewire(uint64_t nowUs, const line::LineSettings &wire) {
   _wire = wire;
   if (_uart.isOpen()) {
     listen(nowUs);
   }
 }
 
-void Port::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, size_t size) {
+void BoardPort::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, size_t size) {
   _settings = settings;
   if (buffer == nullptr) {
     _uart.open(nowUs, settings.rx.characterUs());
@@ -44,13 +44,13 @@ void Port::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer, s
   _everOpened = true;
 }
 
-void Port::close() {
+void BoardPort::close() {
   _uart.close();
   _sender.close();
 }
 
 // Starts with the current settings of port and wire, and forgets what was on the wire before.
-void Port::listen(uint64_t nowUs) {
+void BoardPort::listen(uint64_t nowUs) {
   _agrees = mismatch(_settings.rx, _wire).empty();
   _sampler.open(nowUs, _settings.rx, _wire);
   const auto same = std::find_if(_receptions.begin(), _receptions.end(), [this](const Reception &reception) {
@@ -64,7 +64,7 @@ void Port::listen(uint64_t nowUs) {
   }
 }
 
-void Port::receive(uint64_t nowUs) {
+void BoardPort::receive(uint64_t nowUs) {
   while (hasBegun(nowUs) && _begun.endUs <= nowUs) {
     const line::Character character = _begun;
     _hasBegun = false;
@@ -95,31 +95,31 @@ void Port::receive(uint64_t nowUs) {
   _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
 }
 
-uint64_t Port::nextUs(uint64_t nowUs) {
+uint64_t BoardPort::nextUs(uint64_t nowUs) {
   const uint64_t idleUs = _uart.idleFromUs();
   const uint64_t endUs = hasBegun(nowUs) ? _begun.endUs : UINT64_MAX;
   return idleUs > nowUs ? std::min(idleUs, endUs) : endUs;
 }
 
 // Returns true if a character is on the wire at `nowUs`, or ended before and has not been taken.
-bool Port::hasBegun(uint64_t nowUs) {
+bool BoardPort::hasBegun(uint64_t nowUs) {
   _hasBegun = _hasBegun || (_line != nullptr && _line->next(nowUs + _wire.characterUs(), _begun));
   return _hasBegun;
 }
 
-void Port::take(const line::Character &character) {
+void BoardPort::take(const line::Character &character) {
   Reception &reception = _receptions[_reception];
   (character.bad ? reception.bad : reception.good)++;
   _uart.receive(character);
 }
 
-void Port::shareWire(const line::Character &character) {
+void BoardPort::shareWire(const line::Character &character) {
   if (_line != nullptr) {
     _line->hear(character);
   }
 }
 
-void Port::callBack() {
+void BoardPort::callBack() {
   // As on the board, an event without a callback is lost, and the next one comes only after a read.
   if (_uart.takeReceiveEvent() && _callback) {
     const std::function<void()> callback = _callback;  // it may set another one
