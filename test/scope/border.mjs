@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { check } from './support.mjs';
+import { build, check } from './support.mjs';
 
-const npm = path.join(process.env.SCOPE_BUILD ?? path.resolve(import.meta.dirname, '../../build/scope'), 'npm');
+const npm = path.join(build, 'npm');
 
 export default async function () {
   const folder = path.join(npm, 'mismatch');

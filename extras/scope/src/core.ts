@@ -65,11 +65,11 @@ export class Core {
   // The verdict.
 
   findingText(finding: Finding): string {
-    return this.memory.words(this.native.findingText(finding));
+    return this.memory.findingText(finding);
   }
 
   findingRemedy(finding: Finding): string {
-    return this.memory.words(this.native.findingRemedy(finding));
+    return this.memory.findingRemedy(finding);
   }
 
   isWell(finding: Finding): boolean {

@@ -1,6 +1,6 @@
 // WebAssembly's memory, as the page and its worker read it.
 
-import { Enough, Kind, RecordReader, type Status, StatusReader, type Exports, type Text, TransferSize } from './border';
+import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
 import type { Sample } from './faults';
 import type { Stretch } from './line';
 
@@ -20,6 +20,19 @@ export class Native {
       calls._initialize();
     }
     return new Native(calls);
+  }
+
+  // Opens a port; a board's carries text, 8N1.
+  openPort(nowUs: number, baud: number, board: boolean): void {
+    this.calls.openPort(nowUs, baud, Number(board));
+  }
+
+  received(bytes: Uint8Array, nowUs: number): void {
+    this.transfer(bytes, (count) => this.calls.received(count, nowUs));
+  }
+
+  receivedBad(nowUs: number): void {
+    this.calls.receivedBad(nowUs);
   }
 
   // Hands over all that has come by `nowUs`, as records. `feed` hands over a recording's next part.
@@ -61,6 +74,14 @@ export class Native {
 
   status(nowUs: number): Status {
     return new StatusReader(new DataView(this.calls.memory.buffer), this.calls.status(nowUs)).copy();
+  }
+
+  findingText(finding: Finding): string {
+    return this.words(this.calls.findingText(finding));
+  }
+
+  findingRemedy(finding: Finding): string {
+    return this.words(this.calls.findingRemedy(finding));
   }
 
   travel(channel: number): [number, number] | undefined {

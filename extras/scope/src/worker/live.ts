@@ -4,7 +4,7 @@
 import { RecordReader } from '../border';
 import type { Setting } from '../core';
 import type { Status } from '../line';
-import { LineCore } from './lineCore';
+import { imports, Native } from '../native';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from './messages';
 import { type FindPort, PortLine } from './port';
 import { Trials, type Tried } from './trials';
@@ -33,11 +33,11 @@ class SimulatedFeed implements Feed {
   private us = 0;
 
   constructor(
-    private readonly core: LineCore,
-    { simulation, port }: Extract<Opening, { kind: 'simulated' }>,
+    private readonly native: Native,
+    { simulation: { calibration, channels, noise, line }, port }: Extract<Opening, { kind: 'simulated' }>,
   ) {
-    core.openSimulated(simulation);
-    core.setPort(0, port);
+    native.calls.openSimulated(Number(calibration), channels, noise, line.baud, Number(line.inverted));
+    void this.use(port);
     const bauds = [port.baud, port.baud === 100000 ? 200000 : 100000];
     const ways = [port.inverted, !port.inverted];
     this.settings = ways.flatMap((inverted) => bauds.map((baud) => ({ baud, inverted })));
@@ -48,7 +48,7 @@ class SimulatedFeed implements Feed {
   }
 
   async use(setting: Setting): Promise<void> {
-    this.core.setPort(this.us, setting);
+    this.native.calls.setPort(this.us, setting.baud, Number(setting.inverted));
   }
 
   close(): void {}
@@ -62,12 +62,12 @@ class LiveLine {
   private readonly timer?: ReturnType<typeof setInterval>;
 
   constructor(
-    private readonly core: LineCore,
+    private readonly native: Native,
     private readonly feed: Feed,
     private readonly find: FindPort,
     private readonly out: Out,
   ) {
-    this.trials = new Trials(core, feed);
+    this.trials = new Trials(native, feed);
     out.onmessage = ({ data }: MessageEvent<Request>): void => this.hear(data);
     if (feed instanceof PortLine) {
       this.timer = setInterval(() => this.turn(0), turnMs);
@@ -76,7 +76,7 @@ class LiveLine {
   }
 
   private hear(request: Request): void {
-    const { native } = this.core;
+    const { native } = this;
     switch (request.kind) {
       case 'advance': {
         if (!this.timer) {
@@ -87,7 +87,7 @@ class LiveLine {
         break;
       }
       case 'use': void this.feed.use(request.setting); break;
-      case 'cutWire': this.core.cutWire(request.cut); break;
+      case 'cutWire': native.calls.cutWire(Number(request.cut)); break;
       case 'replugged': void this.find(request.place).then((port) => port && this.feed.replugged?.(port)); break;
       case 'watch': native.watchFor(request.steps); break;
       case 'resetMarks': native.calls.resetMarks(); break;
@@ -112,7 +112,7 @@ class LiveLine {
   // Takes all that has come. At a port only a timer calls it: from one call to the next, the browser hands over what has come
   // meanwhile, also after it was busy; a picture may be drawn before that.
   private turn(us: number): void {
-    const { native } = this.core;
+    const { native } = this;
     const nowUs = (this.us = this.feed.nowUs(us));
     native.records(nowUs, (records) => {
       this.records.push(records);
@@ -125,11 +125,11 @@ class LiveLine {
   }
 
   private status(us: number): Status {
-    return this.core.native.status(us);
+    return this.native.status(us);
   }
 
   private picture(id: number, us: number, status: Status): Picture {
-    const { native } = this.core;
+    const { native } = this;
     const { title, state, problem, isUnplugged, events } = this.feed;
     const { note, round } = this.trials;
     const records = this.records;
@@ -154,9 +154,9 @@ export async function serve({ wasm, opening }: Live, out: Out, find: FindPort): 
       out.postMessage({ kind: 'refused' } satisfies Answer);
       return;
     }
-    const core = await LineCore.load(wasm);
-    const feed = opening.kind === 'port' ? new PortLine(core, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(core, opening);
-    new LiveLine(core, feed, find, out);
+    const native = Native.of((await WebAssembly.instantiate(wasm as BufferSource, imports)).instance);
+    const feed = opening.kind === 'port' ? new PortLine(native, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(native, opening);
+    new LiveLine(native, feed, find, out);
   } catch (error) {
     out.postMessage({ kind: 'failed', error: (error as Error).message } satisfies Answer);
   }

@@ -1,10 +1,10 @@
 // A serial port, through Web Serial: an adapter that receives S.Bus itself, or a board that prints numbers.
 
 import type { Setting } from '../core';
+import type { Native } from '../native';
 import { idsOf } from '../source/device';
 import type { Problem } from '../source/Source';
 import { Connection, type State } from './connection';
-import type { LineCore } from './lineCore';
 import type { PortPlace } from './messages';
 
 const patienceMs = 3000; // until a port that does not open is a problem: an FTDI adapter takes 60 to 1300 ms
@@ -36,7 +36,7 @@ export class PortLine {
   private readonly zeroMs = performance.now();
 
   constructor(
-    private readonly core: Pick<LineCore, 'openPort' | 'received' | 'receivedBad'>,
+    private readonly core: Pick<Native, 'openPort' | 'received' | 'receivedBad'>,
     private port: SerialPort,
     private readonly isBoard: boolean,
     boardBaud: number,

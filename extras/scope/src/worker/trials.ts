@@ -3,9 +3,9 @@
 import type { Setting } from '../core';
 import { Finding } from '../border';
 import type { Status } from '../line';
+import type { Native } from '../native';
 import type { Problem } from '../source/Source';
 import type { State } from './connection';
-import type { LineCore } from './lineCore';
 
 const trialMs = 500; // half a second has 12 frames of the slowest receiver known
 const patienceMs = 1000; // without a frame, until other settings are tried
@@ -34,7 +34,7 @@ export class Trials {
   private pausedUntilMs = 0;
 
   constructor(
-    private readonly core: LineCore,
+    private readonly native: Native,
     private readonly source: Tried,
   ) {}
 
@@ -54,13 +54,13 @@ export class Trials {
     }
     if (this.source.state !== 'open') {
       this.sinceMs = ms;
-      this.core.mark();
+      this.native.calls.mark();
       return;
     }
     this.seen ||= status.frames > 0 || status.rows > 0;
     const mayTry = this.source.settings.length > 1 && !this.source.problem && ms >= this.pausedUntilMs;
     if (!this.seen && mayTry && status.otherLines === 0 && ms - this.sinceMs >= patienceMs) {
-      this.core.beginRound();
+      this.native.calls.beginRound();
       await this.beginTrial(0);
     }
   }
@@ -75,16 +75,17 @@ export class Trials {
 
   private async endTrial(): Promise<void> {
     this.sinceMs = Infinity; // until the next one has begun
-    this.core.addTrial();
+    const { calls } = this.native;
+    calls.addTrial();
     if (this.trial + 1 < this.source.settings.length) {
       await this.beginTrial(this.trial + 1);
       return;
     }
-    const { finding, best } = this.core.endRound();
+    const [finding, best]: [Finding, number] = [calls.roundFinding(), calls.roundBest()];
     const chosen = this.source.settings[best];
     this.round = finding;
     if (finding > Finding.NoFrames && best > 0) {
-      this.found = `${this.core.findingText(finding)} ${this.core.findingRemedy(finding)} Done: ${words(chosen)}.`;
+      this.found = `${this.native.findingText(finding)} ${this.native.findingRemedy(finding)} Done: ${words(chosen)}.`;
     }
     await this.source.use(chosen);
     this.trying = undefined;
