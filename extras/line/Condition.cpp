@@ -61,8 +61,9 @@ size_t tokenSize(std::string_view text) {
 // Each function returns false once there is an error.
 class Parser {
  public:
-  Parser(std::string_view text, const Condition::Shown &shown, std::vector<Step> &steps, Condition::Error &error)
-      : _text(lower(text)), _shown(shown), _steps(steps), _error(error) {
+  Parser(std::string_view text, const Condition::Shown &shown, bool anyNumber, std::vector<Step> &steps,
+         Condition::Error &error)
+      : _text(lower(text)), _shown(shown), _anyNumber(anyNumber), _steps(steps), _error(error) {
     next();
   }
 
@@ -174,7 +175,7 @@ class Parser {
     const bool isPercent = _token == "%" || _token == "percent";
     if (!isPercent && _token != "us" && _token != "\xC2\xB5s" && _token != "\xCE\xBCs") {
       take("raw");
-      const bool good = !_shown || (_number >= 0 && _number <= sbus::ChannelMax);
+      const bool good = _anyNumber || (_number >= 0 && _number <= sbus::ChannelMax);
       _error = good ? _error : _numberAt;
       return good;
     }
@@ -224,6 +225,7 @@ class Parser {
 
   const std::string _text;
   const Condition::Shown &_shown;
+  const bool _anyNumber;  // not only raw values
   std::vector<Step> &_steps;
   Condition::Error &_error;
   std::string_view _token;  // what is next; empty at the end
@@ -249,8 +251,8 @@ Moment::Moment(Observer &observer, uint64_t nowUs, bool isRejected) {
   values[Rejected] = isRejected;
 }
 
-Condition::Condition(std::string_view text, const Shown &shown) {
-  Parser(text, shown, _steps, _error).all();
+Condition::Condition(std::string_view text, const Shown &shown, bool maybeBoard) {
+  Parser(text, shown, maybeBoard || !shown, _steps, _error).all();
 }
 
 bool Condition::needsTime() const {

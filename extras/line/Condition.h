@@ -59,9 +59,9 @@ class Condition {
     bool outside = false;  // the value must not be in low..high
   };
 
-  // Reads a text. A channel's us and percent are compared as they are shown. Without `shown` the channels are numbers
-  // of a board, which are compared as it prints them.
-  Condition(std::string_view text, const Shown &shown);
+  // Reads a text. A channel's us and percent are compared as they are shown; raw values are 0 to 2047, unless the line
+  // may be that of a board. Without `shown` it is: its numbers are compared as it prints them.
+  Condition(std::string_view text, const Shown &shown, bool maybeBoard = false);
 
   // Makes a copy of another memory's.
   Condition(const Step *begin, const Step *end) : _steps(begin, end) {}

@@ -117,6 +117,7 @@ TEST_CASE("what does not come fulfils no comparison, and before the first frame 
 TEST_CASE("a board's numbers are compared as they are printed") {
   CHECK(Condition("ch5 > -12.5", nullptr).holds(with(Ch5, -12)));
   CHECK_FALSE(Condition("ch5 >= 3000", nullptr).holds(moment()));
+  CHECK(Condition("ch5 < -1.5 || ch5 > 50%", shown, true).holds(with(Ch5, -2)));
   CHECK(Condition("ch5 > 1500us", nullptr).error().at == 10);
 }
 
