@@ -53,7 +53,7 @@ size_t tokenSize(std::string_view text) {
       return 2;
     }
   }
-  const auto *const letters = std::find_if_not(text.begin(), text.end(), isLetter);
+  const auto letters = std::find_if_not(text.begin(), text.end(), isLetter);
   return letters == text.begin() ? 1
                                  : static_cast<size_t>(std::find_if_not(letters, text.end(), isDigit) - text.begin());
 }
@@ -239,7 +239,7 @@ class Parser {
 
 Moment::Moment(Observer &observer, uint64_t nowUs, bool isRejected) {
   const Values &newest = observer.newest();
-  setChannels(newest.raw.begin(), newest.count);
+  setChannels(newest.raw.data(), newest.count);
   if (newest.count == sbus::ProportionalCount) {
     std::copy(newest.switches.begin(), newest.switches.end(), values + sbus::ProportionalCount);
   }
