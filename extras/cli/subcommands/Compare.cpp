@@ -9,7 +9,7 @@
 #include "cli/compare/ComparisonReport.h"
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
-#include "line/Observer.h"
+#include "line/compare/Compared.h"
 
 namespace tool {
 
@@ -23,59 +23,43 @@ struct Options {
   bool json = false;
 };
 
-// One of the two sources, on its way to the aligner.
+// One of the two sources.
 class Compared {
  public:
-  Compared(const SourceOption &source, size_t side, Aligner &aligner)
-      : _side(side), _aligner(aligner), _input(source.open()), _silence(source.name(), "frames", source.isFile()) {
+  Compared(const SourceOption &source, size_t side, line::Aligner &aligner)
+      : _input(source.open()),
+        _silence(source.name(), "frames", source.isFile()),
+        _line(side, _input->settings().characterUs(), aligner) {
     if (!source.hasTimes()) {
       throw std::runtime_error(source.name() + ": has no times; a port, a recording or a capture is expected");
     }
-    _observer.reset(0, _input->settings().characterUs());
-    _observer.listen([this](const line::Stretch &stretch) {
-      if (stretch.isFrame() && stretch.kind != line::Stretch::Kind::Extra) {
-        _aligner.put(_side, timeOf(stretch.endUs()), _observer.newest());
-      }
-    });
   }
-  Compared(const Compared &) = delete;
-  Compared &operator=(const Compared &) = delete;
 
-  // Sets what is added to its times; none of its frames comes before time 0.
-  void begin(int64_t laterUs) {
-    _laterUs = laterUs;
-    _aligner.knownUntil(_side, timeOf(0));
-  }
+  // See line::Compared.
+  void begin(int64_t laterUs) { _line.begin(laterUs); }
 
   Input &input() { return *_input; }
   Input::Taker taker() {
-    return {[this](const line::Character &character) { _observer.put(character); },
+    return {[this](const line::Character &character) { _line.put(character); },
             [this](uint64_t nowUs) {
-              _observer.idleUntil(_input->knownUs());
+              _line.observer().idleUntil(_input->knownUs());
               // A port that is unplugged knows of nothing: it has brought nothing for a second.
-              const uint64_t knownUs = std::max(_input->knownUs(), nowUs - std::min(nowUs, LateMostUs));
-              _aligner.knownUntil(_side, timeOf(knownUs) - HeldUs);
-              _silence.tick(nowUs, _observer.counters().frames > 0);
+              _line.knownUntil(std::max(_input->knownUs(), nowUs - std::min(nowUs, LateMostUs)));
+              _silence.tick(nowUs, _line.observer().counters().frames > 0);
             }};
   }
 
   void finish() {
-    _observer.finish();
-    _silence.end(_observer.counters().frames > 0);
+    _line.observer().finish();
+    _silence.end(_line.observer().counters().frames > 0);
   }
 
  private:
   static constexpr uint64_t LateMostUs = 1000000;
-  static constexpr int64_t HeldUs = 100000;  // a frame may wait for what follows it
 
-  int64_t timeOf(uint64_t us) const { return static_cast<int64_t>(us) + _laterUs; }
-
-  const size_t _side;
-  Aligner &_aligner;
   const std::unique_ptr<Input> _input;
   SilenceNote _silence;
-  line::Observer _observer;
-  int64_t _laterUs = 0;
+  line::Compared _line;
 };
 
 // Returns how much later time 0 of `b` is, if both files say when they began.
@@ -86,13 +70,13 @@ int64_t laterUs(const SourceOption &a, const SourceOption &b) {
 void run(const Options &options) {
   const SourceOption &a = options.a;
   const SourceOption b(a, options.b);
-  ComparisonReport report([&options](const LostSpan &span) {
+  line::Comparison comparison([&options](const line::LostSpan &span) {
     if (options.json) {
-      write(span.json());
+      write(json(span));
       flush();
     }
   });
-  Aligner aligner([&report](int64_t us, const Finding &finding) { report.put(us, finding); });
+  line::Aligner aligner([&comparison](int64_t us, const line::Alignment &found) { comparison.put(us, found); });
   Compared one(a, 0, aligner);
   Compared other(b, 1, aligner);
   one.begin(0);
@@ -105,11 +89,12 @@ void run(const Options &options) {
   one.finish();
   other.finish();
   aligner.finish();
-  report.finish();
-  if (!report.any()) {
+  comparison.finish();
+  if (!comparison.any()) {
     throw std::runtime_error(a.name() + " and " + b.name() + " have no frame in common");
   }
-  write(options.json ? report.json(aligner.isByContents()) : report.text({a.name(), b.name()}, aligner.isByContents()));
+  write(options.json ? json(comparison, aligner.isByContents())
+                     : text(comparison, {a.name(), b.name()}, aligner.isByContents()));
   flush();
 }
 

@@ -33,8 +33,8 @@ export class Bookmarks {
   }
 
   rename(bookmark: Bookmark, name: string): void {
-    const kept = name.replace(/\s+/g, ' ').trim().slice(0, longestName);
-    this.set(this.all.map((each) => (each === bookmark ? { ...each, name: kept } : each)));
+    bookmark.name = name.replace(/\s+/g, ' ').trim().slice(0, longestName);
+    this.set(this.all);
   }
 
   remove(bookmark: Bookmark): void {

@@ -99,6 +99,22 @@ async function open(port: SerialPort, kind: PortKind): Promise<void> {
   known.remember(port, kind);
 }
 
+async function compare(file: File | undefined): Promise<void> {
+  notice?.hide();
+  try {
+    await (file && scope.compare(file));
+  } catch (error) {
+    rejected(error);
+  }
+}
+
+function rejected(error: unknown): void {
+  notice?.show(!(error instanceof Error) ? (error as Problem) : {
+    text: `This cannot be played: ${error.message}.`,
+    remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
+  });
+}
+
 async function play(file: File | undefined): Promise<void> {
   if (!file) {
     return;
@@ -114,10 +130,7 @@ async function play(file: File | undefined): Promise<void> {
       };
     });
   } catch (error) {
-    notice?.show(!(error instanceof Error) ? (error as Problem) : {
-      text: `This cannot be played: ${(error as Error).message}.`,
-      remedy: 'A line of a recording holds a time in microseconds, then bytes in hexadecimal: 120 0F E5 03 ... A capture of the wire is VCD, a session of PulseView (.sr), or CSV of Saleae, PulseView, DSView or an oscilloscope; sbus decode also takes options.',
-    });
+    rejected(error);
   } finally {
     scope.reading = '';
   }
@@ -128,11 +141,14 @@ function wire(): void {
   byId('source-adapter').addEventListener('click', () => connect('adapter'));
   byId('source-board').addEventListener('click', () => connect('board'));
   byId('source-recording').addEventListener('click', () => byId('file').click());
-  byId<HTMLInputElement>('file').addEventListener('change', (event) => {
-    const input = event.target as HTMLInputElement;
-    void play(input.files?.[0]);
-    input.value = '';
-  });
+  byId('compare').addEventListener('click', () => byId('second-file').click());
+  for (const [id, take] of [['file', play], ['second-file', compare]] as const) {
+    byId<HTMLInputElement>(id).addEventListener('change', (event) => {
+      const input = event.target as HTMLInputElement;
+      void take(input.files?.[0]);
+      input.value = '';
+    });
+  }
   select('baud').value = [...select('baud').options].find(({ value }) => value === recall('baud'))?.value ?? '115200';
   select('baud').addEventListener('change', () => {
     keep('baud', select('baud').value);

@@ -10,6 +10,7 @@ import { Kind, LinkState, type Sink, type Status, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
+import { Second } from './source/second';
 import type { Source } from './source/Source';
 import type { State } from './worker/connection';
 import { Sensors } from './sensors';
@@ -22,6 +23,7 @@ import { FramesView } from './view/frames';
 import { LinkView } from './view/link';
 import { NamesView } from './view/names';
 import { Room } from './view/room';
+import { SecondView } from './view/second';
 import { StatisticsView } from './view/statistics';
 import { SticksView } from './view/sticks';
 import { TelemetryView } from './view/telemetry';
@@ -67,6 +69,9 @@ export class Scope implements Sink {
   private readonly frames: FramesView;
   private readonly bookmarks = new Bookmarks();
   private readonly bookmarksView: BookmarksView;
+  private readonly secondView = new SecondView((us) => this.visit(us), () => this.part());
+  private second?: Second; // a recording beside the one that is played
+  private asking?: AbortController;
   private readonly timeline: Timeline;
   private readonly trigger: TriggerView;
   private readonly room = new Room();
@@ -117,10 +122,12 @@ export class Scope implements Sink {
   repaint(): void {
     this.curves.repaint();
     this.wire.repaint();
+    this.secondView.repaint();
   }
 
   private leave(): void {
     this.endRecording();
+    this.part();
     this.forget();
     this.curves.forget();
   }
@@ -145,6 +152,32 @@ export class Scope implements Sink {
     if (source instanceof RecordingSource) {
       source.seek(source.positionUs);
     }
+  }
+
+  // Compares the recording that is played with another one. Throws what Second.read() throws, unless another source was chosen.
+  async compare(file: File): Promise<void> {
+    const { current } = this.choice;
+    if (!(current instanceof RecordingSource)) {
+      return;
+    }
+    this.part();
+    const { signal } = (this.asking = new AbortController());
+    try {
+      this.second = await Second.read(this.core, file, current, signal);
+      this.secondView.show(this.second);
+    } catch (error) {
+      if (!signal.aborted) {
+        throw error;
+      }
+    }
+  }
+
+  // Ends the comparison.
+  private part(): void {
+    this.asking?.abort();
+    this.second?.close();
+    this.second = undefined;
+    this.secondView.show(undefined);
   }
 
   // Takes a stretch of the line.
@@ -205,6 +238,7 @@ export class Scope implements Sink {
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
     const { newest } = this;
     byId('scaling').hidden = !unit.raw;
+    this.second?.follow();
     const { live } = source.line;
     this.curves.name(this.bookmarks.all);
     const doctor = this.doctor as Doctor;
@@ -219,6 +253,7 @@ export class Scope implements Sink {
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the bookmarks': () => this.bookmarksView.draw(),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),
+      'The comparison': () => this.secondView.draw(this.curves.shownAs),
       'The trigger': () => this.trigger.draw(nowUs),
       'The view of the intervals': () => this.statistics.draw(nowUs, newest?.kind === Kind.Row ? 'rows' : 'frames'),
       'The view of the bytes': () => this.frames.draw(),

@@ -5,8 +5,6 @@ import type { Fault, FaultMap, Flight, Found } from '../faults';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
-const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
-
 export class RecordingSource implements Source {
   readonly state = 'open';
   speed = 1;
@@ -25,9 +23,6 @@ export class RecordingSource implements Source {
 
   // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
-    if (file.size > largest) {
-      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus summary and sbus csv can read it`);
-    }
     const player = await Remote.read(core, file, signal, progress);
     if (signal.aborted) {
       player.close();

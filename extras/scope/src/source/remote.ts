@@ -20,6 +20,8 @@ const failed: Problem = {
   remedy: 'What the page shows is from before. Choose a source again, or reload the page; save what is recorded first.',
 };
 
+const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
+
 type Opened = Extract<Answer, { kind: 'opened' }>;
 
 // A worker, a port to one, or what does its work in the page.
@@ -33,6 +35,7 @@ export class Remote implements Line {
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
+  compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison
   wire?: Wire; // the part that was asked for last
   recordingUs = 0; // from when on the newest recording counts
   failure?: Problem;
@@ -57,6 +60,9 @@ export class Remote implements Line {
 
   // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<Remote> {
+    if (file.size > largest) {
+      throw new Error(`${file.name}: is larger than ${largest / 1e6} MB: sbus summary and sbus csv can read it`);
+    }
     const worker = makeWorker();
     try {
       const opened = new Promise<Opened>((resolve, reject) => {
@@ -264,6 +270,8 @@ export class Remote implements Line {
       this.faults = answer.map;
     } else if (answer.kind === 'flight') {
       this.flight = answer.flight;
+    } else if (answer.kind === 'compared') {
+      this.compared = answer;
     } else if (answer.kind === 'report') {
       this.reported?.(answer.html);
     } else if (answer.kind === 'wire') {

@@ -10,6 +10,7 @@ export class BookmarksView {
   private readonly list = byId('bookmarks-list');
   private readonly save = byId('bookmarks-save');
   private shown?: readonly Bookmark[];
+  private rows = new Map<Bookmark, HTMLElement>();
   private source?: Source;
 
   // `now`: the time that is shown, in us. `visit`: goes to such a time.
@@ -37,7 +38,10 @@ export class BookmarksView {
     if (all !== this.shown) {
       this.shown = all;
       byId('bookmarks').hidden = all.length === 0 && !this.source?.line.bookmarks?.length;
-      this.list.replaceChildren(...all.map((bookmark) => this.row(bookmark)));
+      this.rows = new Map(all.map((bookmark) => [bookmark, this.rows.get(bookmark) ?? this.row(bookmark)]));
+      const rows = [...this.rows.values()]; // those that stay keep the focus
+      [...this.list.children].filter((row) => !rows.includes(row as HTMLElement)).forEach((row) => row.remove());
+      rows.forEach((row, i) => this.list.children[i] !== row && this.list.insertBefore(row, this.list.children[i] ?? null));
     }
   }
 
@@ -60,7 +64,10 @@ export class BookmarksView {
     const name = make('input', { type: 'text', value: bookmark.name, maxlength: longestName, 'aria-label': `Name of the bookmark at ${time}` });
     const remove = make('button', { 'aria-label': `Remove the bookmark at ${time}`, title: 'Remove' }, '×');
     go.addEventListener('click', () => this.visit(bookmark.us));
-    name.addEventListener('change', () => this.bookmarks.rename(bookmark, name.value));
+    name.addEventListener('change', () => {
+      this.bookmarks.rename(bookmark, name.value);
+      name.value = bookmark.name;
+    });
     remove.addEventListener('click', () => this.bookmarks.remove(bookmark));
     return make('li', {}, go, name, remove);
   }

@@ -22,6 +22,19 @@ import { Viewport } from './viewport';
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
 const restMs = 500; // at most, until a movement by less than a pixel is drawn
 
+export interface Lane {
+  curves: Curve[];
+  unit: Unit;
+  palette: Palette;
+  longest: number; // s without a frame: the curve breaks
+  thickness: number;
+  edge: number; // s
+  seconds: number;
+}
+
+// The pointer on the curves of one line is on those of the other as well.
+export const together: uPlot.Cursor.Sync = { key: 'lines', filters: { pub: (type) => type === 'mousemove' || type === 'mouseleave' } };
+
 // Returns the width of an axis with these texts, in pixels.
 const widthOf = (_: uPlot, texts: string[] | null): number => 14 + 7 * Math.max(...(texts ?? ['']).map(({ length }) => length));
 
@@ -69,6 +82,13 @@ export class Curves {
   // The begin and end of what they show, in us.
   get shownUs(): [number, number] {
     return [1e6 * this.view.begin, 1e6 * this.view.edge];
+  }
+
+  // What a second line is shown with: the channels' curves, and how.
+  get shownAs(): Lane | undefined {
+    const { curves, unit, palette, longest, thickness } = this;
+    const channels = curves.filter((curve) => curve.unit.axis === undefined);
+    return unit && palette && { curves: channels, unit, palette, longest, thickness, edge: this.view.edge, seconds: this.view.seconds };
   }
 
   pause(on: boolean): void {
@@ -281,6 +301,7 @@ export class Curves {
           y: false,
           drag: { x: true, y: false, setScale: false },
           points: { show: false },
+          sync: together,
           bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
         },
         hooks: {

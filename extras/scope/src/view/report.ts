@@ -51,26 +51,17 @@ export class ReportView {
     );
     const { worst, spans } = flight;
     this.lists.replaceChildren(
-      this.list(worst.length > 0 ? 'The worst seconds' : 'In no second was a frame lost', worst.map((part) => [part[0], part[1], textOf(part)])),
+      listOf(worst.length > 0 ? 'The worst seconds' : 'In no second was a frame lost', worst.map((part) => [part[0], part[1], textOf(part)]), this.visit),
       ...kinds.filter((kind) => spans[kind].count > 0).map((kind) => {
         const { count, us, longest } = spans[kind];
         const more = count > longest.length ? `; the ${longest.length} longest` : '';
-        return this.list(
+        return listOf(
           `${names[kind]}: ${count} ${count === 1 ? 'time' : 'times'}, ${seconds(us)} in all${more}`,
           longest.map(([fromUs, toUs]) => [fromUs, fromUs + shownUs, seconds(toUs - fromUs)]),
+          this.visit,
         );
       }),
     );
-  }
-
-  // Each row: the time that is shown, the time that is visited, in us, and a text.
-  private list(title: string, rows: [number, number, string][]): HTMLElement {
-    const items = rows.map(([fromUs, toUs, text]) => {
-      const button = make('button', {}, clock(fromUs));
-      button.addEventListener('click', () => this.visit(toUs));
-      return make('li', {}, button, make('span', {}, text));
-    });
-    return make('section', {}, make('h3', {}, title), make('ol', {}, ...items));
   }
 
   // Opens the report in a tab of its own, to look at, to print or to save.
@@ -82,6 +73,16 @@ export class ReportView {
       setTimeout(() => URL.revokeObjectURL(url), 60000);
     }
   }
+}
+
+// Each row: the time that is shown, the time that is visited, in us, and a text. `visit`: goes there.
+export function listOf(title: string, rows: [number, number, string][], visit: (us: number) => void): HTMLElement {
+  const items = rows.map(([fromUs, toUs, text]) => {
+    const button = make('button', {}, clock(fromUs));
+    button.addEventListener('click', () => visit(toUs));
+    return make('li', {}, button, make('span', {}, text));
+  });
+  return make('section', {}, make('h3', {}, title), make('ol', {}, ...items));
 }
 
 function textOf([, , lost, kind]: FlightPart): string {

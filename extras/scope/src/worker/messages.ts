@@ -1,6 +1,7 @@
 // The messages between the page and what decodes a line for it: mostly a worker.
 
 import type { Bookmark } from '../bookmarks';
+import type { Comparison } from '../comparison';
 import type { Setting, Simulation } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Finding } from '../border';
@@ -38,6 +39,7 @@ export type Request =
   | { kind: 'report' } // of a recording whose flight is known
   | { kind: 'event'; id: number; us: number; steps: Uint8Array; afterUs: number } // to so much after the next one after `us`
   | { kind: 'sensors'; sensors: Uint8Array } // see Sensors.bytes; a recording is decoded from its beginning once more
+  | { kind: 'compare'; id: number; file: File } // of a recording: with another one, which can be read
   | { kind: 'wire'; fromUs: number; toUs: number; columns: number } // of a capture
   | { kind: 'use'; setting: Setting } // of a live line
   | { kind: 'cutWire'; cut: boolean }
@@ -97,6 +99,7 @@ export type Answer =
   | Wire
   | { kind: 'faults'; map: FaultMap }
   | { kind: 'flight'; flight: Flight } // once all is decoded, of a recording with frames
+  | { kind: 'compared'; id: number; comparison?: Comparison } // none: they have no frame in common
   | { kind: 'report'; html: string }
   | { kind: 'past'; id: number; samples: Samples } // of the history, before the picture of a seek
   | { kind: 'recording'; us: number } // it has begun: its times count from then

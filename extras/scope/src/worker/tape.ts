@@ -1,6 +1,7 @@
 // Reads a file in a WebAssembly instance of its own: the characters of a recording, or of a capture of the wire.
 
 import type { Bookmark } from '../bookmarks';
+import type { Comparison } from '../comparison';
 import type { Flight } from '../faults';
 import { CaptureHeadMax, CharacterSize } from '../border';
 import { imports, Native } from '../native';
@@ -134,6 +135,27 @@ export class Tape {
   // Returns the flight's report as a page of its own.
   report(): string {
     return this.native.words(this.native.calls.flightPage());
+  }
+
+  get startUs(): number | undefined {
+    return this.native.calls.recordingStartUs() || undefined;
+  }
+
+  // Begins a comparison of this recording, A, with another one, B.
+  compareWith({ settings, startUs }: Tape): void {
+    const laterUs = startUs !== undefined && this.startUs !== undefined ? startUs - this.startUs : 0;
+    this.native.transfer(settings, () => this.native.calls.compareWith(laterUs));
+  }
+
+  // Takes the next part of B.
+  comparePart(bytes: Uint8Array): void {
+    this.native.transfer(bytes, (count) => this.native.calls.comparePart(count));
+  }
+
+  // After the last part. Returns undefined if they have no frame in common.
+  compared(): Comparison | undefined {
+    const text = this.native.words(this.native.calls.comparison());
+    return text === '' ? undefined : JSON.parse(text);
   }
 
   private handed(size: number): Uint8Array {

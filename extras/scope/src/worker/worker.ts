@@ -101,6 +101,7 @@ class Playing {
   private past?: Past;
   private knowsFlight = false;
   private search?: Search;
+  private comparing?: { id: number; other: Tape; next: number };
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
   private waking = (): void => undefined;
 
@@ -119,6 +120,8 @@ class Playing {
       calls.resetMarks();
     } else if (request.kind === 'sensors') {
       this.sense(request.sensors);
+    } else if (request.kind === 'compare') {
+      void this.compare(request.id, request.file);
     } else if (request.kind === 'wire') {
       answer(this.tape.wire(request.fromUs, request.toUs, request.columns));
     } else if (request.kind === 'watch') {
@@ -167,6 +170,8 @@ class Playing {
         this.index.work();
       } else if (!this.knowsFlight) {
         this.workAtFlight();
+      } else if (this.comparing) {
+        this.workAtComparison(this.comparing);
       } else {
         await new Promise<void>((resolve) => (this.waking = resolve));
       }
@@ -180,6 +185,32 @@ class Playing {
     const flight = this.knowsFlight ? this.tape.flight() : undefined;
     if (flight) {
       answer({ kind: 'flight', flight });
+    }
+  }
+
+  // Reads the other recording, which the page can read.
+  private async compare(id: number, file: File): Promise<void> {
+    const other = new Tape(this.module);
+    try {
+      await other.read(file, () => undefined);
+      this.tape.compareWith(other);
+      this.comparing = { id, other, next: 0 };
+      this.waking();
+    } catch {
+      answer({ kind: 'compared', id });
+    }
+  }
+
+  private workAtComparison(comparing: { id: number; other: Tape; next: number }): void {
+    const { id, other } = comparing;
+    for (const endMs = performance.now() + sliceMs; comparing.next < other.size && performance.now() < endMs; ) {
+      const { bytes, count } = other.part(comparing.next);
+      this.tape.comparePart(bytes);
+      comparing.next += count;
+    }
+    if (comparing.next >= other.size) {
+      this.comparing = undefined;
+      answer({ kind: 'compared', id, comparison: this.tape.compared() });
     }
   }
 

@@ -10,15 +10,15 @@
 
 #include "line/Statistics.h"
 
-namespace tool {
+namespace line {
 
 // What was found, at a time of the first source.
-struct Finding {
+struct Alignment {
   enum class Kind { Pair, Only };
 
   Kind kind;
   size_t side;  // of Only: 0 is the first source
-  std::array<std::optional<line::Values>, 2> values;
+  std::array<std::optional<Values>, 2> values;
   int64_t delayUs;     // of Pair: how much later the second one is
   bool isSameContent;  // of Pair: all channels
 };
@@ -26,10 +26,10 @@ struct Finding {
 class Aligner {
  public:
   // Calls `say` with each finding in the order of their times.
-  explicit Aligner(std::function<void(int64_t us, const Finding &)> say) : _say(std::move(say)) {}
+  explicit Aligner(std::function<void(int64_t us, const Alignment &)> say) : _say(std::move(say)) {}
 
   // Takes the next frame of a side, 0 or 1.
-  void put(size_t side, int64_t us, const line::Values &values);
+  void put(size_t side, int64_t us, const Values &values);
 
   // Takes the time up to which no other frame came.
   void knownUntil(size_t side, int64_t us);
@@ -46,7 +46,7 @@ class Aligner {
   struct Frame {
     int64_t us;
     bool isChange;  // its channels are not those of a frame before
-    line::Values values;
+    Values values;
   };
   struct Side {
     std::deque<Frame> frames;  // that are still to be matched
@@ -66,10 +66,10 @@ class Aligner {
   void sayAlone(size_t side);
   void sayBefore(int64_t us);
 
-  const std::function<void(int64_t us, const Finding &)> _say;
+  const std::function<void(int64_t us, const Alignment &)> _say;
   std::array<Side, 2> _sides;
-  std::array<std::optional<line::Values>, 2> _newest;
-  std::multimap<int64_t, Finding> _found;
+  std::array<std::optional<Values>, 2> _newest;
+  std::multimap<int64_t, Alignment> _found;
   bool _hasDelay = false;
   bool _isByContents = false;
   double _delayUs = 0;  // follows the clocks
@@ -77,4 +77,4 @@ class Aligner {
   int64_t _tryUs = NeverUs;  // when to look for the delay again
 };
 
-}  // namespace tool
+}  // namespace line

@@ -1,4 +1,4 @@
-#include "cli/compare/Aligner.h"
+#include "line/compare/Aligner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tool {
+namespace line {
 
 namespace {
 
@@ -16,11 +16,11 @@ constexpr int64_t TryMostUs = 60000000;
 constexpr size_t VotesLeast = 8;
 constexpr int64_t VoteWidthUs = 20000;
 
-bool isSame(const line::Values &a, const line::Values &b) {
+bool isSame(const Values &a, const Values &b) {
   return a.raw == b.raw && a.switches == b.switches;
 }
 
-uint64_t hashOf(const line::Values &values) {
+uint64_t hashOf(const Values &values) {
   uint64_t hash = 1469598103934665603U;  // FNV-1a
   const auto add = [&hash](unsigned value) { hash = (hash ^ value) * 1099511628211U; };
   std::for_each(values.raw.begin(), values.raw.end(), add);
@@ -41,7 +41,7 @@ size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_
   return next < frames.size() ? run : 0;
 }
 
-void Aligner::put(size_t side, int64_t us, const line::Values &values) {
+void Aligner::put(size_t side, int64_t us, const Values &values) {
   const bool isChange = !_newest[side] || !isSame(*_newest[side], values);
   _newest[side] = values;
   _sides[side].frames.push_back({us, isChange, values});
@@ -222,11 +222,11 @@ void Aligner::pairLeft(int64_t beforeUs) {
 }
 
 void Aligner::add(const Frame &a, const Frame &b, bool isSameContent) {
-  _found.emplace(a.us, Finding{Finding::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent});
+  _found.emplace(a.us, Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent});
 }
 
 void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
-  Finding finding{Finding::Kind::Only, side, {}, 0, false};
+  Alignment finding{Alignment::Kind::Only, side, {}, 0, false};
   finding.values[side] = frame.values;
   _found.emplace(us, finding);
 }
@@ -249,4 +249,4 @@ void Aligner::sayBefore(int64_t us) {
   }
 }
 
-}  // namespace tool
+}  // namespace line

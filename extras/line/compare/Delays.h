@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace tool {
+namespace line {
 
 class Delays {
  public:
@@ -46,6 +46,12 @@ class Delays {
     return 0;
   }
 
+  // Returns the delay at `us`, by a line through all of them.
+  double at(int64_t us) const {
+    const auto n = static_cast<double>(std::max(_count, 1UL));
+    return static_cast<double>(_zeroUs) + _y / n + driftPpm() * (static_cast<double>(us - _firstUs) / 1e6 - _x / n);
+  }
+
   // Returns how much the delay grows, in us a second: the clocks' difference in parts per million.
   double driftPpm() const {
     const auto n = static_cast<double>(_count);
@@ -77,4 +83,4 @@ class Delays {
   int64_t _widthUs = 1;
 };
 
-}  // namespace tool
+}  // namespace line

@@ -1,0 +1,50 @@
+// One of two lines that are compared: its frames, on their way to the Aligner.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "line/Observer.h"
+#include "line/compare/Aligner.h"
+
+namespace line {
+
+class Compared {
+ public:
+  // `side`: 0 or 1.
+  Compared(size_t side, uint32_t characterUs, Aligner &aligner) : _side(side), _aligner(aligner) {
+    _observer.reset(0, characterUs);
+    _observer.listen([this](const Stretch &stretch) {
+      if (stretch.isFrame() && stretch.kind != Stretch::Kind::Extra) {
+        _aligner.put(_side, timeOf(stretch.endUs()), _observer.newest());
+      }
+    });
+  }
+  Compared(const Compared &) = delete;
+  Compared &operator=(const Compared &) = delete;
+
+  // Sets what is added to its times; none of its frames comes before time 0.
+  void begin(int64_t laterUs) {
+    _laterUs = laterUs;
+    _aligner.knownUntil(_side, timeOf(0));
+  }
+
+  void put(const Character &character) { _observer.put(character); }
+
+  // Takes the time up to which it is known.
+  void knownUntil(uint64_t us) { _aligner.knownUntil(_side, timeOf(us) - HeldUs); }
+
+  Observer &observer() { return _observer; }
+
+ private:
+  static constexpr int64_t HeldUs = 100000;  // a frame may wait for what follows it
+
+  int64_t timeOf(uint64_t us) const { return static_cast<int64_t>(us) + _laterUs; }
+
+  const size_t _side;
+  Aligner &_aligner;
+  Observer _observer;
+  int64_t _laterUs = 0;
+};
+
+}  // namespace line

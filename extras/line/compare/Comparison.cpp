@@ -1,0 +1,104 @@
+#include "line/compare/Comparison.h"
+
+#include <algorithm>
+
+namespace line {
+
+namespace {
+
+bool isFlagged(const Values &values) {
+  return values.lostFrame || values.failsafe;
+}
+
+}  // namespace
+
+void Comparison::put(int64_t us, const Alignment &found) {
+  if (found.kind == Alignment::Kind::Pair) {
+    putPair(us, found);
+    return;
+  }
+  _counts.frames[found.side]++;
+  if (!_anyPair) {
+    _counts.alone[found.side]++;
+    return;
+  }
+  lose(1 - found.side, us, true);
+}
+
+void Comparison::putPair(int64_t us, const Alignment &found) {
+  const Values &a = *found.values[0], &b = *found.values[1];
+  _anyPair = true;
+  _counts.frames[0]++;
+  _counts.frames[1]++;
+  if (found.isSameContent) {
+    _counts.delays.put(us, found.delayUs);
+  }
+  if (isFlagged(a) != isFlagged(b)) {
+    lose(isFlagged(a) ? 0 : 1, us, false);
+    return;
+  }
+  end(0);
+  end(1);
+  if (found.isSameContent && a.lostFrame == b.lostFrame && a.failsafe == b.failsafe) {
+    _counts.same++;
+    return;
+  }
+  _counts.different++;
+  if (_counts.first) {
+    return;
+  }
+  _counts.first = Difference{us, "lost frame", 0, {a.lostFrame, b.lostFrame}};
+  const size_t raw =
+      static_cast<size_t>(std::mismatch(a.raw.begin(), a.raw.end(), b.raw.begin()).first - a.raw.begin());
+  if (raw < a.raw.size()) {
+    _counts.first = Difference{us, "CH" + std::to_string(raw + 1), 0, {a.raw[raw], b.raw[raw]}};
+  } else if (a.switches != b.switches) {
+    const size_t i = a.switches[0] != b.switches[0] ? 0 : 1;
+    _counts.first = Difference{us, "CH" + std::to_string(17 + i), 0, {a.switches[i], b.switches[i]}};
+  } else if (a.failsafe != b.failsafe) {
+    _counts.first = Difference{us, "failsafe", 0, {a.failsafe, b.failsafe}};
+  }
+}
+
+void Comparison::lose(size_t side, int64_t us, bool isMissing) {
+  end(1 - side);
+  if (!_open[side]) {
+    _open[side] = Span{{side, us, us, 0}, true};
+  }
+  Span &open = *_open[side];
+  open.span.toUs = us;
+  open.span.frames++;
+  open.isMissing = open.isMissing && isMissing;
+}
+
+void Comparison::end(size_t side) {
+  if (!_open[side]) {
+    return;
+  }
+  const LostSpan span = _open[side]->span;
+  _open[side].reset();
+  if (!_counts.first) {
+    _counts.first = Difference{span.fromUs, "", 1 - side, {}};
+  }
+  _counts.lost[side] += span.frames;
+  _counts.spans[side]++;
+  std::vector<LostSpan> &longest = _counts.longest[side];
+  longest.push_back(span);
+  std::stable_sort(longest.begin(), longest.end(),
+                   [](const LostSpan &a, const LostSpan &b) { return a.frames > b.frames; });
+  longest.resize(std::min(longest.size(), LongestMost));
+  _tell(span);
+}
+
+// What one has after the other's last frame is not lost.
+void Comparison::finish() {
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    if (_open[side] && _open[side]->isMissing) {
+      _counts.alone[1 - side] += _open[side]->span.frames;
+      _open[side].reset();
+    }
+    end(side);
+  }
+}
+
+}  // namespace line

@@ -1,0 +1,75 @@
+// Counts what an Aligner has found: who lost what, the delay, the first difference.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "line/compare/Aligner.h"
+#include "line/compare/Delays.h"
+
+namespace line {
+
+// A time in which one source has lost what the other has.
+struct LostSpan {
+  size_t side;  // that lost it: 0 is the first source
+  int64_t fromUs;
+  int64_t toUs;
+  unsigned long frames;
+};
+
+class Comparison {
+ public:
+  static constexpr size_t LongestMost = 20;
+
+  struct Difference {
+    int64_t us;
+    std::string name;  // CH3, lost frame; empty: the frame is only in source `side`
+    size_t side;
+    std::array<unsigned, 2> values;
+  };
+
+  // By source where there are two.
+  struct Counts {
+    std::array<unsigned long, 2> frames{};
+    std::array<unsigned long, 2> alone{};  // before the other's first frame or after its last
+    std::array<unsigned long, 2> lost{};
+    std::array<unsigned long, 2> spans{};
+    std::array<std::vector<LostSpan>, 2> longest;  // by frames, LongestMost at most
+    unsigned long same = 0;
+    unsigned long different = 0;
+    std::optional<Difference> first;
+    Delays delays;
+  };
+
+  // Calls `tell` with each span when it has ended.
+  explicit Comparison(std::function<void(const LostSpan &)> tell) : _tell(std::move(tell)) {}
+
+  void put(int64_t us, const Alignment &found);
+  void finish();
+
+  // Returns true if a pair of frames had the same contents.
+  bool any() const { return _counts.delays.count() > 0; }
+
+  const Counts &counts() const { return _counts; }
+
+ private:
+  struct Span {
+    LostSpan span;
+    bool isMissing;  // no frame came
+  };
+
+  void putPair(int64_t us, const Alignment &found);
+  void lose(size_t side, int64_t us, bool isMissing);
+  void end(size_t side);
+
+  const std::function<void(const LostSpan &)> _tell;
+  Counts _counts;
+  std::array<std::optional<Span>, 2> _open;
+  bool _anyPair = false;
+};
+
+}  // namespace line

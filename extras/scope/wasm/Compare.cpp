@@ -1,0 +1,123 @@
+// Compares the recording that is played, A, with another one, B: who lost what, and the delay. As sbus compare.
+#include <cstring>
+#include <memory>
+
+#include "Scope.h"
+#include "Tape.h"
+#include "line/Format.h"
+#include "line/compare/Compared.h"
+#include "line/compare/Comparison.h"
+
+using namespace scope;
+
+namespace {
+
+constexpr int64_t StepUs = 100000;
+constexpr int64_t SilenceUs = 2000;  // between frames
+
+struct Comparing {
+  Comparing(const line::LineSettings &settings, int64_t later) : b(1, settings.characterUs(), aligner), laterUs(later) {
+    a.begin(0);
+    b.begin(later);
+  }
+
+  // Takes A up to this time, and what is known by then of both.
+  void until(int64_t us) {
+    const line::Characters &characters = theTape.recording.characters;
+    while (taken < characters.size() && static_cast<int64_t>(characters[taken].endUs) <= us) {
+      a.put(characters[taken++]);
+    }
+    know(a, us);
+    know(b, us - laterUs);
+  }
+
+  static void know(line::Compared &side, int64_t us) {
+    if (us > 0) {
+      side.observer().idleUntil(static_cast<uint64_t>(us));
+      side.knownUntil(static_cast<uint64_t>(us));
+    }
+  }
+
+  line::Comparison comparison{[](const line::LostSpan &) {}};
+  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { comparison.put(us, found); }};
+  line::Compared a{0, theTape.settings.characterUs(), aligner};
+  line::Compared b;
+  const int64_t laterUs;
+  size_t taken = 0;    // characters of A
+  int64_t lastUs = 0;  // of the newest character of B
+  int64_t nextUs = 0;  // when A follows again
+};
+
+std::unique_ptr<Comparing> comparing;
+std::string words;
+
+std::string pair(const char *name, const std::array<unsigned long, 2> &counts) {
+  return line::format("\"%s\":[%lu,%lu],", name, counts[0], counts[1]);
+}
+
+std::string json(const std::vector<line::LostSpan> &spans) {
+  std::string text;
+  for (const line::LostSpan &span : spans) {
+    text += line::format("%s[%lld,%lld,%lu]", text.empty() ? "" : ",", static_cast<long long>(span.fromUs),
+                         static_cast<long long>(span.toUs), span.frames);
+  }
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+// Returns when time 0 of the recording was, in us since 1970; 0 if it does not say so.
+EXPORT(recordingStartUs)()->double {
+  return static_cast<double>(theTape.startUs.value_or(0));
+}
+
+// Begins a comparison. B's settings are in the buffer (recordingSettings()). Its time 0 is `laterUs` after A's.
+EXPORT(compareWith)(double laterUs)->void {
+  line::LineSettings settings;
+  std::memcpy(static_cast<void *>(&settings), transfer, sizeof settings);
+  comparing.reset();
+  comparing = std::make_unique<Comparing>(settings, static_cast<int64_t>(laterUs));
+}
+
+// The next characters of B are in the buffer, `size` bytes of them (recordingPart()).
+EXPORT(comparePart)(unsigned size)->void {
+  for (size_t at = 0; at < size; at += sizeof(line::Character)) {
+    line::Character character;
+    std::memcpy(static_cast<void *>(&character), transfer + at, sizeof character);
+    const int64_t us = static_cast<int64_t>(character.endUs) + comparing->laterUs;
+    if (us >= comparing->lastUs + SilenceUs && us >= comparing->nextUs) {
+      comparing->until(us - SilenceUs / 2);
+      comparing->nextUs = us + StepUs;
+    }
+    comparing->lastUs = us;
+    comparing->b.put(character);
+  }
+}
+
+// After the last part. Returns "" if they have no frame in common.
+EXPORT(comparison)()->const char * {
+  const line::Characters &characters = theTape.recording.characters;
+  for (; comparing->taken < characters.size(); comparing->taken++) {
+    comparing->a.put(characters[comparing->taken]);
+  }
+  comparing->a.observer().finish();
+  comparing->b.observer().finish();
+  comparing->aligner.finish();
+  comparing->comparison.finish();
+  const line::Comparison::Counts &counts = comparing->comparison.counts();
+  const line::Delays &delays = counts.delays;
+  words = !comparing->comparison.any()
+              ? ""
+              : "{" + pair("frames", counts.frames) + pair("alone", counts.alone) + pair("lost", counts.lost) +
+                    pair("spans", counts.spans) + "\"longest\":[" + json(counts.longest[0]) + "," +
+                    json(counts.longest[1]) + "]," +
+                    line::format(
+                        "\"same\":%lu,\"different\":%lu,\"medianUs\":%lld,\"leastUs\":%lld,\"mostUs\":%lld,"
+                        "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"isByContents\":%s}",
+                        counts.same, counts.different, static_cast<long long>(delays.medianUs()),
+                        static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()),
+                        delays.driftPpm(), delays.at(0), static_cast<long long>(comparing->laterUs),
+                        comparing->aligner.isByContents() ? "true" : "false");
+  comparing.reset();
+  return words.c_str();
+}

@@ -1,0 +1,112 @@
+// Two recordings side by side: the numbers are those of sbus compare, and B's curves are at the same moments as A's.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { build, check, drawn, frame, play, reads, recorded, seek, until } from './support.mjs';
+
+const count = 6000; // frames of A, each 9 ms
+const earlierUs = 3000000; // B began that much later, and counts from there
+const delayUs = 12340;
+const drift = 20e-6;
+const ch1 = (i) => 1000 + Math.round(600 * Math.sin(i / 40)) + (i % 7);
+const values = (i) => [ch1(i), 300 + (i % 1300), 992];
+const aUs = (i) => 9000 * (i + 1);
+const bUs = (i) => Math.round(aUs(i) + delayUs + drift * aUs(i) - earlierUs);
+const lostByA = (i) => i >= 2000 && i < 2010; // flagged
+const lostByB = (i) => i >= 3000 && i < 3040; // missing
+
+function files() {
+  const [a, b] = ['a.txt', 'b.txt'].map((name) => path.join(build, name));
+  const all = Array.from({ length: count }, (_, i) => i);
+  writeFileSync(a, all.map((i) => recorded(aUs(i), frame(values(i), { flags: lostByA(i) ? 4 : 0 }))).join(''));
+  writeFileSync(b, all.filter((i) => bUs(i) > 1000 && !lostByB(i)).map((i) => recorded(bUs(i), frame(values(i)))).join(''));
+  return [a, b];
+}
+
+export default async function () {
+  const [a, b] = files();
+
+  await check('a second recording is compared as sbus compare does it: who lost what, the delay, the drift; a click goes to a loss', async (page) => {
+    await play(page, a);
+    await page.click('#play'); // pauses
+    await page.setInputFiles('#second-file', b);
+    await reads(page, '#second-title', 'B, b.txt');
+    await reads(page, '#second-text', /^B is /);
+    const lines = execFileSync(process.env.SCOPE_SBUS, ['compare', a, b, '--json'], { encoding: 'utf8' }).trim().split('\n').map((line) => JSON.parse(line));
+    const found = lines.find(({ type }) => type === 'comparison');
+    const ms = (us) => `${(us / 1000).toFixed(2)} ms`;
+    const text = await page.textContent('#second-text');
+    const earlier = ms(-found.delay_us);
+    assert.equal(
+      text,
+      `B is ${earlier} earlier than A (${ms(found.least_delay_us)} to ${ms(found.most_delay_us)}, drift ${found.drift_ppm.toFixed(1)} µs/s), by the contents. ` +
+        `${found.same} frames alike, ${found.different} different; ${found.alone_a} only in A and ${found.alone_b} only in B before or after the other.`,
+    );
+    const median = parseFloat(earlier);
+    assert.ok(Math.abs(median - (earlierUs - delayUs - (drift * aUs(count)) / 2) / 1000) < 1, earlier);
+    assert.ok(Math.abs(found.drift_ppm - 1e6 * drift) < 1, `${found.drift_ppm}`);
+    const lists = await page.$$eval('#second-lists section', (all) => all.map((each) => [each.querySelector('h3').textContent, ...[...each.querySelectorAll('li')].map((row) => row.textContent)]));
+    const at = (i) => `0:${(Math.floor(aUs(i) / 1000 + 2.88) / 1000).toFixed(3)}`;
+    assert.deepEqual(lists, [
+      ['Lost by A: 10 frames in 1 span', `${at(2000)}10 frames`],
+      ['Lost by B: 40 frames in 1 span', `${at(3000)}40 frames`],
+    ]);
+    await page.click('#second-lists section:nth-child(2) button');
+    await reads(page, '#position-text', /^0:27\.3/);
+    assert.equal(await page.textContent('#play'), 'Play');
+  });
+
+  await check("B's curves are at the same moments as A's, also after a seek and while it plays", async (page) => {
+    await play(page, a);
+    await page.click('#play');
+    await seek(page, 20000);
+    await page.setInputFiles('#second-file', b);
+    await reads(page, '#second-text', /^B is /);
+    const expect = async (seconds) => {
+      await page.locator('#second-plot').scrollIntoViewIfNeeded();
+      const over = await page.locator('#second-plot .u-over').boundingBox();
+      for (const part of [0.15, 0.5, 0.93]) {
+        await page.mouse.move(over.x + part * over.width, over.y + 20);
+        let [time, one, timeOfA, oneOfA] = [];
+        await until(() => `B at ${time} s, A at ${timeOfA} s`, async () => {
+          await drawn(page);
+          [, time, one] = /^B ([\d.]+) s {3}CH1 (\d+)/.exec(await page.textContent('#second-readout')) ?? [];
+          [, timeOfA, oneOfA] = /^([\d.]+) s {3}CH1 (\d+)/.exec(await page.textContent('#readout')) ?? []; // the pointer is on both
+          const right = (await page.evaluate(() => Number(document.querySelector('#position').value))) / 1000;
+          const away = [Number(time) + (earlierUs - delayUs) / 1e6, Number(timeOfA)].map((at) => Math.abs(at - (right - seconds * (1 - part))));
+          return Math.max(...away) < 0.03;
+        });
+        const i = Math.round((1e6 * Number(time) + earlierUs - delayUs - 2880) / 9000) - 1;
+        assert.equal(Number(one), ch1(i), `frame ${i}`);
+        assert.ok(Math.abs(oneOfA - one) < 60, `${oneOfA}, ${one}`);
+      }
+    };
+    for (const ms of [20000, 45000, 12000]) {
+      await seek(page, ms);
+      await reads(page, '#position-text', new RegExp(`^0:${ms / 1000}\\.0`));
+      await expect(10);
+    }
+    await page.selectOption('#speed', '2');
+    await page.click('#play');
+    await until('it plays', async () => (await page.evaluate(() => Number(document.querySelector('#position').value))) > 14000);
+    await page.click('#play');
+    await expect(10);
+    await page.click('#second-close');
+    await page.waitForSelector('#second', { state: 'hidden' });
+    await page.setInputFiles('#second-file', b);
+    await reads(page, '#second-text', /^B is /);
+    await page.click('#source-simulated');
+    await page.waitForSelector('#second', { state: 'hidden' });
+  });
+
+  await check('a second file that cannot be read, or has no frame in common, is said, and the first goes on', async (page) => {
+    await play(page, a);
+    await page.setInputFiles('#second-file', { name: 'bad.txt', mimeType: 'text/plain', buffer: Buffer.from('hello\n') });
+    await reads(page, '#notice-text', /^This cannot be played: bad.txt: /);
+    assert.ok(await page.locator('#second').isHidden());
+    await page.setInputFiles('#second-file', { name: 'other.txt', mimeType: 'text/plain', buffer: Buffer.from(recorded(5000, frame([1]))) });
+    await reads(page, '#second-text', 'The recordings have no frame in common.');
+    assert.equal(await page.textContent('#title'), 'Recording a.txt');
+  });
+}
