@@ -114,6 +114,10 @@ verdict $? "the pupil has CH1 to CH4 while the switch is on, and not in the teac
 verdict $? "the pupil has the channels that are named"
 [ "$(trained ch1=7,failsafe=on --trainer ch8 --seconds 0.9)" = "100: 1 1 1 1 1; " ]
 verdict $? "a pupil in failsafe has none"
+sed 's/,1811,/,172,/' "$work/teacher.json" >"$work/reversed.json"
+trained() { bridge "$work/reversed.json" - --second "$@" | rows | cut -d' ' -f1-5 | uniq -c | awk '{ $1 = $1 ":"; printf "%s; ", $0 }'; }
+[ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8 --range 1811,992,172 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 7 7 7 7 1; 20: 1 1 1 1 1; " ]
+verdict $? "a teacher's switch whose range is reversed is on at its +100 %"
 
 # ---- On a wire
 

@@ -30,7 +30,7 @@ class TrainerOption {
     }
     Scanner scanner("--trainer", _text);
     _switch = scanner.channel(sbus::ProportionalCount) - 1;
-    _onAbove = static_cast<uint16_t>((range.centre + range.high) / 2);
+    _range = range;
     _channels = {0, 1, 2, 3};
     if (scanner.take("=")) {
       _channels.clear();
@@ -43,7 +43,7 @@ class TrainerOption {
 
   // Puts the pupil's channels into the teacher's frame while the switch is on.
   void apply(line::Values &teacher, const line::Values &pupil) const {
-    if (teacher.raw[_switch] > _onAbove) {
+    if (sbus::toNormalised(teacher.raw[_switch], _range) > OnAbove) {
       for (const size_t channel : _channels) {
         teacher.raw[channel] = pupil.raw[channel];
       }
@@ -51,10 +51,12 @@ class TrainerOption {
   }
 
  private:
+  static constexpr int16_t OnAbove = 500;  // +50 %: off in the middle of a switch with three positions
+
   std::string _text;
   Option _option;
   size_t _switch = 0;
-  uint16_t _onAbove = 0;  // +50 %: off in the middle of a switch with three positions
+  sbus::Range _range = sbus::FrSky;
   std::vector<size_t> _channels;
 };
 
