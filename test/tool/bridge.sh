@@ -51,6 +51,7 @@ ch1=172|--mix ch2=10*ch1|172 0 172 992 992 992
 ch1=1402|--map 2,1 --mix ch1=ch2 --limit ch1=200..1300|1300 1402 172 992 992 992
 ch3=1811|--limit ch3=172..1500us|992 992 992 992 992 992
 ch3=100|--limit ch3=-100%..50%|992 992 172 992 992 992
+ch1=1900,ch2=100|--limit ch1=-100%..100% --limit ch2=-100%..100% --range 1811,992,172|1811 172 172 992 992 992
 ch1=352,ch2=100%|--map -1,-2 --range futaba|1696 352 172 992 992 992
 END
 
@@ -236,6 +237,10 @@ sim --mix ch1=ch2 --mix ch1=ch3|--mix: "ch1=ch3": at character 1 a channel that 
 sim --limit ch1=5|--limit: "ch1=5": at character 6 .. is expected
 sim --limit ch1=9..5|--limit: "ch1=9..5": at character 8 a value of 9 or more is expected
 sim --limit ch1=9..5000|--limit: "ch1=9..5000": at character 8 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected
+sim --limit ch1=1..9 --limit ch1=2..3|--limit: "ch1=2..3": at character 1 a channel that no other --limit has is expected
+sim --failsafe ch3=1,ch3=2|--failsafe: "ch3=2" sets a channel again; leave one of them out
+sim --back 2|--back: --second is the other receiver; name it
+sim --second ch1=1 --trainer ch5 --back 2|--back: the teacher's receiver is always used; leave it out
 sim --failsafe on|--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not on
 sim --failsafe ch3=3000|--failsafe: "ch3=3000" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 sim --trainer ch5|--trainer: --second is the pupil's receiver; name it

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cli/Units.h"
 #include "cli/options/Scanner.h"
@@ -83,14 +84,19 @@ ChannelRules::Mix ChannelRules::mixOf(const std::string &text) const {
 ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
   Scanner scanner("--limit", text);
   Limit limit{scanner.channel(Count) - 1, 0, 0};
-  if (!scanner.take("=")) {
-    scanner.expect("=");
+  const bool isAgain =
+      std::any_of(_limits.begin(), _limits.end(), [&](const Limit &other) { return other.channel == limit.channel; });
+  if (isAgain || !scanner.take("=")) {
+    scanner.expect(isAgain ? "a channel that no other --limit has" : "=");
   }
   limit.low = scanner.value(_range);
   if (!scanner.take("..")) {
     scanner.expect("..");
   }
   limit.high = scanner.value(_range);
+  if (_range.low > _range.high && limit.low > limit.high) {
+    std::swap(limit.low, limit.high);  // -100 % is the higher one
+  }
   if (limit.low > limit.high) {
     scanner.expect("a value of " + std::to_string(limit.low) + " or more");
   }

@@ -1,5 +1,6 @@
 #include "cli/bridge/FailsafeOption.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "cli/TableReader.h"
@@ -30,6 +31,9 @@ void FailsafeOption::read(const sbus::Range &range) {
       assign(word, range, values);
     } catch (const std::runtime_error &error) {
       rejectCommandLine(std::string("--failsafe: ") + error.what());
+    }
+    if (std::any_of(_set.begin(), _set.end(), [&](const auto &other) { return other.first == channel - 1; })) {
+      rejectCommandLine("--failsafe: " + line::quoted(word) + " sets a channel again; leave one of them out");
     }
     _set.emplace_back(channel - 1, values.raw[channel - 1]);
   });

@@ -29,8 +29,8 @@ class TwoReceivers {
     return _goodUs[receiver] > 0 && nowUs < _goodUs[receiver] + GoodForUs;
   }
 
-  // Returns which one is chosen at `nowUs`, which may be somewhat earlier than at the call before. Without a good one it
-  // stays the same.
+  // Returns which one is chosen at `nowUs`, which may be somewhat earlier than at the call before. Without a good one
+  // it stays the same.
   size_t choose(uint64_t nowUs) {
     const bool isFirst = isGood(0, nowUs), isSecond = isGood(1, nowUs);
     _firstSinceUs = !isFirst ? 0 : _firstSinceUs == 0 ? nowUs : _firstSinceUs;

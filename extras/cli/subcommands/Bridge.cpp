@@ -40,6 +40,7 @@ struct Options {
   std::string to;
   std::string second;
   double backS = 1;
+  Option back;
   bool latency = false;
 };
 
@@ -175,6 +176,10 @@ void run(Options &options) {
   if (options.trainer.given() && options.second.empty()) {
     rejectCommandLine("--trainer: --second is the pupil's receiver; name it");
   }
+  if (options.back.given() && (options.trainer.given() || options.second.empty())) {
+    rejectCommandLine(options.trainer.given() ? "--back: the teacher's receiver is always used; leave it out"
+                                              : "--back: --second is the other receiver; name it");
+  }
   std::optional<SourceOption> second;
   if (!options.second.empty()) {
     second.emplace(options.source, options.second);
@@ -216,9 +221,11 @@ void addBridge(CLI::App &app) {
   subcommand.option("--second", options->second, "a second receiver, used while the first has no link")
       .notEmpty()
       .type("SOURCE");
-  subcommand.option("--back", options->backS, "how long the first must have its link before it is used again (1)")
-      .between(0, 60)
-      .type("S");
+  options->back =
+      subcommand.option("--back", options->backS,
+                       "how long the first must have its link before it is used again (1)")
+          .between(0, 60)
+          .type("S");
   subcommand.flag("--latency", options->latency,
                   "print at the end the time from reading a frame's last byte to writing the frame");
   subcommand.footer(
