@@ -58,6 +58,10 @@ rm -rf "$work/dir"
 watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 600 --after 0 >"$work/out"
 [ "$(cat "$work"/dir/*.txt >"$work/all.txt"; "$SBUS" csv "$work/all.txt" --every-frame --columns ch1)" = "$(seq 601)" ]
 verdict $? "no frame is missing between the recordings of two events"
+rm -rf "$work/dir"
+(ulimit -f 8; timeout 60 "$SBUS" watch "$work/flight.json" --when 'failsafe || ch1==900' --record "$work/dir" --before 3 --after 0 >"$work/out" 2>"$work/err")
+[ $? -eq 1 ] && grep -q 'could not be written' "$work/err" && [ "$("$SBUS" hex "$work/dir/sbus-000001.txt" 2>&1 | grep -c ' frame ')" -gt 20 ] && "$SBUS" hex "$work/dir/sbus-000002.txt" | grep -q ' frame '
+verdict $? "a limit of the size of files ends a recording as a full disk does: the next event has one"
 
 while IFS='|' read -r condition message; do
   watch sim --when "$condition" --record "$work/none" >"$work/out"

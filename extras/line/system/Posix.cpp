@@ -16,7 +16,9 @@ namespace line {
 
 // Opens /dev/null in place of each closed standard stream.
 void prepareStreams() {
-  std::signal(SIGPIPE, SIG_IGN);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) {  // the write fails instead
+    std::signal(signal, SIG_IGN);
+  }
   for (int stream = 0; stream <= 2; stream++) {
     if (fcntl(stream, F_GETFD) < 0) {
       open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);  // using it fails, as before
