@@ -200,6 +200,14 @@ END
 [ "$got" = "0 True" ] || { echo "$got"; cat "$work/err"; false; }
 verdict $? "after a stop bridge sends none of the frames that had to wait, and failsafe once the line is silent"
 
+python3 -c 'import sys
+for raw in range(200):
+    bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
+    sys.stdout.buffer.write(bytes([15]) + bits.to_bytes(22, "little") + bytes(2))' >"$work/bytes.bin"
+# shellcheck disable=SC2002  # a pipe
+[ "$(cat "$work/bytes.bin" | timeout 60 "$SBUS" bridge - - 2>"$work/err" | rows | grep -c ' 0 0$')" -eq 200 ]
+verdict $? "of bytes that a pipe brings at once all frames are sent"
+
 player bridge sim --seconds 3
 "$SBUS" csv "$terminal" --every-frame --columns ch1-ch16 >"$work/rows" 2>"$work/err"
 wait "$player"

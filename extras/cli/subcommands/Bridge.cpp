@@ -91,9 +91,11 @@ class Bridge {
   static constexpr uint64_t FillUs = 9000;  // the period of the paper's receiver
   static constexpr uint64_t OldUs = 100000;
 
-  // Returns true for a frame that may have waited for 0.1 s: while the PC was busy, or the program stopped.
+  // Returns true for a frame that may have waited for 0.1 s: while the PC was busy, or the program stopped. Bytes of a
+  // pipe may come from a file, all at once.
   static bool isOld(const Receiver &receiver, const line::Stretch &frame) {
-    return frame.endUs() + OldUs < receiver.input->nowUs() + frame.characters.back().lateUs;
+    const uint32_t lateUs = receiver.source.isStream() ? 0 : frame.characters.back().lateUs;
+    return frame.endUs() + OldUs < receiver.input->nowUs() + lateUs;
   }
 
   void take(size_t i, const line::Stretch &stretch) {
