@@ -257,7 +257,7 @@ void assign(const std::string &word, const sbus::Range &range, FrameValues &valu
   const std::string name = line::lower(word.substr(0, equals));
   const std::string text = equals == std::string::npos ? "" : line::lower(word.substr(equals + 1));
   double number = 0;
-  const bool isChannel = name.rfind("ch", 0) == 0 && name.size() <= 4 &&
+  const bool isChannel = name.rfind("ch", 0) == 0 && name.rfind("ch0", 0) != 0 && name.size() <= 4 &&
                          name.find_first_not_of("0123456789", 2) == std::string::npos &&
                          line::parseNumber(name.substr(2), number) && number >= 1 && number <= sbus::ChannelCount;
   const size_t channel = isChannel ? static_cast<size_t>(number) - 1 : 0;

@@ -114,6 +114,7 @@ ch1=1e3|"ch1=1e3" is out of range; 0 to 2047, a pulse such as 1500us, a part suc
 ch1=5.5|"ch1=5.5" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch1=800us|"ch1=800us" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch1=5 ch1=6|"ch1=6" sets ch1 again; leave one of them out
+ch5=1 ch05=2|"ch05=2" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 failsafe=on FAILSAFE=off|"FAILSAFE=off" sets failsafe again; leave one of them out
 ch1=|"ch1=" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch17=2|"ch17=2" is out of range; on or off is expected
