@@ -295,7 +295,7 @@ std::string JsonReader::put(std::optional<double> endUs, const std::vector<line:
   const uint64_t endOfAll = endUs ? static_cast<uint64_t>(std::llround(*endUs)) : _lastUs + PeriodUs;
   if (_any && endOfAll <= _lastUs) {
     return line::format("time_us %llu is not after %llu, the previous time", static_cast<unsigned long long>(endOfAll),
-                  static_cast<unsigned long long>(_lastUs));
+                        static_cast<unsigned long long>(_lastUs));
   }
   _lastUs = line::appendBackToBack(came, endOfAll, _lastUs, _characterUs, characters);
   _any = true;

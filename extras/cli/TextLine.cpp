@@ -213,8 +213,8 @@ void TextLine::takeEnd() {
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);
   } else if (!_any) {
-    _failure = _name + line::format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(_firstUs),
-                              seconds(_newestUs));
+    _failure = _name + line::format(": has no characters there; it has characters from %.3f s to %.3f s",
+                                    seconds(_firstUs), seconds(_newestUs));
   }
 }
 

@@ -64,9 +64,7 @@ class Decoders {
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
 
   bool has24() const;
-  sbus::Counters counters() const {
-    return places().without(has24() ? _finder24.counters() : _finder16.counters());
-  }
+  sbus::Counters counters() const { return places().without(has24() ? _finder24.counters() : _finder16.counters()); }
   // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, its otherSizeFrames
   // are the frames of the other decoder.
   sbus::Counters counters16() const;

@@ -58,12 +58,14 @@ void judge(const Calibration &calibration) {
   require((state == StoredState::OtherVersion) == (calibration.version != sbus::CalibrationVersion), "the version");
   Calibration sealed = calibration;
   seal(sealed);
-  require(sbus::stateOf(sealed) == (possible ? StoredState::Good : StoredState::Impossible), "sealed: good, if possible");
+  require(sbus::stateOf(sealed) == (possible ? StoredState::Good : StoredState::Impossible),
+          "sealed: good, if possible");
   uint8_t bytes[sizeof sealed];
   std::memcpy(bytes, &sealed, sizeof sealed);
   require(sealed.checkValue == crcOf(bytes, sizeof sealed - 2), "the check value is CRC-16/CCITT-FALSE of the others");
   const bool wasSealed = std::memcmp(&sealed, &calibration, sizeof sealed) == 0;
-  require((state == StoredState::Good || state == StoredState::Impossible) == wasSealed, "only what was sealed is intact");
+  require((state == StoredState::Good || state == StoredState::Impossible) == wasSealed,
+          "only what was sealed is intact");
 }
 
 void store(Input input) {

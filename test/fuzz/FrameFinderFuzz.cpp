@@ -22,9 +22,7 @@ template <typename Format>
 class Sketch {
  public:
   // `byEvents`: it polls only when bytes wait.
-  explicit Sketch(bool byEvents) : _byEvents(byEvents) {
-    reset();
-  }
+  explicit Sketch(bool byEvents) : _byEvents(byEvents) { reset(); }
 
   void reset() {
     _finder.reset(_now, sbus::CharacterTime);
@@ -101,7 +99,8 @@ class Sketch {
     require(delivered == frame, "received() and idle() return frame()");
     require(reinterpret_cast<uintptr_t>(frame + sbus::PayloadIndex) % 4 == 0, "a payload stands at a multiple of four");
     require(frame[0] == 0x0F && sbus::isFlagsByte(frame[Size - 2]), "a delivered frame is a frame");
-    require(static_cast<int32_t>(_callBefore - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0, "no frame is too young");
+    require(static_cast<int32_t>(_callBefore - 4 * sbus::CharacterTime - _finder.frameTime()) >= 0,
+            "no frame is too young");
     require(Size == 36 ? frame[Size - 1] == 0 : sbus::isEndByte(frame[Size - 1]), "a delivered frame ends as one");
     require(_fed.size() >= heldBytes() + Size, "a frame's bytes have come since the last break");
     const size_t begin = _fed.size() - heldBytes() - Size;

@@ -19,7 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   uint64_t earliest = 0;
   for (const line::Character character : recording.characters) {
     require(character.endUs >= earliest, "characters do not overlap");
-    require(character.endUs <= line::RecordingTimeMaxUs + line::RecordingLineMax * line::CharacterUs, "none is too late");
+    require(character.endUs <= line::RecordingTimeMaxUs + line::RecordingLineMax * line::CharacterUs,
+            "none is too late");
     earliest = character.endUs + line::CharacterUs;
   }
   if (!recording.error.empty()) {
@@ -29,8 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   std::string written;
   for (const line::Character character : recording.characters) {
     char line[40];
-    std::snprintf(line, sizeof(line), "%llu %02X%s\n", static_cast<unsigned long long>(character.endUs), character.value,
-                  character.bad ? "!" : "");
+    std::snprintf(line, sizeof(line), "%llu %02X%s\n", static_cast<unsigned long long>(character.endUs),
+                  character.value, character.bad ? "!" : "");
     written += line;
   }
   if (recording.characters.back().endUs <= line::RecordingTimeMaxUs) {

@@ -1,6 +1,4 @@
 // What opening a port leaves behind.
-#include "line/ports/PortFile.h"
-
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,10 +7,11 @@
 #include <filesystem>
 #include <iterator>
 
+#include "line/ports/PortFile.h"
 #include "line/ports/SendingPort.h"
 
-// libserialport 0.1.2, serialport.c: sp_free_port() frees memory and leaves the file open; only sp_close() closes it, and
-// returns an error for a port that is not open.
+// libserialport 0.1.2, serialport.c: sp_free_port() frees memory and leaves the file open; only sp_close() closes it,
+// and returns an error for a port that is not open.
 struct sp_port {
   std::string name;
   int file = -1;

@@ -35,12 +35,13 @@ std::string differenceText(const std::optional<Comparison::Difference> &first) {
 std::string lostText(const Comparison::Counts &counts, size_t side) {
   std::vector<LostSpan> shown = counts.longest[side];
   std::sort(shown.begin(), shown.end(), [](const LostSpan &a, const LostSpan &b) { return a.fromUs < b.fromUs; });
-  std::string text = line::format("lost by %s    %s in %s%s\n", Names[side], counted(counts.lost[side], "frame").c_str(),
-                            counted(counts.spans[side], "span").c_str(),
-                            counts.spans[side] > Comparison::LongestMost ? "; the longest are" : "");
+  std::string text =
+      line::format("lost by %s    %s in %s%s\n", Names[side], counted(counts.lost[side], "frame").c_str(),
+                   counted(counts.spans[side], "span").c_str(),
+                   counts.spans[side] > Comparison::LongestMost ? "; the longest are" : "");
   for (const LostSpan &span : shown) {
     text += line::format("%14.3f s to %10.3f s   %s\n", seconds(span.fromUs), seconds(span.toUs),
-                   counted(span.frames, "frame").c_str());
+                         counted(span.frames, "frame").c_str());
   }
   return text;
 }
@@ -70,9 +71,10 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
           '\n' + lostText(counts, 0) + lostText(counts, 1);
   text += "first        " + differenceText(counts.first) + '\n';
   return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s\n",
-                       static_cast<long long>(counts.delays.medianUs()),
-                       static_cast<long long>(counts.delays.leastUs()), static_cast<long long>(counts.delays.mostUs()),
-                       counts.delays.driftPpm(), isByContents ? "the contents" : "the times alone");
+                             static_cast<long long>(counts.delays.medianUs()),
+                             static_cast<long long>(counts.delays.leastUs()),
+                             static_cast<long long>(counts.delays.mostUs()), counts.delays.driftPpm(),
+                             isByContents ? "the contents" : "the times alone");
 }
 
 std::string json(const line::Comparison &comparison, bool isByContents) {

@@ -224,8 +224,7 @@ void addBridge(CLI::App &app) {
       .notEmpty()
       .type("SOURCE");
   options->back =
-      subcommand.option("--back", options->backS,
-                       "how long the first must have its link before it is used again (1)")
+      subcommand.option("--back", options->backS, "how long the first must have its link before it is used again (1)")
           .between(0, 60)
           .type("S");
   subcommand.flag("--latency", options->latency,

@@ -50,7 +50,8 @@ void addRecord(CLI::App &app) {
       .notEmpty()
       .type("");
   subcommand.footer(
-      "The file grows with every frame, and stays valid after Ctrl-C, which may cut the last frame, when the disk fills "
+      "The file grows with every frame, and stays valid after Ctrl-C, which may cut the last frame, when the disk "
+      "fills "
       "up, and if the program is killed.");
   subcommand.run([source, name] { run(*source, *name); });
 }

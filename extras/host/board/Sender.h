@@ -38,7 +38,7 @@ class Sender {
 
   // For the report.
   std::deque<Transmission> &transmissions() { return _transmissions; }  // one for each of the settings used
-  std::string finish() { return _file ? _file->finish() : ""; }  // what has gone wrong with the file, or nothing
+  std::string finish() { return _file ? _file->finish() : ""; }         // what has gone wrong with the file, or nothing
 
  private:
   BoardTransmitter _transmitter;
