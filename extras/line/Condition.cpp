@@ -180,7 +180,7 @@ class Parser {
       return good;
     }
     if (!_shown) {
-      return fail("leave out us and %: a board's numbers are compared as they are printed");
+      return fail("leave out us and %: a board's numbers are compared as printed");
     }
     next();
     std::optional<uint16_t> first;

@@ -108,7 +108,7 @@ export default async function () {
     ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
     ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],
     ['idle.sr', pack([['metadata', metadata], ['logic-1', Buffer.alloc(1000)]]), `idle.sr: signal A has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
-    ['cut.sr', whole.subarray(0, 600), 'cut.sr: cannot be read: the ZIP has no directory; is it cut off?'],
+    ['cut.sr', whole.subarray(0, 600), 'cut.sr: cannot be read: the ZIP has no directory: is it incomplete?'],
     ['damaged.sr', damaged, 'damaged.sr: cannot be read: the ZIP is damaged'],
     ['logic.sal', '<SALEAE>\0\0', 'logic.sal: is Logic 2\'s binary export: export it as CSV'],
   ]) {

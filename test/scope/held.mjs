@@ -113,9 +113,9 @@ export default async function () {
       await page.workers().at(-1).evaluate(() => void setTimeout(() => {
         throw new Error('out of memory');
       }));
-      await reads(page, '#verdict-text', 'What decodes the line has failed.');
+      await reads(page, '#verdict-text', 'The decoder has failed.');
       await page.waitForTimeout(500);
-      await reads(page, '#verdict-text', 'What decodes the line has failed.');
+      await reads(page, '#verdict-text', 'The decoder has failed.');
       const { text } = await downloaded(page, '#record');
       assert.ok(text.split('\n').length > 40);
       await page.click('#source-simulated');
@@ -132,11 +132,11 @@ export default async function () {
     await counts(page, 'frames', 3);
     await page.click('#record');
     await page.evaluate(() => fake.port.unplug());
-    await reads(page, '#verdict-text', 'The port has gone.');
+    await reads(page, '#verdict-text', 'The port is gone.');
     await reads(page, '#verdict-remedy', /press Adapter… or Board… again and choose it/);
     await page.evaluate(() => fake.port.plug());
     await page.waitForTimeout(1200);
-    await reads(page, '#verdict-text', 'The port has gone.');
+    await reads(page, '#verdict-text', 'The port is gone.');
     await page.click('#source-adapter');
     await counts(page, 'frames', 6);
     await counts(page, 'port reopened', 1);
@@ -151,7 +151,7 @@ export default async function () {
     await page.waitForTimeout(1000);
     await reads(page, '#verdict-text', 'Listening.');
     await page.evaluate(() => fake.skip(2500));
-    await reads(page, '#verdict-text', 'The port does not open.');
+    await reads(page, '#verdict-text', 'The port does not respond.');
     await reads(page, '#verdict-remedy', /^The system has not answered for 3 s/);
     await page.click('#source-simulated');
     await reads(page, '#verdict-text', 'All well.');

@@ -18,15 +18,15 @@ export default async function () {
       port.onOpen = () => port.feed(bytes);
       fake.choose = () => fake.newPort(); // with other bytes: none
     }, [1, 2, 3].flatMap(() => frame([1234], { flags: 1 })));
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, false');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, false');
     await page.click('#known button');
     await raw(page, 1, '1234');
     await lit(page, 'ch17');
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001)');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, true');
+    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001)');
     assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');
     await page.click('#source-simulated');
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, false');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, false');
   });
 
   await check('a port opens again as the board or adapter that it was, a board with its baud rate, whatever its vendor; a new port is guessed', async (page) => {
@@ -36,7 +36,7 @@ export default async function () {
     await plugged(page, { usbVendorId: 0x0403, usbProductId: 0x6001 }, uno, { usbVendorId: 0x0403, usbProductId: 0x6015 }, { usbVendorId: 0x1234, usbProductId: 0xabc }, {});
     await page.reload();
     await shows(page, 'FTDI FT232 (0403:6001), Open it again as a board, false', 'Arduino Uno (2341:0043), Open it again as a board, false',
-      'FTDI FT231X (0403:6015), Open it again as an adapter, false', 'USB 1234:0abc, Open it again as a board, false', 'serial port, Open it again as a board, false');
+      'FTDI FT231X (0403:6015), Reopen it as an adapter, false', 'USB 1234:0abc, Open it again as a board, false', 'serial port, Open it again as a board, false');
     await page.click('#known button');
     await reads(page, '#title', 'A board that prints numbers, 57600 baud, FTDI FT232 (0403:6001)');
   });
@@ -44,11 +44,11 @@ export default async function () {
   await check('a port has a button while it is plugged in; a port without permission has none', async (page) => {
     await page.evaluate(() => fake.newPort().plug());
     await connect(page);
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, true');
     await page.evaluate(() => fake.port.unplug());
     await shows(page);
     await page.evaluate(() => fake.port.plug());
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as an adapter, true');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as an adapter, true');
   });
 
   await check('if the browser rejects getPorts(), as in a page of opaque origin, there are no buttons and no error', async (page) => {

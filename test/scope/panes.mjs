@@ -98,7 +98,7 @@ export default async function () {
   await check('a board that prints plain numbers shows no flags, no bytes, no sticks', async (page) => {
     await printing(page, '12.5,80,-3\r\n');
     await connect(page, 'board');
-    await reads(page, '#verdict-text', 'Rows come from a board.');
+    await reads(page, '#verdict-text', 'Receiving rows from a board.');
     for (const selector of ['#bars', '#plot', '#intervals-chart']) assert.ok(await shown(page, selector), selector);
     for (const selector of ['.frames', '.losses', '.stick-card', '.indicators', '#indicator-failsafe', '#telemetry', '#calibrate', '#bars .us', '#guide']) {
       await until(`${selector} is not shown`, async () => !(await shown(page, selector)));

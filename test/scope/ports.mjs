@@ -85,11 +85,11 @@ export default async function () {
       await connect(page);
       await reads(page, '#state', 'Fine');
       await page.evaluate((still) => fake.port.unplug({ bound: still }), bound);
-      await reads(page, '#verdict-text', 'The port has gone.');
-      await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening again)');
+      await reads(page, '#verdict-text', 'The port is gone.');
+      await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening again)');
       await reads(page, '#state', 'Stale');
       await page.waitForTimeout(1500); // the page has tried it again; the browser says only that it cannot be opened
-      await reads(page, '#verdict-text', 'The port has gone.');
+      await reads(page, '#verdict-text', 'The port is gone.');
       await page.evaluate(() => fake.port.plug());
       await reads(page, '#state', 'Fine');
       await counts(page, 'port unplugged', 1);
@@ -104,7 +104,7 @@ export default async function () {
     await page.click('#source-adapter');
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
     await page.evaluate(() => fake.port.unplug());
-    await reads(page, '#verdict-text', 'The port has gone.');
+    await reads(page, '#verdict-text', 'The port is gone.');
     await page.evaluate(() => fake.port.plug());
     await reads(page, '#state', 'Fine');
   });
@@ -115,10 +115,10 @@ export default async function () {
     await page.click('#source-adapter');
     await reads(page, '#verdict-text', 'The port cannot be opened.');
     await reads(page, '#verdict-remedy', /^Close the other program/);
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (not open)');
+    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001)');
+    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001)');
   });
 
   await check('while a port takes 1.3 s to open nothing is tried, and then each baud rate is listened to for the same time', async (page) => {
@@ -137,7 +137,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.openMs = 1300));
     await page.click('#source-adapter');
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
-    await reads(page, '#title', 'S.Bus at a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening)');
+    await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (opening)');
     await page.click('#source-simulated');
     await reads(page, '#title', /^Simulated/);
     await reads(page, '#state', 'Fine');
@@ -277,7 +277,7 @@ export default async function () {
       for (const indicator of indicators) {
         await lit(page, indicator);
       }
-      await reads(page, '#verdict-text', indicators.includes('failsafe') ? /^Failsafe/ : 'Rows come from a board.');
+      await reads(page, '#verdict-text', indicators.includes('failsafe') ? /^Failsafe/ : 'Receiving rows from a board.');
       assert.equal(await page.locator('.indicator:visible').count(), columns === 18 || columns === 6 ? 2 : 0);
       const shown = { 18: 16, 6: 4 }[columns] ?? columns;
       assert.equal(await page.locator('#bars li:visible').count(), shown);
@@ -335,7 +335,7 @@ export default async function () {
     await page.selectOption('#baud', '9600');
     await reads(page, '#bars li:nth-child(1) .raw', '832');
     await reads(page, '#title', 'A board that prints numbers, 9600 baud, FTDI FT232 (0403:6001)');
-    await reads(page, '#verdict-text', 'Rows come from a board.');
+    await reads(page, '#verdict-text', 'Receiving rows from a board.');
     assert.deepEqual(await page.evaluate(() => fake.port.opened.map(({ baudRate }) => baudRate)), [115200, 9600]);
   });
 
@@ -352,7 +352,7 @@ export default async function () {
     }
     await page.waitForTimeout(300);
     await reads(page, '#state', 'Fine');
-    await reads(page, '#verdict-text', 'Rows come from a board.');
+    await reads(page, '#verdict-text', 'Receiving rows from a board.');
     await page.evaluate(() => fake.skip(9000));
     await reads(page, '#state', 'Stale');
   });
@@ -361,7 +361,7 @@ export default async function () {
     await brings(page, codes('995,992,172,992,0,0\r\n'), 100000, 50);
     await connect(page);
     await raw(page, 1, '995');
-    await reads(page, '#verdict-text', 'Rows come from a board.');
+    await reads(page, '#verdict-text', 'Receiving rows from a board.');
   });
 
   await check('a board that falls silent is stale; a board that prints text is not taken for one that prints rows', async (page) => {

@@ -163,7 +163,7 @@ export default async function () {
       await reads(page, '#fault-text', new RegExp(`^${text}`));
     }
     await page.keyboard.press('Shift+N');
-    await reads(page, '#fault-text', 'There is no further fault "lost frames" in this direction.');
+    await reads(page, '#fault-text', 'There is no other fault "lost frames" in this direction.');
     await page.fill('#position', '0');
     await page.click('#fault-counts li:nth-child(2) button');
     await page.focus('#plot');

@@ -139,7 +139,7 @@ export default async function () {
   await check('a browser that starts no worker: a notice says so', async (page) => {
     await page.evaluate(() => (globalThis.Worker = class { constructor() { throw new DOMException('no', 'SecurityError'); } }));
     await drop(page, 'paper.txt', 1);
-    await reads(page, '#notice-text', 'This browser starts no worker, which the page needs for recordings.');
+    await reads(page, '#notice-text', 'This browser cannot start a worker, which the page needs for recordings.');
     await reads(page, '#state', 'Fine');
   });
 }

@@ -52,7 +52,7 @@ export default async function () {
     await page.click('#cut');
     await reads(page, '#state', 'Stale');
     await page.waitForSelector('#bars.doubtful');
-    await reads(page, '#verdict-text', 'No signal any more: frames came before, now not a byte does.');
+    await reads(page, '#verdict-text', 'Signal lost: frames came before, but no bytes come now.');
     await reads(page, '#verdict-remedy', /^Check wire, pin and receiver/);
     await reads(page, '#rate', '0');
     await page.click('#cut');

@@ -27,7 +27,7 @@ const shows = (page, chart, expected) => {
 export default async function () {
   await check('frame intervals have a median, the range of 98 %, the longest, and a bar for each', async (page) => {
     await playFrames(page, [[9], ...times(150, 9), ...times(4, 8.8), ...times(40, 9.2), [7], [300], ...times(3, 9)]);
-    await reads(page, '#intervals-text', '199 intervals: the median is 9.0 ms, 98 % last 8.8 to 9.2 ms, the longest 300 ms.');
+    await reads(page, '#intervals-text', '199 intervals: median 9.0 ms, 98 % from 8.8 to 9.2 ms, longest 300 ms.');
     await shows(page, 'intervals-chart', ['shorter: 1', '8.8 ms: 4', '9.0 ms: 153', '9.2 ms: 40', 'longer: 1']);
   });
 
@@ -54,7 +54,7 @@ export default async function () {
     }
     await reads(page, '#losses-text', /^0\.0 % of 4 rows/);
     await reads(page, '#quality', '');
-    await reads(page, '#intervals-text', /^3 intervals: the median is 1\d\d\d ms/);
+    await reads(page, '#intervals-text', /^3 intervals: median 1\d\d\d ms/);
     await page.evaluate(() => (fake.choose = () => fake.newPort()));
     await page.click('#source-adapter');
     await reads(page, '#losses-text', 'No frames yet.');

@@ -87,7 +87,7 @@ export default async function () {
       await until('it is not told', async () => new RegExp(`of 1:00\\.0, (.*, )?${fault[0]}`).test(await page.getAttribute('#position', 'aria-valuetext')));
     }
     await page.keyboard.press('n');
-    await reads(page, '#fault-text', 'There is no further fault in this direction.');
+    await reads(page, '#fault-text', 'There is no other fault in this direction.');
     for (const i of [5, 4, 3, 2, 1, 0]) {
       await page.keyboard.press('Shift+P');
       await reads(page, '#fault-text', told(expected[i], i));

@@ -101,7 +101,7 @@ export default async function () {
     }
   }, { patience: 120000 });
 
-  await check('a board\'s numbers are compared as they are printed', async (page) => {
+  await check('a board\'s numbers are compared as printed', async (page) => {
     const file = path.join(build, 'trigger-rows.csv');
     writeFileSync(file, `time,throttle,roll\n${Array.from({ length: 100 }, (_, i) => `${(i / 10).toFixed(3)},${i - 50}.5,7\n`).join('')}`);
     await play(page, file);
@@ -109,7 +109,7 @@ export default async function () {
     await seek(page, 1000);
     await set(page, 'ch1 > 1500 us');
     await page.click('#trigger-next');
-    await reads(page, '#trigger-text', 'Character 12: leave out us and %: a board\'s numbers are compared as they are printed.');
+    await reads(page, '#trigger-text', 'Character 12: leave out us and %: a board\'s numbers are compared as printed.');
     await set(page, 'ch1 > -12.5 && ch2 = 7 and not failsafe');
     await page.click('#trigger-next');
     await reads(page, '#trigger-text', at(3.9e6));

@@ -91,6 +91,6 @@ export default async function () {
     await reads(page, '#state', 'Stale');
     await until('no verdict', () => page.evaluate(() => fake.said.size > 0));
     await page.waitForTimeout(1500);
-    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['No signal any more: frames came before, now not a byte does.']);
+    assert.deepEqual(await page.evaluate(() => [...fake.said]), ['Signal lost: frames came before, but no bytes come now.']);
   });
 }

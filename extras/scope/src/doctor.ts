@@ -64,7 +64,7 @@ export class Doctor {
       case LinkState.Stale:
         return status.ageUs - status.quietUs > quietestUs && status.quietUs < silenceUs
           ? this.of(Finding.NoFrames)
-          : { ...this.of(Finding.NoSignal), text: 'No signal any more: frames came before, now not a byte does.' };
+          : { ...this.of(Finding.NoSignal), text: 'Signal lost: frames came before, but no bytes come now.' };
       case LinkState.NeverSeen: {
         const finding = live ? live.round : this.finding(status);
         return finding === undefined
@@ -88,7 +88,7 @@ export class Doctor {
       return this.of(Finding.Lossy);
     }
     if (isOld) {
-      return { text: 'Frames come.', remedy: 'A verdict takes a second of them.', severity: 'good' };
+      return { text: 'Receiving frames.', remedy: 'The verdict needs one second.', severity: 'good' };
     }
     return this.of(finding === Finding.NoRadio && !lossy ? Finding.Lossy : finding);
   }
@@ -104,13 +104,13 @@ export class Doctor {
 
 const awaited: Verdict = {
   text: 'Waiting for rows.',
-  remedy: 'A board may restart when its port is opened, and a slow sketch takes a while.',
+  remedy: 'A board may restart when its port opens, and a slow sketch takes a while.',
   severity: 'note',
 };
 
 const noText: Verdict = {
   text: 'Bytes come, but no rows.',
-  remedy: 'Choose the baud rate that the sketch gives to Serial.begin().',
+  remedy: 'Choose the baud rate that the sketch passes to Serial.begin().',
   severity: 'warning',
 };
 
@@ -118,18 +118,18 @@ function ofBoard(status: Status, failsafe: Verdict): Verdict {
   if (status.rows === 0) {
     return {
       text: 'Text comes, but no rows of numbers.',
-      remedy: 'Upload a sketch that prints 2 to 32 numbers a line, with commas, tabs or blanks between them: DecodeSBus, AllChannels or Channels24.',
+      remedy: 'Upload a sketch that prints 2 to 32 numbers per line, separated by commas, tabs or blanks: DecodeSBus, AllChannels or Channels24.',
       severity: 'warning',
     };
   }
   if (status.state === LinkState.Stale) {
     return {
       text: 'No rows: the board prints nothing.',
-      remedy: 'Its sketch prints while frames come: check the wire to the receiver, or upload Diagnose.',
+      remedy: 'Its sketch prints only while frames come: check the wire to the receiver, or upload Diagnose.',
       severity: 'alarm',
     };
   }
   return status.state === LinkState.Failsafe
     ? failsafe
-    : { text: 'Rows come from a board.', remedy: 'Its sketch decodes the line.', severity: 'good' };
+    : { text: 'Receiving rows from a board.', remedy: 'Its sketch decodes the line.', severity: 'good' };
 }

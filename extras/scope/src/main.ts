@@ -18,7 +18,7 @@ import { NoticeView } from './view/notice';
 import { splitPanes } from './view/panes';
 import { ScaleView } from './view/scale';
 
-const stays = 'Save what is recorded, and reload the page.';
+const stays = 'Save the recording, and reload the page.';
 let notice: NoticeView | undefined;
 
 // Shows the page's own failures: a blank page says nothing. The line's verdict is drawn over it: so once the page draws, it is a
@@ -32,14 +32,14 @@ function fault(error: unknown): void {
   said = text;
   byId('verdict').dataset.severity = 'alarm';
   setText(byId('verdict-text'), text);
-  setText(byId('verdict-remedy'), 'Reload it, in a browser released this year or last year.');
+  setText(byId('verdict-remedy'), 'Reload it in a browser released this year or last year.');
 }
 addEventListener('error', (event) => event.error && fault(event.error)); // without an error it is an observer's complaint
 addEventListener('unhandledrejection', (event) => fault(event.reason));
 
 const core = await Core.load();
 notice = new NoticeView();
-const scope = new Scope(core, (view, error) => notice?.show({ text: `${view} has failed: ${error.message}.`, remedy: `All else goes on. ${stays}` }, true));
+const scope = new Scope(core, (view, error) => notice?.show({ text: `${view} has failed: ${error.message}.`, remedy: `Everything else continues. ${stays}` }, true));
 const known = new KnownPorts(byId('known'), (port, kind) => void open(port, kind));
 const select = (id: string): HTMLSelectElement => byId<HTMLSelectElement>(id);
 

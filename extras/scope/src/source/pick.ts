@@ -6,7 +6,7 @@ export type PortKind = 'adapter' | 'board';
 
 const noWebSerial: Problem = {
   text: 'This browser has no Web Serial.',
-  remedy: 'To read a port, open this page in Chrome, Edge or Firefox (from 151 on) on a computer; or let sbus record it, and drop the file here.',
+  remedy: 'To read a port, open this page in Chrome, Edge or Firefox (151 or later) on a computer. Or record the port with sbus, and drop the file here.',
 };
 
 // Returns the port that the user picks. Throws a Problem without one.
@@ -27,6 +27,6 @@ function whyNoPort({ name, message }: DOMException, kind: PortKind): Problem {
   }
   return {
     text: `The browser offers no port: ${message}`,
-    remedy: 'Allow this page to use one. If the page was opened from disk and the browser rejects it, make scope serves it.',
+    remedy: 'Allow this page to use a port. If the browser refuses because the page was opened from disk, serve it with make scope.',
   };
 }

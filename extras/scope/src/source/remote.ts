@@ -11,13 +11,13 @@ import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
 
 const noWorker: Problem = {
-  text: 'This browser starts no worker, which the page needs for recordings.',
-  remedy: 'Open this page in a browser released this year or last year; or let make scope serve it, if it was opened from disk.',
+  text: 'This browser cannot start a worker, which the page needs for recordings.',
+  remedy: 'Use a browser released this year or last year. If you opened the page from disk, serve it with make scope.',
 };
 
 const failed: Problem = {
-  text: 'What decodes the line has failed.',
-  remedy: 'What the page shows is from before. Choose a source again, or reload the page; save what is recorded first.',
+  text: 'The decoder has failed.',
+  remedy: 'The page shows old data. Save the recording, then choose a source again or reload the page.',
 };
 
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory

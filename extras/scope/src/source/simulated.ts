@@ -41,10 +41,10 @@ export class SimulatedSource implements Source {
 
 function titleOf({ calibration, channels }: Simulation): string {
   return calibration
-    ? 'Simulated FrSky R-XSR, sticks as for a calibration: 15 s whole travel, 7 s at rest, 5 s up and right'
+    ? 'Simulated FrSky R-XSR, sticks move for a calibration: 15 s full travel, 7 s at rest, 5 s up and right'
     : channels === 24
-      ? 'Simulated FrSky receiver of 24 channels'
+      ? 'Simulated FrSky receiver with 24 channels'
       : channels === 32
         ? 'Simulated Futaba receiver, FASSTest 26: 32 channels'
-        : 'Simulated FrSky R-XSR: every 15 s the radio goes off at 9.5 s, failsafe at 10 s, back at 12.5 s';
+        : 'Simulated FrSky R-XSR: every 15 s: radio off at 9.5 s, failsafe at 10 s, back at 12.5 s';
 }

@@ -6,18 +6,18 @@ import { Throttle } from '../throttle';
 
 const rows: [keyof Status, string, string][] = [
   ['frames', 'frames', 'delivered'],
-  ['lostFrames', 'lost frames', 'with the lost-frame flag'],
+  ['lostFrames', 'lost frames', 'frames with the lost-frame flag'],
   ['failsafeFrames', 'failsafe frames', 'with the failsafe flag'],
   ['extraFrames', '2F frames', 'with CH17..CH32'],
-  ['rejectedByEnd', 'rejected: end', 'no end byte where one belongs'],
+  ['rejectedByEnd', 'rejected: end', 'no end byte at the end'],
   ['rejectedByFlags', 'rejected: flags', 'unused bits of the flags set'],
-  ['rejectedByLength', 'rejected: size', 'more bytes follow directly, or a gap lies inside'],
-  ['discardedBytes', 'discarded bytes', 'that belong to no frame and no telemetry'],
+  ['rejectedByLength', 'rejected: size', 'more bytes follow directly, or there is a gap inside'],
+  ['discardedBytes', 'discarded bytes', 'bytes that belong to neither a frame nor telemetry'],
   ['resyncs', 'resyncs', 'frames were found again after some were missed'],
   ['characterErrors', 'character errors', 'wrong parity or stop bit, or a break'],
-  ['lateReads', 'late reads', 'of the port, by 0.1 s or more: the PC was busy. What the line did meanwhile is not known'],
-  ['rows', 'rows', 'of numbers that a board printed'],
-  ['otherLines', 'other lines', 'of text that a board printed'],
+  ['lateReads', 'late reads', 'port reads that came 0.1 s or more late, because the PC was busy. What the line did meanwhile is not known'],
+  ['rows', 'rows', 'rows of numbers that a board printed'],
+  ['otherLines', 'other lines', 'lines of text that a board printed'],
 ];
 
 const rare = ['extraFrames', 'rows', 'otherLines', 'lateReads']; // not shown before the first

@@ -227,7 +227,7 @@ export class Curves {
     const plot = this.plot;
     const left = plot?.cursor.left ?? -1;
     if (!plot || left < 0 || this.history.end === 0) {
-      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, turn the wheel to zoom; a double click goes back to the newest.' : '');
+      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '');
       return;
     }
     const sample = this.history.nearest(plot.posToVal(left, 'x'));

@@ -42,7 +42,7 @@ export class FramesView {
     bits.addEventListener('focus', () => this.hold(true));
     bits.addEventListener('blur', () => this.hold(false));
     bits.addEventListener('keydown', (event) => this.key(event));
-    setText(this.text, 'Point at a bit: least significant first, as on the wire.');
+    setText(this.text, 'Point at a bit. Bits are shown least significant first, as on the wire.');
   }
 
   clear(): void {
@@ -77,7 +77,7 @@ export class FramesView {
     const newest = [...(this.stopped ?? this.stretches)].reverse();
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
-    setText(this.hint, newest.length === 0 ? 'No S.Bus bytes: none have come, or a board prints numbers instead.' : '');
+    setText(this.hint, newest.length === 0 ? 'No S.Bus bytes: none have come, or the source is a board that prints numbers.' : '');
   }
 
   private drawRow(row: HTMLElement, stretch: Stretch | undefined): void {
@@ -155,7 +155,7 @@ export class FramesView {
     this.bits.classList.toggle('held', this.held);
     if (!this.held) {
       this.bitCells.forEach((cell) => cell.classList.remove('same', 'at'));
-      setText(this.text, 'Point at a bit: least significant first, as on the wire.');
+      setText(this.text, 'Point at a bit. Bits are shown least significant first, as on the wire.');
     } else if (document.activeElement === this.bits) {
       this.explain(this.at);
     }

@@ -51,7 +51,7 @@ export class ReportView {
     );
     const { worst, spans } = flight;
     this.lists.replaceChildren(
-      listOf(worst.length > 0 ? 'The worst seconds' : 'In no second was a frame lost', worst.map((part) => [part[0], part[1], textOf(part)]), this.visit),
+      listOf(worst.length > 0 ? 'The worst seconds' : 'No second has a lost frame', worst.map((part) => [part[0], part[1], textOf(part)]), this.visit),
       ...kinds.filter((kind) => spans[kind].count > 0).map((kind) => {
         const { count, us, longest } = spans[kind];
         const more = count > longest.length ? `; the ${longest.length} longest` : '';

@@ -32,8 +32,8 @@ export class StatisticsView {
 
   private drawIntervals(found: Intervals | undefined, what: string): void {
     const text = found
-      ? `${found.count} intervals: the median is ${ms(found.medianUs)} ms, 98 % last ${ms(found.lowUs)} to ${ms(found.highUs)} ms, ` +
-        `the longest ${ms(found.longestUs)} ms.`
+      ? `${found.count} intervals: median ${ms(found.medianUs)} ms, 98 % from ${ms(found.lowUs)} to ${ms(found.highUs)} ms, ` +
+        `longest ${ms(found.longestUs)} ms.`
       : `Waiting for two ${what}.`;
     setText(byId('intervals-text'), text);
     const { bins = [], shorter = 0, longer = 0, firstUs = 0, widthUs = 0 } = found ?? {};

@@ -70,7 +70,7 @@ export class Strip {
   private readonly bookmarks = svg('path', { class: 'bookmark' });
   private readonly paths = faults.map((fault) => svg('path', { class: classes[fault] }));
   private readonly counts = faults.map(() => make('span'));
-  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show, and go to, only these' }));
+  private readonly buttons = faults.map(() => make('button', { 'aria-pressed': 'false', title: 'Show only these, and go only to these' }));
   private readonly state = make('li');
   private readonly announcer = new Announcer(byId('fault-announcement'), restMs);
 
@@ -102,7 +102,7 @@ export class Strip {
     setAttribute(this.bookmarks, 'd', bookmarks.map(({ us }) => `M${place(us).toFixed(2)} 0v${tall}`).join(''));
     const all = map?.isComplete ? ` of ${this.counted(map)}` : '';
     const kind = this.only === undefined ? 'fault' : `fault "${faultNames[this.only]}"`;
-    const text = isLast ? `There is no further ${kind} in this direction.` : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
+    const text = isLast ? `There is no other ${kind} in this direction.` : found ? `Fault ${found.number}${all}: ${textOf(found)}.` : '';
     setText(byId('fault-text'), text);
     this.announcer.say(text);
   }

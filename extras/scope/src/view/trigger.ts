@@ -99,7 +99,7 @@ export class TriggerView {
       this.readyUs = Infinity;
       this.frames.stopAt(us);
       this.curves.mark(us);
-      this.say(`Event at ${seconds(us)}; the picture fills.`);
+      this.say(`Event at ${seconds(us)}; the picture is filling.`);
     }
   }
 
@@ -164,7 +164,7 @@ export class TriggerView {
     this.disarm();
     this.leaving();
     const fromUs = source.positionUs === this.atUs && this.eventUs !== undefined ? this.eventUs : source.positionUs;
-    this.say('Looking for the next event.');
+    this.say('Searching for the next event.');
     source.seekEvent(fromUs, steps, this.afterUs, (us, event) => {
       if (event === null) {
         this.say(`No event after ${seconds(fromUs)}.`);

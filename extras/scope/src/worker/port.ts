@@ -58,7 +58,7 @@ export class PortLine {
   }
 
   get title(): string {
-    return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : 'S.Bus at a serial adapter, 8E2';
+    return this.isBoard ? `A board that prints numbers, ${this.setting.baud} baud` : 'S.Bus on a serial adapter, 8E2';
   }
 
   get state(): State {
@@ -134,17 +134,17 @@ export class PortLine {
 }
 
 const unplugged: Problem = {
-  text: 'The port has gone.',
-  remedy: 'Plug the adapter or the board in again: the page goes on by itself. After a device without a serial number (most CH340) the browser tells nothing: press Adapter… or Board… again and choose it, and the page goes on where it was.',
+  text: 'The port is gone.',
+  remedy: 'Plug the adapter or the board in again, and the page goes on by itself. For a device without a serial number (most CH340) the browser does not report this: press Adapter… or Board… and choose it, and the page goes on where it stopped.',
 };
 
 const notOpening: Problem = {
-  text: 'The port does not open.',
-  remedy: 'The system has not answered for 3 s. Unplug the adapter or the board, and plug it in again; if that does not help, restart the browser.',
+  text: 'The port does not respond.',
+  remedy: 'The system has not answered for 3 s. Unplug the adapter or the board and plug it in again; if that does not help, restart the browser.',
 };
 
 // Chromium gives the same text for every cause, which says no more than this.
 const notOpened: Problem = {
   text: 'The port cannot be opened.',
-  remedy: 'Close the other program that has it open, such as a Serial Monitor or another page. On Linux, add yourself to the group dialout. The page tries again every second.',
+  remedy: 'Close the program that has it open, for example a Serial Monitor or another page. On Linux, add yourself to the group dialout. The page tries again every second.',
 };

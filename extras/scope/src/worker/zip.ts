@@ -27,12 +27,12 @@ export async function directory(file: File): Promise<Map<string, Entry>> {
   let at = tail.byteLength - end.size;
   while (at >= 0 && tail.getUint32(at, true) !== end.signature) at--;
   if (at < 0) {
-    throw new Error('the ZIP has no directory; is it cut off?');
+    throw new Error('the ZIP has no directory: is it incomplete?');
   }
   const [size, from] = [tail.getUint32(at + 12, true), tail.getUint32(at + 16, true)];
   const list = await view(file, from, from + size);
   if (from === zip64 || list.byteLength < size) {
-    throw new Error('the ZIP is too large, or cut off');
+    throw new Error('the ZIP is too large or incomplete');
   }
   const entries = new Map<string, Entry>();
   for (let next = 0; next + listed.size <= size && list.getUint32(next, true) === listed.signature; ) {
