@@ -126,7 +126,7 @@ TEST_CASE(
   const std::string title1 = logic1.substr(0, logic1.find('\n') + 1);
   const std::string logic2 = asyncOf(true);
   const std::string title2 = logic2.substr(0, logic2.find('\n') + 1);
-  const std::string notByte = "is no byte: export the table with hexadecimal values, such as 0x0F";
+  const std::string notByte = "is not a byte: export the table with hexadecimal values, such as 0x0F";
   const struct {
     std::string text, error;
   } rows[] = {
@@ -184,7 +184,7 @@ TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal di
       {noRate, "2: does not say when its samples were taken: --rate is expected"},
       {replaced(bits, "with 2/8", "with 0/8"),
        "2: there are no signals: \"Acquisition with 1/8 channels\" or more is expected"},
-      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4:is longer than a year: is its rate right?"},
+      {replaced(bits, "1 MHz", "0.0000000001 Hz"), "4: is longer than a year: is its rate right?"},
       {begin + "CLK:0101\n", "3: the samples of 2 signals are expected, but only those of 1 came"},
       {begin + "CLK:01\nRX:011\n", "4: there are 3 samples: as many as above, 2, are expected"},
       {begin + "CLK:0\nRX:1\nRX:1\n", "5: \"RX\" is found where samples of \"CLK\" are expected"},

@@ -160,7 +160,7 @@ rm -f "$UINPUT_LOG"
 LD_PRELOAD="$preload" "$SBUS" joystick "$work/adapter" --latency 2>"$work/err" &
 reader=$!
 has_reports() { [ "$(grep -c '^ABS' "$UINPUT_LOG")" -ge "$1" ]; }
-until_true grep -q 'the port has gone' "$work/err" && until_true has_reports 2
+until_true grep -q 'the port is gone' "$work/err" && until_true has_reports 2
 wait "$player"
 player send ch1=172 ch3=1811
 ln -sf "$terminal" "$work/adapter"

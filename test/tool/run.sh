@@ -261,7 +261,7 @@ first=$player
 "$sbus" record "$work/adapter" "$work/replugged.txt" 2>"$work/replugged.err" &
 recorder=$!
 wait "$first"
-until_true grep -q 'the port has gone' "$work/replugged.err"
+until_true grep -q 'the port is gone' "$work/replugged.err"
 before=$(wc -l <"$work/replugged.txt")
 player send sim
 ln -sf "$terminal" "$work/adapter"
