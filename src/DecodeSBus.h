@@ -201,6 +201,6 @@ using DecodeSBus24 = DecodeSBusOf<sbus::Frame24>;
 
 /// Decodes sixteen channels and two switches, and treats a frame with 0 on all channels as lost: it counts in
 /// counters().lostFrames, and the sketch's array keeps its values, so the array must outlive loop(). Failsafe is true
-/// until a frame comes that is not lost. A FrSky receiver that is set to "No pulses" may send such frames, and does not
-/// always set a flag in them.
+/// until a frame comes that is not lost. A FrSky receiver that is set to "No pulses" may send these frames, and does
+/// not always set a flag in them.
 using DecodeSBusNoPulses = DecodeSBusOf<sbus::Frame16NoPulses>;

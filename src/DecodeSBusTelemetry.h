@@ -21,7 +21,7 @@ class DecodeSBusTelemetryOf : public DecodeSBusOf<sbus::Frame16, Events> {
  public:
   using Decoder::Decoder;  ///< see DecodeSBusOf()
 
-  /// Reads the sensor whose first slot is `slot`, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
+  /// Reads the sensor in the slots from `slot` on, 0..31, into `sensor`: a type of sbus/Sensors.h, or one of your own
   /// with `Slots` and `decode()`. Slot 0 is the receiver's own, sbus::ReceiverVoltage. Returns true if all of the
   /// sensor's slots have come within the last second; otherwise `sensor` is unchanged. All values of a sensor are from
   /// one moment, and can be read one frame, 15 ms, after they were sent. From the first call for a sensor on, its slots

@@ -174,6 +174,6 @@ class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sb
   sbus::FrameRhythm _rhythm;
   uint32_t _heardBy = 0;      // us: no character that was read has come later
   int16_t _waiting = NoLook;  // characters that waited shortly before the slot that is due
-  uint32_t _timedFrame = 0;   // number of the last frame whose end was known
+  uint32_t _timedFrame = 0;   // number of the last frame with a known end
   const sbus::HandOver _handOver;
 };

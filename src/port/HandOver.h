@@ -83,7 +83,7 @@ inline HandOver handOverOf(HardwareSerialIMXRT *, HardwareSerial *, Choice<1>) {
   return HandOver::EachCharacter;
 }
 #endif
-// arduino-pico, whose available() looks into the FIFO. Its UART does not check the second stop bit (RP2040 datasheet,
+// arduino-pico: its available() looks into the FIFO. Its UART does not check the second stop bit (RP2040 datasheet,
 // 4.2.2).
 template <typename Port>
 auto handOverOf(Port *port, HardwareSerial *, Choice<2>) -> decltype(port->setInvertRX(true), HandOver()) {

@@ -71,7 +71,7 @@ Format as(Format, Config config) {
 }
 
 #if defined(SBUS_TEENSY4)
-// Teensy 4, whose interrupt at the end of the last character releases the wire (cores 7f107ee,
+// Teensy 4: its interrupt at the end of the last character releases the wire (cores 7f107ee,
 // teensy4/HardwareSerial.cpp:700). The other cores have no half duplex, or cannot do this with it:
 // extras/docs/telemetry.md.
 struct Teensy4 : ByFormat {
@@ -88,7 +88,7 @@ struct ByEnum : ByFormat {
   }
 };
 
-// STM32, whose inversion cannot be undone. F1, F2, F4 and L1 chips cannot invert, and ignore it.
+// STM32: its inversion cannot be undone. F1, F2, F4 and L1 chips cannot invert, and ignore it.
 struct Stm32 : ByFormat {
 #if defined(UART_ADVFEATURE_RXINVERT_INIT)
   static constexpr bool Inverts = true;
@@ -104,7 +104,7 @@ struct Stm32 : ByFormat {
   }
 };
 
-// arduino-pico, whose port takes its settings only while it is closed.
+// arduino-pico: its port takes settings only while it is closed.
 struct Pico : Kind {
   static constexpr bool Inverts = true, BothWays = true;
   static constexpr unsigned Buffer = SmallestBuffer;

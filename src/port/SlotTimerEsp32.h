@@ -1,5 +1,5 @@
 /// @file
-/// The SlotTimer of an ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer, whose task polls the port and
+/// The SlotTimer of an ESP32 (arduino-esp32 2.0 and later): a one-shot of esp_timer. Its task polls the port and
 /// watches the UART's FIFO, often while a frame's end is expected. Tasks of a higher priority (WiFi) and writes to
 /// flash delay that task, and cost answers.
 ///

@@ -8,7 +8,8 @@
 
 namespace sbus {
 
-/// Counts what came on the line since reset(). All members but the period count up from 0, and wrap after 2^32.
+/// Counts frames, bytes and faults on the line since reset(). All members except the period count up from 0, and wrap
+/// after 2^32.
 struct Counters {
   uint32_t frames;          ///< frames delivered
   uint32_t lostFrames;      ///< frames delivered with the lost-frame flag

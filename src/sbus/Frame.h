@@ -70,7 +70,7 @@ constexpr bool endsVariant(uint8_t end, uint8_t variant) {
   return (end & LineVariants[variant].endMask) == LineVariants[variant].end;
 }
 
-/// Returns the variant whose frames end with this byte, or UnknownVariant. (A template instead of a loop halves the
+/// Returns the variant that ends its frames with this byte, or UnknownVariant. (A template instead of a loop halves the
 /// cost of a line of headers.)
 template <uint8_t Row = 0>
 constexpr uint8_t variantOfEnd(uint8_t end) {

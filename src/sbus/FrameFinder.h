@@ -43,7 +43,7 @@ struct NoEvents {
 ///       finder.received(count, waiting);
 ///     }
 ///
-/// Poll at least every 5 ms, and call idle() when nothing waits: only such polls reveal the gaps (LineTiming.h). The
+/// Poll at least every 5 ms, and call idle() when nothing waits: only these polls reveal the gaps (LineTiming.h). The
 /// time of a poll is proportional to the bytes found.
 ///
 /// A frame has no checksum, and its payload may contain 0F. So 25 characters are accepted only if

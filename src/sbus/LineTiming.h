@@ -131,9 +131,8 @@ class LineTiming {
   // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
 
-  // Returns true if the line may have been open: once closed, it may stand anywhere in a frame. (Two frame periods
-  // instead of 50 ms: a tenth fewer wrong frames where gaps are not seen, for 32 bytes on a Cortex-M0+ and 106 on an
-  // AVR.)
+  // Returns true if the line may have been open: once closed, it may be anywhere in a frame. (Two frame periods instead
+  // of 50 ms: a tenth fewer wrong frames where gaps are not seen, for 32 bytes on a Cortex-M0+ and 106 on an AVR.)
   static bool isLong(unsigned silence) { return silence >= LongSilence; }
 
   // Returns within how many characters' time these follow each other and are handed over, plus a gap.
