@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { clean, fits } from './looks.mjs';
 import { check, counter, downloaded, drawn, play, playRamp, ramp, reads, seek, until } from './support.mjs';
 
 const sbus = process.env.SCOPE_SBUS;
@@ -122,6 +123,8 @@ export default async function () {
     await seek(page, 2000);
     await page.click('#bookmark');
     await lists(page, ['0:02.000 Bookmark 2', '0:04.003 end']);
+    await fits(page);
+    await clean(page);
     const first = await downloaded(page, '#bookmarks-save');
     assert.equal(first.name, 'ramp.txt');
     assert.deepEqual(commentsIn(first.text), ['# bookmarks', '# bookmark 2000000 Bookmark 2', '# bookmark 4003880 end']);
@@ -138,5 +141,5 @@ export default async function () {
     await play(page, third.path);
     await lists(page, []);
     assert.equal(readFileSync(third.path, 'utf8').split('\n').filter((line) => /^\d/.test(line)).length, ramp.count);
-  });
+  }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 }

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { clean, fits } from './looks.mjs';
 import { build, check, drawn, frame, play, reads, recorded, seek, until } from './support.mjs';
 
 const count = 6000; // frames of A, each 9 ms
@@ -52,10 +53,12 @@ export default async function () {
       ['Lost by A: 10 frames in 1 span', `${at(2000)}10 frames`],
       ['Lost by B: 40 frames in 1 span', `${at(3000)}40 frames`],
     ]);
+    await fits(page);
+    await clean(page);
     await page.click('#second-lists section:nth-child(2) button');
     await reads(page, '#position-text', /^0:27\.3/);
     assert.equal(await page.textContent('#play'), 'Play');
-  });
+  }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
   await check("B's curves are at the same moments as A's, also after a seek and while it plays", async (page) => {
     await play(page, a);

@@ -9,13 +9,13 @@ const sizes = {
   phone: { width: 360, height: 740 },
 };
 
-async function clean(page) {
+export async function clean(page) {
   await page.evaluate(axe);
   const { violations } = await page.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] }));
   assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => `${node.target} ${node.failureSummary}`).join('; ')}`), []);
 }
 
-const fits = async (page) => {
+export const fits = async (page) => {
   const { wide, room, small } = await page.evaluate(() => ({
     wide: document.documentElement.scrollWidth,
     room: document.documentElement.clientWidth,

@@ -1,5 +1,6 @@
 // Telemetry of S.BUS2 on the page: its card, and slots that are neither a fault nor discarded.
 import assert from 'node:assert/strict';
+import { clean, fits } from './looks.mjs';
 import { check, connect, counts, downloaded, drawn, frame, reads, recorded, seek, until } from './support.mjs';
 
 // 15 s of frames; in the first 10 s the receiver and an SBS-01V answer after each that ends in 04.
@@ -72,6 +73,7 @@ export default async function () {
     assert.deepEqual(await page.$$eval('#sensors select', (all) => all.map(({ dataset, value }) => [dataset.slot, value])), [['1', 'SBS-01V']]);
     await chip(page, 'battery voltage').click();
     await drawn(page);
+    await clean(page);
     const over = await page.locator('#plot .u-over').boundingBox();
     const seconds = parseFloat(await page.textContent('#window'));
     for (const part of [0.1, 0.35, 0.8]) {
@@ -111,7 +113,9 @@ export default async function () {
     await playRising(page);
     await until('it is remembered', async () => (await list(page)).includes('external voltage 12.5 V'));
     assert.equal(await page.locator('[data-slot="2"]').count(), 0);
-  });
+    await fits(page);
+    await clean(page);
+  }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
 
   await check('the readings of a port are curves', async (page) => {
     await connect(page);

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { clean, fits } from './looks.mjs';
 import { Native } from './native.mjs';
 import { build, check, drawn, frame, reads, seek, until } from './support.mjs';
 
@@ -122,6 +123,8 @@ export default async function () {
     await reads(page, '#wire-width', /^28\.\d s$/);
     for (let i = 0; i < 14; i++) await page.click('#wire-in');
     await reads(page, '#wire-width', '20 µs');
+    await fits(page);
+    await clean(page);
     await page.focus('#wire-plot');
     await page.keyboard.press('0');
     await page.mouse.move(0, 0);

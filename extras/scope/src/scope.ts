@@ -69,7 +69,7 @@ export class Scope implements Sink {
   private readonly frames: FramesView;
   private readonly bookmarks = new Bookmarks();
   private readonly bookmarksView: BookmarksView;
-  private readonly secondView = new SecondView((us) => this.visit(us), () => this.part());
+  private readonly secondView = new SecondView((us) => this.visit(us), () => this.endComparison());
   private second?: Second; // a recording beside the one that is played
   private asking?: AbortController;
   private readonly timeline: Timeline;
@@ -127,7 +127,7 @@ export class Scope implements Sink {
 
   private leave(): void {
     this.endRecording();
-    this.part();
+    this.endComparison();
     this.forget();
     this.curves.forget();
   }
@@ -160,7 +160,7 @@ export class Scope implements Sink {
     if (!(current instanceof RecordingSource)) {
       return;
     }
-    this.part();
+    this.endComparison();
     const { signal } = (this.asking = new AbortController());
     try {
       this.second = await Second.read(this.core, file, current, signal);
@@ -173,7 +173,7 @@ export class Scope implements Sink {
   }
 
   // Ends the comparison.
-  private part(): void {
+  private endComparison(): void {
     this.asking?.abort();
     this.second?.close();
     this.second = undefined;
