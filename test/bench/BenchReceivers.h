@@ -1,9 +1,10 @@
 // Our receiver and the paper's, each at a port of its own.
 #pragma once
 
+#include "support/CleanArduino.h"
+
 #include <DecodeSBus.h>
 
-#include "support/CleanArduino.h"
 #include "support/PaperDecoder.h"
 
 // The smallest possible serial port, in memory. Its methods take the same for the same number of bytes, which can thus

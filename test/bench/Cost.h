@@ -1,8 +1,8 @@
 // The cost of one call of a receiver, without the port's own instructions.
 #pragma once
 
-#include "BenchReceivers.h"
 #include "Instructions.h"
+#include "BenchReceivers.h"
 
 struct Cost {
   uint32_t instructions = 0;  // of the receiver

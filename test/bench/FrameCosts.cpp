@@ -1,13 +1,15 @@
 // The cost of frames on a line without faults, as the board hands them over: to find, to decode, and to pack them.
+#include "Bench.h"
+
 #include <cstdio>
 #include <cstring>
 
-#include "Bench.h"
-#include "Cost.h"  // last: Arduino.h has a type named byte
 #include "UnpackWays.h"
 #include "board/BoardUart.h"
 #include "support/FakeClock.h"
 #include "support/KnownFrames.h"
+
+#include "Cost.h"  // last: Arduino.h has a type named byte
 
 namespace {
 

@@ -19,8 +19,8 @@ PLAIN := -std=gnu++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wno-psa
 INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-MEASURED := Receivers UnpackWays
-PARTS := Attack BadLines Bench Cost Frames LongestCall Values
+MEASURED := BenchReceivers UnpackWays
+PARTS := Attack BadLines Bench Cost FrameCosts LongestCall Values
 
 bench: $(OUT)/Bench
 .PHONY: bench sizes
