@@ -35,7 +35,7 @@ TEST_CASE("of any time the store hands over the edges, and the newest one before
   }
   for (int i = 0; i < 500; i++) {
     const int64_t fromNs = edges[random() % edges.size()].ns - static_cast<int64_t>(random() % 3);
-    const int64_t toNs = fromNs + 1 + random() % 100000000;
+    const int64_t toNs = fromNs + 1 + static_cast<int64_t>(random() % 100000000);
     std::vector<Edge> expected;
     for (size_t k = 0; k < edges.size(); k++) {
       if (edges[k].ns < toNs && (k + 1 == edges.size() || edges[k + 1].ns > fromNs)) {
