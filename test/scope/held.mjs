@@ -133,7 +133,7 @@ export default async function () {
     await page.click('#record');
     await page.evaluate(() => fake.port.unplug());
     await reads(page, '#verdict-text', 'The port is gone.');
-    await reads(page, '#verdict-remedy', /press Adapter… or Board… again and choose it/);
+    await reads(page, '#verdict-remedy', /press Adapter… or Board… and choose it/);
     await page.evaluate(() => fake.port.plug());
     await page.waitForTimeout(1200);
     await reads(page, '#verdict-text', 'The port is gone.');

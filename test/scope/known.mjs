@@ -32,11 +32,11 @@ export default async function () {
   await check('a port opens again as the board or adapter that it was, a board with its baud rate, whatever its vendor; a new port is guessed', async (page) => {
     await connect(page, 'board');
     await page.selectOption('#baud', '57600');
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as a board, true');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as a board, true');
     await plugged(page, { usbVendorId: 0x0403, usbProductId: 0x6001 }, uno, { usbVendorId: 0x0403, usbProductId: 0x6015 }, { usbVendorId: 0x1234, usbProductId: 0xabc }, {});
     await page.reload();
-    await shows(page, 'FTDI FT232 (0403:6001), Open it again as a board, false', 'Arduino Uno (2341:0043), Open it again as a board, false',
-      'FTDI FT231X (0403:6015), Reopen it as an adapter, false', 'USB 1234:0abc, Open it again as a board, false', 'serial port, Open it again as a board, false');
+    await shows(page, 'FTDI FT232 (0403:6001), Reopen it as a board, false', 'Arduino Uno (2341:0043), Reopen it as a board, false',
+      'FTDI FT231X (0403:6015), Reopen it as an adapter, false', 'USB 1234:0abc, Reopen it as a board, false', 'serial port, Reopen it as a board, false');
     await page.click('#known button');
     await reads(page, '#title', 'A board that prints numbers, 57600 baud, FTDI FT232 (0403:6001)');
   });

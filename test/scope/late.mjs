@@ -54,7 +54,7 @@ export default async function () {
   await check('a worker reads the port where it can: a page that is busy reads nothing late, and records the times of the line', async (page) => {
     await inWorkers(page, (bytes) => (fake.port.onOpen = () => (fake.timer = fake.every(9, bytes))), good);
     await page.click('#source-adapter');
-    await reads(page, '#title', /^S\.Bus at a serial adapter, 8E2, FTDI/);
+    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
     await reads(page, '#verdict-text', 'All well.');
     assert.equal((await page.evaluate(() => fake.port.opened)).length, 0);
     await listen(page);

@@ -53,7 +53,7 @@ export default async function () {
     await check(`stale, ${colorScheme}: axe-core finds nothing`, async (page) => {
       await reads(page, '#state', 'Fine');
       await page.click('#cut');
-      await reads(page, '#verdict-text', /^No signal/);
+      await reads(page, '#verdict-text', /^Signal lost/);
       await page.click('#calibrate');
       await clean(page);
     }, { colorScheme });

@@ -61,6 +61,7 @@ export default async function () {
     }
     await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get: () => { throw new DOMException('denied', 'SecurityError'); } }));
     await page.reload();
+    await reads(page, '#state', 'Fine');
     await page.click('#names-open');
     await page.fill('#names-list [aria-label="Name of CH3"]', 'A name that is far too long');
     await page.click('#names-close');

@@ -113,7 +113,7 @@ export default async function () {
     await connect(page, 'board');
     await page.waitForSelector('#indicator-lost-frame[data-on="true"]');
     for (const [selector, is] of [['#indicator-failsafe', true], ['#indicator-ch17', false], ['.losses', true], ['.frames', false], ['.stick-card', false]]) {
-      assert.equal(await shown(page, selector), is, selector);
+      await until(selector, async () => (await shown(page, selector)) === is);
     }
     await page.selectOption('#unit', 'raw');
     await until('there are no sticks', () => shown(page, '.stick-card'));

@@ -60,7 +60,7 @@ export default async function () {
       return picture.bands.length === 2;
     });
     const { bands, background, texts } = picture;
-    assert.match(texts[0], /^S\.Bus at a serial adapter/);
+    assert.match(texts[0], /^S\.Bus on a serial adapter/);
     assert.notEqual(bands[0], bands[1]);
     for (const band of bands) assert.match(band, /^rgb\(\d+, \d+, \d+\),0\.[12]\d*$/);
     assert.equal(background, 'rgb(23, 30, 38)');

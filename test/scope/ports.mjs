@@ -114,7 +114,7 @@ export default async function () {
     await page.evaluate(() => (fake.port.busy = true));
     await page.click('#source-adapter');
     await reads(page, '#verdict-text', 'The port cannot be opened.');
-    await reads(page, '#verdict-remedy', /^Close the other program/);
+    await reads(page, '#verdict-remedy', /^Close the program/);
     await reads(page, '#title', 'S.Bus on a serial adapter, 8E2, FTDI FT232 (0403:6001) (not open)');
     await page.evaluate(() => (fake.port.busy = false));
     await reads(page, '#state', 'Fine');
@@ -146,7 +146,7 @@ export default async function () {
     await until('it is not opened', () => page.evaluate(() => fake.port.isOpen));
     await page.click('#source-board');
     await page.click('#source-adapter');
-    await reads(page, '#title', /^S\.Bus at a serial adapter/);
+    await reads(page, '#title', /^S\.Bus on a serial adapter/);
     await raw(page, 1, '1200');
     await reads(page, '#state', 'Fine');
     assert.equal(await page.getAttribute('#source-adapter', 'aria-pressed'), 'true');

@@ -132,6 +132,7 @@ export default async function () {
     await chip(page, 'battery voltage').click();
     await until('the newest frame has it', async () => {
       const over = await page.locator('#plot .u-over').boundingBox();
+      if (!over) return false; // the plot is being built
       await page.mouse.move(over.x + over.width - 3, over.y + 30);
       return / battery voltage 5.6 V/.test(await page.textContent('#readout'));
     });

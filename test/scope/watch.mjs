@@ -46,12 +46,12 @@ export default async function () {
       [9004, 'Fine', /^All well/], // a single lost frame, which only the indicator shows
       [9500, 'Fine', /^All well/],
       [11500, 'Failsafe', /^Failsafe/],
-      [12200, 'Fine', /^Frames come/], // a second ago it was failsafe
+      [12200, 'Fine', /^Receiving frames/], // a second ago it was failsafe
       [14200, 'Fine', /^All well/],
       [15050, 'Fine', /^All well/],
-      [15120, 'Stale', /^No signal any more/], // the second has not been over
-      [24000, 'Stale', /^No signal any more/],
-      [25020, 'Fine', /^Frames come/],
+      [15120, 'Stale', /^Signal lost/], // the second has not been over
+      [24000, 'Stale', /^Signal lost/],
+      [25020, 'Fine', /^Receiving frames/],
       [27000, 'Fine', /^All well/],
       [6200, 'Fine', /^Noise/],
     ]) {

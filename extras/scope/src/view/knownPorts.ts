@@ -42,7 +42,7 @@ export class KnownPorts {
     });
     for (const port of ports) {
       const button = this.buttons.get(port) ?? this.add(port);
-      setAttribute(button, 'title', `Open it again as ${this.kindOf(port) === 'adapter' ? 'an adapter' : 'a board'}`);
+      setAttribute(button, 'title', `Reopen it as ${this.kindOf(port) === 'adapter' ? 'an adapter' : 'a board'}`);
     }
   }
 
