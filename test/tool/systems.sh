@@ -45,7 +45,7 @@ sbus record sim "$work/record.txt" --seconds 1 && sbus summary "$work/record.txt
   [ "$(tr -d '[:print:]\n' <"$work/record.txt" | wc -c)" -eq 0 ] && grep -q '</html>' "$work/page.html" &&
   [ "$(grep -vc '^#' "$work/record.txt")" -ge 50 ]
 verdict $? "a recording has plain lines, and a page"
-! sbus record sim "$work/record.txt" --seconds 1 2>"$work/err" && grep -q 'is there already' "$work/err"
+! sbus record sim "$work/record.txt" --seconds 1 2>"$work/err" && grep -q 'already exists' "$work/err"
 verdict $? "a recording is not overwritten"
 cp "$work/record.txt" "$work/copy.txt"
 ! sbus wave "$work/copy.txt" -o "$work/copy.txt" 2>"$work/err" && grep -q 'is also the input' "$work/err" && cmp "$work/record.txt" "$work/copy.txt" &&
