@@ -172,7 +172,6 @@ export default async function () {
     await page.click('#fault-counts [aria-pressed="true"]');
     await page.focus('#plot');
     await page.keyboard.press('Shift+N');
-    await page.keyboard.press('n');
     await reads(page, '#fault-text', /^Fault 2 of 4: lost frames/);
     await page.keyboard.press('n');
     await reads(page, '#fault-text', /^Fault 3 of 4: failsafe/);
