@@ -174,7 +174,7 @@ void takeLineObject(const Object &object, JsonHead &head) {
   }
 }
 
-// Reads range, three raw values; leaves it as it is if there is none. Returns false if it is wrong.
+// Reads the object's range, three raw values; without one it keeps `range`. Returns false if it is wrong.
 bool rangeOf(const Object &object, sbus::Range &range) {
   const auto named = object.find("range");
   if (named == object.end()) {
@@ -187,8 +187,7 @@ bool rangeOf(const Object &object, sbus::Range &range) {
     return false;
   }
   range = {(*named)[0].get<uint16_t>(), (*named)[1].get<uint16_t>(), (*named)[2].get<uint16_t>()};
-  return range.low != range.centre && range.centre != range.high &&
-         (range.low < range.centre) == (range.centre < range.high);
+  return isRange(range.low, range.centre, range.high);
 }
 
 bool isLineType(const std::string &type) {

@@ -55,6 +55,12 @@ std::string extentOf(Unit unit, const sbus::Range &range) {
   return line::format("a number from %.1f to %.1f", std::min(one, other), std::max(one, other));
 }
 
+bool isRange(unsigned low, unsigned centre, unsigned high) {
+  const bool isRising = low < centre && centre < high;
+  const bool isFalling = low > centre && centre > high;
+  return (isRising || isFalling) && std::max(low, high) <= sbus::ChannelMax;
+}
+
 std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &range) {
   const auto endsWith = [&text](const std::string &end) {
     return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;

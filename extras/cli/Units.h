@@ -24,6 +24,9 @@ std::optional<uint16_t> rawOf(double value, Unit unit, const sbus::Range &range)
 // Returns the values that rawOf() takes: "a whole number from 0 to 2047".
 std::string extentOf(Unit unit, const sbus::Range &range);
 
+// Returns true if these may be the raw values at -100, 0 and +100 %: 0 to 2047, rising or falling.
+bool isRange(unsigned low, unsigned centre, unsigned high);
+
 // Reads "1500", "1500us" or "-50%". Returns nothing for any other text.
 std::optional<uint16_t> parseValue(const std::string &text, const sbus::Range &range);
 

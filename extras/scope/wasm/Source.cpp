@@ -108,8 +108,8 @@ EXPORT(takenRecords)()->void {
   theScope.records.clear();
 }
 
-// A condition is in the buffer (conditionSteps()); of 0 bytes there is none. Returns true if it may
-// become true while nothing comes.
+// The steps of a condition are in the buffer; without any the page watches for nothing. Returns true if it may become
+// true while nothing comes.
 EXPORT(watchFor)(unsigned size)->int {
   std::optional<line::Condition> condition;
   if (size > 0) {
