@@ -1,10 +1,11 @@
-// Two recordings side by side: the numbers are those of sbus compare, and B's curves are at the same moments as A's.
+// Two recordings side by side: the numbers are those of sbus compare, and B's curves are at the same moments as A's. And two
+// ports.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { clean, fits } from './looks.mjs';
-import { build, check, drawn, frame, play, reads, recorded, seek, until } from './support.mjs';
+import { build, check, drawn, frame, inWorkers, play, reads, recorded, seek, until } from './support.mjs';
 
 const count = 6000; // frames of A, each 9 ms
 const earlierUs = 3000000; // B began that much later, and counts from there
@@ -24,6 +25,30 @@ function files() {
   writeFileSync(b, all.filter((i) => bUs(i) > 1000 && !lostByB(i)).map((i) => recorded(bUs(i), frame(values(i)))).join(''));
   return [a, b];
 }
+
+// Gives the page a second port. Both bring frames whose CH1 changes with each: the second one 40 ms later, and it has marked some of
+// them as lost.
+const receivers = ([frames, lost]) => {
+  const [one, other] = [fake.port, fake.second ?? (fake.second = fake.newPort())];
+  one.permitted = other.permitted = true;
+  const feed = (port, all, laterMs) => {
+    let sent = 0;
+    setInterval(() => {
+      for (const end = Math.min(Math.floor((performance.now() - startMs - laterMs) / 9), all.length); sent < end; sent++) port().feed(all[sent]);
+    }, 4);
+  };
+  let startMs;
+  // Both are fed from when both are open on: before, one has no frames that the other lacks.
+  other.onOpen = () => {
+    other.onOpen = () => undefined;
+    startMs = performance.now() + 300;
+    feed(() => one, frames, 0);
+    feed(() => fake.second, frames.map((bytes, i) => (lost.includes(i) ? [...bytes.slice(0, 23), 4, 0] : bytes)), 40);
+  };
+  fake.choose = () => ((fake.choices = (fake.choices ?? 0) + 1) > 1 ? fake.second : one);
+};
+const many = Array.from({ length: 500 }, (_, i) => frame([400 + 2 * i, 992, 300 + i % 700]));
+const lost = Array.from({ length: 25 }, (_, i) => 300 + i);
 
 export default async function () {
   const [a, b] = files();
@@ -111,5 +136,73 @@ export default async function () {
     await page.setInputFiles('#second-file', { name: 'other.txt', mimeType: 'text/plain', buffer: Buffer.from(recorded(5000, frame([1]))) });
     await reads(page, '#second-text', 'The recordings have no frame in common.');
     assert.equal(await page.textContent('#title'), 'Recording a.txt');
+  });
+
+  for (const [where, set] of [['in a worker', inWorkers], ['in the page', (page, act, argument) => page.evaluate(act, argument)]]) {
+    await check(`two adapters side by side, read ${where}: the delay of the second, who lost what, and its curves at the same moments`, async (page) => {
+      await set(page, receivers, [many, lost]);
+      await page.evaluate(receivers, [where === 'in the page' ? many : [], lost]);
+      assert.ok(await page.locator('#compare').isHidden()); // the simulation has no second one
+      await page.click('#source-adapter');
+      await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+      await page.click('#compare');
+      await reads(page, '#second-title', 'B, FTDI FT232 (0403:6001)');
+      await reads(page, '#second-lists', /Lost by A: 0 frames in 0 spans.*Lost by B: 25 frames in 1 span/);
+      await reads(page, '#second-text', /^B is .* frames alike/);
+      await until('the end', async () => Number(/(\d+) frames alike/.exec(await page.textContent('#second-text'))[1]) >= 470);
+      const [, delay, alike, different, onlyA, onlyB] = /^B is ([\d.]+) ms later than A .* by the contents\. (\d+) frames alike, (\d+) different; (\d+) only in A and (\d+) only in B/.exec(await page.textContent('#second-text'));
+      assert.ok(Math.abs(delay - 40) < 15, delay);
+      assert.deepEqual([different, onlyB], ['0', '0']);
+      assert.ok(alike <= 475 && onlyA <= 5, `${alike} ${onlyA}`);
+      await page.click('#pause');
+      await page.locator('#second-plot').scrollIntoViewIfNeeded();
+      const over = await page.locator('#second-plot .u-over').boundingBox();
+      let [b, a] = [];
+      await until(() => `B ${b}, A ${a}`, async () => {
+        await page.mouse.move(over.x + over.width * (0.5 + Math.random() / 10), over.y + 20);
+        await drawn(page);
+        b = /^B [\d.]+ s {3}CH1 (\d+)/.exec(await page.textContent('#second-readout'))?.[1];
+        a = /^[\d.]+ s {3}CH1 (\d+)/.exec(await page.textContent('#readout'))?.[1];
+        return Math.abs(a - b) <= 8 && a > 420 && a < 1390; // two a frame
+      });
+      await fits(page);
+      await clean(page);
+      await page.click('#second-lists section:nth-child(2) button');
+      await page.click('#source-simulated');
+      await page.waitForSelector('#second', { state: 'hidden' });
+    });
+  }
+
+  await check('a second adapter that is unplugged is said, its losses grow, and it goes on once it is plugged in; the first port cannot be the second', async (page) => {
+    await page.evaluate(receivers, [Array.from({ length: 4000 }, (_, i) => frame([400 + (i % 1200), 992, 300 + (i % 700)])), []]);
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+    await page.evaluate(() => Object.assign(fake, { kept: fake.choose, choose: () => fake.port }));
+    await page.click('#compare');
+    await reads(page, '#notice-text', 'The page shows this port already.');
+    await page.evaluate(() => Object.assign(fake, { choose: () => undefined }));
+    await page.click('#compare');
+    await reads(page, '#notice-text', 'No port was chosen.');
+    assert.ok(await page.locator('#second').isHidden());
+    await page.evaluate(() => Object.assign(fake, { choose: fake.kept, choices: 1 }));
+    await page.click('#compare');
+    await reads(page, '#second-text', /^B is .* frames alike/);
+    await reads(page, '#second-link', /^Link: Fine, quality \d+ %\.$/);
+    assert.equal(await page.getAttribute('#second-text', 'aria-live'), 'off'); // it changes twice a second
+    const lostByB = async () => Number(/Lost by B: (\d+) frames? in 1 span/.exec(await page.textContent('#second-lists'))?.[1] ?? 0);
+    await page.evaluate(() => fake.second.unplug());
+    await reads(page, '#second-link', /^The port is gone\. Plug the adapter/);
+    await until(lostByB, async () => (await lostByB()) > 100);
+    await page.evaluate(() => void (fake.second = fake.second.plug()));
+    await reads(page, '#second-link', /^Link: Fine/);
+    const alike = async () => Number(/(\d+) frames alike/.exec(await page.textContent('#second-text'))[1]);
+    const [before, missed] = [await alike(), await lostByB()];
+    await until(alike, async () => (await alike()) > before + 200);
+    assert.ok((await lostByB()) < missed + 100, `${missed}, then ${await lostByB()}`); // the span has ended
+    await page.click('#second-close');
+    await page.waitForSelector('#second', { state: 'hidden' });
+    await until('it is closed', () => page.evaluate(() => !fake.second.isOpen));
+    await page.click('#compare');
+    await reads(page, '#second-text', /^B is .* frames alike/);
   });
 }

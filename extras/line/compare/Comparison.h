@@ -56,6 +56,9 @@ class Comparison {
 
   const Counts &counts() const { return _counts; }
 
+  // Returns the counts with what is being lost, while both go on.
+  Counts soFar() const;
+
  private:
   struct Span {
     LostSpan span;
@@ -65,6 +68,7 @@ class Comparison {
   void putPair(int64_t us, const Alignment &found);
   void lose(size_t side, int64_t us, bool isMissing);
   void end(size_t side);
+  static void count(Counts &counts, const LostSpan &span);
 
   const std::function<void(const LostSpan &)> _tell;
   Counts _counts;

@@ -1,4 +1,4 @@
-// What a comparison of two recordings has found: by WebAssembly, as sbus compare has it. Of a pair, the first is of A.
+// What a comparison of two lines has found: by WebAssembly, as sbus compare has it. Of a pair, the first is of A.
 
 type Pair = [number, number];
 
@@ -10,12 +10,13 @@ export interface Comparison {
   longest: [fromUs: number, toUs: number, frames: number][][]; // of them, by who lost them
   same: number; // frames
   different: number;
+  delays: number; // frames that have told the delay; 0: it is not known
   medianUs: number; // the delay: how much later B is
   leastUs: number;
   mostUs: number;
   driftPpm: number; // by which the delay grows
   atZeroUs: number; // the delay at A's time 0
-  laterUs: number; // how much later B's time 0 is, as far as the files say it; it is a part of the delay
+  laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
   isByContents: boolean;
 }
 

@@ -9,6 +9,7 @@ import { Scope } from './scope';
 import { pickPort, type PortKind } from './source/pick';
 import { PortSource } from './source/port';
 import { RecordingSource } from './source/recording';
+import { SecondPort, SecondRecording } from './source/second';
 import { SimulatedSource } from './source/simulated';
 import type { Problem } from './source/Source';
 import { keep, recall } from './storage';
@@ -49,6 +50,7 @@ function pressed(source: string): void {
   }
   byId('simulation').hidden = source !== 'simulated';
   byId('board').hidden = source !== 'board';
+  byId('compare').hidden = source !== 'adapter' && source !== 'recording';
 }
 
 async function simulate(): Promise<void> {
@@ -99,10 +101,31 @@ async function open(port: SerialPort, kind: PortKind): Promise<void> {
   known.remember(port, kind);
 }
 
-async function compare(file: File | undefined): Promise<void> {
+// Asks for a second line: a recording beside a recording, a port beside a port.
+async function compare(): Promise<void> {
+  const { current } = scope.choice;
+  notice?.hide();
+  if (!(current instanceof PortSource)) {
+    byId('second-file').click();
+    return;
+  }
+  try {
+    const port = await pickPort('adapter');
+    if (scope.choice.current === current) {
+      await scope.compare((signal) => SecondPort.open(core, port, current, signal));
+    }
+  } catch (problem) {
+    notice?.show(problem as Problem);
+  }
+}
+
+async function compareFile(file: File | undefined): Promise<void> {
+  const { current } = scope.choice;
   notice?.hide();
   try {
-    await (file && scope.compare(file));
+    if (file && current instanceof RecordingSource) {
+      await scope.compare((signal) => SecondRecording.read(core, file, current, signal));
+    }
   } catch (error) {
     rejected(error);
   }
@@ -141,8 +164,8 @@ function wire(): void {
   byId('source-adapter').addEventListener('click', () => connect('adapter'));
   byId('source-board').addEventListener('click', () => connect('board'));
   byId('source-recording').addEventListener('click', () => byId('file').click());
-  byId('compare').addEventListener('click', () => byId('second-file').click());
-  for (const [id, take] of [['file', play], ['second-file', compare]] as const) {
+  byId('compare').addEventListener('click', compare);
+  for (const [id, take] of [['file', play], ['second-file', compareFile]] as const) {
     byId<HTMLInputElement>(id).addEventListener('change', (event) => {
       const input = event.target as HTMLInputElement;
       void take(input.files?.[0]);

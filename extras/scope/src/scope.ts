@@ -10,7 +10,7 @@ import { Kind, LinkState, type Sink, type Status, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
-import { Second } from './source/second';
+import type { Second } from './source/second';
 import type { Source } from './source/Source';
 import type { State } from './worker/connection';
 import { Sensors } from './sensors';
@@ -70,7 +70,7 @@ export class Scope implements Sink {
   private readonly bookmarks = new Bookmarks();
   private readonly bookmarksView: BookmarksView;
   private readonly secondView = new SecondView((us) => this.visit(us), () => this.endComparison());
-  private second?: Second; // a recording beside the one that is played
+  private second?: Second; // a line beside the one that is shown
   private asking?: AbortController;
   private readonly timeline: Timeline;
   private readonly trigger: TriggerView;
@@ -154,16 +154,12 @@ export class Scope implements Sink {
     }
   }
 
-  // Compares the recording that is played with another one. Throws what Second.read() throws, unless another source was chosen.
-  async compare(file: File): Promise<void> {
-    const { current } = this.choice;
-    if (!(current instanceof RecordingSource)) {
-      return;
-    }
+  // Compares the line that is shown with a second one. Throws what `read` throws, unless another source was chosen.
+  async compare(read: (signal: AbortSignal) => Promise<Second>): Promise<void> {
     this.endComparison();
     const { signal } = (this.asking = new AbortController());
     try {
-      this.second = await Second.read(this.core, file, current, signal);
+      this.second = await read(signal);
       this.secondView.show(this.second);
     } catch (error) {
       if (!signal.aborted) {

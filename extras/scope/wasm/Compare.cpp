@@ -1,4 +1,5 @@
-// Compares the recording that is played, A, with another one, B: who lost what, and the delay. As sbus compare.
+// Compares two lines, A and B: who lost what, and the delay. As sbus compare. Of recordings A is the one that is played;
+// of live lines both are other instances, which hand over their records.
 #include <cstring>
 #include <memory>
 
@@ -14,9 +15,19 @@ namespace {
 
 constexpr int64_t StepUs = 100000;
 constexpr int64_t SilenceUs = 2000;  // between frames
+constexpr int64_t LiveHeldUs = 250000;  // a frame may wait for what follows it, and a port may be read this late
 
 struct Comparing {
-  Comparing(const line::LineSettings &settings, int64_t later) : b(1, settings.characterUs(), aligner), laterUs(later) {
+  explicit Comparing(int64_t later) : laterUs(later) {}
+
+  line::Comparison comparison{[](const line::LostSpan &) {}};
+  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { comparison.put(us, found); }};
+  const int64_t laterUs;
+};
+
+struct ComparingRecordings : Comparing {
+  ComparingRecordings(const line::LineSettings &settings, int64_t later)
+      : Comparing(later), b(1, settings.characterUs(), aligner) {
     a.begin(0);
     b.begin(later);
   }
@@ -38,17 +49,15 @@ struct Comparing {
     }
   }
 
-  line::Comparison comparison{[](const line::LostSpan &) {}};
-  line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { comparison.put(us, found); }};
   line::Compared a{0, theTape.settings.characterUs(), aligner};
   line::Compared b;
-  const int64_t laterUs;
   size_t taken = 0;    // characters of A
   int64_t lastUs = 0;  // of the newest character of B
   int64_t nextUs = 0;  // when A follows again
 };
 
-std::unique_ptr<Comparing> comparing;
+std::unique_ptr<ComparingRecordings> comparing;
+std::unique_ptr<Comparing> live;
 std::string words;
 
 std::string pair(const char *name, const std::array<unsigned long, 2> &counts) {
@@ -64,6 +73,30 @@ std::string json(const std::vector<line::LostSpan> &spans) {
   return "[" + text + "]";
 }
 
+std::string json(const Comparing &found, const line::Comparison::Counts &counts) {
+  const line::Delays &delays = counts.delays;
+  return "{" + pair("frames", counts.frames) + pair("alone", counts.alone) + pair("lost", counts.lost) +
+         pair("spans", counts.spans) + "\"longest\":[" + json(counts.longest[0]) + "," + json(counts.longest[1]) + "]," +
+         line::format(
+             "\"same\":%lu,\"different\":%lu,\"delays\":%lu,\"medianUs\":%lld,\"leastUs\":%lld,\"mostUs\":%lld,"
+             "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"isByContents\":%s}",
+             counts.same, counts.different, delays.count(), static_cast<long long>(delays.medianUs()),
+             static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()), delays.driftPpm(),
+             delays.at(0), static_cast<long long>(found.laterUs), found.aligner.isByContents() ? "true" : "false");
+}
+
+line::Values valuesOf(const Record &record) {
+  line::Values values;
+  values.count = record.channelCount;
+  for (size_t i = 0; i < record.channelCount; i++) {
+    values.raw[i] = static_cast<uint16_t>(record.channels[i]);
+  }
+  values.switches = {(record.flags & sbus::FlagChannel17) != 0, (record.flags & sbus::FlagChannel18) != 0};
+  values.lostFrame = (record.flags & sbus::FlagLostFrame) != 0;
+  values.failsafe = (record.flags & sbus::FlagFailsafe) != 0 && (record.flags & FlagByLosses) == 0;
+  return values;
+}
+
 }  // namespace
 
 // Returns when time 0 of the recording was, in us since 1970; 0 if it does not say so.
@@ -76,7 +109,7 @@ EXPORT(compareWith)(double laterUs)->void {
   line::LineSettings settings;
   std::memcpy(static_cast<void *>(&settings), transfer, sizeof settings);
   comparing.reset();
-  comparing = std::make_unique<Comparing>(settings, static_cast<int64_t>(laterUs));
+  comparing = std::make_unique<ComparingRecordings>(settings, static_cast<int64_t>(laterUs));
 }
 
 // The next characters of B are in the buffer, `size` bytes of them (recordingPart()).
@@ -104,20 +137,36 @@ EXPORT(comparison)()->const char * {
   comparing->b.observer().finish();
   comparing->aligner.finish();
   comparing->comparison.finish();
-  const line::Comparison::Counts &counts = comparing->comparison.counts();
-  const line::Delays &delays = counts.delays;
-  words = !comparing->comparison.any()
-              ? ""
-              : "{" + pair("frames", counts.frames) + pair("alone", counts.alone) + pair("lost", counts.lost) +
-                    pair("spans", counts.spans) + "\"longest\":[" + json(counts.longest[0]) + "," +
-                    json(counts.longest[1]) + "]," +
-                    line::format(
-                        "\"same\":%lu,\"different\":%lu,\"medianUs\":%lld,\"leastUs\":%lld,\"mostUs\":%lld,"
-                        "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"isByContents\":%s}",
-                        counts.same, counts.different, static_cast<long long>(delays.medianUs()),
-                        static_cast<long long>(delays.leastUs()), static_cast<long long>(delays.mostUs()),
-                        delays.driftPpm(), delays.at(0), static_cast<long long>(comparing->laterUs),
-                        comparing->aligner.isByContents() ? "true" : "false");
+  words = comparing->comparison.any() ? json(*comparing, comparing->comparison.counts()) : "";
   comparing.reset();
+  return words.c_str();
+}
+
+// Begins a comparison of live lines. B's time 0 is `laterUs` after A's.
+EXPORT(compareLive)(double laterUs)->void {
+  live = std::make_unique<Comparing>(static_cast<int64_t>(laterUs));
+  live->aligner.knownUntil(0, 0);
+  live->aligner.knownUntil(1, live->laterUs);
+}
+
+// The next records of a line, 0 or 1, are in the buffer, `size` bytes of them.
+EXPORT(compareRecords)(unsigned side, unsigned size)->void {
+  const auto *const records = reinterpret_cast<const Record *>(transfer);
+  for (const Record *record = records; record != records + size / sizeof *record; record++) {
+    if (record->kind <= static_cast<uint8_t>(Kind::Frame24)) {
+      const int64_t us = static_cast<int64_t>(record->endUs) + (side == 1 ? live->laterUs : 0);
+      live->aligner.put(side, us, valuesOf(*record));
+    }
+  }
+}
+
+// No other record of that line comes up to this time of it.
+EXPORT(comparedUntil)(unsigned side, double us)->void {
+  live->aligner.knownUntil(side, static_cast<int64_t>(us) + (side == 1 ? live->laterUs : 0) - LiveHeldUs);
+}
+
+// Returns what was found so far.
+EXPORT(comparisonSoFar)()->const char * {
+  words = json(*live, live->comparison.soFar());
   return words.c_str();
 }

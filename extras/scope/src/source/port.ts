@@ -15,10 +15,10 @@ export class PortSource implements Source {
     readonly isBoard: boolean,
   ) {}
 
-  // Returns a function that begins. `baud`: of a board.
-  static async open(core: Core, port: SerialPort, kind: PortKind, baud: number, signal: AbortSignal): Promise<() => PortSource> {
+  // Returns a function that begins. `baud`: of a board. `beside`: the line with which it is compared.
+  static async open(core: Core, port: SerialPort, kind: PortKind, baud: number, signal: AbortSignal, beside?: Remote): Promise<() => PortSource> {
     const isBoard = kind === 'board';
-    const line = await Remote.live(core, { kind: 'port', place: await placeOf(port), isBoard, baud }, signal, port);
+    const line = await Remote.live(core, { kind: 'port', place: await placeOf(port), isBoard, baud }, signal, port, beside);
     return () => new PortSource(line, port, isBoard);
   }
 

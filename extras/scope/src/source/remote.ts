@@ -1,6 +1,7 @@
 // A line that is read and decoded elsewhere, mostly in a worker: the page never waits for it.
 
 import type { Bookmark } from '../bookmarks';
+import type { Comparison } from '../comparison';
 import type { Core } from '../core';
 import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
@@ -20,6 +21,11 @@ const failed: Problem = {
   remedy: 'The page shows old data. Save the recording, then choose a source again or reload the page.',
 };
 
+const notBeside: Problem = {
+  text: 'The second port cannot be read beside the first.',
+  remedy: 'Open the first port again, then press Compare… again.',
+};
+
 const largest = 5e8; // bytes: 16 hours, which take 1.2 GB of memory
 
 type Opened = Extract<Answer, { kind: 'opened' }>;
@@ -30,12 +36,15 @@ interface Channel {
   onmessage: ((event: MessageEvent<Answer>) => void) | null;
 }
 
+let lines = 0;
+
 export class Remote implements Line {
   wantedUs = 0; // the position to play to
   progress?: number; // 0..1, while a position is being reached
   faults?: FaultMap;
   flight?: Flight; // of a recording that is decoded
-  compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison
+  compared?: Extract<Answer, { kind: 'compared' }>; // the newest comparison of recordings
+  comparedSoFar?: Comparison; // of a live line with the one beside it
   wire?: Wire; // the part that was asked for last
   recordingUs = 0; // from when on the newest recording counts
   failure?: Problem;
@@ -56,6 +65,7 @@ export class Remote implements Line {
     readonly bookmarks: readonly Bookmark[] | undefined, // in the file, if that is a recording as a plain text
     readonly carrier: string, // of a capture: the signal that carries the line
     private picture: Picture,
+    readonly liveId = 0,
   ) {}
 
   // Reads the file. Throws an Error that says what is wrong with it, a Problem if there is no worker, or the reason of `signal`.
@@ -92,19 +102,22 @@ export class Remote implements Line {
     }
   }
 
-  // Opens a live line: in a worker, if one can read it, otherwise in the page. `port`: the one at that place. Throws the reason of
-  // `signal`.
-  static async live(core: Core, opening: Opening, signal: AbortSignal, port?: SerialPort): Promise<Remote> {
-    const request: Live = { kind: 'live', wasm: core.wasm, opening };
+  // Opens a live line: in a worker, if one can read it, otherwise in the page. `port`: the one at that place. `beside`: the line
+  // with which it is compared. Throws the reason of `signal`, or a Problem.
+  static async live(core: Core, opening: Opening, signal: AbortSignal, port?: SerialPort, beside?: Remote): Promise<Remote> {
+    const request: Live = { kind: 'live', wasm: core.wasm, opening, id: ++lines, beside: beside?.liveId };
     const worker = LiveWorker.get();
     const { port1, port2 } = new MessageChannel();
     worker?.worker.postMessage(request, [port2]);
-    let remote = worker && (await Remote.opened(core, port1, worker.broken));
+    let remote = worker && (await Remote.opened(core, port1, request.id, worker.broken));
     void worker?.broken.then(remote && (() => remote?.fail()));
     if (!remote) {
       const [channel, out] = channelInPage();
       void serve(request, out, async (place) => (await findPort(place)) ?? port);
-      remote = (await Remote.opened(core, channel)) as Remote;
+      remote = await Remote.opened(core, channel, request.id);
+    }
+    if (!remote) {
+      throw notBeside;
     }
     if (signal.aborted) {
       remote.close();
@@ -114,7 +127,7 @@ export class Remote implements Line {
   }
 
   // Returns undefined if the line cannot be opened there.
-  private static async opened(core: Core, channel: Channel, broken?: Promise<void>): Promise<Remote | undefined> {
+  private static async opened(core: Core, channel: Channel, id: number, broken?: Promise<void>): Promise<Remote | undefined> {
     const opened = await new Promise<Opened | undefined>((resolve, reject) => {
       channel.onmessage = ({ data }): void => {
         if (data.kind === 'failed') {
@@ -126,7 +139,7 @@ export class Remote implements Line {
       void broken?.then(() => resolve(undefined));
     });
     const end = (): void => channel.postMessage({ kind: 'close' }); // the worker goes on: it may have other lines
-    return opened && new Remote(core, channel, end, 0, undefined, '', opened.picture).listening();
+    return opened && new Remote(core, channel, end, 0, undefined, '', opened.picture, id).listening();
   }
 
   // What decodes the line has failed: nothing comes any more.
@@ -283,7 +296,10 @@ export class Remote implements Line {
         this.looking?.tell(answer);
         this.looking = undefined;
       }
-      this.text += answer.kind === 'picture' ? answer.recorded : '';
+      if (answer.kind === 'picture') {
+        this.text += answer.recorded;
+        this.comparedSoFar = answer.compared ?? this.comparedSoFar;
+      }
     }
   }
 

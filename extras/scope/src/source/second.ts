@@ -1,55 +1,48 @@
-// A second recording, B, beside the one that is played, A: it is at the same moment, by the delay that was measured.
+// A second line, B, beside the one that is shown, A: a recording beside a recording, or a port beside a port. B is at the same
+// moment, by the delay that was measured.
 
 import { type Comparison, otherUs } from '../comparison';
 import type { Core } from '../core';
 import { History, isSample, type Samples } from '../history';
 import type { Sink, Stretch } from '../line';
+import { PortSource } from './port';
 import type { RecordingSource } from './recording';
 import { Remote } from './remote';
+import type { Problem } from './Source';
 
 const jumpUs = 2000000; // what is further away is sought
 let ids = 0;
 
-export class Second implements Sink {
+const samePort: Problem = {
+  text: 'The page shows this port already.',
+  remedy: 'Press Compare… again, and choose the port of the second receiver.',
+};
+
+export abstract class Second implements Sink {
   readonly history = new History();
-  private readonly id = ++ids;
-  private askedUs = NaN;
 
-  private constructor(
-    private readonly first: RecordingSource,
-    private readonly line: Remote,
+  protected constructor(
+    readonly line: Remote,
     readonly name: string,
-    file: File,
-  ) {
-    first.line.ask({ kind: 'compare', id: this.id, file });
-  }
-
-  // Reads the file. Throws an Error that says what is wrong with the recording, a Problem, or the reason of `signal`.
-  static async read(core: Core, file: File, first: RecordingSource, signal: AbortSignal): Promise<Second> {
-    const line = await Remote.read(core, file, signal, () => undefined);
-    return new Second(first, line, file.name, file);
-  }
+  ) {}
 
   // Returns undefined before it is made, null if both have no frame in common.
-  get comparison(): Comparison | null | undefined {
-    const { compared } = this.first.line;
-    return compared?.id === this.id ? (compared.comparison ?? null) : undefined;
+  abstract get comparison(): Comparison | null | undefined;
+
+  // What to know while there is none.
+  abstract readonly waiting: string;
+
+  // What is wrong with its port, or ''.
+  get problem(): string {
+    const { problem } = this.line.live ?? {};
+    return problem ? `${problem.text} ${problem.remedy}` : '';
   }
 
   // Goes to the moment at which A is. Call it for each picture.
-  follow(): void {
-    const { comparison, line, askedUs } = this;
-    if (comparison) {
-      const us = Math.min(Math.max(otherUs(comparison, this.first.line.us), 0), line.lengthUs + 1000);
-      this.askedUs = us;
-      if (us >= askedUs && us < askedUs + jumpUs) {
-        line.wantedUs = us;
-      } else {
-        line.seek(us);
-      }
-      line.advance(us, this);
-    }
-  }
+  abstract follow(): void;
+
+  // Returns B's time at a time of A, in us; NaN before it is known.
+  abstract at(us: number): number;
 
   take(stretch: Stretch): void {
     if (isSample(stretch)) {
@@ -67,5 +60,79 @@ export class Second implements Sink {
 
   close(): void {
     this.line.close();
+  }
+}
+
+export class SecondRecording extends Second {
+  readonly waiting = 'Both are decoded and compared.';
+  private readonly id = ++ids;
+  private askedUs = NaN;
+
+  private constructor(
+    private readonly first: RecordingSource,
+    line: Remote,
+    file: File,
+  ) {
+    super(line, file.name);
+    first.line.ask({ kind: 'compare', id: this.id, file });
+  }
+
+  // Reads the file. Throws an Error that says what is wrong with the recording, a Problem, or the reason of `signal`.
+  static async read(core: Core, file: File, first: RecordingSource, signal: AbortSignal): Promise<Second> {
+    return new SecondRecording(first, await Remote.read(core, file, signal, () => undefined), file);
+  }
+
+  get comparison(): Comparison | null | undefined {
+    const { compared } = this.first.line;
+    return compared?.id === this.id ? (compared.comparison ?? null) : undefined;
+  }
+
+  follow(): void {
+    const { line, askedUs } = this;
+    if (this.comparison) {
+      const us = Math.min(Math.max(this.at(this.first.line.us), 0), line.lengthUs + 1000);
+      this.askedUs = us;
+      if (us >= askedUs && us < askedUs + jumpUs) {
+        line.wantedUs = us;
+      } else {
+        line.seek(us);
+      }
+      line.advance(us, this);
+    }
+  }
+
+  at(us: number): number {
+    return this.comparison ? otherUs(this.comparison, us) : NaN;
+  }
+}
+
+export class SecondPort extends Second {
+  readonly waiting = 'Move a stick: the delay shows once both have brought the same frames.';
+
+  private constructor(private readonly source: PortSource) {
+    super(source.line, source.device);
+  }
+
+  // Opens the port of an adapter. Throws a Problem, or the reason of `signal`.
+  static async open(core: Core, port: SerialPort, first: PortSource, signal: AbortSignal): Promise<Second> {
+    if (first.has(port)) {
+      throw samePort;
+    }
+    const make = await PortSource.open(core, port, 'adapter', 0, signal, first.line);
+    return new SecondPort(make());
+  }
+
+  get comparison(): Comparison | undefined {
+    const { comparedSoFar } = this.line;
+    return comparedSoFar?.delays ? comparedSoFar : undefined;
+  }
+
+  follow(): void {
+    this.line.advance(this.source.nowUs(), this);
+  }
+
+  at(us: number): number {
+    const { comparedSoFar } = this.line;
+    return comparedSoFar ? otherUs(comparedSoFar, us) : NaN;
   }
 }

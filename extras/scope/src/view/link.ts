@@ -4,12 +4,19 @@ import { make, setAttribute, setText } from '../dom';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 import { Throttle } from '../throttle';
 
-const names: Record<LinkState, [string, string]> = {
-  [LinkState.NeverSeen]: ['Never seen', 'note'],
-  [LinkState.Ok]: ['Fine', 'good'],
-  [LinkState.Lossy]: ['Lossy', 'warning'],
-  [LinkState.Failsafe]: ['Failsafe', 'alarm'],
-  [LinkState.Stale]: ['Stale', 'alarm'],
+export const stateNames: Record<LinkState, string> = {
+  [LinkState.NeverSeen]: 'Never seen',
+  [LinkState.Ok]: 'Fine',
+  [LinkState.Lossy]: 'Lossy',
+  [LinkState.Failsafe]: 'Failsafe',
+  [LinkState.Stale]: 'Stale',
+};
+const severities: Record<LinkState, string> = {
+  [LinkState.NeverSeen]: 'note',
+  [LinkState.Ok]: 'good',
+  [LinkState.Lossy]: 'warning',
+  [LinkState.Failsafe]: 'alarm',
+  [LinkState.Stale]: 'alarm',
 };
 
 // Of frames, of rows.
@@ -78,9 +85,9 @@ export class LinkView {
   }
 
   draw(status: Status, newest: Stretch | undefined): void {
-    const [name, color] = names[status.state as LinkState];
-    setText(this.state, name);
-    setAttribute(this.stateTile, 'data-severity', color);
+    const state = status.state as LinkState;
+    setText(this.state, stateNames[state]);
+    setAttribute(this.stateTile, 'data-severity', severities[state]);
     this.indicators.forEach((indicator, flag) => {
       const flags = newest?.flags ?? 0;
       const on = flag === Flag.LostFrame ? status.showsLostFrame > 0 : flag === Flag.Failsafe ? status.showsFailsafe > 0 : (flags & flag) !== 0;

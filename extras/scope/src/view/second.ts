@@ -1,11 +1,12 @@
-// The comparison with a second recording: who lost what, the delay, and B's curves under those of A, at the same moments.
+// The comparison with a second line: who lost what, the delay, and B's curves under those of A, at the same moments.
 
 import uPlot from 'uplot';
-import { type Comparison, otherUs } from '../comparison';
-import { byId, setText } from '../dom';
+import { byId, setAttribute, setText } from '../dom';
+import { LinkState } from '../line';
 import type { Second } from '../source/second';
 import { ticksOf } from '../unit';
 import { type Lane, together } from './curves';
+import { stateNames } from './link';
 import { colorOf, dashOf } from './dash';
 import { listOf } from './report';
 import { type Area, bands, type Curve, trace } from './strokes';
@@ -23,7 +24,7 @@ export class SecondView {
   private second?: Second;
   private shown = ''; // what the plot was made for
   private drawn = ''; // what it was drawn with
-  private told?: Comparison | null;
+  private told = '';
 
   // `visit`: goes to a time of A, in us.
   constructor(
@@ -34,15 +35,16 @@ export class SecondView {
     new ResizeObserver(() => this.plot?.setSize({ width: this.root.clientWidth, height: this.root.clientHeight })).observe(this.root);
   }
 
-  // Shows a second recording, or none.
+  // Shows a second line, or none.
   show(second: Second | undefined): void {
     this.second = second;
     this.card.hidden = !second;
-    this.told = undefined;
+    this.told = '';
     this.drawn = '';
     this.lists.replaceChildren();
     setText(byId('second-title'), second ? `B, ${second.name}` : '');
-    setText(byId('second-text'), second ? 'Both are decoded and compared.' : '');
+    setText(byId('second-text'), '');
+    setAttribute(byId('second-text'), 'aria-live', second?.line.live ? 'off' : 'polite'); // it changes all the time
   }
 
   // Redraws what depends on the theme.
@@ -56,11 +58,8 @@ export class SecondView {
     if (!second || !lane) {
       return;
     }
-    const { comparison, history } = second;
-    if (comparison !== this.told) {
-      this.told = comparison;
-      this.tell(comparison);
-    }
+    const { history } = second;
+    this.tell(second);
     this.lane = lane;
     const { curves, unit, edge, seconds } = lane;
     const shown = `${curves.map(({ column }) => column)} ${unit.low} ${unit.high}`;
@@ -79,9 +78,12 @@ export class SecondView {
     setText(byId('second-readout'), this.read(lane));
   }
 
-  private tell(comparison: Comparison | null | undefined): void {
+  private tell({ comparison, waiting, problem, line }: Second): void {
+    const { state, linkQuality } = line.status();
+    const quality = state === LinkState.NeverSeen ? '' : `, quality ${linkQuality} %`;
+    setText(byId('second-link'), problem || `Link: ${stateNames[state as LinkState]}${quality}.`);
     if (!comparison) {
-      setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : 'Both are decoded and compared.');
+      setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : waiting);
       return;
     }
     const { medianUs, leastUs, mostUs, driftPpm, isByContents, same, different, alone, lost, spans, longest } = comparison;
@@ -91,6 +93,11 @@ export class SecondView {
       `B is ${ms(Math.abs(medianUs))} ${later} than A (${ms(leastUs)} to ${ms(mostUs)}, drift ${driftPpm.toFixed(1)} µs/s), by ${isByContents ? 'the contents' : 'the times alone'}. ` +
         `${counted(same, 'frame')} alike, ${different} different; ${alone[0]} only in A and ${alone[1]} only in B before or after the other.`,
     );
+    const lists = JSON.stringify([lost, longest]);
+    if (lists === this.told) {
+      return; // a list that is made anew loses the focus
+    }
+    this.told = lists;
     this.lists.replaceChildren(
       ...names.map((name, side) => {
         const rows = longest[side].map(([fromUs, toUs, frames]): [number, number, string] => [fromUs, toUs, counted(frames, 'frame')]);
@@ -101,8 +108,7 @@ export class SecondView {
 
   // Returns B's time at a time of A, in s.
   private other(seconds: number): number {
-    const { comparison } = this.second as Second;
-    return comparison ? otherUs(comparison, 1e6 * seconds) / 1e6 : NaN;
+    return (this.second as Second).at(1e6 * seconds) / 1e6;
   }
 
   private area(plot: uPlot): Area {

@@ -5,6 +5,7 @@ import { RecordReader } from '../border';
 import type { Setting } from '../core';
 import type { Status } from '../line';
 import { imports, Native } from '../native';
+import { Comparing } from './comparing';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from './messages';
 import { type FindPort, PortLine } from './port';
 import { Trials, type Tried } from './trials';
@@ -21,7 +22,7 @@ export interface Out {
 }
 
 // A line's source, as the server has it.
-interface Feed extends Tried, Partial<Pick<PortLine, 'title' | 'events' | 'isUnplugged' | 'replugged'>> {
+interface Feed extends Tried, Partial<Pick<PortLine, 'title' | 'events' | 'isUnplugged' | 'replugged' | 'zeroMs'>> {
   // Returns the line's time: all characters complete by then have come. `us`: the page's.
   nowUs(us: number): number;
   close(): void;
@@ -54,7 +55,11 @@ class SimulatedFeed implements Feed {
   close(): void {}
 }
 
+const lines = new Map<number, LiveLine>(); // that are open, by their numbers
+
 class LiveLine {
+  private comparing?: Comparing; // with another line
+  private side = 0; // of the comparison
   private readonly trials: Trials;
   private records: Uint8Array[] = [];
   private count = 0;
@@ -66,13 +71,26 @@ class LiveLine {
     private readonly feed: Feed,
     private readonly find: FindPort,
     private readonly out: Out,
+    private readonly id: number,
+    private readonly first?: LiveLine, // beside which this one is
   ) {
+    lines.set(id, this);
+    if (first) {
+      const comparing = new Comparing(native, 1000 * ((feed.zeroMs ?? 0) - (first.feed.zeroMs ?? 0)));
+      first.join(comparing, 0);
+      this.join(comparing, 1);
+    }
     this.trials = new Trials(native, feed);
     out.onmessage = ({ data }: MessageEvent<Request>): void => this.hear(data);
     if (feed instanceof PortLine) {
       this.timer = setInterval(() => this.turn(0), turnMs);
     }
     this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0, this.status(0)) });
+  }
+
+  private join(comparing: Comparing | undefined, side: number): void {
+    this.comparing = comparing;
+    this.side = side;
   }
 
   private hear(request: Request): void {
@@ -103,6 +121,10 @@ class LiveLine {
       }
       case 'close':
         clearInterval(this.timer);
+        lines.delete(this.id);
+        if (this.first?.comparing === this.comparing) {
+          this.first?.join(undefined, 0);
+        }
         this.feed.close();
         this.out.close();
         break;
@@ -115,13 +137,16 @@ class LiveLine {
     const { native } = this;
     const nowUs = (this.us = this.feed.nowUs(us));
     native.records(nowUs, (records) => {
+      this.comparing?.take(this.side, records);
       this.records.push(records);
       this.count += records.length / RecordReader.size;
     });
     while (this.count > mostRecords) {
       this.count -= (this.records.shift() as Uint8Array).length / RecordReader.size;
     }
-    void this.trials.tick(this.status(nowUs));
+    const status = this.status(nowUs);
+    this.comparing?.knownUntil(this.side, nowUs - status.lateUs);
+    void this.trials.tick(status);
   }
 
   private status(us: number): Status {
@@ -138,7 +163,8 @@ class LiveLine {
     const live: LiveState = { title, state, problem, isUnplugged, events: events && new Map(events), note, round };
     const recorded = native.words(native.calls.takeRecorded());
     const travel = Array.from({ length: channels }, (_, i) => native.travel(i));
-    return { kind: 'picture', id, jumped: false, us, status, travel, telemetry: native.telemetry(us), records, recorded, faults: 0, live };
+    const compared = this.first && this.comparing?.news();
+    return { kind: 'picture', id, jumped: false, us, status, travel, telemetry: native.telemetry(us), records, recorded, faults: 0, live, compared };
   }
 
   private answer(message: Answer, transfer: Transferable[] = []): void {
@@ -147,16 +173,17 @@ class LiveLine {
 }
 
 // Opens a live line, which answers at `out`.
-export async function serve({ wasm, opening }: Live, out: Out, find: FindPort): Promise<void> {
+export async function serve({ wasm, opening, id, beside }: Live, out: Out, find: FindPort): Promise<void> {
   try {
     const port = opening.kind === 'port' ? await find(opening.place) : undefined;
-    if (opening.kind === 'port' && !port) {
+    const first = beside === undefined ? undefined : lines.get(beside);
+    if ((opening.kind === 'port' && !port) || (beside !== undefined && !first)) {
       out.postMessage({ kind: 'refused' } satisfies Answer);
       return;
     }
     const native = Native.of((await WebAssembly.instantiate(wasm as BufferSource, imports)).instance);
     const feed = opening.kind === 'port' ? new PortLine(native, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(native, opening);
-    new LiveLine(native, feed, find, out);
+    new LiveLine(native, feed, find, out, id, first);
   } catch (error) {
     out.postMessage({ kind: 'failed', error: (error as Error).message } satisfies Answer);
   }

@@ -29,6 +29,8 @@ export interface Live {
   kind: 'live';
   wasm: Uint8Array;
   opening: Opening;
+  id: number;
+  beside?: number; // the line, open there, with which it is compared
 }
 
 export type Request =
@@ -88,12 +90,13 @@ export interface Picture {
   found?: Found | null; // the fault at `us`; null: no further fault in that direction
   event?: number | null; // when the condition became true; null: it does not any more
   live?: LiveState; // not of a recording
+  compared?: Comparison; // so far, of a line beside another one: if there is news
 }
 
 export type Answer =
   | { kind: 'progress'; part: number } // of the file that is read, or of the line that is decoded to get to a place; 0..1
   | { kind: 'failed'; error: string }
-  | { kind: 'refused' } // the worker does not find the port
+  | { kind: 'refused' } // the worker does not find the port, or the line beside it
   | { kind: 'opened'; lengthUs: number; carrier: string; bookmarks?: Bookmark[]; picture: Picture } // bookmarks: of a recording as a plain text
   | Picture
   | Wire

@@ -33,7 +33,7 @@ export class PortLine {
   private setting: Setting;
   private readonly connection: Connection;
   private readonly info: ReturnType<SerialPort['getInfo']>;
-  private readonly zeroMs = performance.now();
+  readonly zeroMs = performance.now();
 
   constructor(
     private readonly core: Pick<Native, 'openPort' | 'received' | 'receivedBad'>,
