@@ -147,13 +147,22 @@ export default async function () {
       await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
       await page.click('#compare');
       await reads(page, '#second-title', 'B, FTDI FT232 (0403:6001)');
-      await reads(page, '#second-lists', /Lost by A: 0 frames in 0 spans.*Lost by B: 25 frames in 1 span/);
-      await reads(page, '#second-text', /^B is .* frames alike/);
-      await until('the end', async () => Number(/(\d+) frames alike/.exec(await page.textContent('#second-text'))[1]) >= 470);
-      const [, delay, alike, different, onlyA, onlyB] = /^B is ([\d.]+) ms later than A .* by the contents\. (\d+) frames alike, (\d+) different; (\d+) only in A and (\d+) only in B/.exec(await page.textContent('#second-text'));
-      assert.ok(Math.abs(delay - 40) < 15, delay);
-      assert.deepEqual([different, onlyB], ['0', '0']);
-      assert.ok(alike <= 475 && onlyA <= 5, `${alike} ${onlyA}`);
+      // A frame that is read late, by a PC that is busy with other tests, may be left out; it is no loss.
+      const numbers = async () => {
+        const text = await page.textContent('#second-text');
+        const [delay, alike = 0, different, onlyA, onlyB] = (/^B is ([\d.]+) ms later than A .* by the contents\. (\d+) frames alike, (\d+) different; (\d+) only in A and (\d+) only in B/.exec(text) ?? []).slice(1).map(Number);
+        const late = Number(/Not compared: (\d+) of A/.exec(text)?.[1] ?? 0);
+        const [lostByA, lostByB] = [...(await page.textContent('#second-lists')).matchAll(/Lost by .: (\d+) frame/g)].map(([, count]) => Number(count));
+        return { delay, alike, different, onlyA, onlyB, late, lostByA, lostByB };
+      };
+      await until(async () => JSON.stringify(await numbers()), async () => {
+        const { alike, late, lostByB } = await numbers();
+        return alike + late + lostByB >= 495 && (lostByB === 25 || late > 0);
+      });
+      const { delay, alike, different, onlyA, onlyB, lostByA, lostByB } = await numbers();
+      assert.ok(Math.abs(delay - 40) < 20, `${delay}`);
+      assert.deepEqual([different, onlyB, lostByA], [0, 0, 0]);
+      assert.ok(alike <= 475 && onlyA <= 5 && lostByB <= 25, `${alike} ${onlyA} ${lostByB}`);
       await page.click('#pause');
       await page.locator('#second-plot').scrollIntoViewIfNeeded();
       const over = await page.locator('#second-plot .u-over').boundingBox();
@@ -189,7 +198,7 @@ export default async function () {
     await reads(page, '#second-text', /^B is .* frames alike/);
     await reads(page, '#second-link', /^Link: Fine, quality \d+ %\.$/);
     assert.equal(await page.getAttribute('#second-text', 'aria-live'), 'off'); // it changes twice a second
-    const lostByB = async () => Number(/Lost by B: (\d+) frames? in 1 span/.exec(await page.textContent('#second-lists'))?.[1] ?? 0);
+    const lostByB = async () => Number(/Lost by B: (\d+) frame/.exec(await page.textContent('#second-lists'))?.[1] ?? 0);
     await page.evaluate(() => fake.second.unplug());
     await reads(page, '#second-link', /^The port is gone\. Plug the adapter/);
     await until(lostByB, async () => (await lostByB()) > 100);

@@ -168,6 +168,33 @@ read -r same different by_a by_b delay <"$work/live"
 [ "$same" -ge 380 ] && [ "$different $by_a" = "0 0" ] && [ "$by_b" -ge 10 ] && [ "$by_b" -le 12 ] || { cat "$work/live" "$work/err"; false; }
 verdict $? "two ports at once: $same frames the same, $by_b lost by B, delay $delay us"
 
+# ---- The PC is late: what comes meanwhile is read at once, and says so
+
+python3 - "$work/late-a.txt" "$work/late-b.txt" <<'END'
+import sys
+def write(name, later_us, lost, late):
+    with open(name, "w") as file:
+        for i in range(3000):
+            end = 9000 * (i + 1) + later_us + 2880
+            if i in lost:
+                continue
+            bits = sum((i * 37 % 2000 if k == 0 else i % 2000 if k == 1 else 992) << 11 * k for k in range(16))
+            data = bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
+            stamp = "%d" % (end - 2880)
+            for begin, stop in late:
+                if begin <= end < stop:
+                    stamp = "%d~%d" % (stop - ((stop - end) // 9000 + 2) * 3000, stop - begin)
+            file.write(stamp + " " + data.hex(" ") + "\n")
+stalls = [(3000000, 3300000), (9000000, 9120000), (15000000, 17000000)]
+write(sys.argv[1], 0, range(2000, 2010), stalls[1:])
+write(sys.argv[2], 1500, range(2500, 2520), stalls)
+END
+(cd "$work" && "$SBUS" compare late-a.txt late-b.txt) >"$work/out" && compare late-a.txt late-b.txt
+read -r a b x y same different by_a by_b word delay least most rest <"$work/sum"
+[ "$a $b $different $by_a $by_b" = "2990 2980 0 10 20" ] && [ "$delay" -ge 1400 ] && [ "$delay" -le 1600 ] && [ "$least" -ge -50000 ] && [ "$most" -le 50000 ] && [ "$same" -ge 2600 ] && [ "$same" -le 2970 ] &&
+  grep -qE '^not compared [1-9][0-9]* of A, [1-9][0-9]* of B: the PC was late$' "$work/out" || { cat "$work/sum" "$work/out"; false; }
+verdict $? "what a PC read late is no loss: $(cat "$work/sum"), $(grep 'not compared' "$work/out")"
+
 # ---- Memory
 
 python3 - "$work/sim.txt" "$work/long-a.txt" "$work/long-b.txt" <<'END'

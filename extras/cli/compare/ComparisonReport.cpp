@@ -69,6 +69,9 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   }
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
           '\n' + lostText(counts, 0) + lostText(counts, 1);
+  if (counts.late[0] + counts.late[1] > 0) {
+    text += line::format("not compared %lu of A, %lu of B: the PC was late\n", counts.late[0], counts.late[1]);
+  }
   text += "first        " + differenceText(counts.first) + '\n';
   return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s\n",
                              static_cast<long long>(counts.delays.medianUs()),
@@ -84,6 +87,7 @@ std::string json(const line::Comparison &comparison, bool isByContents) {
   json.number("alone_a", uint64_t{counts.alone[0]}).number("alone_b", uint64_t{counts.alone[1]});
   json.number("same", uint64_t{counts.same}).number("different", uint64_t{counts.different});
   json.number("lost_by_a", uint64_t{counts.lost[0]}).number("lost_by_b", uint64_t{counts.lost[1]});
+  json.number("late_a", uint64_t{counts.late[0]}).number("late_b", uint64_t{counts.late[1]});
   json.decimal("delay_us", static_cast<double>(counts.delays.medianUs()))
       .decimal("least_delay_us", static_cast<double>(counts.delays.leastUs()))
       .decimal("most_delay_us", static_cast<double>(counts.delays.mostUs()))

@@ -41,7 +41,16 @@ size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_
   return next < frames.size() ? run : 0;
 }
 
-void Aligner::put(size_t side, int64_t us, const Values &values) {
+void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs) {
+  auto &late = _sides[side].late;
+  if (lateUs > WindowUs && !late.empty() && us - lateUs <= late.back().second) {
+    late.back().second = us;
+  } else if (lateUs > WindowUs) {
+    late.emplace_back(us - lateUs, us);
+  }
+  while (!late.empty() && late.front().second < us - 2 * TryMostUs) {
+    late.pop_front();
+  }
   const bool isChange = !_newest[side] || !isSame(*_newest[side], values);
   _newest[side] = values;
   _sides[side].frames.push_back({us, isChange, values});
@@ -186,7 +195,9 @@ void Aligner::match(const Frame &frame) {
   const auto end = others.begin() + static_cast<std::ptrdiff_t>(best);
   _sides[1].left.insert(_sides[1].left.end(), others.begin(), end);
   add(frame, *end, true);
-  _delayUs += (static_cast<double>(end->us - frame.us) - _delayUs) / (leastUs > _periodUs / 2 ? 1 : 16);
+  if (!isLate(frame.us)) {
+    _delayUs += (static_cast<double>(end->us - frame.us) - _delayUs) / (leastUs > _periodUs / 2 ? 1 : 16);
+  }
   others.erase(others.begin(), end + 1);
 }
 
@@ -222,13 +233,28 @@ void Aligner::pairLeft(int64_t beforeUs) {
 }
 
 void Aligner::add(const Frame &a, const Frame &b, bool isSameContent) {
-  _found.emplace(a.us, Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent});
+  _found.emplace(a.us,
+                 Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate(a.us)});
 }
 
 void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
-  Alignment finding{Alignment::Kind::Only, side, {}, 0, false};
+  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us)};
   finding.values[side] = frame.values;
   _found.emplace(us, finding);
+}
+
+// Returns true if the PC was late on either side, at a time of the first one.
+bool Aligner::isLate(int64_t us) const {
+  int64_t sideUs = us;
+  for (const Side &side : _sides) {
+    if (std::any_of(side.late.begin(), side.late.end(), [sideUs](const std::pair<int64_t, int64_t> &late) {
+          return sideUs >= late.first - WindowUs && sideUs <= late.second + WindowUs;
+        })) {
+      return true;
+    }
+    sideUs = us + std::llround(_delayUs);
+  }
+  return false;
 }
 
 // Before the delay is known: gives up what came a minute and more before the other side's first frame.

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "line/Statistics.h"
 
@@ -21,6 +22,7 @@ struct Alignment {
   std::array<std::optional<Values>, 2> values;
   int64_t delayUs;     // of Pair: how much later the second one is
   bool isSameContent;  // of Pair: all channels
+  bool isLate;         // the PC was late: what it read then came some time before
 };
 
 class Aligner {
@@ -28,8 +30,8 @@ class Aligner {
   // Calls `say` with each finding in the order of their times.
   explicit Aligner(std::function<void(int64_t us, const Alignment &)> say) : _say(std::move(say)) {}
 
-  // Takes the next frame of a side, 0 or 1.
-  void put(size_t side, int64_t us, const Values &values);
+  // Takes the next frame of a side, 0 or 1. It came at most `lateUs` earlier.
+  void put(size_t side, int64_t us, const Values &values, int64_t lateUs = 0);
 
   // Takes the time up to which no other frame came.
   void knownUntil(size_t side, int64_t us);
@@ -49,8 +51,9 @@ class Aligner {
     Values values;
   };
   struct Side {
-    std::deque<Frame> frames;  // that are still to be matched
-    std::deque<Frame> left;    // that matched nothing
+    std::deque<Frame> frames;                      // that are still to be matched
+    std::deque<Frame> left;                        // that matched nothing
+    std::deque<std::pair<int64_t, int64_t>> late;  // when the PC was late, in the side's times
     int64_t knownUs = NeverUs;
   };
 
@@ -61,6 +64,7 @@ class Aligner {
   void match(const Frame &frame);
   void leave(int64_t beforeUs);
   void pairLeft(int64_t beforeUs);
+  bool isLate(int64_t us) const;
   void add(const Frame &a, const Frame &b, bool isSameContent);
   void addOnly(size_t side, int64_t us, const Frame &frame);
   void sayAlone(size_t side);

@@ -16,7 +16,7 @@ class Compared {
     _observer.reset(0, characterUs);
     _observer.listen([this](const Stretch &stretch) {
       if (stretch.isFrame() && stretch.kind != Stretch::Kind::Extra) {
-        _aligner.put(_side, timeOf(stretch.endUs()), _observer.newest());
+        _aligner.put(_side, timeOf(stretch.endUs()), _observer.newest(), stretch.lateUs());
       }
     });
   }

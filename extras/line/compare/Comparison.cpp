@@ -22,15 +22,24 @@ void Comparison::put(int64_t us, const Alignment &found) {
     _counts.alone[found.side]++;
     return;
   }
+  if (found.isLate) {
+    _counts.late[found.side]++;
+    return;
+  }
   lose(1 - found.side, us, true);
 }
 
 void Comparison::putPair(int64_t us, const Alignment &found) {
   const Values &a = *found.values[0], &b = *found.values[1];
-  _anyPair = true;
   _counts.frames[0]++;
   _counts.frames[1]++;
-  if (found.isSameContent) {
+  if (found.isLate && (!found.isSameContent || isFlagged(a) != isFlagged(b))) {
+    _counts.late[0]++;
+    _counts.late[1]++;
+    return;
+  }
+  _anyPair = true;
+  if (found.isSameContent && !found.isLate) {
     _counts.delays.put(us, found.delayUs);
   }
   if (isFlagged(a) != isFlagged(b)) {

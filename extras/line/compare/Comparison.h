@@ -39,6 +39,7 @@ class Comparison {
     std::array<unsigned long, 2> lost{};
     std::array<unsigned long, 2> spans{};
     std::array<std::vector<LostSpan>, 2> longest;  // by frames, LongestMost at most
+    std::array<unsigned long, 2> late{};           // not compared: the PC was late
     unsigned long same = 0;
     unsigned long different = 0;
     std::optional<Difference> first;

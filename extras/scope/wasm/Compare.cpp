@@ -1,5 +1,5 @@
-// Compares two lines, A and B: who lost what, and the delay. As sbus compare. Of recordings A is the one that is played;
-// of live lines both are other instances, which hand over their records.
+// Compares two lines, A and B: who lost what, and the delay. As sbus compare. Of recordings A is the one that is
+// played; of live lines both are other instances, which hand over their records.
 #include <cstring>
 #include <memory>
 
@@ -14,7 +14,7 @@ using namespace scope;
 namespace {
 
 constexpr int64_t StepUs = 100000;
-constexpr int64_t SilenceUs = 2000;  // between frames
+constexpr int64_t SilenceUs = 2000;     // between frames
 constexpr int64_t LiveHeldUs = 250000;  // a frame may wait for what follows it, and a port may be read this late
 
 struct Comparing {
@@ -76,7 +76,8 @@ std::string json(const std::vector<line::LostSpan> &spans) {
 std::string json(const Comparing &found, const line::Comparison::Counts &counts) {
   const line::Delays &delays = counts.delays;
   return "{" + pair("frames", counts.frames) + pair("alone", counts.alone) + pair("lost", counts.lost) +
-         pair("spans", counts.spans) + "\"longest\":[" + json(counts.longest[0]) + "," + json(counts.longest[1]) + "]," +
+         pair("spans", counts.spans) + pair("late", counts.late) + "\"longest\":[" + json(counts.longest[0]) + "," +
+         json(counts.longest[1]) + "]," +
          line::format(
              "\"same\":%lu,\"different\":%lu,\"delays\":%lu,\"medianUs\":%lld,\"leastUs\":%lld,\"mostUs\":%lld,"
              "\"driftPpm\":%.3f,\"atZeroUs\":%.1f,\"laterUs\":%lld,\"isByContents\":%s}",
@@ -155,7 +156,7 @@ EXPORT(compareRecords)(unsigned side, unsigned size)->void {
   for (const Record *record = records; record != records + size / sizeof *record; record++) {
     if (record->kind <= static_cast<uint8_t>(Kind::Frame24)) {
       const int64_t us = static_cast<int64_t>(record->endUs) + (side == 1 ? live->laterUs : 0);
-      live->aligner.put(side, us, valuesOf(*record));
+      live->aligner.put(side, us, valuesOf(*record), static_cast<int64_t>(record->lateUs));
     }
   }
 }
