@@ -42,7 +42,7 @@ vm.runInThisContext(readFileSync(path.join(here, 'fakeSerial.js'), 'utf8'));
 Object.defineProperty(globalThis, 'navigator', { value: { serial: fake.serial }, configurable: true });
 
 const { Choice } = await load('source/choice');
-const { PortLine } = await load('worker/port');
+const { PortFeed } = await load('worker/portFeed');
 const { pickPort } = await load('source/pick');
 
 function random(seed) {
@@ -143,7 +143,7 @@ class Visit {
         this.heard.set(name, (this.heard.get(name) ?? 0) + bytes.length);
       },
     };
-    return new PortLine(core, port, false, 0);
+    return new PortFeed(core, port, false, 0);
   }
 
   // The doctor tries another baud rate.
@@ -166,7 +166,7 @@ class Visit {
       () => port.gone && this.plug(i),
       () => port.fail(this.one(['ParityError', 'FramingError', 'BreakError', 'BufferOverrunError', 'UnknownError'])),
       () => port.feed(new Array(62).fill(0x0f)),
-      () => current instanceof PortLine && this.use(current, this.one(current.settings)),
+      () => current instanceof PortFeed && this.use(current, this.one(current.settings)),
     ][this.upTo(5)]();
   }
 
@@ -206,14 +206,14 @@ class Visit {
     assert.equal(current?.name, this.expected, 'another source was chosen last');
     assert.equal(this.choice.state, current ? 'open' : 'closed');
     const held = this.all.filter((port) => port.isOpen || port.isLocked);
-    assert.equal(held.length, current instanceof PortLine ? 1 : 0, 'ports are open');
-    if (current instanceof PortLine) {
+    assert.equal(held.length, current instanceof PortFeed ? 1 : 0, 'ports are open');
+    if (current instanceof PortFeed) {
       const before = this.heard.get(current.name) ?? 0;
       held[0].feed([1, 2, 3]);
       await settled();
       assert.equal(this.heard.get(current.name), before + 3, 'it does not read');
     }
-    return current instanceof PortLine;
+    return current instanceof PortFeed;
   }
 
   async leave() {

@@ -7,7 +7,7 @@ const { History } = await load('history');
 const { Viewport } = await load('view/viewport');
 const { intervals, losses } = await load('statistics');
 const { Fault } = await load('faults');
-const { Faults, mostSpans } = await load('worker/faults');
+const { FaultIndex, mostSpans } = await load('worker/faultIndex');
 
 let seed = Number(process.argv[2] ?? 20181);
 const first = seed;
@@ -127,7 +127,7 @@ function faulty(count, faults) {
 }
 
 check('the next fault after any time, and the one before, are those in a list of all faults', () => {
-  const faults = new Faults(2e9);
+  const faults = new FaultIndex(2e9);
   const spans = faulty(100000, faults);
   assert.ok(spans.length > 300, `${spans.length}`);
   assert.deepEqual(faults.counts(), [0, 1, 2, 3, 4].map((fault) => spans.filter((span) => span.fault === fault).length));
@@ -147,7 +147,7 @@ check('the next fault after any time, and the one before, are those in a list of
 
 check('if there are more faults than room, neighbours become one, and each still begins where a fault does', () => {
   const count = 40 * mostSpans;
-  const faults = new Faults(3e6 * count);
+  const faults = new FaultIndex(3e6 * count);
   for (let i = 0; i < count; i++) faults.take({ endUs: 3e6 * i, kind: 4, flags: i % 2 ? 4 : 0, lateUs: 0, damagedUs: 0 });
   faults.finish(3e6 * count);
   const [, lost] = faults.counts();
@@ -162,7 +162,7 @@ check('if there are more faults than room, neighbours become one, and each still
 });
 
 check('a sketch that prints once a second is not silent; three missing rows are the fault "no frames"', () => {
-  const faults = new Faults(1e8);
+  const faults = new FaultIndex(1e8);
   for (let i = 0; i < 100; i++) {
     faults.take({ endUs: 1e6 * i - 500, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 }); // its bytes
     if (i < 50 || i > 53) faults.take({ endUs: 1e6 * i, kind: 4, flags: 0, lateUs: 0, damagedUs: 0 });
@@ -173,7 +173,7 @@ check('a sketch that prints once a second is not silent; three missing rows are 
 });
 
 check('bytes without any frame are the fault "no frames", from the first to the last', () => {
-  const faults = new Faults(1e7);
+  const faults = new FaultIndex(1e7);
   for (let us = 1e6; us < 9e6; us += 10000) faults.take({ endUs: us, kind: 3, flags: 0, lateUs: 0, damagedUs: 0 });
   faults.finish(9e6);
   assert.deepEqual(faults.after({ fromUs: 0 }), { fault: Fault.NoFrames, fromUs: 1e6, toUs: 9e6, number: 1 });

@@ -55,7 +55,7 @@ void Scope::reset(uint64_t nowUs, const line::LineSettings &now) {
 
 void Scope::mark() {
   examination.begin(observer, _turnUs);
-  watch.begin(observer, _turnUs);
+  verdict.begin(observer, _turnUs);
 }
 
 void Scope::received(const uint8_t *bytes, size_t count, uint64_t nowUs) {
@@ -94,7 +94,7 @@ void Scope::advance(uint64_t nowUs) {
   line::Line *const line = simulated ? static_cast<line::Line *>(simulated.get()) : played.get();
   line::Character character;
   while (line != nullptr && records.size() < Enough && line->next(nowUs, character)) {
-    watch.until(observer, settings, character.endUs);
+    verdict.until(observer, settings, character.endUs);
     put(character);
     if (played && rows.put(character)) {  // a board's port was recorded
       takeRow(character.endUs, character.lateUs);
@@ -117,7 +117,7 @@ void Scope::advance(uint64_t nowUs) {
     observer.finish();
   }
   if (records.size() < Enough) {
-    watch.until(observer, settings, nowUs);
+    verdict.until(observer, settings, nowUs);
     const uint64_t us = knownUs(nowUs);
     if (happens(us)) {
       Record record{};

@@ -9,9 +9,9 @@
 #include "BoardRows.h"
 #include "Damage.h"
 #include "FedLine.h"
-#include "Recorder.h"
+#include "TextRecorder.h"
 #include "SimulatedLine.h"
-#include "Watch.h"
+#include "VerdictOfSecond.h"
 #include "line/Condition.h"
 #include "line/Examination.h"
 #include "line/LineSettings.h"
@@ -124,13 +124,13 @@ class Scope {
   line::SensorsBySlot sensors = {{uint8_t{0}, line::sensorOf("receiver")}};
   line::Readings readings;
   line::Examination examination;  // of what came since the port was opened, or since mark()
-  Watch watch;
+  VerdictOfSecond verdict;
   BoardRows rows;                            // of a port that carries text
   line::LineSettings settings;               // of the port, or of a recording
   std::unique_ptr<SimulatedLine> simulated;  // at most one of the two; none for a port, which the browser reads
   std::unique_ptr<FedLine> played;
   std::vector<Record> records;
-  Recorder recorder;
+  TextRecorder recorder;
 
  private:
   void put(const line::Character &character);

@@ -56,7 +56,7 @@ EXPORT(status)(double now)->const Status * {
   answer.lateUs = now - d(nowUs);
   answer.lateReads = d(theScope.lateReads());
   answer.quietUs = d(nowUs - std::min(nowUs, theScope.characterUs()));
-  answer.finding = theScope.watch.finding() ? d(static_cast<uint64_t>(*theScope.watch.finding())) : -1;
+  answer.finding = theScope.verdict.finding() ? d(static_cast<uint64_t>(*theScope.verdict.finding())) : -1;
   answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
 }

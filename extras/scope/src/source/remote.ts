@@ -7,7 +7,7 @@ import type { Fault, FaultMap, Flight, Found, Span } from '../faults';
 import type { Line, Sink, Status } from '../line';
 import { type Out, serve } from '../worker/live';
 import type { Answer, Live, LiveState, Opening, Picture, Request, Wire } from '../worker/messages';
-import { findPort } from '../worker/port';
+import { findPort } from '../worker/portFeed';
 import PlayingWorker from '../worker/worker?worker&inline';
 import type { Problem } from './Source';
 

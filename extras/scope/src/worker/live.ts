@@ -7,7 +7,7 @@ import type { Status } from '../line';
 import { imports, Native } from '../native';
 import { Comparing } from './comparing';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from './messages';
-import { type FindPort, PortLine } from './port';
+import { type FindPort, PortFeed } from './portFeed';
 import { Trials, type Tried } from './trials';
 
 const turnMs = 10; // from one look at a port to the next
@@ -22,7 +22,7 @@ export interface Out {
 }
 
 // A line's source, as the server has it.
-interface Feed extends Tried, Partial<Pick<PortLine, 'title' | 'events' | 'isUnplugged' | 'replugged' | 'zeroMs'>> {
+interface Feed extends Tried, Partial<Pick<PortFeed, 'title' | 'events' | 'isUnplugged' | 'replugged' | 'zeroMs'>> {
   // Returns the line's time: all characters complete by then have come. `us`: the page's.
   nowUs(us: number): number;
   close(): void;
@@ -82,7 +82,7 @@ class LiveLine {
     }
     this.trials = new Trials(native, feed);
     out.onmessage = ({ data }: MessageEvent<Request>): void => this.hear(data);
-    if (feed instanceof PortLine) {
+    if (feed instanceof PortFeed) {
       this.timer = setInterval(() => this.turn(0), turnMs);
     }
     this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0, this.status(0)) });
@@ -182,7 +182,7 @@ export async function serve({ wasm, opening, id, beside }: Live, out: Out, find:
       return;
     }
     const native = Native.of((await WebAssembly.instantiate(wasm as BufferSource, imports)).instance);
-    const feed = opening.kind === 'port' ? new PortLine(native, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(native, opening);
+    const feed = opening.kind === 'port' ? new PortFeed(native, port as SerialPort, opening.isBoard, opening.baud) : new SimulatedFeed(native, opening);
     new LiveLine(native, feed, find, out, id, first);
   } catch (error) {
     out.postMessage({ kind: 'failed', error: (error as Error).message } satisfies Answer);

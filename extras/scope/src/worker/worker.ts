@@ -5,10 +5,10 @@ import { History, isSample, samplesOf } from '../history';
 import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
 import { Throttle } from '../throttle';
 import { Decoder, type Image } from './decoder';
-import { Faults } from './faults';
+import { FaultIndex } from './faultIndex';
 import { serve } from './live';
 import type { Answer, Live, Picture, Request } from './messages';
-import { findPort } from './port';
+import { findPort } from './portFeed';
 import { Search } from './search';
 import { Tape } from './tape';
 
@@ -41,7 +41,7 @@ function progress(part: number): void {
 // The decoder's states, some seconds apart, and the line's faults: it is decoded once, whenever there is time for it.
 class Index {
   readonly images: Image[];
-  readonly faults: Faults;
+  readonly faults: FaultIndex;
   private readonly apart: number;
   private readonly telling = new Throttle(progressMs);
 
@@ -52,7 +52,7 @@ class Index {
   ) {
     this.images = [decoder.image()];
     this.apart = Math.max(spacing, size / mostImages);
-    this.faults = new Faults(endUs);
+    this.faults = new FaultIndex(endUs);
   }
 
   get us(): number {

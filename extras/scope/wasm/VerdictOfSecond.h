@@ -7,7 +7,7 @@
 
 namespace scope {
 
-class Watch {
+class VerdictOfSecond {
  public:
   // Begins the first second.
   void begin(const line::Observer &observer, uint64_t nowUs);

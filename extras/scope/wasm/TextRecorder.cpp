@@ -1,10 +1,10 @@
-#include "Recorder.h"
+#include "TextRecorder.h"
 
 #include <algorithm>
 
 namespace scope {
 
-void Recorder::begin(const line::LineSettings &settings, uint64_t nowUs) {
+void TextRecorder::begin(const line::LineSettings &settings, uint64_t nowUs) {
   _on = true;
   _zeroUs = nowUs;
   _characterUs = settings.characterUs();
@@ -13,14 +13,14 @@ void Recorder::begin(const line::LineSettings &settings, uint64_t nowUs) {
 }
 
 // The characters of a read may have been on the line a little before.
-void Recorder::put(line::Character character) {
+void TextRecorder::put(line::Character character) {
   if (_on) {
     character.endUs = std::max(character.endUs, _zeroUs + _characterUs) - _zeroUs;
     _writer.put(character);
   }
 }
 
-void Recorder::end() {
+void TextRecorder::end() {
   if (_on) {
     _writer.finish();
     _on = false;

@@ -27,7 +27,7 @@ export const findPort: FindPort = async ({ index, count, ids }) => {
   return port && ports.length === count && idsOf(port.getInfo()) === ids ? port : undefined;
 };
 
-export class PortLine {
+export class PortFeed {
   readonly settings: readonly Setting[];
   readonly events = new Map<string, number>();
   private setting: Setting;

@@ -50,7 +50,7 @@ class Spans {
   }
 }
 
-export class Faults {
+export class FaultIndex {
   readonly bins = new Uint8Array(binCount);
   private readonly spans = faults.map(() => new Spans());
   private readonly on = faults.map(() => false); // at the newest frame or row

@@ -8,7 +8,7 @@
 
 namespace scope {
 
-class Recorder {
+class TextRecorder {
  public:
   // Begins a recording, whose times count from `nowUs`.
   void begin(const line::LineSettings &settings, uint64_t nowUs);
