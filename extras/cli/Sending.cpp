@@ -73,7 +73,7 @@ void Sending::run(Input &input) const {
       });
   destination.finish();
   say(std::to_string(sent) + " characters sent" +
-      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +
+      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow or gone" : "") +
       (bad > 0 ? "; " + std::to_string(bad) + " with errors left out: no port can send them" : ""));
 }
 

@@ -1,4 +1,4 @@
-// sbus send: sends a source again, what the built-in receiver sends, or values: to test what reads S.Bus.
+// sbus send: sends a recording, the built-in receiver or values, to test a device that reads S.Bus.
 
 #include <memory>
 
