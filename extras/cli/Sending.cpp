@@ -14,8 +14,7 @@ void say(const std::string &text) {
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between
-// them.
+// Collects back-to-back characters to send them in one piece: sent singly they would be separated by silences.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}
@@ -27,7 +26,7 @@ class Bursts {
     }
   }
 
-  // Returns the burst once it is complete; otherwise nothing.
+  // Returns the burst if it is complete; otherwise nothing.
   std::vector<uint8_t> take(uint64_t nowUs) {
     const bool ready = nowUs >= _lastEndUs + 2 * _characterUs || _bytes.size() >= BurstMax;
     return ready ? std::exchange(_bytes, {}) : std::vector<uint8_t>();

@@ -26,7 +26,7 @@ using Kind = line::Stretch::Kind;
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Recordings::InTrueTime),
+      : source(subcommand, Recordings::InRealTime),
         rules(subcommand),
         failsafe(subcommand),
         trainer(subcommand),

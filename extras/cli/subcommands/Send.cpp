@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Recordings::InTrueTime, Words::Several), sending(subcommand), range(subcommand) {}
+      : source(subcommand, Recordings::InRealTime, Words::Several), sending(subcommand), range(subcommand) {}
 
   SourceOption source;
   Sending sending;
