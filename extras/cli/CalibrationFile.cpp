@@ -15,7 +15,7 @@ namespace {
 
 const char Remedy[] = "; sbus calibrate writes such a file";
 
-// Takes one line without its comment. Returns false if it is wrong.
+// Reads one line, without its comment. Returns false if it is wrong.
 bool takeLine(const std::string &line, ChannelRanges &ranges, unsigned &named) {
   unsigned channel = 0, low = 0, centre = 0, high = 0;
   char more = 0;

@@ -1,5 +1,4 @@
-// The file that `sbus calibrate` writes and `sbus joystick` reads: which raw values are -100, 0 and +100 % of each
-// channel.
+// The file that `sbus calibrate` writes and `sbus joystick` reads: each channel's raw values at -100, 0 and +100 %.
 //
 //   # any comment
 //   CH1 172 992 1811
@@ -15,10 +14,10 @@ namespace tool {
 
 using ChannelRanges = std::array<sbus::Range, 32>;  // CH1..CH32
 
-// Returns the file's text. Channels that are not calibrated are left out.
+// Returns the file's text, without uncalibrated channels.
 std::string calibrationText(const sbus::Calibration &calibration);
 
-// Reads the file into the channels that it names. Throws std::runtime_error, which names file and line.
+// Reads the file; channels that it does not name keep their ranges. Throws std::runtime_error with file and line.
 void readCalibration(const std::string &name, ChannelRanges &ranges);
 
 }  // namespace tool

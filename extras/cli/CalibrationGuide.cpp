@@ -46,7 +46,7 @@ void CalibrationGuide::take(const line::Values &values, uint64_t nowUs) {
   _calibrator.feed(values.raw.data(), values.failsafe, values.lostFrame);
 }
 
-// Returns what the first of the sticks lacks, and says it in `text`; `next` if nothing is left to do in this step.
+// Returns what the first incomplete stick lacks, with its message in `text`; `next` if this step is complete.
 CalibrationError CalibrationGuide::worst(CalibrationError next, std::string &text) const {
   for (uint8_t i = 0; i < Sticks; i++) {
     sbus::CalibratedChannel calibrated;
@@ -69,7 +69,7 @@ void CalibrationGuide::pressEnter() {
   }
 }
 
-// Looks at the channels at the end of a second. A step that can no longer be completed starts over.
+// Checks the channels at the end of a second. A step that can no longer be completed starts over.
 void CalibrationGuide::look() {
   std::string text;
   const CalibrationError next = _step == Step::Push ? CalibrationError::None : CalibrationError::NotPushed;
@@ -90,7 +90,7 @@ void CalibrationGuide::look() {
 
 void CalibrationGuide::tick(uint64_t nowUs, bool hasLink) {
   _nowUs = nowUs;
-  if (wantsEnter() || isDone()) {
+  if (waitsForEnter() || isDone()) {
     return;
   }
   if (!hasLink) {

@@ -1,4 +1,4 @@
-// Leads the user through a calibration in three steps: sbus/Calibrator.h decides, this says what to do next.
+// Guides the user through a calibration in three steps: sbus/Calibrator.h decides, this class says what to do next.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,27 @@ class CalibrationGuide {
  public:
   using Say = std::function<void(const std::string &)>;
 
-  // Says the first step.
+  // Announces the first step.
   explicit CalibrationGuide(Say say);
 
   // Takes an accepted frame, which ended at `nowUs`.
   void take(const line::Values &values, uint64_t nowUs);
 
   // Returns true during the first step, which pressEnter() ends.
-  bool wantsEnter() const { return _step == Step::Move; }
+  bool waitsForEnter() const { return _step == Step::Move; }
   void pressEnter();
 
   // Ends the other steps once they are complete, and says what is missing. Call it several times a second; `hasLink`:
-  // frames come.
+  // frames are being received.
   void tick(uint64_t nowUs, bool hasLink);
 
   bool isDone() const { return _step == Step::Done; }
 
-  // Returns what was measured. Throws std::runtime_error, which says what to do, if it is not complete.
+  // Returns the result. If it is incomplete, throws std::runtime_error that says what to do.
   sbus::Calibration calibration() const;
 
  private:
-  enum class Step { Move, LetGo, Rest, Push, Done };  // LetGo: a second that may hold the last of a movement
+  enum class Step { Move, LetGo, Rest, Push, Done };  // LetGo: a second in which a movement may still end
 
   sbus::CalibrationError worst(sbus::CalibrationError next, std::string &text) const;
   void begin(Step step);

@@ -41,7 +41,7 @@ void DecodeOutput::begin(const line::WireDecoder &wire) {
             (found.frames > 0 ? " carries S.Bus" : " has characters, but no frame of S.Bus") + others +
             (_isMeasured ? ": " + text(found.settings) +
                                line::format(" (measured %.0f, %+.2f %%)", measured, 100 * found.deviation())
-                         : ", as the analyser has decoded it") +
+                         : ", as decoded by the analyser") +
             '\n');
       if (_showsCharacters) {
         write("\n     time ms  byte\n");
@@ -109,7 +109,7 @@ void DecodeOutput::stretch(const line::Stretch &stretch, const std::vector<line:
 
 void DecodeOutput::frame(const line::Stretch &stretch, int64_t endNs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
-  const size_t from = extra ? 16 : 0;  // an extra frame's channels come after the others
+  const size_t from = extra ? 16 : 0;  // an extra frame has the channels after these
   const size_t to = stretch.kind == line::Stretch::Kind::Frame24 ? 24 : from + 16;
   const std::string end = hex(stretch.characters.back().value);
   const bool newHead = _columns != to;
@@ -154,7 +154,7 @@ void DecodeOutput::csvHead() {
   write(head + ",lost_frame,failsafe,end\n");
 }
 
-// Writes a row. Fields that the frame does not carry stay empty: of 32 channels each frame has half.
+// Writes a row. Fields that the frame does not carry stay empty: each frame has half of 32 channels.
 void DecodeOutput::csvRow(const line::Stretch &stretch, int64_t endNs, const line::Values &values) {
   const bool extra = stretch.kind == line::Stretch::Kind::Extra;
   if ((stretch.kind == line::Stretch::Kind::Frame24) != (_channels == 24) || (extra && _channels != 32)) {
@@ -204,7 +204,7 @@ std::string DecodeOutput::fault(const line::WireCharacter &character) const {
     return std::string(character.parityWrong ? "parity error" : "") +
            (character.parityWrong && character.stopWrong ? "; " : "") + (character.stopWrong ? "framing error" : "");
   }
-  // These are levels of the wire, as an oscilloscope shows them.
+  // Levels of the wire, as an oscilloscope shows them.
   const int idle = _inverted ? 0 : 1;
   const int parity = line::isOdd(character.value) ? idle : 1 - idle;
   const std::string parityError =

@@ -1,4 +1,4 @@
-// What `sbus decode` prints: a table to read, CSV for a spreadsheet, or JSON lines for a program.
+// Prints the output of `sbus decode`: a table to read, CSV for a spreadsheet, or JSON lines for a program.
 #pragma once
 
 #include <string>
@@ -19,16 +19,16 @@ class DecodeOutput {
   DecodeOutput(Form form, bool characters, std::string source, const ChannelForm &channels)
       : _form(form), _showsCharacters(characters), _source(std::move(source)), _channelForm(channels) {}
 
-  // Takes the wire, once it is found.
+  // Takes the wire, once it has been found.
   void begin(const line::WireDecoder &wire);
 
   void character(const line::WireCharacter &character);
 
-  // Takes a stretch of the line with its characters as they were on the wire. `values`: of a frame.
+  // Takes a stretch of the line with its characters as they were on the wire. `values`: the frame's, if it is one.
   void stretch(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters,
                const line::Values &values);
 
-  // Returns how many frames have other channels than the CSV has columns for, and are left out.
+  // Returns how many frames were left out of the CSV, since it has no columns for their channels.
   unsigned long leftOut() const { return _leftOut; }
 
   void end(const std::string &name, const line::CaptureEnd &capture, const line::Observer &observer) const;
@@ -46,12 +46,12 @@ class DecodeOutput {
   const bool _showsCharacters;
   const std::string _source;
   const ChannelForm _channelForm;
-  bool _isMeasured = true;  // the capture holds the wire, not characters that an analyser has decoded
+  bool _isMeasured = true;  // the capture holds the wire, not characters decoded by an analyser
   bool _inverted = true;
   int64_t _characterNs = 0;
-  size_t _columns = 0;         // of the newest frame in the table: a new head stands where they change
-  unsigned _channels = 16;     // of the rows of CSV
-  unsigned long _leftOut = 0;  // frames that have other channels
+  size_t _columns = 0;         // of the newest frame in the table: a change starts a new heading
+  unsigned _channels = 16;     // in the rows of CSV
+  unsigned long _leftOut = 0;  // frames with other channels
   unsigned long _characters = 0;
   unsigned long _parityErrors = 0;
   unsigned long _framingErrors = 0;

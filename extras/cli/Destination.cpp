@@ -29,7 +29,7 @@ bool Destination::waitForReader() const {
   while (!_terminal->hasReader() && !stopped()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  // A program sets the port that it has opened, and throws away what has come until then.
+  // A program that opens a port sets it up first, and discards the bytes received before that.
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return !stopped();
 }

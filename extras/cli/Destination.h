@@ -1,4 +1,4 @@
-// The port or pseudo-terminal that bytes are sent to.
+// A port or pseudo-terminal to send bytes to.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,16 @@ namespace tool {
 
 class Destination {
  public:
-  // Opens a port, or with an empty name makes a pseudo-terminal and prints its name. Throws std::runtime_error.
+  // Opens a port; if `to` is empty, creates a pseudo-terminal and prints its name. Throws std::runtime_error.
   Destination(const std::string &to, const line::LineSettings &settings);
 
-  // Waits until a program has opened the pseudo-terminal. Returns false if the end was asked for.
+  // Waits until a program has opened the pseudo-terminal. Returns false after Ctrl-C.
   bool waitForReader() const;
 
-  // Gives a busy reader time to read the end: Linux throws away what waits in a pseudo-terminal that is closed.
+  // Gives a busy reader time to read the end: Linux discards unread bytes when a pseudo-terminal is closed.
   void finish() const;
 
-  // Sends without waiting, and says on standard error if the port has gone, or is back. Returns how many bytes were
-  // sent.
+  // Sends without waiting. Reports on standard error that the port is gone, or back. Returns the number of bytes sent.
   size_t send(uint64_t nowUs, const std::vector<uint8_t> &bytes);
 
  private:

@@ -23,7 +23,7 @@ bool hasNameOfBytes(const std::string &name) {
   return end == ".bin" || end == ".raw";
 }
 
-// Returns the line without its comment.
+// Returns the line without a comment.
 std::string_view content(std::string_view line) {
   return line::trimmed(line.substr(0, line.find('#')));
 }
@@ -36,8 +36,8 @@ bool isOffset(std::string_view text) {
          (word.size() > digits || word.find_first_not_of('0') == std::string_view::npos);
 }
 
-// Returns true if the text is bytes in hexadecimal, not a recording. A line of a recording begins with a time, of one
-// digit, or of three and more. Two digits are a time only if no other line follows: no two lines are so close in time.
+// Returns true if the text is bytes in hexadecimal, not a recording. A line of a recording begins with a time of one
+// digit, or of three or more. Two digits are a time only in a single line, since lines are further apart than that.
 bool isHexText(std::string_view head) {
   std::string first[2];
   size_t lines = 0;
@@ -117,12 +117,12 @@ FileSource readBytes(line::PackedFile &file, const std::string &name, bool isTex
   if (source.recording.characters.empty()) {
     throw std::runtime_error(name + ": is empty: bytes of a line are expected");
   }
-  std::fprintf(stderr, "%s: bytes without times: times are not known, frames are taken as back to back\n",
+  std::fprintf(stderr, "%s: bytes without times: frames are assumed to be back to back\n",
                name.c_str());
   return source;
 }
 
-// Returns what the head of a text says of its line.
+// Returns what the head of a text says about its line.
 FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
   FileSource source;
   source.kind = kind;
@@ -180,7 +180,7 @@ FileSource readCapture(const FileName &name, const line::Overrules &overrules) {
   return file;
 }
 
-constexpr std::string_view RecordedBy = "# sbus ";  // how a recording begins that sbus has made
+constexpr std::string_view RecordedBy = "# sbus ";  // the beginning of a recording made by sbus
 
 bool isControl(unsigned char c) {
   return c < ' ' && c != '\t' && c != '\n' && c != '\r';

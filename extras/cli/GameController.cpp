@@ -15,7 +15,7 @@ namespace tool {
 
 namespace {
 
-// The axes as the kernel maps those of an EdgeTX radio's USB joystick (radio/src/usb_joystick.cpp):
+// The kernel maps the axes of an EdgeTX radio's USB joystick (radio/src/usb_joystick.cpp) in this order:
 // drivers/hid/hid-input.c 770 to 909.
 constexpr unsigned AxisCodes[GameController::Axes] = {ABS_X,  ABS_Y,  ABS_Z,        ABS_RX,
                                                       ABS_RY, ABS_RZ, ABS_THROTTLE, ABS_RUDDER};
@@ -68,7 +68,7 @@ std::string GameController::name() const {
   return node != nullptr ? node : libevdev_uinput_get_syspath(_device.get());
 }
 
-// The kernel drops a report without a change (drivers/input/input.c, input_event_dispose()).
+// The kernel drops reports without a change (drivers/input/input.c, input_event_dispose()).
 bool GameController::write(const State &state) {
   bool changed = false;
   for (size_t i = 0; i < Axes; i++) {

@@ -1,4 +1,4 @@
-// A game controller that looks real to programs: by Linux's uinput and libevdev.
+// A game controller that looks real to programs, made with Linux's uinput and libevdev.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace tool {
 
 class GameController {
  public:
-  static constexpr int AxisEnd = 1000;  // an axis goes from -AxisEnd to AxisEnd
+  static constexpr int AxisEnd = 1000;  // the range of an axis is -AxisEnd to AxisEnd
   static constexpr size_t Axes = 8;
   static constexpr size_t Buttons = 24;
 
@@ -21,13 +21,13 @@ class GameController {
     std::array<bool, Buttons> buttons{};
   };
 
-  // Creates the controller in this state. Throws std::runtime_error, which says what to do.
+  // Creates the controller in this state. Throws std::runtime_error that says what to do.
   explicit GameController(const State &state);
 
   // Returns the file that programs open, such as /dev/input/event7.
   std::string name() const;
 
-  // Writes what has changed, as one report. Returns false if nothing has. Throws std::runtime_error.
+  // Writes the changes as one report. Returns false if there are none. Throws std::runtime_error.
   bool write(const State &state);
 
  private:

@@ -1,5 +1,5 @@
-// Holds stretches that may be telemetry back until what follows them tells whether they are: then every subcommand
-// counts the same slots.
+// Holds back stretches that may be telemetry until the following bytes decide, so that every subcommand counts the same
+// slots.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ class HeldSlots {
     _say(stretch);
   }
 
-  // Says what is still held back. Call it after Observer::finish().
+  // Releases the rest. Call it after Observer::finish().
   void finish() {
     const bool areSlots = !_observer.telemetry().proved().empty();
     for (line::Stretch &stretch : std::exchange(_held, {})) {

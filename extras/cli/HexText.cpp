@@ -15,8 +15,8 @@ bool isByte(const std::string &digits, bool alone) {
   return digits.find_first_not_of("0123456789ABCDEFabcdef") == std::string::npos && digits.size() == (alone ? 1 : 2);
 }
 
-// Takes one word: a byte of one digit, or bytes of two digits each; 0x before and ! after are allowed. Returns false if
-// the word is not hexadecimal.
+// Takes one word: a byte with one digit, or bytes with two digits each; 0x before and ! after are allowed. Returns
+// false if the word is not hexadecimal.
 bool takeWord(const std::string &word, HexText &text) {
   const size_t begin = word.rfind("0x", 0) == 0 || word.rfind("0X", 0) == 0 ? 2 : 0;
   const size_t end = word.size() - (word.back() == '!' ? 1 : 0);

@@ -1,5 +1,5 @@
-// Reads bytes as people write them: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3, {0x0F, 0xE3}; ! after a byte marks a parity
-// or framing error, as `sbus hex` prints it.
+// Reads bytes as people write them: 0F E3 03, 0FE303, F E3 3, 0x0F, 0xE3, {0x0F, 0xE3}. As in the output of `sbus hex`,
+// ! after a byte marks a parity or framing error.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct HexText {
     bool bad;
   };
   std::vector<Byte> bytes;
-  std::string wrong;  // the first piece that is not hexadecimal: the text is read up to it; mostly empty
+  std::string wrong;  // the first word that is not hexadecimal, where reading stops; usually empty
 };
 
 // Returns the bytes of the text. Blanks, commas, semicolons, colons, hyphens and braces separate them.

@@ -40,7 +40,7 @@ void Input::wait() {
 }
 
 void Input::begin(Clock::time_point start) {
-  if (_pace == Pace::True) {
+  if (_pace == Pace::RealTime) {
     setLineByLine();
   }
   _start = start;
@@ -49,7 +49,7 @@ void Input::begin(Clock::time_point start) {
   _line->opened(0);
 }
 
-// Hands over what has come. Returns false at the end.
+// Hands over the characters received so far. Returns false at the end.
 bool Input::step(const Taker &taker) {
   for (line::Character character; _line->next(_nowUs, character);) {
     taker.put(character);
@@ -68,10 +68,10 @@ bool Input::step(const Taker &taker) {
   return !_ended && !_line->finished(_nowUs) && _nowUs < _endUs;
 }
 
-// Goes on to the next time. Returns false if not all characters up to then have come yet.
+// Moves on to the next time. Returns false if characters up to then are still missing.
 bool Input::advance() {
   uint64_t nextUs = _nowUs + TickUs;
-  if (_pace == Pace::True) {
+  if (_pace == Pace::RealTime) {
     nextUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs()) * _speed);
   } else if (!_line->mayGoTo(nextUs)) {
     return false;
@@ -80,7 +80,7 @@ bool Input::advance() {
   return true;
 }
 
-// Returns true if the seconds are over, and nothing comes any more.
+// Returns true if the seconds are over by the clock, even if no tick has come.
 bool Input::isOverdue() const {
   return _seconds > 0 && static_cast<double>(sinceUs()) > _seconds * 1e6;
 }
@@ -90,7 +90,7 @@ void Input::run(const std::function<void(const line::Character &)> &put,
   const Taker taker = {put, tick};
   begin(Clock::now());
   while (!stopped() && step(taker)) {
-    if (_pace == Pace::True) {
+    if (_pace == Pace::RealTime) {
       wait();
       advance();
       continue;

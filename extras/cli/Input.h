@@ -1,4 +1,4 @@
-// A line that a subcommand reads, in real time or as fast as it can.
+// A line that a subcommand reads in real time or as fast as it can.
 #pragma once
 
 #include <chrono>
@@ -14,62 +14,60 @@ namespace tool {
 
 class Input {
  public:
-  enum class Pace { True, AtOnce };
+  enum class Pace { RealTime, AtOnce };
 
   // Reads for `seconds`; 0: until the line ends.
   Input(std::unique_ptr<line::Line> line, const line::LineSettings &settings, Pace pace, double seconds)
       : _line(std::move(line)), _settings(settings), _pace(pace), _seconds(seconds) {}
 
-  // Returns the settings of the port.
   const line::LineSettings &settings() const { return _settings; }
 
-  // Sets what takes the news that a port has gone, or is back. Default: standard error.
+  // Sets the function that takes the news that a port is gone, or back. Default: print it to standard error.
   void onNews(std::function<void(const std::string &)> tell) { _tell = std::move(tell); }
 
-  // Sets the time at which run() begins: it skips what came before. Default: 0.
+  // Sets the time at which run() begins; earlier characters are left out. Default: 0.
   void setStart(uint64_t us) { _startUs = us; }
 
   // Sets the speed as a multiple of real time. Default: 1.
   void setSpeed(double speed) { _speed = speed; }
 
-  // Calls `put` with each character as it comes, and `tick` every millisecond; on a port, whenever it brings bytes and
+  // Calls `put` with each character as it arrives, and `tick` every millisecond; on a port, whenever bytes arrive and
   // 20 times a second. Returns when the line has ended, after Ctrl-C, after the seconds, or after end(). Throws
   // std::runtime_error if the line fails.
   void run(const std::function<void(const line::Character &)> &put, const std::function<void(uint64_t nowUs)> &tick);
 
-  // Returns the time of the tick, or of the one that follows the characters that come now.
+  // Returns the time of the tick; within `put`, of the next tick.
   uint64_t nowUs() const { return _nowUs; }
 
-  // Returns the time up to which all characters have been handed over, for use in a tick: earlier than the tick's own
-  // time if the port hands bytes over late.
+  // Returns the time up to which all characters are known, for use in a tick: earlier than the tick's own time if the
+  // port delivers bytes late.
   uint64_t knownUs() const { return _knownUs; }
 
-  // Returns when --seconds end a source in real time; UINT64_MAX without --seconds.
+  // Returns when --seconds end a real-time source; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
-    return _pace == Pace::True && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
+    return _pace == Pace::RealTime && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;
   }
 
-  // Returns the note of the line.
   std::string note() const { return _line->note(); }
 
-  // Throws std::runtime_error if the line fails at its beginning.
+  // Throws std::runtime_error if the line fails right at its beginning.
   void check();
 
   // Makes run() return after the current tick.
   void end() { _ended = true; }
 
-  // Makes a source in real time look for more after 0.25 ms, once: for what is to be done before the next byte comes.
+  // Makes the next tick of a real-time source come after 0.25 ms, once: for work that is due before the next byte.
   void hurry() { _hurries = true; }
 
-  // What takes the characters and ticks of one of two inputs.
+  // Takes the characters and ticks of one of two inputs.
   struct Taker {
     std::function<void(const line::Character &)> put;
     std::function<void(uint64_t nowUs)> tick;
   };
 
-  // Runs two inputs at once, from the same moment on, until both have ended; it looks for more every 0.25 ms. One that
-  // runs as fast as it can stays beside the other: their times differ by a tick at most, once `aheadUs` is added to
-  // those of `one`. Throws std::runtime_error if a line fails.
+  // Runs two inputs together, from the same moment on, until both have ended; it polls them every 0.25 ms. One that
+  // runs as fast as it can stays in step with the other: their times differ by at most a tick, once `aheadUs` is added
+  // to those of `one`. Throws std::runtime_error if a line fails.
   static void runBoth(Input &one, const Taker &takeOne, Input &other, const Taker &takeOther, int64_t aheadUs = 0);
 
  private:

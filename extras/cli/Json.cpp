@@ -10,7 +10,7 @@ namespace tool {
 
 namespace {
 
-// Returns the text in quotation marks. Names of ports and signals are UTF-8.
+// Returns the text in quotation marks. Port and signal names are UTF-8.
 std::string quoted(const std::string &text) {
   std::string json = "\"";
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// JSON lines: one object on each line, whose "type" says what it is. sbus.1 has all types under JSON LINES.
+// JSON lines: each line is one object with a "type". sbus.1 lists all types under JSON LINES.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace tool {
 
-// The unit of the channels, and what 0 % and +-100 % are.
+// The unit of the channels, and the raw values at 0 % and +-100 %.
 struct ChannelForm {
   Unit unit = Unit::Raw;
   sbus::Range range = sbus::FrSky;
@@ -27,17 +27,17 @@ class Json {
   Json &flag(const char *name, bool value) { return add(name, value ? "true" : "false"); }
   Json &counts(const sbus::Counters &counters);  // frames, lost_frames, failsafe_frames
   Json &number(const char *name, uint64_t value) { return add(name, std::to_string(value)); }
-  // Adds null if there is no value: it is not known.
+  // Adds the number, or null if it is unknown.
   Json &number(const char *name, std::optional<uint64_t> value) {
     return add(name, value ? std::to_string(*value) : "null");
   }
-  // Adds what is a number already.
+  // Adds a number that is already text.
   Json &digits(const char *name, const std::string &number) { return add(name, number); }
-  Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if there is none
+  Json &decimal(const char *name, std::optional<double> value);  // rounded to a tenth; null if unknown
   Json &numbers(const char *name, const std::vector<double> &values);
-  // Adds the range if the channels are percent of it.
+  // Adds the range if the channels are in percent.
   Json &range(const ChannelForm &form);
-  // Adds the values of `count` channels from CH`first` on, in a unit.
+  // Adds the values of `count` channels from CH`first` on.
   Json &channels(const line::Values &values, size_t first, size_t count, const ChannelForm &form);
 
   std::string line() const { return "{" + _text + "}\n"; }
@@ -48,19 +48,19 @@ class Json {
   std::string _text;
 };
 
-// What the first line says of the source.
+// What the first line says about the source.
 struct JsonLine {
   std::string source;
-  std::string signal;  // of a capture; otherwise empty
+  std::string signal;  // a capture's; otherwise empty
   std::optional<unsigned long> baud;
   std::optional<bool> inverted;
-  std::optional<int64_t> startUs;  // when time 0 is, in us since 1970
-  bool isTimed = true;             // the times are those of the line
+  std::optional<int64_t> startUs;  // time 0 in us since 1970
+  bool isTimed = true;             // the times are the line's
 };
 Json lineJson(const JsonLine &line);
 
-// Return the line of a frame, of bytes that belong to no frame, and of a telemetry slot. `endUs`: where their last
-// character ends; none: null.
+// Return the lines for a frame, for bytes outside a frame, and for a telemetry slot. `endUs`: the end of the last
+// character; without it the time is null.
 Json frameJson(const line::Stretch &stretch, std::optional<double> endUs, const line::Values &values,
                const ChannelForm &form);
 Json noFrameJson(const line::Stretch &stretch, std::optional<double> endUs);

@@ -21,7 +21,7 @@ namespace {
 
 using Object = nlohmann::json;
 
-constexpr uint64_t PeriodUs = 9000;  // between frames without times, as of the paper's receiver
+constexpr uint64_t PeriodUs = 9000;  // of frames without times: the paper's receiver
 constexpr const char *Expected = "JSON lines as sbus hex --json writes them are expected";
 
 std::string typeOf(const Object &object) {
@@ -29,7 +29,7 @@ std::string typeOf(const Object &object) {
   return type != object.end() && type->is_string() ? type->get<std::string>() : "";
 }
 
-// Reads time_us. Returns false if it is there, and no time.
+// Reads time_us. Returns false if it is present, but not a time.
 bool timeOf(const Object &object, std::optional<double> &us) {
   const auto time = object.find("time_us");
   if (time == object.end() || time->is_null()) {
@@ -39,7 +39,7 @@ bool timeOf(const Object &object, std::optional<double> &us) {
   return *us >= 0 && *us <= static_cast<double>(line::RecordingTimeMaxUs);
 }
 
-// Reads a flag: true, false, 1 or 0; false if it is not there. Returns false for anything else.
+// Reads a flag: true, false, 1 or 0; if absent, false. Returns false for anything else.
 bool flagOf(const Object &object, const char *name, bool &value) {
   const auto flag = object.find(name);
   if (flag == object.end()) {
@@ -54,7 +54,7 @@ std::string quoted(const std::string &name, const Object &value) {
   return name + ": " + value.dump(-1, ' ', false, Object::error_handler_t::replace).substr(0, 40);
 }
 
-// Reads the channels in one of the units. Returns what is wrong, or nothing.
+// Reads the channels, in any unit. Returns what is wrong, or nothing.
 std::string channelsOf(const Object &object, const sbus::Range &range, std::vector<uint16_t> &raw) {
   const Object *values = nullptr;
   Unit unit = Unit::Raw;
@@ -83,7 +83,7 @@ std::string channelsOf(const Object &object, const sbus::Range &range, std::vect
   return {};
 }
 
-// Reads the end byte; 00 if it is not there.
+// Reads the end byte; 00 if absent.
 bool endOf(const Object &object, uint8_t &end) {
   const auto found = object.find("end");
   if (found == object.end()) {
@@ -159,7 +159,7 @@ std::string bytesOf(const Object &object, const char *name, std::vector<line::Ch
   return {};
 }
 
-// Takes what a line says of itself.
+// Reads an object of type line.
 void takeLineObject(const Object &object, JsonHead &head) {
   const auto baud = object.find("baud");
   if (baud != object.end() && *baud == 2 * sbus::Baud) {
@@ -174,7 +174,7 @@ void takeLineObject(const Object &object, JsonHead &head) {
   }
 }
 
-// Reads the object's range, three raw values; without one it keeps `range`. Returns false if it is wrong.
+// Reads the object's range, three raw values; without one, `range` stays. Returns false if it is wrong.
 bool rangeOf(const Object &object, sbus::Range &range) {
   const auto named = object.find("range");
   if (named == object.end()) {
@@ -283,7 +283,7 @@ std::string JsonReader::take(const std::string &object, std::deque<line::Charact
       return "parity_error and framing_error are true or false";
     }
     came[0].bad = parityError || framingError;
-    us = us ? std::optional<double>(*us + _characterUs) : std::nullopt;  // its time is that of the start bit
+    us = us ? std::optional<double>(*us + _characterUs) : std::nullopt;  // its time is the start bit's
   }
   return put(us, came, characters);
 }

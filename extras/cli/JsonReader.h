@@ -1,4 +1,4 @@
-// Reads JSON lines as `sbus hex --json` writes them, or what another program has made of them: sbus.1, JSON LINES.
+// Reads JSON lines as `sbus hex --json` writes them, or as another program has changed them: sbus.1, JSON LINES.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ namespace tool {
 // Splits a text into objects.
 class JsonSplitter {
  public:
-  // Takes the next character. Returns true if it completes an object.
+  // Takes a character. Returns true if it completes an object.
   bool put(char c);
 
-  // Returns the object that is complete.
+  // Returns the complete object.
   std::string take() { return std::exchange(_object, {}); }
 
   // Returns true if an object has begun.
@@ -34,19 +34,19 @@ class JsonSplitter {
   bool _isEscaped = false;
 };
 
-// What the first objects say of the line.
+// What the first objects say about the line.
 struct JsonHead {
   line::LineSettings settings;
-  std::optional<int64_t> startUs;  // when time 0 was, in us since 1970
-  bool hasTimes = true;            // of its frames
-  bool isKnown = false;            // an object has said so
+  std::optional<int64_t> startUs;  // time 0 in us since 1970
+  bool hasTimes = true;            // its frames have times
+  bool isKnown = false;            // an object says so
 };
 
-// Reads the head of a text that may be cut anywhere.
+// Reads the head of a text, which may be cut anywhere.
 JsonHead readJsonHead(std::string_view text);
 
-// Objects need not stand on one line each; those of other types than line, frame, no_frame, slot and character are left
-// out. A frame without a time ends 9 ms after the one before.
+// An object may span lines. Types other than line, frame, no_frame, slot and character are left out. A frame without a
+// time ends 9 ms after the previous one.
 class JsonReader : public LineReader {
  public:
   explicit JsonReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}

@@ -1,5 +1,5 @@
-// Measures the time from the read of a frame's last character to what it causes: for `joystick` and `bridge`. Before
-// the line is known, a frame waits for later characters.
+// Measures the time from reading a frame's last character to its effect, for `joystick` and `bridge`. Until the decoder
+// is in sync, a frame waits for later characters.
 #pragma once
 
 #include <chrono>
@@ -15,10 +15,10 @@ class Latency {
   void tick() { _loop++; }
   void read() { _reads.push_back({Clock::now(), _loop}); }
 
-  // Takes the end of the oldest characters; `written`: as a frame they have caused something.
+  // Takes the number of the oldest characters that are now decoded; `written`: they were a frame and had an effect.
   void passed(size_t characters, bool written);
 
-  // Returns "last byte read to event written: median 60 us, ..." where `what` is event.
+  // Returns "last byte read to event written: median 60 us, ..." for `what` "event".
   std::string text(const char *what);
 
  private:
@@ -27,7 +27,7 @@ class Latency {
     Clock::time_point time;
     unsigned long loop;
   };
-  std::deque<Read> _reads;  // of the characters that are no part of a stretch yet
+  std::deque<Read> _reads;  // of the characters that are not in a stretch yet
   std::vector<unsigned> _us;
   std::vector<unsigned> _lateUs;
   unsigned long _loop = 0;

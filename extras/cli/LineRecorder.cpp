@@ -82,7 +82,7 @@ void LineRecorder::begin(Kind kind) {
       _writer.put(character);
     }
   } else {
-    _write("# " + _title + ": rows of CSV as the sketch printed them, no S.Bus\n");
+    _write("# " + _title + ": rows of CSV as the sketch printed them, not S.Bus\n");
     _columns = _rows.row().size();
     _rows = line::CsvRows();
     for (const line::Character &character : _first) {
@@ -92,7 +92,7 @@ void LineRecorder::begin(Kind kind) {
   _first.clear();
 }
 
-// Leaves out a row whose beginning was not heard.
+// Leaves out a row without its beginning.
 void LineRecorder::writeRow(bool complete) {
   if (complete && _rows.isRow() && _rows.row().size() == _columns) {
     std::string text;

@@ -1,4 +1,4 @@
-// Keeps a line as a recording, or a sketch's rows as CSV: for `record` and `monitor`.
+// Saves a line as a recording, or a sketch's rows as CSV, for `record` and `monitor`.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +14,24 @@
 namespace tool {
 
 // Holds the characters back until it is clear whether they are S.Bus or a sketch's rows. A copy of a recording is
-// always a recording with the same times, even if it holds rows.
+// always a recording with the same times, even of rows.
 class LineRecorder {
  public:
-  // Hands the text to `write`. The file's first comment is "sbus " and `title`. `isCopy`: of a recording. Without
-  // `hasTimes` a comment says that the times are not the line's; with `startUs` another says when time 0 was.
+  // Passes the text to `write`. The file's first comment is "sbus " and `title`. `isCopy`: of a recording. Without
+  // `hasTimes` a comment says that the times are not the line's; with `startUs` another gives the date of time 0.
   LineRecorder(const std::string &title, const line::LineSettings &settings, bool isCopy, bool hasTimes,
                std::optional<int64_t> startUs, const Put &write);
 
   void put(const line::Character &character);
 
-  // Takes the time up to which no other character came: what the line has brought is then written.
+  // Takes the time up to which there are no further characters, and writes those received so far.
   void idleUntil(uint64_t us);
 
-  // Writes what is still held back. Call it after the last character.
+  // Writes the rest. Call it after the last character.
   void finish();
 
-  // Returns true if frames or rows have come.
-  bool knows() const { return _rows.recognised() || _observer.counters().frames > 0; }
+  // Returns true once there were frames or rows.
+  bool recognised() const { return _rows.recognised() || _observer.counters().frames > 0; }
 
   // Returns "1000 characters (0 with errors), 40 frames".
   std::string summary();

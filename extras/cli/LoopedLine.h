@@ -1,4 +1,4 @@
-// Plays a line again and again.
+// Plays a line repeatedly.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace tool {
 
 class LoopedLine : public line::Line {
  public:
-  // `open` returns the line, which begins at `fromUs` of its own time.
+  // `open` returns the line, from `fromUs` of its own time on.
   LoopedLine(std::function<std::unique_ptr<line::Line>()> open, uint64_t fromUs)
       : _open(std::move(open)), _line(_open()), _fromUs(fromUs) {}
 

@@ -35,7 +35,7 @@ void setLineByLine() {
 }
 
 void write(const std::string &text) {
-  // fwrite() does not report an error of a buffer that was emptied before; ferror() does.
+  // fwrite() does not report that an earlier flush failed; ferror() does.
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::ferror(stdout) != 0) {
     fail();
   }

@@ -1,4 +1,4 @@
-// Standard output, for what comes line by line.
+// Standard output, written line by line.
 #pragma once
 
 #include <functional>
@@ -9,19 +9,19 @@ namespace tool {
 // Returns true if standard output is a terminal.
 bool isTerminal();
 
-// Makes each line visible at once, not when a buffer is full. Call it before the first write().
+// Flushes every line, instead of full buffers. Call it before the first write().
 void setLineByLine();
 
-// Writes to standard output. Throws std::runtime_error if it is full or closed. If a pipe has lost its reader, the
-// program ends silently.
+// Writes to standard output. Throws std::runtime_error if it is full or closed. If the reader of a pipe is gone, ends
+// the program silently.
 void write(const std::string &text);
 void flush();
 
 // Writes a piece of text. Throws std::runtime_error if it cannot be written.
 using Put = std::function<void(const std::string &text)>;
 
-// Calls `print` with what writes to the file `name`; to standard output if the name is empty or "-". File::New: the
-// file must not exist yet. Throws std::runtime_error.
+// Calls `print` with a function that writes to the file `name`, or to standard output if `name` is empty or "-".
+// File::New: the file must not exist yet. Throws std::runtime_error.
 enum class File { Any, New };
 void writeTo(const std::string &name, File kind, const std::function<void(const Put &put)> &print);
 

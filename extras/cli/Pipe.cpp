@@ -24,7 +24,7 @@ namespace tool {
 namespace {
 
 constexpr int WaitMs = 50;
-constexpr int PauseMs = 100;  // in which rows of a sketch pause, a file does not
+constexpr int PauseMs = 100;  // a sketch's rows pause for this long, a file does not
 constexpr double NoteAfterS = 2;
 
 enum class Look { Unknown, Bytes, Packed, Text };
@@ -33,8 +33,8 @@ bool isControl(unsigned char c) {
   return c < ' ' && c != '\t' && c != '\n' && c != '\r';
 }
 
-// A line of S.Bus shows itself by the header in each frame, 0F: it is no character of a text. A text has few beyond
-// ASCII, such as a micro sign.
+// 0F, the header of each S.Bus frame, does not occur in text. Text has few characters beyond ASCII, such as a micro
+// sign.
 Look lookOf(const std::string &begin, bool ended) {
   constexpr size_t Enough = sbus::FrameSize24;
   constexpr std::string_view Little("\xFF\xFE", 2), Big("\xFE\xFF", 2);
@@ -60,8 +60,8 @@ Look lookOf(const std::string &begin, bool ended) {
   return begin.size() < Enough && !ended ? Look::Unknown : isText ? Look::Text : Look::Bytes;
 }
 
-// Returns true if a text is the rows of a sketch, as kindOfText() tells them from a capture.
-bool areRows(const std::string &begin) {
+// Returns true if the text is a sketch's rows. kindOfText() tells them from a capture in the same way.
+bool isSketchCsv(const std::string &begin) {
   const std::string head = begin.substr(0, begin.rfind('\n') + 1);
   const std::string format = line::captureFormat(head);
   return line::isCsvText(head) && (format.empty() || format == line::OscilloscopeFormat);
@@ -122,7 +122,7 @@ Pipe::Content Pipe::content(double seconds) {
     if (look == Look::Unknown && !came && seconds > 0 && waited >= seconds) {
       return Content::Line;
     }
-    if (look != Look::Bytes && isPause && areRows(_begin)) {
+    if (look != Look::Bytes && isPause && isSketchCsv(_begin)) {
       _hasRows = true;
       return Content::Line;
     }
@@ -130,7 +130,7 @@ Pipe::Content Pipe::content(double seconds) {
   return _begin.empty() ? Content::Line : Content::File;
 }
 
-// Reads what comes within `ms`. Returns false if nothing came.
+// Reads the bytes that arrive within `ms`. Returns false if there were none.
 bool Pipe::readMore(int ms) {
   if (!line::isReadable(_file, ms)) {
     return false;

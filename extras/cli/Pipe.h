@@ -1,4 +1,4 @@
-// A source that may be a pipe: standard input, or a FIFO. What comes may be a live line, or a file of any kind.
+// A source that may be a pipe: standard input or a FIFO. It carries a live line or a file of any kind.
 #pragma once
 
 #include <optional>
@@ -19,23 +19,22 @@ class Pipe {
   // Returns true for standard input and for a FIFO.
   static bool isPipe(const std::string &name);
 
-  // What a pipe brings: the bytes of a line, or the rows of a sketch; a text that can be played while it is being
-  // written; or a file of another kind, which has to be read to its end first.
+  // What a pipe carries. Line: bytes, or the rows that a sketch prints. Text: it can be played while it is being
+  // written. File: it has to be read to its end first.
   enum class Content { Line, Text, File };
 
-  // Waits for the first bytes, for `seconds` at most; 0: until Ctrl-C. A pipe in which nothing comes is a line.
+  // Waits for the first bytes, for at most `seconds`; 0: until Ctrl-C. A pipe without bytes counts as a line.
   Content content(double seconds);
 
-  // Returns the file, of a pipe a copy of all that comes. Throws std::runtime_error.
+  // Returns the file; for a pipe, a copy of everything in it. Throws std::runtime_error.
   FileName wholeFile();
 
-  // Returns true if the live line brings the rows of a sketch.
+  // Returns true if the live line consists of a sketch's rows.
   bool hasRows() const { return _hasRows; }
 
-  // Returns the kind of the text.
   FileKind textKind() const { return *_textKind; }
 
-  // Both are of a live line, or a text: its descriptor, and the bytes that have been read from it.
+  // For a live line or a text: its descriptor, and the bytes already read from it.
   int descriptor() const { return _file; }
   const std::string &begin() const { return _begin; }
 
@@ -43,7 +42,7 @@ class Pipe {
   bool readMore(int ms);
 
   const std::string _name;
-  int _file = -1;  // of a pipe
+  int _file = -1;  // -1: not a pipe
   std::string _begin;
   bool _ended = false;
   bool _hasRows = false;

@@ -7,7 +7,7 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t RowUs = 200000;  // of rows without times, as a sketch and `sbus csv` print them
+constexpr uint64_t RowUs = 200000;  // period of rows without times: a sketch's and that of `sbus csv`
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void RepeatedFrames::makeFrame() {
   _frameUs += _periodUs;
 }
 
-// Makes the row that holds at `us` of the table what is sent.
+// Selects the row that is valid at `us` in the table's time.
 void RepeatedFrames::goTo(uint64_t us) {
   while (_newRow && _newUs <= us) {
     _row = *_newRow;

@@ -1,4 +1,4 @@
-// Sends the same values, or the newest row of a slow table, as a frame at each period: as a receiver does.
+// Sends the same values, or the newest row of a slow table, as a frame every period, like a receiver.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ namespace tool {
 
 class RepeatedFrames : public line::Line {
  public:
-  // Sends these values, without end.
+  // Sends these values for ever.
   RepeatedFrames(const FrameValues &values, uint64_t periodUs, uint32_t characterUs)
       : _periodUs(periodUs), _characterUs(characterUs) {
     _row.values = values;
   }
 
-  // Sends the rows of a table from `fromUs` to `toUs` of its times; 0: to its end. `name` is what messages call it.
+  // Sends the rows of a table from `fromUs` to `toUs` in its own time; 0: to its end. Messages call it `name`.
   RepeatedFrames(std::string name, std::unique_ptr<TextInput> text, uint64_t periodUs, uint32_t characterUs,
                  uint64_t fromUs, uint64_t toUs);
 
@@ -37,12 +37,12 @@ class RepeatedFrames : public line::Line {
   bool readLine(std::string &line);
 
   const std::string _name;
-  const std::unique_ptr<TextLines> _lines;  // none: the values stay
+  const std::unique_ptr<TextLines> _lines;  // null: the values stay
   const uint64_t _periodUs;
   const uint32_t _characterUs;
   TableRows _table;
-  TableRow _row;                    // what is sent
-  std::optional<TableRow> _newRow;  // what is sent from _newUs on
+  TableRow _row;                    // the row to send
+  std::optional<TableRow> _newRow;  // the row to send from _newUs on
   uint64_t _newUs = 0;
   uint64_t _zeroUs = 0;  // the time of the first row
   uint64_t _endUs = 0;   // when the last row ends

@@ -14,8 +14,7 @@ void say(const std::string &text) {
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-// Collects characters that are back to back, to send them in one piece: sent singly they would get silences between
-// them.
+// Collects back-to-back characters to send them in one piece: sent singly they would be separated by silences.
 class Bursts {
  public:
   explicit Bursts(uint32_t characterUs) : _characterUs(characterUs) {}
@@ -27,7 +26,7 @@ class Bursts {
     }
   }
 
-  // Returns the burst once it is complete; otherwise nothing.
+  // Returns the burst if it is complete; otherwise nothing.
   std::vector<uint8_t> take(uint64_t nowUs) {
     const bool ready = nowUs >= _lastEndUs + 2 * _characterUs || _bytes.size() >= BurstMax;
     return ready ? std::exchange(_bytes, {}) : std::vector<uint8_t>();
@@ -73,7 +72,7 @@ void Sending::run(Input &input) const {
       });
   destination.finish();
   say(std::to_string(sent) + " characters sent" +
-      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow, or gone" : "") +
+      (lost > 0 ? "; " + std::to_string(lost) + " lost: the reader was too slow or gone" : "") +
       (bad > 0 ? "; " + std::to_string(bad) + " with errors left out: no port can send them" : ""));
 }
 

@@ -1,4 +1,4 @@
-// Sends a line's characters through a port, or a pseudo-terminal: for `send`.
+// Sends a line's characters through a port or a pseudo-terminal, for `send`.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class Sending {
   // Adds its options to a subcommand.
   explicit Sending(Subcommand &subcommand);
 
-  // Sends this line. A pseudo-terminal first waits for its reader. Throws std::runtime_error.
+  // Sends this line. On a pseudo-terminal, first waits for a reader. Throws std::runtime_error.
   void run(Input &input) const;
 
  private:

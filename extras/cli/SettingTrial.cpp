@@ -39,7 +39,7 @@ void SettingTrial::listen(Input &input, uint64_t us, uint64_t framesUs) {
       [&](uint64_t nowUs) {
         _observer.idleUntil(input.knownUs());
         _endUs = us == ToItsEnd ? _lastUs + gapUs() : nowUs;
-        if (nowUs >= (framesCome() ? framesUs : us)) {
+        if (nowUs >= (hasFrames() ? framesUs : us)) {
           input.end();
         }
       });
@@ -130,8 +130,8 @@ void SettingTrial::take(const line::Stretch &stretch) {
   }
 }
 
-// Notes a silence, if no character came between the last one and `us`: there a character is complete, or listening
-// ends. The character may have come up to `lateUs` earlier.
+// Notes a silence if it was long from the last character to `us`, where the next one ends or listening stops. The next
+// one may have ended up to `lateUs` earlier.
 void SettingTrial::heardUntil(uint64_t us, uint64_t lateUs) {
   if (us >= _lastUs + SilenceUs) {
     _silences.push_back(_lastUs);
@@ -143,7 +143,7 @@ void SettingTrial::heardUntil(uint64_t us, uint64_t lateUs) {
   _lastUs = us;
 }
 
-// Returns the times from frame to frame in which the line was not silent: a silence may last for hours.
+// Returns the frame periods without those interrupted by a silence, which may last for hours.
 std::vector<uint64_t> SettingTrial::periods() const {
   std::vector<uint64_t> periods;
   for (size_t i = 1; i < _ends.size(); i++) {
@@ -155,8 +155,8 @@ std::vector<uint64_t> SettingTrial::periods() const {
   return periods;
 }
 
-// Returns the median, which an impaired frame does not change; the mean if the port hands bytes over in bursts, so that
-// no period is as it was on the line.
+// Returns the median, which an impaired frame does not change; the mean if the port delivers bytes in bursts, so that
+// no single period is exact.
 uint64_t SettingTrial::usualPeriodUs(std::vector<uint64_t> periods, uint64_t us) const {
   const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
   std::nth_element(periods.begin(), middle, periods.end());
@@ -167,7 +167,7 @@ std::string SettingTrial::frames() const {
   return std::to_string(counters().frames) + (counters().frames == 1 ? " frame" : " frames");
 }
 
-// Returns the gap after the last frame of a recording, which ends with this frame.
+// Returns the gap to assume after the last frame of a recording.
 uint64_t SettingTrial::gapUs() const {
   const uint64_t frameUs = uint64_t{sbus::FrameSize} * _settings.characterUs();
   return std::max(_observer.gaps().low, frameUs) - frameUs;

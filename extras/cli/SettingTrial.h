@@ -1,4 +1,4 @@
-// What a port with one setting receives from a line: for `sbus doctor`.
+// What a port with one setting receives from a line, for `sbus doctor`.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +23,11 @@ class SettingTrial {
   SettingTrial(const SettingTrial &) = delete;  // its observer's listener points to it
   SettingTrial &operator=(const SettingTrial &) = delete;
 
-  // Listens for `us`, or for `framesUs` if frames come. ToItsEnd: until the source ends.
+  // Listens for `us`, or for `framesUs` if there are frames. ToItsEnd: until the source ends.
   void listen(Input &input, uint64_t us, uint64_t framesUs);
 
   bool isCsv() const { return _isCsv; }
-  bool framesCome() const { return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms; }
+  bool hasFrames() const { return uint64_t{counters().frames} * sbus::Diagnosis::PeriodMax > trial().ms; }
   sbus::Trial trial() const { return _examination.trial(_observer, _settings, _endUs); }
 
   // Returns "S.BUS", "S.BUS2" ...; empty without frames.
@@ -39,21 +39,20 @@ class SettingTrial {
   Json json(bool hasTimes) const;
 
   // Returns a line: "S.BUS: 111 frames a second and 0 damaged, frame interval 9000 us; 1 % with the lost-frame flag".
-  // All figures come from the times of the frames, so a single frame has no rate. Without `hasTimes` there are none.
+  // All figures come from the times of the frames: a single frame has no rate, and without `hasTimes` there are none.
   std::string figures(bool hasTimes) const;
 
-  // Returns a line: "Telemetry: receiver voltage 4.6 V; slots 0, 1; 3 of 40 groups rejected: ..."; empty without a
-  // slot.
+  // Returns a line: "Telemetry: receiver voltage 4.6 V; slots 0, 1; 3 of 40 groups rejected: ..."; empty without slots.
   std::string telemetry() const;
 
   // Returns true if more groups of telemetry slots were rejected than read.
   bool rejectsTelemetry() const { return _observer.telemetry().rejectedGroups() > _observer.telemetry().groups(); }
 
-  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s and more. What came while the PC was
-  // busy proves no silence.
+  // Returns true if the line was silent for 0.5 s in all, in silences of 0.1 s or more. Late reads by a busy PC do not
+  // count as silence.
   bool isInterrupted() const { return _provedSilentUs >= 500000; }
 
-  // Returns a line that says why the times of this source are not exact; empty if they are.
+  // Returns a line that explains why this source's times are not exact; empty if they are.
   std::string note() const { return _note.empty() ? "" : _note + "\n"; }
 
  private:
@@ -71,14 +70,14 @@ class SettingTrial {
   line::VariantOfLine _variant;
   line::Readings _readings;
   std::vector<uint64_t> _ends;      // of the frames, in us
-  std::vector<uint64_t> _silences;  // where they begin, in us
+  std::vector<uint64_t> _silences;  // their beginnings, in us
   uint64_t _silentUs = 0;
   uint64_t _provedSilentUs = 0;
   line::CsvRows _rows;
   bool _isCsv = false;
-  uint64_t _lastUs = 0;  // of the characters
-  uint64_t _endUs = 0;   // of what was heard
-  bool _isLate = false;  // the port hands bytes over late
+  uint64_t _lastUs = 0;  // the newest character's end
+  uint64_t _endUs = 0;   // the end of listening
+  bool _isLate = false;  // the port delivers bytes late
   std::string _note;
 };
 

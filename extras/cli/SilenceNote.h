@@ -1,4 +1,4 @@
-// Says on standard error, once, that a source has sent nothing yet; and throws if it ends without having sent anything.
+// Reports once on standard error that a source has sent nothing yet, and throws if it ends without sending anything.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace tool {
 
 class SilenceNote {
  public:
-  // Waits for `what`, such as "frames". Of a file it only says if none came at all: its times may begin at any time.
+  // Waits for `what`, such as "frames". A file is reported only at its end, since its times may begin anywhere.
   SilenceNote(const std::string &source, const char *what, bool isFile = false)
       : _source(source), _what(what), _done(isFile) {}
 
-  // Takes the time, and whether it `has` come.
+  // `has`: `what` has been received.
   void tick(uint64_t nowUs, bool has) {
     _beginUs = std::min(_beginUs, nowUs);
     const bool isLong = nowUs - _beginUs >= AfterUs;
@@ -25,7 +25,7 @@ class SilenceNote {
     _done = _done || has || isLong;
   }
 
-  // Takes the end of the source. Throws std::runtime_error unless it `has` come.
+  // Takes the end of the source. Throws std::runtime_error without `has`.
   void end(bool has) const {
     if (!has) {
       throw std::runtime_error(_source + ": no " + _what + " came; sbus doctor says why");

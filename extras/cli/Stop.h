@@ -1,4 +1,4 @@
-// Ends a subcommand by Ctrl-C and the like in such a way that what it has written is whole.
+// Ends a subcommand after Ctrl-C and similar signals so that its output is complete.
 #pragma once
 
 namespace tool {

@@ -13,9 +13,9 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t PeriodUs = 9000;  // of rows without times
+constexpr uint64_t PeriodUs = 9000;  // between rows without times
 constexpr uint64_t FrameUsMost = 50000;
-constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18 of a table that ends there
+constexpr size_t SwitchesAt = sbus::ProportionalCount;  // CH17 and CH18, in a table that ends there
 
 std::string nameOf(line::CsvKind kind, size_t column) {
   switch (kind) {
@@ -146,7 +146,7 @@ std::string TableRows::takeRow(const line::CsvRow &fields) {
   return {};
 }
 
-// Returns what is expected of a wrong field; nothing for a right one.
+// Returns what is expected instead of a wrong field; nothing for a valid one.
 std::string TableRows::takeField(const Column &column, const line::CsvField &field) {
   const bool isEmpty = field.text.empty();
   switch (column.kind) {
@@ -210,7 +210,7 @@ uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint
     return lastUs;
   }
   const bool isPair = channels == TableChannelMax;
-  const uint64_t firstUs = sbus::FrameSize * uint64_t{characterUs} + 1000;  // of a frame, with a gap after it
+  const uint64_t firstUs = sbus::FrameSize * uint64_t{characterUs} + 1000;  // a frame and a gap after it
   if (isPair && row.hasRest) {
     append(Kind::Extra, endUs - (row.hasFirst ? std::min(endUs, firstUs) : 0));
   }

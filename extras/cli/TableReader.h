@@ -1,4 +1,4 @@
-// Reads rows of CSV as `sbus csv` and `sbus decode --csv` print them, as frames.
+// Reads rows of CSV, as printed by `sbus csv` and `sbus decode --csv`, as frames.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace tool {
 
 constexpr size_t TableChannelMax = 32;
 
-// The values of a frame. CH3 is at its low end until it is set, as in the failsafe of the paper's R-XSR: throttle off.
+// The values of a frame. CH3 starts at its low end, throttle off, like the failsafe of the paper's R-XSR.
 struct FrameValues : line::Values {
   FrameValues() {
     raw.fill(992);
@@ -29,28 +29,28 @@ struct FrameValues : line::Values {
   uint8_t end = 0;
 };
 
-// Sets the value that "ch3=172", "ch3=1500us", "ch5=on" or "failsafe=on" names. Throws std::runtime_error.
+// Sets a value: "ch3=172", "ch3=1500us", "ch5=on" or "failsafe=on". Throws std::runtime_error.
 void assign(const std::string &word, const sbus::Range &range, FrameValues &values);
 
 struct TableRow {
-  std::optional<uint64_t> us;  // its time
+  std::optional<uint64_t> us;
   FrameValues values;
   bool hasFirst = false;  // one of CH1 to CH16
-  bool hasRest = false;   // one of CH17 and on, where these are channels
+  bool hasRest = false;   // one of CH17 and above, if these are channels
 };
 
-// Takes the lines of a table. Without a line of names the columns are those that a sketch prints.
+// Takes the lines of a table. Without a line of names it has a sketch's columns.
 class TableRows {
  public:
-  // Takes the next line. Returns what is wrong with it, or nothing; isRow() tells whether it was a row.
+  // Takes the next line. Returns what is wrong with it, or nothing. Afterwards isRow() tells whether it was a row.
   std::string line(std::string_view text);
 
   bool isRow() const { return _isRow; }
   const TableRow &row() const { return _row; }
 
-  // Returns the number of the highest channel: 16 to 18, 24 or 32 of a whole table; less of others.
+  // Returns the number of the highest channel: 16 to 18, 24 or 32 in a whole table; less in others.
   size_t channels() const { return _channels; }
-  // Returns true if all channels up to the highest have a column, and there is a column of times.
+  // Returns true if all channels up to the highest and the time have a column.
   bool isWhole() const;
 
  private:
@@ -58,7 +58,7 @@ class TableRows {
   struct Column {
     Kind kind = Kind::Ignored;
     size_t index = 0;
-    double perSecond = 1;  // of times
+    double perSecond = 1;  // unit of a time
   };
 
   static bool parseName(const std::string &text, Column &column);
@@ -76,12 +76,12 @@ class TableRows {
   bool _isRow = false;
 };
 
-// Appends the frames of a row of `channels` channels to `characters`; the last one ends at `endUs`, or later if the
-// line is busy until `lastUs`. Returns when it ends.
+// Appends the frames for a row of `channels` channels to `characters`. The last one ends at `endUs`, or later if the
+// line is busy until `lastUs`. Returns its end.
 uint64_t appendFrames(const TableRow &row, size_t channels, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
                       std::deque<line::Character> &characters);
 
-// A frame for each row of a whole table.
+// Makes a frame of each row of a whole table.
 class TableReader : public LineReader {
  public:
   explicit TableReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}
@@ -96,7 +96,7 @@ class TableReader : public LineReader {
   bool _any = false;
 };
 
-// Returns true if the text begins as a whole table does whose rows are frames: 50 ms apart at most.
+// Returns true if the text begins like a whole table with a row per frame: rows at most 50 ms apart.
 bool isFrameTable(std::string_view head);
 
 }  // namespace tool

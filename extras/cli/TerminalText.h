@@ -1,4 +1,4 @@
-// Texts in UTF-8, measured in the columns that they take on a terminal.
+// UTF-8 texts, measured in terminal columns.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ int widthOf(const std::string &text);
 // Returns as much of the text as fits.
 std::string cut(const std::string &text, int width);
 
-// Cuts after a title or a sentence: "Failsafe" of "Failsafe: the receiver works, but has lost the link."
+// Cuts after a title or a sentence: "Failsafe: the receiver works, but has lost the link." becomes "Failsafe".
 std::string cutAtPhrase(const std::string &text, int width);
 
-// Return the text with exactly `width` columns: cut, or filled with blanks on its right, or on its left.
+// Return the text cut or padded to exactly `width` columns. padded() adds blanks on the right, right() on the left.
 std::string padded(const std::string &text, int width);
 std::string right(const std::string &text, int width);
 

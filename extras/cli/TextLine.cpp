@@ -14,13 +14,13 @@ namespace tool {
 
 namespace {
 
-constexpr size_t Ahead = 2;                  // characters: the next one tells what is known
+constexpr size_t Ahead = 2;                  // characters: knownUs() needs the next one
 constexpr uint64_t StartMostUs = 1000000;    // a live text that begins later was joined in its middle
-constexpr int64_t SkewMostUs = 250000;       // how much later than its writer a live text's reader may have started
-constexpr uint64_t BacklogMostUs = 3000000;  // a file in a pipe brings more at once
-constexpr uint64_t SettledUs = 100000;       // by then a pipe that holds nothing is no file
+constexpr int64_t SkewMostUs = 250000;       // how much later than its writer a live text's reader may start
+constexpr uint64_t BacklogMostUs = 3000000;  // a pipe with more at once holds a file
+constexpr uint64_t SettledUs = 100000;       // a pipe that is empty after this time is not a file
 constexpr uint64_t LagMostUs = 1000000;
-constexpr uint64_t JitterUs = 20000;  // of a pipe
+constexpr uint64_t JitterUs = 20000;  // a pipe's
 
 double seconds(uint64_t us) {
   return static_cast<double>(us) / 1e6;
@@ -98,7 +98,7 @@ bool TextLine::next(uint64_t nowUs, line::Character &character) {
   return true;
 }
 
-// Returns when a character is played that ends at `endUs` of the text; never before the one before it.
+// Returns when a character that ends at `endUs` in the text is played; never before the previous one.
 uint64_t TextLine::playedUs(uint64_t endUs) const {
   const int64_t us = static_cast<int64_t>(endUs) + _shiftUs;
   return std::max(us > 0 ? static_cast<uint64_t>(us) : 0, _lastUs);
@@ -148,8 +148,8 @@ void TextLine::fill(uint64_t nowUs) {
   }
 }
 
-// Plays what a live text brings at once, but keeps the times between its characters. What had come long before anything
-// was played is left out: it is old.
+// Plays a live text's new characters at once, but keeps the times between them. Leaves out old characters: those
+// received long before playing began.
 void TextLine::followLive(uint64_t nowUs) {
   const auto now = static_cast<int64_t>(nowUs);
   if (!_begunUs) {
@@ -187,7 +187,7 @@ void TextLine::take(const std::string &line) {
   }
 }
 
-// Leaves out the characters from index `from` on that are not in the part.
+// Removes the characters from index `from` on that do not end between _fromUs and _toUs.
 void TextLine::keepPart(size_t from) {
   size_t kept = from;
   for (size_t i = from; i < _waiting.size(); i++) {

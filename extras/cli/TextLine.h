@@ -1,5 +1,5 @@
-// Plays a text, line by line: a recording, JSON lines, a table of frames. It holds a few lines of it at a time, however
-// long the text is.
+// Plays a text line by line: a recording, JSON lines, a table of frames. However long the text is, only a few lines are
+// in memory.
 #pragma once
 
 #include <cstdint>
@@ -26,18 +26,18 @@ class LineReader {
   virtual std::string finish() = 0;
 };
 
-// Where a text comes from: a file, or a pipe.
+// The source of a text: a file or a pipe.
 class TextInput {
  public:
   virtual ~TextInput() = default;
 
-  // Waits for `ms`. Returns true if read() would not wait.
+  // Waits for at most `ms`. Returns true if read() would not wait.
   virtual bool isReady(int ms) = 0;
 
-  // Waits for a character or more. Returns what has come; nothing at the end.
+  // Waits for at least one character. Returns those received; nothing at the end.
   virtual std::string_view read() = 0;
 
-  // Returns why the text could not be read to its end; empty if it could.
+  // Returns why the text could not be read to its end; otherwise empty.
   virtual std::string failure() const = 0;
 };
 
@@ -56,7 +56,7 @@ class FileText : public TextInput {
   line::TextFile _text;
 };
 
-// A pipe, which the caller closes. `begin` has been read from it before.
+// A pipe, which the caller closes. `begin` has already been read from it.
 class PipeText : public TextInput {
  public:
   PipeText(int file, std::string begin) : _file(file), _begin(std::move(begin)) {}
@@ -74,20 +74,20 @@ class PipeText : public TextInput {
   std::string _failure;
 };
 
-// The lines of a text that comes in pieces.
+// Splits a text that arrives in pieces into lines.
 class TextLines {
  public:
   explicit TextLines(std::unique_ptr<TextInput> input) : _input(std::move(input)) {}
 
   bool isReady(int ms) { return _input->isReady(ms); }
 
-  // Waits for a character or more.
+  // Waits for at least one character.
   void read();
 
-  // Takes the next whole line, without its LF; at the end of the text also one without. Returns false if none has come.
+  // Takes the next whole line, without its LF; the last line may lack one. Returns false if there is no line yet.
   bool take(std::string &line);
 
-  // Returns the number of the line that was taken last, counted from 1.
+  // Returns the number of the last line taken, counted from 1.
   unsigned long number() const { return _number; }
 
   bool atEnd() const { return _atEnd; }
@@ -96,7 +96,7 @@ class TextLines {
  private:
   const std::unique_ptr<TextInput> _input;
   std::string _text;
-  size_t _at = 0;  // of what was not taken
+  size_t _at = 0;  // the first character not yet taken
   unsigned long _number = 0;
   bool _atEnd = false;
 };
@@ -105,10 +105,10 @@ class TextLine : public line::Line {
  public:
   enum class Clock {
     OfText,  // the text's times count from the program's start
-    Live     // the text comes from a program that is still writing it: its newest line is played at once
+    Live     // a program is still writing the text: its newest line is played at once
   };
 
-  // Plays what ends from `fromUs` to `toUs`; 0: to the end. `name` is what messages call it.
+  // Plays the characters that end from `fromUs` to `toUs`; 0: to the end. Messages call the text `name`.
   TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
            uint64_t fromUs = 0, uint64_t toUs = 0);
 
@@ -135,14 +135,14 @@ class TextLine : public line::Line {
   const uint64_t _fromUs;
   const uint64_t _toUs;
   std::deque<line::Character> _waiting;
-  uint64_t _firstUs = 0;  // of all characters, also of those that are left out; 0: none has come
+  uint64_t _firstUs = 0;  // the first character's time, even if it is left out; 0: no characters yet
   uint64_t _newestUs = 0;
-  uint64_t _lastUs = 0;  // when the last one that was handed over was played
-  bool _any = false;     // a character was in the part
+  uint64_t _lastUs = 0;  // when the last one was played
+  bool _any = false;     // there were characters between _fromUs and _toUs
   bool _ended = false;
   int64_t _shiftUs = 0;              // from the text's times to the program's
   std::optional<uint64_t> _begunUs;  // when a live text was first read
-  uint64_t _lagUs = 0;               // how late a live text's newest character came
+  uint64_t _lagUs = 0;               // delay of a live text's newest character
   std::string _failure;
 };
 

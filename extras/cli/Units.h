@@ -1,4 +1,4 @@
-// The units of a channel's value: raw, a servo's microseconds, percent of the travel.
+// The units of a channel's value: raw, microseconds of a servo pulse, percent of the travel.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,16 @@ enum class Unit { Raw, Us, Percent };
 // Returns the name of the unit's field in JSON: "channels", "us" or "percent".
 const char *fieldOf(Unit unit);
 
-// Returns a raw value in another unit. Microseconds are 5 * raw / 8 + 880 of any make; 0 % and +-100 % are the points
-// of `range`.
+// Converts a raw value. Microseconds are 5 * raw / 8 + 880 for any make; 0 % and +-100 % are the points of `range`.
 double valueOf(uint16_t raw, Unit unit, const sbus::Range &range);
 
-// Returns the nearest raw value; nothing if the value is outside 0 to 2047, or a raw value is no whole number.
+// Returns the nearest raw value; nothing if it is outside 0 to 2047, or if a raw value is not a whole number.
 std::optional<uint16_t> rawOf(double value, Unit unit, const sbus::Range &range);
 
 // Returns the values that rawOf() takes: "a whole number from 0 to 2047".
 std::string extentOf(Unit unit, const sbus::Range &range);
 
-// Returns true if these may be the raw values at -100, 0 and +100 %: 0 to 2047, rising or falling.
+// Returns true if these can be the raw values at -100, 0 and +100 %: 0 to 2047, rising or falling.
 bool isRange(unsigned low, unsigned centre, unsigned high);
 
 // Reads "1500", "1500us" or "-50%". Returns nothing for any other text.

@@ -35,7 +35,7 @@ void addSubcommands(CLI::App &app) {
   tool::addHelp(app);
 }
 
-// Returns "sbus", with the subcommand that was asked for.
+// Returns "sbus" and the subcommand in use.
 std::string nameOf(const CLI::App &app) {
   const auto subcommands = app.get_subcommands();
   return subcommands.empty() ? app.get_name() : app.get_name() + " " + subcommands.front()->get_name();
@@ -47,10 +47,10 @@ int main(int argc, char **argv) {
   line::prepareStreams();
   CLI::App app{"Monitors, records, sends and diagnoses S.Bus lines.", "sbus"};
   app.require_subcommand(1);
-  app.allow_windows_style_options(false);  // /tmp/flight.txt is a file on Windows, too
+  app.allow_windows_style_options(false);  // /tmp/flight.txt is a file, on Windows also
   app.set_version_flag("--version", VERSION, "print the version");
   app.set_help_flag("-h,--help", "list the subcommands; after a subcommand, its options");
-  app.set_help_all_flag("--help-all", "print what every subcommand takes");
+  app.set_help_all_flag("--help-all", "print the options of every subcommand");
   app.footer(
       "SOURCE is a serial port (see `sbus ports`), a file (a recording, a logic analyser's capture, bytes), - for "
       "standard input, or sim, a built-in receiver. `sbus help SUBCOMMAND` and `man sbus` tell more.");

@@ -246,7 +246,7 @@ sim --limit ch1=5|--limit: "ch1=5": at character 6 .. is expected
 sim --limit ch1=9..5|--limit: "ch1=9..5": at character 8 a value of 9 or more is expected
 sim --limit ch1=9..5000|--limit: "ch1=9..5000": at character 8 a value, 0 to 2047, a pulse such as 1500us or a part such as -50%, is expected
 sim --limit ch1=1..9 --limit ch1=2..3|--limit: "ch1=2..3": at character 1 a channel that no other --limit has is expected
-sim --failsafe ch3=1,ch3=2|--failsafe: "ch3=2" sets a channel again; leave one of them out
+sim --failsafe ch3=1,ch3=2|--failsafe: "ch3=2" sets a channel twice; leave one of them out
 sim --back 2|--back: --second is the other receiver; name it
 sim --second ch1=1 --trainer ch5 --back 2|--back: the teacher's receiver is always used; leave it out
 sim --failsafe on|--failsafe: off, hold or values of ch1 to ch16 such as ch3=172 are expected, not on

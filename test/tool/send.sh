@@ -105,7 +105,7 @@ while IFS='|' read -r arguments message; do
 done <<'END'
 |SOURCE is required
 no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
-x.csv ch1=5|ch1=5 is one argument too many; only values can be several, such as ch3=172 ch5=on
+x.csv ch1=5|ch1=5 is one argument too many; only values such as ch3=172 ch5=on may be several
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 ch0=5|"ch0=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
 time=5|"time=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
@@ -113,9 +113,9 @@ ch1=2048|"ch1=2048" is out of range; 0 to 2047, a pulse such as 1500us, a part s
 ch1=1e3|"ch1=1e3" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch1=5.5|"ch1=5.5" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch1=800us|"ch1=800us" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
-ch1=5 ch1=6|"ch1=6" sets ch1 again; leave one of them out
+ch1=5 ch1=6|"ch1=6" sets ch1 twice; leave one of them out
 ch5=1 ch05=2|"ch05=2" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
-failsafe=on FAILSAFE=off|"FAILSAFE=off" sets failsafe again; leave one of them out
+failsafe=on FAILSAFE=off|"FAILSAFE=off" sets failsafe twice; leave one of them out
 ch1=|"ch1=" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -50%, on (1811) or off (172) is expected
 ch17=2|"ch17=2" is out of range; on or off is expected
 ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected

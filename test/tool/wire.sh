@@ -236,7 +236,7 @@ awk -F, 'NR == 1 { print "name,type,start_time,duration,\"data\",\"error\""; nex
 for capture in logic1.csv logic2.csv; do
   "$SBUS" decode "$work/$capture" --csv | cmp - tool/golden/decode-sbus2.csv &&
     [ "$("$SBUS" decode "$work/$capture" --json | head -n 1)" = '{"type":"line","format":1,"source":"'"$work/$capture"'","signal":"Async Serial"}' ] &&
-    [ "$("$SBUS" decode "$work/$capture" | head -n 1)" = 'signal Async Serial carries S.Bus, as the analyser has decoded it' ]
+    [ "$("$SBUS" decode "$work/$capture" | head -n 1)" = 'signal Async Serial carries S.Bus, as decoded by the analyser' ]
   verdict $? "decode reads the characters of $capture"
 done
 [ "$(sed '30s/,,$/,Error,Error/' "$work/logic1.csv" | "$SBUS" decode - --characters | grep -c '  parity error; framing error$')" -eq 1 ]

@@ -95,7 +95,7 @@ ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
   }
   limit.high = scanner.value(_range);
   if (_range.low > _range.high && limit.low > limit.high) {
-    std::swap(limit.low, limit.high);  // -100 % is the higher one
+    std::swap(limit.low, limit.high);  // the range is reversed: -100 % has the higher raw value
   }
   if (limit.low > limit.high) {
     scanner.expect("a value of " + std::to_string(limit.low) + " or more");
@@ -104,7 +104,7 @@ ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
   return limit;
 }
 
-// Mirrors the value at the centre, each side by its own length, also beyond the ends.
+// Mirrors the value at the centre, in proportion to the lengths of the two sides, also beyond the ends.
 void ChannelRules::reverse(uint16_t &raw) const {
   raw = sbus::fromNormalised(static_cast<int16_t>(-sbus::toNormalised(raw, _range)), _range);
 }

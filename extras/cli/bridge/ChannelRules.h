@@ -1,4 +1,4 @@
-// What `sbus bridge` makes of CH1 to CH16: --map, then --mix, then --limit.
+// Changes CH1 to CH16 for `sbus bridge`: --map, then --mix, then --limit.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class ChannelRules {
   // Reads the options. Rejects the command line if one is wrong.
   void read(const sbus::Range &range);
 
-  // Changes the raw values of CH1 and on.
+  // Changes the raw values; the first is CH1.
   void apply(uint16_t *raw) const;
 
  private:
@@ -30,7 +30,7 @@ class ChannelRules {
 
   struct Mix {
     size_t channel;
-    std::array<double, Count> parts{};  // of each channel
+    std::array<double, Count> parts{};  // factor of each channel
     double added = 0;                   // percent
   };
   struct Limit {
@@ -48,7 +48,7 @@ class ChannelRules {
   std::vector<std::string> _mixTexts;
   std::vector<std::string> _limitTexts;
   sbus::Range _range = sbus::FrSky;
-  std::vector<int> _sources;  // of CH1 and on, counted from 1; negative: reversed
+  std::vector<int> _sources;  // for CH1, CH2 ...: a channel, counted from 1; negative: reversed
   std::vector<Mix> _mixes;
   std::vector<Limit> _limits;
 };

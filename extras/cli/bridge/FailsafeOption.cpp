@@ -33,7 +33,7 @@ void FailsafeOption::read(const sbus::Range &range) {
       rejectCommandLine(std::string("--failsafe: ") + error.what());
     }
     if (std::any_of(_set.begin(), _set.end(), [&](const auto &other) { return other.first == channel - 1; })) {
-      rejectCommandLine("--failsafe: " + line::quoted(word) + " sets a channel again; leave one of them out");
+      rejectCommandLine("--failsafe: " + line::quoted(word) + " sets a channel twice; leave one of them out");
     }
     _set.emplace_back(channel - 1, values.raw[channel - 1]);
   });

@@ -1,4 +1,4 @@
-// --failsafe of `sbus bridge`: what is sent without a link.
+// --failsafe of `sbus bridge`: what it sends without a link.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tool {
 
 class FailsafeOption {
  public:
-  // Adds it to a subcommand.
+  // Adds the option to a subcommand.
   explicit FailsafeOption(Subcommand &subcommand);
   FailsafeOption(const FailsafeOption &) = delete;
   FailsafeOption &operator=(const FailsafeOption &) = delete;
@@ -23,14 +23,14 @@ class FailsafeOption {
   // Reads the option. Rejects the command line if it is wrong.
   void read(const sbus::Range &range);
 
-  // Changes what is sent in this state of the link. Returns false if nothing is.
+  // Changes the values to send in this state of the link. Returns false if nothing is to be sent.
   bool apply(sbus::LinkState state, line::Values &values);
 
  private:
   std::string _text;
   Option _option;
   std::vector<std::pair<size_t, uint16_t>> _set;  // raw values of channels, counted from 0
-  line::Values _held;                             // of the newest frame with a link; count 0: none has come
+  line::Values _held;                             // of the newest frame with a link; count 0: no such frame yet
 };
 
 }  // namespace tool

@@ -70,7 +70,7 @@ void FrameOutput::print(const BridgedFrame &frame) {
 std::string FrameOutput::summary() const {
   return std::to_string(_sent) + " frames sent" +
          (_replaced > 0 ? ", " + std::to_string(_replaced) + " replaced by newer ones before their turn" : "") +
-         (_lost > 0 ? ", " + std::to_string(_lost) + " lost: the reader was too slow, or gone" : "");
+         (_lost > 0 ? ", " + std::to_string(_lost) + " lost: the reader was too slow or gone" : "");
 }
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// Sends the frames of `sbus bridge`: to a port, to a pseudo-terminal, or as JSON lines to standard output.
+// Sends the frames of `sbus bridge` to a port, to a pseudo-terminal, or as JSON lines to standard output.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ namespace tool {
 
 struct BridgedFrame {
   line::Stretch::Kind kind;
-  std::optional<uint64_t> us;  // its time
+  std::optional<uint64_t> us;
   line::Values values;
   uint8_t extraFlags = 0;  // of a frame with header 2F
 
@@ -29,12 +29,11 @@ class FrameOutput {
   // `to`: a port; "" for a pseudo-terminal; "-" for JSON lines. Throws std::runtime_error.
   FrameOutput(const std::string &to, const line::LineSettings &settings);
 
-  // Sends a frame at once. On a wire it waits until 2 ms after the end of the frame before: a receiver finds a frame by
-  // the gap before it. A newer frame of the same kind takes the place of one that still waits. Returns false if it
-  // waits.
+  // Sends a frame at once; on a wire, not before 2 ms after the previous frame's end, since receivers find a frame by
+  // the gap before it. A newer frame of the same kind replaces a waiting one. Returns false if the frame waits.
   bool put(const BridgedFrame &frame);
 
-  // Sends what has waited for long enough. Returns true if a frame still waits.
+  // Sends the waiting frames that are due. Returns true if a frame still waits.
   bool tick();
 
   // Returns "1000 frames sent, 3 replaced by newer ones before their turn".
@@ -46,10 +45,10 @@ class FrameOutput {
   void send(const BridgedFrame &frame);
   void print(const BridgedFrame &frame);
 
-  std::unique_ptr<Destination> _destination;  // none: standard output
+  std::unique_ptr<Destination> _destination;  // null: standard output
   const uint32_t _characterUs;
   const Clock::time_point _start = Clock::now();
-  Clock::time_point _freeFrom{};  // when the next frame may begin
+  Clock::time_point _freeFrom{};  // the next frame may begin now
   std::deque<BridgedFrame> _waiting;
   unsigned long _sent = 0;
   unsigned long _replaced = 0;

@@ -1,4 +1,4 @@
-// --trainer of `sbus bridge`: a switch of the teacher's radio that hands channels to the pupil's.
+// --trainer of `sbus bridge`: a switch on the teacher's radio hands channels over to the pupil's.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace tool {
 
 class TrainerOption {
  public:
-  // Adds it to a subcommand.
+  // Adds the option to a subcommand.
   explicit TrainerOption(Subcommand &subcommand) {
     _option =
         subcommand.option("--trainer", _text, "while this channel is on, CH1 to CH4, or these, come from --second");
@@ -41,7 +41,7 @@ class TrainerOption {
     scanner.end(_channels.empty() ? "=" : "a comma or the end");
   }
 
-  // Puts the pupil's channels into the teacher's frame while the switch is on.
+  // Copies the pupil's channels into the teacher's frame while the switch is on.
   void apply(line::Values &teacher, const line::Values &pupil) const {
     if (sbus::toNormalised(teacher.raw[_switch], _range) > OnAbove) {
       for (const size_t channel : _channels) {
@@ -51,7 +51,7 @@ class TrainerOption {
   }
 
  private:
-  static constexpr int16_t OnAbove = 500;  // +50 %: off in the middle of a switch with three positions
+  static constexpr int16_t OnAbove = 500;  // +50 %: the middle of a three-position switch is off
 
   std::string _text;
   Option _option;

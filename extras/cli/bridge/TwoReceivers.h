@@ -1,4 +1,4 @@
-// Chooses one of two receivers: the first one, or the second while the first has no link.
+// Chooses one of two receivers: the second only while the first has no link.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace tool {
 
 class TwoReceivers {
  public:
-  // The first one has to be good for `backUs` without a break before it is chosen again.
+  // The first has to be good for `backUs` without interruption before it is chosen again.
   explicit TwoReceivers(uint64_t backUs) : _backUs(backUs) {}
 
-  // Takes a frame of a receiver, 0 or 1.
+  // Takes a frame of receiver 0 or 1.
   void put(size_t receiver, uint64_t nowUs, const line::Values &values) {
     if (values.failsafe) {
       _goodUs[receiver] = 0;
@@ -24,18 +24,18 @@ class TwoReceivers {
     choose(nowUs);
   }
 
-  // Returns true if a frame without a flag has come within the last 0.1 s, and none in failsafe since.
+  // Returns true if a frame without a flag came within the last 0.1 s, and no failsafe frame since.
   bool isGood(size_t receiver, uint64_t nowUs) const {
     return _goodUs[receiver] > 0 && nowUs < _goodUs[receiver] + GoodForUs;
   }
 
-  // Returns which one is chosen at `nowUs`, which may be somewhat earlier than at the call before. Without a good one
-  // it stays the same.
+  // Returns the receiver chosen at `nowUs`, which may be a little earlier than in the previous call. The choice stays
+  // while neither is good.
   size_t choose(uint64_t nowUs) {
     const bool isFirst = isGood(0, nowUs), isSecond = isGood(1, nowUs);
     _firstSinceUs = !isFirst ? 0 : _firstSinceUs == 0 ? nowUs : _firstSinceUs;
     if (_chosen == 0) {
-      _chosen = !isFirst && isSecond && nowUs >= GoodForUs ? 1 : 0;  // at the start the first has time to come
+      _chosen = !isFirst && isSecond && nowUs >= GoodForUs ? 1 : 0;  // at the start, wait for the first
     } else if (isFirst && (!isSecond || nowUs >= _firstSinceUs + _backUs)) {
       _chosen = 0;
     }
@@ -47,8 +47,8 @@ class TwoReceivers {
 
   const uint64_t _backUs;
   size_t _chosen = 0;
-  std::array<uint64_t, 2> _goodUs{};  // when the newest frame without a flag came; 0: none, or failsafe since
-  uint64_t _firstSinceUs = 0;         // since when the first is good; 0: it is not
+  std::array<uint64_t, 2> _goodUs{};  // time of the newest frame without a flag; 0: none, or failsafe since
+  uint64_t _firstSinceUs = 0;         // the first has been good since then; 0: it is not
 };
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// What `sbus compare` prints of a comparison.
+// Formats a comparison for `sbus compare`.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace tool {
 
 std::string json(const line::LostSpan &span);
 
-// `names`: of the sources. `isByContents`: as Aligner's.
+// `names`: the sources'. `isByContents`: see Aligner.
 std::string text(const line::Comparison &comparison, const std::array<std::string, 2> &names, bool isByContents);
 std::string json(const line::Comparison &comparison, bool isByContents);
 

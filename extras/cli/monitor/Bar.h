@@ -1,4 +1,4 @@
-// Draws a channel as a bar: its travel, its value, the lowest and the highest value so far.
+// Draws a channel as a bar: its travel, its value, and its lowest and highest value so far.
 #pragma once
 
 #include "cli/monitor/MonitorPage.h"
@@ -7,7 +7,7 @@ namespace tool {
 
 class Bar {
  public:
-  // `width` in columns. All bars of a view have one scale.
+  // `width` is in columns. All bars of a view have the same scale.
   Bar(const MonitorView &view, int width, bool unicode);
 
   // Returns the line above the bars: "-100 0 +100", or the ends of the scale.

@@ -10,7 +10,7 @@ namespace tool {
 namespace {
 
 // Widths in columns.
-constexpr int Gap = 1;  // to the next channel
+constexpr int Gap = 1;  // before the next channel
 constexpr int WithMargin = 24;
 constexpr int Us = 5;
 constexpr int Percent = 7;

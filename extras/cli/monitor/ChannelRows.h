@@ -1,4 +1,4 @@
-// The channels of a MonitorView as rows of a page: in each column a number, a value, and as much more as has room.
+// The channels of a MonitorView as rows of a page: number, value, and whatever else fits into a column.
 #pragma once
 
 #include "cli/monitor/MonitorPage.h"
@@ -7,10 +7,10 @@ namespace tool {
 
 class ChannelRows {
  public:
-  // `width`: of a column of channels.
+  // `width`: that of one column of channels.
   ChannelRows(const MonitorView &view, int width, bool unicode);
 
-  // Returns the row above the channels, for this many columns.
+  // Returns the heading above the channels, for this many columns.
   PageRow head(int columns) const;
 
   // Appends a channel, counted from 0.

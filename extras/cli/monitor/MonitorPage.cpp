@@ -141,7 +141,7 @@ class Layout {
     return rows;
   }
 
-  // Returns no rows if they do not fit.
+  // Returns nothing if the rows do not fit.
   std::vector<PageRow> namedFacts() const {
     constexpr int NameWidth = 9;
     std::vector<PageRow> rows;
@@ -187,7 +187,7 @@ class Layout {
     return rows;
   }
 
-  // Returns rows whose last one has the sensors; of a single row its end says how they are shown.
+  // Returns rows with the sensors in the last one. A single row ends with the key that shows them instead.
   std::vector<PageRow> withSensors(std::vector<std::string> facts, size_t most) const {
     std::vector<PageRow> rows;
     while (!facts.empty() && rows.size() + 1 < most) {
@@ -207,7 +207,7 @@ class Layout {
     return rows;
   }
 
-  // Takes facts off the front, as many as fit into a row that ends with `last`, but at least one.
+  // Removes the first facts: at least one, and as many as fit into a row that ends with `last`.
   std::string takeRow(std::vector<std::string> &facts, const std::string &last) const {
     const int room = _size.width - 2 - (last.empty() ? 0 : widthOf(last) + 2);
     std::string text = facts.front();
@@ -223,8 +223,8 @@ class Layout {
   const PageSize _size;
   const bool _unicode;
   int _columns = 0;
-  int _rows = 0;   // of channels
-  int _spare = 0;  // rows not taken yet
+  int _rows = 0;   // rows of channels
+  int _spare = 0;  // rows still free
   bool _grouped = false;
   std::vector<PageRow> _page;
 };
@@ -243,7 +243,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
   const char *const lines[] = {
       "q      quit; so does Ctrl-C",
       "r      reset marks and counters",
-      "space  pause; the counters go on",
+      "space  pause; the counters keep running",
       "t      sensors, where room is short",
       "?      this page; any key goes back",
       "[ ]    lowest, highest since the reset;",
@@ -252,7 +252,7 @@ std::vector<PageRow> layOutHelp(PageSize size) {
       "gap    from a frame's end to the next's",
       "lost by radio: lost-frame flag, old values",
       "failsafe: the receiver lost the link",
-      "rejected: looked like a frame, was none",
+      "rejected: like a frame, but not one",
   };
   std::vector<PageRow> page;
   for (const char *each : lines) {

@@ -1,4 +1,4 @@
-// Lays a MonitorView out as rows of text: for a terminal of any size, and for a pipe. It knows no terminal.
+// Lays a MonitorView out as rows of text, for a terminal of any size or a pipe. It does not access the terminal.
 #pragma once
 
 #include <string>
@@ -24,11 +24,11 @@ struct PageSize {
 
 constexpr PageSize LeastPage = {40, 12};
 
-// Returns `size.height` rows or less, each of `size.width` columns or less; ASCII only without `unicode`. `note`, such
-// as "PAUSED: space goes on", replaces the keys in the last row.
+// Returns up to `size.height` rows of up to `size.width` columns each; ASCII only without `unicode`. `note`, such
+// as "PAUSED: space continues", replaces the keys in the last row.
 std::vector<PageRow> layOut(const MonitorView &view, PageSize size, bool unicode, const std::string &note);
 
-// Returns what the keys do and what the page shows.
+// Returns the page that explains the keys and the terms.
 std::vector<PageRow> layOutHelp(PageSize size);
 
 // Returns the view in a line: "12.000  ok  992 172 ...  CH18  newest 3 ms old, 111 frames/s, ...".

@@ -1,4 +1,4 @@
-// What `sbus monitor` shows at one moment, of S.Bus or of a sketch's rows.
+// What `sbus monitor` shows at one moment, for S.Bus or for a sketch's rows.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ struct MonitorView {
     double value = 0;
     double low = 0;  // the lowest and the highest since the marks were reset
     double high = 0;
-    bool marked = false;  // low and high have a meaning
-    std::string text;     // the value as it came
+    bool marked = false;  // low and high are valid
+    std::string text;     // the value as received
   };
   struct Indicator {
     std::string name;
     bool on;
-    Mood mood;  // when it is on
+    Mood mood;  // while it is on
   };
   struct Group {
     std::string name;
@@ -32,18 +32,18 @@ struct MonitorView {
   std::string kind;    // "S.BUS2, 100000 baud"
   std::string state;   // a word
   Mood mood = Mood::Calm;
-  std::string banner;  // what must not be overlooked; mostly empty
+  std::string banner;  // an urgent message; usually empty
   Mood bannerMood = Mood::Bad;
-  bool old = false;      // the values are no longer those of the line
-  bool isRaw = true;     // the values are raw ones, 0..2047, so that us and % mean something
-  sbus::Range range{};   // of -100, 0 and +100 %
-  sbus::Range pulses{};  // of 988, 1500 and 2012 us
+  bool old = false;      // the values are no longer the line's
+  bool isRaw = true;     // the values are raw, 0..2047, so us and % make sense
+  sbus::Range range{};   // raw values at -100, 0 and +100 %
+  sbus::Range pulses{};  // raw values at 988, 1500 and 2012 us
   std::vector<Channel> channels;
   std::vector<Indicator> indicators;
-  std::string quality;  // "quality 98 %", of the link; of rows empty
+  std::string quality;  // the link's, "quality 98 %"; empty for rows
   std::vector<Group> groups;
-  Group sensors;              // of S.BUS2; without facts none has come
-  bool showsSensors = false;  // in place of the groups, where not all of it has room
+  Group sensors;              // of S.BUS2; no facts: no telemetry yet
+  bool showsSensors = false;  // instead of the groups, if there is no room for both
   std::string plain;          // the counters and times in one line, for a pipe
 };
 

@@ -14,7 +14,7 @@ namespace tool {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr uint64_t BytesUs = 300000;  // after the newest byte: no more come
+constexpr uint64_t BytesUs = 300000;  // this long after the newest byte the line counts as silent
 constexpr uint64_t NewsUs = 5 * SecondUs;
 constexpr uint64_t StaleRowUs = SecondUs;  // the sketches print a row every 200 ms
 constexpr size_t SketchColumns = 6;        // examples/DecodeSBus
@@ -54,7 +54,7 @@ void MonitoredLine::put(const line::Character &character) {
   }
 }
 
-// The page has the name of the source above it.
+// The page already shows the name of the source.
 void MonitoredLine::news(const std::string &text, uint64_t nowUs) {
   const std::string name = _source + ": ";
   _news = text.compare(0, name.size(), name) == 0 ? text.substr(name.size()) : text;
@@ -178,7 +178,7 @@ void MonitoredLine::showFrames(MonitorView &view, uint64_t nowUs) {
     channel.text = std::to_string(values.raw[i]);
   }
   if (!_observer.has24()) {
-    // CH17 is a channel then, and Futaba calls the switches DG1 and DG2.
+    // With more channels CH17 is one of them, and Futaba calls the switches DG1 and DG2.
     const bool more = values.count > sbus::ProportionalCount;
     view.indicators.push_back({more ? "DG1" : "CH17", values.switches[0], Mood::Good});
     view.indicators.push_back({more ? "DG2" : "CH18", values.switches[1], Mood::Good});
@@ -231,8 +231,8 @@ void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
       view.old = true;
       if (nowUs >= SecondUs) {
         view.bannerMood = Mood::Warn;
-        view.banner = (bytesCome ? "No frames: bytes come, but no frame. Ask: sbus doctor "
-                                 : "No signal: nothing comes. Ask: sbus doctor ") +
+        view.banner = (bytesCome ? "No frames: bytes arrive, but no frame. Run: sbus doctor "
+                                 : "No signal: no bytes arrive. Run: sbus doctor ") +
                       _source;
       }
       break;
@@ -253,7 +253,7 @@ void MonitoredLine::showState(MonitorView &view, uint64_t nowUs) {
       view.old = true;
       view.banner =
           "Stale: no frame for " + line::format("%.1f s", static_cast<double>(_observer.ageUs(nowUs)) / 1e6) +
-          (bytesCome ? ", though bytes come. The values are old." : ": the line is silent. The values are old.");
+          (bytesCome ? ", though bytes arrive. The values are old." : ": the line is silent. The values are old.");
       break;
   }
 }

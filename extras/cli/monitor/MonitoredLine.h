@@ -1,4 +1,4 @@
-// Watches a line for `sbus monitor`: takes its characters, and returns what the page shows.
+// Watches a line for `sbus monitor`: takes its characters, and returns the view to show.
 #pragma once
 
 #include <vector>
@@ -14,17 +14,17 @@ namespace tool {
 
 class MonitoredLine {
  public:
-  // `hasTimes`: the times are those of the line; otherwise it shows neither rates nor gaps. `range`, `pulses`: as
-  // MonitorView's.
+  // `hasTimes`: the times are the line's; without them it shows neither rates nor gaps. `range`, `pulses`: see
+  // MonitorView.
   MonitoredLine(const std::string &source, bool hasTimes, const line::LineSettings &settings, const sbus::Range &range,
                 const sbus::Range &pulses, const line::SensorsBySlot &sensors);
-  MonitoredLine(const MonitoredLine &) = delete;  // its observer's listener leads into it
+  MonitoredLine(const MonitoredLine &) = delete;  // its observer's listener points to it
   MonitoredLine &operator=(const MonitoredLine &) = delete;
 
   void put(const line::Character &character);
   void idleUntil(uint64_t nowUs) { _observer.idleUntil(nowUs); }
 
-  // Takes the news that the port has gone, or is back.
+  // Takes the news that the port is gone, or back.
   void news(const std::string &text, uint64_t nowUs);
 
   // Resets marks and counters; keeps the link's state.
@@ -32,7 +32,7 @@ class MonitoredLine {
 
   MonitorView view(uint64_t nowUs);
 
-  // Returns the state and the newest values as a line of JSON.
+  // Returns the state and the newest values as a JSON line.
   std::string json(uint64_t nowUs);
 
  private:
@@ -59,16 +59,16 @@ class MonitoredLine {
   line::Observer _observer;
   line::VariantOfLine _variant;
   line::Readings _readings;
-  sbus::Counters _before{};  // when the counters were reset
+  sbus::Counters _before{};  // at the last reset
   unsigned long _errorsBefore = 0;
   unsigned long _discardedBefore = 0;
-  uint64_t _characterUs = 0;  // when the newest came
+  uint64_t _characterUs = 0;  // when the newest one ended
 
   line::CsvRows _rows;
   bool _isCsv = false;
   line::CsvRow _row;  // the newest
   std::vector<Column> _columns;
-  bool _wasRaw = true;  // all rows so far
+  bool _wasRaw = true;  // all rows so far had raw values
   uint64_t _rowUs = 0;
   line::Extent _rowGaps;
 

@@ -15,7 +15,7 @@ namespace tool {
 
 namespace {
 
-// How a style looks. Without colours (the terminal has none, or NO_COLOR is set) the attributes `plain` are used.
+// How a style looks. Without colours (monochrome terminal, or NO_COLOR is set) only the attributes `plain` are used.
 struct Look {
   Style style;
   short text;
@@ -55,7 +55,7 @@ bool Screen::isPossible() {
 
 Screen::Screen() {
   _unicode = line::useTerminalLocale();
-  FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen(line::Keyboard, "r");  // of sbus monitor -
+  FILE *const keys = isatty(STDIN_FILENO) != 0 ? stdin : std::fopen(line::Keyboard, "r");  // of monitor -
   _screen = keys == nullptr ? nullptr : newterm(nullptr, stdout, keys);
   if (_screen == nullptr) {
     throw std::runtime_error(

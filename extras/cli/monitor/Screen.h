@@ -1,15 +1,15 @@
-// Shows a page on the terminal, with ncurses: every Debian has it, and it works without colours.
+// Shows a page on the terminal with ncurses, which every Debian has and which also works without colours.
 #pragma once
 
 #include "cli/monitor/MonitorPage.h"
 
-struct screen;  // ncurses' own
+struct screen;  // from ncurses
 
 namespace tool {
 
 class Screen {
  public:
-  // Returns true if standard output is a terminal whose cursor can be moved.
+  // Returns true if standard output is a terminal with a movable cursor.
   static bool isPossible();
 
   Screen();   // throws std::runtime_error
@@ -24,7 +24,7 @@ class Screen {
 
   void draw(const std::vector<PageRow> &page);
 
-  // Returns the next key pressed, or 0. Never waits.
+  // Returns the next pressed key, or 0 at once if there is none.
   int key();
 
  private:

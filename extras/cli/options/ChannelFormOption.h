@@ -1,4 +1,4 @@
-// --unit and --range on the command line: how JSON lines give the channels.
+// --unit and --range on the command line: the unit of the channels in JSON lines.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace tool {
 
 class ChannelFormOption {
  public:
-  // Adds both to a subcommand; it must not move afterwards.
+  // Adds both to a subcommand. Do not move this object afterwards.
   explicit ChannelFormOption(Subcommand &subcommand) : _range(subcommand) {
     subcommand.option("--unit", _text, "the unit of the channels in JSON lines (raw)")
         .oneOf({"raw", "us", "percent"})
         .type("raw|us|percent");
   }
 
-  // Rejects the command line if --range is no range.
+  // Rejects the command line if --range is not a range.
   ChannelForm form() const {
     return {_text == "us" ? Unit::Us : _text == "percent" ? Unit::Percent : Unit::Raw, _range.range()};
   }

@@ -35,7 +35,7 @@ Words optionNames(const CLI::App &app) {
   return names;
 }
 
-// Returns how many letters must be added, left out, changed or swapped with the next one to make `a` of `b`.
+// Returns the edit distance: letters to insert, delete, replace, or swap with the next one.
 size_t distance(const std::string &a, const std::string &b) {
   std::vector<std::vector<size_t>> least(a.size() + 1, std::vector<size_t>(b.size() + 1));
   for (size_t i = 0; i <= a.size(); i++) {
@@ -53,9 +53,9 @@ size_t distance(const std::string &a, const std::string &b) {
   return least[a.size()][b.size()];
 }
 
-// Returns "did you mean NAME? " for the nearest name: one that `word` begins, or one with a third of its letters wrong
-// at most. Returns "" where no name is near.
-std::string meant(const std::string &word, const Words &names) {
+// Returns "did you mean NAME? " for the nearest name: one that begins with `word`, or in which at most a third of the
+// letters are wrong. Returns "" if there is no such name.
+std::string suggestion(const std::string &word, const Words &names) {
   std::string nearest;
   size_t least = SIZE_MAX;
   for (const std::string &name : names) {
@@ -88,8 +88,8 @@ bool takesValue(const CLI::Option &option) {
   return option.get_items_expected_min() > 0;
 }
 
-// Returns the words that an argument of this `type` may be: for "auto|always|never" these three; for a name in capitals
-// those that belong to it.
+// Returns the possible words for an argument of this `type`: for "auto|always|never" these three, for a name in
+// capitals the words that it stands for.
 Words wordsFor(const CLI::App &app, const std::string &type) {
   Words words;
   std::istringstream parts(type);
@@ -112,7 +112,7 @@ Words wordsFor(const CLI::App &app, const std::string &type) {
   return words;
 }
 
-// Returns what may stand after `before`, which begins with the subcommand.
+// Returns the words that may follow `before`, which begins with the subcommand.
 Words wordsAfter(const CLI::App &app, const Words &before) {
   const CLI::App *const subcommand = find(app, before[0]);
   if (subcommand == nullptr) {
@@ -141,7 +141,7 @@ Words wordsAfter(const CLI::App &app, const Words &before) {
 }  // namespace
 
 void addHelp(CLI::App &app) {
-  CLI::App *const subcommand = app.add_subcommand("help", "prints what a subcommand takes");
+  CLI::App *const subcommand = app.add_subcommand("help", "prints the options of a subcommand");
   const auto name = std::make_shared<std::string>();
   subcommand->add_option("SUBCOMMAND", *name, "the subcommand; without it, all are listed")->type_name("");
   subcommand->callback([&app, name] { printHelp(app, *name); });
@@ -165,18 +165,18 @@ std::string misplacedWord(const CLI::App &app) {
     return "sbus: " + *option + " is an option of " + owner + "; write it after " + owner;
   }
   return name + ": " + *option + " is not an option; " +
-         meant(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help +
+         suggestion(*option, optionNames(subcommands.empty() || !own.empty() ? app : *subcommands.front())) + help +
          " lists them";
 }
 
 std::string unknownSubcommand(const CLI::App &app, const std::string &name) {
-  return name + " is not a subcommand; " + meant(name, subcommandNames(app)) + "sbus --help lists them";
+  return name + " is not a subcommand; " + suggestion(name, subcommandNames(app)) + "sbus --help lists them";
 }
 
 void printCompletions(const CLI::App &app, const Words &words) {
   Words before;
   std::copy_if(words.begin(), words.end(), std::back_inserter(before),
-               [](const std::string &word) { return word != "="; });  // bash takes --output=FILE apart
+               [](const std::string &word) { return word != "="; });  // bash splits --output=FILE
   const std::string begun = before.empty() ? "" : before.back();
   if (!before.empty()) {
     before.pop_back();

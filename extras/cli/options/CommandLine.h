@@ -1,4 +1,4 @@
-// The command line itself: help, the names that were probably meant, completion.
+// The command line itself: help, suggestions for misspelt names, completion.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace tool {
 // Adds `sbus help SUBCOMMAND`.
 void addHelp(CLI::App &app);
 
-// Returns what is wrong with the first word that `app` could not place, with the name that was probably meant; empty if
-// it could place all words.
+// Returns what is wrong with the first word that `app` could not place, with a suggestion; empty if it could place all
+// words.
 std::string misplacedWord(const CLI::App &app);
 
-// Returns "NAME is not a subcommand ..." with the name that was probably meant.
+// Returns "NAME is not a subcommand ..." with a suggestion.
 std::string unknownSubcommand(const CLI::App &app, const std::string &name);
 
-// Prints what the last of `words`, those after `sbus`, may become, one a line; ":files" for the names of files.
+// Prints the completions of the last of `words`, the words after `sbus`, one per line; ":files" stands for file names.
 void printCompletions(const CLI::App &app, const std::vector<std::string> &words);
 
 }  // namespace tool

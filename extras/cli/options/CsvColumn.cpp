@@ -21,7 +21,7 @@ constexpr Name Names[] = {{"failsafe", CsvColumn::Kind::Failsafe}, {"lostframe",
                           {"time", CsvColumn::Kind::Time},         {"state", CsvColumn::Kind::State},
                           {"age", CsvColumn::Kind::Age},           {"quality", CsvColumn::Kind::Quality}};
 
-// Appends what a word of the list names. Returns false if it names nothing.
+// Appends the columns that a word of the list names. Returns false if there are none.
 bool append(const std::string &word, std::vector<CsvColumn> &columns) {
   for (const Name &each : Names) {
     if (word == each.name) {
@@ -73,7 +73,7 @@ std::vector<CsvColumn> parseColumns(const std::string &text) {
   return columns;
 }
 
-bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values, uint64_t sinceFirstUs) {
+bool haveAllArrived(const std::vector<CsvColumn> &columns, const line::Values &values, uint64_t sinceFirstUs) {
   constexpr uint64_t SettledUs = 1000000;
   const unsigned most = values.count == sbus::ProportionalCount ? sbus::ChannelCount : values.count;
   for (const CsvColumn &column : columns) {
@@ -82,7 +82,7 @@ bool haveCome(const std::vector<CsvColumn> &columns, const line::Values &values,
     }
     if (sinceFirstUs >= SettledUs) {
       throw std::runtime_error("--columns: ch" + std::to_string(column.channel) +
-                               " does not come, this line ends at ch" + std::to_string(most) + "; leave it out");
+                               " is missing: this line ends at ch" + std::to_string(most) + "; leave it out");
     }
     return false;
   }

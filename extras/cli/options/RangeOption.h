@@ -10,15 +10,15 @@ namespace tool {
 
 class RangeOption {
  public:
-  // Adds it to a subcommand; it must not move afterwards.
+  // Adds the option to a subcommand. Do not move this object afterwards.
   explicit RangeOption(Subcommand &subcommand);
   RangeOption(const RangeOption &) = delete;
   RangeOption &operator=(const RangeOption &) = delete;
 
-  // Returns the range. Rejects the command line if the text is no range.
+  // Rejects the command line if the text is not a range.
   sbus::Range range() const;
 
-  // Returns true if a make was named, not raw values.
+  // Returns true if the user named a make, not raw values.
   bool isMake() const { return _text == "frsky" || _text == "futaba"; }
 
  private:

@@ -1,4 +1,4 @@
-// Reads a small language on the command line, such as that of --mix, and names the place of what is wrong.
+// Scans a small language on the command line, for example --mix, and reports where it is wrong.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace tool {
 
 class Scanner {
  public:
-  // `option` is what a message begins with.
+  // Messages begin with `option`.
   Scanner(const char *option, const std::string &text) : _option(option), _text(text) {}
 
-  // Takes a sign or word, and blanks before it. Returns false if something different is next.
+  // Takes a sign or word, and blanks before it. Returns false if something else is next.
   bool take(const char *token);
 
-  // Takes letters and digits, in small letters; returns "" where none are next.
+  // Takes letters and digits, and returns them in lower case; "" if none are next.
   std::string word();
 
   // Takes a number such as 0.5. Returns false if none is next.
@@ -28,7 +28,7 @@ class Scanner {
   // Takes a channel's value, 1500, 1500us or -50%; rejects the command line if none is next.
   uint16_t value(const sbus::Range &range);
 
-  // Rejects the command line: `what` is expected at the place of the last word, number or value, or of what is next.
+  // Rejects the command line: `what` is expected in place of the last word, number or value, or at the current place.
   [[noreturn]] void expect(const std::string &what);
 
   // Rejects the command line unless the text ends here.
@@ -40,8 +40,8 @@ class Scanner {
 
   const char *const _option;
   const std::string _text;
-  size_t _at = 0;     // of what is next
-  size_t _begin = 0;  // of what was taken last
+  size_t _at = 0;     // the next character
+  size_t _begin = 0;  // where the last token began
 };
 
 }  // namespace tool

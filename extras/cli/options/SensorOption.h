@@ -1,4 +1,4 @@
-// --sensor SLOT=NAME: what fills a telemetry slot.
+// --sensor SLOT=NAME: the sensor in a telemetry slot.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ class SensorOption {
  public:
   explicit SensorOption(Subcommand &subcommand);
 
-  // Returns the sensors that are named, and the receiver in slot 0. Rejects the command line if one is unknown, or does
-  // not fit into its group of slots.
+  // Returns the named sensors, and the receiver in slot 0. Rejects the command line if a sensor is unknown or does not
+  // fit into its group of slots.
   line::SensorsBySlot sensors() const;
 
  private:

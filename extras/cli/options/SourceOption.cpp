@@ -52,7 +52,7 @@ void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t to
   }
 }
 
-// Returns true for ch3=172, not for sim:noise=30 or a file that has an = in its name.
+// Returns true for ch3=172, but not for sim:noise=30 or a file name with an =.
 bool isValue(const std::string &word) {
   struct stat status;
   return word.find('=') != std::string::npos && word.find_first_of(":/") > word.find('=') &&
@@ -79,7 +79,7 @@ SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words 
           .type("NAME");
   _given.part = {subcommand.option("--from", _given.from, "begin at this time in a file").between(0, YearS).type("S"),
                  subcommand.option("--to", _given.to, "end at this time in a file").seconds().type("S")};
-  if (recordings == Recordings::InTrueTime) {
+  if (recordings == Recordings::InRealTime) {
     _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
   }
   _given.simulatedTime =
@@ -110,7 +110,7 @@ SourceOption::Parsed SourceOption::parse() const {
     return parseValues();
   }
   if (_words.size() > 1) {
-    rejectCommandLine(_words[1] + " is one argument too many; only values can be several, such as ch3=172 ch5=on");
+    rejectCommandLine(_words[1] + " is one argument too many; only values such as ch3=172 ch5=on may be several");
   }
   Parsed parsed;
   try {
@@ -134,7 +134,7 @@ SourceOption::Parsed SourceOption::parseValues() const {
     const std::string value(each);
     const std::string name = line::lower(value.substr(0, value.find('=')));
     if (!names.insert(name).second) {
-      rejectCommandLine(line::quoted(value) + " sets " + name + " again; leave one of them out");
+      rejectCommandLine(line::quoted(value) + " sets " + name + " twice; leave one of them out");
     }
     try {
       assign(value, _given.range, parsed.values);
@@ -171,7 +171,7 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
       rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
     }
     rejectPart("is for a file; leave it out for " + parsed.name);
-    if (_given.recordings == Recordings::InTrueTime && _given.loop.given()) {
+    if (_given.recordings == Recordings::InRealTime && _given.loop.given()) {
       rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
     }
   }
@@ -267,22 +267,23 @@ const FileSource &SourceOption::file() const {
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = parsed().kind;
   const bool atOnce =
-      _given.simulatedTime.given() || (kind == Kind::File && _given.recordings != Recordings::InTrueTime);
+      _given.simulatedTime.given() || (kind == Kind::File && _given.recordings != Recordings::InRealTime);
   auto input =
-      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::True, leftSeconds());
+      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
+                              leftSeconds());
   input->setStart(toUs(_given.from));
   return input;
 }
 
-// Returns what is left of --seconds after the wait for a pipe's first bytes.
+// Returns the rest of --seconds after the wait for a pipe's first bytes.
 double SourceOption::leftSeconds() const {
-  constexpr double LeastS = 0.001;  // 0 would be for ever
+  constexpr double LeastS = 0.001;  // 0 means no limit
   return parsed().kind == Kind::Stream && _given.seconds > 0 ? std::max(LeastS, _given.seconds - _waitedS)
                                                              : _given.seconds;
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  if (_given.recordings == Recordings::InTrueTime && _given.loop.given()) {
+  if (_given.recordings == Recordings::InRealTime && _given.loop.given()) {
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
@@ -328,7 +329,7 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   } else {
     input = std::make_unique<FileText>(file().path, name());
   }
-  const bool isLive = _isLiveText && _given.recordings == Recordings::InTrueTime && !_given.simulatedTime.given();
+  const bool isLive = _isLiveText && _given.recordings == Recordings::InRealTime && !_given.simulatedTime.given();
   return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
                                     isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, toUs(_given.from),
                                     toUs(_given.to));

@@ -16,34 +16,34 @@
 
 namespace tool {
 
-// How a file is read: in real time, as on a page; as fast as it can; or so, and several times.
-enum class Recordings { InTrueTime, AtOnce, Again };
+// How a file is read: in real time; as fast as possible; or as fast as possible, and several times.
+enum class Recordings { InRealTime, AtOnce, Again };
 
-// How many words a source may have. Several, values such as ch3=172 ch5=on, are for a subcommand that sends; rows of
-// CSV are then values as well.
+// How many words a source may have. Several is for a subcommand that sends values such as ch3=172 ch5=on; it also takes
+// values from rows of CSV.
 enum class Words { One, Several };
 
 class SourceOption {
  public:
   // Adds SOURCE, or an argument with another `name`, and its options to a subcommand.
   SourceOption(Subcommand &subcommand, Recordings recordings, Words words = Words::One, const char *name = "SOURCE");
-  // A second source, which another option or argument names: it has the options of `first`. Create it once the command
-  // line is read.
+  // A second source, named by another option or argument, with the options of `first`. Create it after the command line
+  // has been read.
   SourceOption(const SourceOption &first, const std::string &word);
   SourceOption(const SourceOption &) = delete;
   SourceOption &operator=(const SourceOption &) = delete;
 
-  // Opens the source, as a port with settings() hears it. Throws std::runtime_error.
+  // Opens the source as a port with settings() would receive it. Throws std::runtime_error.
   std::unique_ptr<Input> open() const { return open(settings()); }
 
-  // Opens the source with another setting. The polarity of a serial port is set in its adapter.
+  // Opens the source with other settings. A serial port's polarity is set in its adapter.
   std::unique_ptr<Input> open(const line::LineSettings &port) const;
 
-  // Returns 8E2, inverted, at --baud; for a file its own settings; with --csv 115200 baud, 8N1, as a sketch's Serial.
+  // Returns 8E2, inverted, at --baud; for a file its own settings; with --csv a sketch's Serial, 115200 baud, 8N1.
   // Throws std::runtime_error if the source is a file that cannot be read.
   line::LineSettings settings() const;
 
-  // Returns the same, but the polarity is that of the line.
+  // Returns settings() with the line's own polarity.
   line::LineSettings lineSettings() const;
 
   // Returns the name of the file or port, "-", "sim" or the values.
@@ -51,27 +51,26 @@ class SourceOption {
 
   bool isFile() const;
   bool isStream() const;
-  // Returns true if its levels are known, so that a port of either polarity can hear it: sim, recordings, captures.
+  // Returns true if the levels are known, so a port of either polarity can receive them: sim, recordings, captures.
   bool isWire() const;
-  // Returns true if its times are those of the line; false for a file of bytes, and for what a pipe brings.
+  // Returns true if its times are the line's; false for a file of bytes and for a pipe's bytes.
   bool hasTimes() const;
-  // Returns when time 0 is, in us since 1970: of a port and a pipe now; nothing if that is not known.
+  // Returns time 0 in us since 1970, which is now for a port or a pipe; nothing if it is unknown.
   std::optional<int64_t> startUs() const;
-  // Returns what JSON lines begin with. Call it after open().
+  // Returns the first JSON line. Call it after open().
   Json json() const;
-  // Returns what is known of the file.
   const FileSource &file() const;
 
-  // Both are for a subcommand that sends: values, and the slow rows of a table, are sent as a frame each `periodUs`.
+  // Both are for a subcommand that sends: values, and slow rows of a table, are sent as a frame every `periodUs`.
   void setPeriod(uint64_t periodUs) { _given.periodUs = periodUs; }
   void setRange(const sbus::Range &range) { _given.range = range; }
 
  private:
   enum class Kind { Port, File, Stream, Simulated, Values };
 
-  // What the command line says, and what two sources have in common.
+  // The command line's options, which two sources share.
   struct Given {
-    Recordings recordings = Recordings::InTrueTime;
+    Recordings recordings = Recordings::InRealTime;
     unsigned long baud = 0;  // 0: not given
     double seconds = 0;
     double from = 0;  // seconds
@@ -111,11 +110,11 @@ class SourceOption {
   std::vector<std::string> _words;
   std::string _word;
   mutable std::optional<Parsed> _parsed;            // once it is known
-  mutable std::shared_ptr<Pipe> _pipe;              // of standard input, and of a FIFO
+  mutable std::shared_ptr<Pipe> _pipe;              // standard input or a FIFO
   mutable bool _isLiveText = false;                 // the pipe is played while it is being written
   mutable double _waitedS = 0;                      // for its first bytes
   mutable std::shared_ptr<const FileSource> _file;  // once it has been read
-  mutable std::optional<int64_t> _startUs;          // of a port or pipe, once it is open
+  mutable std::optional<int64_t> _startUs;          // a port's or pipe's, once it is open
 };
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// A subcommand of `sbus` and its options. It hides CLI11, whose headers take four seconds to compile in each file.
+// A subcommand of `sbus` and its options. It hides CLI11: its headers cost four seconds of compile time per file.
 #pragma once
 
 #include <functional>
@@ -18,21 +18,21 @@ class Option {
   Option() = default;
   explicit Option(CLI::Option *option) : _option(option) {}
 
-  // Each of these checks the command line, and returns the option.
+  // Each of these adds a check, and returns the option.
   Option &required();
   Option &excludes(const Option &other);
   Option &between(double low, double high);
   Option &seconds();            // up to a year
-  Option &once();               // of several values: each has the option's name before it
-  Option &notEmpty();           // a name: an empty one is a variable that a script has forgotten to set
-  Option &notStandardOutput();  // the name of a file: standard output is already in use
+  Option &once();               // several values: repeat the option's name before each
+  Option &notEmpty();           // a name; it is empty if a script forgot to set a variable
+  Option &notStandardOutput();  // a file name; standard output is already in use
   Option &oneOf(std::initializer_list<int> values);
   Option &oneOf(std::initializer_list<const char *> values);
 
-  // Sets what the help shows for the value: "FILE"; "" for nothing.
+  // Sets the help's placeholder for the value: "FILE"; "" for none.
   Option &type(const char *name);
 
-  // Both are known once the command line is read.
+  // Call these two after the command line has been read.
   bool given() const;
   std::string name() const;  // "--baud"
 
@@ -44,7 +44,7 @@ class Subcommand {
  public:
   Subcommand(CLI::App &app, const char *name, const char *what);
 
-  // Adds an option, "-o,--output" or "--output", or an argument, "FILE". `value` must outlive the subcommand.
+  // Adds an option ("-o,--output" or "--output") or an argument ("FILE"). `value` must outlive the subcommand.
   Option option(const char *names, std::string &value, const char *what);
   Option option(const char *names, std::vector<std::string> &value, const char *what);
   Option option(const char *names, double &value, const char *what);
@@ -55,20 +55,20 @@ class Subcommand {
   Option flag(const char *name, const char *what);
   Option flag(const char *name, bool &value, const char *what);
 
-  // Sets what the help says at its end.
+  // Sets the last paragraph of the help.
   void footer(const char *text);
 
-  // Sets what does the subcommand's work.
+  // Sets the function that does the subcommand's work.
   void run(std::function<void()> work);
 
  private:
   CLI::App *_app;
 };
 
-// Ends the program with status 2, and with `reason` and where the help is on standard error.
+// Prints `reason` and where to find help to standard error, and ends the program with status 2.
 [[noreturn]] void rejectCommandLine(const std::string &reason);
 
-// Ends the program with status 1. The subcommand has said why.
+// Ends the program with status 1. The subcommand has already said why.
 [[noreturn]] void fail();
 
 }  // namespace tool

@@ -1,4 +1,4 @@
-// sbus bridge: sends each accepted frame on, changed: for a trainer, two receivers, tests in the loop.
+// sbus bridge: changes each accepted frame and forwards it: trainer, two receivers, hardware-in-the-loop tests.
 
 #include <cstdio>
 #include <memory>
@@ -26,7 +26,7 @@ using Kind = line::Stretch::Kind;
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Recordings::InTrueTime),
+      : source(subcommand, Recordings::InRealTime),
         rules(subcommand),
         failsafe(subcommand),
         trainer(subcommand),
@@ -44,7 +44,6 @@ struct Options {
   bool latency = false;
 };
 
-// A source with what was found in it.
 struct Receiver {
   explicit Receiver(const SourceOption &option)
       : source(option), input(option.open()), silence(option.name(), "frames") {
@@ -75,7 +74,6 @@ class Bridge {
   Bridge(const Bridge &) = delete;
   Bridge &operator=(const Bridge &) = delete;
 
-  // Returns what takes the characters of a receiver.
   Input::Taker taker(size_t i) {
     Receiver &receiver = *_receivers[i];
     return {[&receiver](const line::Character &character) {
@@ -91,8 +89,8 @@ class Bridge {
   static constexpr uint64_t FillUs = 9000;  // the period of the paper's receiver
   static constexpr uint64_t OldUs = 100000;
 
-  // Returns true for a frame that may have waited for 0.1 s: while the PC was busy, or the program stopped. Bytes of a
-  // pipe may come from a file, all at once.
+  // Returns true for a frame that may have waited for 0.1 s while the PC was busy or the program was stopped. A pipe
+  // may deliver the bytes of a file all at once.
   static bool isOld(const Receiver &receiver, const line::Stretch &frame) {
     const uint32_t lateUs = receiver.source.isStream() ? 0 : frame.characters.back().lateUs;
     return frame.endUs() + OldUs < receiver.input->nowUs() + lateUs;
@@ -122,7 +120,7 @@ class Bridge {
     }
   }
 
-  // With --trainer it is the teacher's, always.
+  // With --trainer, always chooses the teacher's receiver.
   size_t chosen(uint64_t nowUs) {
     const size_t chosen = _options.trainer.given() || _receivers[1] == nullptr ? 0 : _choice.choose(nowUs);
     if (chosen != _chosen) {
@@ -133,8 +131,8 @@ class Bridge {
     return chosen;
   }
 
-  // While no frames come, sends the newest values with both flags, as a receiver without a link does. Returns true if
-  // it does so.
+  // While no frames arrive, sends the newest values with both flags, like a receiver without a link. Returns true if
+  // it has to.
   bool fill(uint64_t nowUs) {
     line::Observer &observer = _receivers[chosen(nowUs)]->observer;
     if (observer.newest().count == 0 || observer.state(nowUs) != sbus::LinkState::Stale) {
@@ -146,7 +144,7 @@ class Bridge {
     return true;
   }
 
-  // Sends the newest values of the chosen receiver. Returns true if they have gone at once.
+  // Sends the newest values of the chosen receiver. Returns true if nothing delayed them.
   bool send(Kind kind, uint64_t nowUs, uint8_t flags) {
     Receiver &receiver = *_receivers[_chosen];
     const sbus::LinkState state = receiver.observer.state(nowUs);

@@ -1,4 +1,4 @@
-// sbus calibrate: measures which raw values a transmitter's sticks really give.
+// sbus calibrate: measures the raw values that a transmitter's sticks really send.
 
 #include <unistd.h>
 
@@ -45,7 +45,7 @@ sbus::Calibration measure(Input &input) {
   input.run([&](const line::Character &character) { observer.put(character); },
             [&](uint64_t nowUs) {
               observer.idleUntil(input.knownUs());
-              if (!guide.wantsEnter()) {
+              if (!guide.waitsForEnter()) {
                 guide.tick(nowUs, observer.hasLink(nowUs));
               } else if (isEnterPressed()) {
                 guide.pressEnter();
@@ -62,7 +62,7 @@ void run(const SourceOption &source, const std::string &name) {
     rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
   }
   const std::unique_ptr<Input> input = source.open();
-  // The file is opened first, so that a file that cannot be written is an error before any stick has been moved.
+  // The file is opened first: if it cannot be written, the user learns it before moving the sticks.
   bool isOpen = false;
   try {
     writeTo(name, File::New, [&](const Put &put) {
@@ -83,7 +83,7 @@ void run(const SourceOption &source, const std::string &name) {
 
 void addCalibrate(CLI::App &app) {
   Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InRealTime);
   const auto name = std::make_shared<std::string>();
   subcommand.option("FILE", *name, "the file to write; an existing file is not overwritten; - is standard output")
       .required()

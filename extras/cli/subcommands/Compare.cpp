@@ -1,4 +1,4 @@
-// sbus compare: two receivers, or the wire and a port: who lost what, the delay, the first difference.
+// sbus compare: compares two receivers, or the wire and a port: lost frames, delay, first difference.
 
 #include <algorithm>
 #include <memory>
@@ -23,7 +23,6 @@ struct Options {
   bool json = false;
 };
 
-// One of the two sources.
 class Compared {
  public:
   Compared(const SourceOption &source, size_t side, line::Aligner &aligner)
@@ -43,7 +42,7 @@ class Compared {
     return {[this](const line::Character &character) { _line.put(character); },
             [this](uint64_t nowUs) {
               _line.observer().idleUntil(_input->knownUs());
-              // A port that is unplugged knows of nothing: it has brought nothing for a second.
+              // An unplugged port reports no times: assume that it has been silent for all but the last second.
               _line.knownUntil(std::max(_input->knownUs(), nowUs - std::min(nowUs, LateMostUs)));
               _silence.tick(nowUs, _line.observer().counters().frames > 0);
             }};
@@ -62,7 +61,7 @@ class Compared {
   line::Compared _line;
 };
 
-// Returns how much later time 0 of `b` is, if both files say when they began.
+// Returns how much later `b` began than `a`, if both files give their start.
 int64_t laterUs(const SourceOption &a, const SourceOption &b) {
   return a.isFile() && b.isFile() && a.startUs() && b.startUs() ? *b.startUs() - *a.startUs() : 0;
 }

@@ -1,4 +1,4 @@
-// sbus csv: what the sketch examples/DecodeSBus prints, for the same viewers.
+// sbus csv: prints the same rows as the sketch examples/DecodeSBus, for the same viewers.
 
 #include <memory>
 #include <stdexcept>
@@ -16,7 +16,7 @@ namespace {
 
 struct CsvOptions {
   std::string columns = "ch1-ch4,failsafe,lostframe";
-  double rate = 5;  // rows a second, as the sketch's PERIOD_DISPLAY
+  double rate = 5;  // rows per second, like the sketch's PERIOD_DISPLAY
   Option everyFrame;
   Option header;
 };
@@ -49,7 +49,7 @@ class CsvView {
 
   void tick(uint64_t nowUs, uint64_t knownUs) {
     _observer.idleUntil(knownUs);
-    _silence.tick(nowUs, framesCame());
+    _silence.tick(nowUs, hasFrames());
     if (nowUs < _nextUs) {
       return;
     }
@@ -59,18 +59,18 @@ class CsvView {
     }
   }
 
-  // A line that was over before the first row was due has one row.
+  // A line that ended before its first row was due still gets one row.
   void finish() {
     _observer.finish();
-    if (_firstUs == 0 && framesCame()) {
+    if (_firstUs == 0 && hasFrames()) {
       print(_observer.newest().endUs);
     }
     flush();
-    _silence.end(framesCame());
+    _silence.end(hasFrames());
   }
 
  private:
-  bool framesCame() const { return _observer.counters().frames > 0; }
+  bool hasFrames() const { return _observer.counters().frames > 0; }
 
   static bool isYoung(sbus::LinkState state) {
     return state != sbus::LinkState::NeverSeen && state != sbus::LinkState::Stale;
@@ -82,10 +82,10 @@ class CsvView {
     }
   }
 
-  // Leaves a row out until all of its channels have come.
+  // Prints no row until all of its channels have been received.
   void print(uint64_t nowUs) {
     _firstUs = _firstUs == 0 ? nowUs : _firstUs;
-    if (haveCome(_columns, _observer.newest(), nowUs - _firstUs)) {
+    if (haveAllArrived(_columns, _observer.newest(), nowUs - _firstUs)) {
       write(row(_columns, _observer, nowUs, _hasTimes));
     }
   }
@@ -96,7 +96,7 @@ class CsvView {
   const bool _everyFrame;
   const uint64_t _periodUs;
   uint64_t _nextUs;
-  uint64_t _firstUs = 0;  // of the first row
+  uint64_t _firstUs = 0;  // the first row's time
   line::Observer _observer;
   line::CsvRows _rows;
   SilenceNote _silence;

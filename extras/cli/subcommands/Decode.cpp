@@ -1,4 +1,4 @@
-// sbus decode: a logic analyser's or an oscilloscope's recording of the wire itself; characters, then frames.
+// sbus decode: decodes the wire, as a logic analyser or an oscilloscope recorded it: characters, then frames.
 
 #include <csignal>
 #include <deque>
@@ -31,10 +31,10 @@ struct Options {
   bool characters = false;
 };
 
-// Hands the characters of the wire over to the Observer, whose times begin at 0, and gets them back in stretches.
+// Passes the wire's characters to the Observer, with times from 0, and receives stretches from it.
 class Frames {
  public:
-  // `record`: takes the text of a recording; it may be empty. `isShown`: the frames go to `output`.
+  // `record` may be empty; it receives the text of a recording. `isShown`: the frames go to `output`.
   Frames(DecodeOutput &output, bool isShown, Put record)
       : _output(output), _isShown(isShown), _record(std::move(record)) {
     _observer.listen([this](const line::Stretch &stretch) { _held.take(stretch); });
@@ -84,7 +84,7 @@ class Frames {
   line::RecordingWriter _writer;
   line::Observer _observer;
   HeldSlots _held{_observer, [this](const line::Stretch &stretch) { take(stretch); }};
-  std::deque<line::WireCharacter> _waiting;  // in no stretch yet
+  std::deque<line::WireCharacter> _waiting;  // not in a stretch yet
   line::CaptureTimes _times;
 };
 
@@ -94,7 +94,7 @@ std::string whyNoFrame(const line::WireDecoder &wire, unsigned long characters) 
 }
 
 void decode(const Options &options, const ChannelForm &form, const Put &record) {
-  line::onStop(SIG_DFL);  // ends it at once, even while it waits for standard input: no file is left half done
+  line::onStop(SIG_DFL);  // Ctrl-C ends it at once, even while it waits for standard input: no file is left half done
   if (options.capture == "-") {
     setLineByLine();
   }
@@ -107,7 +107,7 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
       options.overrules,
       [&] {
         output.begin(wire);
-        if (options.csv || options.json) {  // the table's first line says it
+        if (options.csv || options.json) {  // the table has it in its first line
           saySignal(options.capture, wire);
         }
         frames.begin(options.capture, wire.wire());

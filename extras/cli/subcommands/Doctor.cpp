@@ -1,4 +1,4 @@
-// sbus doctor: what is wrong with a line, and the remedy, as examples/Diagnose finds it: every setting is tried.
+// sbus doctor: tries every setting to find what is wrong with a line, and the remedy, like examples/Diagnose.
 
 #include <algorithm>
 #include <memory>
@@ -19,13 +19,13 @@ namespace tool {
 namespace {
 
 // All settings together take less than two seconds.
-constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest receiver known (25 Hz)
+constexpr uint64_t TrialUs = 450000;    // 11 frames of the slowest known receiver (25 Hz)
 constexpr uint64_t RowsUs = 700000;     // three rows, 200 ms each
-constexpr uint64_t FramesUs = 1500000;  // of a setting that is right from the beginning: more to judge by
+constexpr uint64_t FramesUs = 1500000;  // if the first setting has frames: more frames to judge by
 
-// Returns the settings to try, the expected one first: for sim what a sketch's begin() opens, for a recording how its
-// line was set. The polarity of a serial port is not tried, since its adapter decides; on a stream nothing is tried,
-// since its bytes have come already.
+// Returns the settings to try, the expected one first: for sim a sketch's begin(), for a recording its own settings. A
+// serial port's polarity is not tried, since the adapter sets it; for a stream there is only one setting, since its
+// bytes have already been received.
 std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   line::LineSettings settings = source.settings();
   if (settings == line::csvSettings()) {
@@ -51,7 +51,7 @@ std::vector<line::LineSettings> settingsOf(const SourceOption &source) {
   return all;
 }
 
-// Returns the remedy at a PC: sbus::remedy() is for a sketch, which has pins and methods.
+// Returns the remedy for a PC; sbus::remedy() is for sketches, and names pins and methods.
 std::string remedyAtPc(sbus::Finding finding) {
   switch (finding) {
     case sbus::Finding::NoSignal:
@@ -74,8 +74,8 @@ std::string remedyAtPc(sbus::Finding finding) {
   }
 }
 
-// Returns a line of further advice for a PC; mostly empty.
-std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &meant,
+// Returns a line of further advice for a PC; usually empty.
+std::string advice(sbus::Finding finding, const SourceOption &source, const line::LineSettings &expected,
                    const line::LineSettings &best) {
   switch (finding) {
     case sbus::Finding::NoFrames:
@@ -84,8 +84,8 @@ std::string advice(sbus::Finding finding, const SourceOption &source, const line
       return "With sbus: --baud " + std::to_string(best.baud) + "\n";
     case sbus::Finding::Channels24:
       return std::string("With sbus: it shows all 24") +
-             (best.baud != meant.baud ? ", with --baud " + std::to_string(best.baud) : "") +
-             (best.polarity != meant.polarity ? ", once the line has the other polarity" : "") + ".\n";
+             (best.baud != expected.baud ? ", with --baud " + std::to_string(best.baud) : "") +
+             (best.polarity != expected.polarity ? ", once the line has the other polarity" : "") + ".\n";
     default:
       return {};
   }
@@ -95,9 +95,9 @@ Json verdict(bool well, const std::string &finding, const std::string &remedy) {
   return Json("verdict").flag("well", well).text("finding", finding).text("remedy", remedy);
 }
 
-// Prints the verdict. Returns true if all is well.
-bool tell(const SourceOption &source, const std::vector<std::unique_ptr<SettingTrial>> &heard,
-          const std::vector<line::LineSettings> &settings, bool asJson) {
+// Prints the verdict. Returns true if the line is fine.
+bool printVerdict(const SourceOption &source, const std::vector<std::unique_ptr<SettingTrial>> &heard,
+                  const std::vector<line::LineSettings> &settings, bool asJson) {
   if (std::any_of(heard.begin(), heard.end(), [](const auto &each) { return each->isCsv(); })) {
     const std::string finding = "Rows of CSV: they come from a sketch; this is not S.Bus.";
     const std::string remedy =
@@ -112,24 +112,24 @@ bool tell(const SourceOption &source, const std::vector<std::unique_ptr<SettingT
   const sbus::Finding finding = diagnosis.finding();
   const SettingTrial &best = *heard[diagnosis.best()];
   std::string what = text(finding);
-  std::string cure = remedyAtPc(finding);
+  std::string remedy = remedyAtPc(finding);
   bool well = line::isWell(finding);
   if (well && best.isInterrupted()) {
     what = "Interruptions: frames come, but now and then the line is silent.";
-    cure =
+    remedy =
         "Check plugs, wires and supply. A receiver set to no pulses is silent without its radio. sbus summary lists "
         "the times.";
     well = false;
   } else if (well && best.rejectsTelemetry()) {
     what = "Telemetry rejected: the frames are good, but the bytes after them are not just slots.";
-    cure = "Disconnect the sensors one by one: do two share a slot, or does one answer too late?";
+    remedy = "Disconnect the sensors one by one: do two share a slot, or does one answer too late?";
     well = false;
   }
   if (asJson) {
-    write(verdict(well, what, cure).text("line", best.variant()).line());
+    write(verdict(well, what, remedy).text("line", best.variant()).line());
     return well;
   }
-  write(what + "\n" + cure + "\n" + advice(finding, source, settings.front(), settings[diagnosis.best()]) +
+  write(what + "\n" + remedy + "\n" + advice(finding, source, settings.front(), settings[diagnosis.best()]) +
         best.figures(source.hasTimes()) + best.telemetry() + best.note());
   return well;
 }
@@ -163,11 +163,11 @@ bool examine(const SourceOption &source, bool asJson) {
     if (stopped()) {
       return false;
     }
-    if (heard.back()->isCsv() || (heard.size() == 1 && heard.back()->framesCome())) {
+    if (heard.back()->isCsv() || (heard.size() == 1 && heard.back()->hasFrames())) {
       break;
     }
   }
-  const bool well = tell(source, heard, tried, asJson);
+  const bool well = printVerdict(source, heard, tried, asJson);
   flush();
   return well;
 }

@@ -1,4 +1,4 @@
-// sbus explain: the paper's tables for one frame: its bytes and their meaning, its channels and their bits.
+// sbus explain: prints the paper's tables for one frame: its bytes with their meaning, its channels with their bits.
 
 #include <algorithm>
 #include <cstdio>
@@ -55,7 +55,7 @@ std::string bitsOf(unsigned value, unsigned count) {
   return text;
 }
 
-// A frame, or the beginning of one, and what is wrong with it.
+// A frame, or the beginning of one, with its problems.
 class Frame {
  public:
   Frame(std::vector<uint8_t> bytes, std::vector<std::string> problems)
@@ -69,7 +69,7 @@ class Frame {
       write(line::format("%4zu   %02X  %s  ", i, static_cast<unsigned>(_bytes[i]), bits.c_str()) + meaning(i) + '\n');
     }
     if (_bytes.size() > sbus::PayloadIndex + 1) {
-      write("\nchannel  raw    us  bits, the highest first\n");
+      write("\nchannel  raw    us  bits, highest first\n");
       printChannels();
     }
     if (_bytes.size() < _size) {
@@ -85,14 +85,14 @@ class Frame {
   int channels() const { return _size == sbus::FrameSize24 ? sbus::ChannelCount24 : sbus::ProportionalCount; }
   size_t payloadEnd() const { return _size - 2; }
 
-  // Returns true for 36 bytes, or more than 25 of which byte 24 does not end a frame.
+  // Returns true for 36 bytes, or for more than 25 if byte 24 is not an end byte.
   bool is24() const {
     return _bytes.size() == sbus::FrameSize24 ||
            (_bytes.size() > sbus::FrameSize &&
             !(sbus::isFlagsByte(_bytes[sbus::FlagsIndex]) && sbus::isEndByte(_bytes[sbus::EndIndex])));
   }
 
-  void blame(size_t at, const std::string &what) { _problems.push_back(line::format("byte %zu: ", at) + what); }
+  void addProblem(size_t at, const std::string &what) { _problems.push_back(line::format("byte %zu: ", at) + what); }
 
   std::string meaning(size_t at) {
     return at == 0                  ? header()
@@ -109,14 +109,14 @@ class Frame {
     if (isExtra() && _size == sbus::FrameSize) {
       return "header of an extra frame: CH17 to CH32 of Futaba FASSTest 26";
     }
-    blame(0, line::format("%02X is not a header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
+    addProblem(0, line::format("%02X is not a header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
                           _size == sbus::FrameSize ? ", or 2F of an extra frame," : ""));
     return "not a header";
   }
 
   std::string name(size_t channel) const { return line::format("CH%zu", channel + (isExtra() ? 17 : 1)); }
 
-  // "CH2 bit 4..0, CH1 bit 10..8": the channels whose bits the byte holds, its highest bit first.
+  // Returns the channel bits in the byte, highest first: "CH2 bit 4..0, CH1 bit 10..8".
   std::string payload(size_t at) const {
     const size_t first = (at - sbus::PayloadIndex) * 8;
     std::string text;
@@ -134,7 +134,7 @@ class Frame {
   std::string flags(size_t at) {
     const unsigned flags = _bytes[at];
     if (!sbus::isFlagsByte(_bytes[at])) {
-      blame(at, line::format("%02X has unused flags set; bit 4 to 7 are 0 on every receiver known", flags));
+      addProblem(at, line::format("%02X has unused flags set; bits 4 to 7 are 0 on every known receiver", flags));
     }
     const auto text = [flags](unsigned flag, const char *set, const char *clear) {
       return std::string((flags & flag) != 0 ? set : clear);
@@ -152,7 +152,7 @@ class Frame {
     static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
     const uint8_t variant = sbus::variantOfEnd(_bytes[at]);
     if (variant == sbus::UnknownVariant || (_size == sbus::FrameSize24 && variant >= sbus::Frame24::Variants)) {
-      blame(at, line::format("%02X is not an end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
+      addProblem(at, line::format("%02X is not an end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
                              _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";
     }
@@ -170,7 +170,7 @@ class Frame {
       return "belongs to a frame with this end byte, meaning unknown";
     }
     if (at == _size || at == _size + sbus::LongestTail) {
-      blame(at, "the frame ends before this byte; give one frame at a time");
+      addProblem(at, "the frame ends before this byte; give one frame at a time");
     }
     return "not part of this frame";
   }
@@ -190,7 +190,7 @@ class Frame {
     }
   }
 
-  // "011 of byte 2, 11100011 of byte 1"
+  // Returns where the bits are: "011 of byte 2, 11100011 of byte 1".
   std::string sources(size_t channel) const {
     std::string text;
     for (size_t bit = (channel + 1) * ChannelBits; bit > channel * ChannelBits;) {

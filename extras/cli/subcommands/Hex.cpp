@@ -1,4 +1,4 @@
-// sbus hex: the bytes, 25 a line, as RealTerm shows them; and what the decoder found in them.
+// sbus hex: prints the bytes, 25 per line as in RealTerm, and what the decoder found in them.
 
 #include <algorithm>
 #include <cstdlib>
@@ -23,7 +23,7 @@ namespace tool {
 
 namespace {
 
-// The codes for a terminal that shows colours. No information is in a colour alone.
+// Escape codes for colours. Colour alone never carries information.
 struct Colours {
   const char *time = "";
   const char *rejected = "";
@@ -49,7 +49,7 @@ const char *kindText(line::Stretch::Kind kind) {
                                                 : "-";
 }
 
-constexpr size_t LeastWidth = 60;  // columns: a narrower terminal breaks the lines
+constexpr size_t LeastWidth = 60;  // columns; a narrower terminal wraps the lines itself
 
 struct HexOptions {
   std::string colour = "auto";
@@ -59,7 +59,7 @@ struct HexOptions {
   unsigned width = 0;  // 0: the terminal's
 };
 
-// Appends `text` to `rows`, broken at its blanks where a row would be longer than `width`.
+// Appends `text` to `rows`, wrapped at blanks to `width` columns.
 void fold(const std::string &text, size_t width, std::vector<std::string> &rows) {
   std::istringstream words(text);
   rows.emplace_back();
@@ -99,7 +99,7 @@ class HexView {
   }
 
  private:
-  static constexpr size_t ByteWidth = 3;  // columns, as are these
+  static constexpr size_t ByteWidth = 3;  // columns, like the next ones
   static constexpr size_t LeastText = 15;
   static constexpr size_t LeastValues = 4;
   static constexpr size_t ValueWidth = 5;
@@ -154,7 +154,7 @@ class HexView {
     return stretch.isFrame() || !stretch.slots.empty() ? "" : _colours.rejected;
   }
 
-  // Returns the kind of the stretch, with a frame's end byte or what is wrong.
+  // Returns the kind of the stretch, with the end byte of a frame, or what is wrong.
   static std::string verdict(const line::Stretch &stretch) {
     const std::string kind = kindText(stretch.kind);
     if (!stretch.isFrame()) {
@@ -164,7 +164,7 @@ class HexView {
            (stretch.kind == line::Stretch::Kind::Extra ? ", CH17..CH32" : "");
   }
 
-  // Returns the flags of a frame that are set.
+  // Returns the flags that are set in a frame.
   std::string flags(const line::Stretch &stretch) const {
     if (!stretch.isFrame() || stretch.kind == line::Stretch::Kind::Extra) {
       return {};
@@ -195,7 +195,7 @@ class HexView {
   const HexOptions &_options;
   const bool _hasTimes;
   Colours _colours;
-  uint64_t _lastUs = 0;  // what times are counted from
+  uint64_t _lastUs = 0;  // times count from here
 };
 
 void writeJson(const line::Stretch &stretch, const line::Values &values, bool hasTimes, const ChannelForm &form) {

@@ -1,4 +1,4 @@
-// sbus joystick: a game controller that moves like the transmitter's sticks.
+// sbus joystick: creates a game controller that moves like the transmitter's sticks.
 
 #include <algorithm>
 #include <array>
@@ -28,10 +28,10 @@ namespace {
 using State = GameController::State;
 
 constexpr size_t ChannelMax = GameController::Axes + GameController::Buttons;  // CH1..CH32
-constexpr int Pressed = GameController::AxisEnd / 2;  // a switch of three positions is off in its middle
+constexpr int Pressed = GameController::AxisEnd / 2;  // the middle of a three-position switch is off
 
-// A program that has not read the last report never will: the kernel returns nothing more from a device that has gone
-// (drivers/input/evdev.c, evdev_read()). This is three reads of a game that reads 30 times a second.
+// A program can no longer read the last report once the device is gone: the kernel returns nothing more
+// (drivers/input/evdev.c, evdev_read()). This is three reads for a game that reads 30 times a second.
 constexpr std::chrono::milliseconds TimeToRead(100);
 
 struct Options {
@@ -44,7 +44,7 @@ struct Options {
   bool latency = false;
 };
 
-// Which channels, from 0 on, move the axes and press the buttons.
+// The channels, counted from 0, that move the axes and press the buttons.
 struct Map {
   struct Axis {
     size_t channel;
@@ -54,8 +54,8 @@ struct Map {
   std::vector<size_t> buttons;
 };
 
-// The sticks of a game controller, of a radio whose CH1..CH4 are aileron, elevator, throttle and rudder: the left one
-// is X and Y, the right one RX and RY, and up is -100 % (Linux, Documentation/input/gamepad.rst).
+// The sticks of a game controller, for a radio with aileron, elevator, throttle and rudder on CH1..CH4: the left one is
+// X and Y, the right one RX and RY, and up is -100 % (Linux, Documentation/input/gamepad.rst).
 const std::pair<const char *, const char *> Modes[] = {{"mode1", "4,-2,5,1,-3,6,7,8"},
                                                        {"mode2", "4,-3,5,1,-2,6,7,8"},
                                                        {"mode3", "1,-2,5,4,-3,6,7,8"},
@@ -105,9 +105,9 @@ ChannelRanges rangesOf(const Options &options) {
   return ranges;
 }
 
-// Returns the channels without a link: centred, and the throttle closed.
+// Returns the channels for a lost link: centred, with the throttle closed.
 line::Values valuesAtRest(const Options &options, const Map &map, const ChannelRanges &ranges) {
-  const size_t channel = static_cast<size_t>(std::abs(options.throttle)) - 1;  // of 0 none
+  const size_t channel = static_cast<size_t>(std::abs(options.throttle)) - 1;  // 0 wraps: no channel
   const bool moves =
       std::any_of(map.axes.begin(), map.axes.end(), [&](const Map::Axis &axis) { return axis.channel == channel; });
   if (options.throttleOption.given() && !moves) {
@@ -189,7 +189,7 @@ void run(const SourceOption &source, const Options &options) {
 
 void addJoystick(CLI::App &app) {
   Subcommand subcommand(app, "joystick", "creates a game controller that moves like the transmitter's sticks");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InRealTime);
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand
@@ -211,7 +211,7 @@ void addJoystick(CLI::App &app) {
   subcommand.flag("--latency", options->latency,
                   "print at the end the time from reading a frame's last byte to the event");
   subcommand.footer(
-      "The channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
+      "Channels that move no axis are buttons, the lowest first: CH9 to CH16, then CH17 and CH18. --map mode2 is "
       "for games that expect two sticks; simulators ask for the axes themselves. It needs /dev/uinput, and says how "
       "to get access.");
   subcommand.run([source, options] { run(*source, *options); });

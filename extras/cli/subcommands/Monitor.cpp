@@ -1,4 +1,4 @@
-// sbus monitor: a line's channels, flags, times and losses on a page, as they come.
+// sbus monitor: shows a line's channels, flags, times and losses live on a page.
 
 #include <chrono>
 #include <cstdio>
@@ -21,9 +21,9 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t PeriodUs = 50000;  // of the page: the eye cannot follow faster
-constexpr uint64_t LineUs = 1000000;  // of the lines
-constexpr uint64_t LookUs = 10000;    // between two looks at the state
+constexpr uint64_t PeriodUs = 50000;  // between updates of the page: the eye cannot follow faster
+constexpr uint64_t LineUs = 1000000;  // between two printed lines
+constexpr uint64_t LookUs = 10000;    // between two checks of the state
 
 struct MonitorOptions {
   std::string record;  // a file
@@ -36,7 +36,7 @@ class Page {
  public:
   explicit Page(MonitoredLine &watch) : _watch(watch) {}
 
-  // Returns false once a key has quit the page.
+  // Returns false after the key that quits.
   bool takeKeys() {
     for (int key = _screen.key(); key != 0; key = _screen.key()) {
       press(key);
@@ -51,7 +51,7 @@ class Page {
     }
   }
 
-  // Keeps showing the line as it was at its end, `endUs`, until a key quits the page or --seconds are over.
+  // Keeps showing the line's last state, at `endUs`, until a key quits the page or --seconds are over.
   void stay(uint64_t endUs, uint64_t limitUs) {
     _ended = true;
     for (uint64_t nowUs = endUs; takeKeys() && !stopped() && nowUs < limitUs; nowUs += PeriodUs) {
@@ -83,7 +83,7 @@ class Page {
       _view = _watch.view(nowUs);
     }
     _view.showsSensors = _sensors;
-    const char *const note = _paused ? "PAUSED: space goes on" : _ended ? "ENDED: q quits" : "";
+    const char *const note = _paused ? "PAUSED: space continues" : _ended ? "ENDED: q quits" : "";
     _screen.draw(_help ? layOutHelp(_screen.size()) : layOut(_view, _screen.size(), _screen.unicode(), note));
   }
 
@@ -116,7 +116,7 @@ void showPage(MonitoredLine &watch, Input &input, const std::function<void(const
   page.stay(endUs, input.limitUs());
 }
 
-// Prints a line a second, and one when the state changes.
+// Prints a line every second and whenever the state changes.
 void showLines(MonitoredLine &watch, bool json, const std::function<void(const Tick &)> &run) {
   uint64_t lookUs = 0;
   uint64_t nextUs = LineUs;
@@ -137,8 +137,8 @@ void showLines(MonitoredLine &watch, bool json, const std::function<void(const T
 }
 
 void show(const SourceOption &source, Input &input, const MonitorOptions &options, LineRecorder *recorder) {
-  // Receivers of both makes turn a raw value into a pulse of 5 * raw / 8 + 880 us: Futaba's three points become 1100,
-  // 1520 and 1940.
+  // Both FrSky and Futaba receivers turn a raw value into a pulse of 5 * raw / 8 + 880 us: Futaba's three points become
+  // 1100, 1520 and 1940.
   const sbus::Range scale = options.range->range();
   const sbus::Range pulses = options.range->isMake() ? sbus::FrSky : scale;
   MonitoredLine watch(source.name(), source.hasTimes(), input.settings(), scale, pulses, options.sensors->sensors());
@@ -193,7 +193,7 @@ void run(const SourceOption &source, const MonitorOptions &options) {
 
 void addMonitor(CLI::App &app) {
   Subcommand subcommand(app, "monitor", "shows channels, flags, times and losses on a page");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InTrueTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InRealTime);
   const auto options = std::make_shared<MonitorOptions>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand.option("--record", options->record, "also record the line; an existing file is not overwritten")

@@ -1,4 +1,4 @@
-// sbus ports: the serial ports of this PC, and what is known of each.
+// sbus ports: lists the serial ports of this PC, and what is known about each.
 
 #include <libserialport.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int AnyProduct = -1;
 
-// Sources: boards.txt of ArduinoCore-stm32l0; extras/docs/ftdi.md for what can invert.
+// Sources: boards.txt of ArduinoCore-stm32l0; extras/docs/ftdi.md for adapters that can invert.
 struct KnownPort {
   int vendor;
   int product;
@@ -28,11 +28,11 @@ struct KnownPort {
 };
 constexpr KnownPort KnownPorts[] = {
     {0x0403, AnyProduct, "FTDI adapter: S.Bus, once its RXD is inverted (extras/docs/ftdi.md)"},
-    {0x1209, 0x6665, "Grasshopper: what its sketch prints, rows of CSV"},
-    {0x1209, 0x6664, "Cricket: what its sketch prints, rows of CSV"},
-    {0x1209, 0x6663, "Cicada: what its sketch prints, rows of CSV"},
-    {0x1209, 0x6662, "Gnat: what its sketch prints, rows of CSV"},
-    {0x2341, AnyProduct, "Arduino: what its sketch prints; read it with --csv"},
+    {0x1209, 0x6665, "Grasshopper: its sketch's output, rows of CSV"},
+    {0x1209, 0x6664, "Cricket: its sketch's output, rows of CSV"},
+    {0x1209, 0x6663, "Cicada: its sketch's output, rows of CSV"},
+    {0x1209, 0x6662, "Gnat: its sketch's output, rows of CSV"},
+    {0x2341, AnyProduct, "Arduino: its sketch's output; read it with --csv"},
     {0x1A86, AnyProduct, "CH340 or similar: no setting inverts it; put an inverter in front of RXD"},
     {0x10C4, 0xEA60, "CP210x: no setting inverts it; put an inverter in front of RXD"},
 };
@@ -86,7 +86,7 @@ Json json(sp_port *port) {
   return json.flag("permission", line::mayOpen(device));
 }
 
-// Returns the advice for a port that keeps bytes back. While sbus has a port open it asks for 1 ms itself.
+// Returns advice for a port that holds bytes back. Ports that sbus opens itself are set to 1 ms.
 std::string latencyText(const std::string &device) {
   const std::string file = line::latencyFile(device);
   const std::optional<unsigned> ms = line::latencyMs(file);
@@ -112,7 +112,7 @@ std::string describe(sp_port *port) {
 void run(bool asJson) {
   sp_port **ports = nullptr;
   if (sp_list_ports(&ports) != SP_OK) {
-    throw std::runtime_error(std::string("the system does not list its ports; look into ") + line::PortsPlace);
+    throw std::runtime_error(std::string("the system does not list its ports; look in ") + line::PortsPlace);
   }
   const std::unique_ptr<sp_port *, decltype(&sp_free_port_list)> owner(ports, sp_free_port_list);
   if (ports[0] == nullptr) {

@@ -1,4 +1,4 @@
-// sbus record: keeps a line as a recording, or a sketch's rows as CSV.
+// sbus record: saves a line as a recording, or a sketch's rows as CSV.
 
 #include <cstdio>
 #include <memory>
@@ -31,7 +31,7 @@ void run(const SourceOption &source, const std::string &name) {
         [&](uint64_t nowUs) {
           endUs = isFile ? endUs : nowUs;
           recorder.idleUntil(input->knownUs());
-          silence.tick(nowUs, recorder.knows());
+          silence.tick(nowUs, recorder.recognised());
         });
     recorder.finish();
     const std::string time = source.hasTimes() ? line::format("%.1f s, ", static_cast<double>(endUs) / 1e6) : "";
@@ -51,8 +51,7 @@ void addRecord(CLI::App &app) {
       .type("");
   subcommand.footer(
       "The file grows with every frame, and stays valid after Ctrl-C, which may cut the last frame, when the disk "
-      "fills "
-      "up, and if the program is killed.");
+      "fills up, and if the program is killed.");
   subcommand.run([source, name] { run(*source, *name); });
 }
 

@@ -1,4 +1,4 @@
-// sbus send: sends a source again, what the built-in receiver sends, or values: to test what reads S.Bus.
+// sbus send: sends a recording, the built-in receiver or values, to test a device that reads S.Bus.
 
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Recordings::InTrueTime, Words::Several), sending(subcommand), range(subcommand) {}
+      : source(subcommand, Recordings::InRealTime, Words::Several), sending(subcommand), range(subcommand) {}
 
   SourceOption source;
   Sending sending;

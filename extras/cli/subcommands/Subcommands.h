@@ -1,5 +1,5 @@
-// The subcommands of `sbus`. Each adds its subcommand, whose callback does the work: it throws std::runtime_error with
-// a message that says what, where and what to do.
+// Adds the subcommands of `sbus`. A subcommand's callback does the work, and throws std::runtime_error with a message
+// that says what happened, where, and what to do.
 #pragma once
 
 namespace CLI {

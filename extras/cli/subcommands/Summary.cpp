@@ -1,4 +1,4 @@
-// sbus summary: a flight in a few lines: when failsafe and losses were and for how long, and how often frames came.
+// sbus summary: summarises a flight in a few lines: failsafe and loss periods, frame intervals.
 
 #include <algorithm>
 #include <exception>
@@ -27,7 +27,7 @@ double seconds(uint64_t us) {
   return static_cast<double>(us) / 1e6;
 }
 
-// What is listed: `name` in the text, `type` in JSON.
+// A kind of span: `name` in the text, `type` in JSON.
 struct Listed {
   line::FlagSpan::Kind kind;
   const char *name;
@@ -134,7 +134,7 @@ void run(const SourceOption &source, const Options &options) {
   const std::unique_ptr<Input> input = source.open();
   line::FlightLog flight(input->settings().characterUs());
   SilenceNote silence(source.name(), "frames", source.isFile());
-  std::exception_ptr failure;  // of a source that has frames before its wrong line: they are summarised
+  std::exception_ptr failure;  // frames before a wrong line are summarised all the same
   try {
     input->run([&flight](const line::Character &character) { flight.put(character); },
                [&](uint64_t nowUs) {
@@ -175,14 +175,14 @@ void addSummary(CLI::App &app) {
   const Option json = subcommand.flag("--json", options->json, "JSON lines");
   options->html =
       subcommand
-          .option("--html", options->output, "write a report, one page to look at or to print; - is standard output")
+          .option("--html", options->output, "write a one-page report to view or print; - is standard output")
           .excludes(json)
           .notEmpty()
           .type("FILE.html");
   subcommand.footer(
       "It prints when the source ends, after --seconds, or after Ctrl-C. Failsafe and losses last from the first "
       "frame with the flag to the next one without; no frames: 0.1 s or more. PC late: a port was read 0.1 s late or "
-      "more, so what the line did meanwhile is not known.");
+      "more, so the line's state in that time is unknown.");
   subcommand.run([source, options] { run(*source, *options); });
 }
 

@@ -1,4 +1,4 @@
-// sbus telemetry: what receiver and sensors send between the frames of an S.BUS2 line.
+// sbus telemetry: prints the slots that receiver and sensors send between the frames of an S.BUS2 line.
 
 #include <map>
 #include <memory>
@@ -33,13 +33,13 @@ class TelemetryView {
   }
 
   line::Observer &observer() { return _observer; }
-  bool framesCame() const { return _observer.counters().frames > 0; }
+  bool hasFrames() const { return _observer.counters().frames > 0; }
 
   void finish(const std::string &source, const SilenceNote &silence) {
     _observer.finish();
-    print(_observer.telemetry().proved());  // of the last group
+    print(_observer.telemetry().proved());  // the last group
     flush();
-    silence.end(framesCame());
+    silence.end(hasFrames());
     const line::TelemetrySlots &telemetry = _observer.telemetry();
     if (telemetry.count() == 0) {
       throw std::runtime_error(
@@ -99,7 +99,7 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool as
   input->run([&view](const line::Character &character) { view.observer().put(character); },
              [&](uint64_t nowUs) {
                view.observer().idleUntil(input->knownUs());
-               silence.tick(nowUs, view.framesCame());
+               silence.tick(nowUs, view.hasFrames());
              });
   view.finish(source.name(), silence);
 }

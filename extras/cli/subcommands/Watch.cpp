@@ -1,4 +1,4 @@
-// sbus watch: a flight recorder, which keeps what was before and after each event.
+// sbus watch: a flight recorder; it keeps the seconds before and after each event.
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// sbus wave: the wire of a recording, as a value change dump that a logic analyser's software shows.
+// sbus wave: writes the wire of a recording as a value change dump (VCD), for a logic analyser's software.
 
 #include <memory>
 #include <stdexcept>

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns 42 for sbus-000042-2026-11-24T15-16-18Z.txt; 0 for files of others.
+// Returns 42 for sbus-000042-2026-11-24T15-16-18Z.txt; 0 for other names.
 unsigned long numberOf(const std::string &name) {
   unsigned long number = 0;
   int end = 0;

@@ -1,4 +1,4 @@
-// The files of `sbus watch`: their names, and how many stay.
+// Names the files of `sbus watch` and removes the oldest.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,11 @@ namespace tool {
 
 class EventFiles {
  public:
-  // Keeps `keep` files and `mostBytes` in the folder, which it creates if needed. Throws std::runtime_error.
+  // Creates the folder if needed, and keeps at most `keep` files and `mostBytes` in it. Throws std::runtime_error.
   EventFiles(std::string folder, unsigned keep, uint64_t mostBytes);
 
-  // Returns the name of the next file, after it has removed the oldest ones:
-  // "DIR/sbus-000042-2026-11-24T15-16-18Z.txt", without the date if `beginUs`, in us since 1970, is not known. Numbers
-  // go on, so the order is right whatever the clock.
+  // Removes the oldest files and returns the name of the next: "DIR/sbus-000042-2026-11-24T15-16-18Z.txt", without the
+  // date if `beginUs`, in us since 1970, is unknown. Numbers only grow, so the order is right whatever the clock says.
   std::string next(std::optional<int64_t> beginUs);
 
  private:

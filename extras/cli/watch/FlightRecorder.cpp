@@ -9,8 +9,8 @@ namespace tool {
 
 namespace {
 
-constexpr uint64_t GapWithinUs = 100000;  // a file goes on for this long to end between two frames
-constexpr uint64_t EventUs = 100000;      // of the frame that is an event, until it is known to be a frame
+constexpr uint64_t GapWithinUs = 100000;  // a file may run on for this long, to end between two frames
+constexpr uint64_t EventUs = 100000;      // an event's frame is recognised within this time
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void FlightRecorder::tick(uint64_t nowUs, bool happens, uint64_t sinceUs) {
   }
 }
 
-// Drops what ended before this time.
+// Drops the characters that ended before this time.
 void FlightRecorder::forget(uint64_t us) {
   while (!_lately.empty() && _lately.front().endUs < us) {
     _goneUs = _lately.front().endUs;
@@ -91,7 +91,7 @@ void FlightRecorder::open(RecordedEvent::Kind kind, uint64_t nowUs, uint64_t sin
   }
 }
 
-// Drops the rest of a frame whose beginning is gone: what comes before the first gap.
+// Drops the rest of a frame without its beginning: the characters before the first gap.
 void FlightRecorder::dropPart() {
   const uint64_t gapUs = 2 * uint64_t{_settings.characterUs()};
   if (_lately.front().endUs > _goneUs + gapUs) {

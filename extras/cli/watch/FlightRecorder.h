@@ -1,4 +1,4 @@
-// Keeps the last seconds of a line, and writes them, and what follows, to a file whenever something happens.
+// Keeps the last seconds of a line. When an event happens, writes them and what follows to a file.
 #pragma once
 
 #include <cstdint>
@@ -29,26 +29,24 @@ class FlightRecorder {
     std::string title;
     uint64_t beforeUs;
     uint64_t afterUs;
-    uint64_t longestUs;  // of a file
+    uint64_t longestUs;  // a file's length
   };
 
-  // `startUs`: when time 0 was, in us since 1970; if that is known, the times of each file count from its own
-  // beginning.
+  // `startUs`: time 0 in us since 1970; if it is known, times in each file count from the file's beginning.
   FlightRecorder(const Plan &plan, EventFiles files, const line::LineSettings &settings, bool hasTimes,
                  std::optional<int64_t> startUs, std::function<void(const RecordedEvent &)> tell);
 
   void put(const line::Character &character);
 
-  // Takes whether it `happens` at `nowUs`, by a frame whose first character ended at `sinceUs`, or without one.
+  // `happens`: whether the event is on at `nowUs`. `sinceUs`: when the first character of its frame ended, if any.
   void tick(uint64_t nowUs, bool happens, uint64_t sinceUs = UINT64_MAX);
 
   // Takes the time up to which no other character came.
   void idleUntil(uint64_t us);
 
-  // Ends the file.
   void finish() { close(RecordedEvent::Kind::End, _nowUs); }
 
-  // Returns how many files could not be written to their end.
+  // Returns how many files could not be written completely.
   unsigned failures() const { return _failures; }
 
  private:
@@ -83,12 +81,12 @@ class FlightRecorder {
   const bool _hasTimes;
   const std::optional<int64_t> _startUs;
   const std::function<void(const RecordedEvent &)> _tell;
-  std::deque<line::Character> _lately;  // of the last `beforeUs`, without what a file has
+  std::deque<line::Character> _lately;  // of the last `beforeUs`, without those already in a file
   std::unique_ptr<Open> _open;
   bool _isEvent = false;
   uint64_t _nowUs = 0;
-  uint64_t _lastUs = 0;  // of the characters
-  uint64_t _goneUs = 0;  // the end of the character before those
+  uint64_t _lastUs = 0;  // the newest character's end
+  uint64_t _goneUs = 0;  // the end of the last dropped character
   uint64_t _untilUs = 0;
   unsigned _failures = 0;
 };
