@@ -129,6 +129,12 @@ watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1
 [ "$(ls "$work/dir" | paste -sd ' ')" = "other.txt sbus-000001.txt.gz sbus-000009.txt sbus-000010.txt sbus-000011.txt sbus-notes.txt" ]
 verdict $? "--keep 3 keeps the newest three, and the files of others: $(ls "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
+mkdir "$work/dir"
+touch "$work/dir/sbus-999998.txt"
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210' --record "$work/dir" --before 0 --after 0 --keep 2 >"$work/out" &&
+  [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-1000000.txt sbus-1000001.txt" ]
+verdict $? "numbers go on after 999999: $(ls "$work/dir" | paste -sd ' ')"
+rm -rf "$work/dir"
 watch sim --simulated-time --seconds 100 --when failsafe --record "$work/dir" --most 0.2 >"$work/out"
 [ "$(grep -c begin "$work/out")" -eq 6 ] && [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-000004.txt sbus-000005.txt sbus-000006.txt" ]
 verdict $? "--most 0.2 removes the oldest until there are 0.2 MB: $(du -bc "$work"/dir/* | tail -n 1 | cut -f1) bytes"
