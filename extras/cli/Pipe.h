@@ -29,6 +29,9 @@ class Pipe {
   // Returns the file, of a pipe a copy of all that comes. Throws std::runtime_error.
   FileName wholeFile();
 
+  // Returns true if it has ended without a byte.
+  bool isEmpty() const { return _begin.empty() && _ended; }
+
   // Returns true if the live line brings the rows of a sketch.
   bool hasRows() const { return _hasRows; }
 

@@ -51,6 +51,10 @@ class SourceOption {
 
   bool isFile() const;
   bool isStream() const;
+
+  // Throws std::runtime_error if it is a pipe that has ended without a byte.
+  void rejectEmpty() const;
+
   // Returns true if its levels are known, so that a port of either polarity can hear it: sim, recordings, captures.
   bool isWire() const;
   // Returns true if its times are those of the line; false for a file of bytes, and for what a pipe brings.
