@@ -30,6 +30,7 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   _anyPair = true;
   _counts.frames[0]++;
   _counts.frames[1]++;
+  _counts.channels = {a.count, b.count};
   if (found.isSameContent) {
     _counts.delays.put(us, found.delayUs);
   }
@@ -48,11 +49,11 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
     return;
   }
   _counts.first = Difference{us, "lost frame", 0, {a.lostFrame, b.lostFrame}};
-  const size_t raw =
-      static_cast<size_t>(std::mismatch(a.raw.begin(), a.raw.end(), b.raw.begin()).first - a.raw.begin());
-  if (raw < a.raw.size()) {
+  const auto end = a.raw.begin() + commonChannels(a, b);
+  const size_t raw = static_cast<size_t>(std::mismatch(a.raw.begin(), end, b.raw.begin()).first - a.raw.begin());
+  if (raw < commonChannels(a, b)) {
     _counts.first = Difference{us, "CH" + std::to_string(raw + 1), 0, {a.raw[raw], b.raw[raw]}};
-  } else if (a.switches != b.switches) {
+  } else if (haveSwitches(a, b) && a.switches != b.switches) {
     const size_t i = a.switches[0] != b.switches[0] ? 0 : 1;
     _counts.first = Difference{us, "CH" + std::to_string(17 + i), 0, {a.switches[i], b.switches[i]}};
   } else if (a.failsafe != b.failsafe) {
