@@ -43,6 +43,9 @@ class Input {
   // port delivers bytes late.
   uint64_t knownUs() const { return _knownUs; }
 
+  // Returns true if the line has brought its last character, for use in a tick: what follows is no silence of the line.
+  bool hasEnded() const { return _line->finished(_nowUs + line::TailUs); }
+
   // Returns when --seconds end a real-time source; UINT64_MAX without --seconds.
   uint64_t limitUs() const {
     return _pace == Pace::RealTime && _seconds > 0 ? static_cast<uint64_t>(_seconds * 1e6) : UINT64_MAX;

@@ -96,7 +96,7 @@ bool Pipe::isPipe(const std::string &name) {
 
 Pipe::Content Pipe::content(double seconds) {
   struct stat status;
-  if (fstat(_file, &status) != 0 || S_ISCHR(status.st_mode) || S_ISREG(status.st_mode)) {
+  if (fstat(_file, &status) != 0 || isatty(_file) != 0 || S_ISREG(status.st_mode)) {
     return S_ISREG(status.st_mode) ? Content::File : Content::Line;
   }
   const auto start = std::chrono::steady_clock::now();

@@ -29,6 +29,9 @@ class Pipe {
   // Returns the file; for a pipe, a copy of everything in it. Throws std::runtime_error.
   FileName wholeFile();
 
+  // Returns true if it has ended without a byte.
+  bool isEmpty() const { return _begin.empty() && _ended; }
+
   // Returns true if the live line consists of a sketch's rows.
   bool hasRows() const { return _hasRows; }
 

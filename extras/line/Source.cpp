@@ -2,8 +2,10 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "line/recording/RecordedLine.h"
 #include "line/recording/RecordingFile.h"
@@ -54,14 +56,40 @@ bool exists(const std::string &name) {
   return stat(name.c_str(), &status) == 0;
 }
 
-// Takes the words behind the colon. Returns the first wrong one; empty if none is.
-std::string takeSourceWords(const std::string &words, Source &source) {
+// Returns true if a source that one word describes is not one that the other describes.
+bool exclude(const std::string &one, const std::string &other) {
+  const auto isCount = [](const std::string &word) { return word == "16" || word == "24" || word == "32"; };
+  const auto isNoise = [](const std::string &word) { return word.rfind("noise=", 0) == 0; };
+  const auto isSent = [&](const std::string &word) {
+    return isCount(word) || word == "sbus2" || word == "calibration";
+  };
+  const auto contradicts = [&](const std::string &a, const std::string &b) {
+    return (a == "silent" && isSent(b)) || (a == "sbus2" && isCount(b) && b != "16");
+  };
+  return contradicts(one, other) || contradicts(other, one) ||
+         (one != other && ((isCount(one) && isCount(other)) || (isNoise(one) && isNoise(other))));
+}
+
+// Takes the words behind the colon. Returns what is wrong with the first wrong one; empty if none is. `known` tells
+// which words there are.
+std::string takeSourceWords(const std::string &words, const char *known, Source &source) {
   std::string wrong;
+  std::vector<std::string> taken;
   forEachAtCommas(words, [&](std::string_view each) {
     const std::string word = lower(withoutBlanks(each));
-    if (!takeSourceWord(word, source) && wrong.empty()) {
-      wrong = quoted(word);
+    if (!wrong.empty()) {
+      return;
     }
+    if (!takeSourceWord(word, source)) {
+      wrong = quoted(word) + " is not allowed after the colon; " + known;
+      return;
+    }
+    const auto other =
+        std::find_if(taken.begin(), taken.end(), [&](const std::string &before) { return exclude(before, word); });
+    if (other != taken.end()) {
+      wrong = *other + " and " + word + " exclude each other; leave one of them out";
+    }
+    taken.push_back(word);
   });
   return wrong;
 }
@@ -78,15 +106,14 @@ Source parseSource(const std::string &text) {
     return source;
   }
   source.name = isSim ? "" : text.substr(0, colon);
-  const std::string wrong = takeSourceWords(text.substr(isSim ? 4 : colon + 1), source);
+  const std::string wrong =
+      takeSourceWords(text.substr(isSim ? 4 : colon + 1),
+                      isSim ? "there are 16, 24, 32, sbus2, silent, calibration, noise=1 to noise=100000 and "
+                              "uninverted, such as sim:24,noise=30"
+                            : "there are noise=1 to noise=100000 and uninverted",
+                      source);
   if (!wrong.empty()) {
-    throw std::runtime_error(text + ": " + wrong + " is not allowed after the colon; " +
-                             (isSim ? "there are 16, 24, 32, sbus2, silent, calibration, noise=1 to noise=100000 and "
-                                      "uninverted, such as sim:24,noise=30"
-                                    : "there are noise=1 to noise=100000 and uninverted"));
-  }
-  if (source.sbus2 && (source.silent || source.channels != Channels::Sixteen)) {
-    throw std::runtime_error(text + ": sbus2 has 16 channels and is not silent; leave one of the words out");
+    throw std::runtime_error(text + ": " + wrong);
   }
   return source;
 }

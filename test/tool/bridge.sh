@@ -55,6 +55,38 @@ ch1=1900,ch2=100|--limit ch1=-100%..100% --limit ch2=-100%..100% --range 1811,99
 ch1=352,ch2=100%|--map -1,-2 --range futaba|1696 352 172 992 992 992
 END
 
+# ---- Failsafe of 32 channels: frames 101 to 300 are lost, without the failsafe flag; CH20 counts
+
+awk 'BEGIN {
+  printf "time"
+  for (c = 1; c <= 32; c++) printf ",CH%d", c
+  print ",DG1,lostframe,failsafe"
+  for (i = 1; i <= 300; i++) {
+    printf "%.3f", i * 0.009
+    for (c = 1; c <= 32; c++) printf ",%d", c == 20 ? i : 992
+    printf ",%d,%d,0\n", (i > 100), (i > 100)
+  }
+}' >"$work/32.csv"
+# extras: what is sent as frames with header 2F: CH20, DG1, lost frame, failsafe, each once, and how often
+extras() {
+  python3 -c 'import json, sys
+for o in map(json.loads, sys.stdin):
+    if o["type"] == "frame" and o["first"] == 17:
+        print(o["channels"][3], int(o["dg1"]), int(o["lost_frame"]), int(o["failsafe"]))'
+}
+while IFS='|' read -r arguments wanted; do
+  # shellcheck disable=SC2086  # the arguments are words
+  bridge "$work/32.csv" - $arguments | tee "$work/out" | extras | awk '{ flags = $2 " " $3 " " $4; if (flags != last && NR > 1) printf "%s to %s; ", last, ch20; last = flags; ch20 = $1 }
+    END { printf "%s to %s", last, ch20 }' >"$work/extras"
+  [ "$(cat "$work/extras")" = "$wanted" ] || { cat "$work/extras" "$work/err"; false; }
+  verdict $? "bridge $arguments: DG1, lost frame and failsafe of frames with header 2F are $wanted (CH20)"
+done <<'END'
+|0 0 0 to 100; 1 1 0 to 300
+--failsafe ch3=172|0 0 0 to 100; 1 1 0 to 200; 1 1 1 to 300
+--failsafe hold|0 0 0 to 100; 1 1 0 to 200; 1 1 1 to 200
+--failsafe off|0 0 0 to 100; 1 1 0 to 200
+END
+
 # ---- Failsafe: the radio of sim is off now and then
 
 bridge sim - --seconds 14 | rows >"$work/plain"

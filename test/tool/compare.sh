@@ -64,6 +64,37 @@ for names in "a.json b.json" "b.json a.json"; do
   verdict $? "more delays than are kept singly: $(cat "$work/sum")"
 done
 
+# table NAME CHANNELS: the flight with this many channels; those above CH16 change with each frame
+table() {
+  awk -v "channels=$2" 'BEGIN {
+    printf "time"
+    for (c = 1; c <= channels; c++) printf ",CH%d", c
+    print ""
+    for (i = 1; i <= 3000; i++) {
+      printf "%.3f,%d,%d,172", i * 0.009 + 1, (i * 37 + int(i / 50) * 11) % 2000, i % 2000
+      for (c = 4; c <= channels; c++) printf ",%d", c <= 16 ? 992 : (i * c) % 2048
+      print ""
+    }
+  }' >"$work/$1"
+}
+table 16.csv 16
+table 24.csv 24
+table 32.csv 32
+for names in "16.csv 24.csv 16 24" "24.csv 16.csv 24 16" "16.csv 32.csv 16 32" "32.csv 24.csv 32 24"; do
+  read -r one other a b <<END
+$names
+END
+  compare "$one" "$other"
+  said "3000 3000 0 0 3000 0 0 0 delay 0 0 0 drift 0.0" "a line of $a channels and one of $b are compared by those that both have"
+  (cd "$work" && "$SBUS" compare "$one" "$other") | grep -qx "channels     $a in A, $b in B: CH1 to CH$((a < b ? a : b)) are compared"
+  verdict $? "compare says which channels of $a and $b it compares"
+done
+compare 24.csv 24.csv
+said "3000 3000 0 0 3000 0 0 0 delay 0 0 0 drift 0.0" "two lines of 24 channels"
+awk -F, -v OFS=, '$1 == "10.000" { $21 = 1 - ($21 > 0) } { print }' "$work/24.csv" >"$work/other24.csv"
+compare 24.csv other24.csv
+[ "$(sed -n 's/.*"difference",\(.*\)}/\1/p' "$work/json")" = '"time_us":10000000.0,"name":"CH20","a":1568,"b":0' ] || { cat "$work/json"; false; }
+verdict $? "the first difference of two lines of 24 channels may be CH20"
 line b.json 1 '' 'i == 100 || i > 1000 && i <= 1010'
 compare a.json b.json
 said "3000 2989 0 0 2989 0 0 11 delay 0 0 0 drift 0.0" "eleven frames are missing in B"

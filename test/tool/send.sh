@@ -80,7 +80,7 @@ rejected() {
   message=$1
   shift
   cat >"$work/x.csv"
-  (cd "$work" && timeout 60 "$SBUS" send "$@") >"$work/out" 2>"$work/err"
+  (cd "$work" && timeout 20 "$SBUS" send "$@") >"$work/out" 2>"$work/err"
   [ $? -ne 0 ] && grep -qxFe "$message" "$work/err" && [ ! -s "$work/out" ] || { cat "$work/err"; false; }
   verdict $? "send says: $message"
 }
@@ -104,6 +104,7 @@ while IFS='|' read -r arguments message; do
   rejected "$message" $arguments </dev/null
 done <<'END'
 |SOURCE is required
+-|sbus send: -: is empty: bytes of a line are expected
 no.csv|sbus send: no.csv: cannot be opened (No such file or directory); the name of a recording is expected
 x.csv ch1=5|ch1=5 is one argument too many; only values such as ch3=172 ch5=on may be several
 ch19=5|"ch19=5" sets nothing; ch1=VALUE to ch18=VALUE, failsafe=on and lostframe=on do
@@ -120,3 +121,6 @@ ch1=|"ch1=" is out of range; 0 to 2047, a pulse such as 1500us, a part such as -
 ch17=2|"ch17=2" is out of range; on or off is expected
 ch1=5 --period 3|--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected
 END
+: | timeout 20 "$SBUS" send - >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && grep -qxF 'sbus send: -: is empty: bytes of a line are expected' "$work/err" && [ ! -s "$work/out" ]
+verdict $? "send says that a pipe has brought nothing: $(tail -n 1 "$work/err")"

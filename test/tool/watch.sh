@@ -15,7 +15,7 @@ watch() { timeout 60 "$SBUS" watch "$@" 2>"$work/err"; }
 events() { awk '{ printf "%s %s ", $3, $1 }'; }
 
 # ---- Conditions: frame i of 1000 ends at 9 ms * i, and has CH1 = i; CH17 is on from 300 on; frames 401 to 410 are lost, 501
-# to 510 in failsafe; 0.5 s pass before frame 701.
+# to 510 in failsafe; 0.5 s pass before frame 701. The end of a file is no silence.
 
 awk 'BEGIN { for (i = 1; i <= 1000; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992],\"ch17\":%d,\"lost_frame\":%d,\"failsafe\":%d}\n", i * 9000 + (i > 700) * 500000, i, (i >= 300), (i > 400 && i <= 410), (i > 500 && i <= 510) }' >"$work/flight.json"
 while IFS='|' read -r condition wanted; do
@@ -27,23 +27,23 @@ done <<'END'
 failsafe|begin 4.509 end 4.599 
 lostframe|begin 3.609 end 3.699 
 lossy|begin 3.690 end 4.509 
-stale|begin 6.400 end 6.809 begin 9.600 end 9.800 
-ch17|begin 2.700 end 9.800 
+stale|begin 6.400 end 6.809 
+ch17|begin 2.700 end 9.500 
 !ch17|begin 0.009 end 2.700 
-!ok|begin 3.690 end 4.790 begin 6.400 end 6.809 begin 9.600 end 9.800 
-ch1>990|begin 9.419 end 9.800 
-ch1>=990|begin 9.410 end 9.800 
+!ok|begin 3.690 end 4.790 begin 6.400 end 6.809 
+ch1>990|begin 9.419 end 9.500 
+ch1>=990|begin 9.410 end 9.500 
 ch1<3|begin 0.009 end 0.027 
 ch1<=3|begin 0.009 end 0.036 
 ch1 = 500|begin 4.500 end 4.509 
 ch1!=2 && ch1<4|begin 0.009 end 0.018 begin 0.027 end 0.036 
-ch1>1498us|begin 9.410 end 9.800 
-ch1 > -10%|begin 8.699 end 9.800 
+ch1>1498us|begin 9.410 end 9.500 
+ch1 > -10%|begin 8.699 end 9.500 
 ch17==1 && ch1<302|begin 2.700 end 2.718 
 ch24>0|
 ch24<1|
-age>50ms|begin 6.351 end 6.809 begin 9.551 end 9.800 
-age>0.05|begin 6.351 end 6.809 begin 9.551 end 9.800 
+age>50ms|begin 6.351 end 6.809 
+age>0.05|begin 6.351 end 6.809 
 quality<95 && ch1<600|begin 3.645 end 5.400 
 failsafe // ch1<3 && ch17|begin 4.509 end 4.599 
 (failsafe or ch1<3) and not ch17|begin 0.009 end 0.027 
@@ -128,6 +128,12 @@ touch "$work/dir/sbus-000007-2020-01-01T00-00-00Z.txt" "$work/dir/sbus-notes.txt
 watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' --record "$work/dir" --before 0 --after 0 --keep 3 >"$work/out"
 [ "$(ls "$work/dir" | paste -sd ' ')" = "other.txt sbus-000001.txt.gz sbus-000009.txt sbus-000010.txt sbus-000011.txt sbus-notes.txt" ]
 verdict $? "--keep 3 keeps the newest three, and the files of others: $(ls "$work/dir" | paste -sd ' ')"
+rm -rf "$work/dir"
+mkdir "$work/dir"
+touch "$work/dir/sbus-999998.txt"
+watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210' --record "$work/dir" --before 0 --after 0 --keep 2 >"$work/out" &&
+  [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-1000000.txt sbus-1000001.txt" ]
+verdict $? "numbers go on after 999999: $(ls "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
 watch sim --simulated-time --seconds 100 --when failsafe --record "$work/dir" --most 0.2 >"$work/out"
 [ "$(grep -c begin "$work/out")" -eq 6 ] && [ "$(ls "$work/dir" | paste -sd ' ')" = "sbus-000004.txt sbus-000005.txt sbus-000006.txt" ]

@@ -39,15 +39,16 @@ void FailsafeOption::read(const sbus::Range &range) {
   });
 }
 
-bool FailsafeOption::apply(sbus::LinkState state, line::Values &values) {
+bool FailsafeOption::apply(sbus::LinkState state, bool isExtra, line::Values &values) {
+  line::Values &held = _held[isExtra ? 1 : 0];
   const bool isStale = state == sbus::LinkState::Stale;
   if (!isStale && state != sbus::LinkState::Failsafe) {
-    _held = values;
+    held = values;
     return true;
   }
-  if (_text == "hold" && _held.count > 0) {
-    values.raw = _held.raw;
-    values.switches = _held.switches;
+  if (_text == "hold" && held.count > 0) {
+    values.raw = held.raw;
+    values.switches = held.switches;
   }
   for (const auto &[channel, raw] : _set) {
     values.raw[channel] = raw;

@@ -23,14 +23,15 @@ class FailsafeOption {
   // Reads the option. Rejects the command line if it is wrong.
   void read(const sbus::Range &range);
 
-  // Changes the values to send in this state of the link. Returns false if nothing is to be sent.
-  bool apply(sbus::LinkState state, line::Values &values);
+  // Changes a frame that is sent in this state of the link; `isExtra`: one with header 2F. Returns false if nothing is to
+  // be sent.
+  bool apply(sbus::LinkState state, bool isExtra, line::Values &values);
 
  private:
   std::string _text;
   Option _option;
   std::vector<std::pair<size_t, uint16_t>> _set;  // raw values of channels, counted from 0
-  line::Values _held;                             // of the newest frame with a link; count 0: no such frame yet
+  line::Values _held[2];  // of the newest frame with a link, and of that with header 2F; count 0: no such frame yet
 };
 
 }  // namespace tool

@@ -4,7 +4,6 @@
 
 #include "cli/Json.h"
 #include "cli/Output.h"
-#include "line/FrameBytes.h"
 
 namespace tool {
 
@@ -13,11 +12,6 @@ namespace {
 constexpr std::chrono::microseconds Gap(2000);
 
 }  // namespace
-
-std::vector<uint8_t> BridgedFrame::bytes() const {
-  const bool isExtra = kind == line::Stretch::Kind::Extra;
-  return line::frameBytes(kind, isExtra ? line::withFlags(values, extraFlags) : values);
-}
 
 FrameOutput::FrameOutput(const std::string &to, const line::LineSettings &settings)
     : _destination(to == "-" ? nullptr : std::make_unique<Destination>(to, settings)),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/Destination.h"
+#include "line/FrameBytes.h"
 #include "line/Segments.h"
 #include "line/Statistics.h"
 
@@ -18,10 +19,9 @@ namespace tool {
 struct BridgedFrame {
   line::Stretch::Kind kind;
   std::optional<uint64_t> us;
-  line::Values values;
-  uint8_t extraFlags = 0;  // of a frame with header 2F
+  line::Values values;  // with the frame's own switches and flags
 
-  std::vector<uint8_t> bytes() const;
+  std::vector<uint8_t> bytes() const { return line::frameBytes(kind, values); }
 };
 
 class FrameOutput {

@@ -67,6 +67,10 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
                  : "") +
             '\n';
   }
+  const auto [a, b] = counts.channels;
+  if (a != b) {
+    text += line::format("channels     %u in A, %u in B: CH1 to CH%u are compared\n", a, b, std::min(a, b));
+  }
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
           '\n' + lostText(counts, 0) + lostText(counts, 1);
   if (counts.late[0] + counts.late[1] > 0) {

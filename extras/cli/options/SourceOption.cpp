@@ -217,6 +217,12 @@ bool SourceOption::isStream() const {
   return parsed().kind == Kind::Stream;
 }
 
+void SourceOption::rejectEmpty() const {
+  if (isStream() && _pipe->isEmpty()) {
+    throw std::runtime_error(name() + ": is empty: bytes of a line are expected");
+  }
+}
+
 bool SourceOption::isWire() const {
   const Kind kind = parsed().kind;
   return kind == Kind::File ? file().kind != FileKind::Rows && file().kind != FileKind::Bytes

@@ -51,6 +51,10 @@ class SourceOption {
 
   bool isFile() const;
   bool isStream() const;
+
+  // Throws std::runtime_error if it is a pipe that has ended without a byte.
+  void rejectEmpty() const;
+
   // Returns true if the levels are known, so a port of either polarity can receive them: sim, recordings, captures.
   bool isWire() const;
   // Returns true if its times are the line's; false for a file of bytes and for a pipe's bytes.

@@ -144,18 +144,20 @@ class Bridge {
     return true;
   }
 
-  // Sends the newest values of the chosen receiver. Returns true if nothing delayed them.
+  // Sends the newest values of the chosen receiver; a frame with header 2F has its own `flags`. Returns true if nothing
+  // delayed them.
   bool send(Kind kind, uint64_t nowUs, uint8_t flags) {
     Receiver &receiver = *_receivers[_chosen];
     const sbus::LinkState state = receiver.observer.state(nowUs);
-    BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt, receiver.observer.newest(),
-                       flags};
+    const line::Values &newest = receiver.observer.newest();
+    BridgedFrame frame{kind, _hasTimes ? std::optional<uint64_t>(nowUs) : std::nullopt,
+                       kind == Kind::Extra ? line::withFlags(newest, flags) : newest};
     if (_options.trainer.given() && receiver.observer.hasLink(nowUs) && _choice.isGood(1, nowUs)) {
       _options.trainer.apply(frame.values, _receivers[1]->observer.newest());
     }
     _options.rules.apply(frame.values.raw.data());
     _sentUs = nowUs;
-    return _options.failsafe.apply(state, frame.values) && _output.put(frame);
+    return _options.failsafe.apply(state, kind == Kind::Extra, frame.values) && _output.put(frame);
   }
 
   Options &_options;

@@ -31,6 +31,7 @@ void run(Options &options) {
     rejectCommandLine(
         "--period: a frame takes 3 ms (1.5 ms at 200000 baud), and a gap follows; a longer period is expected");
   }
+  options.source.rejectEmpty();
   const std::unique_ptr<Input> input = options.source.open();
   input->setSpeed(options.speed);
   options.sending.run(*input);

@@ -110,7 +110,9 @@ void run(const Options &options) {
       [&](uint64_t nowUs) {
         observer.idleUntil(input->knownUs());
         recorder.idleUntil(input->knownUs());
-        tick(nowUs, UINT64_MAX);
+        if (!input->hasEnded()) {
+          tick(nowUs, UINT64_MAX);
+        }
         silence.tick(nowUs, observer.counters().frames > 0);
       });
   recorder.finish();

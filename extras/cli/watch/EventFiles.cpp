@@ -16,12 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns 42 for sbus-000042-2026-11-24T15-16-18Z.txt; 0 for other names.
+// Returns 42 for sbus-000042-2026-11-24T15-16-18Z.txt; 0 for other names. After 999999 a number has more digits.
 unsigned long numberOf(const std::string &name) {
+  constexpr int EndLeast = 11;  // of "sbus-000042"
   unsigned long number = 0;
   int end = 0;
-  const bool is = std::sscanf(name.c_str(), "sbus-%6lu%n", &number, &end) == 1 && end == 11 &&
-                  name.size() >= std::strlen("sbus-000042.txt") && name.compare(name.size() - 4, 4, ".txt") == 0;
+  const bool is = std::sscanf(name.c_str(), "sbus-%9lu%n", &number, &end) == 1 && end >= EndLeast &&
+                  std::strchr("-.", name[static_cast<size_t>(end)]) != nullptr &&
+                  name.compare(name.size() - std::strlen(".txt"), std::string::npos, ".txt") == 0;
   return is ? number : 0;
 }
 

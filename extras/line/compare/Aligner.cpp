@@ -16,23 +16,50 @@ constexpr int64_t TryMostUs = 60000000;
 constexpr size_t VotesLeast = 8;
 constexpr int64_t VoteWidthUs = 20000;
 
-bool isSame(const Values &a, const Values &b) {
-  return a.raw == b.raw && a.switches == b.switches;
+}  // namespace
+
+bool Aligner::isSame(const Values &a, const Values &b) const {
+  const unsigned channels = std::min(_channels, commonChannels(a, b));
+  return std::equal(a.raw.begin(), a.raw.begin() + channels, b.raw.begin()) &&
+         (!_hasSwitches || a.switches == b.switches);
 }
 
-uint64_t hashOf(const Values &values) {
+uint64_t Aligner::hashOf(const Values &values) const {
   uint64_t hash = 1469598103934665603U;  // FNV-1a
   const auto add = [&hash](unsigned value) { hash = (hash ^ value) * 1099511628211U; };
-  std::for_each(values.raw.begin(), values.raw.end(), add);
-  std::for_each(values.switches.begin(), values.switches.end(), add);
+  std::for_each(values.raw.begin(), values.raw.begin() + _channels, add);
+  if (_hasSwitches) {
+    std::for_each(values.switches.begin(), values.switches.end(), add);
+  }
   return hash;
 }
 
-}  // namespace
+bool Aligner::isChange(size_t side, const Values &values) {
+  const bool is = !_newest[side] || !isSame(*_newest[side], values);
+  _newest[side] = values;
+  return is;
+}
+
+// Finds out which channels both sides have. If they are others than before, the frames that wait are seen again.
+void Aligner::setCommon() {
+  const Values &a = *(_newest[0] ? _newest[0] : _newest[1]), &b = *(_newest[1] ? _newest[1] : _newest[0]);
+  if (_channels == commonChannels(a, b) && _hasSwitches == haveSwitches(a, b)) {
+    return;
+  }
+  _channels = commonChannels(a, b);
+  _hasSwitches = haveSwitches(a, b);
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    const std::optional<Values> newest = std::exchange(_newest[side], std::nullopt);
+    for (Frame &frame : _sides[side].frames) {
+      frame.isChange = isChange(side, frame.values);
+    }
+    _newest[side] = newest;
+  }
+}
 
 // Returns how many frames in a row have the channels of `first`, with those from `next` on; 0 if the end is not there
 // yet.
-size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) {
+size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const {
   size_t run = 1;
   while (next < frames.size() && isSame(frames[next].values, first.values)) {
     next++;
@@ -51,9 +78,8 @@ void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs)
   while (!late.empty() && late.front().second < us - 2 * TryMostUs) {
     late.pop_front();
   }
-  const bool isChange = !_newest[side] || !isSame(*_newest[side], values);
-  _newest[side] = values;
-  _sides[side].frames.push_back({us, isChange, values});
+  _sides[side].frames.push_back({us, isChange(side, values), values});
+  setCommon();
   knownUntil(side, us);
 }
 

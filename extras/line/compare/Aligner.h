@@ -1,6 +1,7 @@
 // Finds which frame of one source is which of another, by their contents. It keeps a few seconds, a minute at most.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "line/Statistics.h"
+#include "sbus/Frame.h"
 
 namespace line {
 
@@ -21,9 +23,19 @@ struct Alignment {
   size_t side;  // of Only: 0 is the first source
   std::array<std::optional<Values>, 2> values;
   int64_t delayUs;     // of Pair: how much later the second one is
-  bool isSameContent;  // of Pair: all channels
+  bool isSameContent;  // of Pair: all channels that both have
   bool isLate;         // the PC was late: what it read then came some time before
 };
+
+// Returns how many channels both have.
+inline unsigned commonChannels(const Values &a, const Values &b) {
+  return std::min(a.count, b.count);
+}
+
+// Returns true if both have the switches CH17 and CH18.
+inline bool haveSwitches(const Values &a, const Values &b) {
+  return a.count != sbus::ChannelCount24 && b.count != sbus::ChannelCount24;
+}
 
 class Aligner {
  public:
@@ -57,7 +69,11 @@ class Aligner {
     int64_t knownUs = NeverUs;
   };
 
-  static size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next);
+  bool isSame(const Values &a, const Values &b) const;
+  uint64_t hashOf(const Values &values) const;
+  bool isChange(size_t side, const Values &values);
+  void setCommon();
+  size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const;
   void work(bool isEnd);
   bool findDelay(bool isEnd);
   void findPeriod();
@@ -73,6 +89,8 @@ class Aligner {
   const std::function<void(int64_t us, const Alignment &)> _say;
   std::array<Side, 2> _sides;
   std::array<std::optional<Values>, 2> _newest;
+  unsigned _channels = 0;     // that both sides have; before both have a frame, those of one
+  bool _hasSwitches = false;  // both sides have
   std::multimap<int64_t, Alignment> _found;
   bool _hasDelay = false;
   bool _isByContents = false;

@@ -33,6 +33,7 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   const Values &a = *found.values[0], &b = *found.values[1];
   _counts.frames[0]++;
   _counts.frames[1]++;
+<<<<<<< HEAD
   if (found.isLate && (!found.isSameContent || isFlagged(a) != isFlagged(b))) {
     _counts.late[0]++;
     _counts.late[1]++;
@@ -40,6 +41,10 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
   _anyPair = true;
   if (found.isSameContent && !found.isLate) {
+=======
+  _counts.channels = {a.count, b.count};
+  if (found.isSameContent) {
+>>>>>>> hb
     _counts.delays.put(us, found.delayUs);
   }
   if (isFlagged(a) != isFlagged(b)) {
@@ -57,11 +62,11 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
     return;
   }
   _counts.first = Difference{us, "lost frame", 0, {a.lostFrame, b.lostFrame}};
-  const size_t raw =
-      static_cast<size_t>(std::mismatch(a.raw.begin(), a.raw.end(), b.raw.begin()).first - a.raw.begin());
-  if (raw < a.raw.size()) {
+  const auto end = a.raw.begin() + commonChannels(a, b);
+  const size_t raw = static_cast<size_t>(std::mismatch(a.raw.begin(), end, b.raw.begin()).first - a.raw.begin());
+  if (raw < commonChannels(a, b)) {
     _counts.first = Difference{us, "CH" + std::to_string(raw + 1), 0, {a.raw[raw], b.raw[raw]}};
-  } else if (a.switches != b.switches) {
+  } else if (haveSwitches(a, b) && a.switches != b.switches) {
     const size_t i = a.switches[0] != b.switches[0] ? 0 : 1;
     _counts.first = Difference{us, "CH" + std::to_string(17 + i), 0, {a.switches[i], b.switches[i]}};
   } else if (a.failsafe != b.failsafe) {
