@@ -29,7 +29,7 @@ for program in $(build list-fuzz); do
   fi
   rm -rf "$folder/corpus"
   mkdir -p "$folder/corpus"
-  if timeout $((seconds + 60)) "$program" -max_total_time="$seconds" -runs="$most" -seed="$seed" -max_len=1024 \
+  if SEEDS="$folder/corpus" timeout $((seconds + 60)) "$program" -max_total_time="$seconds" -runs="$most" -seed="$seed" -max_len=1024 \
     -timeout=5 -artifact_prefix="$folder/" "$folder/corpus" "fuzz/corpus/$name" >"$folder/log" 2>&1; then
     tail -n 1 "$folder/log"
     echo "ok fuzz/$name"

@@ -1,6 +1,8 @@
 // The readers of captures on any text give characters in order, or one clear error; the size of blocks makes no
 // difference.
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "line/capture/CsvReader.h"
 #include "line/capture/SessionReader.h"
 #include "line/capture/WireDecoder.h"
+#include "support/WireText.h"
 
 namespace {
 
@@ -74,6 +77,28 @@ Result decode(const std::string &text, bool byLines) {
 }
 
 }  // namespace
+
+// Writes captures of some characters to the folder SEEDS, one in each format and with one or two signals. libFuzzer calls
+// this before it reads its corpus.
+extern "C" int LLVMFuzzerInitialize(int *argc, char ***argv);
+extern "C" int LLVMFuzzerInitialize(int *, char ***) {
+  const char *const folder = std::getenv("SEEDS");
+  if (folder == nullptr) {
+    return 0;
+  }
+  for (const bool second : {false, true}) {
+    for (const TestFormat format : TestFormats) {
+      TestWire wire;
+      wire.bitNs = 5000;
+      wire.ns = 10000;
+      wire.bytes(std::vector<uint8_t>{0x0F, 0xE5, 0x03, 0x1F, 0xF8, 0xC0, 0x07, 0x3E});
+      wire.gap(100000);
+      const int number = static_cast<int>(format) * 2 + second;
+      std::ofstream(folder + ("/seed" + std::to_string(number))) << textOf(wire, format, second);
+    }
+  }
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -244,7 +244,6 @@ bool AvrBoard::next(line::Character &character) {
 avr_cycle_count_t AvrBoard::characterThrough(avr_t *, avr_cycle_count_t when, void *board) {
   AvrBoard &self = *static_cast<AvrBoard *>(board);
   if (self._isComing) {
-    self._next.bad = self._next.bad || self._characters.size() == self._line.bad;
     self._characters.push_back(self._next);
     self.receive(self._next);
   }

@@ -31,7 +31,6 @@ struct Level {
 struct Line {
   std::unique_ptr<line::Line> source;  // null: a wire from TX
   uint64_t cutUs = UINT64_MAX;         // when it falls silent
-  size_t bad = SIZE_MAX;               // the character, counted from 0, that has a wrong parity bit
   bool isShared = false;               // TX is at the same wire, through a diode behind the inverter
   std::vector<Level> levels;           // at other pins, in the order of their times
 };

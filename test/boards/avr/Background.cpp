@@ -1,6 +1,6 @@
-// A sketch that listens in the background, whatever its loop() does. (No .ino, as Counters.cpp.) Servos at the pins 2
-// to 5 have a pulse of 1500 us. Each time that loop() was busy, in turn in delay() and with calls of the decoder's
-// methods, it sends
+// A sketch that listens in the background, whatever its loop() does. (It is no .ino, so that tools that look for
+// sketches find the examples only.) Servos at the pins 2 to 5 have a pulse of 1500 us. Each time that loop() was busy,
+// in turn in delay() and with calls of the decoder's methods, it sends
 //   frames,discarded,torn,CH1..CH16
 // torn: counters() that were of two moments, since more failsafe frames had come than frames;
 // and at last how often loop() could go round in a second: while it listened, and while the port was merely open

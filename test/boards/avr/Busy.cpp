@@ -1,4 +1,4 @@
-// A sketch that answers in eleven slots while loop() writes one of them, again and again. (No .ino, as Counters.cpp.)
+// A sketch that answers in eleven slots while loop() writes one of them, again and again. (No .ino, as Background.cpp.)
 // Sends every second
 //   frames,resyncs,rejected,collisions,skipped,restored,decivolts
 // The first five count from the beginning; restored: 1 if end() has restored timer 2.

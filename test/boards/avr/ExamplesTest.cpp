@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <iterator>
-#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +18,6 @@ namespace {
 using avr::AvrBoard;
 using avr::Expected;
 using avr::Leonardo;
-using avr::Line;
 using avr::lineOf;
 using avr::Mega;
 using avr::Model;
@@ -31,21 +28,13 @@ using avr::Uno;
 constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's
 
-// Checks all that it prints.
+// Returns all that it prints.
 std::string textOf(const AvrBoard &board) {
   std::string text;
   for (const Printed &line : board.printed()) {
     text += line.text + "\n";
   }
   return text;
-}
-
-// Checks all that it prints, except what Counters prints about SBusFrameOk().
-std::vector<Printed> rowsOf(const AvrBoard &board) {
-  std::vector<Printed> rows;
-  std::copy_if(board.printed().begin(), board.printed().end(), std::back_inserter(rows),
-               [](const Printed &line) { return line.text.rfind("ok,", 0) != 0; });
-  return rows;
 }
 
 // These return the first mistake, or an empty text.
@@ -125,7 +114,6 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
       {Mega, "Servos", "sbus2", 1.2, 5, avr::servos, 0, 54},
       {Mega, "Servos", "cut", 3, 14, avr::servos, 0, 149},   // after 100 ms the throttle is closed, and the others hold
       {Mega, "Servos", "silent", 1, 4, avr::servos, 0, 49},  // the throttle is closed, and the others are centred
-      {Mega, "Counters", "flight", 5.5, 5, avr::counters},   // each frame is seen, and not a byte is left over
       {Leonardo, "AllChannels", "sbus2", 1.2, 4, avr::allChannels},  // rows that are longer than a packet
       {Leonardo, "DecodeSBus", "flight", 4, 19, avr::decodeSBus},
       {Leonardo, "DecodeSBus", "cut", 3, 10, avr::decodeSBus},
@@ -133,7 +121,6 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
       {Leonardo, "Normalized", "paper", 1.2, 2, avr::normalized},
       {Leonardo, "Servos", "flight", 4, 19, avr::servos, 0, 199},
       {Leonardo, "Servos", "silent", 1, 4, avr::servos, 0, 49},
-      {Leonardo, "Counters", "flight", 5.5, 5, avr::counters},
       {Uno, "Servos", "flight", 13, 0, avr::servos, 0, 649},  // it has no port to print on
       {Uno, "Servos", "sbus2", 1.2, 0, avr::servos, 0, 54},
       {Uno, "Servos", "cut", 3, 0, avr::servos, 0, 149},
@@ -145,7 +132,7 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
     CAPTURE(run.line);
     const AvrBoard board(run.model, run.sketch, lineOf(run.line), run.seconds);
     const Expected expected(board.characters());
-    const std::vector<Printed> rows = rowsOf(board);
+    const std::vector<Printed> &rows = board.printed();
     CHECK(wrongRow(expected, rows, run.rule) == "");
     CHECK(rows.size() >= run.rows);
     CHECK(rows.empty() == (run.rows == 0));
@@ -157,42 +144,6 @@ TEST_CASE("the examples print, send and do at their pins what the line says, and
       CHECK(board.pulses(pin).size() >= run.pulses);
     }
     CHECK(board.mistakes() == "");
-  }
-}
-
-TEST_CASE("a character with a parity error is lost, and one frame with it: 24 bytes are discarded") {
-  for (const auto &run :
-       {std::make_pair(Mega, 500u), {Mega, 501u}, {Mega, 523u}, {Leonardo, 524u}}) {  // of the 20th frame
-    const size_t character = run.second;
-    CAPTURE(character);
-    Line line = lineOf("flight");
-    line.bad = character;
-    const AvrBoard board(run.first, "Counters", std::move(line), 1.1);
-    const std::vector<Printed> rows = rowsOf(board);
-    REQUIRE(rows.size() == 1);
-    CHECK(wrongRow(Expected(board.characters()), rows, avr::counters) == "");
-    CHECK(avr::numbersIn(rows[0].text)[1] == 24);
-    CHECK(board.mistakes() == "");
-  }
-}
-
-// The age counts from the poll that found the frame, a loop period after its end; every loop() calls SBusFrameOk().
-TEST_CASE(
-    "SBusFrameOk() is false 100 ms after the line went silent, less what a port may have held back and a loop()") {
-  for (const Model &model : {Mega, Leonardo}) {
-    CAPTURE(std::string(model.name));
-    const AvrBoard board(model, "Counters", lineOf("cut"), 3);
-    std::vector<double> changes;
-    for (const Printed &line : board.printed()) {
-      if (line.text.rfind("ok,", 0) == 0) {
-        CHECK(line.text[3] == (changes.empty() ? '1' : '0'));
-        changes.push_back(avr::numbersIn(line.text.substr(5))[0]);
-      }
-    }
-    REQUIRE(changes.size() == 2);
-    const double afterUs = changes[1] - static_cast<double>(Expected(board.characters()).lastUs());
-    CHECK(afterUs >= 100000 - 4 * 120 - 200);
-    CHECK(afterUs <= 100000 - 4 * 120 + 200);
   }
 }
 
@@ -210,46 +161,6 @@ TEST_CASE("Loopback says once a second whether its frames come back") {
       const AvrBoard board(model, "Loopback", lineOf(run.first), passes ? 2 : 1);
       CHECK(textOf(board) == (passes ? run.second + run.second : run.second));
       CHECK(board.mistakes() == "");
-    }
-  }
-}
-
-TEST_CASE("Diagnose prints what came with each setting, and what to do") {
-  const std::pair<std::string, std::string> runs[] = {
-      {"frsky-neutral",
-       "begin(100000): 3 frames, 15 discarded bytes\n"
-       "begin(200000): 0 frames, 0 discarded bytes\n"
-       "No frames: bytes come, but few frames or none.\n"
-       "Connect GND. Is it S.Bus? Is an inverter missing, or one too many? No nRF52 can do 100000 8E2.\n"
-       "dSBus.begin(100000): 6 frames a second and 0 damaged, frame interval some us; "
-       "0 % with the lost-frame flag\n"},
-      {"paper",
-       "begin(100000): 6 frames, 0 discarded bytes\n"
-       "begin(200000): 0 frames, 0 discarded bytes\n"
-       "All well.\n"
-       "Nothing to do.\n"
-       "dSBus.begin(100000): 12 frames a second and 0 damaged, frame interval some us; "
-       "0 % with the lost-frame flag\n"},
-      {"sbus2",
-       "begin(100000): 7 frames, 3 discarded bytes\n"
-       "begin(200000): 0 frames, 99 discarded bytes\n"
-       "All well.\n"
-       "Nothing to do.\n"
-       "dSBus.begin(100000): 14 frames a second and 0 damaged, frame interval some us; "
-       "0 % with the lost-frame flag\n"},
-      {"silent",
-       "begin(100000): 0 frames, 0 discarded bytes\n"
-       "begin(200000): 0 frames, 0 discarded bytes\n"
-       "No signal: not a byte with any setting.\n"
-       "Check wire, pin and receiver: is it powered and bound, and its port set to S.Bus, not CPPM?\n"},
-  };
-  for (const auto &run : runs) {
-    CAPTURE(run.first);
-    const std::regex period("[0-9]+ us");  // it depends on the polls
-    for (const Model &model : {Mega, Leonardo}) {
-      CAPTURE(std::string(model.name));
-      const std::string text = textOf(AvrBoard(model, "Diagnose", lineOf(run.first), 1.2));
-      CHECK(std::regex_replace(text, period, "some us") == run.second);
     }
   }
 }

@@ -56,7 +56,6 @@ class Expected {
 
   // Returns the number of frames that began at `fromUs` or later, and were complete by `toUs`.
   unsigned count(uint64_t fromUs, uint64_t toUs) const;
-  uint64_t lastUs() const { return _frames.back().us; }
 
  private:
   std::vector<SeenFrame> _frames;

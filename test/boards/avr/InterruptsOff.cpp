@@ -1,5 +1,5 @@
 // A sketch that turns interrupts off now and then, as one that drives a WS2812 strip of 310 LEDs does, for 9.3 to 9.56
-// ms. (No .ino, as Counters.cpp.) All channels of a frame are equal on its line. Sends every second
+// ms. (No .ino, as Background.cpp.) All channels of a frame are equal on its line. Sends every second
 //   stops,frames,wrong  since the beginning: times that they were off, new frames, and those whose channels differ
 
 #include <Arduino.h>

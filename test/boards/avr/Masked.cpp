@@ -1,4 +1,4 @@
-// A sketch that answers in all slots, and disables interrupts again and again, at random. (No .ino, as Counters.cpp.)
+// A sketch that answers in all slots, and disables interrupts again and again, at random. (No .ino, as Background.cpp.)
 // The EEPROM begins with two numbers of 16 bits: for how long at most, us, and the most time between, us. Sends every
 // second
 //   frames,sent,skipped,collisions  since the beginning

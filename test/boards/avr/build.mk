@@ -12,7 +12,7 @@ HOST := $(ROOT)/extras/host
 ARDUINO ?= /usr/share/arduino/hardware/arduino/avr
 
 EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
-OURS_ALONE := Background Counters Busy InterruptsOff Masked
+OURS_ALONE := Background Busy InterruptsOff Masked
 BOARDS := mega leonardo uno
 # As in boards.txt: the chip, its name, the variant, and more.
 mega := atmega2560 MEGA2560 mega
@@ -22,7 +22,7 @@ uno := atmega328p UNO standard
 reason = $(strip $(if $(filter uno,$1),$(if $(filter Led Servos,$2),,one port cannot receive and print), \
   $(if $(filter leonardo-PwmIn,$1-$2),needs four pins with interrupts)))
 # Busy and Masked have a timer 2, and all print.
-ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background Counters InterruptsOff))
+ours = $(if $(filter mega,$1),$(OURS_ALONE),$(if $(filter leonardo,$1),Background InterruptsOff))
 rejected = $(foreach name,$(EXAMPLES),$(if $(call reason,$1,$(name)),$(name)))
 sketches = $(filter-out $(call rejected,$1),$(EXAMPLES)) $(call ours,$1)
 elves = $(patsubst %,$(OUT)/$1/%.elf,$(call sketches,$1))
