@@ -33,18 +33,14 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   const Values &a = *found.values[0], &b = *found.values[1];
   _counts.frames[0]++;
   _counts.frames[1]++;
-<<<<<<< HEAD
   if (found.isLate && (!found.isSameContent || isFlagged(a) != isFlagged(b))) {
     _counts.late[0]++;
     _counts.late[1]++;
     return;
   }
   _anyPair = true;
-  if (found.isSameContent && !found.isLate) {
-=======
   _counts.channels = {a.count, b.count};
-  if (found.isSameContent) {
->>>>>>> hb
+  if (found.isSameContent && !found.isLate) {
     _counts.delays.put(us, found.delayUs);
   }
   if (isFlagged(a) != isFlagged(b)) {

@@ -39,11 +39,8 @@ class Comparison {
     std::array<unsigned long, 2> lost{};
     std::array<unsigned long, 2> spans{};
     std::array<std::vector<LostSpan>, 2> longest;  // by frames, LongestMost at most
-<<<<<<< HEAD
     std::array<unsigned long, 2> late{};           // not compared: the PC was late
-=======
     std::array<unsigned, 2> channels{};            // of the newest pair
->>>>>>> hb
     unsigned long same = 0;
     unsigned long different = 0;
     std::optional<Difference> first;
