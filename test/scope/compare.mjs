@@ -42,10 +42,10 @@ const receivers = ([frames, lost]) => {
   other.onOpen = () => {
     other.onOpen = () => undefined;
     startMs = performance.now() + 300;
-    feed(() => one, frames, 0);
+    feed(() => fake.port, frames, 0);
     feed(() => fake.second, frames.map((bytes, i) => (lost.includes(i) ? [...bytes.slice(0, 23), 4, 0] : bytes)), 40);
   };
-  fake.choose = () => ((fake.choices = (fake.choices ?? 0) + 1) > 1 ? fake.second : one);
+  fake.choose = () => ((fake.choices = (fake.choices ?? 0) + 1) > 1 ? fake.second : fake.port);
 };
 const many = Array.from({ length: 500 }, (_, i) => frame([400 + 2 * i, 992, 300 + i % 700]));
 const lost = Array.from({ length: 25 }, (_, i) => 300 + i);
@@ -187,6 +187,12 @@ export default async function () {
     await page.click('#source-adapter');
     await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
     await page.evaluate(() => Object.assign(fake, { kept: fake.choose, choose: () => fake.port }));
+    await page.click('#compare');
+    await reads(page, '#notice-text', 'The page shows this port already.');
+    await page.evaluate(() => fake.port.unplug());
+    await reads(page, '#verdict-text', 'The port is gone.');
+    await page.evaluate(() => fake.port.plug()); // now it is another SerialPort, of the same device as the second one
+    await until('it is open again', () => page.evaluate(() => fake.port.isLocked));
     await page.click('#compare');
     await reads(page, '#notice-text', 'The page shows this port already.');
     await page.evaluate(() => Object.assign(fake, { choose: () => undefined }));

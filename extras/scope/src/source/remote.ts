@@ -131,7 +131,7 @@ export class Remote implements Line {
     const opened = await new Promise<Opened | undefined>((resolve, reject) => {
       channel.onmessage = ({ data }): void => {
         if (data.kind === 'failed') {
-          reject(new Error(data.error));
+          reject(data.remedy ? ({ text: data.error, remedy: data.remedy } satisfies Problem) : new Error(data.error));
         } else {
           resolve(data.kind === 'opened' ? data : undefined);
         }

@@ -8,15 +8,9 @@ import type { Sink, Stretch } from '../line';
 import { PortSource } from './port';
 import type { RecordingSource } from './recording';
 import { Remote } from './remote';
-import type { Problem } from './Source';
 
 const jumpUs = 2000000; // what is further away is sought
 let ids = 0;
-
-const samePort: Problem = {
-  text: 'The page shows this port already.',
-  remedy: 'Press Compare… again, and choose the port of the second receiver.',
-};
 
 export abstract class Second implements Sink {
   readonly history = new History();
@@ -113,11 +107,8 @@ export class SecondPort extends Second {
     super(source.line, source.device);
   }
 
-  // Opens the port of an adapter. Throws a Problem, or the reason of `signal`.
+  // Opens the port of an adapter. Throws a Problem, also if A has it, or the reason of `signal`.
   static async open(core: Core, port: SerialPort, first: PortSource, signal: AbortSignal): Promise<Second> {
-    if (first.has(port)) {
-      throw samePort;
-    }
     const make = await PortSource.open(core, port, 'adapter', 0, signal, first.line);
     return new SecondPort(make());
   }

@@ -22,7 +22,7 @@ export interface Out {
 }
 
 // A line's source, as the server has it.
-interface Feed extends Tried, Partial<Pick<PortFeed, 'title' | 'events' | 'isUnplugged' | 'replugged' | 'zeroMs'>> {
+interface Feed extends Tried, Partial<Pick<PortFeed, 'title' | 'events' | 'isUnplugged' | 'replugged' | 'holds' | 'zeroMs'>> {
   // Returns the line's time: all characters complete by then have come. `us`: the page's.
   nowUs(us: number): number;
   close(): void;
@@ -68,7 +68,7 @@ class LiveLine {
 
   constructor(
     private readonly native: Native,
-    private readonly feed: Feed,
+    readonly feed: Feed,
     private readonly find: FindPort,
     private readonly out: Out,
     private readonly id: number,
@@ -179,6 +179,10 @@ export async function serve({ wasm, opening, id, beside }: Live, out: Out, find:
     const first = beside === undefined ? undefined : lines.get(beside);
     if ((opening.kind === 'port' && !port) || (beside !== undefined && !first)) {
       out.postMessage({ kind: 'refused' } satisfies Answer);
+      return;
+    }
+    if (first?.feed.holds?.(port as SerialPort)) {
+      out.postMessage({ kind: 'failed', error: 'The page shows this port already.', remedy: 'Press Compare… again, and choose the port of the second receiver.' } satisfies Answer);
       return;
     }
     const native = Native.of((await WebAssembly.instantiate(wasm as BufferSource, imports)).instance);

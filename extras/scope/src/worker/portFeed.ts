@@ -88,6 +88,10 @@ export class PortFeed {
     }
   }
 
+  holds(port: SerialPort): boolean {
+    return port === this.port;
+  }
+
   // The device is there again, as `port`.
   replugged(port: SerialPort): void {
     this.port = port;
