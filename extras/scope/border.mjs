@@ -5,7 +5,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 
 const root = new URL('../../', import.meta.url);
 const read = (file) => readFileSync(new URL(file, root), 'utf8').replace(/\/\/.*/g, '');
-const scope = 'extras/scope/wasm/Scope.h';
+const scope = 'extras/scope/wasm/ShownLine.h';
 const layouts = readFileSync(process.argv[2], 'utf8');
 const lines = ['// Written by border.mjs from the C++ in ../wasm.', ''];
 

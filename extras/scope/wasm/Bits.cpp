@@ -1,5 +1,5 @@
 // Which channel a bit of a frame belongs to: the one in which sbus::unpack() finds it.
-#include "Scope.h"
+#include "ShownLine.h"
 
 using namespace scope;
 

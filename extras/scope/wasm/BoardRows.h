@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "line/recording/CsvRows.h"
 #include "line/Statistics.h"
+#include "line/recording/CsvRows.h"
 
 namespace scope {
 

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <memory>
 
-#include "Scope.h"
+#include "ShownLine.h"
 #include "Tape.h"
 #include "line/Format.h"
 #include "line/compare/Compared.h"

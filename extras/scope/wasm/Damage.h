@@ -13,8 +13,8 @@ class Damage {
   uint64_t take(const line::Stretch &stretch, bool followsSlots);
 
  private:
-  bool _seen = false;      // a frame
-  bool _hasBad = false;    // a character with an error came since the newest frame
+  bool _seen = false;    // a frame
+  bool _hasBad = false;  // a character with an error came since the newest frame
   bool _hasHeader = false;
   size_t _mostOfNone = 0;  // characters after the newest frame that may be no part of one
   size_t _count = 0;       // characters since then

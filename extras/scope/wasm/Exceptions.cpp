@@ -1,5 +1,6 @@
-// What the C++ library calls to throw. Ubuntu 24.04's libc++ for WebAssembly refers to both functions and no library there
-// has them; weak, so that a library that has them prevails. Nothing here throws: a call ends the page's worker as a trap.
+// What the C++ library calls to throw. Ubuntu 24.04's libc++ for WebAssembly refers to both functions and no library
+// there has them; weak, so that a library that has them prevails. Nothing here throws: a call ends the page's worker as
+// a trap.
 
 #include <cstddef>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "Scope.h"
+#include "ShownLine.h"
 #include "Tape.h"
 #include "line/Format.h"
 #include "line/report/HtmlReport.h"

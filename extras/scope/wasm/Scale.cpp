@@ -2,7 +2,7 @@
 // conditions, which compare scaled values.
 #include <cstring>
 
-#include "Scope.h"
+#include "ShownLine.h"
 #include "line/Condition.h"
 #include "sbus/Calibrator.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "Scope.h"
+#include "ShownLine.h"
 
 using namespace scope;
 
@@ -15,21 +15,21 @@ double marks[2];
 // Returns the finding for the port's present setting, from all that came since it was opened, or since mark().
 sbus::Finding findingSoFar(uint64_t nowUs) {
   sbus::Diagnosis diagnosis;
-  diagnosis.add(theScope.examination.trial(theScope.observer, theScope.settings, nowUs));
+  diagnosis.add(shownLine.examination.trial(shownLine.observer, shownLine.settings, nowUs));
   return diagnosis.finding();
 }
 
 }  // namespace
 
 EXPORT(status)(double now)->const Status * {
-  const uint64_t nowUs = theScope.knownUs(static_cast<uint64_t>(now));
-  line::Observer &observer = theScope.observer;
+  const uint64_t nowUs = shownLine.knownUs(static_cast<uint64_t>(now));
+  line::Observer &observer = shownLine.observer;
   const sbus::Counters &counters = observer.counters();
-  BoardRows &rows = theScope.rows;
+  BoardRows &rows = shownLine.rows;
   const bool text = rows.recognised();
   const line::Extent &gaps = text ? rows.gaps() : observer.gaps();
   const auto d = [](uint64_t value) { return static_cast<double>(value); };
-  answer.state = d(static_cast<uint64_t>(theScope.state(nowUs)));
+  answer.state = d(static_cast<uint64_t>(shownLine.state(nowUs)));
   answer.showsLostFrame = text ? rows.showsLostFrame(nowUs) : observer.showsLostFrame(nowUs);
   answer.showsFailsafe = text ? rows.showsFailsafe(nowUs) : observer.showsFailsafe(nowUs);
   answer.ageUs = d(text ? rows.ageUs(nowUs) : observer.ageUs(nowUs));
@@ -54,9 +54,9 @@ EXPORT(status)(double now)->const Status * {
   answer.otherLines = d(rows.otherLines());
   answer.garbled = d(rows.garbled());
   answer.lateUs = now - d(nowUs);
-  answer.lateReads = d(theScope.lateReads());
-  answer.quietUs = d(nowUs - std::min(nowUs, theScope.characterUs()));
-  answer.finding = theScope.verdict.finding() ? d(static_cast<uint64_t>(*theScope.verdict.finding())) : -1;
+  answer.lateReads = d(shownLine.lateReads());
+  answer.quietUs = d(nowUs - std::min(nowUs, shownLine.characterUs()));
+  answer.finding = shownLine.verdict.finding() ? d(static_cast<uint64_t>(*shownLine.verdict.finding())) : -1;
   answer.findingSoFar = d(static_cast<uint64_t>(findingSoFar(nowUs)));
   return &answer;
 }
@@ -67,8 +67,8 @@ EXPORT(telemetry)(double now)->const char * {
   static std::string lines;
   const auto nowUs = static_cast<uint64_t>(now);
   const uint64_t sinceUs = nowUs - std::min(nowUs, line::Readings::FreshUs);
-  lines = theScope.readings.slots(sinceUs);
-  theScope.readings.each(sinceUs, [](const line::Quantity &quantity, double) {
+  lines = shownLine.readings.slots(sinceUs);
+  shownLine.readings.each(sinceUs, [](const line::Quantity &quantity, double) {
     lines += "\n" + std::to_string(readingOf(quantity)) + '\t' + quantity.name + '\t' + quantity.value + '\t' +
              quantity.unit;
   });
@@ -87,28 +87,28 @@ EXPORT(sensorNames)()->const char * {
 
 // The sensors of the line are in the buffer: of each the first slot, and its number among sensorNames().
 EXPORT(setSensors)(unsigned count)->void {
-  theScope.sensors.clear();
+  shownLine.sensors.clear();
   for (unsigned i = 0; i + 1 < count; i += 2) {
-    theScope.sensors[transfer[i]] = &line::sensors()[transfer[i + 1]];
+    shownLine.sensors[transfer[i]] = &line::sensors()[transfer[i + 1]];
   }
-  theScope.readings = line::Readings(theScope.sensors);
+  shownLine.readings = line::Readings(shownLine.sensors);
 }
 
 // Returns the least and greatest value of a channel, from 0 on; nullptr before the first.
 EXPORT(travel)(unsigned channel)->const double * {
-  if (theScope.rows.recognised()) {
-    const BoardRows::Travel *const travel = theScope.rows.travel(channel);
+  if (shownLine.rows.recognised()) {
+    const BoardRows::Travel *const travel = shownLine.rows.travel(channel);
     marks[0] = travel != nullptr ? travel->low : 0;
     marks[1] = travel != nullptr ? travel->high : 0;
     return travel != nullptr ? marks : nullptr;
   }
-  const line::Extent &travel = theScope.observer.travel(channel);
+  const line::Extent &travel = shownLine.observer.travel(channel);
   marks[0] = static_cast<double>(travel.low);
   marks[1] = static_cast<double>(travel.high);
   return travel.count > 0 ? marks : nullptr;
 }
 
 EXPORT(resetMarks)()->void {
-  theScope.observer.resetMarks();
-  theScope.rows.resetMarks();
+  shownLine.observer.resetMarks();
+  shownLine.rows.resetMarks();
 }

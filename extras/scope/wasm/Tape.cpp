@@ -6,7 +6,7 @@
 #include <cstring>
 #include <memory>
 
-#include "Scope.h"
+#include "ShownLine.h"
 #include "line/capture/RecordedCapture.h"
 #include "line/capture/SessionReader.h"
 #include "line/recording/Recording.h"

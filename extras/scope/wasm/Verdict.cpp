@@ -1,5 +1,5 @@
 // What is wrong with the line, in the words of sbus/Diagnosis.
-#include "Scope.h"
+#include "ShownLine.h"
 
 using namespace scope;
 
@@ -16,7 +16,7 @@ EXPORT(beginRound)()->void {
 
 // Takes what came since the port was opened with its present setting.
 EXPORT(addTrial)()->void {
-  trials.add(theScope.examination.trial(theScope.observer, theScope.settings, theScope.nowUs()));
+  trials.add(shownLine.examination.trial(shownLine.observer, shownLine.settings, shownLine.nowUs()));
 }
 
 EXPORT(roundFinding)()->int {
@@ -28,7 +28,7 @@ EXPORT(roundBest)()->int {
 
 // Forgets what has come before.
 EXPORT(mark)()->void {
-  theScope.mark();
+  shownLine.mark();
 }
 
 EXPORT(findingText)(int finding)->const char * {

@@ -12,7 +12,8 @@ class VerdictOfSecond {
   // Begins the first second.
   void begin(const line::Observer &observer, uint64_t nowUs);
 
-  // Judges each second that is over by `nowUs`: all characters complete by then have come to a port with these settings.
+  // Judges each second that is over by `nowUs`: all characters complete by then have come to a port with these
+  // settings.
   void until(const line::Observer &observer, const line::LineSettings &port, uint64_t nowUs) {
     if (nowUs >= _beganUs + SecondUs) {
       judge(observer, port, nowUs);

@@ -9,8 +9,8 @@
 #include "BoardRows.h"
 #include "Damage.h"
 #include "FedLine.h"
-#include "TextRecorder.h"
 #include "SimulatedLine.h"
+#include "TextRecorder.h"
 #include "VerdictOfSecond.h"
 #include "line/Condition.h"
 #include "line/Examination.h"
@@ -87,11 +87,11 @@ struct ReadCondition {
 // Returns the place of a quantity among a record's readings: its slot. The receiver has two in slot 0.
 size_t readingOf(const line::Quantity &quantity);
 
-class Scope {
+class ShownLine {
  public:
   static constexpr size_t Enough = 256;  // records: the page takes them away before there are more
 
-  Scope();
+  ShownLine();
 
   void reset(uint64_t nowUs, const line::LineSettings &settings);
   void received(const uint8_t *bytes, size_t count, uint64_t nowUs);
@@ -159,7 +159,7 @@ class Scope {
   bool _finished = false;  // the recording has ended: nothing waits any more
 };
 
-extern Scope theScope;
+extern ShownLine shownLine;
 
 }  // namespace scope
 
