@@ -24,7 +24,7 @@ constexpr BusSensor ExampleSensor[] = {{1, {0x80, 0x38}}, {2, {0x00, 0x7D}}};
 
 constexpr unsigned NoiseMax = 100000;
 
-// Takes a word. Returns false if it is none of sim, or of a file.
+// Takes a word. Returns false if it is not a word of sim or of a file.
 bool takeSourceWord(const std::string &word, Source &source) {
   if (word == "uninverted") {
     source.settings.polarity = Polarity::Uninverted;
@@ -54,7 +54,7 @@ bool exists(const std::string &name) {
   return stat(name.c_str(), &status) == 0;
 }
 
-// Takes the words behind the colon. Returns the first wrong one; empty if none is.
+// Takes the words after the colon. Returns the first wrong one, or nothing.
 std::string takeSourceWords(const std::string &words, Source &source) {
   std::string wrong;
   forEachAtCommas(words, [&](std::string_view each) {
@@ -68,7 +68,7 @@ std::string takeSourceWords(const std::string &words, Source &source) {
 
 }  // namespace
 
-// The name of a file may have a colon itself.
+// A file name may itself contain a colon.
 Source parseSource(const std::string &text) {
   const size_t colon = text.rfind(':');
   Source source;
@@ -121,7 +121,7 @@ std::string Source::text() const {
   return !isSimulated()                     ? "recording " + name + ", once"
          : silent                           ? "a line with nothing on it"
          : sbus2                            ? "simulated Futaba receiver with S.BUS2, an SBS-01V in slot 1"
-         : channels == Channels::TwentyFour ? "simulated FrSky receiver of 24 channels"
+         : channels == Channels::TwentyFour ? "simulated FrSky receiver with 24 channels"
          : channels == Channels::ThirtyTwo  ? "simulated Futaba receiver, FASSTest 26"
                                             : "simulated FrSky R-XSR";
 }

@@ -206,7 +206,7 @@ cat "$work/2.sr" | "$SBUS" decode - --csv | cmp - "$work/plain"
 verdict $? "decode reads a session through a pipe"
 session other.zip version logic-1
 ! "$SBUS" decode "$work/other.zip" 2>"$work/err" &&
-  grep -qx "sbus decode: $work/other.zip: is a ZIP of several files, and no session of sigrok or PulseView: unpack it, and name one" "$work/err"
+  grep -qx "sbus decode: $work/other.zip: is a ZIP of several files, but not a session of sigrok or PulseView: unpack it, and name one" "$work/err"
 verdict $? "decode rejects a ZIP that is no session"
 session empty.sr version metadata
 ! "$SBUS" decode "$work/empty.sr" 2>"$work/err" &&
