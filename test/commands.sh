@@ -166,7 +166,7 @@ check '^plotted ([0-9]+,){5}[0-9]+$' '
   then='"'"'timeout 60 head -n 2 "$(sed -n "s/^waiting until a program opens \(.*\);.*/\1/p" said)" | sed "s/^/plotted /"'"'"'
   until_says "waiting until a program opens" make demo PTY=1' 'make demo PTY=1'
 check '^Serial1: receiver at /dev/pts/' "adapter; until_says '^([0-9]+,){5}[0-9]' make demo SOURCE=\$adapter" 'make demo SOURCE=/dev/ttyUSB0'
-check 'simulated FrSky receiver of 24 channels' "until_says 'receiver of 24 channels' make demo SOURCE=sim:24" 'make demo SOURCE=sim:24'
+check 'simulated FrSky receiver with 24 channels' "until_says 'receiver with 24 channels' make demo SOURCE=sim:24" 'make demo SOURCE=sim:24'
 check '^PASS: [1-9][0-9]* frames sent' 'until_says PASS make demo SKETCH=examples/Loopback' 'make demo SKETCH=examples/Loopback'
 check '^1\. Move all sticks' "until_says 'CH4 ok' make demo SKETCH=examples/Calibrate" \
   'make demo SKETCH=examples/Calibrate' 'make demo SKETCH=examples/NAME'

@@ -133,7 +133,7 @@ FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
     source.isLate = head.find('~') != std::string::npos;
   } else if (kind == FileKind::Rows) {
     source.settings = line::csvSettings();
-    source.hasRowTimes = line::namesTimes(line::withoutMark(head));
+    source.hasRowTimes = line::hasTimeColumn(line::withoutMark(head));
   } else if (kind == FileKind::Json) {
     const JsonHead read = readJsonHead(head);
     source.settings = read.settings;
@@ -171,7 +171,7 @@ FileSource readCapture(const FileName &name, const line::Overrules &overrules) {
   if (!failure.empty()) {
     throw std::runtime_error(failure);
   }
-  saySignal(name.shown, capture.wire());
+  reportSignal(name.shown, capture.wire());
   FileSource file;
   file.kind = FileKind::Capture;
   file.settings = capture.settings();
@@ -188,7 +188,7 @@ bool isControl(unsigned char c) {
 
 }  // namespace
 
-void saySignal(const std::string &name, const line::WireDecoder &wire) {
+void reportSignal(const std::string &name, const line::WireDecoder &wire) {
   if (!wire.others().empty()) {
     std::string others;
     for (const std::string &other : wire.others()) {
@@ -207,7 +207,7 @@ FileKind kindOfText(const std::string &head, const std::string &name) {
   if (isFrameTable(head)) {
     return FileKind::Table;
   }
-  if (line::namesTimes(line::withoutMark(head))) {
+  if (line::hasTimeColumn(line::withoutMark(head))) {
     return FileKind::Rows;
   }
   const std::string format = line::captureFormat(head);

@@ -32,7 +32,7 @@ struct FileName {
 FileKind kindOfText(const std::string &head, const std::string &name);
 
 // Prints to standard error which signal was chosen, if others carry S.Bus as well.
-void saySignal(const std::string &name, const line::WireDecoder &wire);
+void reportSignal(const std::string &name, const line::WireDecoder &wire);
 
 struct FileSource {
   FileKind kind = FileKind::Recording;

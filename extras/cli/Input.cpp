@@ -21,7 +21,7 @@ constexpr std::chrono::microseconds Soon(250);
 }  // namespace
 
 void Input::check() {
-  _line->mayGoTo(_startUs);
+  _line->canAdvanceTo(_startUs);
   if (!_line->failure().empty()) {
     throw std::runtime_error(_line->failure());
   }
@@ -73,7 +73,7 @@ bool Input::advance() {
   uint64_t nextUs = _nowUs + TickUs;
   if (_pace == Pace::RealTime) {
     nextUs = _startUs + static_cast<uint64_t>(static_cast<double>(sinceUs()) * _speed);
-  } else if (!_line->mayGoTo(nextUs)) {
+  } else if (!_line->canAdvanceTo(nextUs)) {
     return false;
   }
   _nowUs = std::min(nextUs, _endUs);

@@ -43,7 +43,7 @@ class Bursts {
 }  // namespace
 
 Sending::Sending(Subcommand &subcommand) {
-  subcommand.option("--port", _to, "a serial port; without it a pseudo-terminal, whose name is printed").type("DEVICE");
+  subcommand.option("--port", _to, "a serial port; without it, a pseudo-terminal (prints its name)").type("DEVICE");
 }
 
 void Sending::run(Input &input) const {

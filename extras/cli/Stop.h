@@ -11,7 +11,7 @@ void catchSignals();
 // Returns true after such a signal.
 bool stopped();
 
-// Makes stopped() return false again: the signal has ended a pipe, whose content is still to be read.
+// Makes stopped() return false again: the signal ended a pipe, but its content is still to be read.
 void forgetStop();
 
 }  // namespace tool

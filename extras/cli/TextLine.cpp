@@ -124,7 +124,7 @@ bool TextLine::wait() {
   return true;
 }
 
-bool TextLine::mayGoTo(uint64_t us) {
+bool TextLine::canAdvanceTo(uint64_t us) {
   constexpr uint64_t TickUs = 1000;
   fill(us);
   return !_waiting.empty() || _ended || us <= _lastUs + TickUs;

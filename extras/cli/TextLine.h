@@ -115,7 +115,7 @@ class TextLine : public line::Line {
   bool next(uint64_t nowUs, line::Character &character) override;
   uint64_t knownUs(uint64_t nowUs) const override;
   bool wait() override;
-  bool mayGoTo(uint64_t us) override;
+  bool canAdvanceTo(uint64_t us) override;
   bool finished(uint64_t nowUs) const override;
   std::string failure() const override { return _waiting.empty() ? _failure : ""; }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Step = Condition::Step;
 
-constexpr int NestingMax = 30;  // of ! and parentheses: each has two results waiting at most, of the 64 in holds()
+constexpr int NestingMax = 30;  // of ! and parentheses: each holds at most two of the 64 results in holds()
 
 struct Name {
   const char *name;
@@ -22,7 +22,7 @@ struct Name {
 constexpr Step stateIs(sbus::LinkState state) {
   return {Moment::State, static_cast<double>(state), static_cast<double>(state)};
 }
-// The state failsafe comes first: alone, the word is the flag.
+// The state failsafe comes first; alone, the word means the flag.
 constexpr Name Names[] = {{"failsafe", stateIs(sbus::LinkState::Failsafe)},
                           {"ok", stateIs(sbus::LinkState::Ok)},
                           {"lossy", stateIs(sbus::LinkState::Lossy)},
@@ -41,7 +41,7 @@ bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || !isAscii(c);
 }
 
-// Returns the size of the word, number or sign that the text begins with.
+// Returns the size of the word, number or sign at the beginning of the text.
 size_t tokenSize(std::string_view text) {
   const char *at = text.data();
   double number = 0;
@@ -58,7 +58,7 @@ size_t tokenSize(std::string_view text) {
                                  : static_cast<size_t>(std::find_if_not(letters, text.end(), isDigit) - text.begin());
 }
 
-// Each function returns false once there is an error.
+// Each function returns false after an error.
 class Parser {
  public:
   Parser(std::string_view text, const Condition::Shown &shown, bool anyNumber, std::vector<Step> &steps,
@@ -144,7 +144,7 @@ class Parser {
     return isSwitch && isAlone ? add(step) : range(step, Value) && inRaw(step) && add(step);
   }
 
-  // Takes a sign and a number: `expected`.
+  // Takes a sign and a number; `expected` describes the number.
   bool range(Step &step, const char *expected) {
     const std::string sign(_token);
     if (sign != "=" && sign != "==" && sign != "!=" && sign[0] != '<' && sign[0] != '>') {
@@ -170,7 +170,7 @@ class Parser {
     return step;
   }
 
-  // Takes the unit of a channel's range, and makes it the range of the raw values in it.
+  // Takes the unit of a channel's range, and converts the range to raw values.
   bool inRaw(Step &step) {
     const bool isPercent = _token == "%" || _token == "percent";
     if (!isPercent && _token != "us" && _token != "\xC2\xB5s" && _token != "\xCE\xBCs") {
@@ -225,12 +225,12 @@ class Parser {
 
   const std::string _text;
   const Condition::Shown &_shown;
-  const bool _anyNumber;  // not only raw values
+  const bool _anyNumber;  // allow other numbers than raw values
   std::vector<Step> &_steps;
   Condition::Error &_error;
-  std::string_view _token;  // what is next; empty at the end
+  std::string_view _token;  // the next one; empty at the end
   size_t _at = 0;
-  double _number = 0;  // of the newest range
+  double _number = 0;  // in the newest range
   Condition::Error _numberAt;
   int _nesting = 0;
 };
@@ -265,7 +265,7 @@ bool Condition::holds(const Moment &moment) const {
       moment.values[Moment::Rejected] == 0) {
     return false;
   }
-  uint64_t results = 0;  // bits, the newest the lowest
+  uint64_t results = 0;  // bits; the newest is the lowest
   for (const Step &step : _steps) {
     if (step.which == Step::Not) {
       results ^= 1;

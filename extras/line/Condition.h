@@ -1,4 +1,4 @@
-// A condition on a line, as `sbus watch --when` and the page's trigger take it:
+// A condition on a line, for `sbus watch --when` and the page's trigger:
 //
 //   failsafe || ch5 > 1500us && !(age > 50 ms)
 #pragma once
@@ -14,15 +14,15 @@
 
 namespace line {
 
-// The line at a time: after a frame, after a board's row, after bytes that are neither, or in the silence after them.
+// The line at a moment: after a frame, a board's row, or other bytes, or in the silence after them.
 struct Moment {
-  // What has a value; the channels come first.
+  // The values; the channels come first.
   enum Which : uint8_t { ChannelsEnd = 32, Age = ChannelsEnd, Quality, State, Failsafe, LostFrame, Rejected, Count };
 
-  // Takes the values of an observer. `isRejected`: of the newest stretch.
+  // Takes an observer's values. `isRejected`: the newest stretch is.
   Moment(Observer &observer, uint64_t nowUs, bool isRejected);
 
-  // Takes the channels: raw, or as a board prints them.
+  // Takes the channels: raw values, or a board's numbers.
   template <typename Value>
   void setChannels(const Value *channels, unsigned count) {
     for (unsigned i = 0; i < ChannelsEnd; i++) {
@@ -30,7 +30,7 @@ struct Moment {
     }
   }
 
-  double values[Count];  // not a number: there is no such channel
+  double values[Count];  // NaN: no such channel
 };
 
 // Returns true for bytes that are neither a frame nor telemetry.
@@ -40,16 +40,16 @@ inline bool isRejected(const Stretch &stretch) {
 
 class Condition {
  public:
-  // Returns a raw value of a channel, counted from 0, as it is shown in percent, or in microseconds.
+  // Returns the value shown, in percent or microseconds, for a channel, counted from 0, and its raw value.
   using Shown = std::function<double(unsigned channel, uint16_t raw, bool isPercent)>;
 
   struct Error {
-    std::string text;   // "a time is expected"; "": there is no error
-    size_t at = 0;      // where, in bytes
-    size_t length = 0;  // of what is wrong; 0 at the end
+    std::string text;   // "a time is expected"; "": no error
+    size_t at = 0;      // position in bytes
+    size_t length = 0;  // of the wrong part; 0 at the end
   };
 
-  // Tests a value, or joins the results of the steps before it. The last result is the condition's.
+  // Tests a value, or combines the results of earlier steps. The last result is the condition's.
   struct Step {
     enum Joining : uint8_t { Not = Moment::Count, And, Or };
 
@@ -59,17 +59,17 @@ class Condition {
     bool outside = false;  // the value must not be in low..high
   };
 
-  // Reads a text. A channel's us and percent are compared as they are shown; raw values are 0 to 2047, unless the line
-  // may be that of a board. Without `shown` it is: its numbers are compared as it prints them.
+  // Reads a text. A channel's us and percent are compared as shown; raw values are 0 to 2047, unless the line may be a
+  // board's. Without `shown` it is a board's, and numbers are compared as printed.
   Condition(std::string_view text, const Shown &shown, bool maybeBoard = false);
 
-  // Makes a copy of another memory's.
+  // Copies the steps of a condition in another memory.
   Condition(const Step *begin, const Step *end) : _steps(begin, end) {}
 
   const Error &error() const { return _error; }
   const std::vector<Step> &steps() const { return _steps; }
 
-  // Returns true if it may become true while nothing comes.
+  // Returns true if the condition may become true while the line is silent.
   bool needsTime() const;
 
   // Returns false before the first frame or rejected bytes.

@@ -11,10 +11,10 @@ namespace line {
 
 namespace {
 
-constexpr uint8_t ShortGap = 3;     // characters, as if a port waited for them
-constexpr uint32_t SureLead = 2;    // votes more than the other decoder has
-constexpr uint64_t EndUs = 50000;   // a longer silence ends what came before it
-constexpr size_t MostOpen = 8;      // frames of a decoder that wait for the other; a limit, so that none waits for ever
+constexpr uint8_t ShortGap = 3;     // characters, like a port that waits for them
+constexpr uint32_t SureLead = 2;    // votes ahead of the other decoder
+constexpr uint64_t EndUs = 50000;   // a longer silence ends everything before it
+constexpr size_t MostOpen = 8;      // at most this many frames of one decoder wait for the other
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void Places::rejected(int at, sbus::Rejection why) {
   }
 }
 
-// Characters with errors do not reach a decoder: a frame that has one, and an extra byte at its end, looks whole to it.
+// Characters with errors never reach a decoder: a frame with such a character and an extra byte at its end looks whole.
 void Places::found(Stretch::Kind variant, int size, uint8_t flags) {
   const uint64_t begin = _open.front();
   const uint64_t end = _open[static_cast<size_t>(size - 1)] + 1;
@@ -54,12 +54,12 @@ sbus::Counters Places::without(sbus::Counters counters) const {
   return counters;
 }
 
-// Returns true if this may be a part of the other decoder's frames, where gaps show nothing: 25 of each 36 bytes, or 36
+// Returns true if this may be part of the other decoder's frames when gaps do not help: 25 of every 36 bytes, or 36
 // bytes that begin in every second frame.
 bool Places::isDoubtful(Stretch::Kind variant, uint64_t begin) const {
   const uint64_t between = (begin - _foundEnd) % sbus::FrameSize24;
   const bool is24 = variant == Stretch::Kind::Frame24;
-  return isLumpy && (_foundEnd == 0 || (is24 ? between != 0 : between == sbus::FrameSize24 - sbus::FrameSize));
+  return isBursty && (_foundEnd == 0 || (is24 ? between != 0 : between == sbus::FrameSize24 - sbus::FrameSize));
 }
 
 template <typename Call>
@@ -89,7 +89,7 @@ const std::vector<Piece> &Decoders::decide(bool isOver) {
   const uint32_t votes16 = _finder16.events().votes;
   const uint32_t votes24 = _finder24.events().votes;
   const uint32_t lead = std::max(votes16, votes24) - std::min(votes16, votes24);
-  _isDecided = _isDecided || !_finder16.events().isLumpy || lead >= SureLead || (isOver && counters().frames != 0) ||
+  _isDecided = _isDecided || !_finder16.events().isBursty || lead >= SureLead || (isOver && counters().frames != 0) ||
                places().pieces.size() >= MostOpen;
   return _isDecided ? places().pieces : _none;
 }
@@ -98,9 +98,9 @@ const std::vector<Piece> &Decoders::finish() {
   return decide(true);
 }
 
-// A gap of eight characters is seen, one of seven is not. idle() is called at once: without it a finder would guess.
+// A gap of eight characters is seen, one of seven is not. idle() is called at once: otherwise a finder would guess.
 void Decoders::reset(uint64_t nowUs, uint32_t characterUs) {
-  const auto us = static_cast<uint8_t>(std::min<uint32_t>(characterUs, UINT8_MAX));  // a slower line has no S.Bus
+  const auto us = static_cast<uint8_t>(std::min<uint32_t>(characterUs, UINT8_MAX));  // a slower line is not S.Bus
   _nowUs = nowUs;
   _byteUs = nowUs;
   _isDecided = false;
@@ -116,12 +116,12 @@ const std::vector<Piece> &Decoders::idle(uint64_t nowUs) {
   return forBoth([this](auto &finder) { finder.idle(static_cast<uint32_t>(_nowUs)); });
 }
 
-const std::vector<Piece> &Decoders::put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy) {
+const std::vector<Piece> &Decoders::put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isBursty) {
   _nowUs = nowUs;
   _byteUs = nowUs;
   return forBoth([=](auto &finder) {
     finder.events().put(at);
-    finder.events().isLumpy = isLumpy;
+    finder.events().isBursty = isBursty;
     finder.poll(1, static_cast<uint32_t>(nowUs));
     *finder.space() = byte;
     finder.received(1, 0);

@@ -1,4 +1,4 @@
-// Two decoders read the line, one for 16 channels and one for 24. The one that finds more frames is right.
+// Two decoders read the line, one for 16 channels and one for 24. The one that finds more frames is the right one.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace line {
 
-// Takes the events of a decoder (sbus::NoEvents), and knows each byte's place on the line.
+// Takes a decoder's events (sbus::NoEvents), and maps them to places on the line.
 class Places {
  public:
-  // Takes the place of the next byte that the decoder gets.
+  // Takes the place of the decoder's next byte.
   void put(uint64_t at) { _open.push_back(at); }
 
   // Returns the place of the first byte that may still belong to a frame, or `end`.
@@ -24,15 +24,15 @@ class Places {
   void begin() {}
   void lost() {}
   void rejected(int at, sbus::Rejection why);
-  bool seesEachGap() const { return !isLumpy; }
+  bool seesEachGap() const { return !isBursty; }
 
-  // Returns the counters without the frames that had a character error: the decoder does not know of it.
+  // Returns the counters without the frames that had a character error, which the decoder does not see.
   sbus::Counters without(sbus::Counters counters) const;
 
-  bool isLumpy = true;               // a port hands bytes over in bursts, within which gaps are not seen
-  uint32_t votes = 0;                // frames that show that this decoder is right
-  std::vector<Piece> pieces;         // found at the last call
-  std::vector<Rejected> rejections;  // the newest ones
+  bool isBursty = true;              // a port delivers bytes in bursts, which hide gaps
+  uint32_t votes = 0;                // frames that speak for this decoder
+  std::vector<Piece> pieces;         // found by the last call
+  std::vector<Rejected> rejections;  // only the newest ones
 
  protected:
   void found(Stretch::Kind variant, int size, uint8_t flags);
@@ -41,7 +41,7 @@ class Places {
   bool isDoubtful(Stretch::Kind variant, uint64_t begin) const;
 
   sbus::Counters _bad{};       // frames that had a character error
-  std::deque<uint64_t> _open;  // places of the bytes that the decoder still holds
+  std::deque<uint64_t> _open;  // places of the bytes still in the decoder
   uint64_t _foundEnd = 0;      // place after the last frame; 0 before the first
 };
 
@@ -57,27 +57,27 @@ class Decoders {
  public:
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // Takes the time up to which no other byte has come. Returns what it has found.
+  // Takes the time up to which there are no further bytes. Returns the pieces found.
   const std::vector<Piece> &idle(uint64_t nowUs);
 
-  // Takes the character at place `at`, which has no error and came at `nowUs`. Returns what it has found.
-  const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isLumpy);
+  // Takes a character without error at place `at` and time `nowUs`. Returns the pieces found.
+  const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isBursty);
 
   bool has24() const;
   sbus::Counters counters() const { return places().without(has24() ? _finder24.counters() : _finder16.counters()); }
-  // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, its otherSizeFrames
-  // are the frames of the other decoder.
+  // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, otherSizeFrames is the
+  // other decoder's number of frames.
   sbus::Counters counters16() const;
 
-  // Returns the places of the decoder that is right.
+  // Returns the places of the right decoder.
   const Places &places() const {
     return has24() ? static_cast<const Places &>(_finder24.events()) : _finder16.events();
   }
-  // Takes the end of the line. Returns what was still waiting.
+  // Takes the end of the line. Returns the remaining pieces.
   const std::vector<Piece> &finish();
 
-  // Returns the place of the first byte that may still belong to a frame, or `end`: of either decoder until it is known
-  // which is right.
+  // Returns the place of the first byte that may still belong to a frame, or `end`: of either decoder until the right
+  // one is known.
   uint64_t openAt(uint64_t end) const;
 
  private:
@@ -90,9 +90,9 @@ class Decoders {
 
   Finder<sbus::Frame16> _finder16;
   Finder<sbus::Frame24> _finder24;
-  uint64_t _nowUs;   // the newest time that the decoders have
+  uint64_t _nowUs;   // the decoders' newest time
   uint64_t _byteUs;  // of the last byte
-  bool _isDecided;   // which of the two is right is known
+  bool _isDecided;   // the right decoder is known
   std::vector<Piece> _none;
 };
 

@@ -6,7 +6,7 @@ namespace line {
 
 namespace {
 
-// Returns now - before. Counters that are lower than before count from 0: now the other decoder is right.
+// Returns now - before. Counters lower than before count from 0, since they are the other decoder's.
 sbus::Counters difference(sbus::Counters now, const sbus::Counters &before) {
   const auto subtract = [](uint32_t &counter, uint32_t earlier) { counter -= std::min(counter, earlier); };
   subtract(now.frames, before.frames);
@@ -37,7 +37,7 @@ sbus::Trial Examination::trial(const Observer &observer, const LineSettings &por
   sbus::Trial trial = {port.baud, port.polarity != Polarity::Uninverted,
                        static_cast<uint32_t>(std::clamp<uint64_t>(ms, 1, UINT32_MAX)),
                        difference(observer.counters16(), _before)};
-  // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line that carries nothing else
+  // Characters with errors never reach a decoder, and impairedFrames() relies on that. A line with only such characters
   // is not silent.
   if (trial.counters.frames == 0 && trial.counters.discardedBytes == 0) {
     trial.counters.discardedBytes = static_cast<uint32_t>(observer.characterErrors() - _errorsBefore);

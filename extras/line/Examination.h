@@ -1,5 +1,5 @@
-// Counts what a line has brought since a moment, for sbus::Diagnosis. `sbus doctor` and the page judge by this, and a
-// sketch's decoder counts in the same way: all three have the same finding for a line.
+// Counts what a line carries from a moment on, for sbus::Diagnosis. `sbus doctor` and the page use it, and a sketch's
+// decoder counts in the same way, so all three report the same finding for a line.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace line {
 
 class Examination {
  public:
-  // Begins at `nowUs`, in the line's time: what came before does not count.
+  // Begins at `nowUs`, in the line's time.
   void begin(const Observer &observer, uint64_t nowUs);
 
-  // Returns what a port with these settings has received from begin() to `nowUs`.
+  // Returns what a port with these settings received from begin() to `nowUs`.
   sbus::Trial trial(const Observer &observer, const LineSettings &port, uint64_t nowUs) const;
 
  private:
@@ -24,7 +24,7 @@ class Examination {
   uint64_t _beganUs = 0;
 };
 
-// Returns true if there is nothing to do: the line has no fault, and needs no other decoder.
+// Returns true if the line has no fault and needs no other decoder.
 constexpr bool isWell(sbus::Finding finding) {
   return finding == sbus::Finding::AllWell || finding == sbus::Finding::AllWellAndMore;
 }

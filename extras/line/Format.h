@@ -1,4 +1,4 @@
-// A short text with numbers in it.
+// Short texts with numbers.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace line {
 
-// Formats like std::snprintf(), and cuts the text after 399 characters.
+// Formats like std::snprintf(), up to 399 characters.
 template <typename... Values>
 std::string format(const char *pattern, Values... values) {
   char text[400];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint64_t SecondUs = 1000000;
 constexpr size_t LossyPart =
-    12;  // below the 1/10 at which sbus::Diagnosis says lossy: the link is never better than that
+    12;  // below the 1/10 at which sbus::Diagnosis says lossy, so the link never looks better than its diagnosis
 constexpr size_t FinePart = 32;
 constexpr size_t FramesMin = 30;  // so that a line's first lost frame does not make it lossy
 
@@ -18,7 +18,7 @@ constexpr size_t FramesMin = 30;  // so that a line's first lost frame does not 
 
 void HeldLink::frame(uint64_t us, uint8_t flags, sbus::LinkState link, uint64_t knownUs) {
   const bool lost = (flags & sbus::FlagLostFrame) != 0;
-  const bool counts = lost && (flags & sbus::FlagFailsafe) == 0;  // after a failsafe the link is fine at once
+  const bool counts = lost && (flags & sbus::FlagFailsafe) == 0;  // after a failsafe the link is good at once
   _second.push_back({us, counts});
   _lost += counts;
   while (_second.front().us + SecondUs <= us) {
@@ -43,7 +43,7 @@ sbus::LinkState HeldLink::state(sbus::LinkState link, uint64_t nowUs) const {
 }
 
 unsigned HeldLink::perSecond(uint64_t nowUs) const {
-  return static_cast<unsigned>(std::count_if(_second.begin(), _second.end(), [nowUs](const Came &came) {
+  return static_cast<unsigned>(std::count_if(_second.begin(), _second.end(), [nowUs](const Arrival &came) {
     return came.us + SecondUs > nowUs && came.us <= nowUs;
   }));
 }

@@ -1,5 +1,5 @@
-// The state of the link as a person can follow it: single lost frames do not change it, and what lasted a moment is
-// shown for long enough to be seen.
+// The state of the link for a human reader: single lost frames do not change it, and brief events are shown for long
+// enough to be seen.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@ namespace line {
 
 class HeldLink {
  public:
-  static constexpr uint64_t HoldUs = 200000;  // for which a lost frame and a failsafe are shown
+  static constexpr uint64_t HoldUs = 200000;  // how long a lost frame or a failsafe is shown
 
-  // Takes the next frame or row: its flags, and the link's state at it. It came by `knownUs`: a port brings frames
-  // late.
+  // Takes the flags of the next frame or row and the link's state with it. `knownUs`: when it was received; a port
+  // delivers frames late.
   void frame(uint64_t us, uint8_t flags, sbus::LinkState link, uint64_t knownUs);
 
-  // Returns the state to show, if `link` is that of sbus::Link at `nowUs`. Lossy: of the frames of the last second more
-  // than 1/12 were lost, or all, and since then not less than 1/32.
+  // Returns the state to show, given sbus::Link's at `nowUs`. It becomes lossy if more than 1/12 of the last second's
+  // frames were lost, or all, and remains so until fewer than 1/32 are.
   sbus::LinkState state(sbus::LinkState link, uint64_t nowUs) const;
 
-  // Returns how many came within the last second.
+  // Returns the number of frames or rows within the last second.
   unsigned perSecond(uint64_t nowUs) const;
 
-  // Return what the indicators show: that the newest frame is lost, or in failsafe, or that one shortly before was.
+  // Return what the indicators show: the newest frame, or one shortly before it, was lost or in failsafe.
   bool showsLostFrame(uint64_t nowUs) const { return _newestLost || nowUs < _lostUntilUs; }
   bool showsFailsafe(uint64_t nowUs) const { return _newestFailsafe || nowUs < _failsafeUntilUs; }
 
  private:
-  struct Came {
+  struct Arrival {
     uint64_t us;
     bool lost;  // without failsafe
   };
 
-  std::deque<Came> _second;  // frames of the last second
-  size_t _lost = 0;          // of these
+  std::deque<Arrival> _second;  // frames of the last second
+  size_t _lost = 0;             // of these
   bool _isLossy = false;
   bool _newestLost = false;
   bool _newestFailsafe = false;

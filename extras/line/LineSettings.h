@@ -11,15 +11,15 @@ namespace line {
 enum class Polarity {
   Inverted,    // S.Bus: idle is LOW
   Uninverted,  // a receiver's uninverted pad, or an inverter in between: idle is HIGH
-  Either,      // of a line only: unknown, and assumed to be what the port expects
+  Either,      // for a line only: unknown, and assumed to be what the port expects
 };
 
 enum class Parity { None, Even, Odd };
 
-// Returns true if the number of ones is odd: even parity then adds another one.
+// Returns true if the number of ones is odd: even parity then adds a one.
 bool isOdd(unsigned bits);
 
-// A character: a start bit, then these.
+// The bits of a character after its start bit.
 struct Format {
   unsigned dataBits = 8;
   Parity parity = Parity::Even;
@@ -34,7 +34,7 @@ struct Format {
 
 // Default: S.Bus.
 struct LineSettings {
-  unsigned long baud = sbus::Baud;  // or 200000, Fast S.Bus; or any number from a sketch, even 0
+  unsigned long baud = sbus::Baud;  // 200000 for Fast S.Bus; a sketch may set any number, even 0
   Polarity polarity = Polarity::Inverted;
   Format format{};
 
@@ -47,10 +47,10 @@ struct LineSettings {
   }
 };
 
-// Returns true if the idle level of `line` is that of `port`.
+// Returns true if `line` and `port` have the same idle level.
 bool samePolarity(const LineSettings &port, const LineSettings &line);
 
-// Returns in what they differ: "baud rate, format, polarity"; empty if the port is right for the line.
+// Returns the differences, "baud rate, format, polarity"; empty if the port's settings are right for the line.
 std::string mismatch(const LineSettings &port, const LineSettings &line);
 
 // Returns "9600 baud, 8N1, not inverted".

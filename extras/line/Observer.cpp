@@ -26,7 +26,7 @@ void Observer::reset(uint64_t nowUs, uint32_t characterUs) {
   _characterErrors = 0;
   _quality = sbus::LinkQuality();
   _percent = 0;
-  _saidUs = 0;
+  _emittedUs = 0;
   _first = Stretch();
   _joinsAtExtra = 0;
 }
@@ -39,7 +39,7 @@ sbus::Counters Observer::counters16() const {
   return withJoins(_decoders.counters16());
 }
 
-// Counts the frames with header 2F at which the line was joined: a decoder has discarded them.
+// Counts the frames with header 2F at which the line was joined, and which a decoder discarded.
 sbus::Counters Observer::withJoins(sbus::Counters counters) const {
   counters.extraFrames += _joinsAtExtra;
   counters.rejectedByLength -= std::min(counters.rejectedByLength, _joinsAtExtra);
@@ -74,8 +74,8 @@ void Observer::idleUntil(uint64_t nowUs) {
   _segments.cutBefore(_decoders.openAt(_segments.end()), _last.endUs + _silenceUs);
 }
 
-// If whole frames wait for what follows them, lets silence follow. (After a part of a frame this would count an
-// impaired frame.)
+// If whole frames wait for the next bytes, lets silence follow. (After part of a frame this would count an impaired
+// frame.)
 void Observer::finish() {
   constexpr uint64_t SilenceUs = 10000;
   handOver();
@@ -85,7 +85,7 @@ void Observer::finish() {
   }
   _segments.cut(_decoders.finish());
   _segments.finish();
-  sayFirst();
+  emitFirst();
   _telemetry.finish();
 }
 
@@ -95,37 +95,37 @@ void Observer::handOver() {
   }
 }
 
-// In FASSTest 26 a frame with header 2F comes before each frame. A decoder does not take the first of them, nor the
-// first after a silence: it does not know the line then.
+// In FASSTest 26 a frame with header 2F comes before each frame. A decoder rejects the first one, and the first one
+// after a silence, since it does not know the line yet.
 void Observer::take(Stretch &stretch) {
   if (!_first.characters.empty()) {
     if (stretch.kind == Stretch::Kind::Frame) {
       _joinsAtExtra++;
       _first.kind = Stretch::Kind::Extra;
     }
-    sayFirst();
+    emitFirst();
   }
   if (stretch.kind == Stretch::Kind::NoFrame && isExtraAlone(stretch)) {
     _first = stretch;
   } else {
-    say(stretch);
+    emit(stretch);
   }
 }
 
-void Observer::sayFirst() {
+void Observer::emitFirst() {
   if (!_first.characters.empty()) {
-    say(_first);
+    emit(_first);
     _first = Stretch();
   }
 }
 
-// Returns true if the stretch has a frame's form, after a gap, and no frame came before it, or only before a silence.
+// Returns true if the stretch looks like a frame after a gap, and is the first on the line or after a silence.
 bool Observer::isExtraAlone(const Stretch &stretch) const {
   constexpr uint64_t GapCharacters = 8;
-  constexpr uint64_t SilenceUs = 50000;  // after which a decoder does not know its place
+  constexpr uint64_t SilenceUs = 50000;  // after this a decoder is no longer in sync
   const auto &characters = stretch.characters;
-  const uint64_t gapEndUs = _saidUs == 0 ? 0 : _saidUs + (GapCharacters + 1) * _characterUs;
-  const uint64_t silenceEndUs = _saidUs + SilenceUs + sbus::FrameSize * uint64_t{_characterUs};
+  const uint64_t gapEndUs = _emittedUs == 0 ? 0 : _emittedUs + (GapCharacters + 1) * _characterUs;
+  const uint64_t silenceEndUs = _emittedUs + SilenceUs + sbus::FrameSize * uint64_t{_characterUs};
   const bool isFirst = newest().count == 0 || stretch.endUs() >= silenceEndUs;
   return isFirst && characters.size() == sbus::FrameSize && characters.front().value == sbus::ExtraHeader &&
          characters.front().endUs >= gapEndUs && sbus::isEndByte(characters.back().value) &&
@@ -133,8 +133,8 @@ bool Observer::isExtraAlone(const Stretch &stretch) const {
          std::none_of(characters.begin(), characters.end(), [](const Character &c) { return c.bad || c.lateUs > 0; });
 }
 
-void Observer::say(Stretch &stretch) {
-  _saidUs = stretch.endUs();
+void Observer::emit(Stretch &stretch) {
+  _emittedUs = stretch.endUs();
   if (stretch.isFrame()) {
     add(stretch);
     _percent = _quality.update(counters(), state(stretch.endUs()), static_cast<uint32_t>(stretch.endUs()));

@@ -2,8 +2,8 @@
 // files, and compiles to WebAssembly.
 //
 //   line::Observer observer;
-//   observer.listen([&observer](const line::Stretch &stretch) { ... });  // each frame, and what lies between
-//   observer.put(character);                                             // as it comes
+//   observer.listen([&observer](const line::Stretch &stretch) { ... });  // each frame, and the bytes between them
+//   observer.put(character);                                             // as it arrives
 //   observer.idleUntil(nowUs);                                           // now and then: each time the page is drawn
 //   observer.newest().channels, observer.state(nowUs), observer.counters(), ...
 #pragma once
@@ -26,47 +26,46 @@ class Observer : public Statistics {
 
   Observer() { reset(0, CharacterUs); }
 
-  // Sets what is called with each stretch as soon as its kind is certain; a frame is then newest(). Up to two frames'
-  // bytes wait until a decoder is past them, or for finish().
+  // Sets the listener, which gets each stretch as soon as its kind is certain; a frame is then newest(). Up to two
+  // frames' bytes wait until a decoder is past them, or until finish().
   void listen(Listener listener) { _listener = std::move(listener); }
 
-  // Starts over on a line whose characters take `characterUs`.
+  // Starts over on a line with characters of `characterUs`.
   void reset(uint64_t nowUs, uint32_t characterUs);
 
-  // Takes the next character, the oldest first. It sees a gap before it that exceeds the time that it may be late by
-  // eight characters. The decoders get it with the next one, or with idleUntil().
+  // Takes the next character, oldest first. A gap before it is detected if it is eight characters longer than the
+  // character's `lateUs`. The decoders get the character with the next one, or with idleUntil().
   void put(const Character &character);
 
-  // Takes the time up to which no other character was complete. A frame in sync is complete with its last character.
+  // Takes the time up to which no other character was complete. In sync, a frame is complete with its last character.
   void idleUntil(uint64_t nowUs);
 
-  // Takes the end of the line: what still waits is no frame.
+  // Takes the end of the line: the rest is not a frame.
   void finish();
 
   unsigned long characters() const { return static_cast<unsigned long>(_segments.end()); }
   unsigned long characterErrors() const { return _characterErrors; }
   // Returns true if frames have 24 channels, not 16.
   bool has24() const { return _decoders.has24(); }
-  // Returns the link quality of the last second, 0..100, as sbus::LinkQuality has it.
+  // Returns sbus::LinkQuality of the last second, 0..100.
   unsigned linkQuality(uint64_t nowUs);
   // Returns how many bytes belong neither to a frame nor to telemetry.
   unsigned long discardedBytes() const;
 
-  // Returns the telemetry between the frames. Within a listener its proved() returns the slots of this stretch.
+  // Returns the telemetry between the frames. Within the listener, its proved() returns the slots of this stretch.
   const TelemetrySlots &telemetry() const { return _telemetry; }
 
-  // Returns the counters of the decoder that is right, with the frames with header 2F that came first, or first after a
-  // silence.
+  // Returns the right decoder's counters, plus frames with header 2F at the beginning or after a silence.
   sbus::Counters counters() const;
 
-  // Returns the counters of the decoder for 16 channels, even if the other is right: for sbus::Diagnosis.
+  // Returns the counters of the decoder for 16 channels, even if the other is the right one: for sbus::Diagnosis.
   sbus::Counters counters16() const;
 
  private:
   void handOver();
   void take(Stretch &stretch);
-  void say(Stretch &stretch);
-  void sayFirst();
+  void emit(Stretch &stretch);
+  void emitFirst();
   bool isExtraAlone(const Stretch &stretch) const;
   sbus::Counters withJoins(sbus::Counters counters) const;
 
@@ -76,14 +75,14 @@ class Observer : public Statistics {
   Segments _segments{[this](Stretch &stretch) { take(stretch); }};
   uint32_t _characterUs;
   Character _last;
-  uint64_t _lineUs;     // the decoders' time at its end: that of characters and of certain silence only
+  uint64_t _lineUs;     // the decoders' time at its end: only characters and certain silence count
   uint64_t _silenceUs;  // the certain silence since then
-  bool _waits;          // _last has not been handed over
+  bool _waits;          // _last has not been passed to the decoders
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;
   uint8_t _percent;  // the link quality when the newest frame was complete
-  uint64_t _saidUs;  // the end of the last stretch
-  Stretch _first;    // may be the frame with header 2F that comes before the first frame; without characters none waits
+  uint64_t _emittedUs;  // the end of the last stretch
+  Stretch _first;    // may be the frame with header 2F before the first frame; no characters: there is none
   uint32_t _joinsAtExtra;  // how many times _first was such a frame
 };
 

@@ -7,16 +7,15 @@ namespace line {
 
 namespace {
 
-constexpr size_t RowMax = sbus::FrameSize;  // characters of a stretch that is no frame
+constexpr size_t RowMax = sbus::FrameSize;  // characters in a stretch that is not a frame
 constexpr uint32_t GapCharacters = 8;       // a gap as long as this ends it
 constexpr uint64_t Forever = UINT64_MAX;
 
-// By sbus::Rejection.
+// Indexed by sbus::Rejection.
 constexpr const char *Reasons[] = {"no end byte",  "unused flags set",   "a gap inside", "more bytes than a frame",
                                    "not at a gap", "may be a false sync"};
 static_assert(std::size(Reasons) == static_cast<size_t>(sbus::Rejection::FalseSync) + 1, "a text for each reason");
 
-// The errors that a character may have.
 struct Error {
   bool parity, stop;
   const char *text;
@@ -55,8 +54,8 @@ std::string places(const std::vector<Character> &characters, const Error &error)
 
 }  // namespace
 
-// If characters have errors, only these are named: no decoder gets them, so the bytes after them are rejected for wrong
-// reasons.
+// If characters have errors, only these are named: no decoder gets them, so the reasons for rejecting the following
+// bytes would be wrong.
 std::string why(const Stretch &stretch) {
   if (stretch.isFrame()) {
     return {};
@@ -94,9 +93,9 @@ void Segments::reset(uint32_t characterUs) {
 
 void Segments::cut(const std::vector<Piece> &pieces) {
   for (const Piece &piece : pieces) {
-    if (piece.begin >= _at) {  // otherwise the other decoder has had a part of it
+    if (piece.begin >= _at) {  // otherwise the other decoder has claimed part of it
       cutRows(piece.begin, Forever);
-      say(piece.kind, static_cast<size_t>(piece.end - piece.begin));
+      emit(piece.kind, static_cast<size_t>(piece.end - piece.begin));
     }
   }
 }
@@ -123,16 +122,16 @@ void Segments::cutRows(uint64_t end, uint64_t nowUs) {
     if (count < RowMax && !isGapNext && nowUs != Forever) {
       return;
     }
-    say(Stretch::Kind::NoFrame, count);
+    emit(Stretch::Kind::NoFrame, count);
   }
 }
 
-void Segments::say(Stretch::Kind kind, size_t count) {
+void Segments::emit(Stretch::Kind kind, size_t count) {
   const auto end = _kept.begin() + static_cast<std::ptrdiff_t>(count);
   Stretch stretch{kind, _at, {_kept.begin(), end}, {}, {}};
   _kept.erase(_kept.begin(), end);
   _at += count;
-  _say(stretch);
+  _onStretch(stretch);
 }
 
 }  // namespace line

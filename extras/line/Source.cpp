@@ -26,7 +26,7 @@ constexpr BusSensor ExampleSensor[] = {{1, {0x80, 0x38}}, {2, {0x00, 0x7D}}};
 
 constexpr unsigned NoiseMax = 100000;
 
-// Takes a word. Returns false if it is none of sim, or of a file.
+// Takes a word. Returns false if it is not a word of sim or of a file.
 bool takeSourceWord(const std::string &word, Source &source) {
   if (word == "uninverted") {
     source.settings.polarity = Polarity::Uninverted;
@@ -56,7 +56,7 @@ bool exists(const std::string &name) {
   return stat(name.c_str(), &status) == 0;
 }
 
-// Returns true if a source that one word describes is not one that the other describes.
+// Returns true if no source can be described by both words.
 bool exclude(const std::string &one, const std::string &other) {
   const auto isCount = [](const std::string &word) { return word == "16" || word == "24" || word == "32"; };
   const auto isNoise = [](const std::string &word) { return word.rfind("noise=", 0) == 0; };
@@ -70,8 +70,7 @@ bool exclude(const std::string &one, const std::string &other) {
          (one != other && ((isCount(one) && isCount(other)) || (isNoise(one) && isNoise(other))));
 }
 
-// Takes the words behind the colon. Returns what is wrong with the first wrong one; empty if none is. `known` tells
-// which words there are.
+// Takes the words after the colon. Returns what is wrong with the first wrong one, or "". `known` lists the words.
 std::string takeSourceWords(const std::string &words, const char *known, Source &source) {
   std::string wrong;
   std::vector<std::string> taken;
@@ -96,7 +95,7 @@ std::string takeSourceWords(const std::string &words, const char *known, Source 
 
 }  // namespace
 
-// The name of a file may have a colon itself.
+// A file name may itself contain a colon.
 Source parseSource(const std::string &text) {
   const size_t colon = text.rfind(':');
   Source source;
@@ -148,7 +147,7 @@ std::string Source::text() const {
   return !isSimulated()                     ? "recording " + name + ", once"
          : silent                           ? "a line with nothing on it"
          : sbus2                            ? "simulated Futaba receiver with S.BUS2, an SBS-01V in slot 1"
-         : channels == Channels::TwentyFour ? "simulated FrSky receiver of 24 channels"
+         : channels == Channels::TwentyFour ? "simulated FrSky receiver with 24 channels"
          : channels == Channels::ThirtyTwo  ? "simulated Futaba receiver, FASSTest 26"
                                             : "simulated FrSky R-XSR";
 }

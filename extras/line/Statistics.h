@@ -1,4 +1,4 @@
-// Statistics of frames, or of a sketch's rows: how often they come, the newest values, how far the sticks went.
+// Statistics of frames, or of a sketch's rows: their rate, the newest values, the sticks' travel.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace line {
 
-// The lowest and the highest of several values since the last reset.
+// The lowest and the highest value since the last reset.
 struct Extent {
-  uint64_t count = 0;  // of values; 0: all members are 0
+  uint64_t count = 0;  // number of values; 0: all members are 0
   uint64_t low = 0;
   uint64_t high = 0;
   uint64_t sum = 0;
@@ -22,27 +22,27 @@ struct Extent {
   uint64_t mean() const { return count == 0 ? 0 : (sum + count / 2) / count; }
 };
 
-// Keeps when frames or rows came, and the state of the link that follows from it.
+// Tracks when frames or rows arrive, and derives the state of the link.
 class Arrivals {
  public:
   explicit Arrivals(uint16_t timeoutMs = sbus::Link::DefaultTimeout) { _link.setTimeout(timeoutMs); }
 
   // Returns the state at `nowUs`, or at the latest time of an earlier call: for the link, time never goes back.
   sbus::LinkState state(uint64_t nowUs);
-  // Returns the state to show at that time, and what the indicators show.
+  // Return the state to show at that time, and the indicators.
   sbus::LinkState heldState(uint64_t nowUs) { return _held.state(state(nowUs), nowUs); }
   bool showsLostFrame(uint64_t nowUs) const { return _held.showsLostFrame(nowUs); }
   bool showsFailsafe(uint64_t nowUs) const { return _held.showsFailsafe(nowUs); }
-  // Returns true if the newest says failsafe, or ends too long a run of lost frames, as a sketch's `failsafe`.
+  // Returns true if the newest one is in failsafe, or ends too long a run of lost frames, like a sketch's `failsafe`.
   bool inFailsafe() const { return _link.isLost(); }
-  // Returns true if frames come, even if some are lost: the newest values are the sticks'.
+  // Returns true if frames arrive, even if some are lost: the newest values are the sticks'.
   bool hasLink(uint64_t nowUs) {
     const sbus::LinkState link = state(nowUs);
     return link == sbus::LinkState::Ok || link == sbus::LinkState::Lossy;
   }
-  // Returns the age of the newest in us; undefined while state() is NeverSeen.
+  // Returns the age of the newest one in us; undefined while state() is NeverSeen.
   uint64_t ageUs(uint64_t nowUs) const { return nowUs - std::min(nowUs, _newestUs); }
-  // Returns how many came within the last second.
+  // Returns the number of frames or rows within the last second.
   unsigned perSecond(uint64_t nowUs) const { return _held.perSecond(nowUs); }
   // Returns the frame intervals in us, from end to end.
   const Extent &gaps() const { return _gaps; }
@@ -57,16 +57,16 @@ class Arrivals {
   sbus::Link _link;
   HeldLink _held;
   uint64_t _newestUs = 0;
-  uint64_t _askedUs = 0;  // the latest time that state() was called for
+  uint64_t _askedUs = 0;  // the latest time passed to state()
   Extent _gaps;
 };
 
 // The newest values. All 0 before the first frame.
 struct Values {
   uint64_t endUs = 0;              // when the frame was complete
-  unsigned count = 0;              // 16 or 24; 32 once frames with header 2F have come
+  unsigned count = 0;              // 16 or 24; 32 after frames with header 2F
   std::array<uint16_t, 32> raw{};  // CH1.., 0..2047
-  std::array<bool, 2> switches{};  // CH17 and CH18 of a line of 16 channels
+  std::array<bool, 2> switches{};  // CH17 and CH18 of a line with 16 channels
   bool lostFrame = false;          // the frame's flag
   bool failsafe = false;           // the frame's flag
 };
@@ -74,8 +74,8 @@ struct Values {
 class Statistics : public Arrivals {
  public:
   const Values &newest() const { return _newest; }
-  // Returns the travel of a channel, counted from 0, in frames without a flag: failsafe values are no positions of a
-  // stick.
+  // Returns the travel of a channel, counted from 0, in frames without a flag, since failsafe values are not stick
+  // positions.
   const Extent &travel(size_t channel) const { return _travel[channel]; }
   void resetMarks();
 

@@ -44,7 +44,7 @@ TEST_CASE("of any time the store hands over the edges, and the newest one before
     }
     INFO("from ", fromNs, " to ", toNs);
     REQUIRE(edgesIn(store, fromNs, toNs) == expected);
-    CHECK(store.countAbout(fromNs, toNs) >= expected.size());
+    CHECK(store.approximateCount(fromNs, toNs) >= expected.size());
   }
   CHECK(store.isWhole());
 }

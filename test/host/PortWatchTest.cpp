@@ -42,19 +42,19 @@ using Lines = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("a silent port is reported at once, and every three seconds") {
-  CHECK(said("tty", 0, 0) == Lines{"waiting for frames from tty", "3 s: nothing comes from tty",
-                                   "6 s: nothing comes from tty", "9 s: nothing comes from tty"});
+  CHECK(said("tty", 0, 0) == Lines{"waiting for frames from tty", "3 s: no bytes from tty",
+                                   "6 s: no bytes from tty", "9 s: no bytes from tty"});
 }
 
 TEST_CASE("characters that make no frame are reported") {
   CHECK(said("tty", 0, 7 * Second, true) ==
-        Lines{"waiting for frames from tty", "3 s: no frames in what comes from tty",
-              "6 s: no frames in what comes from tty", "9 s: no frames in what comes from tty"});
+        Lines{"waiting for frames from tty", "3 s: no frames in the bytes from tty",
+              "6 s: no frames in the bytes from tty", "9 s: no frames in the bytes from tty"});
 }
 
 TEST_CASE("while frames come nothing is reported, until they end") {
   CHECK(said("tty", 0, 10 * Second) == Lines{"waiting for frames from tty"});
-  CHECK(said("tty", 0, 5 * Second) == Lines{"waiting for frames from tty", "9 s: nothing comes from tty"});
+  CHECK(said("tty", 0, 5 * Second) == Lines{"waiting for frames from tty", "9 s: no bytes from tty"});
 }
 
 TEST_CASE("without a real port nothing is reported") {

@@ -98,13 +98,13 @@ export default async function () {
   const metadata = Buffer.from('[device 1]\ncapturefile=logic-1\nsamplerate=1 MHz\nprobe1=A\nunitsize=1\n');
 
   // The messages are those of `sbus decode` and of `sbus csv`.
-  const noSignal = 'No signal has a frame of S.Bus: a frame is 25 characters (36 of 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap';
+  const noSignal = 'No signal has a frame of S.Bus: a frame is 25 characters (36 with 24 channels), 8E2 at 100000 or 200000 baud, from 0F to an end byte, after a gap';
   const slow = 'Time [s],Channel 0\n0.0,0\n0.1,1\n0.2,0\n0.3,1\n0.4,0\n';
   for (const [name, content, said] of [
     ['idle.csv', 'Time [s],Channel 0\n0.1,0\n0.2,1\n', `idle.csv: signal Channel 0 has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],
     ['slow.csv', slow, `slow.csv: signal Channel 0 is not S.Bus: its shortest pulses last 100000.0 us, as bits of 10 baud do: 10 us or 5 us are expected, within 3 %. ${noSignal}`],
     ['broken.vcd', forms.vcd([[0, 0], [10, 1]]).replace('#10', '#-10'), /^This cannot be played: broken\.vcd:\d+: .*; sbus decode -o FILE keeps the part before it\.$/],
-    ['other.zip', session(wire, 0, { metadata: false }), 'other.zip: is a ZIP, but no session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
+    ['other.zip', session(wire, 0, { metadata: false }), 'other.zip: is a ZIP, but not a session of sigrok or PulseView, which has metadata: export it as VCD or as CSV'],
     ['empty.sr', pack([['version', Buffer.from('2')], ['metadata', metadata]]), 'empty.sr: has no samples: logic-1 or logic-1-1 is expected in it'],
     ['analog.sr', pack([['metadata', Buffer.from('[device 1]\nsamplerate=1 MHz\n')]]), 'analog.sr: has no logic signals: a session with them, or CSV of analogue ones, is expected'],
     ['idle.sr', pack([['metadata', metadata], ['logic-1', Buffer.alloc(1000)]]), `idle.sr: signal A has no pulses: is the probe on S-BUS_OUT, and the receiver on? ${noSignal}`],

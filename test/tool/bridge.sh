@@ -25,11 +25,11 @@ for line in sim sim:24 sim:32 sim:noise=100 sim:24,noise=100; do
   bridge $line - --seconds 14 | grep '"frame"' >"$work/out"
   "$SBUS" hex $line --json --simulated-time --seconds 14 | grep '"frame"' >"$work/wanted"
   cmp "$work/wanted" "$work/out" && [ "$(wc -l <"$work/wanted")" -gt 300 ] && grep -q '"lost_frame":true,"failsafe":true' "$work/out"
-  verdict $? "bridge $line sends the frames of hex, and no other: $(wc -l <"$work/out")"
+  verdict $? "bridge $line sends exactly the frames of hex: $(wc -l <"$work/out")"
 done
 bridge sim:sbus2 - --seconds 2 | grep '"frame"' >"$work/out"
 "$SBUS" hex sim:sbus2 --json --simulated-time --seconds 2 | grep '"frame"' | sed 's/"end":"[0-9A-F]*"/"end":"00"/' | cmp - "$work/out" && [ -s "$work/out" ]
-verdict $? "bridge sim:sbus2 announces no telemetry, since it sends none"
+verdict $? "bridge sim:sbus2 does not announce telemetry, since it sends none"
 
 # ---- Maps, mixes, limits: a FrSky's half travel is 410
 
@@ -98,17 +98,17 @@ awk '/ 1$/ { $3 = 500; $5 = 1811 } { print }' "$work/plain" | cmp - "$work/set"
 verdict $? "--failsafe ch3=500,ch5=on replaces these two in failsafe, and keeps the flags"
 bridge sim - --seconds 14 --failsafe hold | rows >"$work/held"
 awk '/ 1$/ { flags = $19 " " $20; $0 = before " " flags; print; next } { print; $20 = $19 = ""; sub(/ *$/, ""); before = $0 }' "$work/plain" | cmp - "$work/held" && ! cmp -s "$work/plain" "$work/held"
-verdict $? "--failsafe hold repeats the values before, with the flags"
+verdict $? "--failsafe hold repeats the last values, with the flags"
 
 # Frames to 0.45 s, silence to 1 s, frames again; the value of CH1 is 1 in the first half, 2 in the second.
 awk 'BEGIN { for (i = 1; i <= 100; i++) { us = i * 9000 + (i > 50) * 550000; printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", us, (i > 50 ? 2 : 1) } }' >"$work/gap.json"
 bridge "$work/gap.json" - | rows time >"$work/out"
 awk '{ kind = $1 " " $19 $20 } kind != before { print kind, $NF } { before = kind; n[kind]++ } END { for (k in n) print "n", k, n[k] }' "$work/out" | sort >"$work/got"
 printf '%s\n' '1 00 9000.0' '1 11 550000.0' '2 00 1009000.0' 'n 1 00 50' 'n 1 11 51' '2 11 1550000.0' 'n 2 00 50' 'n 2 11 23' | sort | diff - "$work/got"
-verdict $? "0.1 s after the last frame it sends both flags every 9 ms, until frames come again"
+verdict $? "0.1 s after the last frame it sends both flags every 9 ms, until there are frames again"
 [ "$(bridge "$work/gap.json" - --failsafe off | rows | wc -l)" -eq 100 ] &&
   [ "$(bridge "$work/gap.json" - --failsafe ch1=3 | rows | grep -c '^3 .* 1 1$')" -eq 74 ]
-verdict $? "--failsafe is also for the time without frames"
+verdict $? "--failsafe also applies to a time without frames"
 
 # A receiver that never sets the failsafe flag: after 100 lost frames values are failsafe's.
 awk 'BEGIN { for (i = 1; i <= 250; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[5,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992],\"lost_frame\":%d}\n", 9000 * i, (i > 100) }' >"$work/lost.json"
@@ -120,7 +120,7 @@ verdict $? "100 lost frames in a row are failsafe"
 chosen() { rows time | awk '{ who = $1 " " $19 $20 } who != before { printf "%s at %d ms; ", who, $NF / 1000 } { before = who }'; }
 got=$(bridge "$work/gap.json" - --second ch1=7 --seconds 2.5 | chosen)
 [ "$got" = "1 00 at 9 ms; 7 00 at 552 ms; " ] && grep -qx '0.550 s: ch1=7 takes over' "$work/err" || { echo "$got"; cat "$work/err"; false; }
-verdict $? "a second receiver takes over when no frames have come for 0.1 s"
+verdict $? "a second receiver takes over after 0.1 s without frames"
 got=$(bridge "$work/gap.json" - --second ch1=7 --seconds 2.5 --back 0.2 | chosen)
 [ "$got" = "1 00 at 9 ms; 7 00 at 552 ms; 2 00 at 1216 ms; 7 00 at 1551 ms; " ] || { echo "$got"; cat "$work/err"; false; }
 verdict $? "the first one is used again after --back"
@@ -129,28 +129,28 @@ awk 'BEGIN { for (i = 1; i <= 250; i++) printf "{\"type\":\"frame\",\"time_us\":
 awk 'BEGIN { for (i = 1; i <= 400; i++) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[7,992,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", i * 9000 + 200 }' >"$work/beside.json"
 got=$(bridge "$work/back.json" - --second "$work/beside.json" --seconds 2.5 | chosen)
 [ "$got" = "1 00 at 9 ms; 7 00 at 558 ms; 1 00 at 2016 ms; " ] || { echo "$got"; cat "$work/err"; false; }
-verdict $? "the first one is not used before, however close its frames are to those of the second one"
+verdict $? "the first one is not used earlier, however close its frames are to the second one's"
 [ "$(bridge "$work/lost.json" - --second ch1=7 --seconds 2 | chosen)" = "5 00 at 9 ms; 5 10 at 909 ms; 7 00 at 1002 ms; " ]
 verdict $? "a second receiver takes over after 0.1 s of lost frames"
 [ "$(bridge ch1=4,failsafe=on - --second ch1=7 --seconds 0.5 | chosen)" = "4 01 at 3 ms; 7 00 at 102 ms; " ]
 verdict $? "a second receiver takes over in failsafe"
 [ "$(bridge ch1=4,failsafe=on - --second ch1=7,failsafe=on --seconds 0.5 | chosen)" = "4 01 at 3 ms; " ]
-verdict $? "a second receiver that is in failsafe as well does not"
+verdict $? "a second receiver in failsafe does not take over"
 
 # ---- A trainer: CH8 is the teacher's switch
 
 awk 'BEGIN { for (i = 1; i <= 100; i++) printf "{\"type\":\"frame\",\"channels\":[1,1,1,1,1,1,1,%d,1,1,1,1,1,1,1,1],\"failsafe\":%d}\n", (i > 40 ? 1811 : 992), (i > 80) }' >"$work/teacher.json"
 trained() { bridge "$work/teacher.json" - --second "$@" | rows | cut -d' ' -f1-5 | uniq -c | awk '{ $1 = $1 ":"; printf "%s; ", $0 }'; }
 [ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 7 7 7 7 1; 20: 1 1 1 1 1; " ]
-verdict $? "the pupil has CH1 to CH4 while the switch is on, and not in the teacher's failsafe"
+verdict $? "the pupil controls CH1 to CH4 while the switch is on, but not in the teacher's failsafe"
 [ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8=ch2,ch4 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 1 7 1 7 1; 20: 1 1 1 1 1; " ]
-verdict $? "the pupil has the channels that are named"
+verdict $? "the pupil controls the named channels"
 [ "$(trained ch1=7,failsafe=on --trainer ch8 --seconds 0.9)" = "100: 1 1 1 1 1; " ]
-verdict $? "a pupil in failsafe has none"
+verdict $? "a pupil in failsafe controls no channels"
 sed 's/,1811,/,172,/' "$work/teacher.json" >"$work/reversed.json"
 trained() { bridge "$work/reversed.json" - --second "$@" | rows | cut -d' ' -f1-5 | uniq -c | awk '{ $1 = $1 ":"; printf "%s; ", $0 }'; }
 [ "$(trained ch1=7,ch2=7,ch3=7,ch4=7 --trainer ch8 --range 1811,992,172 --seconds 0.9)" = "40: 1 1 1 1 1; 40: 7 7 7 7 1; 20: 1 1 1 1 1; " ]
-verdict $? "a teacher's switch whose range is reversed is on at its +100 %"
+verdict $? "a teacher's switch with a reversed range is on at +100 %"
 
 # ---- On a wire
 
@@ -191,11 +191,11 @@ END
 got=$(wire 1)
 set -- $got
 [ "$1" -ge 60 ] && [ "$2" = True ] && awk '/ frames sent/ { exit $1 + $4 < 97 }' "$work/err" || { echo "$got"; cat "$work/err"; false; }
-verdict $? "frames on a port are sent on: $(grep '^last byte' "$work/err")"
+verdict $? "frames from a port are forwarded: $(grep '^last byte' "$work/err")"
 got=$(wire 4)
 set -- $got
 [ "$1" -ge 40 ] && [ "$1" -le 60 ] && [ "$2" = True ] && grep -qE '[0-9]+ frames sent, [1-9][0-9]* replaced by newer ones before their turn$' "$work/err" || { echo "$got"; cat "$work/err"; false; }
-verdict $? "of frames that an adapter brings at once two are sent with a gap before each: $1 of 100"
+verdict $? "of frames that an adapter delivers at once, two are sent, each after a gap: $1 of 100"
 
 # The program is stopped for 1.5 s while frames come; then the line is silent.
 got=$(python3 - "$SBUS" <<'END' 2>"$work/err"
@@ -230,7 +230,7 @@ print(len(old), sum(f[23] == 12 for f in came) >= 10)
 END
 )
 [ "$got" = "0 True" ] || { echo "$got"; cat "$work/err"; false; }
-verdict $? "after a stop bridge sends none of the frames that had to wait, and failsafe once the line is silent"
+verdict $? "after being stopped, bridge sends no frame that had to wait, and failsafe once the line is silent"
 
 python3 -c 'import sys
 for raw in range(200):
@@ -238,14 +238,14 @@ for raw in range(200):
     sys.stdout.buffer.write(bytes([15]) + bits.to_bytes(22, "little") + bytes(2))' >"$work/bytes.bin"
 # shellcheck disable=SC2002  # a pipe
 [ "$(cat "$work/bytes.bin" | timeout 60 "$SBUS" bridge - - 2>"$work/err" | rows | grep -c ' 0 0$')" -eq 200 ]
-verdict $? "of bytes that a pipe brings at once all frames are sent"
+verdict $? "all frames in bytes that a pipe delivers at once are sent"
 
 player bridge sim --seconds 3
 "$SBUS" csv "$terminal" --every-frame --columns ch1-ch16 >"$work/rows" 2>"$work/err"
 wait "$player"
 "$SBUS" csv sim --simulated-time --seconds 4 --every-frame --columns ch1-ch16 >"$work/wanted"
 [ "$(wc -l <"$work/rows")" -gt 200 ] && ! grep -vxFf "$work/wanted" "$work/rows"
-verdict $? "without a DEVICE bridge makes a pseudo-terminal: $(wc -l <"$work/rows") frames"
+verdict $? "without a DEVICE bridge creates a pseudo-terminal: $(wc -l <"$work/rows") frames"
 
 player bridge sim:32 --seconds 1
 "$SBUS" hex "$terminal" --values >"$work/hex" 2>"$work/err"
@@ -253,9 +253,9 @@ wait "$player"
 "$SBUS" hex sim:32 --simulated-time --seconds 2 --values | grep ' extra ' | cut -c15- >"$work/wanted"
 grep ' extra ' "$work/hex" | cut -c15- >"$work/extra"
 [ "$(wc -l <"$work/extra")" -gt 20 ] && ! grep -vxFf "$work/wanted" "$work/extra"
-verdict $? "frames with header 2F are sent as they are: $(wc -l <"$work/extra") frames"
+verdict $? "frames with header 2F are sent unchanged: $(wc -l <"$work/extra") frames"
 
-# ---- What is wrong
+# ---- Errors
 
 while IFS='|' read -r arguments message; do
   # shellcheck disable=SC2086  # the arguments are words

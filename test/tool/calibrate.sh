@@ -32,7 +32,7 @@ while IFS='|' read -r keys words options; do
   # shellcheck disable=SC2086  # they are words
   "$SBUS" calibrate sim:calibration${words:+,$words} --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     grep -v 'still: let go' "$work/err" >"$work/steps" && printf '%s\n%s:\n%s\n' "$steps" "$work/file" "$table" | cmp - "$work/steps" && echo "$table" | cmp - "$work/file"
-  verdict $? "calibrate sim:$words $options, with Enter as in $keys, says each step and finds the ranges of CH1 to CH6"
+  verdict $? "calibrate sim:$words $options, with Enter as in $keys, announces each step and finds the ranges of CH1 to CH6"
 done <<'END'
 enter||
 enter|noise=50|
@@ -77,11 +77,11 @@ sleep 3
 echo >&3 && says '^2 of 3'
 unplug
 says '^The link is lost'
-verdict $? "an adapter that is unplugged while nothing has to move is reported as a lost link"
+verdict $? "an adapter unplugged while the sticks rest is reported as a lost link"
 moves failsafe
 sleep 1.5
 [ "$(tail -n 1 "$work/err")" = "$work/adapter: the port is back" ]
-verdict $? "failsafe values are not taken for resting sticks"
+verdict $? "failsafe values do not count as resting sticks"
 unplug
 moves rest
 says '^3 of 3' && unplug

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tests what `sbus compare` says of two lines whose differences are known, and says "ok ..." or "FAILED ...".
+# Tests what `sbus compare` says about two lines with known differences, and says "ok ..." or "FAILED ...".
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -61,7 +61,7 @@ for names in "a.json b.json" "b.json a.json"; do
   compare $names
   read -r a b x y same different by_a by_b word delay rest <"$work/sum"
   [ "$same" -eq 3000 ] && [ "${delay#-}" -ge 144500 ] && [ "${delay#-}" -le 145600 ] || { cat "$work/sum"; false; }
-  verdict $? "more delays than are kept singly: $(cat "$work/sum")"
+  verdict $? "more delays than are stored individually: $(cat "$work/sum")"
 done
 
 # table NAME CHANNELS: the flight with this many channels; those above CH16 change with each frame
@@ -115,21 +115,21 @@ said "3000 3000 0 0 2998 2 0 0 delay 1234 1234 1234 drift 0.0" "two frames have 
 grep -qx '{"type":"difference","time_us":8200000.0,"name":"CH1","a":1776,"b":2047}' "$work/json" || { grep difference "$work/json"; false; }
 verdict $? "the first difference has its channel and values"
 
-# A stick that stands still does not tell one frame from the next: the times do, once the delay is known.
+# A resting stick does not distinguish frames: their times do, once the delay is known.
 line a.json 1 'if (i > 1500) raw = 5'
 sed -i 's/\[5,[0-9]*,/[5,5,/' "$work/a.json"
 sed '1700d; 1800,1809d' "$work/a.json" >"$work/b.json"
 compare a.json b.json
 said "3000 2989 0 0 2989 0 0 11 delay 0 0 0 drift 0.0" "frames that are all alike"
-# Receivers whose clocks differ by 0.1 %; a new value each 18 ms.
+# Receivers with clocks that differ by 0.1 %; a new value every 18 ms.
 awk 'BEGIN { for (t = 0; t < 60000; t += 9) { raw = int(t / 18) * 37 % 2000; printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,%d,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", 1000000 + t * 1000, raw, int(t / 18) % 2000 } }' >"$work/a.json"
 awk 'BEGIN { for (t = 3; t < 60000; t += 9.01) { raw = int(t / 18) * 37 % 2000; printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[%d,%d,172,992,992,992,992,992,992,992,992,992,992,992,992,992]}\n", 1000000 + t * 1000, raw, int(t / 18) % 2000 } }' >"$work/b.json"
 compare a.json b.json
 read -r a b x y same different by_a by_b rest <"$work/sum"
 [ "$a" -eq 6667 ] && [ "$same" -ge 6600 ] && [ "$different" -eq 0 ] && [ $((by_a + by_b)) -le 60 ] || { cat "$work/sum"; false; }
-verdict $? "receivers whose clocks differ by 0.1 %: $(cat "$work/sum")"
+verdict $? "receivers with clocks that differ by 0.1 %: $(cat "$work/sum")"
 
-# Dates tell how recordings of different beginnings belong together.
+# Dates align recordings with different beginnings.
 line a.json 1 'raw = 5'
 for name in a b; do sed -i 's/,[0-9]*,172/,6,172/' "$work/a.json"; done
 "$SBUS" hex "$work/a.json" --json | sed -n 1p >"$work/head"
@@ -141,7 +141,7 @@ sed -i 's/,[0-9]*,172/,6,172/' "$work/c.json"
 compare a-dated.json c-dated.json
 said "3000 3000 0 0 3000 0 0 0 delay 0 0 0 drift 0.0" "ten minutes between the beginnings, by their dates"
 grep -q '"by_contents":false' "$work/json"
-verdict $? "it says that contents did not tell the delay"
+verdict $? "it says that the contents did not show the delay"
 
 # ---- The wire and a port, files and sources of other kinds
 
@@ -155,7 +155,7 @@ compare sim sim:noise=50 --simulated-time --seconds 14
 "$SBUS" hex sim:noise=50 --simulated-time --seconds 14 --json | grep -c '"type":"frame"' >"$work/noisy"
 read -r a b alone y same different by_a by_b rest <"$work/sum"
 [ "$a $b $different $by_a" = "1555 $(cat "$work/noisy") 0 0" ] && [ $((same + by_b + alone)) -eq 1555 ] && [ "$same" -eq "$b" ]
-verdict $? "of a noisy line every frame has its partner: $(cat "$work/sum")"
+verdict $? "every frame of a noisy line is matched: $(cat "$work/sum")"
 
 (cd "$work" && "$SBUS" compare sim.txt sim.txt) >"$work/text"
 cat >"$work/wanted" <<'END'
@@ -197,7 +197,7 @@ print(c["same"], c["different"], c["lost_by_a"], c["lost_by_b"], c["delay_us"])
 END
 read -r same different by_a by_b delay <"$work/live"
 [ "$same" -ge 380 ] && [ "$different $by_a" = "0 0" ] && [ "$by_b" -ge 10 ] && [ "$by_b" -le 12 ] || { cat "$work/live" "$work/err"; false; }
-verdict $? "two ports at once: $same frames the same, $by_b lost by B, delay $delay us"
+verdict $? "two ports at once: $same identical frames, $by_b lost by B, delay $delay us"
 
 # ---- The PC is late: what comes meanwhile is read at once, and says so
 
@@ -244,16 +244,16 @@ long=$(peak compare "$work/long-a.txt" "$work/long-b.txt")
 kept=8192  # KB: a minute of frames, and what the address sanitizer adds to each; all of them would need 30000
 [ "$long" -lt $((short + kept)) ]
 verdict $? "compare of half an hour: $long KB, of 14 s: $short KB"
-# The second one was begun ten minutes later.
+# The second one began ten minutes later.
 (echo '# format 1, began 2026-11-24T10:00:00.000000Z'; cat "$work/long-a.txt") >"$work/long-c.txt"
 (echo '# format 1, began 2026-11-24T10:10:00.000000Z'; awk '$1 > 600000000 { $1 -= 600000000; print }' "$work/long-a.txt") >"$work/long-d.txt"
 long=$(peak compare "$work/long-c.txt" "$work/long-d.txt")
 compare long-c.txt long-d.txt
 [ "$long" -lt $((short + kept)) ] && read -r a b alone y same rest <"$work/sum" && [ "$b" -gt 135000 ] && [ "$same" -eq "$b" ] && [ $((alone + b)) -eq "$a" ] || { cat "$work/sum"; false; }
-verdict $? "compare of recordings whose dates are ten minutes apart: $long KB, $(cat "$work/sum")"
+verdict $? "compare of recordings ten minutes apart: $long KB, $(cat "$work/sum")"
 rm "$work"/long-*
 
-# ---- What is wrong
+# ---- Errors
 
 printf '0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00\n%.0s' 1 2 3 >"$work/bytes.txt"
 while IFS='|' read -r arguments message; do

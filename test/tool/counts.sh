@@ -62,7 +62,7 @@ verdict $? "hex, telemetry, summary and doctor agree on frames, slots, discarded
 { echo 'never seen'; "$SBUS" csv "$work/16.txt" --every-frame --columns state; } | sort -u >"$work/csv"
 for form in json csv; do
   [ -s "$work/$form" ] && ! comm -23 "$work/$form" "$work/text" | grep -qvx 'lossy'
-  verdict $? "a link state has the name in $form that the text has"
+  verdict $? "a link state has the same name in $form as in the text"
 done
 
 # A frame's time is the end of its last byte: in hex, its JSON, csv, and decode in each form.
@@ -93,7 +93,7 @@ for way in pipe input file; do
       file) "$SBUS" $subcommand "$work/bytes.bin" ;;
     esac >"$work/out" 2>"$work/err"
     grep -q "$said" "$work/err" && [ "$(grep -cE "$wanted" "$work/out")" -ge 1 ] && ! grep -E "$wanted" "$work/out" | grep -qE '[0-9] frames (a second|[a-z ]*interval)|"frame","time_us":[0-9]|[0-9] frames/s|gap min' || { cat "$work/out" "$work/err"; false; }
-    verdict $? "$subcommand of bytes without times by $way prints none, and says so"
+    verdict $? "$subcommand of bytes without times, by $way, prints no times and says so"
   done <<'END'
 hex|^ +-  0F
 hex --delta|^ +-  0F

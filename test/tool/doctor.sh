@@ -58,7 +58,7 @@ player send golden/AllChannels.csv --csv --loop
 asked 1 'Rows of CSV:' - "$terminal"
 kill $player
 
-# An adapter that hands bytes over every few ms, in true time: a busy PC may well be late, so these are only lines that bear
+# An adapter that delivers bytes every few ms, in real time. A busy PC may be late, so these are only lines that tolerate
 # it. host/AdapterTest has all of them, without a clock. A doctor listens for 1.5 s.
 sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several
@@ -88,10 +88,10 @@ adapter 16 9 16 200
 "$SBUS" record "$terminal" "$WORK/adapter.txt" 2>"$WORK/err"
 grep -q '^[0-9]*~[0-9]* ' "$WORK/adapter.txt" && "$SBUS" hex "$WORK/adapter.txt" >"$WORK/adapter.hex" &&
   [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'All well.'
-verdict $? "a recording of an adapter at 16 ms keeps its reads, so that its frames are found again"
+verdict $? "a recording from an adapter at 16 ms keeps its reads, so its frames are found again"
 kill $player
 
-# A user who is not root may be denied a port: by mode 000, or by a program that has it alone (TIOCEXCL).
+# A user who is not root may be denied a port: by mode 000, or by a program that has it exclusively (TIOCEXCL).
 folder=$(mktemp -d)
 chmod 755 "$folder"
 install -m 755 "$SBUS" "$folder/sbus"
@@ -109,14 +109,14 @@ wait $reader
 chmod 000 "$terminal"
 as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
 [ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$WORK/err"
-verdict $? "doctor of a port without permission says how to get it"
+verdict $? "doctor says how to get permission for a port"
 chmod 666 "$terminal"
 perl -e 'open(P, "+<", $ARGV[0]) && ioctl(P, 0x540C, 0) && print("mine\n") && close(STDOUT) && sleep(60)' "$terminal" >"$WORK/mine" &
 owner=$!
 until [ -s "$WORK/mine" ] || ! kill -0 $owner 2>/dev/null; do sleep 0.1; done
 as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
 [ $? -eq 1 ] && grep -qx "sbus doctor: $terminal: in use; close the other program that has it open" "$WORK/err"
-verdict $? "doctor says that a port is in use if another program has it alone"
+verdict $? "doctor says that a port is in use if another program has it exclusively"
 kill $owner $player
 rm -r "$folder"
 "$SBUS" doctor /dev/no-such-port 2>&1 >/dev/null | grep -q 'there is no such port; plug the adapter in'

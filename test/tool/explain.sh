@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs `sbus explain` on frames that this script packs, and says "ok ..." or "FAILED ..." of:
 #   each channel's raw value, its microseconds, its bits, and what each byte says that it holds
-#   tool/EXPLAINED   what it says about bytes that are no frame, and how far it explains them
+#   tool/EXPLAINED   what it says about bytes that are not a frame, and how far it explains them
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1

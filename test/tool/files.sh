@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs `sbus` on files that are no recordings: captures of the wire, and bytes without times. Says "ok ..." or "FAILED ...".
+# Runs `sbus` on files that are not recordings: captures of the wire, and bytes without times. Says "ok ..." or "FAILED ...".
 # The captures are made here from the recordings, bit by bit; decoded, they must hold what the recordings hold.
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
@@ -50,7 +50,7 @@ for form in vcd csv; do
       for subcommand in 'hex' 'csv --every-frame --columns time,ch1-ch18,failsafe'; do
         # shellcheck disable=SC2086  # the arguments are words
         "$SBUS" $subcommand recordings/$recording.txt >"$work/wanted" && "$SBUS" $subcommand "$file" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
-        verdict $? "$subcommand of $recording as $form, idle $idle, is as of the recording"
+        verdict $? "$subcommand of $recording as $form, idle $idle, prints the same as for the recording"
       done
     done
   done
@@ -58,10 +58,10 @@ done
 "$SBUS" doctor "$work/frsky-neutral-1.vcd" >"$work/doctor" 2>"$work/err" && [ ! -s "$work/err" ] && grep -qx 'All well.' "$work/doctor" &&
   tail -n 1 "$work/doctor" >"$work/last" &&
   grep -q '^100000 baud, 8E2, not inverted: [1-9][0-9]* frames' "$work/doctor" && "$SBUS" doctor recordings/frsky-neutral.txt | tail -n 1 | cmp - "$work/last"
-verdict $? "doctor of a capture says the wire's settings"
+verdict $? "doctor of a capture names the wire's settings"
 "$SBUS" monitor "$work/sbus2-0.vcd" --simulated-time >"$work/lines" &&
   "$SBUS" monitor recordings/sbus2.txt --simulated-time | cmp - "$work/lines" && [ "$(wc -l <"$work/lines")" -ge 2 ]
-verdict $? "monitor of a capture is as of its recording"
+verdict $? "monitor shows a capture like its recording"
 "$SBUS" record "$work/sbus2-0.vcd" "$work/recorded.txt" 2>"$work/err" && bytes recordings/sbus2.txt >"$work/wanted" &&
   bytes "$work/recorded.txt" | cmp - "$work/wanted"
 verdict $? "record of a capture has the recording's bytes"
@@ -76,7 +76,7 @@ capture vcd 0 5 <recordings/slow/"$(ls recordings/slow | head -n 1)" >"$work/fas
 [ "$("$SBUS" hex "$work/fast.vcd" | grep -c ' frame end ')" -gt 3 ] && "$SBUS" doctor "$work/fast.vcd" | grep -q '^200000 baud, 8E2, inverted: '
 verdict $? "a capture of Fast S.Bus needs no option"
 ! "$SBUS" csv "$work/fast.vcd" --baud 100000 >"$work/out" 2>"$work/err"
-verdict $? "--baud overrules what is found in a capture"
+verdict $? "--baud overrules the baud rate found in a capture"
 
 # decode -o writes the recording, and no table; it keeps what came before an error.
 "$SBUS" decode "$work/sbus2-1.vcd" -o "$work/decoded.txt" >"$work/out" && bytes "$work/decoded.txt" | cmp - "$work/wanted" &&
@@ -91,7 +91,7 @@ verdict $? "decode --csv -o writes the table and the recording"
 (head -n 2000 "$work/sbus2-1.vcd"; echo '#x') >"$work/broken.vcd"
 "$SBUS" decode "$work/broken.vcd" -o "$work/part.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && bytes "$work/part.txt" >"$work/part" && [ "$(wc -l <"$work/part")" -gt 100 ] && head -n "$(wc -l <"$work/part")" "$work/wanted" | cmp - "$work/part"
-verdict $? "decode -o keeps what came before an error in the capture"
+verdict $? "decode -o keeps the part before an error in the capture"
 "$SBUS" csv "$work/broken.vcd" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -q "^sbus csv: $work/broken.vcd:2001: .*; sbus decode -o FILE keeps the part before it$" "$work/err"
 verdict $? "an error in a capture is reported with its place"
@@ -123,16 +123,16 @@ done
 # The bytes of a line that was cut look like times; a second line shows that they are bytes.
 printf '03 1F %s %s\n10 %s\n' "$frame" "$frame" "$frame" >"$work/cut.txt"
 "$SBUS" record "$work/cut.txt" - 2>"$work/err" >"$work/cut.recording" && [ "$(bytes "$work/cut.recording" | wc -l)" -eq 78 ]
-verdict $? "bytes without times are recognised though a line begins with decimal digits"
+verdict $? "bytes without times are recognised even if a line begins with decimal digits"
 printf '30 0F E5\n' >"$work/time.txt"
 "$SBUS" hex "$work/time.txt" 2>"$work/err" | grep -q '  0F E5  ' && [ ! -s "$work/err" ]
-verdict $? "a time of two digits, alone, is a time"
+verdict $? "a single time of two digits is a time"
 printf '%s %s\n' "$frame" "$frame" | sed 's/1F/1F!/' >"$work/bad.txt"
 "$SBUS" hex "$work/bad.txt" 2>"$work/err" | grep -q ' 1F!.*parity or framing error (byte 3)$'
-verdict $? "bytes without times may have one with an error"
+verdict $? "bytes without times may include one with an error"
 "$SBUS" doctor "$work/bytes.bin" >"$work/out" 2>"$work/err"
 [ $? -eq 0 ] && grep -qx '100000 baud, 8E2: 2 frames, 0 discarded bytes' "$work/out" && ! grep -q 'a second' "$work/out" && grep -qxF "$work/bytes.bin: $note" "$work/err"
-verdict $? "doctor of bytes without times has no times"
+verdict $? "doctor prints no times for bytes without times"
 
 # rejected NAME MESSAGE: standard input is a file of another kind
 rejected() {

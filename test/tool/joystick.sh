@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests the events that a program reads from the game controller of `sbus joystick`; says "ok ..." or "FAILED ...".
-# The controller is at a stand-in of /dev/uinput, Uinput.cpp, which logs them; where a real one can be opened, also there.
+# The controller is at a stand-in for /dev/uinput, Uinput.cpp, which logs them; where a real one can be opened, also there.
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -62,7 +62,7 @@ verdict $? "the controller begins at rest with the throttle low, and is removed 
   { report($19 == "ok" || $19 == "lossy") }
   END { report(0) }' >"$work/wanted"
 sed '1d; $d' "$UINPUT_LOG" | diff - "$work/wanted" >"$work/diff" && [ "$(wc -l <"$work/wanted")" -gt 900 ]
-verdict $? "each frame is one report of what has changed, also during lost frames and failsafe"
+verdict $? "each frame causes one report of the changes, also during lost frames and failsafe"
 head -n 5 "$work/diff"
 ! grep dropped "$UINPUT_LOG"
 verdict $? "the kernel drops no event"
@@ -91,7 +91,7 @@ while IFS='|' read -r options values axes buttons; do
   kill "$player" 2>/dev/null  # it waits for a reader
   wait "$player"
   [ "$(last)" = "$axes |$buttons" ] || { last; cat "$work/err"; false; }
-  verdict $? "joystick $options of $values shows $axes |$buttons"
+  verdict $? "joystick $options with $values shows $axes |$buttons"
 done <<'END'
 |ch1=172 ch2=1811 ch4=993 ch6=991 ch7=0 ch8=2047|-1000 1000 -1000 1 0 -1 -1000 1000|
 |ch9=1811 ch10=1402 ch11=1401 ch16=1500 ch18=on|0 0 -1000 0 0 0 0 0| 1 2 8 10
@@ -177,7 +177,7 @@ joystick recordings/paper.txt --simulated-time
 grep -q '^ABS' "$UINPUT_LOG" && ! grep unread "$UINPUT_LOG"
 verdict $? "programs have time to read the last report before the controller is removed"
 
-# ---- Files that are no calibrations
+# ---- Files that are not calibrations
 
 expected="a channel's raw values at -100, 0 and +100 % are expected, such as CH1 172 992 1811, with each channel of CH1 to CH16 at most once"
 while IFS='|' read -r text message; do
@@ -232,7 +232,7 @@ g++ -std=c++17 -fsanitize=address -I../extras -I../src -c ../extras/cli/GameCont
     -lserialport -lncursesw -larchive -o "$work/sbus" &&
   ! "$work/sbus" joystick sim 2>"$work/err" && grep -qx 'sbus joystick: this sbus was built without libevdev. On Linux install libevdev-dev and pkg-config, and build it again: make sbus' "$work/err" &&
   "$work/sbus" csv recordings/paper.txt >"$work/rows" && [ -s "$work/rows" ]
-verdict $? "without libevdev sbus builds, and joystick says what to install"
+verdict $? "sbus builds without libevdev, and joystick then says what to install"
 
 # ---- The kernel's /dev/uinput
 

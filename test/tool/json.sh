@@ -72,7 +72,7 @@ if wrong:
     print("\n".join(sorted(set(wrong))[:20]))
 sys.exit(bool(wrong) or len(fields) < 10)
 END
-verdict $? "JSON lines are as the manual says"
+verdict $? "JSON lines agree with the manual"
 
 # The figures are the same as in the other forms.
 line="sim:noise=5 --simulated-time --seconds 10"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every subcommand reads every kind of file: by its name, on standard input from the file, and through a pipe. What it
-# prints is as of the plain file. Prints a table of the kinds, and "ok ..." or "FAILED ..." for each subcommand and kind.
+# prints is the same as for the plain file. Prints a table of the kinds, and "ok ..." or "FAILED ..." for each subcommand and kind.
 # SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -104,7 +104,7 @@ read -r first _ <<END
 $("$SBUS" decode two.vcd --csv 2>&1 >/dev/null | sed -n 's/^two.vcd: this is signal \([A-Z]*\); S.Bus is also on [A-Z]*: --signal NAME chooses$/\1/p')
 END
 [ "$first" = TAIL ] || [ "$first" = MAIN ]
-verdict $? "decode --csv says which signal it took: ${first:-none}"
+verdict $? "decode --csv says which signal it chose: ${first:-none}"
 for subcommand in monitor doctor summary telemetry hex csv report record send; do
   bad=
   run $subcommand two.vcd >said
@@ -116,13 +116,13 @@ for subcommand in monitor doctor summary telemetry hex csv report record send; d
     cmp -s wanted chosen || bad="$bad $signal"
   done
   [ -z "$bad" ]
-  verdict $? "$subcommand says which signal of two it took, and takes another one by --signal:$bad"
+  verdict $? "$subcommand says which of two signals it chose, and --signal chooses another:$bad"
 done
 "$SBUS" hex two.vcd --signal TX 2>err
 [ $? -eq 1 ] && grep -qx 'sbus hex: two.vcd: there is no signal TX: one of TAIL, MAIN is expected' err
-verdict $? "--signal names one that is there"
+verdict $? "a wrong --signal lists the signals"
 
-# A file that comes through a pipe which stays open is read until Ctrl-C.
+# A file from a pipe that stays open is read until Ctrl-C.
 mkfifo open
 { cat line.txt; exec sleep 60; } >open &
 writer=$!

@@ -10,7 +10,7 @@ server=0
 
 . tool/common.sh
 
-# Each terminal has a server of its own: a server that is ending takes no more terminals.
+# Each terminal has its own server, since a server that is ending accepts no more terminals.
 tmux() { command tmux -S "$WORK/tmux-$server" -f /dev/null "$@"; }
 
 # open SIZE COMMAND: a terminal of that size, and a shell command in it
@@ -136,13 +136,13 @@ for end in q INT TERM; do
   if [ $end = q ]; then tmux send-keys q; else kill -$end "$(tmux display -p '#{pane_pid}' | xargs pgrep -P | head -n 1)"; fi
   shows back && shows 'here it was' && cmp "$WORK/before" "$WORK/after" && [ "$(cat "$WORK/status")" = 0 ] &&
     [ "$(tmux display -p '#{alternate_on}#{cursor_flag}')" = 01 ]
-  verdict $? "after $end the terminal is as it was"
+  verdict $? "the terminal is restored after $end"
   close
 done
 
 for source in sim "'$PWD/recordings/paper.txt'"; do
   open 80x24 "sh -c \"'$SBUS' monitor $source --seconds 1.5; echo it ended: \\$?; sleep 1000\"" && shows 'it ended: 0'
-  verdict $? "monitor $source ends after --seconds, in true time"
+  verdict $? "monitor $source ends after --seconds, in real time"
   close
 done
 open 80x24 "'$SBUS' hex sim --simulated-time --seconds 0.02; sleep 1000" && shows '0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00' &&
@@ -161,6 +161,6 @@ open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows ' ok' 
   shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows ' ok'
 verdict $? "a silent line is stale, with its last values, until frames come again"
 kill $player && shows 'the program at the other end is gone' && shows ' 992 1500'
-verdict $? "the page says that its port has gone"
+verdict $? "the page says that its port is gone"
 wait $player
 close

@@ -12,14 +12,14 @@
 #   tool/hex.sh                the values, times and widths of `sbus hex`
 #   tool/send.sh               what `sbus send` sends
 #   tool/bridge.sh             what `sbus bridge` sends
-#   tool/watch.sh              what `sbus watch` keeps of events
-#   tool/compare.sh            what `sbus compare` says of two lines
+#   tool/watch.sh              what `sbus watch` records of events
+#   tool/compare.sh            what `sbus compare` says about two lines
 #   tool/summary.sh            `sbus summary`; a part of a file
 #   tool/stream.sh             what one subcommand prints and another reads, also live
 #   tool/telemetry.sh          `sbus telemetry`
 #   tool/languages.sh          README's programs for Python and Node
 #   tool/calibrate.sh          `sbus calibrate`
-#   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in of /dev/uinput
+#   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in for /dev/uinput
 #   tool/systems.sh            what `sbus` does on any system: the workflow runs it on Windows and macOS
 #   tool/json.sh               JSON lines, compared with the manual
 #   tool/explain.sh            the tables of `sbus explain`
@@ -61,13 +61,13 @@ fi
 
 # ---- What it prints
 
-# sketch GOLDEN ARGUMENTS...: csv prints what the sketch prints, whose println() ends lines with CR and LF
+# sketch GOLDEN ARGUMENTS...: csv prints what the sketch prints; its println() ends lines with CR and LF
 sketch() {
   golden=golden/$1.csv
   shift
   tr -d '\r' <"$golden" >"$work/golden.csv"
   timeout 60 "$sbus" csv "$@" | tail -n 20 | cmp - "$work/golden.csv"
-  verdict $? "csv prints what is in $golden"
+  verdict $? "csv prints the same as $golden"
 }
 sketch DecodeSBus sim --simulated-time --seconds 13.1
 # csv has a frame with its last character, a sketch a character later: rows of that instant may differ.
@@ -75,7 +75,7 @@ timeout 60 "$sbus" csv sim --simulated-time --seconds 3.3 --columns ch1-ch18,age
 tr -d '\r' <golden/AllChannels.csv | tr , ' ' | paste -d ' ' - "$work/aged" | awk '
   { same = 1; for (i = 1; i <= 18; i++) same = same && $i == $(i + 18); if (!same && $37 > 0.00012) bad = 1; rows += same }
   END { exit bad || rows < 14 || NR != 16 }'
-verdict $? "csv prints what is in golden/AllChannels.csv, but for a frame that ends at that instant"
+verdict $? "csv prints the same as golden/AllChannels.csv, except for a frame that ends at that instant"
 sketch Channels24 sim:24 --simulated-time --seconds 3.3 --columns ch1-ch24
 for recording in paper frsky-neutral sbus2; do
   sketch DecodeSBus-$recording recordings/$recording.txt
@@ -92,7 +92,7 @@ while read -r name arguments; do
     cp "$work/$name.txt" "tool/golden/$name.txt"
   else
     [ $status -eq 0 ] && cmp "$work/$name.txt" "tool/golden/$name.txt"
-    verdict $? "$arguments prints what is in tool/golden"
+    verdict $? "$arguments prints the same as tool/golden"
   fi
 done <"$work/lines"
 [ "$update" = update ] && SBUS=$sbus WORK=$work exec tool/pages.sh update
@@ -105,7 +105,7 @@ frame='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\
 [ "$(printf "$frame$frame" | timeout 60 "$sbus" csv - --simulated-time --every-frame | tail -n 1)" = "997,992,992,992,0,0" ]
 verdict $? "csv reads bytes from standard input"
 [ "$( (printf "$frame\017"; sleep 0.1; printf "$frame" | tail -c 24) | timeout 60 "$sbus" csv - --baud 200000 --simulated-time --every-frame | wc -l)" -eq 2 ]
-verdict $? "a frame that comes in two pieces on standard input is one frame"
+verdict $? "a frame that arrives in two pieces on standard input is one frame"
 [ "$("$sbus" csv sim --simulated-time --seconds 0.2 --header --columns "CH1, ch18 ,State")" = "CH1,CH18,state
 1248,0,ok" ]
 verdict $? "--columns allows blanks and capital letters"
@@ -118,23 +118,23 @@ echo "0 $(printf "$frame" | od -An -v -tx1 | tr -d '\n')" >"$work/at-0.txt"
 verdict $? "a line shorter than 0.2 s has a row with its newest frame"
 "$sbus" hex sim --simulated-time --seconds 1 >/dev/full 2>"$work/err"
 [ $? -eq 1 ] && [ "$(cat "$work/err")" = "sbus hex: standard output cannot be written (No space left on device); write it elsewhere" ]
-verdict $? "if standard output is full, it says so and fails"
+verdict $? "a full standard output is reported and is a failure"
 ! "$sbus" hex --help >/dev/full 2>"$work/err"
-verdict $? "if standard output is full, help fails as well"
+verdict $? "help also fails if standard output is full"
 "$sbus" record sim "$work/no-stderr.txt" --simulated-time --seconds 0.2 2>&- && "$sbus" hex "$work/no-stderr.txt" | grep -q 'frame end 00'
 verdict $? "if standard error is closed, no message gets into the recording"
 "$sbus" hex sim:silent --simulated-time --seconds 2 2>"$work/err" && grep -qx "sim: no bytes yet; sbus doctor sim says why" "$work/err" &&
   "$sbus" hex sim:silent --simulated-time --seconds 1.9 2>&1 | cmp - /dev/null
 verdict $? "a silent source is reported after two seconds"
-# In true time: lines are written one by one, and the second finds the reader gone.
+# In real time: lines are written one by one, and the second finds the reader gone.
 (timeout 60 "$sbus" hex sim; echo $? >"$work/status") | head -n 1 >/dev/null
 [ "$(cat "$work/status")" -eq 1 ]
-verdict $? "a reader that closes the pipe ends it"
+verdict $? "sbus ends when its reader closes the pipe"
 timeout 60 "$sbus" csv "" --seconds 1 2>"$work/err"
 [ $? -eq 2 ] && grep -q 'SOURCE: is empty' "$work/err"
 verdict $? "an empty SOURCE is rejected"
 
-# ---- What it rejects
+# ---- Rejections
 
 # rejected MESSAGE ARGUMENTS...: fails, and says that line first
 rejected() {
@@ -176,7 +176,7 @@ rejected "sbus wave: $work/paper.vcd: is a capture of the wire already; sbus dec
 rejected "$work/paper.vcd:24: \"24\" is not allowed after the colon; there are noise=1 to noise=100000 and uninverted" hex "$work/paper.vcd:24"
 printf '0\t00 01 10 11\n' >"$work/bits.txt"
 "$sbus" hex "$work/bits.txt" | grep -q '00 01 10 11 .*no header'
-verdict $? "a recording that looks like bits is not taken for a capture"
+verdict $? "a recording that looks like bits does not count as a capture"
 printf 'time,CH17,CH18\n0.2,0,1\n0.4,1,0\n' >"$work/times.csv"
 "$sbus" monitor "$work/times.csv" --simulated-time | grep -q '^ *0\.[45][0-9]*  .*1 *0'
 verdict $? "monitor shows rows with times"
@@ -217,7 +217,7 @@ verdict $? "monitor --record writes what record writes, and shows what monitor s
 rejected "sbus monitor: $work/monitor.txt: already exists; name another file, or remove it" monitor sim --record "$work/monitor.txt"
 rejected "sbus monitor: /dev/full: could not be written completely (No space left on device); is the disk full?" monitor sim --simulated-time --seconds 1 --record /dev/full
 "$sbus" monitor golden/AllChannels.csv --simulated-time --record "$work/rows.txt" >"$work/lines" 2>"$work/err" && sed 1d "$work/rows.txt" | cmp - golden/AllChannels.csv
-verdict $? "monitor --record writes a sketch's rows as they are"
+verdict $? "monitor --record writes a sketch's rows unchanged"
 
 
 player send recordings/paper.txt
@@ -225,13 +225,13 @@ player send recordings/paper.txt
 status=$?
 wait "$player" && [ $status -eq 0 ] && marked recordings/paper.txt >"$work/paper.bytes" &&
   bytes "$work/paper.txt" | cmp - "$work/paper.bytes"
-verdict $? "what is sent through a pseudo-terminal is recorded byte by byte"
+verdict $? "bytes sent through a pseudo-terminal are recorded exactly"
 
 player send golden/AllChannels.csv --csv --speed 20
 "$sbus" record "$terminal" "$work/rows.csv" 2>"$work/err"
 [ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, no S.Bus" ] &&
   sed 1d "$work/rows.csv" | cmp - golden/AllChannels.csv
-verdict $? "a sketch's rows are recorded as they are"
+verdict $? "a sketch's rows are recorded unchanged"
 wait "$player"
 
 for signal in INT TERM HUP KILL; do
@@ -248,13 +248,13 @@ for signal in INT TERM HUP KILL; do
   verdict $? "a recorder that gets SIG$signal leaves a complete recording"
 done
 
-# A disk with place for 8 KB: a write in the middle of a line fails.
+# A disk with room for 8 KB: a write in the middle of a line fails.
 (trap '' XFSZ; ulimit -f 16; "$sbus" record sim "$work/full.txt" --simulated-time --seconds 5) 2>"$work/err"
 [ $? -eq 1 ] && is_whole "$work/full.txt" && [ "$(wc -c <"$work/full.txt")" -gt 8000 ] &&
   grep -q "^sbus record: .*full.txt: could not be written completely (File too large); what was written before is valid" "$work/err"
-verdict $? "a full disk is an error, and the recording is complete up to there"
+verdict $? "a full disk is an error, and the recording is complete up to that point"
 
-# An adapter's name in /dev/serial/by-id is a link, which comes again with it.
+# An adapter's name in /dev/serial/by-id is a link, which comes back with the adapter.
 player send sim --seconds 1
 ln -sf "$terminal" "$work/adapter"
 first=$player
@@ -321,7 +321,7 @@ SBUS=$sbus WORK=$work tool/explain.sh
   sort -u >"$work/words"
 [ "$(wc -l <"$work/words")" -gt 40 ]
 verdict $? "--help-all lists subcommands and options"
-# An option stands under its subcommand, or under SOURCE if that is what the subcommand takes.
+# An option is listed under its subcommand, or under SOURCE if the subcommand takes one.
 sed 's/\\-/-/g' ../extras/cli/sbus.1 | awk '
   /^\.S[HS] / { section = $2 == "sbus" ? $3 : $0; common = section != "ports" && (/ SOURCE/ || / A B$/); print "has", section }
   /^\.BR? -/ { for (i = 2; i <= NF; i++) if ($i ~ /^-/) print section, $i }

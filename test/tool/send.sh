@@ -56,7 +56,7 @@ player=$!
 until [ -s "$work/terminal" ] || ! kill -0 $player 2>/dev/null; do sleep 0.1; done
 "$SBUS" record "$(cat "$work/terminal")" "$work/terminal.txt" 2>"$work/note" && wait $player &&
   grep -v '^#' "$work/terminal.txt" | tr ' ' '\n' | grep -vc '~\|...' | grep -qx 1400
-verdict $? "send without a port makes a pseudo-terminal"
+verdict $? "send without a port creates a pseudo-terminal"
 
 # ---- Rows of CSV
 
@@ -65,7 +65,7 @@ tail -n 20 "$work/flight.csv" | (head -n 1 "$work/flight.csv"; cat) >"$work/end.
 # Its column failsafe is the state of the link, which many lost frames also cause, not the flag of a frame.
 sent "$work/end.csv" && sed 1d "$work/end.csv" | tr -d '\r' | cut -d, -f1-18,20 | uniq >"$work/wanted" &&
   cut -d, -f1-18,20 "$work/rows" | uniq | cmp - "$work/wanted" && grep -q ',0,1$' "$work/wanted"
-verdict $? "send sends what csv has written"
+verdict $? "send sends the output of csv"
 printf 'time,state,CH2,failsafe\n10.5,ok,100,0\n10.77,ok,200,0\n11.5,failsafe,300,1\n' >"$work/times.csv"
 sent "$work/times.csv" &&
   [ "$(cut -d, -f2,19 "$work/rows" | uniq -c | awk '{ printf "%s:%s ", $2, $1 }')" = "100,0:30 200,0:82 300,1:81 " ]

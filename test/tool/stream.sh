@@ -108,7 +108,7 @@ live 'record, csv' '"$SBUS" record PORT - | "$SBUS" csv - --every-frame --column
 # shellcheck disable=SC2016
 live 'rows of csv, csv' '"$SBUS" csv PORT --every-frame --header --columns time,ch1-ch16 | "$SBUS" csv - --every-frame --columns ch1'
 
-# ---- What is wrong
+# ---- Errors
 
 while IFS='|' read -r text message; do
   printf '%s\n' "$text" >"$work/x.json"
@@ -139,21 +139,21 @@ END
 head -n 3 "$work/line.json" >"$work/two.json" && echo '["frame"]' >>"$work/two.json"
 "$SBUS" hex "$work/two.json" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(grep -c ' end ' "$work/out")" -ge 1 ] && grep -q ':4: "\["frame"\]" is not a JSON object' "$work/err"
-verdict $? "what comes before a wrong object is printed"
+verdict $? "the part before a wrong object is printed"
 
 # ---- When it was
 
 "$SBUS" record sim "$work/dated.txt" --seconds 0.2 2>"$work/err"
 grep -qE '^# format 1, began 20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\.[0-9]{6}Z$' "$work/dated.txt" &&
   [ "$(sed -n 's/^# format 1, began //p' "$work/dated.txt")" = "$("$SBUS" hex "$work/dated.txt" --json | sed -n '1s/.*"start":"\([^"]*\)".*/\1/p')" ]
-verdict $? "a recording says when it began, and hex --json repeats it"
+verdict $? "a recording has its date, and hex --json repeats it"
 "$SBUS" record "$work/dated.txt" "$work/copy.txt" 2>"$work/err" && grep -v '^# sbus' "$work/dated.txt" >"$work/wanted" &&
   grep -v '^# sbus' "$work/copy.txt" | cmp - "$work/wanted"
 verdict $? "a copy of a recording keeps its date"
 ! "$SBUS" hex recordings/paper.txt --json | grep -q '"start"'
 verdict $? "a recording without a date has none"
 
-# ---- A long recording costs no memory: what is read of ten hours, 340 MB
+# ---- A long recording costs no memory: ten hours, 340 MB
 
 if [ "${LONG:-}" ]; then hours=10; else hours=1; fi
 python3 - "$work/16.txt" "$work/long.txt" $hours <<'END'

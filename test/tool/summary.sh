@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs `sbus summary` on a flight whose losses are known, and subcommands with --from and --to on files. Says "ok ..." or
+# Runs `sbus summary` on a flight with known losses, and subcommands with --from and --to on files. Says "ok ..." or
 # "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -61,12 +61,12 @@ verdict $? "summary --json of a flight has the same figures"
 "$SBUS" summary "$work/cut.json" >"$work/text" 2>"$work/err"
 [ $? -eq 1 ] && grep -q ': S.BUS, 49 frames, 3 with the lost-frame flag' "$work/text" && grep -q 'ends within an object' "$work/err" &&
   ! "$SBUS" summary "$work/cut.json" --html "$work/cut.html" 2>"$work/err" && [ -s "$work/cut.html" ]
-verdict $? "summary of JSON lines that were cut off has the frames before, and fails"
+verdict $? "summary of truncated JSON lines has the frames up to there, and fails"
 sed 's/^[0-9]* /9&/' "$work/flight.txt" >"$work/late.txt"
 { "$SBUS" summary "$work/late.txt" && "$SBUS" hex "$work/late.txt" && "$SBUS" csv "$work/late.txt" --every-frame &&
   "$SBUS" watch "$work/late.txt" --when ok --record "$work/events" && "$SBUS" compare "$work/late.txt" "$work/late.txt"; } >"$work/text" 2>"$work/err"
 [ $? -eq 0 ] && [ ! -s "$work/err" ] || { cat "$work/err"; false; }
-verdict $? "a recording whose times begin late is not said to be silent"
+verdict $? "a recording with times that begin late does not count as silent"
 
 # ---- The report: the same flight as a page
 
@@ -84,7 +84,7 @@ Lost frames: 3 times, 0\.045 s in all
 END
 [ "$(grep -c '<rect class="failsafe" x=' "$work/flight.html")" -eq 2 ] && grep -q '<title>1.000 s: 41.4 % lost' "$work/flight.html" &&
   grep -q '<title>2.000 s: 76.7 % lost' "$work/flight.html"
-verdict $? "the report's strip shows both seconds, and what was lost in them"
+verdict $? "the report's strip shows both seconds and their losses"
 [ "$(grep -c 'class="curve ' "$work/flight.html")" -eq 4 ] && [ "$(grep -o 'https*://[a-z0-9.]*' "$work/flight.html" | sort -u)" = http://www.w3.org ]
 verdict $? "the report has four curves, and needs no other file"
 "$SBUS" record sim "$work/well.txt" --simulated-time --seconds 9 2>"$work/err" && sed '/ 0[4-7] 00$/d' "$work/well.txt" >"$work/gaps.txt"
@@ -94,7 +94,7 @@ for line in 'gaps.txt|warning' 'well.txt|warning' 'clean.txt|good'; do
   verdict $? "the report's verdict on ${line%|*}: $(sed 's/.*>//' "$work/verdict")"
 done
 [ "$("$SBUS" summary "$work/gaps.txt" --html - | grep -c '<rect class="lost"')" -ge 7 ]
-verdict $? "the report's strip shows frames that did not come"
+verdict $? "the report's strip shows missing frames"
 [ "$("$SBUS" summary sim --simulated-time --seconds 60 | grep -A 21 '^lost frames' | grep -c ' s to ')" -eq 20 ] &&
   "$SBUS" summary sim --simulated-time --seconds 60 | grep -qE '^lost frames +[0-9]+ times, .* s in all; the longest are$'
 verdict $? "summary lists the twenty longest losses"
@@ -110,7 +110,7 @@ awk 'BEGIN {
 "$SBUS" summary "$work/stalls.txt" | sed -E 's/^(PC late|no frames)( +[0-9]+ times?), [0-9.]+ s in all$/\1\2/' >"$work/text"
 [ "$(grep -cE '^PC late +11 times$|^no frames +1 time$' "$work/text")" -eq 2 ] && grep -q ' 1500 frames, ' "$work/text" &&
   [ "$("$SBUS" summary --json "$work/stalls.txt" | grep -c '"kind":"late"')" -eq 11 ]
-verdict $? "summary of a clean line that a busy PC read late has no silence but that of a cut wire"
+verdict $? "summary of a clean line read late by a busy PC has only the silence of a cut wire"
 # The same frames as in test/scope/held.mjs: 150 lost ones in a row are failsafe from the hundredth on.
 awk 'BEGIN {
   for (i = 0; i < 160; i++) {
@@ -119,7 +119,7 @@ awk 'BEGIN {
 }' >"$work/losses.txt"
 "$SBUS" csv "$work/losses.txt" --every-frame --columns failsafe | awk '$1 == 1 { count++; first = first ? first : NR } END { exit !(count == 51 && first == 110) }' &&
   "$SBUS" summary "$work/losses.txt" | grep -A 1 '^failsafe  *1 time, 0.450 s in all$' | grep -qE '^ +0.993 s to +1.443 s'
-verdict $? "csv and summary have the same failsafe after too many lost frames"
+verdict $? "csv and summary agree on failsafe after too many lost frames"
 cut -d' ' -f2- "$work/flight.txt" >"$work/bytes.txt"
 [ "$("$SBUS" summary "$work/bytes.txt" 2>"$work/err")" = "$work/bytes.txt: S.BUS, 100 frames, 25 with the lost-frame flag, 23 in failsafe; 0 discarded bytes, 0 character errors
 frames       -, times are not known" ]

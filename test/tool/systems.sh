@@ -17,21 +17,21 @@ grep -v '^#' tool/LINES >"$work/lines"
 while read -r name arguments; do
   # shellcheck disable=SC2086  # the arguments are words
   sbus $arguments </dev/null >"$work/all" && tail -n 20 "$work/all" | cmp - "tool/golden/$name.txt"
-  verdict $? "$arguments prints what is in tool/golden"
+  verdict $? "$arguments prints the same as tool/golden"
 done <"$work/lines"
 
 for recording in paper frsky-neutral sbus2; do
   file=recordings/$recording.txt
   tr -d '\r' <golden/DecodeSBus-$recording.csv >"$work/golden"
   sbus csv $file | tail -n 20 | cmp - "$work/golden"
-  verdict $? "csv prints what is in golden/DecodeSBus-$recording.csv"
+  verdict $? "csv prints the same as golden/DecodeSBus-$recording.csv"
   sbus hex $file >"$work/hex"
   sbus hex - <$file | cmp - "$work/hex" && cat $file | sbus hex - | cmp - "$work/hex" &&
     gzip -c $file | sbus hex - | cmp - "$work/hex"
-  verdict $? "$file is the same by name, on standard input, from a pipe, and packed"
+  verdict $? "$file gives the same by name, on standard input, from a pipe, and packed"
   sbus hex --json $file | sbus csv - --every-frame >"$work/csv"
   sbus csv $file --every-frame | cmp - "$work/csv"
-  verdict $? "$file is the same as JSON lines from a pipe"
+  verdict $? "$file gives the same as JSON lines from a pipe"
 done
 
 # 0A, 0D and 1A end lines and files of a text on Windows.
@@ -39,7 +39,7 @@ printf '\017\012\015\012\032\015\015\012\032\012\015\012\032\012\015\012\032\012
 cat "$work/frame" "$work/frame" "$work/frame" >"$work/line.bin"
 bytes='0F 0A 0D 0A 1A 0D 0D 0A 1A 0A 0D 0A 1A 0A 0D 0A 1A 0A 0D 0A 1A 0A 0D 00 00  frame end 00'
 [ "$(sbus hex "$work/line.bin" | grep -c "$bytes")" -ge 2 ] && [ "$(cat "$work/line.bin" | sbus hex - --simulated-time | grep -c "$bytes")" -ge 2 ]
-verdict $? "the bytes 0A, 0D and 1A stay what they are"
+verdict $? "the bytes 0A, 0D and 1A stay unchanged"
 
 sbus record sim "$work/record.txt" --seconds 1 && sbus summary "$work/record.txt" --html "$work/page.html" >"$work/summary" &&
   [ "$(tr -d '[:print:]\n' <"$work/record.txt" | wc -c)" -eq 0 ] && grep -q '</html>' "$work/page.html" &&
@@ -51,6 +51,6 @@ cp "$work/record.txt" "$work/copy.txt"
 ! sbus wave "$work/copy.txt" -o "$work/copy.txt" 2>"$work/err" && grep -q 'is also the input' "$work/err" && cmp "$work/record.txt" "$work/copy.txt" &&
   sbus wave "$work/copy.txt" -o "$work/wave.vcd" && sbus decode "$work/wave.vcd" --json >"$work/decode" && cat "$work/wave.vcd" | sbus decode - --json >"$work/piped"
 sed 's/"source":"[^"]*"//' "$work/decode" >"$work/one" && sed 's/"source":"[^"]*"//' "$work/piped" | cmp - "$work/one" && [ "$(wc -l <"$work/one")" -ge 100 ]
-verdict $? "a wave is decoded by name and from a pipe, and never written over its source"
+verdict $? "a wave is decoded by name and from a pipe, and never overwrites its source"
 
 exit $failed

@@ -33,7 +33,7 @@ time_s,slot,data0,data1,quantity,value,unit
 0.051710,26,5,220,charge,1500,mAh
 END
 head -n 7 "$work/rows" | diff "$work/wanted" -
-verdict $? "telemetry prints slots, and what named sensors measure"
+verdict $? "telemetry prints slots, and the quantities of named sensors"
 [ "$(cut -d, -f2 "$work/rows" | tr '\n' ' ')" = "slot 0 1 2 24 25 26 0 1 2 24 25 26 24 25 26 0 1 2 24 25 26 0 1 2 24 25 26 " ]
 verdict $? "telemetry does not print a group that lacks a character, but one that ends the line"
 
@@ -43,11 +43,11 @@ verdict $? "telemetry prints no quantity for a slot without a name"
 grep -v '^#' recordings/paper.txt >"$work/paper.txt"
 "$SBUS" telemetry "$work/paper.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/paper.txt: frames came, and none announced a telemetry slot: this is not an S.BUS2 line" "$work/err"
-verdict $? "telemetry of a line without any fails"
+verdict $? "telemetry fails on a line without telemetry"
 sed '/^[0-9]* \(03\|83\|43\|1B\|9B\|5B\)/d' "$work/line.txt" >"$work/silent.txt"
 "$SBUS" telemetry "$work/silent.txt" >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && grep -qxF "sbus telemetry: $work/silent.txt: frames came, and no slot after them: is the receiver in a mode with telemetry?" "$work/err"
-verdict $? "telemetry of an S.BUS2 line without an answer fails"
+verdict $? "telemetry fails on an S.BUS2 line without answers"
 
 while IFS='|' read -r sensor words; do
   "$SBUS" telemetry "$work/line.txt" --sensor "$sensor" >"$work/out" 2>"$work/err"

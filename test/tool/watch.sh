@@ -53,7 +53,7 @@ END
 rm -rf "$work/dir"
 watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 0 --after 0 >"$work/out"
 [ "$("$SBUS" csv "$work/dir/sbus-000002.txt" --every-frame --columns ch1 | tr '\n' ' ')" = "600 601 " ] && "$SBUS" summary "$work/dir/sbus-000002.txt" | grep -q ' 0 discarded bytes'
-verdict $? "with --before 0 a recording begins with the frame that is the event"
+verdict $? "with --before 0 a recording begins with the event's frame"
 rm -rf "$work/dir"
 watch "$work/flight.json" --when 'ch1==500 || ch1==600' --record "$work/dir" --before 600 --after 0 >"$work/out"
 [ "$(cat "$work"/dir/*.txt >"$work/all.txt"; "$SBUS" csv "$work/all.txt" --every-frame --columns ch1)" = "$(seq 601)" ]
@@ -61,7 +61,7 @@ verdict $? "no frame is missing between the recordings of two events"
 rm -rf "$work/dir"
 (ulimit -f 8; timeout 60 "$SBUS" watch "$work/flight.json" --when 'failsafe || ch1==900' --record "$work/dir" --before 3 --after 0 >"$work/out" 2>"$work/err")
 [ $? -eq 1 ] && grep -q 'could not be written' "$work/err" && [ "$("$SBUS" hex "$work/dir/sbus-000001.txt" 2>&1 | grep -c ' frame ')" -gt 20 ] && "$SBUS" hex "$work/dir/sbus-000002.txt" | grep -q ' frame '
-verdict $? "a limit of the size of files ends a recording as a full disk does: the next event has one"
+verdict $? "a limit on file size ends a recording like a full disk; the next event has one again"
 
 while IFS='|' read -r condition message; do
   watch sim --when "$condition" --record "$work/none" >"$work/out"
@@ -93,12 +93,12 @@ verdict $? "a file has whole frames, from --before to --after: $(wc -l <"$work/h
 rm -rf "$work/dir"
 watch "$work/flight.json" --when 'lostframe || failsafe' --record "$work/dir" --after 1 | events >"$work/out"
 [ "$(cat "$work/out")" = "begin 3.609 end 5.599 " ] && [ "$(ls "$work/dir")" = sbus-000001.txt ]
-verdict $? "an event within --after goes on in the same file: $(cat "$work/out")"
+verdict $? "an event within --after continues in the same file: $(cat "$work/out")"
 rm -rf "$work/dir"
 watch "$work/flight.json" --when ch17 --record "$work/dir" --longest 2 --before 0.1 >"$work/out"
 for file in "$work"/dir/*; do "$SBUS" csv "$file" --every-frame --columns ch1; done >"$work/values"
 seq 290 1000 | diff - "$work/values" && [ "$(grep -c continued "$work/out")" -eq 3 ]
-verdict $? "a long event goes on in other files, without a gap: $(ls "$work/dir" | wc -l) files"
+verdict $? "a long event continues in other files, without a gap: $(ls "$work/dir" | wc -l) files"
 
 player send sim --seconds 14
 "$SBUS" watch "$terminal" --when failsafe --record "$work/dated" --before 1 --after 0.5 --json >"$work/json" 2>"$work/err"
@@ -127,7 +127,7 @@ mkdir "$work/dir"
 touch "$work/dir/sbus-000007-2020-01-01T00-00-00Z.txt" "$work/dir/sbus-notes.txt" "$work/dir/other.txt" "$work/dir/sbus-000001.txt.gz"
 watch "$work/flight.json" --when 'ch1<10 || ch1>100 && ch1<110 || ch1>200 && ch1<210 || ch1>300 && ch1<310' --record "$work/dir" --before 0 --after 0 --keep 3 >"$work/out"
 [ "$(ls "$work/dir" | paste -sd ' ')" = "other.txt sbus-000001.txt.gz sbus-000009.txt sbus-000010.txt sbus-000011.txt sbus-notes.txt" ]
-verdict $? "--keep 3 keeps the newest three, and the files of others: $(ls "$work/dir" | paste -sd ' ')"
+verdict $? "--keep 3 keeps the newest three, and other files: $(ls "$work/dir" | paste -sd ' ')"
 rm -rf "$work/dir"
 mkdir "$work/dir"
 touch "$work/dir/sbus-999998.txt"
@@ -156,7 +156,7 @@ verdict $? "a file is whole after SIGKILL: $(grep -c ' frame ' "$work/hex") fram
 [ $? -eq 1 ] && [ "$(grep -c 'sbus-00000[12].txt: could not be written completely (File too large); what was written before is valid' "$work/err")" -eq 2 ] &&
   [ "$(tail -n 1 "$work/err")" = "sbus watch: $work/full: 2 recordings are incomplete; the reasons are above" ] &&
   for file in "$work"/full/*; do [ -z "$(tail -c 1 "$file")" ] && "$SBUS" hex "$file" 2>&1 | grep -q ' frame ' || break; done
-verdict $? "a full disk is an error for each file, which is whole up to there, and watching goes on"
+verdict $? "a full disk is an error for each file, which is whole up to that point, and watching continues"
 touch "$work/file"
 for folder in "$work/file" "$work/no/such"; do
   ! watch sim --when failsafe --record "$folder" --simulated-time --seconds 1 >"$work/out" && grep -q "^sbus watch: $folder: cannot be created (.*); name a folder that can be written$" "$work/err"

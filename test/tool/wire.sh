@@ -48,7 +48,7 @@ sed 's/ 1F / 1F! /' recordings/paper.txt >"$work/bad.txt"
 verdict $? "a character with an error in a recording has a wrong parity bit on the wire"
 if [ -n "$have_sigrok" ]; then
   [ "$(sigrok "$work/bad.vcd" 100000 yes rx-parity-err | wc -l)" -eq "$(grep -c '!' "$work/bad.txt")" ]
-  verdict $? "sigrok finds the wrong parity bit as well"
+  verdict $? "sigrok also finds the wrong parity bit"
 fi
 
 # The paper's bits, in each form.
@@ -120,7 +120,7 @@ overruled 0 "$work/volts.csv" --rate 1e6 --threshold 1.6
 (cat "$work/sbus2.vcd"; printf '#') | "$SBUS" decode - --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && cmp "$work/out" tool/golden/decode-sbus2.csv &&
   grep -qx "sbus decode: -:$(($(wc -l <"$work/sbus2.vcd") + 1)): the capture ends within this line: .* decoded above" "$work/err"
-verdict $? "decode of a capture on standard input that is cut off prints its frames, and fails"
+verdict $? "decode of a truncated capture on standard input prints its frames, and fails"
 (cat "$work/sbus2.vcd"; echo '#') | "$SBUS" decode - >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && ! grep -q 'ends within' "$work/err"
 verdict $? "decode reports a last line that is wrong, but complete"
@@ -153,7 +153,7 @@ for capture in live.vcd live.csv; do
   early=$?
   exec 7>&-
   wait $decoder && [ $early -eq 0 ] && "$SBUS" decode "$work/$capture" --csv | cmp - "$work/live.out"
-  verdict $? "decode of standard input prints the frames of $capture as they come"
+  verdict $? "decode of standard input prints the frames of $capture as they arrive"
 done
 
 # Packed, in a file and through a pipe; if it is cut off, decode prints what came before.
@@ -170,7 +170,7 @@ head -c $(($(wc -c <"$work/long.gz") * 9 / 10)) "$work/long.gz" >"$work/cut.gz"
 "$SBUS" decode "$work/cut.gz" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 10 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
   grep -qx "sbus decode: $work/cut.gz: cannot be read to its end (truncated gzip input); the part before it is decoded above" "$work/err"
-verdict $? "decode of a .gz that is cut off prints what came before, and fails"
+verdict $? "decode of a truncated .gz prints the part before, and fails"
 
 # Sessions of sigrok and PulseView. Real sessions (sigrokproject/sigrok-dumps) have their entries in each of these orders.
 session() {  # FILE ENTRY...: logic-1 has all samples, logic-1-N a part of them
@@ -206,8 +206,8 @@ cat "$work/2.sr" | "$SBUS" decode - --csv | cmp - "$work/plain"
 verdict $? "decode reads a session through a pipe"
 session other.zip version logic-1
 ! "$SBUS" decode "$work/other.zip" 2>"$work/err" &&
-  grep -qx "sbus decode: $work/other.zip: is a ZIP of several files, and no session of sigrok or PulseView: unpack it, and name one" "$work/err"
-verdict $? "decode rejects a ZIP that is no session"
+  grep -qx "sbus decode: $work/other.zip: is a ZIP of several files, but not a session of sigrok or PulseView: unpack it, and name one" "$work/err"
+verdict $? "decode rejects a ZIP that is not a session"
 session empty.sr version metadata
 ! "$SBUS" decode "$work/empty.sr" 2>"$work/err" &&
   grep -qx "sbus decode: $work/empty.sr: has no samples: logic-1 or logic-1-1 is expected in it" "$work/err"
@@ -216,14 +216,14 @@ head -c $(($(wc -c <"$work/1.sr") * 2 / 3)) "$work/1.sr" >"$work/cut.sr"
 "$SBUS" decode "$work/cut.sr" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -gt 3 ] && head -n "$(wc -l <"$work/out")" "$work/plain" | cmp - "$work/out" &&
   grep -q "cut.sr: cannot be read to its end (.*; the part before it is decoded above" "$work/err"
-verdict $? "decode reports a session that is cut off"
+verdict $? "decode reports a truncated session"
 if [ -n "$have_sigrok" ]; then
   sigrok-cli -I vcd -i "$work/sbus2.vcd" -o "$work/sigrok.sr" && "$SBUS" decode "$work/sigrok.sr" --csv |
     cmp - tool/golden/decode-sbus2.csv
-  verdict $? "decode reads a session that sigrok has written"
+  verdict $? "decode reads a session written by sigrok"
   for form in bits hex csv vcd; do
     sigrok-cli -i "$work/sigrok.sr" -O $form | "$SBUS" decode - --csv | cmp - tool/golden/decode-sbus2.csv
-    verdict $? "decode reads what sigrok-cli -O $form prints"
+    verdict $? "decode reads the output of sigrok-cli -O $form"
   done
 fi
 
@@ -240,7 +240,7 @@ for capture in logic1.csv logic2.csv; do
   verdict $? "decode reads the characters of $capture"
 done
 [ "$(sed '30s/,,$/,Error,Error/' "$work/logic1.csv" | "$SBUS" decode - --characters | grep -c '  parity error; framing error$')" -eq 1 ]
-verdict $? "decode shows both errors of a character that Saleae's analyser has marked"
+verdict $? "decode shows both errors of a character marked by Saleae's analyser"
 
 # The last line but one is the last edge of the last character: the capture ended there, or more was lost.
 sed '$d' "$work/sbus2.vcd" >"$work/edge.vcd"
@@ -255,7 +255,7 @@ awk 'BEGIN { print "; Samplerate: 250 kHz\nlogic" }
 "$SBUS" decode "$work/slow.csv" --csv >"$work/out" 2>"$work/err"
 [ $? -eq 1 ] && [ "$(wc -l <"$work/out")" -eq "$(wc -l <tool/golden/decode-sbus2.csv)" ] &&
   grep -qx "sbus decode: $work/slow.csv: was sampled every 4.0 us, but a bit lasts 10.0 us: .* What could be decoded is above" "$work/err"
-verdict $? "decode of a capture that was sampled too slowly prints its frames, and fails"
+verdict $? "decode of a capture sampled too slowly prints its frames, and fails"
 # A file that is read piece by piece: the capture, repeated, up to a line that is wrong.
 awk '!/^#/ && !lines { print; next } { line[lines++] = $0 } /^#/ { end = substr($0, 2) + 0 }
   END {

@@ -195,7 +195,7 @@ void run(Options &options) {
     write(options.source.json().line());
   }
   Bridge bridge(options, first, other ? &*other : nullptr);
-  std::fprintf(stderr, "%s: sending its frames on; Ctrl-C ends it\n", options.source.name().c_str());
+  std::fprintf(stderr, "%s: forwarding its frames; Ctrl-C ends it\n", options.source.name().c_str());
   const Input::Taker taker = bridge.taker(0);
   if (other) {
     Input::runBoth(*first.input, taker, *other->input, bridge.taker(1));
@@ -213,11 +213,11 @@ void run(Options &options) {
 }  // namespace
 
 void addBridge(CLI::App &app) {
-  Subcommand subcommand(app, "bridge", "changes each frame and sends it on: trainer, two receivers, tests in the loop");
+  Subcommand subcommand(app, "bridge", "changes each frame and forwards it: trainer, two receivers, tests in the loop");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand
       .option("DEVICE", options->to,
-              "a serial port; - for JSON lines; without it a pseudo-terminal, whose name is printed")
+              "a serial port; - for JSON lines; without it, a pseudo-terminal (prints its name)")
       .notEmpty()
       .type("");
   subcommand.option("--second", options->second, "a second receiver, used while the first has no link")

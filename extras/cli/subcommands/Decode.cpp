@@ -108,7 +108,7 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
       [&] {
         output.begin(wire);
         if (options.csv || options.json) {  // the table has it in its first line
-          saySignal(options.capture, wire);
+          reportSignal(options.capture, wire);
         }
         frames.begin(options.capture, wire.wire());
       },

@@ -41,7 +41,7 @@ class FlightRecorder {
   // `happens`: whether the event is on at `nowUs`. `sinceUs`: when the first character of its frame ended, if any.
   void tick(uint64_t nowUs, bool happens, uint64_t sinceUs = UINT64_MAX);
 
-  // Takes the time up to which no other character came.
+  // Takes the time up to which there are no further characters.
   void idleUntil(uint64_t us);
 
   void finish() { close(RecordedEvent::Kind::End, _nowUs); }

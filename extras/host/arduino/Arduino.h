@@ -1,4 +1,4 @@
-// Arduino.h for the host: declares on a PC what a sketch and a library may expect of the board's core.
+// Arduino.h for the host: declares on a PC what sketches and libraries may expect from the board's core.
 //
 // With HOST_PLAIN_CORE defined it declares a plainer core, such as the AVR's: no SERIAL_SBUS, no read(buffer, size).
 #pragma once
@@ -31,21 +31,21 @@ typedef uint16_t word;
 void setup();
 void loop();
 
-// Time. The board's unsigned long has 32 bits, the host's has 64: with uint32_t these wrap where the board's do, and so
-// does the difference of two of them as long as the sketch keeps them in uint32_t.
+// Time. The board's unsigned long has 32 bits, the host's 64. With uint32_t these wrap like the board's, and so do
+// their differences, as long as the sketch keeps them in uint32_t.
 uint32_t millis();
 uint32_t micros();
 void delay(unsigned long ms);
 void delayMicroseconds(unsigned int us);
 void yield();
 
-// Holds back, and lets through again, the callbacks of Uart::onReceive() and attachInterrupt().
+// Hold back, and release, the callbacks of Uart::onReceive() and attachInterrupt().
 void noInterrupts();
 void interrupts();
 
-// Pins. A pin that is an output reads as what was written, INPUT_PULLUP reads HIGH, other inputs LOW, as nothing is
-// connected; with --pulses servo pulses come to 2..5. The report shows what was done at which pin. analogRead() returns
-// half of the reference.
+// Pins. Nothing is connected: an output reads as written, INPUT_PULLUP reads HIGH, other inputs LOW. With --pulses,
+// pins 2..5 receive servo pulses. The report lists what the sketch did at each pin. analogRead() returns half of the
+// reference.
 #define LOW 0x0
 #define HIGH 0x1
 #define INPUT 0x0
@@ -53,7 +53,7 @@ void interrupts();
 #define INPUT_PULLUP 0x2
 #define INPUT_PULLDOWN 0x3
 #define LED_BUILTIN 13
-static const uint8_t A0 = 16;  // as on the Grasshopper: D14 and D15 are I2C's
+static const uint8_t A0 = 16;  // as on the Grasshopper: D14 and D15 are for I2C
 static const uint8_t A1 = 17;
 static const uint8_t A2 = 18;
 static const uint8_t A3 = 19;
@@ -67,7 +67,7 @@ void analogReadResolution(int bits);  // 1..12; 10
 void analogWrite(uint32_t pin, uint32_t value);
 void tone(uint32_t pin, uint32_t frequency, uint32_t duration = 0);
 void noTone(uint32_t pin);
-// Returns the length of the next pulse, in us, or 0 if there was none by the timeout, in us.
+// Returns the length of the next pulse in us, or 0 after `timeout` us without one.
 uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout = 1000000);
 
 #define CHANGE 0x2
@@ -83,8 +83,8 @@ void detachInterrupt(uint32_t pin);
 #define DEG_TO_RAD (PI / 180)
 #define RAD_TO_DEG (180 / PI)
 
-// Macros, as on the board: code that trips over them also trips here. They come last, because the headers of the
-// C++ library do not survive them.
+// Macros, as on the board: code that fails with them must also fail here. They come last, because they break the C++
+// library's headers.
 #undef abs
 #define min(a, b) ((a) < (b) ? (a) : (b))
 #define max(a, b) ((a) > (b) ? (a) : (b))

@@ -1,5 +1,5 @@
-// Callback: a function, or an object's method, as the board's core takes it (cores/arduino/Callback.h). And the
-// processor's interrupt mask (CMSIS): here a callback comes only when time passes, so there is nothing to hold back.
+// Callback: a function or an object's method, like the board's core (cores/arduino/Callback.h). And the processor's
+// interrupt mask (CMSIS): here callbacks run only when time passes, so it has nothing to do.
 #pragma once
 
 #include <stdint.h>

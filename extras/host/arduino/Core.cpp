@@ -11,7 +11,7 @@
 
 using host::Board;
 
-// Declared here, not by Arduino.h, whose macros break the C++ library.
+// Declared here, since the macros of Arduino.h break the C++ library.
 uint32_t millis();
 uint32_t micros();
 void delay(unsigned long ms);
@@ -33,8 +33,8 @@ void detachInterrupt(uint32_t pin);
 
 namespace {
 
-// The time that reading the clock or polling a port takes. It is more than 0: otherwise a sketch that waits in a loop
-// would never return.
+// The time to read the clock or poll a port. It must not be 0: otherwise a sketch that waits in a loop would never
+// return.
 constexpr uint64_t PollUs = 1;
 
 // Waits until the current packet is sent.
@@ -120,7 +120,7 @@ void noTone(uint32_t) {
 uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout) {
   const bool high = state != 0;
   const uint32_t startUs = micros();
-  // Waits while the pin is, or is not, in that state. Returns false at the timeout.
+  // Waits while the pin is, or is not, in that state. Returns false after the timeout.
   const auto passes = [=](bool in) {
     while ((digitalRead(pin) != 0) == (in == high)) {
       if (micros() - startUs >= timeout) {

@@ -1,5 +1,5 @@
-// EEPROM: memory that keeps its contents without power. Here the file of --eeprom keeps them; without it they last
-// until the program ends.
+// EEPROM: memory that keeps its contents without power: here in the file of --eeprom; without it, until the program
+// ends.
 #pragma once
 
 #include <stddef.h>
@@ -10,7 +10,7 @@ uint8_t readEeprom(int address);
 void writeEeprom(int address, const uint8_t *bytes, size_t size);  // takes as long as on the board
 }  // namespace host
 
-// A byte of the EEPROM, as EEPROM[address] returns it: it reads as a uint8_t, and an assignment writes it.
+// A byte of the EEPROM, returned by EEPROM[address]: it reads as a uint8_t, and an assignment writes it.
 class EERef {
  public:
   explicit EERef(int address) : _address(address) {}
@@ -28,7 +28,7 @@ class EERef {
   const int _address;
 };
 
-// Addresses are 0..4095. Others read as 0, and ignore what is written.
+// Addresses are 0..4095. Others read as 0, and ignore writes.
 class EEPROMClass {
  public:
   EERef operator[](int address) { return EERef(address); }

@@ -1,5 +1,4 @@
-// HardwareSerial: a serial port as a library sees it. It is abstract, as on the board, so that a test can supply its
-// own.
+// HardwareSerial: a serial port as seen by a library. It is abstract, as on the board, so a test can supply its own.
 #pragma once
 
 #include "SerialConfig.h"

@@ -11,7 +11,7 @@
 using host::Board;
 
 EEPROMClass EEPROM;
-static_assert(EEPROMClass::length() == host::Eeprom::Size, "the sketch must see the size that there is");
+static_assert(EEPROMClass::length() == host::Eeprom::Size, "the sketch must see the real size");
 
 uint8_t host::readEeprom(int address) {
   return Board::instance().eeprom().read(address);
@@ -47,12 +47,12 @@ void Servo::writeMicroseconds(int us) {
   }
 }
 
-// Rounds, so that read() returns what write() was given.
+// Rounds, so that read() returns the value passed to write().
 int Servo::read() {
   return _max > _min ? ((_us - _min) * Degrees + (_max - _min) / 2) / (_max - _min) : 0;
 }
 
-static_assert(PINS_COUNT == 26, "the pins that stand here");
+static_assert(PINS_COUNT == 26, "the pins listed here");
 const PinDescription g_APinDescription[PINS_COUNT] = {{0},  {1},  {2},  {3},  {4},  {5},  {6},  {7},  {8},
                                                       {9},  {10}, {11}, {12}, {13}, {14}, {15}, {16}, {17},
                                                       {18}, {19}, {20}, {21}, {22}, {23}, {24}, {25}};

@@ -15,7 +15,7 @@
 
 class Print;
 
-// What can be printed by print(): a class of the sketch that says how.
+// A base class for the sketch's own printable classes.
 class Printable {
  public:
   virtual size_t printTo(Print &print) const = 0;
@@ -42,7 +42,7 @@ class Print {
   size_t print(unsigned char number, int base = DEC) { return printUnsigned(number, base); }
   size_t print(int number, int base = DEC) { return printSigned(number, base); }
   size_t print(unsigned number, int base = DEC) { return printUnsigned(number, base); }
-  // A long has 32 bits on the board: whatever lies above is cut off.
+  // A long has 32 bits on the board: higher bits are cut off.
   size_t print(long number, int base = DEC) { return printSigned(static_cast<int32_t>(number), base); }
   size_t print(unsigned long number, int base = DEC) { return printUnsigned(static_cast<uint32_t>(number), base); }
   size_t print(double number, int digits = 2);

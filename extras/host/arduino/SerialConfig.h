@@ -3,7 +3,7 @@
 
 #if defined(HOST_PLAIN_CORE)
 
-// A plain core's values are plain numbers. Their bits happen to be those of stm32l0_uart.h, which no sketch can notice.
+// A plain core's values are plain numbers. They use the bits of stm32l0_uart.h, which no sketch can notice.
 #define SERIAL_8N1 0x10
 #define SERIAL_8N2 0x11
 #define SERIAL_8E1 0x12
@@ -13,8 +13,8 @@
 
 #else
 
-// As on the board, these are made of names that stand in stm32l0_uart.h, and Arduino.h does not bring that in: a source
-// that uses one of them without including it does not compile.
+// As on the board, these use names from stm32l0_uart.h, which Arduino.h does not include: a source that uses one of
+// them without including it does not compile.
 #define SERIAL_8N1 (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_NONE | STM32L0_UART_OPTION_STOP_1)
 #define SERIAL_8N2 (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_NONE | STM32L0_UART_OPTION_STOP_2)
 #define SERIAL_8E1 (STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN | STM32L0_UART_OPTION_STOP_1)

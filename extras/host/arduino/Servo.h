@@ -1,4 +1,4 @@
-// Servo: Arduino's Servo library. Nothing turns; the program says at the end what each pin was set to.
+// Servo: Arduino's Servo library. Nothing moves; at the end the program prints each pin's settings.
 #pragma once
 
 #include <stdint.h>

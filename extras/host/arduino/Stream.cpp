@@ -52,7 +52,7 @@ String Stream::readStringUntil(char terminator) {
   return text;
 }
 
-// A minus counts in front only, a point once and only if `point`.
+// A minus counts only in front, a point only once and only if `point`.
 double Stream::parseNumber(bool point) {
   int next = timedPeek();
   while (next >= 0 && next != '-' && isdigit(next) == 0 && !(point && next == '.')) {
@@ -61,7 +61,7 @@ double Stream::parseNumber(bool point) {
   }
   const bool negative = next == '-';
   double number = 0;
-  double place = 0;  // of the next digit behind the point; 0 in front of it
+  double place = 0;  // of the next digit after the point; 0 before it
   do {
     if (next == '.') {
       place = 0.1;

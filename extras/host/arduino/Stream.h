@@ -12,7 +12,7 @@ class Stream : public Print {
   void setTimeout(unsigned long ms) { _timeout = ms; }
   unsigned long getTimeout() const { return _timeout; }
 
-  // Reads until `size` bytes have come, or the terminator, which is taken and not counted. Returns how many came.
+  // Reads up to `size` bytes, or to the terminator, which is removed and not counted. Returns the number of bytes.
   size_t readBytes(uint8_t *buffer, size_t size);
   size_t readBytes(char *buffer, size_t size) { return readBytes(reinterpret_cast<uint8_t *>(buffer), size); }
   size_t readBytesUntil(char terminator, uint8_t *buffer, size_t size);
@@ -22,11 +22,11 @@ class Stream : public Print {
   String readString();
   String readStringUntil(char terminator);
 
-  // Skip to the first digit or minus, and read the number; what follows it stays. Return 0 without one.
+  // Skip to the first digit or minus, and read the number. The rest stays. Return 0 without a number.
   long parseInt();
   float parseFloat();
 
-  // Read up to the end of `text`; false if the timeout has passed, or the terminator has come before.
+  // Read up to the end of `text`. Return false after the timeout, or if the terminator comes first.
   bool find(const char *text) { return findUntil(text, nullptr); }
   bool find(char c);
   bool findUntil(const char *text, const char *terminator);

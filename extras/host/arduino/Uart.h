@@ -1,4 +1,4 @@
-// Uart: the board's serial ports. The program around the sketch decides what a port receives, and where its bytes go
+// Uart: the board's serial ports. The program around the sketch decides what a port receives and where its bytes go
 // (board/BoardPort.h).
 #pragma once
 
@@ -7,7 +7,7 @@
 #endif
 #include "HardwareSerial.h"
 
-// The receive buffer, by the name that the core gives it.
+// The receive buffer's size, under the core's name.
 #if defined(HOST_PLAIN_CORE)
 #define SERIAL_RX_BUFFER_SIZE 64
 #else
@@ -22,7 +22,7 @@ class Uart : public HardwareSerial {
  public:
   explicit Uart(int number) : _number(number) {}
 
-  // begin() and end() wait, as flush() does, until all bytes that were written have been sent.
+  // Like flush(), begin() and end() wait until all written bytes have been sent.
   void begin(unsigned long baud) override;
   void begin(unsigned long baud, uint32_t config) override;
   void begin(unsigned long baud, uint8_t *buffer, size_t size);
@@ -37,9 +37,9 @@ class Uart : public HardwareSerial {
   int read(uint8_t *buffer, size_t size) override;
 #endif
 
-  // The transmit buffer has 64 places (on a plain core 63). write() waits for places that it lacks and returns how many
-  // bytes it took: all, or 0 if the port is closed; in an onReceive() callback it does not wait, and takes what fits.
-  // The bytes go out at the port's rate, to where --wire and --sent lead, or nowhere.
+  // The transmit buffer has 64 places (on a plain core 63). write() waits for free places and returns the number of
+  // bytes taken: all, or 0 if the port is closed; in an onReceive() callback it does not wait, and takes what fits. The
+  // bytes are sent at the port's rate to --wire and --sent, or nowhere.
   int availableForWrite() override;  // free places; 0 if the port is closed
   void flush() override;             // in an onReceive() callback it does not wait
   size_t write(uint8_t byte) override;
@@ -47,8 +47,8 @@ class Uart : public HardwareSerial {
   using HardwareSerial::write;
   operator bool() override { return true; }
 
-  // `callback` runs when received bytes have been handed over: once, then again after the next read. On the board that
-  // is at PendSV level, in the middle of anything; here whenever the sketch asks for the time or polls a port.
+  // `callback` runs when received bytes have been handed over: once, then again after the next read. On the board this
+  // happens at PendSV level, at any moment; here whenever the sketch asks for the time or polls a port.
 #if !defined(HOST_PLAIN_CORE)
   void onReceive(void (*callback)());
   void onReceive(Callback callback);

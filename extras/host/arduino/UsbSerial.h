@@ -1,5 +1,5 @@
-// UsbSerial: the USB connection to the PC. What a sketch prints becomes the program's standard output, and it reads the
-// program's standard input.
+// UsbSerial: the USB connection to the PC. The sketch prints to the program's standard output and reads its standard
+// input.
 #pragma once
 
 #include "HardwareSerial.h"

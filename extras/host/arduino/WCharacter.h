@@ -1,4 +1,4 @@
-// Kinds of characters, as the cores have them.
+// The cores' character classes.
 #pragma once
 
 #include <ctype.h>

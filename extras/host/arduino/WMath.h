@@ -1,10 +1,10 @@
-// Random numbers, map() and word(). As on the board a long has 32 bits: map() of large numbers overflows here, too.
+// Random numbers, map() and word(). As on the board, a long has 32 bits, so map() overflows with large numbers.
 #pragma once
 
 #include <stdint.h>
 #include <stdlib.h>
 
-// The same numbers come after each start, until randomSeed() is called with something else than 0.
+// Each start gives the same numbers, until randomSeed() is called with a value other than 0.
 inline void randomSeed(unsigned long seed) {
   if (seed != 0) {
     srand(static_cast<unsigned>(seed));
@@ -16,7 +16,7 @@ inline long random(long end) {
   return end == 0 ? 0 : rand() % end;
 }
 
-// Returns begin..end-1, or `begin` if there is nothing between.
+// Returns begin..end-1, or `begin` if the range is empty.
 inline long random(long begin, long end) {
   return begin >= end ? begin : random(end - begin) + begin;
 }

@@ -203,7 +203,7 @@ void String::trim() {
   remove(0, blanks);
 }
 
-// A long has 32 bits on the board, where atol() stops at its ends.
+// On the board a long has 32 bits, and atol() saturates.
 long String::toInt() const {
   const long number = _text == nullptr ? 0 : strtol(_text, nullptr, 10);
   return number < INT32_MIN ? INT32_MIN : number > INT32_MAX ? INT32_MAX : number;

@@ -1,11 +1,11 @@
-// String: text on the heap, as the cores have it (GrumpyOldPizza/ArduinoCore-stm32l0 and arduino/ArduinoCore-avr,
+// String: text on the heap, like the cores' (GrumpyOldPizza/ArduinoCore-stm32l0 and arduino/ArduinoCore-avr,
 // cores/arduino/WString.h), quirks included: String(5.0, 0) is " 5", String(255, HEX) is "ff".
 #pragma once
 
 #include <ctype.h>
 #include <stddef.h>
 
-// F("text") only marks its text, so that it takes an overload of its own, as on the board.
+// F("text") only marks its text to select a separate overload, as on the board.
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))
 
@@ -40,7 +40,7 @@ class String {
   const char *begin() const { return _text; }
   const char *end() const { return _text + _length; }
   bool reserve(unsigned size);
-  explicit operator bool() const { return _text != nullptr; }  // true for an empty String, too
+  explicit operator bool() const { return _text != nullptr; }  // true also for an empty String
 
   // Append. Return false for a null pointer.
   bool concat(const String &other) { return concat(other._text, other._length); }
@@ -73,7 +73,7 @@ class String {
   bool startsWith(const String &prefix, unsigned from = 0) const;
   bool endsWith(const String &suffix) const;
 
-  // Outside of the text they read as 0, and ignore what is written.
+  // Outside the text they read as 0, and ignore writes.
   char charAt(unsigned index) const { return (*this)[index]; }
   void setCharAt(unsigned index, char c) { (*this)[index] = c; }
   char operator[](unsigned index) const { return index < _length ? _text[index] : '\0'; }
@@ -83,7 +83,7 @@ class String {
     getBytes(reinterpret_cast<unsigned char *>(text), size, from);
   }
 
-  // Return the index of the first or the last, -1 without one.
+  // Return the index of the first or the last occurrence; -1 without one.
   int indexOf(char c, unsigned from = 0) const { return indexOf(String(c), from); }
   int indexOf(const String &text, unsigned from = 0) const;
   int lastIndexOf(char c) const { return lastIndexOf(String(c)); }
@@ -113,7 +113,7 @@ class String {
   unsigned _length = 0;
 };
 
-// What stands to the left of a +: a String, or what becomes one.
+// The left operand of a +: a String, or something convertible to one.
 class StringSumHelper : public String {
  public:
   StringSumHelper(const String &text) : String(text) {}

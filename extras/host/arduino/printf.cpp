@@ -1,5 +1,5 @@
-// printf() as the board has it, where a long has 32 bits, as an int has: %lu takes a uint32_t there, and %ld of -1 is
-// -1. A sketch's calls of sprintf() and the like lead here (../Makefile).
+// printf() like the board's, where a long has 32 bits, like an int: %lu takes a uint32_t, and %ld prints -1 as -1. A
+// sketch's calls of sprintf() and similar functions end here (../Makefile).
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -18,8 +18,8 @@ int sketch_vsnprintf(char *text, size_t size, const char *format, va_list argume
 
 namespace {
 
-// Returns the format with %lu as %u, and so on. Every argument has 8 bytes of its own on a PC of 64 bits, and of these
-// the lower 4 are read; %llu stays.
+// Returns the format with %lu replaced by %u, and so on; %llu stays. On a 64-bit PC every argument has 8 bytes; the
+// lower 4 are read.
 std::string with32Bits(const char *format) {
   std::string result;
   while (*format != '\0') {

@@ -1,4 +1,4 @@
-// The core's servo driver: pulses at pins. Nothing turns; the program says at the end what each pin was set to.
+// The core's servo driver: pulses at pins. Nothing moves; at the end the program prints each pin's settings.
 #pragma once
 
 #include <stdint.h>

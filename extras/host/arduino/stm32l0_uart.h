@@ -1,4 +1,4 @@
-// The option bits of a UART. The names are the board's, the values our own.
+// The option bits of a UART. The names are the board's, the values are our own.
 #pragma once
 
 #define STM32L0_UART_OPTION_STOP_1 0x00

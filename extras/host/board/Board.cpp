@@ -19,7 +19,7 @@ void Board::connect(int from, int to) {
   Jumper &jumper = _jumpers.emplace_back();
   jumper.from = from;
   jumper.to = to;
-  const bool sends = port(from).transmitter().isOpen();  // a constructor of the sketch may have opened it
+  const bool sends = port(from).transmitter().isOpen();  // a constructor in the sketch may have opened it
   port(to).attach(jumper.line, sends ? port(from).settings().tx : line::LineSettings());
 }
 
@@ -35,7 +35,7 @@ void Board::open(int number, const PortSettings &settings, uint8_t *buffer, size
 void Board::spend(uint64_t us) {
   uint64_t left = us;
   do {
-    // Callbacks come when they are due.
+    // Run callbacks when they are due.
     const uint64_t nowUs = _clock.nowUs();
     uint64_t nextUs = std::min(nowUs + StepUs, _pulsePins.nextUs());
     for (BoardPort &port : _ports) {
@@ -53,7 +53,7 @@ void Board::step(uint64_t us) {
     if (port(number).isUsed()) {
       share(number);
       send(number);
-      share(number);  // a packet may follow the one that has been sent
+      share(number);  // another packet may follow
     }
   }
   for (BoardPort &port : _ports) {
@@ -62,7 +62,7 @@ void Board::step(uint64_t us) {
     }
   }
   _pulsePins.advance(_clock.nowUs());
-  // A callback may poll a port or read the clock, and so come here again: it does not interrupt itself.
+  // A callback may poll a port or read the clock, and get here again: it does not interrupt itself.
   if (_interruptsEnabled && !_inCallback) {
     _inCallback = true;
     _pulsePins.callBack();
@@ -76,7 +76,7 @@ void Board::step(uint64_t us) {
   }
 }
 
-// Hands each character, from its start on, to a line that shares the wire.
+// Passes each character, at its start, to a line that shares the wire.
 void Board::share(int number) {
   line::Character character;
   while (port(number).sender().begun(_clock.nowUs(), character)) {
@@ -84,7 +84,7 @@ void Board::share(int number) {
   }
 }
 
-// Sends the characters over all wires at the pin.
+// Sends the characters over all wires connected to the pin.
 void Board::send(int number) {
   line::Character character;
   while (port(number).sender().next(_clock.nowUs(), character)) {

@@ -20,10 +20,10 @@ class Board {
  public:
   static constexpr int PortCount = 3;
 
-  // Returns the only board. The first call makes it, perhaps from a constructor of the sketch before main().
+  // Returns the only board. The first call creates it, perhaps in a constructor of the sketch before main().
   static Board &instance();
 
-  // Until it is set, a simulated clock from 0 runs: objects that the sketch constructs before main() see that clock.
+  // Default: a simulated clock from 0, which the sketch's constructors see before main().
   void setClock(const Clock &clock) { _clock = clock; }
   const Clock &clock() const { return _clock; }
 
@@ -37,10 +37,10 @@ class Board {
   // Connects the TX pin of port `from` with the RX pin of port `to`.
   void connect(int from, int to);
 
-  // Opens port `number`, without waiting for what it still has to send. Ports wired to it get the new settings.
+  // Opens port `number`, without waiting for unsent bytes. Ports wired to it get the new settings.
   void open(int number, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
 
-  // Sets the function that is called whenever time has advanced, with microseconds since the program's start.
+  // Sets the function to call whenever time has advanced, with microseconds since the program's start.
   void onTime(std::function<void(uint64_t)> callback) { _onTime = std::move(callback); }
 
   // Advances the time; meanwhile the ports send and receive, and the sketch's callbacks run.
@@ -48,7 +48,7 @@ class Board {
 
   void enableInterrupts(bool enabled) { _interruptsEnabled = enabled; }
 
-  // Returns true inside a callback of the sketch, where the board waits for nothing.
+  // Returns true inside a callback of the sketch, where the board never waits.
   bool inCallback() const { return _inCallback; }
 
  private:

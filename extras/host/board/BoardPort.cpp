@@ -11,7 +11,7 @@ void BoardPort::attach(line::Line &line, const line::LineSettings &wire) {
   _observer.reset(0, wire.characterUs());
   _receptions.clear();
   if (_uart.isOpen()) {
-    listen(0);  // a constructor of the sketch has opened it before main()
+    listen(0);  // a constructor in the sketch opened it before main()
   }
 }
 
@@ -49,7 +49,7 @@ void BoardPort::close() {
   _sender.close();
 }
 
-// Starts with the current settings of port and wire, and forgets what was on the wire before.
+// Starts over with the current settings of port and wire.
 void BoardPort::listen(uint64_t nowUs) {
   _agrees = mismatch(_settings.rx, _wire).empty();
   _sampler.open(nowUs, _settings.rx, _wire);
@@ -84,7 +84,7 @@ void BoardPort::receive(uint64_t nowUs) {
     return;
   }
   if (_agrees) {
-    // While the next character comes in, the line is not idle (STM32L082's reference manual RM0376, USART_ISR: IDLE).
+    // While the next character arrives, the line is not idle (STM32L082's reference manual RM0376, USART_ISR: IDLE).
     _uart.advance(_hasBegun ? std::min(nowUs, _begun.endUs - _wire.characterUs()) : nowUs);
     return;
   }
@@ -92,7 +92,7 @@ void BoardPort::receive(uint64_t nowUs) {
   while (_sampler.next(nowUs, character)) {
     take(character);
   }
-  _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // what the sampler knows, see next()
+  _uart.advance(nowUs - std::min<uint64_t>(nowUs, _wire.characterUs()));  // the sampler knows no more, see next()
 }
 
 uint64_t BoardPort::nextUs(uint64_t nowUs) {
@@ -101,7 +101,7 @@ uint64_t BoardPort::nextUs(uint64_t nowUs) {
   return idleUs > nowUs ? std::min(idleUs, endUs) : endUs;
 }
 
-// Returns true if a character is on the wire at `nowUs`, or ended before and has not been taken.
+// Returns true if a character is on the wire at `nowUs`, or has ended but has not been taken.
 bool BoardPort::hasBegun(uint64_t nowUs) {
   _hasBegun = _hasBegun || (_line != nullptr && _line->next(nowUs + _wire.characterUs(), _begun));
   return _hasBegun;

@@ -1,4 +1,4 @@
-// One of Serial1, Serial2, Serial3: the UART, its settings, and the line at its RX pin, if any.
+// One of Serial1, Serial2 and Serial3: the UART, its settings, and the line at its RX pin, if any.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace host {
 
-// Counts what the port received of the characters on the wire, while wire and port had certain settings.
+// Counts the characters received with one combination of the wire's and the port's settings.
 struct Reception {
   PortSettings settings;
   line::LineSettings wire;
@@ -28,28 +28,28 @@ class BoardPort {
  public:
   void attach(line::Line &line, const line::LineSettings &wire);
 
-  // Takes other settings of the line's other end, from now on.
+  // Takes new settings for the line's other end.
   void rewire(uint64_t nowUs, const line::LineSettings &wire);
 
-  // Do what Uart::begin(), end() and onReceive() do. Without a `buffer` the port has the board's 64 bytes. They do not
-  // wait until the transmit buffer has been sent.
+  // Like Uart::begin(), end() and onReceive(), but do not wait until the transmit buffer has been sent. Without a
+  // `buffer` the port has the board's 64 bytes.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
   void close();
   void onReceive(std::function<void()> callback) { _callback = std::move(callback); }
 
-  // Returns false until a line is attached or the sketch opens the port: nothing can happen before.
+  // Returns false until a line is attached or the sketch opens the port: until then nothing can happen.
   bool isUsed() const { return _line != nullptr || _everOpened; }
 
-  // Receives what has come over the line by `nowUs`.
+  // Receives the line's characters up to `nowUs`.
   void receive(uint64_t nowUs);
 
-  // Returns when it may hand bytes over next, if no character begins before.
+  // Returns when it may next hand bytes over, if no character begins before.
   uint64_t nextUs(uint64_t nowUs);
 
-  // Hands a character to the line, if TX shares its wire.
+  // Passes a character to the line, if TX shares its wire.
   void shareWire(const line::Character &character);
 
-  // Calls the sketch's onReceive() callback if bytes have been handed over since.
+  // Calls the sketch's onReceive() callback if bytes have been handed over since the last call.
   void callBack();
 
   BoardUart &uart() { return _uart; }
@@ -57,13 +57,13 @@ class BoardPort {
   Sender &sender() { return _sender; }
   BoardTransmitter &transmitter() { return _sender.transmitter(); }
 
-  const PortSettings &settings() const { return _settings; }  // those of the last opening
+  const PortSettings &settings() const { return _settings; }  // from the last open()
 
   // For the report.
   line::Observer &observer() { return _observer; }
-  const std::vector<Reception> &receptions() const { return _receptions; }  // one for each of the settings used
+  const std::vector<Reception> &receptions() const { return _receptions; }  // one for each combination of settings
   bool everOpened() const { return _everOpened; }
-  unsigned long missedClosed() const { return _missedClosed; }  // characters that found the port closed
+  unsigned long missedClosed() const { return _missedClosed; }  // characters while the port was closed
 
  private:
   void listen(uint64_t nowUs);
@@ -79,7 +79,7 @@ class BoardPort {
   Sender _sender;
   line::Observer _observer;
   line::UartSampler _sampler;
-  bool _agrees = false;  // port and wire have the same settings: then nothing has to be sampled
+  bool _agrees = false;  // port and wire have the same settings: no sampling is needed
   bool _everOpened = false;
   std::vector<Reception> _receptions;
   size_t _reception = 0;  // the one with the current settings

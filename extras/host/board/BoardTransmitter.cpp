@@ -75,7 +75,7 @@ void BoardTransmitter::beginPacket(uint64_t fromNs) {
   _packetNs = fromNs;
 }
 
-// Returns when this number of the packet's characters has been sent, rounded up, so that they really have been by then.
+// Returns when this many of the packet's characters have been sent, rounded up.
 uint64_t BoardTransmitter::endUs(size_t characters) const {
   return (_packetNs + characters * _characterNs + NsPerUs - 1) / NsPerUs;
 }

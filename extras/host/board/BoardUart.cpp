@@ -30,7 +30,7 @@ void BoardUart::receive(const line::Character &character) {
   }
   _ring[_ringWrite] = character.value;
   _ringWrite = (_ringWrite + 1) % RingSize;
-  // The ring's position outlives gaps: a frame of 25 characters is not cut at the same places as the one before.
+  // The ring's position survives gaps: each frame of 25 characters is cut at other places than the previous one.
   if (_ringWrite % HandOverSize == 0) {
     handOver();
   }

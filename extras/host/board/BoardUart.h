@@ -1,4 +1,4 @@
-// How the board receives: the way of the characters from the wire to the sketch's read().
+// How the board receives: the path of the characters from the wire to the sketch's read().
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace host {
 
 // The UART's DMA fills a ring of 32 bytes. The ring is handed over to the receive buffer at its middle, at its end,
 // when the line has been idle for a character, and when a character has an error. If the buffer is full, the newest
-// bytes are dropped; characters with errors are always dropped. Neither leaves a trace that a sketch could see.
+// bytes are dropped; characters with errors are always dropped. A sketch can see neither.
 //
 // Time comes in as an argument and must not go backwards.
 class BoardUart {
@@ -18,14 +18,14 @@ class BoardUart {
   static constexpr size_t RingSize = 32;
   static constexpr size_t HandOverSize = RingSize / 2;
   static constexpr size_t BufferSize = 64;
-  static constexpr size_t BufferMinimum = 16;  // a port does not open with less
+  static constexpr size_t BufferMinimum = 16;  // a port rejects smaller buffers
 
   BoardUart() = default;
   BoardUart(const BoardUart &) = delete;  // it may point into itself
   BoardUart &operator=(const BoardUart &) = delete;
 
   // Opens with an empty ring and an empty buffer, its own or a given one, for characters of this length. A character
-  // that has begun before is not received.
+  // that began earlier is not received.
   void open(uint64_t nowUs, uint32_t characterUs = line::CharacterUs) {
     open(nowUs, _ownBuffer, BufferSize, characterUs);
   }
@@ -33,25 +33,25 @@ class BoardUart {
   void close() { _open = false; }
   bool isOpen() const { return _open; }
 
-  // Takes a character that has come.
+  // Takes a character from the wire.
   void receive(const line::Character &character);
 
-  // Takes the time up to which no other character has come.
+  // Takes the time up to which there are no further characters.
   void advance(uint64_t nowUs);
 
-  // Returns when the line will have been idle for a character, if no other comes.
+  // Returns when the line will have been idle for a character's time, if no character arrives.
   uint64_t idleFromUs() const { return _lastEndUs + _characterUs; }
 
   // These are the sketch's calls. A closed port has nothing to read: then read() and peek() return -1.
   int available() const { return _open ? static_cast<int>(_count) : 0; }
   int peek();
   int read();
-  int read(uint8_t *buffer, size_t size);  // returns how many bytes were read, up to `size`
+  int read(uint8_t *buffer, size_t size);  // returns the number of bytes read, up to `size`
 
   // Returns true, once, if bytes have been handed over: the first ones after open() and after each poll of the buffer.
   bool takeReceiveEvent();
 
-  // Return how many bytes were dropped since the program's start.
+  // Return the number of bytes dropped since the program's start.
   unsigned long droppedBad() const { return _droppedBad; }
   unsigned long droppedFull() const { return _droppedFull; }
 

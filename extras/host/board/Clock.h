@@ -7,8 +7,8 @@
 namespace host {
 
 // The sketch's time advances only when something takes time: a call of loop(), a delay, reading the clock. With
-// Pace::Real the sketch then waits until the PC's clock has caught up. So both paces call loop() at the same times, and
-// a PC that stops for 50 ms costs no bytes: the sketch catches up.
+// Pace::Real the sketch then waits for the PC's clock. So both paces call loop() at the same times, and a PC that stops
+// for 50 ms costs no bytes: the sketch catches up.
 class Clock {
  public:
   enum class Pace { Simulated, Real };
@@ -21,7 +21,7 @@ class Clock {
   // Returns the time since the program's start.
   uint64_t nowUs() const { return _nowUs; }
 
-  // Returns the time that the sketch gets: it counts from `startMs`, and wraps at 32 bits.
+  // Returns the sketch's time, which counts from `startMs` and wraps at 32 bits.
   uint32_t millis() const { return static_cast<uint32_t>((_startUs + _nowUs) / 1000); }
   uint32_t micros() const { return static_cast<uint32_t>(_startUs + _nowUs); }
 

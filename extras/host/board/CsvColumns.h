@@ -1,4 +1,4 @@
-// Counts the lines that a sketch prints, and keeps the range of the numbers in each column.
+// Counts a sketch's lines, and keeps the range of the numbers in each column.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace host {
 class CsvColumns {
  public:
   struct Range {
-    bool any = false;  // false: no number stood in this column
+    bool any = false;  // false: no numbers in this column
     double low = 0;
     double high = 0;
-    std::string lowText;  // as the sketch printed them
+    std::string lowText;  // as printed
     std::string highText;
   };
 

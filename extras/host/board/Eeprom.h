@@ -1,4 +1,4 @@
-// The memory that keeps its contents without power; between two runs it keeps them in a file, if it has one.
+// The memory that keeps its contents without power: between two runs in a file, if it has one.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ class Eeprom {
   Eeprom(const Eeprom &) = delete;
   Eeprom &operator=(const Eeprom &) = delete;
 
-  // Keeps the contents in this file; if it is missing, it is created and erased. Throws std::runtime_error.
+  // Keeps the contents in this file; creates an erased one if it is missing. Throws std::runtime_error.
   void keepIn(const std::string &file);
 
   // Returns a byte; 0 if the address does not exist. write() does nothing there.
   uint8_t read(int address) const;
 
-  // Writes, also into the file. Returns how long the sketch has to wait, in us.
+  // Writes, also to the file. Returns how long the sketch has to wait, in us.
   uint64_t write(int address, const uint8_t *bytes, size_t size);
 
  private:

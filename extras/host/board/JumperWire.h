@@ -1,4 +1,4 @@
-// A wire from the TX pin of one of the board's ports to the RX pin of another, or of this one.
+// A wire from the TX pin of one of the board's ports to the RX pin of the same or another port.
 #pragma once
 
 #include <deque>
@@ -9,7 +9,7 @@ namespace host {
 
 class JumperWire : public line::Line {
  public:
-  // Takes a character that has been sent.
+  // Takes a sent character.
   void put(const line::Character &character) { _characters.push_back(character); }
 
   bool next(uint64_t nowUs, line::Character &character) override {

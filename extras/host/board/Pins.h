@@ -1,4 +1,4 @@
-// The pins that nothing is connected to: their levels as the sketch reads them, and for the report what it did there.
+// The unconnected pins: the levels that the sketch reads, and for the report what it did there.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace host {
 class Pins {
  public:
   enum Mode : uint32_t { Input, Output, InputPullUp, InputPullDown };  // as in Arduino.h
-  enum Way { Digital, Analog, Tone, Servo };                           // in which the sketch drives a pin
+  enum Way { Digital, Analog, Tone, Servo };                           // how the sketch drives a pin
 
   struct Use {
-    unsigned long times = 0;  // how often it was set,
-    int low = 0;              // and its range: 0..1, the written value, Hz, us
+    unsigned long times = 0;  // how often it was set
+    int low = 0;              // its range: 0..1, the written value, Hz, us
     int high = 0;
   };
 

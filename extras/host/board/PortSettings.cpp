@@ -8,7 +8,7 @@ namespace host {
 
 namespace {
 
-// A plain core's values are plain numbers, see SerialConfig.h: here they are read as bits.
+// A plain core's values are plain numbers (see SerialConfig.h); here they are read as bits.
 constexpr uint32_t Format8E2 =
     STM32L0_UART_OPTION_DATA_SIZE_8 | STM32L0_UART_OPTION_PARITY_EVEN | STM32L0_UART_OPTION_STOP_2;
 static_assert(SERIAL_8E2 == Format8E2, "the plain core's numbers must have the bits of stm32l0_uart.h");
@@ -29,7 +29,7 @@ line::Format formatOf(uint32_t config) {
   return format;
 }
 
-// Returns a pin's settings; `option` is the one that inverts it.
+// Returns a pin's settings; `option` is the bit that inverts it.
 line::LineSettings pinSettings(unsigned long baud, uint32_t config, uint32_t option) {
   line::LineSettings settings;
   settings.baud = baud;

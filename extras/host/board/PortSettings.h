@@ -1,4 +1,4 @@
-// The settings that a sketch has given a port.
+// A port's settings, made by the sketch.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct PortSettings {
   bool operator==(const PortSettings &other) const { return rx == other.rx && tx == other.tx; }
 };
 
-// Returns what the arguments of begin() mean: `config` has the bits of stm32l0_uart.h. A plain core inverts nothing, so
-// there is an inverter at each of its pins, and both lines are inverted.
+// Converts the arguments of begin(): `config` has the bits of stm32l0_uart.h. A plain core inverts nothing, so there is
+// an inverter at each of its pins, and both lines are inverted.
 PortSettings portSettings(unsigned long baud, uint32_t config);
 
 }  // namespace host

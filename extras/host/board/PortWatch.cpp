@@ -17,10 +17,10 @@ std::string PortWatch::check(uint64_t nowUs) {
   }
   const std::string time = std::to_string(nowUs / 1000000) + " s: ";
   if (!characters) {
-    return time + "nothing comes from " + _device +
+    return time + "no bytes from " + _device +
            ". Is it the right port, the receiver powered and bound, S-BUS_OUT at RXD, GND at GND?";
   }
-  return frames ? "" : time + "no frames in what comes from " + _device +
+  return frames ? "" : time + "no frames in the bytes from " + _device +
                            ". Is the adapter's RXD inverted? See extras/docs/ftdi.md";
 }
 

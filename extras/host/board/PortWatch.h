@@ -1,4 +1,4 @@
-// Says what may be wrong while no frames come from a real port.
+// Suggests what may be wrong while there are no frames from a real port.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace host {
 
 class PortWatch {
  public:
-  // `device` is empty if there is no real port; then there is nothing to say.
+  // `device` is empty if there is no real port: then check() returns nothing.
   PortWatch(const std::string &device, const line::Observer &observer) : _device(device), _observer(observer) {}
 
-  // Returns what to say now, or nothing. Call it at any rate.
+  // Returns a message to print now, or nothing. Call it at any rate.
   std::string check(uint64_t nowUs);
 
  private:

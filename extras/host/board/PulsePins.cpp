@@ -21,7 +21,7 @@ void PulsePins::connect() {
   plan();
 }
 
-// Returns when the next edge comes, in the simulated flight.
+// Returns the time of the next edge in the simulated flight.
 uint32_t PulsePins::flightMs() const {
   return static_cast<uint32_t>(_frame * PeriodUs / 1000 % line::Flight.periodMs);
 }

@@ -1,5 +1,4 @@
-// The pins 2..5, if a receiver without S.Bus is connected to them: servo pulses of CH1..CH4, and the sketch's
-// interrupts.
+// Pins 2..5 with a receiver without S.Bus: servo pulses of CH1..CH4, and the sketch's interrupts.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +7,7 @@ namespace host {
 
 class PulsePins {
  public:
-  // Connects the receiver: pulses come one channel after the other, every 20 ms, and none while the radio is off.
+  // Connects the receiver. Every 20 ms it sends a pulse for one channel after the other; none while the radio is off.
   void connect();
 
   enum Edge : uint32_t { Change = 2, Falling = 3, Rising = 4 };  // as in Arduino.h
@@ -18,7 +17,7 @@ class PulsePins {
   // Returns when the next pulse begins or ends, in us since the program's start; UINT64_MAX if nothing is connected.
   uint64_t nextUs() const { return _nextUs; }
 
-  // Changes the pins up to that time. Two edges of a pin before its callback make one call.
+  // Changes the pins up to that time. Two edges of a pin before its callback result in one call.
   void advance(uint64_t nowUs);
   // Calls the sketch's callbacks.
   void callBack();
@@ -31,8 +30,8 @@ class PulsePins {
   void plan();
 
   uint64_t _nextUs = UINT64_MAX;
-  uint64_t _frame = 0;  // of the next edge, counted from 0,
-  uint32_t _edge = 0;   // and which of its 8
+  uint64_t _frame = 0;  // of the next edge, counted from 0
+  uint32_t _edge = 0;   // the edge within its frame, 0..7
   bool _isHigh[Count] = {};
   bool _waits[Count] = {};
   void (*_callbacks[Count])() = {};

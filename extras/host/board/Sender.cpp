@@ -23,7 +23,7 @@ Sender::Sender() : _transmitter(Places, PacketSize) {
 void Sender::record(std::unique_ptr<line::RecordingFile> file) {
   _file = std::move(file);
   if (_transmitter.isOpen()) {
-    _file->opened(_transmission->settings.tx);  // a constructor of the sketch has opened it before main()
+    _file->opened(_transmission->settings.tx);  // a constructor in the sketch opened it before main()
   }
 }
 

@@ -1,4 +1,4 @@
-// The sending half of a port: its transmit buffer, and what it has sent through its TX pin.
+// The sending half of a port: its transmit buffer, and the characters sent through its TX pin.
 #pragma once
 
 #include <deque>
@@ -12,7 +12,7 @@
 
 namespace host {
 
-// What was sent while the port had certain settings.
+// The characters sent with certain settings.
 struct Transmission {
   PortSettings settings;
   line::Observer observer;
@@ -22,27 +22,27 @@ class Sender {
  public:
   Sender();
 
-  // Records all that is sent in this file.
+  // Records everything sent in this file.
   void record(std::unique_ptr<line::RecordingFile> file);
 
   void open(uint64_t nowUs, const PortSettings &settings);
   void close() { _transmitter.close(); }
 
-  // Takes the next character that was sent by `nowUs`; returns false without one.
+  // Takes the next character sent by `nowUs`; returns false without one.
   bool next(uint64_t nowUs, line::Character &character);
 
-  // Takes the next character that has begun by `nowUs`.
+  // Takes the next character that began by `nowUs`.
   bool begun(uint64_t nowUs, line::Character &character);
 
   BoardTransmitter &transmitter() { return _transmitter; }
 
   // For the report.
   std::deque<Transmission> &transmissions() { return _transmissions; }  // one for each of the settings used
-  std::string finish() { return _file ? _file->finish() : ""; }         // what has gone wrong with the file, or nothing
+  std::string finish() { return _file ? _file->finish() : ""; }         // the file's error, if any
 
  private:
   BoardTransmitter _transmitter;
-  uint8_t _dataMask = 0xFF;  // the bits of a byte that are sent
+  uint8_t _dataMask = 0xFF;  // the transmitted bits of a byte
   std::deque<Transmission> _transmissions;
   Transmission *_transmission = nullptr;  // the one with the current settings
   std::unique_ptr<line::RecordingFile> _file;

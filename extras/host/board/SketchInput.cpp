@@ -66,7 +66,7 @@ void SketchInput::fetchFromStandardInput() {
     uint8_t bytes[BufferSize];
     const ssize_t count = ::read(STDIN_FILENO, bytes, room());
     if (count < 0 && (errno == EINTR || errno == EAGAIN || errno == EIO)) {
-      return;  // EIO: a terminal that belongs to another program at the moment
+      return;  // EIO: another program is using the terminal
     }
     if (count <= 0) {
       _ended = true;

@@ -8,27 +8,27 @@
 
 namespace host {
 
-// It fetches bytes when the sketch asks for some, as many as the board's USB buffer holds. Bytes that the sketch does
-// not read stay where they are.
+// It reads bytes when the sketch asks for some, as many as the board's USB buffer holds. Bytes that the sketch does not
+// need are left unread.
 class SketchInput {
  public:
   static constexpr size_t BufferSize = 256;
 
-  // If it is `patient`, it waits until a pipe or a file has filled the buffer, or has ended, so that every run reads
-  // the same bytes. It no longer waits for a pipe that has been silent for a second.
+  // If `patient`, it waits until a pipe or a file has filled the buffer or ended, so that every run reads the same
+  // bytes. It gives up on a pipe that has been silent for a second.
   void setPatient(bool patient) { _patient = patient; }
 
-  // It must outlive the sketch.
+  // `terminal` must outlive the sketch.
   void attach(line::PseudoTerminal &terminal) { _terminal = &terminal; }
 
   // Before begin() there is nothing to read, as on the board.
   void begin() { _begun = true; }
 
-  // These are the sketch's calls. peek() and read() return -1 if there is nothing.
+  // These are the sketch's calls. peek() and read() return -1 if there are no bytes.
   int available(uint64_t nowUs);
   int peek(uint64_t nowUs);
   int read(uint64_t nowUs);
-  int read(uint64_t nowUs, uint8_t *buffer, size_t size);  // returns how many bytes were read, up to `size`
+  int read(uint64_t nowUs, uint8_t *buffer, size_t size);  // returns the number of bytes read, up to `size`
 
  private:
   void fetch(uint64_t nowUs);
@@ -38,7 +38,7 @@ class SketchInput {
 
   bool _begun = false;
   bool _patient = false;
-  bool _ended = false;  // standard input has
+  bool _ended = false;  // standard input has ended
   uint64_t _nextPollUs = 0;
   line::PseudoTerminal *_terminal = nullptr;
   uint8_t _buffer[BufferSize] = {};

@@ -12,14 +12,14 @@ namespace host {
 
 class SketchOutput {
  public:
-  // With `lineByLine` each line is visible at once, not when a buffer is full.
+  // With `lineByLine` every line is flushed, instead of full buffers.
   void setLineByLine(bool lineByLine) { _lineByLine = lineByLine; }
 
   void attach(std::unique_ptr<line::PseudoTerminal> terminal) { _terminal = std::move(terminal); }
 
   void begin() { _begun = true; }
 
-  // Writes if begin() has been called; as on the board, bytes are lost before. Returns how many were written.
+  // Writes bytes; as on the board, they are lost before begin(). Returns the number written.
   size_t write(const uint8_t *bytes, size_t size);
 
   void flush();
@@ -33,7 +33,7 @@ class SketchOutput {
   unsigned long _lostBeforeBegin = 0;
   CsvColumns _columns;
   std::unique_ptr<line::PseudoTerminal> _terminal;
-  std::string _terminalLine;  // not yet written to it
+  std::string _terminalLine;  // not yet written to the terminal
 };
 
 }  // namespace host

@@ -1,4 +1,4 @@
-// Opens the line at the board's port that the options ask for.
+// Opens the line for the board's port, according to the options.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace host {
 
-// Opens the line, and names it on standard error; a line with nothing on it if the options have none. Throws
+// Opens the line, and prints its name to standard error; a silent line if the options have none. Throws
 // std::runtime_error.
 std::unique_ptr<line::Line> makeLine(const Options &options);
 

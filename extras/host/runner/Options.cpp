@@ -11,7 +11,7 @@ namespace host {
 
 namespace {
 
-// Returns an error unless the text is 0.001 s to a year: more than that would overflow as microseconds. Rejects "nan".
+// Returns an error unless the text is 0.001 s to a year, which cannot overflow as microseconds. Rejects "nan".
 std::string checkSeconds(const std::string &text) {
   constexpr double Largest = 366.0 * 24 * 60 * 60;
   char *end = nullptr;
@@ -39,7 +39,7 @@ int portOf(char c) {
   return c - '0';
 }
 
-// A pin hears one sender, and a file takes what one port sends.
+// A pin has one sender, and a file records one port.
 void addWires(const std::vector<std::string> &texts, Options &options) {
   for (const std::string &text : texts) {
     const WireOption wire = {portOf(text[0]), portOf(text[2])};
@@ -92,7 +92,7 @@ void takeSource(const std::string &text, unsigned long baud, Options &options) {
   options.source.settings.polarity = line::Polarity::Either;
 }
 
-// Lets a wire at the RX pin of --on replace the line. Options of a line are then rejected: there is no line.
+// Lets a wire at the RX pin of --on replace the line. Then there is no line, and its options are rejected.
 void settleLine(const std::vector<CLI::Option *> &lineOptions, Options &options) {
   const bool taken = std::any_of(options.wires.begin(), options.wires.end(),
                                  [&options](const WireOption &wire) { return wire.to == options.on; });
@@ -160,7 +160,7 @@ Options parseOptions(int argc, char **argv) {
     std::exit(app.exit(error));
   }
   if (options.seconds == 0 && options.source.isSimulated() && options.port.empty() && !options.pty) {
-    options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // once
+    options.seconds = line::choreography(options.source.sticks).periodMs / 1000.0;  // one period
   }
   return options;
 }

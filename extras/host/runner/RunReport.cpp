@@ -24,7 +24,7 @@ void reportTraffic(line::Observer &observer, uint64_t nowUs) {
   }
 }
 
-// Prints what the port received with these settings of port and line.
+// Prints what was received with these settings of port and line.
 void reportReception(const Reception &reception, int number) {
   std::fprintf(stderr, "Serial%d at %s: %lu characters came, %lu good, %lu with errors", number,
                text(reception.settings.rx).c_str(), reception.sent, reception.good, reception.bad);
@@ -65,7 +65,7 @@ void reportLine(Board &board, int on) {
   }
 }
 
-// Reports a port that hears another one.
+// Reports a port that is wired to another one.
 void reportWire(Board &board, const WireOption &wire) {
   const BoardPort &port = board.port(wire.to);
   const bool any = std::any_of(port.receptions().begin(), port.receptions().end(),
@@ -82,7 +82,7 @@ void reportWire(Board &board, const WireOption &wire) {
   reportLosses(port, wire.to);
 }
 
-// Reports a port that has sent something, or that should have.
+// Reports a port that sent something, or should have.
 void reportSender(Board &board, int number, bool recorded) {
   bool any = false;
   for (Transmission &sent : board.port(number).sender().transmissions()) {

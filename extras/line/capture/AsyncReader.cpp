@@ -12,10 +12,10 @@ namespace line {
 
 namespace {
 
-constexpr const char *OneAnalyser = "Async Serial";  // Logic 1 does not name it
+constexpr const char *OneAnalyser = "Async Serial";  // Logic 1 gives no name
 
-// Takes "0x0F", "0b00001111" or "15". Returns false for anything else: Logic can also show bytes as characters, which
-// could be anything.
+// Takes "0x0F", "0b00001111" or "15". Returns false for anything else: Logic can also export bytes as characters, which
+// are ambiguous.
 bool parseByte(std::string_view word, unsigned &value) {
   const int base = word.substr(0, 2) == "0x" ? 16 : word.substr(0, 2) == "0b" ? 2 : 10;
   word.remove_prefix(base == 10 ? 0 : 2);
@@ -61,7 +61,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
   if (_columns.name == None) {
     _analysers.emplace_back(OneAnalyser);
   }
-  // At 100000 baud no character begins less than ten bits, 100 us, after the one before.
+  // At 100000 baud characters begin at least ten bits, 100 us, apart.
   constexpr double FastNs = 90000;
   LineSettings settings;
   std::vector<double> before;
@@ -83,7 +83,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
     settings.baud = row.ns - before[row.analyser] < FastNs ? 2 * sbus::Baud : settings.baud;
     before[row.analyser] = row.ns;
   }
-  _zeroNs = INT64_MIN;  // read() has set it for the head
+  _zeroNs = INT64_MIN;  // read() set it for the head
   _bitNs = baud > 0 ? 1e9 / static_cast<double>(baud) : static_cast<double>(settings.bitNs());
   _wires.resize(_analysers.size());
   _sink.ofCharacters();
@@ -105,7 +105,7 @@ std::string AsyncReader::put(std::string_view lines) {
 
 std::string AsyncReader::read(std::string_view line, Row &row) {
   splitRow(line, ',', _fields);
-  _fields.resize(std::max(_columns.count, _fields.size()));  // a row may end with empty ones
+  _fields.resize(std::max(_columns.count, _fields.size()));  // a row may lack empty fields at its end
   row.isData = _columns.type == None || _fields[_columns.type] == "data";
   if (!row.isData) {
     return {};
@@ -139,7 +139,7 @@ std::string AsyncReader::read(std::string_view line, Row &row) {
   return {};
 }
 
-// Hands on the levels of a start bit, data, parity and two stop bits; with a framing error the first stop bit is wrong.
+// Emits the levels of a start bit, data, parity and two stop bits; with a framing error the first stop bit is wrong.
 std::string AsyncReader::tell(const Row &row) {
   const int64_t startNs = std::llround(row.ns);
   const unsigned parity = static_cast<unsigned>(isOdd(row.value) != row.parityWrong);

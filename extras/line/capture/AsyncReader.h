@@ -1,7 +1,7 @@
-// The characters that Saleae's Async Serial analyser has decoded, as Logic 1 exports them ("Time [s],Value,Parity
-// Error,Framing Error": saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103) and Logic 2 does, in a table with a
-// row for each (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader
-// turns them into the levels of a wire again.
+// Characters decoded by Saleae's Async Serial analyser. Logic 1 exports "Time [s],Value,Parity Error,Framing Error"
+// (saleae/serial-analyzer, src/SerialAnalyzerResults.cpp:103), Logic 2 a table with a row for each character
+// (name,type,start_time,duration, and "data" and "error" of SerialAnalyzer.cpp:240 to 256). The reader turns them back
+// into the levels of a wire.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -10,11 +10,11 @@ namespace line {
 
 class AsyncReader : public CaptureReader {
  public:
-  // Returns true if a text begins as one of these tables does.
+  // Returns true if a text begins like one of these tables.
   static bool isHead(std::string_view head);
 
-  // `head` is the beginning of the text, which names the analysers; `baud` is the wire's, 0: found by the distances of
-  // the characters.
+  // `head` is the beginning of the text, which names the analysers; `baud` is the wire's; 0: derived from the distances
+  // between the characters.
   AsyncReader(std::string_view head, LevelSink &sink, unsigned long baud);
 
   std::string put(std::string_view lines) override;
@@ -48,7 +48,7 @@ class AsyncReader : public CaptureReader {
   std::vector<std::string> _analysers;
   std::vector<Wire> _wires;  // of the analysers
   std::vector<std::string_view> _fields;
-  int64_t _zeroNs = INT64_MIN;  // the first timestamp, from which times are counted
+  int64_t _zeroNs = INT64_MIN;  // times count from here, the first timestamp
   double _bitNs = 0;
 };
 

@@ -1,5 +1,4 @@
-// Bits typed in from an oscilloscope's picture: 0 and 1, one bit after the other, from a start bit on. Blanks do not
-// count, and # begins a comment.
+// Bits copied from an oscilloscope's picture: 0 and 1, from a start bit on. Blanks are ignored, # begins a comment.
 #pragma once
 
 #include "line/capture/Capture.h"
@@ -8,7 +7,7 @@ namespace line {
 
 class BitsReader : public CaptureReader {
  public:
-  // `periodNs`: of a bit or a sample. 0: of a bit at 100000 baud.
+  // `periodNs`: the period of a bit or a sample; 0: a bit at 100000 baud.
   BitsReader(LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;

@@ -11,8 +11,8 @@ namespace line {
 
 namespace {
 
-// Returns true for 0, 1, blanks and comments only, with several bits in some line: otherwise it may be a column of
-// samples.
+// Returns true for a text of only 0, 1, blanks and comments. Some line must have several bits: otherwise it may be a
+// column of samples.
 bool isBits(std::string_view head) {
   bool any = false;
   while (!head.empty()) {

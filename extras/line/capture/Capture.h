@@ -1,5 +1,5 @@
-// Reads a recording of the wire itself, as a logic analyser or an oscilloscope makes it: text in one of several
-// formats, line by line, with constant memory.
+// Reads a recording of the wire itself, made by a logic analyser or an oscilloscope: text in one of several formats,
+// line by line, in constant memory.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace line {
 
-constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: what is later is a mistake
+constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: later times are a mistake
 constexpr size_t CaptureLineMax = size_t{1} << 16;                           // characters of text
-constexpr size_t SignalsMax = 4096;                                          // of a capture
-constexpr size_t CaptureHeadMax = 65536;  // characters in which the format must show itself
+constexpr size_t SignalsMax = 4096;                                          // in a capture
+constexpr size_t CaptureHeadMax = 65536;  // characters; they must show the format
 
-// Receives the levels that a reader reads.
+// Receives levels from a reader.
 class LevelSink {
  public:
   virtual ~LevelSink() = default;
 
-  // Called before signals() if the levels are made from characters that an analyser has decoded: such levels do not show
-  // the wire's speed and polarity.
+  // Called before signals() if the levels are made from characters decoded by an analyser: they do not show the wire's
+  // speed and polarity.
   virtual void ofCharacters() {}
 
-  // Takes the names of the signals: called once, before the first level.
+  // Takes the names of the signals. Called once, before the first level.
   virtual void signals(const std::vector<std::string> &names) = 0;
 
-  // Takes a signal's level from `ns` on: called at its beginning and at each change. Its times never go back.
+  // Takes a signal's level from `ns` on. Called at the beginning and at each change. A signal's times never go back.
   virtual void level(size_t signal, int64_t ns, bool high) = 0;
 };
 
@@ -48,16 +48,16 @@ class CaptureReader {
   // Returns "VCD", "PulseView CSV, 1 MHz" ...
   virtual std::string format() const = 0;
 
-  // Returns true if a threshold is found block by block, so that blocks should be as large as they can be.
+  // Returns true if a threshold is found block by block, so blocks should be as large as possible.
   virtual bool needsFullBlocks() const { return false; }
 
   // Returns the number of lines read; after an error the last of them is wrong.
   uint64_t lines() const { return _lines; }
 
-  // Returns the time of the last sample that was read.
+  // Returns the time of the last sample read.
   virtual int64_t endNs() { return _endNs; }
 
-  // Returns the time between two samples; 0 if the format does not say.
+  // Returns the time between two samples; 0 if unknown.
   double periodNs() const { return _periodNs; }
 
  protected:
@@ -78,8 +78,8 @@ OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrule
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
 
-// Returns the CaptureReader::format() of a capture that begins with `head`; "" if it is no capture, and for bits, since a
-// recording may look like them.
+// Returns the CaptureReader::format() of a capture that begins with `head`; "" if it is not a capture, and for bits,
+// since a recording may look like them.
 std::string captureFormat(std::string_view head);
 
 }  // namespace line

@@ -26,7 +26,7 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
   if (!error.empty() || overrules.threshold) {
     reject(error.empty() ? "has no voltages: leave out --threshold" : error);
   }
-  // The samples are in one entry, or in several that are numbered.
+  // The samples are in one entry, or in several numbered ones.
   const std::string &entry = reader.samplesName();
   const bool isWhole = file.find(entry);
   unsigned entries = 0;

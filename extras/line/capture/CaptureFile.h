@@ -7,8 +7,8 @@
 
 namespace line {
 
-// Reads a capture to its end, or until something is wrong. `path` is a file, or "-" for standard input;
-// `name` is what messages call it. Throws std::runtime_error if it cannot be opened, or is no capture.
+// Reads a capture to its end, or up to an error. `path` is a file, or "-" for standard input; messages call it `name`.
+// Throws std::runtime_error if it cannot be opened or is not a capture.
 CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrules &overrules,
                        WireDecoder &decoder);
 

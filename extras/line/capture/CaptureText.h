@@ -1,4 +1,4 @@
-// Takes a capture's text in pieces of any size: from a file, or from a page.
+// Takes a capture's text in pieces of any size, from a file or from a page.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,20 @@ namespace line {
 
 struct CaptureEnd {
   std::string format;     // "PulseView CSV"
-  double periodNs = 0;    // between two samples; 0 if it is not known
-  std::string error;      // with its place in the file; what came before was decoded. Empty if nothing is wrong
-  std::string rejection;  // why it is no capture, so that nothing was decoded; empty if it is one
+  double periodNs = 0;    // between two samples; 0 if unknown
+  std::string error;      // with its place in the file; the part before it was decoded. Empty without an error
+  std::string rejection;  // why it is not a capture, and nothing was decoded; empty if it is one
 };
 
 class CaptureText {
  public:
-  // `name` is the file's, for messages.
+  // `name` is the file's name in messages.
   CaptureText(std::string name, const Overrules &overrules, WireDecoder &decoder);
 
-  // Takes the next bytes. Returns false once something is wrong, and then ignores all further bytes.
+  // Takes the next bytes. Returns false after an error, and ignores all further bytes.
   bool put(std::string_view bytes);
 
-  // Takes the end. `failure` says why the file was not read to its end; it is empty if it was.
+  // Takes the end. `failure` says why the file was not read to its end; otherwise it is empty.
   CaptureEnd finish(const std::string &failure);
 
  private:
@@ -38,8 +38,8 @@ class CaptureText {
   std::vector<char> _block;
   size_t _filled = 0;
   bool _cutOff = false;    // the wrong line has no end
-  std::string _error;      // in a line
-  std::string _rejection;  // of the file
+  std::string _error;      // about a line
+  std::string _rejection;  // about the file
 };
 
 }  // namespace line

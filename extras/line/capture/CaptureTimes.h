@@ -1,5 +1,5 @@
-// Converts the times of a capture's characters into those for an Observer: from 0 on, even if the capture begins before
-// its time 0, a trigger's.
+// Converts the times of a capture's characters for an Observer: they count from 0, even if the capture begins before
+// its own time 0, the trigger's.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class CaptureTimes {
  public:
   void begin(const FoundWire &wire) { _characterNs = wire.settings.format.bits() * wire.bitNs; }
 
-  // Returns the character with its time. Time 0 is the capture's, or the beginning of a first character before it.
+  // Returns the character with its time. Time 0 is the capture's, or the beginning of an earlier first character.
   Character of(const WireCharacter &character) {
     if (!_begun) {
       _begun = true;
@@ -23,10 +23,10 @@ class CaptureTimes {
     return character.since(_zeroNs, _characterNs);
   }
 
-  // Returns the capture's time of an Observer's time 0.
+  // Returns an Observer's time 0 in the capture's time.
   int64_t zeroNs() const { return _zeroNs; }
 
-  // Returns the capture's time `ns` as an Observer takes it.
+  // Converts the capture's time `ns` for an Observer.
   uint64_t us(int64_t ns) const { return static_cast<uint64_t>(std::max<int64_t>(0, ns - _zeroNs) / 1000); }
 
  private:

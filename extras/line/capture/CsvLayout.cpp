@@ -10,13 +10,13 @@ namespace line {
 
 namespace {
 
-constexpr size_t RowsMax = 2000;  // rows of the head that are looked at
+constexpr size_t RowsMax = 2000;  // rows of the head to examine
 
 // The lines before the rows.
 struct Header {
-  std::vector<std::string> titles;  // of the columns
+  std::vector<std::string> titles;  // the columns'
   std::vector<std::string> units;   // from a row below the titles
-  std::vector<std::string> names;   // of the signals, from a comment
+  std::vector<std::string> names;   // the signals', from a comment
   double startNs = 0;
   double periodNs = 0;
   std::string program;  // "PulseView" or "DSView"; empty: another program
@@ -28,7 +28,7 @@ struct Header {
 // "; Samplerate: 1 MHz", "; Channels (2/8): D0, D1"
 void Header::comment(std::string_view line) {
   const std::string small = lower(line);
-  // DSView was made from sigrok, and its header says so up to version 1.1; its times are seconds.
+  // DSView is derived from sigrok, and its header says so up to version 1.1; its times are in seconds.
   const bool dsView = small.find("dsview") != std::string::npos || small.find("sigrok4dsl") != std::string::npos;
   program = dsView ? "DSView" : program.empty() && small.find("sigrok") != std::string::npos ? "PulseView" : program;
   const size_t colon = line.find(": ");
@@ -46,7 +46,7 @@ void Header::comment(std::string_view line) {
 }
 
 void Header::row(const Fields &fields) {
-  // OWON writes the time between two rows beside "Time interval".
+  // OWON writes the time between two rows next to "Time interval".
   for (size_t i = 1; i < fields.size() && hasWord(fields.front(), {"interval"}); i++) {
     const char *at = fields[i].data();
     double value;
@@ -55,7 +55,7 @@ void Header::row(const Fields &fields) {
       break;
     }
   }
-  // Rigol's DHO writes them beside the channel's name: "t0 =-5.0e-04", "tInc =1.0e-06".
+  // Rigol's DHO writes them next to the channel's name: "t0 =-5.0e-04", "tInc =1.0e-06".
   for (const std::string_view field : fields) {
     const size_t equals = field.find('=');
     double seconds;
@@ -86,8 +86,8 @@ void Header::row(const Fields &fields) {
   }
 }
 
-// Finds the first rows, and reads what stands before them. All rows have the same number of fields; it needs two of
-// them, if the file has two.
+// Finds the first rows, and reads the lines before them. All rows have the same number of fields; it needs two rows, if
+// the file has two.
 std::vector<Fields> takeRows(std::string_view head, CsvLayout &layout, Header &header) {
   std::vector<Fields> rows;
   uint64_t lines = 0;
@@ -136,7 +136,7 @@ bool isTime(std::string_view title) {
   return hasWord(title, {"time", "s", "sec", "second", "seconds"}) || unitOf(title) != 1e9;
 }
 
-// Returns true if each value is greater than the one before; by one, if the column `counts`.
+// Returns true if each value is greater than the previous one; by one, if the column `counts`.
 bool grows(const std::vector<Fields> &rows, size_t column, bool counts) {
   double before = 0;
   for (size_t i = 0; i < rows.size(); i++) {
@@ -164,8 +164,8 @@ std::vector<std::string> namesOf(const Header &header, const std::vector<size_t>
   return names;
 }
 
-// sigrok counts whole units from sample to sample, and drops the rest: 41 ns at 24 MHz. The unit is the power of 1000
-// that its rate just does not exceed.
+// sigrok counts whole units from sample to sample, and drops the rest: 41 ns at 24 MHz. The unit is a second divided by
+// the smallest power of 1000 that is not below the rate.
 double sigrokUnitNs(double periodNs) {
   const double rate = 1e9 / periodNs;
   double units = 1;
@@ -201,8 +201,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
   const std::vector<Fields> rows = takeRows(head, layout, header);
   if (rows.empty()) {
     return "is not a known capture of a wire: VCD, CSV of Saleae Logic 2, PulseView, DSView or an oscilloscope, "
-           "or "
-           "bits as 0 and 1 are expected";
+           "or bits as 0 and 1 are expected";
   }
   for (size_t i = 0; i < rows.front().size(); i++) {
     if (!rows.front()[i].empty()) {
@@ -213,7 +212,7 @@ std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs
     return (column < header.titles.size() ? header.titles[column] : "") + " " +
            (column < header.units.size() ? header.units[column] : "");
   };
-  // A column that counts the rows may stand before the times, or replace them.
+  // A column that counts the rows may precede the times, or replace them.
   size_t first = layout.columns.front();
   const bool counted = layout.columns.size() > 1 && !isTime(title(first)) && grows(rows, first, true);
   if (counted) {

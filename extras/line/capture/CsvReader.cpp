@@ -48,13 +48,13 @@ std::string CsvReader::rowTime(std::string_view row, int64_t &ns) {
   return {};
 }
 
-// The times of most rows are not read, but that of the last row is.
+// Most rows' times are never read; the last row's is needed.
 int64_t CsvReader::endNs() {
   int64_t ns;
   return !_last.empty() && rowTime(_last, ns).empty() ? ns : _endNs;
 }
 
-// Most rows are equal to the row before, and are not read any further.
+// Most rows are equal to the previous one, and are not read any further.
 std::string DigitalReader::rows(std::string_view text) {
   const bool timed = _layout.timeColumn == 0;
   std::string_view last = _last;
@@ -119,7 +119,7 @@ AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<
   }
 }
 
-// First reads all voltages of the rows at hand, then looks for edges in them; it reads a time only at an edge.
+// First reads all voltages of these rows, then looks for edges; it reads a time only at an edge.
 std::string AnalogueReader::rows(std::string_view text) {
   _rows.clear();
   for (Signal &signal : _signals) {
@@ -160,7 +160,7 @@ std::string AnalogueReader::rows(std::string_view text) {
   return error;
 }
 
-// Starts again if the wire now swings much further than before: what came before was noise.
+// Starts over if the swing is now much larger than before: then everything before was noise.
 void AnalogueReader::Signal::learn() {
   if (!found || Threshold::rangeOf(volts).span > 2.5 * threshold.swing()) {
     found = threshold.find(volts) || found;

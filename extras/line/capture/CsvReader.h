@@ -37,13 +37,13 @@ class DigitalReader : public CsvReader {
   std::string rows(std::string_view text) override;
   std::string changed(std::string_view row);
 
-  std::string _values;  // the row before without its time
+  std::string _values;  // the previous row without its time
   std::vector<char> _levels;
 };
 
 class AnalogueReader : public CsvReader {
  public:
-  // `threshold`: of all signals; none: a threshold is found for each signal.
+  // `threshold`: for all signals; without it, one is found for each signal.
   AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
 
   bool needsFullBlocks() const override { return !_isGiven; }
@@ -51,9 +51,9 @@ class AnalogueReader : public CsvReader {
  private:
   struct Signal {
     Threshold threshold;
-    std::vector<double> volts;  // of the rows at hand
+    std::vector<double> volts;  // of the current rows
     bool found = false;         // there are two levels
-    bool begun = false;         // the first level has been handed on
+    bool begun = false;         // the first level has been emitted
     bool high = false;
 
     void learn();
@@ -62,9 +62,9 @@ class AnalogueReader : public CsvReader {
   std::string rows(std::string_view text) override;
   std::string takeVolts(std::string_view row);
 
-  const bool _isGiven;  // the threshold
+  const bool _isGiven;  // the threshold was given
   std::vector<Signal> _signals;
-  std::vector<std::string_view> _rows;  // at hand
+  std::vector<std::string_view> _rows;  // the current ones
 };
 
 }  // namespace line

@@ -41,7 +41,7 @@ size_t EdgeStore::blockBefore(int64_t ns) const {
   return after == _blocks.begin() ? 0 : static_cast<size_t>(after - _blocks.begin()) - 1;
 }
 
-size_t EdgeStore::countAbout(int64_t fromNs, int64_t toNs) const {
+size_t EdgeStore::approximateCount(int64_t fromNs, int64_t toNs) const {
   size_t count = 0;
   for (size_t i = blockBefore(fromNs); i < _blocks.size() && _blocks[i]->firstNs < toNs; i++) {
     const Block &block = *_blocks[i];

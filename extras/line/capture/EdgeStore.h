@@ -1,5 +1,5 @@
-// The edges of a capture's wire, in bounded memory: at most 160 MB. An edge takes two or three bytes;
-// an hour of a receiver that sends each 9 ms takes 147 MB, when all its channels move.
+// The edges of a capture's wire, in at most 160 MB. An edge takes two or three bytes; an hour of a receiver that sends
+// every 9 ms takes 147 MB if all its channels move.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,16 @@ class EdgeStore {
  public:
   explicit EdgeStore(size_t blocksMax = BlocksMax) : _blocksMax(blocksMax) {}
 
-  // Takes the wire's level from `ns` on. Times never go back. Ignores a level that is no change, and all levels once
-  // there is no more room.
+  // Takes the wire's level from `ns` on. Times never go back. Ignores a level that is not a change, and all levels once
+  // the store is full.
   void put(int64_t ns, bool high);
 
-  // Returns false if there was no room for some.
+  // Returns false if some edges did not fit.
   bool isWhole() const { return _isWhole; }
-  // Returns the time of the newest edge that is kept; 0 before the first.
+  // Returns the time of the newest stored edge; 0 before the first.
   int64_t endNs() const { return _blocks.empty() ? 0 : _blocks.back()->lastNs; }
 
-  // Calls edge(ns, high) for the edges from `fromNs` to before `toNs`, after the newest edge before `fromNs` if there
-  // is one.
+  // Calls edge(ns, high) for the newest edge before `fromNs`, if any, and then for the edges up to before `toNs`.
   template <typename Edge>
   void each(int64_t fromNs, int64_t toNs, Edge edge) const {
     for (size_t i = blockBefore(fromNs); i < _blocks.size() && _blocks[i]->firstNs < toNs; i++) {
@@ -37,11 +36,11 @@ class EdgeStore {
     }
   }
 
-  // Returns how many edges each() would hand over, or a few more.
-  size_t countAbout(int64_t fromNs, int64_t toNs) const;
+  // Returns the number of edges that each() would visit, or a few more.
+  size_t approximateCount(int64_t fromNs, int64_t toNs) const;
 
-  // Writes which levels the wire had in each of `count` columns of that time: 1 low, 2 high, 3 both. 0: not known. A
-  // time of more than ExactBlocks is known by blocks, and the longest silence of each.
+  // Writes the wire's levels in each of `count` columns of that time: 1 low, 2 high, 3 both, 0 unknown. For more than
+  // ExactBlocks it uses only each block's summary and longest silence.
   void levels(int64_t fromNs, int64_t toNs, uint8_t *columns, size_t count) const;
 
  private:
@@ -60,9 +59,9 @@ class EdgeStore {
     bool lastHigh = false;
     uint32_t count = 1;
     uint32_t used = 0;
-    uint8_t bytes[BlockSize - 48];  // the times between the edges, seven bits a byte, the highest bit: more follow
+    uint8_t bytes[BlockSize - 48];  // times between edges, seven bits per byte; the highest bit: more bytes follow
 
-    // `afterNs`: of the first edge of the next block.
+    // `afterNs`: the first edge of the next block.
     template <typename Edge>
     void each(Edge edge, int64_t afterNs) const {
       int64_t ns = firstNs;
@@ -83,7 +82,7 @@ class EdgeStore {
     }
   };
 
-  // Returns the last block that begins by then; 0 without one.
+  // Returns the index of the last block that begins by then; 0 without one.
   size_t blockBefore(int64_t ns) const;
 
   const size_t _blocksMax;

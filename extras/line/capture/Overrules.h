@@ -1,4 +1,4 @@
-// Options that overrule what is found in a capture.
+// Options that overrule a capture's own information.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 namespace line {
 
 struct Overrules {
-  std::string signal;                    // the only one to look at; empty: all
+  std::string signal;                    // the only signal to decode; empty: all
   unsigned long baud = 0;                // 0: 100000 or 200000, whichever fits
   Polarity polarity = Polarity::Either;  // Either: whichever fits
-  double periodNs = 0;                   // between two samples; 0: as the capture says
-  std::optional<double> threshold;       // of voltages, in the capture's unit; none: it is found
+  double periodNs = 0;                   // between two samples; 0: the capture's own
+  std::optional<double> threshold;       // for voltages, in the capture's unit; nothing: detected
 };
 
 }  // namespace line

@@ -21,7 +21,7 @@ namespace {
 
 constexpr size_t ReadSize = 65536;
 
-// The first bytes of packed files; the fourth of gzip are flags below 20.
+// The first bytes of packed files. The fourth byte of gzip holds flags, below 20.
 constexpr std::string_view Gzip("\x1F\x8B\x08", 3);
 constexpr std::string_view Xz(
     "\xFD"
@@ -34,7 +34,7 @@ bool begins(std::string_view text, std::string_view with) {
   return text.substr(0, with.size()) == with;
 }
 
-// Reads until `size` bytes are there, or the file ends.
+// Reads `size` bytes, or up to the end of the file.
 std::string readSome(int file, size_t size) {
   std::string bytes(size, '\0');
   size_t have = 0;
@@ -49,7 +49,7 @@ std::string readSome(int file, size_t size) {
   return bytes;
 }
 
-// Opens a file. What /dev/stdin and /dev/fd/N name begins at its beginning again, on every system.
+// Opens a file. /dev/stdin and /dev/fd/N are rewound to the beginning, on every system.
 int openToRead(const std::string &path) {
   const std::string folder = "/dev/fd/";
   const int known = path == "/dev/stdin"         ? STDIN_FILENO
@@ -63,7 +63,7 @@ int openToRead(const std::string &path) {
   return file;
 }
 
-// Returns the name without its end, if it has this end.
+// Removes `end` from the end of the name. Returns true if it was there.
 bool cutEnd(std::string &name, std::string_view end) {
   const bool has = name.size() > end.size() && lower(name).compare(name.size() - end.size(), end.size(), end) == 0;
   name.resize(name.size() - (has ? end.size() : 0));
@@ -118,7 +118,7 @@ PackedFile::PackedFile(const std::string &path, std::string name)
   _isPipe = fstat(_file, &status) != 0 || !S_ISREG(status.st_mode);
   if (_isPipe) {
     _begin = readSome(_file, Zip.size());
-    if (begins(_begin, Zip)) {  // its entries are read in any order
+    if (begins(_begin, Zip)) {  // its entries can be read in any order
       const int copy = copyToTemporary(_begin, _file, [] { return false; });
       if (_file != STDIN_FILENO) {
         close(_file);
@@ -151,7 +151,7 @@ void PackedFile::open() {
   _isZip = (archive_format(_archive.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
 }
 
-// Reads from a pipe: what has come, as soon as it has.
+// Reads from a pipe without waiting for a full buffer.
 std::ptrdiff_t PackedFile::fill(archive *, void *self, const void **bytes) {
   PackedFile &file = *static_cast<PackedFile *>(self);
   if (!file._begin.empty()) {
@@ -218,7 +218,7 @@ void PackedFile::findOnly() {
     }
     if (!only.empty()) {
       throw std::runtime_error(
-          _name + ": is a ZIP of several files, and no session of sigrok or PulseView: unpack it, and name one");
+          _name + ": is a ZIP of several files, but not a session of sigrok or PulseView: unpack it, and name one");
     }
     only = _entry;
   }

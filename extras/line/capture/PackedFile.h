@@ -1,4 +1,4 @@
-// Reads a file's bytes. It unpacks gzip and xz, and a ZIP, one entry after the other.
+// Reads a file's bytes. It unpacks gzip, xz, and a ZIP entry by entry.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@ struct archive;
 
 namespace line {
 
-// Returns true if the bytes begin as a packed file does: gzip, xz or ZIP.
+// Returns true if the bytes are the beginning of a packed file: gzip, xz or ZIP.
 bool isPacked(std::string_view begin);
 
-// Returns true if a file begins with `begin`, which may be shorter, and the file may still be packed.
+// Returns true if a file that begins with `begin` may be packed; `begin` may be too short to tell.
 bool maybePacked(std::string_view begin);
 
-// Copies `begin` and then the rest of `file` to a file without a name, which vanishes when it is closed; no more of a
-// pipe once `isOver` returns true. Returns it, at its beginning. Throws std::runtime_error if the disk is full.
+// Copies `begin` and then the rest of `file`, for a pipe until `isOver` returns true, to a file without a name, which
+// vanishes when it is closed. Returns that file, rewound. Throws std::runtime_error if the disk is full.
 int copyToTemporary(std::string_view begin, int file, bool (*isOver)());
 
 class PackedFile {
  public:
-  // `path` is a file, or "-" for standard input. `name` is what messages call it. Throws std::runtime_error if it
-  // cannot be opened.
+  // `path` is a file, or "-" for standard input; messages call it `name`. Throws std::runtime_error if it cannot be
+  // opened.
   PackedFile(const std::string &path, std::string name);
   ~PackedFile();
   PackedFile(const PackedFile &) = delete;
@@ -33,22 +33,22 @@ class PackedFile {
   // Returns true for a session of sigrok or PulseView: a ZIP with the entry "metadata".
   bool isSession();
 
-  // Goes to the beginning of a ZIP's entry, wherever it stands in the file. Returns false if no entry has this name.
+  // Goes to the beginning of a ZIP's entry, wherever it is in the file. Returns false if no entry has this name.
   bool find(const std::string &entry);
 
   // Goes to the only file in a ZIP; leaves other files as they are. Throws std::runtime_error if the ZIP holds several.
   void findOnly();
 
-  // Returns the name of what is packed: the file's without .gz or .xz, or the ZIP's entry.
+  // Returns the name of the packed file: without .gz or .xz, or the ZIP's entry.
   std::string unpackedName() const;
 
-  // Waits for a byte or more. Returns what has come; nothing at the end, and after a failure.
+  // Waits for at least one byte. Returns those received; nothing at the end and after a failure.
   std::string_view read();
 
-  // Returns why the file could not be read to its end; nothing if it could.
+  // Returns why the file could not be read to its end; otherwise nothing.
   const std::string &failure() const { return _failure; }
 
-  // Throws std::runtime_error with name and reason unless the file could be read to its end.
+  // Throws std::runtime_error with name and reason if the file could not be read to its end.
   void requireEnd() const;
 
  private:
@@ -59,12 +59,12 @@ class PackedFile {
 
   const std::string _name;
   int _file;
-  std::string _begin;  // of a pipe: read before the rest
+  std::string _begin;  // a pipe's first bytes
   std::string _block;
   bool _isPipe = false;
   bool _isZip = false;
   std::unique_ptr<archive, int (*)(archive *)> _archive;
-  std::string _entry;  // name of the entry
+  std::string _entry;  // its name
   bool _atEnd = false;
   std::string _failure;
 };

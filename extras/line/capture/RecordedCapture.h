@@ -1,4 +1,4 @@
-// A capture as a recording: the characters of its signal that carries S.Bus, from time 0 on.
+// A capture as a recording: the characters of the signal that carries S.Bus, from time 0 on.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ class RecordedCapture {
   RecordedCapture(const RecordedCapture &) = delete;
   RecordedCapture &operator=(const RecordedCapture &) = delete;
 
-  // Returns what takes the capture.
+  // Returns the decoder, which takes the capture.
   WireDecoder &wire() { return _wire; }
 
-  // Returns why it cannot be played, after its end; nothing if it can. `name`: of the file.
+  // Returns, after the end, why it cannot be played; nothing if it can. `name`: the file's.
   std::string failure(const std::string &name, const CaptureEnd &end) const;
 
   const LineSettings &settings() const { return _wire.wire().settings; }
 
-  // Returns the edges of the signal, and the capture's time of the recording's time 0.
+  // Return the edges of the signal, and the recording's time 0 in the capture's time.
   const EdgeStore &edges() const { return _edges; }
   int64_t zeroNs() const { return _times.zeroNs(); }
 

@@ -19,7 +19,7 @@ bool isHigh(std::string_view sample, size_t bit) {
 
 std::string SessionReader::metadata(std::string_view text) {
   std::vector<std::string> names;
-  bool isFirst = false;  // of the devices: the one whose samples are read
+  bool isFirst = false;  // only the first device's samples are read
   while (!text.empty()) {
     const std::string_view line = trimmed(takeLine(text));
     isFirst = line.substr(0, 1) == "[" ? line == "[device 1]" : isFirst;

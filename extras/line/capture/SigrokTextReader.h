@@ -1,4 +1,4 @@
-// Reads samples as sigrok-cli -O bits and -O hex print them (libsigrok, src/output/bits.c and hex.c, gen_header() and
+// Reads samples as printed by sigrok-cli -O bits and -O hex (libsigrok, src/output/bits.c and hex.c, gen_header() and
 // receive()): one line for each signal in turn.
 #pragma once
 
@@ -8,11 +8,11 @@ namespace line {
 
 class SigrokTextReader : public CaptureReader {
  public:
-  // Returns true if a text begins as these do.
+  // Returns true if a text begins like these.
   static bool isHead(std::string_view head);
 
-  // `head` is the beginning of the text, `periodNs` the time between two samples, whatever the text says; 0: as it
-  // says.
+  // `head` is the beginning of the text, `periodNs` the time between two samples, which overrules the text's; 0: the
+  // text's.
   SigrokTextReader(std::string_view head, LevelSink &sink, double periodNs);
 
   std::string put(std::string_view lines) override;
@@ -28,8 +28,8 @@ class SigrokTextReader : public CaptureReader {
   const bool _hex;
   size_t _signals = 0;  // 0 before the header
   std::vector<std::string> _names;
-  std::vector<std::string> _rows;  // the lines at hand, one of each signal, as 0 and 1
-  std::string _levels;             // of the signals, at the end of the rows before
+  std::vector<std::string> _rows;  // the current lines, one per signal, as 0 and 1
+  std::string _levels;             // the signals', at the end of the previous rows
   uint64_t _samples = 0;           // of each signal, before these rows
 };
 

@@ -8,7 +8,7 @@ namespace line {
 
 namespace {
 
-constexpr int PowerMax = 40;  // of ten: no measurement needs more
+constexpr int PowerMax = 40;  // powers of ten: no measurement needs more
 
 struct Powers {
   double of[2 * PowerMax + 1];

@@ -1,4 +1,4 @@
-// Words and numbers of a text, fast: no streams, no locale.
+// Parses words and numbers fast, without streams or locale.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ inline std::string_view trimmed(std::string_view text) {
   return withoutBlanks(text, '"');
 }
 
-// Takes a decimal number ("-1.25e-03") off the front; returns false without one. `mark` is allowed as decimal point.
+// Takes a decimal number ("-1.25e-03") off the front. Returns false without one. `mark` may be the decimal point.
 bool takeNumber(const char *&at, const char *end, double &value, char mark = '.');
 
 // Reads a number. Returns false if `word` is not a number.
@@ -32,7 +32,7 @@ bool parseNumber(std::string_view word, double &value, char mark = '.');
 // `word` is not a time.
 bool parseTimestamp(std::string_view word, int64_t &ns);
 
-// Returns the period of "1 MHz" or "1000000" in ns; 0 if it is no rate.
+// Returns the period of "1 MHz" or "1000000" in ns; 0 if it is not a rate.
 double periodOf(std::string_view rate);
 
 }  // namespace line

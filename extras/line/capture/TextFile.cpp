@@ -24,7 +24,7 @@ std::string TextFile::read(size_t size) {
 
 void forEachLine(PackedFile &file, const std::function<void(std::string_view)> &take) {
   TextFile text(file);
-  std::string rest;  // of a line that goes on
+  std::string rest;  // the beginning of an incomplete line
   for (std::string_view read = text.read(); !read.empty(); read = text.read()) {
     for (size_t end = read.find('\n'); end != std::string_view::npos; end = read.find('\n')) {
       rest += read.substr(0, end);

@@ -12,10 +12,10 @@ namespace line {
 
 class TextFile {
  public:
-  // Reads what `file` reads from here on.
+  // Reads the rest of `file`.
   explicit TextFile(PackedFile &file) : _file(file) {}
 
-  // Waits for a character or more. Returns what has come; nothing at the end, and after a failure of the file.
+  // Waits for at least one character. Returns those received; nothing at the end and after a failure.
   std::string_view read();
 
   // Returns the first `size` characters, or all of them.

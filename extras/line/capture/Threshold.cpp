@@ -43,7 +43,7 @@ bool Threshold::find(const std::vector<double> &volts) {
   for (const double v : volts) {
     histogram[static_cast<size_t>(std::clamp((v - least) / span, 0.0, 1.0) * (Bins - 1))]++;
   }
-  // Otsu's method: the cut that leaves the least variance on both its sides.
+  // Otsu's method: choose the cut with the least variance within its two sides.
   double all = 0, sum = 0, squares = 0;
   for (int i = 0; i < Bins; i++) {
     all += histogram[static_cast<size_t>(i)];
@@ -67,7 +67,7 @@ bool Threshold::find(const std::vector<double> &volts) {
       highMean = high;
     }
   }
-  constexpr double TwoLevels = 0.8;  // of the variance; noise alone has 0.64 of it between its halves
+  constexpr double TwoLevels = 0.8;  // share of the variance between the sides; noise alone has 0.64
   const double variance = squares / all - sum / all * (sum / all);
   const double perBin = span / (Bins - 1);
   const double middle = least + (lowMean + highMean) / 2 * perBin;

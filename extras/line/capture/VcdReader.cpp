@@ -10,9 +10,9 @@ namespace line {
 
 namespace {
 
-constexpr double NumberMax = 1e9;  // of a bit
+constexpr double NumberMax = 1e9;  // highest number of a bit
 
-// Takes "7:0" of "[7:0]", or "3" of "[3]"; leaves the numbers as they are if it is no range.
+// Takes "7:0" from "[7:0]", or "3" from "[3]"; leaves the numbers unchanged if it is not a range.
 void takeRange(std::string_view range, double &highest, double &lowest) {
   const char *at = range.data() + 1;
   const char *end = range.data() + range.size();
@@ -151,7 +151,7 @@ std::string VcdReader::defineVariable() {
   width = isReal ? 1 : width;
   const std::string &code = _words[2];
   if (signalOf(code) != None) {
-    return {};  // the same wire, seen from another module
+    return {};  // the same wire in another module
   }
   if (code.size() == 1 && static_cast<unsigned char>(code[0]) < _byCharacter.size()) {
     _byCharacter[static_cast<unsigned char>(code[0])] = _names.size();
@@ -163,7 +163,7 @@ std::string VcdReader::defineVariable() {
     real.threshold = Threshold(_threshold.value_or(0), 0);
     real.found = _threshold.has_value();
   }
-  // "bus[7:0]", or "bus" and "[7:0]"
+  // "bus[7:0]" or "bus [7:0]"
   const size_t bracket = std::min(_words[3].find('[', 1), _words[3].size());
   const std::string range = bracket < _words[3].size() ? _words[3].substr(bracket) : _words.size() > 4 ? _words[4] : "";
   const bool numbered = width > 1 || range.substr(0, 1) == "[";
@@ -221,7 +221,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
     case 'B':
     case 'r':
     case 'R':
-    case 's':  // a string, as GTKWave writes it
+    case 's':  // a string: written by GTKWave
     case 'S':
       _codeFollows = true;
       _bits = word.front() == 'b' || word.front() == 'B' ? word.substr(1) : "";
@@ -235,7 +235,7 @@ std::string VcdReader::bodyWord(std::string_view word) {
   }
 }
 
-// If the value has fewer bits than the vector, the missing ones are 0, or x or z if the value begins with x or z.
+// Bits missing from the value are 0, or x or z if the value begins with x or z.
 void VcdReader::setVector(size_t lowest) {
   for (size_t i = 0; lowest != None && !_bits.empty() && i < _widths[lowest]; i++) {
     const char bit = i < _bits.size() ? _bits[_bits.size() - 1 - i] : _bits.front() == '1' ? '0' : _bits.front();
@@ -260,7 +260,7 @@ void VcdReader::setReal(size_t signal) {
   }
 }
 
-// Hands over the levels of the lines at hand. A real's threshold is known only after them.
+// Emits the levels of the current lines. Only now is a real's threshold known.
 void VcdReader::endBlock() {
   for (auto &[signal, real] : _reals) {
     if (!_threshold) {
@@ -284,10 +284,10 @@ void VcdReader::endBlock() {
   _changes.clear();
 }
 
-// A dump has changes, not samples: a voltage counts for as long as it lasts.
+// A dump has changes, not samples: each voltage is weighted with its duration.
 void VcdReader::learn(size_t signal, Real &real) {
   constexpr int64_t SampleNs = 1000;
-  constexpr int64_t SamplesMax = 100;  // of a voltage
+  constexpr int64_t SamplesMax = 100;  // per voltage
   std::vector<double> volts;
   const Change *before = nullptr;
   for (const Change &change : _changes) {

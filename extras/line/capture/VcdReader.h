@@ -1,5 +1,5 @@
-// Reads a value change dump, as nearly every logic analyser and simulator writes it (IEEE 1364, chapter 18). Its
-// signals are scalar variables, the bits of vectors, and reals, which are voltages.
+// Reads a value change dump, which nearly every logic analyser and simulator can write (IEEE 1364, chapter 18). Its
+// signals are scalar variables, bits of vectors, and reals, which are voltages.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace line {
 
 class VcdReader : public CaptureReader {
  public:
-  // `threshold`: of all reals; none: a threshold is found for each.
+  // `threshold`: for all reals; without it, one is found for each.
   explicit VcdReader(LevelSink &sink, std::optional<double> threshold = {});
 
   std::string put(std::string_view lines) override;
@@ -33,38 +33,38 @@ class VcdReader : public CaptureReader {
   void endBlock();
   std::string bodyWord(std::string_view word);
   std::string setTime(std::string_view digits);
-  // Returns the signal of a code; of a vector that of its lowest bit, which the higher ones follow.
+  // Returns the signal of a code; for a vector, its lowest bit's, which the higher bits' follow.
   size_t signalOf(std::string_view code) const;
 
   struct Real {
     Threshold threshold;
     bool found = false;  // there are two levels
-    bool begun = false;  // the first level has been handed on
+    bool begun = false;  // the first level has been emitted
     bool high = false;
   };
   struct Change {
     size_t signal;
     int64_t ns;
-    double value;  // a voltage; 0 or 1 of other signals
+    double value;  // a voltage; 0 or 1 for other signals
   };
 
   void learn(size_t signal, Real &real);
 
   const std::optional<double> _threshold;
   std::unordered_map<size_t, Real> _reals;  // by signal
-  std::vector<Change> _changes;             // of the lines at hand, if there are reals: in their order
+  std::vector<Change> _changes;             // in the current lines, in order, if there are reals
 
   bool _inBody = false;
-  bool _passing = false;      // ignores words up to $end; in the body: of a comment
-  bool _codeFollows = false;  // of a vector or real
-  std::string _bits;          // the value of the vector whose code follows
-  std::string _number;        // the value of the real whose code follows
-  std::string _section;       // "$var": the section whose words are collected, up to $end
+  bool _passing = false;      // ignores words up to $end; in the body, a comment's
+  bool _codeFollows = false;  // the code of a vector or real is next
+  std::string _bits;          // that vector's value
+  std::string _number;        // that real's value
+  std::string _section;       // "$var": collects the section's words up to $end
   std::vector<std::string> _words;
   std::vector<std::string> _scopes;
   std::vector<std::string> _names;
-  std::vector<size_t> _widths;           // of the variable whose lowest bit this signal is
-  std::array<size_t, 128> _byCharacter;  // the signal of a code of one character
+  std::vector<size_t> _widths;           // by signal, if it is a variable's lowest bit: the variable's
+  std::array<size_t, 128> _byCharacter;  // signals with a code of one character
   std::unordered_map<std::string, size_t> _byCode;
   uint64_t _unitNumerator = 0;  // ns of a unit of time
   uint64_t _unitDenominator = 1;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int64_t Never = INT64_MAX / 2;
 
-// Returns why a wire whose characters an analyser has decoded has no frame.
+// Returns why there is no frame among characters decoded by an analyser.
 std::string whyNoCharacters(const FoundWire &wire) {
   return "has " + std::to_string(wire.good) + " good characters and " + std::to_string(wire.bad) +
          " with errors: is the analyser set to the baud rate, 8 bits, even parity, 2 stop bits and inverted?";
@@ -62,7 +62,7 @@ void WireDecoder::choose() {
   }
 }
 
-// Decodes the only signal, even without a frame: bits copied from an oscilloscope's picture may be less than a frame.
+// Decodes the only signal even without a frame: bits copied from an oscilloscope's picture may be less than one.
 void WireDecoder::chooseOnly() {
   if (_overrules.signal.empty() && _samples.size() != 1) {
     return;
@@ -109,7 +109,7 @@ std::string WireDecoder::failure(double periodNs) const {
   if (!wanted.empty() && std::find(_names.begin(), _names.end(), wanted) == _names.end()) {
     return "there is no signal " + wanted + ": one of " + someNames() + " is expected";
   }
-  // If there are many signals, it names only some: those with pulses, if any has.
+  // If there are many signals, names only some: those with pulses, if there are any.
   size_t told = 0;
   std::string reasons;
   for (size_t i = 0; i < _names.size() && told < Shown; i++) {

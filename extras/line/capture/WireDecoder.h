@@ -1,4 +1,4 @@
-// Decodes the characters of a capture: those of the signal that carries S.Bus, at any baud rate and polarity.
+// Decodes the characters of the signal that carries S.Bus in a capture, with any baud rate and polarity.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,7 @@
 namespace line {
 
 // It keeps the newest edges of each signal until one has frames; then it decodes the signal with the most frames, and
-// forgets the others. If the capture ends before that, and has only one signal to look at, it decodes that signal's
-// characters.
+// drops the others. If the capture ends before that and has only one candidate, it decodes that signal's characters.
 class WireDecoder : public LevelSink {
  public:
   // `found` is called once, before the first character; `level` for each level of the chosen signal.
@@ -37,28 +36,28 @@ class WireDecoder : public LevelSink {
     }
   }
 
-  // Takes the end of the capture at `endNs`. A character that is not complete by then is left out. But if the capture
-  // ends with an edge, and is not `cutOff`, the wire kept its level: then the last character is taken if it is good.
+  // Takes the end of the capture at `endNs`. A character incomplete by then is left out, unless the capture ends with
+  // an edge and is not `cutOff`: then the wire kept its level, and the last character is taken if it is good.
   void finish(int64_t endNs, bool cutOff);
 
-  // Returns the time up to which the wire is known, after finish().
+  // Returns, after finish(), the time up to which the wire is known.
   int64_t endNs() const { return _endNs; }
 
   bool found() const { return _decoder.has_value(); }
   const FoundWire &wire() const { return _wire; }
   const std::string &signal() const { return _names[_chosen]; }
 
-  // Returns false if an analyser has decoded the characters: then only wire().frames is true.
+  // Returns false if an analyser decoded the characters: then only wire().frames is valid.
   bool isMeasured() const { return _isMeasured; }
 
   // Returns the other signals that carry S.Bus.
   const std::vector<std::string> &others() const { return _others; }
 
-  // Returns why none was found, after finish(). `periodNs`: between two samples, 0 if it is not known.
+  // Returns, after finish(), why no signal was found. `periodNs`: the time between two samples; 0 if unknown.
   std::string failure(double periodNs) const;
 
  private:
-  static constexpr size_t Shown = 8;         // signals, in a message
+  static constexpr size_t Shown = 8;         // signals named in a message
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
 
   void collect(size_t signal, int64_t ns, bool high);
@@ -80,15 +79,15 @@ class WireDecoder : public LevelSink {
   const std::function<void()> _onFound;
   const std::function<void(const WireCharacter &)> _onCharacter;
   const std::function<void(int64_t, bool)> _onLevel;
-  std::vector<std::string> _names;           // of the signals
-  std::vector<std::vector<Level>> _samples;  // of each signal
+  std::vector<std::string> _names;           // the signals'
+  std::vector<std::vector<Level>> _samples;  // by signal
   std::vector<std::string> _others;
   bool _isMeasured = true;
   size_t _chosen = 0;
   FoundWire _wire;
-  std::optional<CharacterDecoder> _decoder;  // none before a signal is chosen
+  std::optional<CharacterDecoder> _decoder;  // once a signal has been chosen
   WireCharacter _character;
-  int64_t _lastNs = INT64_MIN;  // of the newest level
+  int64_t _lastNs = INT64_MIN;  // the newest level's time
   int64_t _endNs = 0;
 };
 

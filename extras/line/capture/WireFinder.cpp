@@ -11,20 +11,20 @@ namespace line {
 namespace {
 
 constexpr double ShortestBitNs = 5000;
-constexpr int LongestPulse = 10;  // bits between two edges of a character: start bit, 00 and its parity bit
+constexpr int LongestPulse = 10;  // bits between two edges of a character: start bit, 00 and parity bit
 
-// Returns how many bits a pulse lasts; 0 if that is no whole number.
+// Returns the number of bits in a pulse; 0 if it is not a whole number.
 int bitsOf(double pulseNs, double bitNs) {
-  constexpr double Tolerance = 0.36;  // 3 % of 10 bits, and what samples and slopes take
+  constexpr double Tolerance = 0.36;  // 3 % of 10 bits, plus sampling and slopes
   const double bits = std::round(pulseNs / bitNs);
   return bits >= 1 && bits <= LongestPulse && std::abs(pulseNs - bits * bitNs) <= Tolerance * bitNs
              ? static_cast<int>(bits)
              : 0;
 }
 
-// Returns the bit time near `bitNs` that fits the pulses best; 0 if a quarter of them does not fit, or nearly all last an
-// even number of bits: then they are bits of half the speed. The high pulses may all be longer than the low ones, since
-// the threshold is not half way up the slopes: hence least squares over both unknowns.
+// Returns the bit time near `bitNs` that fits the pulses best; 0 if a quarter of them do not fit, or if nearly all last
+// an even number of bits, and so are bits at half the speed. All high pulses may be longer than the low ones, if the
+// threshold is not half way up the slopes: hence least squares over two unknowns.
 double fit(const std::vector<Level> &levels, double bitNs) {
   double bits2 = 0, bitsSign = 0, bitsNs = 0, signNs = 0;
   int fitting = 0;
@@ -94,9 +94,9 @@ std::vector<int64_t> pulses(const std::vector<Level> &levels) {
   return lengths;
 }
 
-// Returns the time that all pulses are multiples of, if there is one: most probably the time between two samples.
+// Returns the common divisor of all pulses, if there is one: most probably the time between two samples.
 double gridNs(const std::vector<int64_t> &lengths) {
-  constexpr double RoundingNs = 50;  // times of a capture are rounded, some more than once
+  constexpr double RoundingNs = 50;  // a capture's times are rounded, some more than once
   double grid = 0;
   for (const int64_t length : lengths) {
     double a = static_cast<double>(length);
@@ -114,13 +114,13 @@ double gridNs(const std::vector<int64_t> &lengths) {
   return grid;
 }
 
-// Returns how long all but the glitches last at least; 0 without pulses.
+// Returns the length of the shortest pulse that is not a glitch; 0 without pulses.
 double shortest(const std::vector<int64_t> &lengths) {
   return lengths.empty() ? 0 : static_cast<double>(lengths[lengths.size() / 20]);
 }
 
 bool lastsABit(double ns) {
-  constexpr double SampleNs = 1100;  // at 1 MHz, and a little more
+  constexpr double SampleNs = 1100;  // at 1 MHz, with a margin
   return std::abs(ns - ShortestBitNs) < SampleNs || std::abs(ns - 2 * ShortestBitNs) < SampleNs;
 }
 
@@ -181,7 +181,7 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
   }
   const double pulseNs = shortest(lengths);
   const double grid = gridNs(lengths);
-  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the grid may be that of bits
+  const double sampledNs = periodNs > 0 ? periodNs : grid < 0.7 * pulseNs ? grid : 0;  // the divisor may be a bit
   const std::string slow = tooSlow(sampledNs, 2 * ShortestBitNs);
   if (!slow.empty()) {
     return slow;

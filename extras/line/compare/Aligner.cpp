@@ -57,8 +57,8 @@ void Aligner::setCommon() {
   }
 }
 
-// Returns how many frames in a row have the channels of `first`, with those from `next` on; 0 if the end is not there
-// yet.
+// Returns the length of the run of frames with the channels of `first`, which continues at `next`; 0 if its end is not
+// known yet.
 size_t Aligner::runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const {
   size_t run = 1;
   while (next < frames.size() && isSame(frames[next].values, first.values)) {
@@ -91,13 +91,13 @@ void Aligner::knownUntil(size_t side, int64_t us) {
 void Aligner::finish() {
   work(true);
   leave(INT64_MAX);
-  pairLeft(INT64_MAX);
-  sayBefore(INT64_MAX);
+  pairUnmatched(INT64_MAX);
+  emitBefore(INT64_MAX);
 }
 
 void Aligner::work(bool isEnd) {
-  sayAlone(0);
-  sayAlone(1);
+  giveUpOld(0);
+  giveUpOld(1);
   if (!_hasDelay && !findDelay(isEnd)) {
     return;
   }
@@ -111,19 +111,19 @@ void Aligner::work(bool isEnd) {
     frames.pop_front();
     match(frame);
     leave(expectedUs - WindowUs);
-    pairLeft(frame.us - 2 * WindowUs);
-    sayBefore(frame.us - 3 * WindowUs);
+    pairUnmatched(frame.us - 2 * WindowUs);
+    emitBefore(frame.us - 3 * WindowUs);
   }
-  // Without frames of the first one, those of the second are left once their time has passed.
+  // Without frames from the first source, those of the second remain unmatched once their time has passed.
   if (!isEnd && frames.empty()) {
     const int64_t us = std::min<int64_t>(_sides[0].knownUs, _sides[1].knownUs - std::llround(_delayUs));
     leave(us + std::llround(_delayUs) - 2 * WindowUs);
-    pairLeft(us - 3 * WindowUs);
-    sayBefore(us - 4 * WindowUs);
+    pairUnmatched(us - 3 * WindowUs);
+    emitBefore(us - 4 * WindowUs);
   }
 }
 
-// Each change that occurs once on either side votes for a delay. Returns true once the delay is found, or given up.
+// Each change that occurs exactly once on both sides votes for a delay. Returns true once it is found or given up.
 bool Aligner::findDelay(bool isEnd) {
   const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
   if (knownUs == NeverUs && !isEnd) {
@@ -177,7 +177,7 @@ bool Aligner::findDelay(bool isEnd) {
   return _hasDelay;
 }
 
-// Sets the shorter frame period of both.
+// Sets the period to the shorter frame period of the two.
 void Aligner::findPeriod() {
   int64_t leastUs = INT64_MAX;
   for (const Side &side : _sides) {
@@ -194,9 +194,8 @@ void Aligner::findPeriod() {
   _periodUs = leastUs < INT64_MAX ? std::min<int64_t>(std::max<int64_t>(leastUs, 4000), 30000) : _periodUs;
 }
 
-// Takes the frame of the second side with which a run of the same length begins, if one begins here: receivers whose
-// clocks differ repeat a frame at other times. Otherwise takes the nearest one with these channels, within half a
-// period.
+// If a run begins here, takes the second side's frame that begins a run of the same length: receivers with different
+// clocks repeat a frame at different times. Otherwise takes the nearest one with these channels within half a period.
 void Aligner::match(const Frame &frame) {
   std::deque<Frame> &others = _sides[1].frames;
   const int64_t expectedUs = frame.us + std::llround(_delayUs);
@@ -215,11 +214,11 @@ void Aligner::match(const Frame &frame) {
     }
   }
   if (best == others.size()) {
-    _sides[0].left.push_back(frame);
+    _sides[0].unmatched.push_back(frame);
     return;
   }
   const auto end = others.begin() + static_cast<std::ptrdiff_t>(best);
-  _sides[1].left.insert(_sides[1].left.end(), others.begin(), end);
+  _sides[1].unmatched.insert(_sides[1].unmatched.end(), others.begin(), end);
   add(frame, *end, true);
   if (!isLate(frame.us)) {
     _delayUs += (static_cast<double>(end->us - frame.us) - _delayUs) / (leastUs > _periodUs / 2 ? 1 : 16);
@@ -227,19 +226,19 @@ void Aligner::match(const Frame &frame) {
   others.erase(others.begin(), end + 1);
 }
 
-// Gives up the second side's frames before this time of theirs.
+// Gives up the second side's frames before this time, in its own clock.
 void Aligner::leave(int64_t beforeUs) {
   std::deque<Frame> &others = _sides[1].frames;
   while (!others.empty() && others.front().us < beforeUs) {
-    _sides[1].left.push_back(others.front());
+    _sides[1].unmatched.push_back(others.front());
     others.pop_front();
   }
 }
 
-// Those that are left, and are at the same time, are a pair with different contents.
-void Aligner::pairLeft(int64_t beforeUs) {
+// Unmatched frames at the same time are a pair with different contents.
+void Aligner::pairUnmatched(int64_t beforeUs) {
   const int64_t delayUs = std::llround(_delayUs);
-  std::deque<Frame> &ones = _sides[0].left, &others = _sides[1].left;
+  std::deque<Frame> &ones = _sides[0].unmatched, &others = _sides[1].unmatched;
   while (!ones.empty() || !others.empty()) {
     const int64_t oneUs = ones.empty() ? INT64_MAX : ones.front().us;
     const int64_t otherUs = others.empty() ? INT64_MAX : others.front().us - delayUs;
@@ -253,8 +252,8 @@ void Aligner::pairLeft(int64_t beforeUs) {
       others.pop_front();
       continue;
     }
-    addOnly(side, std::min(oneUs, otherUs), _sides[side].left.front());
-    _sides[side].left.pop_front();
+    addOnly(side, std::min(oneUs, otherUs), _sides[side].unmatched.front());
+    _sides[side].unmatched.pop_front();
   }
 }
 
@@ -283,20 +282,20 @@ bool Aligner::isLate(int64_t us) const {
   return false;
 }
 
-// Before the delay is known: gives up what came a minute and more before the other side's first frame.
-void Aligner::sayAlone(size_t side) {
+// Before the delay is known: gives up frames from a minute or more before the other side's first frame.
+void Aligner::giveUpOld(size_t side) {
   std::deque<Frame> &frames = _sides[side].frames;
   const Side &other = _sides[1 - side];
   while (!_hasDelay && other.frames.empty() && !frames.empty() && frames.front().us < other.knownUs - TryMostUs) {
     addOnly(side, frames.front().us, frames.front());
-    sayBefore(INT64_MAX);
+    emitBefore(INT64_MAX);
     frames.pop_front();
   }
 }
 
-void Aligner::sayBefore(int64_t us) {
+void Aligner::emitBefore(int64_t us) {
   while (!_found.empty() && _found.begin()->first < us) {
-    _say(_found.begin()->first, _found.begin()->second);
+    _onFinding(_found.begin()->first, _found.begin()->second);
     _found.erase(_found.begin());
   }
 }

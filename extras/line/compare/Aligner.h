@@ -1,4 +1,4 @@
-// Finds which frame of one source is which of another, by their contents. It keeps a few seconds, a minute at most.
+// Matches the frames of two sources by their contents. It keeps a few seconds, a minute at most.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace line {
 
-// What was found, at a time of the first source.
+// A finding, at a time of the first source.
 struct Alignment {
   enum class Kind { Pair, Only };
 
   Kind kind;
   size_t side;  // of Only: 0 is the first source
   std::array<std::optional<Values>, 2> values;
-  int64_t delayUs;     // of Pair: how much later the second one is
+  int64_t delayUs;     // of Pair: the second one's delay
   bool isSameContent;  // of Pair: all channels that both have
   bool isLate;         // the PC was late: what it read then came some time before
 };
@@ -39,19 +39,19 @@ inline bool haveSwitches(const Values &a, const Values &b) {
 
 class Aligner {
  public:
-  // Calls `say` with each finding in the order of their times.
-  explicit Aligner(std::function<void(int64_t us, const Alignment &)> say) : _say(std::move(say)) {}
+  // Calls `onFinding` with each finding in the order of time.
+  explicit Aligner(std::function<void(int64_t us, const Alignment &)> onFinding) : _onFinding(std::move(onFinding)) {}
 
   // Takes the next frame of a side, 0 or 1. It came at most `lateUs` earlier.
   void put(size_t side, int64_t us, const Values &values, int64_t lateUs = 0);
 
-  // Takes the time up to which no other frame came.
+  // Takes the time up to which there are no further frames.
   void knownUntil(size_t side, int64_t us);
 
-  // Takes the end of both.
+  // Takes the end of both sources.
   void finish();
 
-  // Returns true if the delay was found by contents, false if the times were taken for the same.
+  // Returns true if the delay was found by contents, false if the clocks were assumed to agree.
   bool isByContents() const { return _isByContents; }
 
  private:
@@ -59,12 +59,12 @@ class Aligner {
 
   struct Frame {
     int64_t us;
-    bool isChange;  // its channels are not those of a frame before
+    bool isChange;  // its channels differ from the previous frame's
     Values values;
   };
   struct Side {
-    std::deque<Frame> frames;                      // that are still to be matched
-    std::deque<Frame> left;                        // that matched nothing
+    std::deque<Frame> frames;  // still to be matched
+    std::deque<Frame> unmatched;
     std::deque<std::pair<int64_t, int64_t>> late;  // when the PC was late, in the side's times
     int64_t knownUs = NeverUs;
   };
@@ -79,14 +79,14 @@ class Aligner {
   void findPeriod();
   void match(const Frame &frame);
   void leave(int64_t beforeUs);
-  void pairLeft(int64_t beforeUs);
+  void pairUnmatched(int64_t beforeUs);
   bool isLate(int64_t us) const;
   void add(const Frame &a, const Frame &b, bool isSameContent);
   void addOnly(size_t side, int64_t us, const Frame &frame);
-  void sayAlone(size_t side);
-  void sayBefore(int64_t us);
+  void giveUpOld(size_t side);
+  void emitBefore(int64_t us);
 
-  const std::function<void(int64_t us, const Alignment &)> _say;
+  const std::function<void(int64_t us, const Alignment &)> _onFinding;
   std::array<Side, 2> _sides;
   std::array<std::optional<Values>, 2> _newest;
   unsigned _channels = 0;     // that both sides have; before both have a frame, those of one
@@ -96,7 +96,7 @@ class Aligner {
   bool _isByContents = false;
   double _delayUs = 0;  // follows the clocks
   int64_t _periodUs = 9000;
-  int64_t _tryUs = NeverUs;  // when to look for the delay again
+  int64_t _tryUs = NeverUs;  // when to search for the delay again
 };
 
 }  // namespace line

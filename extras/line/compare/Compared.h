@@ -1,4 +1,4 @@
-// One of two lines that are compared: its frames, on their way to the Aligner.
+// One of the two lines being compared: passes its frames to the Aligner.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class Compared {
   Compared(const Compared &) = delete;
   Compared &operator=(const Compared &) = delete;
 
-  // Sets what is added to its times; none of its frames comes before time 0.
+  // Sets the offset to add to its times. Its frames begin at time 0 or later.
   void begin(int64_t laterUs) {
     _laterUs = laterUs;
     _aligner.knownUntil(_side, timeOf(0));
@@ -37,7 +37,7 @@ class Compared {
   Observer &observer() { return _observer; }
 
  private:
-  static constexpr int64_t HeldUs = 100000;  // a frame may wait for what follows it
+  static constexpr int64_t HeldUs = 100000;  // a frame may wait for the next bytes
 
   int64_t timeOf(uint64_t us) const { return static_cast<int64_t>(us) + _laterUs; }
 

@@ -114,7 +114,7 @@ Comparison::Counts Comparison::soFar() const {
   return counts;
 }
 
-// What one has after the other's last frame is not lost.
+// Frames after the other source's last one do not count as lost.
 void Comparison::finish() {
   for (const size_t side : {size_t{0}, size_t{1}}) {
     if (_open[side] && _open[side]->isMissing) {

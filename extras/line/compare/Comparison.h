@@ -1,4 +1,4 @@
-// Counts what an Aligner has found: who lost what, the delay, the first difference.
+// Counts an Aligner's findings: lost frames, delays, the first difference.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace line {
 
-// A time in which one source has lost what the other has.
+// A time in which one source lost frames that the other has.
 struct LostSpan {
-  size_t side;  // that lost it: 0 is the first source
+  size_t side;  // the one that lost frames: 0 is the first source
   int64_t fromUs;
   int64_t toUs;
   unsigned long frames;
@@ -32,7 +32,7 @@ class Comparison {
     std::array<unsigned, 2> values;
   };
 
-  // By source where there are two.
+  // Arrays of two are indexed by source.
   struct Counts {
     std::array<unsigned long, 2> frames{};
     std::array<unsigned long, 2> alone{};  // before the other's first frame or after its last
@@ -47,7 +47,7 @@ class Comparison {
     Delays delays;
   };
 
-  // Calls `tell` with each span when it has ended.
+  // Calls `tell` with each span at its end.
   explicit Comparison(std::function<void(const LostSpan &)> tell) : _tell(std::move(tell)) {}
 
   void put(int64_t us, const Alignment &found);
@@ -64,7 +64,7 @@ class Comparison {
  private:
   struct Span {
     LostSpan span;
-    bool isMissing;  // no frame came
+    bool isMissing;  // there was no frame
   };
 
   void putPair(int64_t us, const Alignment &found);

@@ -1,5 +1,5 @@
-// Statistics of delays in bounded memory: the median by a histogram whose buckets get wider, the drift by a line
-// through all of them.
+// Statistics of delays in bounded memory: the median from a histogram with widening buckets, the drift from a line
+// fitted to all of them.
 #pragma once
 
 #include <algorithm>
@@ -46,13 +46,13 @@ class Delays {
     return 0;
   }
 
-  // Returns the delay at `us`, by a line through all of them.
+  // Returns the delay at `us` on the fitted line.
   double at(int64_t us) const {
     const auto n = static_cast<double>(std::max(_count, 1UL));
     return static_cast<double>(_zeroUs) + _y / n + driftPpm() * (static_cast<double>(us - _firstUs) / 1e6 - _x / n);
   }
 
-  // Returns how much the delay grows, in us a second: the clocks' difference in parts per million.
+  // Returns the growth of the delay in us per second: the clocks' difference in parts per million.
   double driftPpm() const {
     const auto n = static_cast<double>(_count);
     const double spread = n * _xx - _x * _x;

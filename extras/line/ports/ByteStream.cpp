@@ -43,7 +43,7 @@ bool ByteStream::wait() {
   return true;
 }
 
-// Reads more bytes, if any wait. Ctrl-C ends the waiting.
+// Reads waiting bytes, if any. Ctrl-C interrupts the wait.
 void ByteStream::fill(uint64_t nowUs) {
   if (!_begin.empty()) {
     const size_t count = std::min(_begin.size(), ReadMax);

@@ -10,10 +10,10 @@
 
 namespace line {
 
-// A pipe brings a frame in pieces, as a port does. It holds back bytes that come faster than on a line.
+// A pipe delivers a frame in pieces, like a port. Bytes that arrive faster than on a line are held back.
 class ByteStream : public Line {
  public:
-  // Reads `file`, which the caller closes; `begin` came out of it before. If `patient`, next() waits for bytes,
+  // Reads `file`, which the caller closes; `begin` has already been read from it. If `patient`, next() waits for bytes,
   // whatever the time, and there is no silence between them. Throws std::runtime_error.
   ByteStream(const std::string &name, int file, std::string begin, uint32_t characterUs, bool patient);
   ByteStream(const ByteStream &) = delete;
@@ -21,7 +21,7 @@ class ByteStream : public Line {
 
   bool next(uint64_t nowUs, Character &character) override;
   bool finished(uint64_t nowUs) const override;
-  // Returns the time up to which all bytes have come. After its end the stream is silent.
+  // Returns the time up to which all bytes are known. After its end the stream is silent.
   uint64_t knownUs(uint64_t nowUs) const override { return _ended && _waiting.empty() ? nowUs : _reads.knownUs(); }
   bool wait() override;
   std::string failure() const override { return _failure; }

@@ -1,4 +1,4 @@
-// Asks a port to hand its bytes over at once, and restores the setting in the end.
+// Asks a port to deliver its bytes at once, and restores the setting at the end.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ class LowLatency {
  public:
   using Control = int (*)(int file, unsigned long request, ...);  // ioctl()
 
-  // Does nothing where the system, such as any but Linux, or the adapter does not allow it.
+  // Does nothing if the adapter does not allow it, or on a system other than Linux.
   explicit LowLatency(int file, Control control = nullptr);
   ~LowLatency();
   LowLatency(const LowLatency &) = delete;
@@ -19,13 +19,13 @@ class LowLatency {
  private:
   const int _file = -1;
   const Control _control = nullptr;
-  bool _isOurs = false;  // this object has set it
+  bool _isOurs = false;  // set by this object
 };
 
-// Returns the file that holds the latency timer of an FTDI adapter, in ms. `device` may be a link.
+// Returns the file with the latency timer of an FTDI adapter, in ms. `device` may be a link.
 std::string latencyFile(const std::string &device);
 
-// Returns the ms in that file; none if there is no such file.
+// Returns the ms in that file; nothing if there is no such file.
 std::optional<unsigned> latencyMs(const std::string &file);
 
 }  // namespace line

@@ -25,7 +25,7 @@ bool configure(sp_port *port, const LineSettings &settings) {
          sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE) == SP_OK;
 }
 
-// Returns true if the port runs at this rate: some drivers accept any rate, and run at the nearest one that they have.
+// Returns true if the port runs at this rate: some drivers accept any rate, but use the nearest one that they support.
 bool runsAt(sp_port *port, int wanted) {
   sp_port_config *config = nullptr;
   int baud = 0;
@@ -34,7 +34,7 @@ bool runsAt(sp_port *port, int wanted) {
   }
   const bool known = sp_get_config(port, config) == SP_OK && sp_get_config_baudrate(config, &baud) == SP_OK;
   sp_free_config(config);
-  return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: what 12 bits can bear
+  return known && std::abs(baud - wanted) <= wanted / 50;  // 2 %: the tolerance of 12 bits
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ PortFile::PortFile(const std::string &device, const LineSettings &settings, Way 
     throw std::runtime_error(openError(device, 0, "unknown to the system"));
   }
   _port.reset(port);
-  // A port to write to, too: Windows does not tell its settings otherwise.
+  // A port to write to is also opened for reading: otherwise Windows does not return its settings.
   if (sp_open(port, way == Way::Read ? SP_MODE_READ : SP_MODE_READ_WRITE) != SP_OK) {
     const int number = sp_last_error_code();
     throw std::runtime_error(openError(device, number, lastError()));

@@ -1,4 +1,4 @@
-// An open serial port of this PC; or a pseudo-terminal, which has no rate and no format.
+// An open serial port of this PC, or a pseudo-terminal, which has neither rate nor format.
 #pragma once
 
 #include <libserialport.h>
@@ -16,24 +16,24 @@ class PortFile {
  public:
   enum class Way { Read, Write };
 
-  // Opens the port with 8 data bits; the polarity is set in the adapter. Throws std::runtime_error, which says what is
+  // Opens the port with 8 data bits; the polarity is set in the adapter. Throws std::runtime_error that says what is
   // wrong and what to do.
   PortFile(const std::string &device, const LineSettings &settings, Way way);
   ~PortFile();
   PortFile(const PortFile &) = delete;
   PortFile &operator=(const PortFile &) = delete;
 
-  // Makes read() put FF 00 before a character with an error, and FF before each FF; discards what has come until now.
+  // Makes read() put FF 00 before a character with an error, and FF before each FF; discards the bytes received so far.
   // Returns false if the system does not report parity and framing errors.
   bool markErrors();
 
-  // Reads without waiting, up to `size` bytes, 3 at least. Returns how many; -1 if the port has gone.
+  // Reads up to `size` bytes, at least 3, without waiting. Returns their number; -1 if the port is gone.
   std::ptrdiff_t read(uint8_t *bytes, size_t size);
 
-  // Writes without waiting. Returns how many bytes; -1 if the port has gone.
+  // Writes without waiting. Returns the number of bytes; -1 if the port is gone.
   std::ptrdiff_t write(const uint8_t *bytes, size_t size);
 
-  // Waits up to `ms` until bytes have come.
+  // Waits up to `ms` for bytes.
   void wait(int ms);
 
   // Returns the file descriptor; -1 on Windows.
@@ -49,10 +49,10 @@ class PortFile {
 
   std::unique_ptr<sp_port, Close> _port;  // null for a pseudo-terminal
   int _file = -1;                         // a pseudo-terminal's
-  bool _errors = false;                   // Windows: among the characters that wait
+  bool _errors = false;                   // Windows: waiting characters have errors
 };
 
-// Returns true for the name of a pseudo-terminal, which libserialport does not know.
+// Returns true for the name of a pseudo-terminal, which libserialport does not support.
 inline bool isPseudoTerminal(const std::string &name) {
   return name.rfind("/dev/pts/", 0) == 0 || name.rfind("/dev/ttys", 0) == 0;  // Linux, macOS
 }

@@ -1,6 +1,6 @@
-// Turns the reads of a port into characters with times. A port hands bytes over late and in bursts: an FTDI adapter
-// every 16 ms, in packets of 62. Bytes that came in one read may have any gaps between them. Between two reads the line
-// was silent only for as long as the port was found empty, less the port's latency.
+// Turns the reads of a port into characters with times. A port delivers bytes late and in bursts: an FTDI adapter every
+// 16 ms, in packets of 62. Within a read there may be any gaps between bytes. Between two reads the line was certainly
+// silent only while the port was empty, less the port's latency.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@ class PortReads {
   explicit PortReads(uint32_t characterUs = CharacterUs, uint32_t latencyUs = UsualLatencyUs)
       : _characterUs(characterUs), _lateUs(latencyUs + SystemUs) {}
 
-  // Takes a read at `nowUs` that found nothing.
+  // Takes an empty read at `nowUs`.
   void empty(uint64_t nowUs) { _emptyUs = nowUs; }
 
-  // Takes a read at `nowUs` that brought this many characters: get each by next(). None ends more than `aheadUs` after
-  // the read: after a stall of the PC, reads bring at once what came in seconds.
+  // Takes a read of `count` characters at `nowUs`; get each with next(). None ends more than `aheadUs` after the read:
+  // after the PC stalls, a read returns the bytes of seconds at once.
   void begin(size_t count, uint64_t nowUs, uint64_t aheadUs = UINT64_MAX) {
     _latestUs = aheadUs < UINT64_MAX ? nowUs + aheadUs : UINT64_MAX;
     const uint64_t earliestUs = nowUs - std::min(nowUs, uint64_t{count - 1} * _characterUs);
@@ -41,17 +41,17 @@ class PortReads {
     return character;
   }
 
-  // Returns how long after bytes an empty read proves a gap.
+  // Returns how long after the last bytes an empty read proves a gap.
   int knownAfterMs() const { return static_cast<int>(_lateUs / 1000) + 1; }
 
-  // Returns when a read last found that nothing waits.
+  // Returns the time of the last empty read.
   uint64_t emptyUs() const { return _emptyUs; }
 
-  // Returns the time up to which all complete characters have come.
+  // Returns the time up to which all characters are known.
   uint64_t knownUs() const { return _emptyUs - std::min<uint64_t>(_emptyUs, _lateUs); }
 
  private:
-  static constexpr uint32_t SystemUs = 2000;  // from the adapter through USB and the system, on a busy PC
+  static constexpr uint32_t SystemUs = 2000;  // delay by USB and the system, on a busy PC
 
   uint32_t _characterUs;
   uint32_t _lateUs;

@@ -14,14 +14,14 @@ class PseudoTerminal {
   PseudoTerminal(const PseudoTerminal &) = delete;
   PseudoTerminal &operator=(const PseudoTerminal &) = delete;
 
-  const std::string &name() const { return _name; }  // what a reader opens
+  const std::string &name() const { return _name; }  // for the reader to open
 
   bool hasReader() const;
 
-  // Writes without waiting: bytes that no program reads are lost, as on the board's USB. Returns how many were written.
+  // Writes without waiting; bytes that no program reads are lost, as on a board's USB. Returns the number written.
   size_t write(const uint8_t *bytes, size_t size);
 
-  // Reads without waiting what was written to the other end, up to `size` bytes. Returns how many it has read.
+  // Reads up to `size` bytes written to the other end, without waiting. Returns the number read.
   size_t read(uint8_t *bytes, size_t size);
 
  private:

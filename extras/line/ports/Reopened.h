@@ -1,5 +1,5 @@
-// A port on a device that may go and come back: an adapter that is unplugged and plugged in again. A pseudo-terminal does
-// not come back: the next one with its name may belong to another program.
+// A port that may disappear and come back: an adapter that is unplugged and plugged in again. A pseudo-terminal never
+// comes back: the next one with its name may belong to another program.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ class Reopened {
  public:
   using Open = std::function<std::unique_ptr<Port>()>;
 
-  // Opens the port; throws what `open` throws, std::runtime_error.
+  // Opens the port. Throws std::runtime_error from `open`.
   Reopened(std::string device, Open open) : _device(std::move(device)), _open(std::move(open)), _port(_open()) {}
 
-  // Returns the port; nullptr while it is gone. Tries again now and then.
+  // Returns the port; nullptr while it is gone. Retries from time to time.
   Port *at(uint64_t nowUs) {
-    if (!_port && nowUs >= _retryUs && comesBack()) {
+    if (!_port && nowUs >= _retryUs && canComeBack()) {
       _retryUs = nowUs + RetryUs;
       reopen();
     }
@@ -33,27 +33,27 @@ class Reopened {
   // Notes that the port is gone.
   void gone() {
     _port.reset();  // while it is open, the system would give the adapter another name
-    _news = _device + (comesBack() ? ": the port is gone; plug the adapter in again to go on"
+    _news = _device + (canComeBack() ? ": the port is gone; plug the adapter in again to go on"
                                    : ": the program at the other end is gone");
   }
 
   // Returns true if it is gone and will not come back.
-  bool finished() const { return !_port && !comesBack(); }
+  bool finished() const { return !_port && !canComeBack(); }
 
-  // Returns the news as Line::news() does.
+  // See Line::news().
   std::string news() { return std::exchange(_news, {}); }
 
  private:
   static constexpr uint64_t RetryUs = 500000;
 
-  bool comesBack() const { return !isPseudoTerminal(_device); }
+  bool canComeBack() const { return !isPseudoTerminal(_device); }
 
   void reopen() {
     try {
       _port = _open();
       _news = _device + ": the port is back";
     } catch (const std::runtime_error &) {
-      // It tries again: just after its return a port may still belong to root.
+      // Try again: a port that has just come back may still belong to root.
     }
   }
 

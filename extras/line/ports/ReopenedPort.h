@@ -1,4 +1,4 @@
-// A serial port whose adapter may be unplugged and plugged in again.
+// A serial port with an adapter that may be unplugged and plugged in again.
 #pragma once
 
 #include "line/ports/Reopened.h"
@@ -8,7 +8,7 @@ namespace line {
 
 class ReopenedPort : public Line {
  public:
-  // Opens the port. Throws std::runtime_error if that is not possible now.
+  // Opens the port. Throws std::runtime_error.
   ReopenedPort(const std::string &device, const LineSettings &settings)
       : _port(device, [=] { return std::make_unique<SerialPort>(device, settings); }) {}
 
@@ -21,7 +21,7 @@ class ReopenedPort : public Line {
 
  private:
   Reopened<SerialPort> _port;
-  SerialPort *_open = nullptr;  // none while it is gone
+  SerialPort *_open = nullptr;  // null while it is gone
 };
 
 }  // namespace line

@@ -1,4 +1,4 @@
-// Sends over a serial port of this PC, whose adapter may be unplugged and plugged in again.
+// Sends over a serial port of this PC. The adapter may be unplugged and plugged in again.
 #pragma once
 
 #include "line/ports/PortFile.h"
@@ -8,14 +8,14 @@ namespace line {
 
 class SendingPort {
  public:
-  // Opens the port. Throws std::runtime_error if that is not possible now.
+  // Opens the port. Throws std::runtime_error.
   SendingPort(const std::string &device, const LineSettings &settings)
       : _port(device, [=] { return std::make_unique<PortFile>(device, settings, PortFile::Way::Write); }) {}
 
-  // Writes without waiting: bytes are lost if the port cannot take them, or is gone. Returns how many were written.
+  // Writes without waiting; bytes are lost if the port is full or gone. Returns the number written.
   size_t write(uint64_t nowUs, const uint8_t *bytes, size_t size);
 
-  // Returns the news as Line::news() does.
+  // See Line::news().
   std::string news() { return _port.news(); }
 
  private:

@@ -40,7 +40,7 @@ bool SerialPort::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
-// After bytes the next read is due when it can prove that the line fell silent.
+// After bytes, the next read is due when it can prove that the line is silent.
 bool SerialPort::wait() {
   _port.wait(_isSilent ? IdleMs : _reads.knownAfterMs());
   return true;
@@ -57,7 +57,7 @@ std::string SerialPort::note() const {
                    " ms, which hides the gaps between frames. To see them: echo 1 | sudo tee " + _latencyFile;
 }
 
-// Reads the clock: the caller's time may be older than the bytes.
+// Reads the clock, since the caller's time may be older than the bytes.
 uint64_t SerialPort::nowUs() const {
   return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - _zero).count());
 }
@@ -94,7 +94,7 @@ void SerialPort::take(const uint8_t *bytes, size_t count) {
   }
 }
 
-// Takes a byte with its marks. Returns true if the character is complete.
+// Takes a byte or a mark. Returns true if a character is complete.
 bool SerialPort::unmark(uint8_t byte, Character &character) {
   if (_mark == Mark::None && byte == 0xFF) {
     _mark = Mark::Escape;

@@ -1,4 +1,4 @@
-// A real receiver, at a serial port of this PC: an adapter whose RXD is inverted, or with an inverter in front of it.
+// A real receiver at a serial port of this PC: an adapter with inverted RXD, or with an inverter in front of it.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@ namespace line {
 
 class SerialPort : public Line {
  public:
-  // Opens the port. Throws std::runtime_error, which says what is wrong and what to do.
+  // Opens the port. Throws std::runtime_error that says what is wrong and what to do.
   explicit SerialPort(const std::string &device, const LineSettings &settings = {});
 
   bool next(uint64_t nowUs, Character &character) override;
@@ -27,7 +27,7 @@ class SerialPort : public Line {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // PortFile puts FF 00 before a character with an error, and hands over FF as FF FF.
+  // PortFile puts FF 00 before a character with an error, and doubles each FF.
   enum class Mark { None, Escape, Bad };
 
   uint64_t nowUs() const;
@@ -39,7 +39,7 @@ class SerialPort : public Line {
   PortFile _port;
   LowLatency _lowLatency;
   std::string _latencyFile;
-  std::optional<unsigned> _latencyMs;  // none: not known
+  std::optional<unsigned> _latencyMs;  // nothing if unknown
   PortReads _reads;
   std::string _failure;
 
@@ -48,7 +48,7 @@ class SerialPort : public Line {
   bool _started = false;
   Clock::time_point _zero;
   uint64_t _lastReadUs = 0;
-  bool _isSilent = false;  // for longer than bytes may be late
+  bool _isSilent = false;  // for longer than bytes can be delayed
 };
 
 }  // namespace line

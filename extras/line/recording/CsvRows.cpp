@@ -13,7 +13,7 @@ namespace {
 constexpr size_t LineMax = 1024;
 constexpr size_t ColumnsMax = 64;
 constexpr size_t LeastColumns = 2;
-constexpr size_t LeastText = 4;  // characters: fewer between two 0A come by chance
+constexpr size_t LeastText = 4;  // characters: fewer between two 0A occur by chance
 
 // strtod() would also take "0x1F" and "inf".
 bool isNumber(const std::string &text) {
@@ -49,8 +49,8 @@ CsvKind kindOf(const std::string &text) {
   return known == std::end(Names) ? CsvKind::Channel : known->kind;
 }
 
-constexpr size_t FlagColumns = 6;     // of examples/DecodeSBus
-constexpr size_t SwitchColumns = 18;  // of examples/AllChannels
+constexpr size_t FlagColumns = 6;     // examples/DecodeSBus
+constexpr size_t SwitchColumns = 18;  // examples/AllChannels
 
 bool mayHaveFlags(size_t columns) {
   return columns == FlagColumns || columns == SwitchColumns;
@@ -103,7 +103,7 @@ CsvKind CsvRows::kind(size_t column) const {
                                 : (isLast ? CsvKind::Switch18 : CsvKind::Switch17);
 }
 
-// Splits at commas; without commas at tabs; without both at blanks.
+// Splits at commas; without any at tabs; otherwise at blanks.
 void CsvRows::split() {
   _row.clear();
   std::string_view rest = withoutBlanks(_line);

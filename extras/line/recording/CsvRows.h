@@ -1,4 +1,4 @@
-// The rows of numbers that a sketch prints, as serial plotters take them: 1048,992,172,992,0,1 or 1048 992 or
+// The rows of numbers that a sketch prints for serial plotters: 1048,992,172,992,0,1 or 1048 992 or
 // throttle:172,roll:992, with commas, tabs or blanks. A row ends with \n, \r\n, or \r as in the paper.
 #pragma once
 
@@ -13,51 +13,50 @@
 namespace line {
 
 struct CsvField {
-  std::string text;  // the number as it was printed
-  std::string name;  // of "name:number"; otherwise empty
+  std::string text;  // the number as printed
+  std::string name;  // from "name:number"; otherwise empty
   double value = 0;
   bool isNumber = false;
 };
 
 using CsvRow = std::vector<CsvField>;
 
-// What a column holds.
 enum class CsvKind { Channel, Failsafe, LostFrame, Switch17, Switch18 };
 
 // Returns the settings of a sketch's Serial: 115200 baud, 8N1.
 LineSettings csvSettings();
 
-// Finds a sketch's rows among the bytes of a port; the bytes of S.Bus are no text.
+// Finds a sketch's rows among the bytes of a port; the bytes of S.Bus are not text.
 class CsvRows {
  public:
-  // Takes the next byte. Returns true if it has completed a row, or a line of other words.
+  // Takes the next byte. Returns true if it completes a row, or a line with other words.
   bool put(uint8_t byte);
 
-  // Takes the next character of a port; one with an error is no text.
+  // Takes the next character of a port; one with an error is not text.
   bool put(const Character &character) { return put(character.bad ? uint8_t{0} : character.value); }
 
-  // Returns the fields of the newest line: 64 at most, from its first 1024 bytes.
+  // Returns the fields of the newest line: at most 64, from its first 1024 bytes.
   const CsvRow &row() const { return _row; }
 
-  // Returns what a column of the newest row holds, by its name or by a line of names before the rows. Without names the
-  // last two of 6 are flags, as examples/DecodeSBus prints them, and the last two of 18 are switches, as
-  // examples/AllChannels prints them, as long as only 0 and 1 have stood there.
+  // Returns what a column of the newest row holds, from its name or from a line of names before the rows. Without
+  // names, the last two of 6 columns are flags, as in examples/DecodeSBus, and the last two of 18 are switches, as in
+  // examples/AllChannels, as long as they hold only 0 and 1.
   CsvKind kind(size_t column) const;
 
-  // Returns how many bytes were no text, since the beginning: many if the baud rate is wrong.
+  // Returns how many bytes so far were not text: many if the baud rate is wrong.
   unsigned garbled() const { return _garbled; }
 
-  // Returns true if the newest line has a comma or a name: no line of a recording has.
+  // Returns true if the newest line has a comma or a name, which no line of a recording has.
   bool isTable() const { return _isTable; }
 
-  // Returns true if the newest line is a sketch's row: 1 or more fields, each a number.
+  // Returns true if the newest line is a sketch's row: one or more fields, all numbers.
   bool isRow() const { return _isRow; }
 
-  // Returns true if the newest line is text: 4 characters or more, and no other bytes.
+  // Returns true if the newest line is text: 4 or more characters, and no other bytes.
   bool isText() const { return _isText; }
 
-  // Returns true once the text is a sketch's: two rows directly after each other, with the same number of columns, 2 or
-  // more. Returns false again when something comes that is no text.
+  // Returns true once the text is a sketch's: two consecutive rows with the same number of columns, 2 or more. Returns
+  // false again after bytes that are not text.
   bool recognised() const { return _recognised; }
 
  private:
@@ -65,8 +64,8 @@ class CsvRows {
   void split();
 
   std::string _line;
-  bool _returned = false;  // the newest byte was a \r, and has ended its line
-  bool _text = true;       // only text has come on this line
+  bool _returned = false;  // the newest byte was a \r that ended its line
+  bool _text = true;       // this line is only text so far
   CsvRow _row;
   CsvRow _names;  // the line before the rows
   unsigned _garbled = 0;
@@ -74,7 +73,7 @@ class CsvRows {
   bool _hasFlags = true;  // the last two columns were 0 or 1
   bool _isText = false;
   bool _isRow = false;
-  size_t _columns = 0;  // of the row before
+  size_t _columns = 0;  // of the previous row
   bool _recognised = false;
 };
 

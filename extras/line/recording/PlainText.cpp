@@ -8,7 +8,7 @@ namespace line {
 namespace {
 
 constexpr std::string_view Utf8Mark = "\xEF\xBB\xBF";
-constexpr uint32_t Replacement = 0xFFFD;  // of half a character
+constexpr uint32_t Replacement = 0xFFFD;  // for half a character
 
 void appendUtf8(std::string &text, uint32_t c) {
   if (c < 0x80) {
@@ -50,13 +50,13 @@ std::string_view PlainText::put(std::string_view bytes) {
 std::string_view PlainText::finish() {
   _text.clear();
   const std::string bytes = std::exchange(_bytes, "");
-  const bool isText = std::exchange(_encoding, Encoding::Bytes) <= Encoding::Bytes;  // half a unit of UTF-16 is none
+  const bool isText = std::exchange(_encoding, Encoding::Bytes) <= Encoding::Bytes;  // half a UTF-16 unit is not text
   _text = std::string(isText ? ended(bytes) : std::string_view());
   _text += std::exchange(_heldCr, false) ? "\n" : "";
   return _text;
 }
 
-// Returns false as long as more bytes are needed.
+// Returns false if more bytes are needed.
 bool PlainText::findEncoding() {
   const std::string_view little("\xFF\xFE", 2);
   const std::string_view big("\xFE\xFF", 2);
@@ -98,7 +98,7 @@ void PlainText::takeUnit(uint32_t unit) {
   }
 }
 
-// Returns the text with LF at the end of each line. It is `text` itself, or _text.
+// Returns the text with LF line ends: `text` itself, or _text.
 std::string_view PlainText::ended(std::string_view text) {
   if (_lineEnd == LineEnd::Unknown) {
     if (std::exchange(_heldCr, false)) {

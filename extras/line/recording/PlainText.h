@@ -1,4 +1,4 @@
-// Turns the bytes of a text file into UTF-8 whose lines end with LF: other programs write UTF-16, or end lines with CR.
+// Converts a text file to UTF-8 with LF line ends: other programs write UTF-16, or end lines with CR.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace line {
 
-// The encoding is known by the byte order mark, which is left out; without a mark the text stays as it is. If the first
-// line ends with a CR alone, all lines do.
+// The byte order mark tells the encoding, and is removed; text without one is unchanged. If the first line ends with a
+// single CR, all lines do.
 class PlainText {
  public:
-  // Takes the next bytes. Returns their text; it is valid until the next call.
+  // Takes the next bytes. Returns their text, which is valid until the next call.
   std::string_view put(std::string_view bytes);
 
   // Takes the end. Returns the rest of the text.
@@ -28,10 +28,10 @@ class PlainText {
 
   Encoding _encoding = Encoding::Unknown;
   LineEnd _lineEnd = LineEnd::Unknown;
-  std::string _bytes;  // that wait for more
-  uint32_t _high = 0;  // the first half of a character of UTF-16
+  std::string _bytes;  // incomplete: more are needed
+  uint32_t _high = 0;  // the first half of a UTF-16 character
   std::string _text;
-  bool _heldCr = false;  // a CR that may be followed by LF
+  bool _heldCr = false;  // a CR, which LF may follow
 };
 
 }  // namespace line

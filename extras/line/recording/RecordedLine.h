@@ -11,11 +11,11 @@ namespace line {
 
 class RecordedLine : public Line {
  public:
-  // The recording begins `leadUs` after the port was opened: otherwise a sketch would miss its first character.
+  // The recording begins `leadUs` after the port is opened: otherwise a sketch would miss its first character.
   explicit RecordedLine(Recording recording, uint64_t leadUs = 0)
       : RecordedLine(std::make_shared<const Recording>(std::move(recording)), leadUs) {}
 
-  // Several lines may play one recording.
+  // Several lines may share a recording.
   explicit RecordedLine(std::shared_ptr<const Recording> recording, uint64_t leadUs = 0)
       : _characters(recording, &recording->characters), _leadUs(leadUs) {}
 
@@ -25,7 +25,7 @@ class RecordedLine : public Line {
 
   uint64_t knownUs(uint64_t nowUs) const override;
 
-  // Returns true a little after the last character, so that the sketch can still print its values.
+  // Returns true a little after the last character, so that a sketch can still print its values.
   bool finished(uint64_t nowUs) const override;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint64_t LateMaxUs = UINT32_MAX;
 
-// Takes the next word off `text`. Returns "" at the end.
+// Removes the next word from `text` and returns it; "" at the end.
 std::string_view takeWord(std::string_view &text) {
   while (!text.empty() && isBlank(text.front())) {
     text.remove_prefix(1);
@@ -69,8 +69,8 @@ bool parseCharacter(std::string_view word, Character &character) {
   return word.size() == 1 || word.size() == 2;
 }
 
-// Returns true for a line of names that begins with a channel: "CH1,CH2".
-bool namesChannel(std::string_view text) {
+// Returns true for a line of column names that begins with a channel: "CH1,CH2".
+bool beginsWithChannel(std::string_view text) {
   size_t digits = 2;
   while (digits < text.size() && text[digits] >= '0' && text[digits] <= '9') {
     digits++;
@@ -81,7 +81,7 @@ bool namesChannel(std::string_view text) {
 
 }  // namespace
 
-bool namesTimes(std::string_view text) {
+bool hasTimeColumn(std::string_view text) {
   const std::string_view first = text.substr(0, text.find(','));
   return first == "time" || first == "seconds";
 }
@@ -121,7 +121,7 @@ std::optional<int64_t> startIn(std::string_view beginning) {
 
 bool isCsvText(std::string_view beginning) {
   beginning = withoutMark(beginning);
-  if (namesTimes(beginning) || namesChannel(beginning)) {
+  if (hasTimeColumn(beginning) || beginsWithChannel(beginning)) {
     return true;
   }
   CsvRows rows;
@@ -134,7 +134,7 @@ bool isCsvText(std::string_view beginning) {
   return false;
 }
 
-// Takes a comment without its #. Only bookmarks mean anything.
+// Takes a comment without its #. Only bookmarks have a meaning.
 void RecordingReader::comment(std::string_view text) {
   const std::string_view word = takeWord(text);
   Bookmark bookmark{};
@@ -163,7 +163,7 @@ std::string RecordingReader::parse(std::string_view line) {
     return quoted(timeWord) + " is not a time: a whole number of microseconds is expected, or a # comment";
   }
   if (_any && character.endUs < _last.endUs + _characterUs) {
-    return "time " + std::to_string(character.endUs) + " is too early: the character before it was complete at " +
+    return "time " + std::to_string(character.endUs) + " is too early: the previous character was complete at " +
            std::to_string(_last.endUs) + " us, and each takes " + std::to_string(_characterUs) + " us";
   }
   character.lateUs = static_cast<uint32_t>(lateUs);
@@ -183,9 +183,9 @@ std::string RecordingReader::parse(std::string_view line) {
 
 void RecordingReader::row(std::string_view text) {
   constexpr uint64_t RowUs = 200000;
-  constexpr uint32_t AtOnceUs = 1;  // so that 111 rows a second with 32 numbers each have room
+  constexpr uint32_t AtOnceUs = 1;  // makes room for 111 rows a second with 32 numbers each
   const size_t comma = text.find(',');
-  _hasTimes = _hasTimes || (!_any && namesTimes(text));
+  _hasTimes = _hasTimes || (!_any && hasTimeColumn(text));
   if (!_hasTimes || comma == std::string_view::npos) {
     putRow(text, (_any ? _last.endUs / RowUs + 1 : 1) * RowUs, _characterUs);
     return;
@@ -196,7 +196,7 @@ void RecordingReader::row(std::string_view text) {
   putRow(text.substr(comma + 1), us, AtOnceUs);
 }
 
-// Adds a row whose first character is complete at `endUs`, or, in rows with times, whose last is.
+// Adds a row. Its first character is complete at `endUs`; its last one, if rows have times.
 void RecordingReader::putRow(std::string_view text, uint64_t endUs, uint32_t characterUs) {
   const std::string row = std::string(text.substr(0, RecordingLineMax / 2)) + '\n';
   if (_hasTimes) {

@@ -1,11 +1,11 @@
 // A recording of a line, as a text file:
 //
 //   # a comment
-//   120 0F E5 03! 1F       microseconds at which the first character was complete, then characters back to back; !
-//                          after one with a wrong parity or stop bit
-//   16120~18000 0F E5      of a port that hands bytes over late: each was complete up to 18000 us earlier, and gaps may
-//                          stand between them
-//   # bookmarks            from here on the ones that count: a list that stands before it was changed
+//   120 0F E5 03! 1F       time in us at which the first character was complete, then back-to-back characters; ! marks
+//                          one with a wrong parity or stop bit
+//   16120~18000 0F E5      from a port that delivers bytes late: each was complete up to 18000 us earlier, and gaps may
+//                          lie between them
+//   # bookmarks            begins a new list of bookmarks, which replaces earlier ones
 //   # bookmark 16120 stall
 #pragma once
 
@@ -24,7 +24,7 @@
 
 namespace line {
 
-// Characters in their order, 8 bytes each, and 16 for each read of a late port: an hour of S.Bus has nine million.
+// Characters in order, 8 bytes each, plus 16 for each read of a late port: an hour of S.Bus has nine million.
 class Characters {
  public:
   class Iterator {
@@ -59,10 +59,10 @@ class Characters {
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size()}; }
 
-  // Returns true if a port has brought some of them late.
+  // Returns true if a port delivered some of them late.
   bool isLate() const { return !_late.empty(); }
 
-  // Returns Line::knownUs() of a line that has brought the first `count` of them.
+  // Returns Line::knownUs() for a line that has delivered the first `count` of them.
   uint64_t knownUs(size_t count, uint64_t nowUs) const {
     const Character next = count < size() ? (*this)[count] : Character{nowUs + CharacterUs};
     return std::min(nowUs, next.endUs - std::min<uint64_t>(next.endUs, CharacterUs + next.lateUs));
@@ -81,10 +81,10 @@ class Characters {
   }
 
   std::deque<uint64_t> _packed;  // a vector would need three times the memory while it grows
-  std::deque<Late> _late;        // where it changes
+  std::deque<Late> _late;        // an entry for each change
 };
 
-// A moment that has a name.
+// A named moment.
 struct Bookmark {
   uint64_t us;
   std::string name;
@@ -93,41 +93,41 @@ struct Bookmark {
 struct Recording {
   Characters characters;
   std::vector<Bookmark> bookmarks;  // in the file's order
-  std::string error;                // what is wrong and what is expected; empty if nothing is
-  unsigned errorLine = 0;           // where, counted from 1; 0 if it is wrong as a whole
+  std::string error;                // what is wrong and what is expected; otherwise empty
+  unsigned errorLine = 0;           // its line, counted from 1; 0 for the recording as a whole
 };
 
 constexpr size_t RecordingLineMax = 4096;                                     // characters of text
-constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  // a year: what is later is a mistake
+constexpr uint64_t RecordingTimeMaxUs = uint64_t{366} * 24 * 3600 * 1000000;  // a year: later times are a mistake
 
-constexpr size_t RecordingBeginning = 4096;  // bytes of a file that show what it is
+constexpr size_t RecordingBeginning = 4096;  // bytes of a file that show its kind
 
-// Returns the settings of the recorded line, by a comment as RecordingWriter::opened() writes it before the first
-// character: Fast S.Bus, or a sketch's Serial, 8N1; S.Bus without such a comment.
+// Returns the settings of the recorded line from RecordingWriter::opened()'s comment before the first character: Fast
+// S.Bus, or a sketch's Serial, 8N1; without the comment S.Bus.
 LineSettings settingsIn(std::string_view beginning);
 
-// Returns when time 0 of the recorded line was, by a comment as RecordingWriter::began() writes it, in us since 1970.
+// Returns time 0 of the recorded line in us since 1970, from RecordingWriter::began()'s comment.
 std::optional<int64_t> startIn(std::string_view beginning);
 
-// Returns true for the line of names over rows with times, as sbus csv and the scope write it.
-bool namesTimes(std::string_view text);
+// Returns true for a line of column names that begins with a time, as sbus csv and the scope write it.
+bool hasTimeColumn(std::string_view text);
 
-// Returns true if the text is no recording, but the rows that a sketch prints.
+// Returns true if the text is not a recording, but a sketch's rows.
 bool isCsvText(std::string_view beginning);
 
-// Takes a recording line by line.
+// Reads a recording line by line.
 class RecordingReader {
  public:
-  // `characterUs` is the time of a character on the line. If `csv`, the lines are a sketch's rows. They come every 200
-  // ms, as the examples print them, or at the times of their first column, if its name is "time" or "seconds", as sbus
-  // csv and the scope write them.
+  // `characterUs` is the time of a character on the line. If `csv`, the lines are a sketch's rows: every 200 ms, as the
+  // examples print them, or at the times in their first column, if its name is "time" or "seconds", as sbus csv and the
+  // scope write them.
   explicit RecordingReader(uint32_t characterUs = CharacterUs, bool csv = false)
       : _characterUs(characterUs), _csv(csv) {}
 
-  // Takes the next line, without its LF. Does nothing once something was wrong.
+  // Takes the next line, without its LF. Does nothing after an error.
   void line(std::string_view text);
 
-  // Returns the characters that have come since the last call.
+  // Returns the characters since the last call.
   Characters take() { return std::exchange(_recording.characters, {}); }
 
   bool isCsv() const { return _csv; }
@@ -135,8 +135,8 @@ class RecordingReader {
   // Returns what is wrong with the newest line, or nothing.
   const std::string &error() const { return _recording.error; }
 
-  // Returns the recording, after its last line: all of it, or what was not taken. With an error, `characters` holds
-  // what came before it.
+  // Returns the recording after its last line: all of it, or the part that take() has not returned. With an error,
+  // `characters` holds those before it.
   Recording finish();
 
  private:
@@ -152,7 +152,7 @@ class RecordingReader {
   Character _last;  // the newest one
   bool _any = false;
   unsigned _number = 0;    // of the last line
-  bool _hasTimes = false;  // of its rows
+  bool _hasTimes = false;  // its rows have times
 };
 
 // Reads the whole text of a recording.

@@ -69,7 +69,7 @@ void LineFile::write(const std::string &lines) {
   _size += _failure.empty() ? static_cast<long>(lines.size()) : 0;
 }
 
-// A full disk takes only a part of a line: then it removes that part.
+// A full disk takes only part of a line; removes that part.
 void LineFile::fail() {
   _failure = _name + ": could not be written completely (" + std::strerror(errno) + ")";
   if (ftruncate(_file, _size) == 0) {

@@ -8,13 +8,13 @@
 
 namespace line {
 
-// Reads a recording. Throws std::runtime_error, which names file and line, if it cannot be read or is wrong.
+// Reads a recording. If it is wrong or cannot be read, throws std::runtime_error with file and line.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
 // Throws std::runtime_error if a file with this name exists and is not empty.
 void requireNew(const std::string &name);
 
-// A text file that grows line by line. It holds whole lines even if the program is killed, or the disk full.
+// A text file that grows line by line. It has only whole lines, even if the program is killed or the disk is full.
 class LineFile {
  public:
   // Opens the file. Throws std::runtime_error if it cannot be written; with `isNew` also if it exists and is not empty.
@@ -23,10 +23,10 @@ class LineFile {
   LineFile(const LineFile &) = delete;
   LineFile &operator=(const LineFile &) = delete;
 
-  // Writes whole lines; nothing more once something has gone wrong.
+  // Writes whole lines; nothing more after an error.
   void write(const std::string &lines);
 
-  // Closes the file. Returns what has gone wrong, or nothing.
+  // Closes the file. Returns the error, if any.
   std::string finish();
 
   const std::string &failure() const { return _failure; }
@@ -51,7 +51,7 @@ class RecordingFile {
     _file.write(_writer.take());
   }
 
-  // Ends the last line and closes the file. Returns what has gone wrong, or nothing.
+  // Ends the last line and closes the file. Returns the error, if any.
   std::string finish() {
     _writer.finish();
     _file.write(_writer.take());

@@ -8,7 +8,7 @@ namespace line {
 
 namespace {
 
-// Each frame has a line of its own, even if the next one follows at once, and no line is too long for a reader.
+// Each frame gets its own line, even if the next one follows at once, and no line is too long for a reader.
 constexpr unsigned LineMax = sbus::FrameSize;
 
 }  // namespace

@@ -12,32 +12,32 @@ namespace line {
 
 class RecordingWriter {
  public:
-  // Writes a comment of one line.
+  // Writes a one-line comment.
   void comment(const std::string &text);
 
-  // Writes a comment that says when time 0 was, in us since 1970, and the version of the format.
+  // Writes a comment with the date of time 0, given in us since 1970, and the version of the format.
   void began(int64_t us);
 
-  // Writes a comment with the line's settings from now on.
+  // Writes a comment with the line's settings from here on.
   void opened(const LineSettings &settings);
 
-  // Writes the next character. One that ends too early for its line gets the earliest time that a reader takes.
+  // Writes the next character. If it ends too early for its line, it gets the earliest time that a reader accepts.
   void put(const Character &character);
 
-  // Ends the last line: at the end, or because the line is silent.
+  // Ends the last line of text, at the end or because the line is silent.
   void finish() { endLine(); }
 
-  // Returns the whole lines since the last call: less than 25 characters wait for their line's end.
+  // Returns the whole lines since the last call: fewer than 25 characters wait for the end of their line.
   std::string take() { return std::exchange(_done, {}); }
 
  private:
   void endLine();
 
   std::string _done;
-  std::string _line;  // not yet complete
+  std::string _line;  // incomplete
   bool _opened = false;
   LineSettings _settings;
-  bool _begun = false;  // a character has come
+  bool _begun = false;  // there was a character
   uint64_t _lastEndUs = 0;
   uint32_t _lateUs = 0;  // of the characters of _line
   unsigned _onLine = 0;  // characters of _line

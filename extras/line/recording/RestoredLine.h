@@ -1,5 +1,5 @@
-// Restores the line of a late port, or a recording of one, for a sketch, which polls a UART: the characters of each
-// frame are back to back, and gaps lie between frames, however the port has handed them over.
+// Restores the line of a late port, or a recording from one, for a sketch, which polls a UART: frames of back-to-back
+// characters, with gaps between frames, however the port delivered them.
 #pragma once
 
 #include <deque>
@@ -25,7 +25,7 @@ class RestoredLine : public Line {
   std::string failure() const override { return _line->failure(); }
 
  private:
-  static constexpr uint64_t PollUs = 200;       // polling the port more often finds nothing
+  static constexpr uint64_t PollUs = 200;       // polling the port more often is useless
   static constexpr uint64_t GapCharacters = 5;  // short enough for a frame every 4 ms
 
   void take(const Stretch &stretch);

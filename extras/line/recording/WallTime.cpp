@@ -10,7 +10,7 @@ namespace {
 constexpr int64_t SecondUs = 1000000;
 constexpr std::string_view Form = "0000-00-00T00:00:00";
 
-// Returns the days since 1970. A year begins in March here: the day that a leap year adds is its last.
+// Returns the days since 1970. Years begin in March here, so that the leap day is the last one.
 int64_t daysSince1970(int year, int month, int day) {
   const int y = month < 3 ? year - 1 : year;
   return int64_t{365} * y + y / 4 - y / 100 + y / 400 + (153 * ((month + 9) % 12) + 2) / 5 + day - 719469;

@@ -1,4 +1,4 @@
-// Dates: when time 0 of a line was.
+// Dates, for time 0 of a line.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,17 @@
 
 namespace line {
 
-// How the comment of a recording with this time begins. 1 is the version of the format.
+// The beginning of a recording's comment with this time. 1 is the version of the format.
 constexpr std::string_view BeganText = "format 1, began ";
 
 // Returns "2026-11-24T15:16:18.123456Z" for microseconds since 1970, UTC.
 std::string wallTime(int64_t us);
 
-// Takes "2026-11-24T15:16:18" off the front, in UTC. Returns what follows it, and the seconds since 1970; nullptr for any
-// other text.
+// Parses "2026-11-24T15:16:18", in UTC, at the front. Returns the text after it, and the seconds since 1970; nullptr
+// for any other text.
 const char *takeDate(const char *text, int64_t &seconds);
 
-// Reads what wallTime() returns; the fraction may have any number of digits, or be missing. Returns false for any other
-// text.
+// Parses wallTime()'s text; the fraction may have any number of digits or be missing. Returns false for any other text.
 bool parseWallTime(std::string_view text, int64_t &us);
 
 }  // namespace line

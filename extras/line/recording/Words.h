@@ -11,7 +11,7 @@ constexpr bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-// Returns the text without the blanks and `mark`s around it.
+// Returns the text without leading and trailing blanks and `mark`s.
 inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {
   const auto goes = [mark](char c) { return isBlank(c) || c == mark; };
   while (!text.empty() && goes(text.front())) {
@@ -23,7 +23,6 @@ inline std::string_view withoutBlanks(std::string_view text, char mark = ' ') {
   return text;
 }
 
-// Returns the text in lower case.
 inline std::string lower(std::string_view text) {
   std::string small(text);
   for (char &c : small) {
@@ -38,7 +37,7 @@ inline std::string_view withoutMark(std::string_view text) {
   return text.substr(0, Mark.size()) == Mark ? text.substr(Mark.size()) : text;
 }
 
-// Takes the next line off `text`, without its LF and CR.
+// Removes the next line from `text` and returns it without its LF and CR.
 inline std::string_view takeLine(std::string_view &text) {
   const size_t size = text.find('\n');
   std::string_view line = text.substr(0, size);
@@ -49,7 +48,7 @@ inline std::string_view takeLine(std::string_view &text) {
   return line;
 }
 
-// Calls `take` with each of the texts between commas, as it stands: one of an empty text.
+// Calls `take` with each text between commas, unchanged; once, with an empty text, if `text` is empty.
 template <typename Take>
 void forEachAtCommas(std::string_view text, const Take &take) {
   for (size_t begin = 0; begin != std::string_view::npos;) {
@@ -59,7 +58,7 @@ void forEachAtCommas(std::string_view text, const Take &take) {
   }
 }
 
-// Returns a wrong word in a form that a message can show on a terminal: in quotation marks, a long word cut short.
+// Formats a wrong word for a message on a terminal: in quotation marks, and cut if it is long.
 inline std::string quoted(std::string_view word) {
   constexpr size_t Shown = 20;
   std::string text = "\"";

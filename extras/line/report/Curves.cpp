@@ -22,8 +22,8 @@ void Curves::put(uint64_t us, const uint16_t *channels, bool joined) {
   }
 }
 
-// Makes room: afterwards the time so far has half as many buckets as there may be. Silences part curves; if there are
-// too many of them, the short ones close.
+// Makes room: afterwards at most about half of the buckets are in use. Silences split curves; if there are too many of
+// them, short ones are closed.
 void Curves::halve() {
   while ((_buckets.back().us - _buckets.front().us) / _bucketUs >= MostBuckets / 2) {
     _bucketUs *= 2;

@@ -16,7 +16,7 @@ class Curves {
     uint64_t us;
     std::array<uint16_t, Channels> least;
     std::array<uint16_t, Channels> most;
-    bool joined;  // to the one before it
+    bool joined;  // to the previous one
   };
 
   // Takes the values of a frame. `joined`: the line was not silent before it.

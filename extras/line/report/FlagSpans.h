@@ -1,5 +1,4 @@
-// Notes when there was failsafe, lost frames or silence, and when the PC was late: for the lines of `sbus summary` and
-// the shades of its report.
+// Notes periods of failsafe, lost frames and silence, and late reads by the PC, for `sbus summary` and its report.
 #pragma once
 
 #include <cstddef>
@@ -18,24 +17,24 @@ struct FlagSpan {
   uint64_t us() const { return toUs - fromUs; }
 };
 
-// Returns how long they are together.
+// Returns their total length.
 uint64_t sumUs(const std::vector<FlagSpan> &spans);
 
-// Returns the longest ones, the longest first.
+// Returns the `count` longest ones, longest first.
 std::vector<FlagSpan> longest(std::vector<FlagSpan> spans, size_t count);
 
-// A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a time when the PC
-// was late, or to the end. A frame with both flags counts as failsafe only.
+// A flag's span lasts from the first frame with the flag to the next one without, to a silence, to a late read by the
+// PC, or to the end. A frame with both flags counts as failsafe only.
 class FlagSpans {
  public:
-  // Returns true if the line was silent from the newest frame until the next one, at `us`, or if the PC was late, as
-  // `lateUs` of that frame shows. All spans end there.
+  // Returns true if the line was silent between the newest frame and the next one, at `us`, or if the PC was late,
+  // according to that frame's `lateUs`. All spans end there.
   bool brokenUntil(uint64_t us, uint32_t lateUs);
 
   // Takes the flags of the next frame.
   void put(uint64_t us, bool failsafe, bool lostFrame);
 
-  // Ends all spans, after the last frame.
+  // Ends all spans. Call it after the last frame.
   void finish();
 
   // Returns the spans in the order in which they ended.

@@ -11,16 +11,16 @@ namespace line {
 namespace {
 
 constexpr uint64_t SecondUs = 1000000;
-constexpr double WarningAt = 0.02;  // of the frames
+constexpr double WarningAt = 0.02;  // share of lost frames
 
-// Returns how many microseconds of `span` lie between the two times.
+// Returns the microseconds of `span` between the two times.
 uint64_t commonUs(const FlagSpan &span, uint64_t fromUs, uint64_t toUs) {
   const uint64_t begin = std::max(span.fromUs, fromUs);
   const uint64_t end = std::min(span.toUs, toUs);
   return end > begin ? end - begin : 0;
 }
 
-// Finds out how bad parts of the flight were, asked for in their order.
+// Rates parts of the flight, which must be asked for in order.
 class Judge {
  public:
   explicit Judge(const FlightLog &flight)
@@ -29,7 +29,7 @@ class Judge {
         _late(flight.spans(FlagSpan::Kind::Late)),
         _second(flight.seconds().begin()) {}
 
-  // Returns how bad the seconds from `first` up to `end`, without it, were.
+  // Rates the seconds from `first` up to, but without, `end`.
   Badness of(uint64_t first, uint64_t end) {
     Badness part = {std::max(first * SecondUs, _flight.firstUs()),
                     std::min(end * SecondUs, _flight.lastUs()),
@@ -51,14 +51,14 @@ class Judge {
     const uint64_t lengthUs = part.toUs > part.fromUs ? part.toUs - part.fromUs : 0;
     const double expected =
         static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.framesPerSecond();
-    const double missing = std::max(0.0, std::floor(expected) - sum.frames);  // one may lie on the border
+    const double missing = std::max(0.0, std::floor(expected) - sum.frames);  // one may be on the border
     const double all = sum.frames + (missing > 1 ? missing : 0);
     part.lost = all > 0 ? (sum.lost + (missing > 1 ? missing : 0)) / all : 0;
     return part;
   }
 
  private:
-  // Returns how much of the part the spans cover; `at` is the first one that may reach into it.
+  // Returns how much of the part is covered by the spans; `at` is the first one that may reach into it.
   static uint64_t common(const std::vector<FlagSpan> &spans, size_t &at, const Badness &part) {
     uint64_t us = 0;
     while (at < spans.size() && spans[at].toUs <= part.fromUs) {
@@ -122,7 +122,7 @@ std::vector<FlagSpan> FlightLog::spans(FlagSpan::Kind kind) const {
   return spans;
 }
 
-// The most frequent interval is that of a receiver, in whole milliseconds; the frames near it give its fraction.
+// The most frequent interval is the receiver's, in whole milliseconds; the frames near it give its fraction.
 double FlightLog::framesPerSecond() const {
   const auto most = std::max_element(_intervals.begin(), _intervals.end(),
                                      [](const auto &a, const auto &b) { return a.second < b.second; });

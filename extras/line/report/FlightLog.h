@@ -1,5 +1,5 @@
-// What a flight was like: its frames, when it had failsafe, losses and silences, its worst seconds, its curves. Its
-// size does not grow with the number of frames.
+// Summarises a flight: frames, periods of failsafe, losses and silence, worst seconds, curves. Its size does not grow
+// with the number of frames.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace line {
 // A second of the flight.
 struct FlightSecond {
   unsigned frames = 0;
-  unsigned lost = 0;      // of these, with the lost-frame flag
-  unsigned failsafe = 0;  // of these, in failsafe
+  unsigned lost = 0;      // with the lost-frame flag
+  unsigned failsafe = 0;  // in failsafe
 };
 
 class FlightLog {
@@ -37,19 +37,19 @@ class FlightLog {
   uint64_t firstUs() const { return _flags.firstUs(); }
   uint64_t lastUs() const { return _flags.lastUs(); }
 
-  // Returns the spans of a kind in their order.
+  // Returns the spans of a kind in order.
   std::vector<FlagSpan> spans(FlagSpan::Kind kind) const;
 
-  // Returns how many frames ended this many milliseconds, rounded, after the frame before.
+  // Returns the number of frames for each interval, in rounded milliseconds, from the end of the previous frame.
   const std::map<uint64_t, unsigned long> &intervals() const { return _intervals; }
 
-  // Returns the seconds, by their number, in which frames came.
+  // Returns the seconds with frames, by number.
   const std::map<uint64_t, FlightSecond> &seconds() const { return _seconds; }
 
-  // Returns how many frames did not come between two that were less than 0.1 s apart.
+  // Returns the number of frames missing between frames less than 0.1 s apart.
   unsigned long missing() const;
 
-  // Returns how many frames a second should have; 0 if that is not known.
+  // Returns the expected frames per second; 0 if unknown.
   double framesPerSecond() const;
 
   const Curves &curves() const { return _curves; }
@@ -65,16 +65,16 @@ class FlightLog {
   Curves _curves;
 };
 
-// A part of a flight, and how bad it was.
+// The rating of a part of a flight.
 struct Badness {
   uint64_t fromUs;
   uint64_t toUs;
-  double lost;  // the part of the frames that were lost, damaged or missing, 0 to 1
+  double lost;  // the share of lost, damaged or missing frames, 0 to 1
   bool failsafe;
   bool silent;
-  bool late;  // the PC was
+  bool late;  // the PC was late
 
-  // Returns the worst of these; of a part that has none of them, only frames were lost.
+  // Returns the worst of these; LostFrame if none is set.
   FlagSpan::Kind kind() const {
     return failsafe ? FlagSpan::Kind::Failsafe
            : silent ? FlagSpan::Kind::NoFrames
@@ -83,13 +83,13 @@ struct Badness {
   }
 };
 
-// Returns the flight in `count` parts of equal length, at most one a second.
+// Returns the flight in `count` parts of equal length, at most one per second.
 std::vector<Badness> stripOf(const FlightLog &flight, size_t count);
 
-// Returns the worst seconds, the worst first; none in which nothing was lost.
+// Returns the worst seconds, worst first, only those with losses.
 std::vector<Badness> worstSeconds(const FlightLog &flight, size_t count);
 
-// Says in one sentence how the flight was.
+// Rates the flight in one sentence.
 struct FlightVerdict {
   enum class Severity { Good, Warning, Bad };
 

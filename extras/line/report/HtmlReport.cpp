@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t StripColumns = 480;
 constexpr size_t WorstMost = 10;
-constexpr size_t SpansMost = 10;  // of a kind: the page prints on a sheet
+constexpr size_t SpansMost = 10;  // of a kind: the page must fit on a sheet
 
 constexpr const char *Style =
     ":root{color-scheme:light dark;--page:#fff;--text:#24292f;--quiet:#57606a;--edge:#d8dee4;--good:#1a7f37;"
@@ -53,7 +53,7 @@ const Listed &listed(FlagSpan::Kind kind) {
                        [kind](const Listed &each) { return each.kind == kind; });
 }
 
-// Returns "61.250 s" of a flight of less than an hour, else "1:01:01.250".
+// Returns "61.250 s" for less than an hour, otherwise "1:01:01.250".
 std::string timeText(uint64_t us) {
   const auto ms = static_cast<unsigned long long>(us / 1000);
   return ms < 3600000 ? format("%llu.%03llu s", ms / 1000, ms % 1000)
@@ -64,7 +64,7 @@ std::string cell(const std::string &text) {
   return "<td class=\"n\">" + text + "</td>";
 }
 
-// Draws each part as a column as high as the root of what was lost: 0.3 % and 40 % can be told apart.
+// Draws each part as a column with the square root of its losses as its height: it shows both 0.3 % and 40 %.
 std::string strip(const FlightLog &flight) {
   constexpr double Height = 48, Width = 2;
   const std::vector<Badness> parts = stripOf(flight, StripColumns);

@@ -1,4 +1,4 @@
-// A flight as one page of HTML, to look at, to send and to print.
+// A flight as one HTML page, to view, send and print.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 namespace line {
 
 struct ReportFacts {
-  std::string name;                // of the file or port
-  std::string settings;            // of the line: "100000 baud, 8E2, inverted"
-  std::optional<int64_t> startUs;  // when time 0 was, in us since 1970
+  std::string name;                // the file's or port's
+  std::string settings;            // the line's: "100000 baud, 8E2, inverted"
+  std::optional<int64_t> startUs;  // time 0 in us since 1970
 };
 
-// The page needs no other file, and is light or dark as the reader likes it; it prints on one sheet.
+// The page needs no other file, is light or dark as the reader prefers, and prints on one sheet.
 std::string htmlReport(const FlightLog &flight, const ReportFacts &facts);
 
 }  // namespace line

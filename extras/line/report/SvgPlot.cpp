@@ -11,12 +11,12 @@ namespace line {
 namespace {
 
 constexpr double Width = 960, Height = 480;
-constexpr double Left = 64, Right = 104, Top = 48, Bottom = 76;  // margins; the curves' names stand in the right one
+constexpr double Left = 64, Right = 104, Top = 48, Bottom = 76;  // margins; the right one holds the curves' names
 constexpr double PlotWidth = Width - Left - Right, PlotHeight = Height - Top - Bottom;
 constexpr double LineHeight = 15;
 
 // Okabe and Ito's hues, which colour-blind people can tell apart; darker on white, lighter on black. Further curves are
-// dashed. The shades also differ by a pattern. No CSS variables: many viewers do not know them.
+// dashed. The shades also differ in their pattern. No CSS variables: many viewers do not support them.
 struct Palette {
   const char *page, *text, *grid, *failsafe, *lost, *silent, *late;
   const char *curves[8];
@@ -45,14 +45,14 @@ std::string style(const Palette &palette) {
   return text + "\n";
 }
 
-// A picture is without an encoding: its names have ASCII only.
+// A picture has no encoding, so its names are ASCII only.
 std::string plain(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return escaped(text);
 }
 
-// An axis: from where to where, and its ticks, at 1, 2 or 5 times a power of ten.
+// An axis: its ends, and its ticks at 1, 2 or 5 times a power of ten.
 struct Axis {
   double from, to, step;
 
@@ -74,7 +74,7 @@ Axis valueAxis(const Picture &picture) {
       most = std::max(most, point.y);
     }
   }
-  constexpr double SpanMin = 20;  // so that the noise of a resting stick does not fill the height
+  constexpr double SpanMin = 20;  // otherwise the noise of a resting stick would fill the height
   const double margin = std::max(0.06 * (most - least), (SpanMin - (most - least)) / 2);
   return Axis(least - margin, most + margin, 7);
 }
@@ -174,8 +174,8 @@ class Drawing {
     label(Left - 8, Top - 10, "end", _picture.yTitle);
   }
 
-  // Draws, of all points in one column of pixels, the first, the last, the lowest and the highest. A point that is
-  // joined to no other is a ring.
+  // Draws the first, last, lowest and highest of all points in a column of pixels. A point not joined to another is a
+  // ring.
   void curves() {
     for (size_t i = 0; i < _picture.curves.size(); i++) {
       const std::vector<Curve::Point> &points = _picture.curves[i].points;
@@ -207,7 +207,7 @@ class Drawing {
     }
   }
 
-  // Each curve's name at its end; names that would overlap are moved apart, and a line leads to them.
+  // Writes each curve's name at its end. Names that would overlap are moved apart, and connected by a line.
   void names() {
     struct Name {
       size_t curve;

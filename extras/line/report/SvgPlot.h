@@ -11,7 +11,7 @@ namespace line {
 struct Curve {
   struct Point {
     double x, y;
-    bool joined;  // to the point before it
+    bool joined;  // to the previous point
   };
   std::string name;
   std::vector<Point> points;  // x grows
@@ -27,14 +27,14 @@ struct Picture {
   std::string xTitle;  // "ms"
   std::string yTitle;
   std::vector<Curve> curves;
-  std::vector<ShadedTime> spans;  // shaded
-  double xEnd = 0;                // of the axis, which begins at xBegin
+  std::vector<ShadedTime> spans;
+  double xEnd = 0;  // the end of the axis, which begins at xBegin
   double xBegin = 0;
 };
 
 std::string svg(const Picture &picture);
 
-// Returns the text as it stands between the tags of HTML and SVG.
+// Escapes the text for HTML and SVG.
 std::string escaped(const std::string &text);
 
 }  // namespace line

@@ -1,4 +1,4 @@
-// The variant of a line in words, such as "S.BUS2", by the end bytes of its frames.
+// The variant of a line in words, such as "S.BUS2", derived from the end bytes of its frames.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ class VariantOfLine {
  public:
   void take(const Stretch &stretch);
 
-  // Returns the variant that most of the 16-channel frames have; empty before the first frame.
+  // Returns the variant of most 16-channel frames; empty before the first frame.
   std::string text() const;
 
  private:

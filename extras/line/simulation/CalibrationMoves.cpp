@@ -10,7 +10,7 @@ constexpr uint32_t CalibrationMs = 40000;
 constexpr size_t SticksCount = 4;  // CH1..CH4: aileron, elevator (reversed), throttle, rudder
 constexpr size_t HandCount = 6;    // and the two switches
 
-// The positions with the sticks let go and the throttle low; all but CH4 are trimmed.
+// The positions with the sticks released and the throttle low; all but CH4 are trimmed.
 constexpr uint16_t Trims[SticksCount] = {1000, 985, Low, 992};
 
 void sweepAll(uint32_t, uint32_t ms, uint16_t *channels) {
@@ -27,7 +27,7 @@ void putSwitchesBack(uint16_t *channels) {
   channels[5] = Centre;
 }
 
-// A potentiometer is never quite still; the throttle lies against its stop.
+// A potentiometer is never quite still, but the throttle rests against its stop.
 void rest(uint32_t frameNumber, uint32_t, uint16_t *channels) {
   constexpr int Jitter[] = {0, 1, 0, -1, 0, 0, 1, -1};
   for (uint32_t i = 0; i < SticksCount; i++) {
@@ -50,7 +50,7 @@ void flyGently(uint32_t, uint32_t ms, uint16_t *channels) {
   putSwitchesBack(channels);
 }
 
-// From one section to the next the hands glide.
+// The hands glide from one section to the next.
 struct Section {
   uint32_t fromMs;
   uint32_t untilMs;

@@ -5,7 +5,7 @@ namespace line {
 bool NoisyLine::next(uint64_t nowUs, Character &character) {
   _hasQuiet = _hasQuiet || _line->next(nowUs + _characterUs, _quiet);
   const uint64_t noiseEndUs = _noiseUs + _characterUs;
-  const bool noise = !_hasQuiet || noiseEndUs + _characterUs <= _quiet.endUs;  // room for a character of noise
+  const bool noise = !_hasQuiet || noiseEndUs + _characterUs <= _quiet.endUs;  // there is room for a character of noise
   const uint64_t endUs = noise ? noiseEndUs : _quiet.endUs;
   if (endUs > nowUs) {
     return false;

@@ -9,9 +9,9 @@
 
 namespace line {
 
-// Disturbances come at random times, about `perSecond` of them. One that falls into a gap is seen as a character of
-// any value, half of them with a wrong parity; one that falls into a character makes that character bad. So some ten a
-// second cost a frame now and then, some hundred a good part of them, and with a thousand hardly any gets through.
+// Disturbances occur at random times, about `perSecond`. In a gap one is received as a random character, half of them
+// with wrong parity; within a character it makes that character bad. About ten per second cost a frame now and then,
+// about a hundred cost many, and with a thousand hardly any frame gets through.
 class NoisyLine : public Line {
  public:
   NoisyLine(std::unique_ptr<Line> line, unsigned perSecond, uint32_t characterUs)
@@ -24,17 +24,17 @@ class NoisyLine : public Line {
   void hear(const Character &character) override { _line->hear(character); }
   std::string report() const override { return _line->report(); }
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
-  bool mayGoTo(uint64_t us) override { return _line->mayGoTo(us); }
+  bool canAdvanceTo(uint64_t us) override { return _line->canAdvanceTo(us); }
   std::string failure() const override { return _line->failure(); }
 
  private:
   std::unique_ptr<Line> _line;
-  uint32_t _longestUs;  // the longest time between two disturbances; the average is half
+  uint32_t _longestUs;  // the longest time between two disturbances; the average is half of that
   uint32_t _characterUs;
-  Random _random{20181};  // any seed, but always the same one, so that runs are repeatable
-  Character _quiet;       // the next character of the other line, if there is one
+  Random _random{20181};  // a fixed seed, so that runs are repeatable
+  Character _quiet;       // the next character of the other line, if any
   bool _hasQuiet = false;
-  uint64_t _noiseUs = 0;  // when the next disturbance comes
+  uint64_t _noiseUs = 0;  // the time of the next disturbance
 };
 
 }  // namespace line

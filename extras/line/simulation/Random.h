@@ -17,7 +17,7 @@ class Random {
     return mixed ^ mixed >> 31;
   }
 
-  // Returns 0 to limit - 1.
+  // Returns a number from 0 to limit - 1.
   uint32_t below(uint32_t limit) { return static_cast<uint32_t>(next() % limit); }
   uint8_t byte() { return static_cast<uint8_t>(next() >> 56); }
   bool chance(double probability) {

@@ -1,4 +1,4 @@
-// A wire with nothing on it: the receiver has no power, or the wire is broken.
+// A silent wire: the receiver has no power, or the wire is broken.
 #pragma once
 
 #include "line/Line.h"

@@ -10,11 +10,11 @@ namespace {
 
 constexpr uint32_t SlotsPeriodUs = 15000;     // PX4-Autopilot's capture: 15.00 to 15.01 ms
 constexpr uint32_t OnlySlot0PeriodUs = 6300;  // mstrens/oXs_on_RP2040, doc/FUTABA SBUS (1).docx, images 12 and 13
-constexpr uint32_t OnlySlot0Us = 310;         // from there as well
+constexpr uint32_t OnlySlot0Us = 310;         // same source
 constexpr uint16_t SupplyDecivolts = 46;      // 4.6 V, as in PX4-Autopilot's capture
 constexpr uint16_t ExternalDecivolts = 241;   // 24.1 V, takarakasai/sbus, doc/spec.md
 constexpr uint8_t OnlySlot0End = 0x08;
-constexpr size_t MostFrames = 8;  // that are remembered
+constexpr size_t MostFrames = 8;  // to remember
 
 constexpr uint32_t periodUs(BusMode mode) {
   return mode == BusMode::OnlySlot0 ? OnlySlot0PeriodUs : SlotsPeriodUs;
@@ -100,7 +100,7 @@ void SimulatedBus::send(uint64_t startUs, const uint8_t *bytes, size_t size) {
   }
 }
 
-// Adds a character. If it overlaps others, they and it have errors.
+// Adds a character. If it overlaps others, all of them get errors.
 void SimulatedBus::put(const Sent &sent) {
   Sent added = sent;
   for (Sent &other : _wire) {
@@ -113,7 +113,7 @@ void SimulatedBus::put(const Sent &sent) {
   _wire.insert(place, added);
 }
 
-// Returns when the frame begins that a character which ends at `endUs` meets.
+// Returns the beginning of the frame that overlaps a character that ends at `endUs`.
 uint64_t SimulatedBus::frameAt(uint64_t endUs) const {
   const auto met = std::find_if(_framesUs.begin(), _framesUs.end(), [&](uint64_t us) {
     return us < endUs && endUs - CharacterUs < us + sbus::FrameSize * CharacterUs;
@@ -121,7 +121,7 @@ uint64_t SimulatedBus::frameAt(uint64_t endUs) const {
   return met == _framesUs.end() ? BusJudge::NoFrame : *met;
 }
 
-// The diode passes only HIGH: a TX that is HIGH at rest holds the wire.
+// The diode passes only HIGH: a TX that idles HIGH holds the wire.
 void SimulatedBus::share(const LineSettings &tx) {
   _tx = tx;
   _isShared = true;
@@ -131,7 +131,7 @@ void SimulatedBus::share(const LineSettings &tx) {
   }
 }
 
-// A character of another baud rate or format is noise.
+// A character with another baud rate or format is noise.
 void SimulatedBus::hear(const Character &character) {
   Sent sent;
   static_cast<Character &>(sent) = character;

@@ -1,4 +1,4 @@
-// An S.BUS2 wire: a Futaba receiver, sensors that answer it, and a board that may answer as well.
+// An S.BUS2 wire: a Futaba receiver, sensors that answer, and a board that may also answer.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ namespace line {
 // The receiver's mode.
 enum class BusMode : uint8_t {
   Slots,       // FASSTest 14CH: a frame every 15 ms, end bytes 04 14 24 34 in turn, 32 slots
-  OnlySlot0,   // FASSTest 12CH: every 6.3 ms, end byte 08; slot 0 follows after 310 us, no sensor may answer
+  OnlySlot0,   // FASSTest 12CH: a frame every 6.3 ms, end byte 08; slot 0 follows after 310 us, no sensor may answer
   NoTelemetry  // end byte 00
 };
 
@@ -25,10 +25,10 @@ enum class BusMode : uint8_t {
 struct BusSensor {
   uint8_t slot;
   sbus::SlotData data;
-  int32_t offUs = 0;  // it answers late by this time, or early if negative
+  int32_t offUs = 0;  // it answers this much too late; negative: too early
 };
 
-// If two send at once they destroy each other's characters: the wire is HIGH if either is, and parity fails.
+// Two that send at once destroy each other's characters: the wire is HIGH if either is, and parity fails.
 class SimulatedBus : public Line {
  public:
   explicit SimulatedBus(const Choreography &choreography = Flight, BusMode mode = BusMode::Slots);
@@ -36,10 +36,10 @@ class SimulatedBus : public Line {
   // Adds a sensor; two in the same slot collide.
   void add(const BusSensor &sensor) { _sensors.push_back(sensor); }
 
-  // Frames come no more every 15 ms: `interval` returns the time from the start of one to the next, us, 4000 or more.
+  // Replaces the frame interval of 15 ms: `interval` returns the time from start to start, us, 4000 or more.
   void pace(std::function<uint32_t()> interval) { _interval = std::move(interval); }
 
-  // Delivers a character once it has ended, so that no board can still destroy it: a UART asks a character ahead.
+  // Delivers a character only after its end, when no board can destroy it any more: a UART asks a character ahead.
   bool next(uint64_t nowUs, Character &character) override;
 
   // Connects a board's TX to the wire, through a diode.
@@ -63,11 +63,11 @@ class SimulatedBus : public Line {
   SimulatedReceiver _receiver;
   std::vector<BusSensor> _sensors;
   uint32_t _cycles = 0;
-  uint64_t _madeUs = 0;  // all before is in `_wire`
+  uint64_t _madeUs = 0;  // everything before is in `_wire`
   std::function<uint32_t()> _interval;
-  int64_t _shiftUs = 0;            // of frames that do not come every 15 ms
-  std::deque<uint64_t> _framesUs;  // when the newest frames begin
-  std::deque<Sent> _wire;          // in the order of their ends
+  int64_t _shiftUs = 0;            // of frames that are not 15 ms apart
+  std::deque<uint64_t> _framesUs;  // the beginnings of the newest frames
+  std::deque<Sent> _wire;          // ordered by their ends
   LineSettings _tx;
   bool _isHeld = false;
   bool _isShared = false;

@@ -10,12 +10,12 @@ namespace line {
 namespace {
 
 constexpr uint32_t FrameUs = 9000;  // T of the paper's R-XSR
-constexpr uint32_t PairUs = 18000;  // from 2F to 2F: 18..20 ms, says INAV's pull request 10270
-constexpr uint32_t GapUs = 1000;    // between the two; not known
+constexpr uint32_t PairUs = 18000;  // from 2F to 2F: 18..20 ms according to INAV's pull request 10270
+constexpr uint32_t GapUs = 1000;    // between the two; assumed
 constexpr uint64_t FirstUs = 5000;  // the first frame begins 5 ms after the program
 
 constexpr size_t Throttle = 2;   // CH3
-constexpr size_t HandCount = 6;  // CH1..CH6 are the choreography's on every line
+constexpr size_t HandCount = 6;  // the choreography moves CH1..CH6 on every line
 
 }  // namespace
 
@@ -49,8 +49,8 @@ bool SimulatedReceiver::next(uint64_t nowUs, Character &character) {
   return true;
 }
 
-// Beyond the hand's six each channel swings by 100; a higher number swings higher and more slowly, so that curves
-// differ.
+// Beyond the hand's six, each channel swings by 100. Higher channels swing around higher values and more slowly, so
+// that curves differ.
 void SimulatedReceiver::move(uint32_t ms) {
   uint16_t channels[sbus::ChannelCount];
   _choreography.move(_frameNumber, ms, channels);
@@ -86,7 +86,7 @@ void SimulatedReceiver::makeFrame() {
   add(sbus::HeaderByte, _channels, failsafe, lostFrame);
 }
 
-// Digital channels and flags are the same in both frames.
+// Both frames have the same digital channels and flags.
 void SimulatedReceiver::add(uint8_t header, const uint16_t *proportional, bool failsafe, bool lostFrame) {
   uint16_t channels[sbus::ChannelCount];
   std::copy_n(proportional, sbus::ProportionalCount, channels);

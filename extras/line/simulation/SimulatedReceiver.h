@@ -1,5 +1,4 @@
-// Simulates a receiver, so that a sketch can be tried without one: an FrSky R-XSR, 111 frames a second; or one with
-// more channels.
+// Simulates a receiver, to try a sketch without one: an FrSky R-XSR, 111 frames a second, or one with more channels.
 #pragma once
 
 #include "line/simulation/Choreography.h"
@@ -8,16 +7,16 @@
 
 namespace line {
 
-// CH7 and above stay in the middle on a line of 16 channels, and move on a line of more.
+// CH7 and above stay in the middle on a line with 16 channels, and move on a line with more.
 enum class Channels : uint8_t {
   Sixteen,     // and two switches
   TwentyFour,  // FrSky, set to 24 channels: 36 bytes
-  ThirtyTwo,   // Futaba FASSTest 26: every 18 ms a frame with header 2F, 1 ms after it one with 0F
+  ThirtyTwo,   // Futaba FASSTest 26: every 18 ms a frame with header 2F, and 1 ms later one with 0F
 };
 
 class SimulatedReceiver : public Line {
  public:
-  // `periodUs` is the frame period; 0: that of such receivers.
+  // `periodUs` is the frame period; 0: the real receiver's.
   explicit SimulatedReceiver(const Choreography &choreography = Flight, uint32_t characterUs = CharacterUs,
                              Channels channels = Channels::Sixteen, uint32_t periodUs = 0);
   bool next(uint64_t nowUs, Character &character) override;
@@ -37,7 +36,7 @@ class SimulatedReceiver : public Line {
   uint8_t _index = 0;  // of the next character in `_frames`
   uint8_t _size = 0;   // characters in `_frames`
   uint8_t _frames[2 * sbus::FrameSize];
-  uint16_t _channels[MostChannels];  // as last received from the radio, all proportional
+  uint16_t _channels[MostChannels];  // last received from the radio, all proportional
   uint16_t _switches[sbus::ChannelCount - sbus::ProportionalCount];
 };
 

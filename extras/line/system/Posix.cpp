@@ -42,7 +42,7 @@ void onStop(void (*handler)(int signal)) {
   }
 }
 
-// Not poll(), which on macOS does not know devices.
+// Not poll(), which does not support devices on macOS.
 bool isReadable(int file, int ms) {
   timeval time = {ms / 1000, ms % 1000 * 1000};
   fd_set files;
@@ -61,7 +61,7 @@ int openTemporary() {
   return file;
 }
 
-// A name that does not exist is a port's if it begins with /dev/, otherwise a missing file's.
+// A name that does not exist is a port if it begins with /dev/, otherwise a missing file.
 bool isPortName(const std::string &name) {
   struct stat status;
   return stat(name.c_str(), &status) == 0 ? S_ISCHR(status.st_mode) : name.rfind("/dev/", 0) == 0;

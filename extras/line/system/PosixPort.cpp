@@ -22,7 +22,7 @@ namespace line {
 
 namespace {
 
-// Returns how to get the permission: a port belongs to a group, "dialout" on Debian, "uucp" on Arch.
+// Returns how to get permission: a port belongs to a group, "dialout" on Debian, "uucp" on Arch.
 std::string permissionRemedy(const std::string &device, const struct stat &status) {
   const group *const owners = (status.st_mode & S_IRGRP) != 0 ? getgrgid(status.st_gid) : nullptr;
   if (owners == nullptr || status.st_gid == 0) {
@@ -56,7 +56,7 @@ void PortFile::openPseudoTerminal(const std::string &device, Way way) {
   if (_file < 0 || tcgetattr(_file, &settings) != 0) {
     throw std::runtime_error(openError(device, errno, std::strerror(errno)));
   }
-  if (way == Way::Read && flock(_file, LOCK_EX | LOCK_NB) != 0) {  // two readers would have half of the bytes each
+  if (way == Way::Read && flock(_file, LOCK_EX | LOCK_NB) != 0) {  // two readers would get half of the bytes each
     close(_file);
     throw std::runtime_error(openError(device, EBUSY, ""));
   }
@@ -72,7 +72,7 @@ int PortFile::file() const {
   return file;
 }
 
-// libserialport does not look at parity.
+// libserialport does not check parity.
 bool PortFile::markErrors() {
   termios settings;
   if (tcgetattr(file(), &settings) != 0) {
@@ -80,7 +80,7 @@ bool PortFile::markErrors() {
   }
   settings.c_iflag &= ~static_cast<tcflag_t>(IGNPAR | IGNBRK | BRKINT);
   settings.c_iflag |= INPCK | PARMRK;
-#if defined(__APPLE__)  // its tcsetattr() takes standard rates only
+#if defined(__APPLE__)  // its tcsetattr() accepts only standard rates
   speed_t baud = cfgetispeed(&settings);
   cfsetspeed(&settings, B9600);
 #endif
@@ -92,7 +92,7 @@ bool PortFile::markErrors() {
   return done;
 }
 
-// A read looks the same on a port that has gone and on a silent one; then only a silent one is not readable.
+// A read returns the same on a lost port and on a silent one, but only the silent one is not readable.
 std::ptrdiff_t PortFile::read(uint8_t *bytes, size_t size) {
   const ssize_t count = ::read(file(), bytes, size);
   if (count > 0) {

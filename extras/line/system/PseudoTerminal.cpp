@@ -16,8 +16,8 @@ namespace line {
 
 namespace {
 
-// Turns off the echo and all changes of bytes. Opening and closing it once also makes the system notice when no program
-// has it open.
+// Turns off the echo and all conversions of bytes. Opening and closing it once also makes the system notice when no
+// program has it open.
 bool makeRaw(const char *name) {
   const int handle = open(name, O_RDWR | O_NOCTTY);
   if (handle < 0) {
@@ -58,12 +58,12 @@ bool PseudoTerminal::hasReader() const {
 
 size_t PseudoTerminal::write(const uint8_t *bytes, size_t size) {
   const ssize_t count = hasReader() ? ::write(_handle, bytes, size) : 0;
-  return count > 0 ? static_cast<size_t>(count) : 0;  // less: full, or the reader has just gone
+  return count > 0 ? static_cast<size_t>(count) : 0;  // otherwise it is full, or the reader has just left
 }
 
 size_t PseudoTerminal::read(uint8_t *bytes, size_t size) {
   const ssize_t count = ::read(_handle, bytes, size);
-  return count > 0 ? static_cast<size_t>(count) : 0;  // less: nothing waits, or no program has it open
+  return count > 0 ? static_cast<size_t>(count) : 0;  // otherwise nothing waits, or no program has it open
 }
 
 }  // namespace line

@@ -1,5 +1,5 @@
-// What differs between Linux, macOS and Windows: here, in Posix.cpp and Windows.cpp, and of ports in PosixPort.cpp and
-// WindowsPort.cpp.
+// Everything that differs between Linux, macOS and Windows: here, in Posix.cpp and Windows.cpp, and for ports in
+// PosixPort.cpp and WindowsPort.cpp.
 #pragma once
 
 #include <fcntl.h>
@@ -12,10 +12,10 @@
 namespace line {
 
 #if defined(_WIN32)
-constexpr const char *PortsPlace = "the Device Manager, below Ports (COM & LPT)";  // where a user finds their names
+constexpr const char *PortsPlace = "the Device Manager, below Ports (COM & LPT)";  // where users find their names
 constexpr const char *Keyboard = "CONIN$";
 constexpr bool HasTerminfo = false;
-constexpr int LineBuffering = _IONBF;  // of std::setvbuf(); _IOLBF does not hand lines over
+constexpr int LineBuffering = _IONBF;  // for std::setvbuf(): _IOLBF does not flush lines
 constexpr int CloseOnExec = _O_NOINHERIT;
 #else
 #if defined(__APPLE__)
@@ -29,32 +29,32 @@ constexpr int LineBuffering = _IOLBF;
 constexpr int CloseOnExec = O_CLOEXEC;
 #endif
 
-// Prepares standard input and output, once, before anything is opened. A file never takes the number of a closed one;
-// bytes pass through unchanged; a closed pipe becomes an error of write().
+// Prepares the standard streams. Call it once, before anything is opened. No file can take a closed stream's number;
+// bytes pass through unchanged; writing to a closed pipe is an error of write().
 void prepareStreams();
 
-// Returns true if a write failed with `error` because the reader of a pipe has gone.
+// Returns true if a write failed with `error` because the reader of a pipe is gone.
 inline bool isReaderGone(int error) {
   return error == EPIPE || error == EINVAL;  // Windows: EINVAL
 }
 
-// Returns the width of the terminal in columns; 0 if standard output is no terminal.
+// Returns the width of the terminal in columns; 0 if standard output is not a terminal.
 size_t terminalColumns();
 
-// Takes the locale of the terminal. Returns true if it has UTF-8.
+// Selects the terminal's locale. Returns true if it uses UTF-8.
 bool useTerminalLocale();
 
-// Calls `handler` at Ctrl-C, and when the terminal or the system ends the program. SIG_DFL: it ends at once.
+// Calls `handler` on Ctrl-C, and when the terminal or the system ends the program. SIG_DFL: it ends at once.
 void onStop(void (*handler)(int signal));
 
-// Waits up to `ms`, if negative without end. Returns true if read() would not wait; false also before, at a signal (on
-// Windows: every 50 ms).
+// Waits up to `ms`; if negative, without limit. Returns true if read() would not wait; a signal (on Windows: 50 ms)
+// ends the wait early with false.
 bool isReadable(int file, int ms);
 
-// Opens a file without a name, which vanishes when it is closed. Returns -1 and sets errno if that is not possible.
+// Opens a file without a name, which vanishes when it is closed. On failure returns -1 and sets errno.
 int openTemporary();
 
-// Returns true if the name is a port's, whether or not the port is there.
+// Returns true for the name of a port, whether or not it exists.
 bool isPortName(const std::string &name);
 
 // Returns true if the user may open the port.

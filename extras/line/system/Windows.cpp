@@ -18,9 +18,9 @@ namespace line {
 
 namespace {
 
-constexpr DWORD WaitMost = 50;  // ms: Ctrl-C does not end a wait here
+constexpr DWORD WaitMost = 50;  // ms: Ctrl-C does not interrupt a wait
 
-// A console has also mouse, window and key-up events: read() waits for Enter.
+// A console also has mouse, window and key-up events, but read() waits for Enter.
 bool hasEnter(HANDLE console) {
   DWORD count = 0;
   if (GetNumberOfConsoleInputEvents(console, &count) == 0) {
@@ -53,8 +53,8 @@ void prepareStreams() {
   for (const int stream : {0, 1}) {
     _setmode(stream, _O_BINARY);
   }
-  _fmode = _O_BINARY;  // for all files, also a std::ifstream's
-  timeBeginPeriod(1);  // ms; a wait of 1 ms would last 16
+  _fmode = _O_BINARY;  // for all files, including std::ifstream
+  timeBeginPeriod(1);  // ms; otherwise a wait of 1 ms would last 16
   const HANDLE console = GetStdHandle(STD_OUTPUT_HANDLE);
   DWORD mode = 0;
   if (GetConsoleMode(console, &mode) != 0) {
@@ -99,7 +99,7 @@ bool isReadable(int file, int ms) {
   return true;
 }
 
-// std::tmpfile() would be in the drive's root, where few may write.
+// std::tmpfile() would use the drive's root, where few users may write.
 int openTemporary() {
   char name[MAX_PATH];
   if (GetTempFileNameA(std::filesystem::temp_directory_path().string().c_str(), "sbs", 0, name) == 0) {

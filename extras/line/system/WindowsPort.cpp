@@ -21,7 +21,7 @@ HANDLE handleOf(sp_port *port) {
   return handle;
 }
 
-// As sp_nonblocking_read(), which forgets errors that come meanwhile.
+// Like sp_nonblocking_read(), which loses errors that occur meanwhile.
 DWORD readNow(HANDLE handle, uint8_t *bytes, size_t size) {
   OVERLAPPED operation{};
   operation.hEvent = CreateEventA(nullptr, TRUE, FALSE, nullptr);
@@ -48,7 +48,7 @@ std::string openError(const std::string &device, int error, const std::string &m
   }
 }
 
-// Never called: none has such a name.
+// Never called: no port has such a name.
 void PortFile::openPseudoTerminal(const std::string & /*device*/, Way /*way*/) {
 }
 
@@ -71,7 +71,7 @@ bool PortFile::markErrors() {
   return done;
 }
 
-// Returns how many characters wait, and notes whether there were errors among them; -1 if the port has gone.
+// Returns the number of waiting characters, and notes whether any had errors; -1 if the port is gone.
 std::ptrdiff_t PortFile::waiting() {
   DWORD errors = 0;
   COMSTAT state{};
@@ -82,7 +82,7 @@ std::ptrdiff_t PortFile::waiting() {
   return static_cast<std::ptrdiff_t>(state.cbInQue);
 }
 
-// The system says that there were errors, not where: all may be wrong.
+// The system reports errors, but not where, so all characters may be wrong.
 std::ptrdiff_t PortFile::read(uint8_t *bytes, size_t size) {
   const std::ptrdiff_t came = waiting();
   if (came <= 0) {

@@ -7,7 +7,7 @@ namespace line {
 
 namespace {
 
-// Returns parts of a unit as a decimal number: "12.34" for 1234 parts and 2 decimals.
+// Returns a fixed-point number as text: "12.34" for 1234 and 2 decimals.
 std::string fixed(int64_t parts, unsigned decimals) {
   std::string digits = std::to_string(parts < 0 ? -parts : parts);
   if (digits.size() <= decimals) {
@@ -78,7 +78,7 @@ Quantities sbs01tas(const sbus::SlotData *data) {
   return {{0, "air speed", fixed(decoded<sbus::AirSpeedSbs01Tas>(data).kilometresPerHour, 0), "km/h"}};
 }
 
-// Without a fix position and speed mean nothing.
+// Without a fix, position and speed are meaningless.
 Quantities f1675(const sbus::SlotData *data) {
   const auto sensor = decoded<sbus::GpsF1675>(data);
   Quantities all = {{1, "altitude", fixed(sensor.metres, 0), "m"},

@@ -1,4 +1,4 @@
-// Futaba's sensors by their names, and what they measure as text.
+// Futaba's sensors by name, and their measurements as text.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 namespace line {
 
 struct Quantity {
-  uint8_t slot;      // the one beside which it is shown, counted from the sensor's first
+  uint8_t slot;      // it is shown next to this slot, counted from the sensor's first
   const char *name;  // "current"
   std::string value;
   const char *unit;  // "A"; "" for none
 };
 
 struct Sensor {
-  const char *name;  // as the radio and the shop call it
+  const char *name;  // used by the radio and in shops
   uint8_t slots;
   std::vector<Quantity> (*quantities)(const sbus::SlotData *data);
 };
@@ -26,7 +26,7 @@ struct Sensor {
 // Returns all known sensors.
 const std::vector<Sensor> &sensors();
 
-// Returns the sensor of this name, in upper or lower case; nullptr if no sensor has it.
+// Returns the sensor with this name, in upper or lower case; nullptr if there is none.
 const Sensor *sensorOf(std::string_view name);
 
 }  // namespace line

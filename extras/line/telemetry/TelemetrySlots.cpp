@@ -10,7 +10,7 @@ bool isGood(const std::vector<Character> &characters) {
   return std::none_of(characters.begin(), characters.end(), [](const Character &each) { return each.bad; });
 }
 
-// Returns the index of the last character of each whole slot. A break, 00, may stand before and after each.
+// Returns the index of the last character of each whole slot. A break, 00, may precede and follow each.
 std::vector<size_t> endsOf(const std::vector<Character> &characters) {
   std::vector<size_t> ends;
   for (size_t at = 0; at + sbus::SlotSize <= characters.size();) {
@@ -79,7 +79,7 @@ unsigned long TelemetrySlots::characters() const {
   return _characters + (_isWhole && read(_between, slots, breaks) > 0 ? _between.size() : 0);
 }
 
-// Returns how many slots these characters are, at most a group; -1 if they are not slots.
+// Returns the number of slots in these characters, at most a group; -1 if they are not slots.
 int TelemetrySlots::read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const {
   uint8_t bytes[sbus::GroupSizeMax];
   std::transform(characters.begin(), characters.end(), bytes, [](const Character &each) { return each.value; });
@@ -108,7 +108,7 @@ std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
   _rejected += count < 0;
   _rejectedInRow = count < 0 ? _rejectedInRow + 1 : count > 0 ? 0 : _rejectedInRow;
   if (_rejectedInRow == MostRejected) {
-    _breaks = 0;  // it may be another receiver by now
+    _breaks = 0;  // this may be another receiver
   }
   return timed(slots, 0, count, _between);
 }

@@ -1,4 +1,4 @@
-// The telemetry slots of a line, from the stretches of an Observer.
+// Extracts a line's telemetry slots from an Observer's stretches.
 #pragma once
 
 #include <cstdint>
@@ -16,34 +16,34 @@ class TelemetrySlots {
   // Takes the next stretch.
   void put(const Stretch &stretch);
 
-  // Takes the end of the line: the slots after the last frame count as proved, since nothing else came.
+  // Takes the end of the line: the slots after the last frame count as proved, since nothing follows them.
   void finish();
 
-  // Returns the slots that this stretch has proved: those before a frame, once that frame is there; of one moment, in
-  // rising order. Mostly none.
+  // Returns the slots proved by this stretch: those before a frame, once that frame is there. They belong to one
+  // moment, in rising order; usually there are none.
   const std::vector<Slot> &proved() const { return _proved; }
 
-  // Returns the slots that the next stretch consists of, if only slots came since the last frame; otherwise none. They
-  // are proved once a frame follows.
+  // Returns the slots in the next stretch, if there were only slots since the last frame; otherwise none. They are
+  // proved once a frame follows.
   std::vector<Slot> slotsIn(const Stretch &stretch) const;
 
   // Returns true if a frame has announced a group.
   bool announced() const { return _announced; }
 
-  // Returns how many times characters came between two frames and were just slots of the announced group.
+  // Returns how many times the characters between two frames were exactly slots of the announced group.
   unsigned long groups() const { return _groups; }
 
-  // Returns how many times the characters between two frames were not just slots of the announced group.
+  // Returns how many times they were not.
   unsigned long rejectedGroups() const { return _rejected; }
 
-  // Returns how many slots were proved so far.
+  // Returns the number of slots proved so far.
   unsigned long count() const { return _count; }
 
-  // Returns how many characters are telemetry; of a group that is not proved yet, how many may be.
+  // Returns the number of telemetry characters, including those of a group that is not proved yet.
   unsigned long characters() const;
 
  private:
-  static constexpr unsigned MostRejected = 64;  // groups with characters in a row, in 1 to 4 s
+  static constexpr unsigned MostRejected = 64;  // consecutive groups with characters, in 1 to 4 s
 
   int read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const;
 
@@ -54,14 +54,14 @@ class TelemetrySlots {
   std::vector<Slot> _proved;
   std::vector<Character> _between;  // since the last frame
   uint8_t _end = 0;                 // its end byte
-  bool _isWhole = false;            // nothing but characters came since, none with an error
+  bool _isWhole = false;            // only characters without errors since then
   bool _announced = false;
   uint32_t _breaks = 0;  // see sbus::readSlots()
   unsigned _rejectedInRow = 0;
   unsigned long _groups = 0;
   unsigned long _rejected = 0;
   unsigned long _count = 0;
-  unsigned long _characters = 0;  // of groups that are proved
+  unsigned long _characters = 0;  // in proved groups
 };
 
 }  // namespace line

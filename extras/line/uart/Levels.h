@@ -1,4 +1,4 @@
-// What a UART makes of characters on a wire, and of a wire's levels.
+// Converts characters to a wire's levels, and levels to characters, like a UART.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ template <typename OnLevel>
 void encode(const Character &character, const LineSettings &line, OnLevel level) {
   const Format &format = line.format;
   const unsigned data = character.value & ((1u << format.dataBits) - 1);
-  const bool even = isOdd(data) != character.bad;  // what makes the number of ones even
+  const bool even = isOdd(data) != character.bad;  // the bit that makes the number of ones even
   const bool parity = even != (format.parity == Parity::Odd);
   const unsigned stop = ~0u << (format.dataBits + format.parityBits());
-  const unsigned bits = (stop | static_cast<unsigned>(parity) << format.dataBits | data) << 1;  // an idle one is 1
+  const unsigned bits = (stop | static_cast<unsigned>(parity) << format.dataBits | data) << 1;  // idle is 1
   int64_t ns = (static_cast<int64_t>(character.endUs) - line.characterUs()) * 1000;
   for (unsigned i = 0; i < format.bits(); i++, ns += line.bitNs()) {
     level(ns, ((bits >> i & 1) != 0) == line.idleHigh());
@@ -33,27 +33,27 @@ struct WireCharacter {
 
   bool bad() const { return parityWrong || stopWrong; }
 
-  // Returns the character with its time since `zeroNs`, as an Observer takes it. `characterNs`: how long it lasts.
+  // Returns the character for an Observer, with its time since `zeroNs`. `characterNs`: its length.
   Character since(int64_t zeroNs, double characterNs) const {
     const double endNs = static_cast<double>(startNs - zeroNs) + characterNs;
     return {static_cast<uint64_t>(endNs / 1000), value, bad(), 0, parityWrong, stopWrong};
   }
 };
 
-// Decodes levels as most UARTs do: an edge from idle to active begins a character, unless the line is idle again at the
-// middle of the start bit. Each bit is sampled at its middle; the first stop bit ends the character.
+// Decodes levels like most UARTs: an edge from idle to active begins a character, unless the line is idle again in the
+// middle of the start bit. Each bit is sampled in its middle; the first stop bit ends the character.
 class CharacterDecoder {
  public:
   // `bitNs`: as measured.
   CharacterDecoder(const LineSettings &settings, double bitNs);
 
-  // Takes the wire's level from `ns` on; the first level is no edge. Returns true if a character was complete before:
-  // at most one can be.
+  // Takes the wire's level from `ns` on; the first level is not an edge. Returns true if a character was complete
+  // before that; there is at most one.
   bool level(int64_t ns, bool high, WireCharacter &character) {
     bool through = until(ns, character);
     const bool wasIdle = _idle;
     _idle = high == _idleHigh;
-    if (_sampleNs == ns) {  // a sample at the very edge has the new level
+    if (_sampleNs == ns) {  // a sample exactly at the edge has the new level
       through = until(ns + 1, character);
     }
     if (wasIdle && !_idle && _sampleNs == Never) {
@@ -65,7 +65,7 @@ class CharacterDecoder {
     return through;
   }
 
-  // Takes the time up to which the wire keeps its level. Returns true if a character was complete before.
+  // Takes the time up to which the wire keeps its level. Returns true if a character was complete before that.
   bool until(int64_t ns, WireCharacter &character);
 
  private:
@@ -73,13 +73,13 @@ class CharacterDecoder {
 
   bool _idleHigh;
   Format _format;
-  unsigned _stopBit;  // the number of the first one; the start bit's is 0
+  unsigned _stopBit;  // the number of the first one; the start bit is 0
   int64_t _bitNs;
   bool _idle = false;
   int64_t _startNs = 0;
   int64_t _sampleNs = Never;  // the middle of the next bit; Never while an edge is awaited
   unsigned _bit = 0;          // its number
-  unsigned _bits = 0;         // sampled so far, an idle one is 1
+  unsigned _bits = 0;         // sampled so far; idle is 1
 };
 
 }  // namespace line

@@ -1,4 +1,4 @@
-// A line as a port hears it that may have other settings.
+// A line as received by a port that may have other settings.
 #pragma once
 
 #include <memory>
@@ -19,13 +19,13 @@ class SampledLine : public Line {
   std::string failure() const override { return _line->failure(); }
   uint64_t knownUs(uint64_t nowUs) const override { return _line->knownUs(nowUs); }
   bool wait() override { return _agrees && _line->wait(); }
-  bool mayGoTo(uint64_t us) override { return _line->mayGoTo(us); }
+  bool canAdvanceTo(uint64_t us) override { return _line->canAdvanceTo(us); }
 
  private:
   std::unique_ptr<Line> _line;
   LineSettings _settings;
   LineSettings _port;
-  bool _agrees;  // port and line have the same settings: nothing has to be sampled
+  bool _agrees;  // port and line have the same settings: no sampling is needed
   UartSampler _sampler;
 };
 

@@ -29,7 +29,7 @@ void UartSampler::put(const Character &character) {
 }
 
 bool UartSampler::next(uint64_t nowUs, Character &character) {
-  // A character on its way has not been put yet: the time in which it may have begun is not known.
+  // A character in transit has not been put yet: the time in which it may have begun is not known.
   const uint64_t knownUs = std::max(_knownUs, nowUs - std::min<uint64_t>(nowUs, _line.characterUs()));
   take(_decoder.until(static_cast<int64_t>(knownUs) * NsPerUs, _newest));
   if (_seen.empty() || _seen.front().endUs > knownUs) {

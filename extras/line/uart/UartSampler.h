@@ -1,4 +1,4 @@
-// What a UART makes of a wire that it has not been set for: it sees levels, and samples them its own way.
+// What a UART with the wrong settings receives: it samples the wire's levels in its own way.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,19 @@
 
 namespace line {
 
-// Turns characters of a wire into its levels, and these into the characters that a port with other settings receives. To
-// a port of the wrong polarity the idle wire is active, and it finds its edges inside characters. If port and wire agree,
-// the characters come out unchanged.
+// Converts a wire's characters into levels, and these into the characters that a port with other settings receives. For
+// a port of the wrong polarity the idle wire is active, and it finds edges inside characters. If port and wire agree,
+// the characters are unchanged.
 class UartSampler {
  public:
-  // Opens the port at `nowUs` with these settings, and forgets what was on the wire before.
+  // Opens the port at `nowUs` with these settings, and forgets everything before.
   void open(uint64_t nowUs, const LineSettings &port, const LineSettings &line);
 
-  // Takes a character of the wire. One that had begun before open() is ignored.
+  // Takes a character of the wire. One that began before open() is ignored.
   void put(const Character &character);
 
-  // Takes the next character that the port has seen, with its end as the port sees it; returns false without one.
-  // `nowUs`: all characters complete by then have been put.
+  // Takes the next character received by the port, with its end as the port sees it. Returns false without one. All
+  // characters complete by `nowUs` have been put.
   bool next(uint64_t nowUs, Character &character);
 
  private:

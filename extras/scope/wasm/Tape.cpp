@@ -182,7 +182,7 @@ EXPORT(carrier)()->const char * {
 EXPORT(edges)(double fromUs, double toUs, unsigned most)->int {
   const line::EdgeStore &edges = capture->edges();
   const int64_t fromNs = ns(fromUs), toNs = ns(toUs);
-  if (edges.countAbout(fromNs, toNs) > most) {
+  if (edges.approximateCount(fromNs, toNs) > most) {
     return -1;
   }
   int count = 0;
