@@ -146,8 +146,8 @@ class Bridge {
     return true;
   }
 
-  // Sends the newest values of the chosen receiver; a frame with header 2F has its own `flags`. Returns true if they have
-  // gone at once.
+  // Sends the newest values of the chosen receiver; a frame with header 2F has its own `flags`. Returns true if they
+  // have gone at once.
   bool send(Kind kind, uint64_t nowUs, uint8_t flags) {
     Receiver &receiver = *_receivers[_chosen];
     const sbus::LinkState state = receiver.observer.state(nowUs);
