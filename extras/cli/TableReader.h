@@ -96,7 +96,10 @@ class TableReader : public LineReader {
   bool _any = false;
 };
 
-// Returns true if the text begins as a whole table does whose rows are frames: 50 ms apart at most.
-bool isFrameTable(std::string_view head);
+// Whether a text is a whole table whose rows are frames: 50 ms apart at most. Maybe: fewer than two rows have come yet.
+enum class FrameTable { No, Maybe, Yes };
+
+// Finds that out by the whole lines of the text's beginning.
+FrameTable frameTable(std::string_view head);
 
 }  // namespace tool
