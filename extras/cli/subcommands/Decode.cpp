@@ -217,7 +217,7 @@ void addDecode(CLI::App &app) {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;
-    run(*options, form->form());
+    run(*options, form->form(options->json));
   });
 }
 
