@@ -28,6 +28,9 @@ class DecodeOutput {
   void stretch(const line::Stretch &stretch, const std::vector<line::WireCharacter> &characters,
                const line::Values &values);
 
+  // Returns how long a character takes, once the wire is found.
+  int64_t characterNs() const { return _characterNs; }
+
   // Returns how many frames were left out of the CSV, since it has no columns for their channels.
   unsigned long leftOut() const { return _leftOut; }
 

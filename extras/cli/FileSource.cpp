@@ -204,7 +204,7 @@ FileKind kindOfText(const std::string &head, const std::string &name) {
   if (line::withoutBlanks(line::withoutMark(head)).substr(0, 1) == "{") {
     return FileKind::Json;
   }
-  if (isFrameTable(head)) {
+  if (frameTable(head) == FrameTable::Yes) {
     return FileKind::Table;
   }
   if (line::hasTimeColumn(line::withoutMark(head))) {
@@ -288,7 +288,7 @@ std::optional<FileKind> liveKind(const std::string &begin) {
     }
     return rest.empty() ? std::nullopt : std::optional(FileKind::Recording);
   }
-  return isFrameTable(text.substr(0, end + 1)) ? std::optional(FileKind::Table) : std::nullopt;
+  return frameTable(text.substr(0, end + 1)) == FrameTable::Yes ? std::optional(FileKind::Table) : std::nullopt;
 }
 
 }  // namespace tool

@@ -12,10 +12,12 @@
 #include <utility>
 
 #include "cli/Stop.h"
+#include "cli/TableReader.h"
 #include "line/capture/Capture.h"
 #include "line/capture/PackedFile.h"
 #include "line/recording/PlainText.h"
 #include "line/recording/Recording.h"
+#include "line/recording/Words.h"
 #include "line/system/System.h"
 #include "sbus/FrameRules.h"
 
@@ -60,11 +62,13 @@ Look lookOf(const std::string &begin, bool ended) {
   return begin.size() < Enough && !ended ? Look::Unknown : isText ? Look::Text : Look::Bytes;
 }
 
-// Returns true if the text is a sketch's rows. kindOfText() tells them from a capture in the same way.
-bool isSketchCsv(const std::string &begin) {
+// Returns true if the text is a sketch's rows. kindOfText() tells them from a capture in the same way. Rows that may be
+// frames are not, unless no others come: `isAll`.
+bool isSketchCsv(const std::string &begin, bool isAll) {
   const std::string head = begin.substr(0, begin.rfind('\n') + 1);
   const std::string format = line::captureFormat(head);
-  return line::isCsvText(head) && (format.empty() || format == line::OscilloscopeFormat);
+  const bool mayBeFrames = !isAll && frameTable(line::withoutMark(head)) == FrameTable::Maybe;
+  return line::isCsvText(head) && (format.empty() || format == line::OscilloscopeFormat) && !mayBeFrames;
 }
 
 }  // namespace
@@ -119,10 +123,11 @@ Pipe::Content Pipe::content(double seconds) {
       return Content::File;
     }
     const bool isPause = !came || _begin.size() >= line::RecordingBeginning;
-    if (look == Look::Unknown && !came && seconds > 0 && waited >= seconds) {
+    const bool isOver = !came && seconds > 0 && waited >= seconds;
+    if (look == Look::Unknown && isOver) {
       return Content::Line;
     }
-    if (look != Look::Bytes && isPause && isSketchCsv(_begin)) {
+    if (look != Look::Bytes && isPause && isSketchCsv(_begin, isOver)) {
       _hasRows = true;
       return Content::Line;
     }

@@ -231,25 +231,26 @@ std::string TableReader::line(std::string_view text, std::deque<line::Character>
   return {};
 }
 
-bool isFrameTable(std::string_view head) {
+FrameTable frameTable(std::string_view head) {
   TableRows rows;
   std::optional<uint64_t> lastUs;
-  for (int count = 0; head.find('\n') != std::string_view::npos;) {
+  int count = 0;
+  while (head.find('\n') != std::string_view::npos) {
     if (!rows.line(line::takeLine(head)).empty()) {
-      return false;
+      return FrameTable::No;
     }
     if (!rows.isRow()) {
       continue;
     }
     if (!rows.isWhole() || (count > 0 && lastUs && rows.row().us && *rows.row().us > *lastUs + FrameUsMost)) {
-      return false;
+      return FrameTable::No;
     }
     lastUs = rows.row().us;
     if (++count == 2) {
-      return true;
+      return FrameTable::Yes;
     }
   }
-  return false;
+  return rows.isWhole() ? FrameTable::Maybe : FrameTable::No;
 }
 
 void assign(const std::string &word, const sbus::Range &range, FrameValues &values) {

@@ -96,7 +96,10 @@ class TableReader : public LineReader {
   bool _any = false;
 };
 
-// Returns true if the text begins like a whole table with a row per frame: rows at most 50 ms apart.
-bool isFrameTable(std::string_view head);
+// Whether a text is a whole table with a row per frame: rows at most 50 ms apart. Maybe: it has fewer than two rows yet.
+enum class FrameTable { No, Maybe, Yes };
+
+// Finds that out by the whole lines at the text's beginning.
+FrameTable frameTable(std::string_view head);
 
 }  // namespace tool

@@ -22,7 +22,7 @@ constexpr uint64_t SettledUs = 100000;       // a pipe that is empty after this 
 constexpr uint64_t LagMostUs = 1000000;
 constexpr uint64_t JitterUs = 20000;  // a pipe's
 
-double seconds(uint64_t us) {
+double seconds(int64_t us) {
   return static_cast<double>(us) / 1e6;
 }
 
@@ -74,6 +74,11 @@ bool TextLines::take(std::string &line) {
   _at = end == std::string::npos ? _text.size() : end + 1;
   _number++;
   return true;
+}
+
+std::string emptyPart(int64_t firstUs, int64_t lastUs) {
+  return line::format(": has no characters there; it has characters from %.3f s to %.3f s", seconds(firstUs),
+                      seconds(lastUs));
 }
 
 TextLine::TextLine(std::string name, std::unique_ptr<TextInput> input, std::unique_ptr<LineReader> reader, Clock clock,
@@ -213,8 +218,7 @@ void TextLine::takeEnd() {
   if (!unread.empty() || !missing.empty()) {
     _failure = _name + ": " + (unread.empty() ? missing : unread);
   } else if (!_any) {
-    _failure = _name + line::format(": has no characters there; it has characters from %.3f s to %.3f s",
-                                    seconds(_firstUs), seconds(_newestUs));
+    _failure = _name + emptyPart(static_cast<int64_t>(_firstUs), static_cast<int64_t>(_newestUs));
   }
 }
 

@@ -101,6 +101,9 @@ class TextLines {
   bool _atEnd = false;
 };
 
+// Returns what is wrong with a part of a file without a character: ": has no characters there; it has ...".
+std::string emptyPart(int64_t firstUs, int64_t lastUs);
+
 class TextLine : public line::Line {
  public:
   enum class Clock {

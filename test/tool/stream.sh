@@ -62,6 +62,30 @@ for line in 16 24 32; do
   verdict $? "hex reads the rows of decode --csv of $line channels"
 done
 
+# ---- At any pace: the header's line, and the rows, may come in pieces
+
+"$SBUS" csv sim --simulated-time --seconds 0.5 --every-frame --header --columns time,ch1-ch16 >"$work/paced.csv"
+"$SBUS" csv "$work/paced.csv" --every-frame >"$work/wanted"
+header=$(head -n 1 "$work/paced.csv" | wc -c)
+# paced PLACES: writes the rows with a pause at each place, in bytes
+paced() {
+  at=0
+  for place in "$@"; do
+    tail -c +$((at + 1)) "$work/paced.csv" | head -c $((place - at))
+    at=$place
+    sleep 0.25
+  done
+  tail -c +$((at + 1)) "$work/paced.csv"
+}
+for places in "$header" "10 $header" "$((header + 30))" "$header $((header + 70)) $((header + 200))"; do
+  # shellcheck disable=SC2086  # the places are words
+  paced $places | timeout 60 "$SBUS" csv - --every-frame 2>"$work/err" | cmp - "$work/wanted" && [ "$(wc -l <"$work/wanted")" -gt 50 ] || { cat "$work/err"; false; }
+  verdict $? "rows of frames are read at any pace: a pause after $places bytes"
+done
+(head -n 1 "$work/paced.csv"; sleep 0.25; echo 0.1,1500) | timeout 60 "$SBUS" csv - >"$work/out" 2>"$work/err"
+[ $? -eq 1 ] && [ ! -s "$work/out" ]
+verdict $? "rows of frames that end in the first one are an error: $(cat "$work/err")"
+
 # ---- While it is being written: each frame has passed all stages before the next one is sent
 
 live() {  # WHAT STAGES: from a pseudo-terminal, through STAGES, to csv

@@ -72,6 +72,12 @@ for form in table csv json; do
   verdict $? "decode prints frames of S.BUS2, as $form"
 done
 
+awk -F, 'NR == 1 || ($1 >= 150000 && $1 <= 400000)' tool/golden/decode-sbus2.csv >"$work/part.want"
+"$SBUS" decode "$work/sbus2.vcd" --csv --from 0.15 --to 0.4 | cmp - "$work/part.want" && [ "$(wc -l <"$work/part.want")" -gt 5 ]
+verdict $? "decode --from --to prints the frames of a part: $(wc -l <"$work/part.want") lines"
+! "$SBUS" decode "$work/sbus2.vcd" --from 5 >"$work/out" 2>"$work/err" && grep -qE '^sbus decode: .*: has no characters there; it has characters from 0.*' "$work/err"
+verdict $? "decode of an empty part says what there is: $(cat "$work/err")"
+
 # A line of 32 channels: half of them are in frames with header 2F. The CSV has one title, one width, and every channel.
 "$SBUS" record sim:32 --simulated-time --seconds 0.3 "$work/32.txt" 2>/dev/null &&
   "$SBUS" wave "$work/32.txt" -o "$work/32.vcd" && "$SBUS" decode "$work/32.vcd" --csv >"$work/32.csv" &&

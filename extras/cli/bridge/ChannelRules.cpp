@@ -17,6 +17,18 @@ uint16_t rawFrom(double percent, const sbus::Range &range) {
   return *rawOf(std::min(std::max(percent, std::min(one, other)), std::max(one, other)), Unit::Percent, range);
 }
 
+// Takes "ch3=" of a rule for a channel that none of `rules` is for. `again`: what is expected if one is.
+template <typename Rule>
+size_t newChannel(Scanner &scanner, const std::vector<Rule> &rules, const char *again) {
+  const size_t channel = scanner.channel(sbus::ProportionalCount) - 1;
+  const bool isAgain =
+      std::any_of(rules.begin(), rules.end(), [channel](const Rule &other) { return other.channel == channel; });
+  if (isAgain || !scanner.take("=")) {
+    scanner.expect(isAgain ? again : "=");
+  }
+  return channel;
+}
+
 }  // namespace
 
 ChannelRules::ChannelRules(Subcommand &subcommand) {
@@ -57,12 +69,7 @@ void ChannelRules::readMap() {
 
 ChannelRules::Mix ChannelRules::mixOf(const std::string &text) const {
   Scanner scanner("--mix", text);
-  Mix mix{scanner.channel(Count) - 1};
-  const bool isAgain =
-      std::any_of(_mixes.begin(), _mixes.end(), [&mix](const Mix &other) { return other.channel == mix.channel; });
-  if (isAgain || !scanner.take("=")) {
-    scanner.expect(isAgain ? "a channel that no other --mix sets" : "=");
-  }
+  Mix mix{newChannel(scanner, _mixes, "a channel that no other --mix sets")};
   double sign = scanner.take("-") ? -1 : 1;
   do {
     double part = 1;
@@ -83,12 +90,7 @@ ChannelRules::Mix ChannelRules::mixOf(const std::string &text) const {
 
 ChannelRules::Limit ChannelRules::limitOf(const std::string &text) const {
   Scanner scanner("--limit", text);
-  Limit limit{scanner.channel(Count) - 1, 0, 0};
-  const bool isAgain =
-      std::any_of(_limits.begin(), _limits.end(), [&](const Limit &other) { return other.channel == limit.channel; });
-  if (isAgain || !scanner.take("=")) {
-    scanner.expect(isAgain ? "a channel that no other --limit has" : "=");
-  }
+  Limit limit{newChannel(scanner, _limits, "a channel that no other --limit has"), 0, 0};
   limit.low = scanner.value(_range);
   if (!scanner.take("..")) {
     scanner.expect("..");

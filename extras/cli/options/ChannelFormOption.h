@@ -13,18 +13,22 @@ class ChannelFormOption {
  public:
   // Adds both to a subcommand. Do not move this object afterwards.
   explicit ChannelFormOption(Subcommand &subcommand) : _range(subcommand) {
-    subcommand.option("--unit", _text, "the unit of the channels in JSON lines (raw)")
-        .oneOf({"raw", "us", "percent"})
-        .type("raw|us|percent");
+    _unit = subcommand.option("--unit", _text, "the unit of the channels in JSON lines (raw)")
+                .oneOf({"raw", "us", "percent"})
+                .type("raw|us|percent");
   }
 
-  // Rejects the command line if --range is not a range.
-  ChannelForm form() const {
+  // Rejects the command line if --range is not a range, or if --unit is given without JSON lines, which alone have it.
+  ChannelForm form(bool isJson) const {
+    if (_unit.given() && !isJson) {
+      rejectCommandLine("--unit: is for JSON lines; add --json, or leave it out");
+    }
     return {_text == "us" ? Unit::Us : _text == "percent" ? Unit::Percent : Unit::Raw, _range.range()};
   }
 
  private:
   RangeOption _range;
+  Option _unit;
   std::string _text = "raw";
 };
 

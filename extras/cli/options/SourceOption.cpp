@@ -25,30 +25,21 @@ namespace tool {
 
 namespace {
 
-constexpr double YearS = 366.0 * 24 * 60 * 60;
-
-uint64_t toUs(double seconds) {
-  return static_cast<uint64_t>(seconds * 1e6);
-}
-
 int64_t wallUs() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-// Keeps the characters that end within the times; `toUs` 0: to the end.
-void cut(const std::string &name, FileSource &file, uint64_t fromUs, uint64_t toUs) {
+void cut(const std::string &name, FileSource &file, const PartOption &part) {
   const line::Characters all = std::exchange(file.recording.characters, {});
   for (const line::Character character : all) {
-    if (character.endUs >= fromUs && (toUs == 0 || character.endUs <= toUs)) {
+    if (part.has(static_cast<int64_t>(character.endUs))) {
       file.recording.characters.push_back(character);
     }
   }
   if (file.recording.characters.empty()) {
-    char text[100];
-    std::snprintf(text, sizeof text, ": has no characters there; it has characters from %.3f s to %.3f s",
-                  static_cast<double>(all[0].endUs) / 1e6, static_cast<double>(all.back().endUs) / 1e6);
-    throw std::runtime_error(name + text);
+    throw std::runtime_error(name +
+                             emptyPart(static_cast<int64_t>(all[0].endUs), static_cast<int64_t>(all.back().endUs)));
   }
 }
 
@@ -77,8 +68,7 @@ SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words 
       subcommand.option("--signal", _given.overrules.signal, "the signal of a capture (the one with the most frames)")
           .notEmpty()
           .type("NAME");
-  _given.part = {subcommand.option("--from", _given.from, "begin at this time in a file").between(0, YearS).type("S"),
-                 subcommand.option("--to", _given.to, "end at this time in a file").seconds().type("S")};
+  _given.part.addTo(subcommand);
   if (recordings == Recordings::InRealTime) {
     _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
   }
@@ -170,7 +160,7 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
     if (_given.signal.given()) {
       rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
     }
-    rejectPart("is for a file; leave it out for " + parsed.name);
+    _given.part.reject("is for a file; leave it out for " + parsed.name);
     if (_given.recordings == Recordings::InRealTime && _given.loop.given()) {
       rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
     }
@@ -180,14 +170,6 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
 void SourceOption::rejectDisturbing(const Parsed &parsed, const char *what) {
   if (parsed.source.disturbs()) {
     rejectCommandLine(parsed.name + ": what follows the colon is for sim or a recording; leave it out for " + what);
-  }
-}
-
-void SourceOption::rejectPart(const std::string &reason) const {
-  for (const Option &option : _given.part) {
-    if (option.given()) {
-      rejectCommandLine(option.name() + ": " + reason);
-    }
   }
 }
 
@@ -259,9 +241,9 @@ const FileSource &SourceOption::file() const {
   FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _given.baud)
                                 : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrules);
   if (!read.hasTimes || !read.hasRowTimes) {
-    rejectPart("is for a file with times; leave it out for " + name());
-  } else if (read.isWhole() && (_given.from > 0 || _given.to > 0)) {
-    cut(name(), read, toUs(_given.from), toUs(_given.to));
+    _given.part.reject("is for a file with times; leave it out for " + name());
+  } else if (read.isWhole() && (_given.part.fromUs() > 0 || _given.part.toUs() > 0)) {
+    cut(name(), read, _given.part);
   }
   if (read.kind == FileKind::Rows || read.kind == FileKind::Bytes) {
     rejectDisturbing(parsed(), read.kind == FileKind::Rows ? "rows of CSV" : "bytes without times");
@@ -277,7 +259,7 @@ std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const 
   auto input =
       std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
                               leftSeconds());
-  input->setStart(toUs(_given.from));
+  input->setStart(_given.part.fromUs());
   return input;
 }
 
@@ -293,7 +275,7 @@ std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &por
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
-    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, toUs(_given.from));
+    return std::make_unique<LoopedLine>([this, port] { return openOnce(port); }, _given.part.fromUs());
   }
   return openOnce(port);
 }
@@ -337,8 +319,8 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   }
   const bool isLive = _isLiveText && _given.recordings == Recordings::InRealTime && !_given.simulatedTime.given();
   return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
-                                    isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, toUs(_given.from),
-                                    toUs(_given.to));
+                                    isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, _given.part.fromUs(),
+                                    _given.part.toUs());
 }
 
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
@@ -346,7 +328,7 @@ std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &por
   std::unique_ptr<line::Line> line;
   if (read.kind == FileKind::Rows && _sendsFrames && !_given.csv.given()) {
     return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _given.periodUs,
-                                            settings().characterUs(), toUs(_given.from), toUs(_given.to));
+                                            settings().characterUs(), _given.part.fromUs(), _given.part.toUs());
   }
   if (read.isWhole()) {
     line = std::make_unique<line::RecordedLine>(std::shared_ptr<const line::Recording>(_file, &read.recording));

@@ -11,6 +11,7 @@
 #include "cli/Json.h"
 #include "cli/Pipe.h"
 #include "cli/TableReader.h"
+#include "cli/options/PartOption.h"
 #include "cli/options/Subcommand.h"
 #include "line/Source.h"
 
@@ -77,10 +78,8 @@ class SourceOption {
     Recordings recordings = Recordings::InRealTime;
     unsigned long baud = 0;  // 0: not given
     double seconds = 0;
-    double from = 0;  // seconds
-    double to = 0;    // 0: to the end
     Option csv;
-    std::vector<Option> part;  // --from and --to
+    PartOption part;
     Option loop;
     Option simulatedTime;
     Option signal;
@@ -107,7 +106,6 @@ class SourceOption {
   std::unique_ptr<line::Line> openOnce(const line::LineSettings &port) const;
   void rejectOptions(const Parsed &parsed) const;
   static void rejectDisturbing(const Parsed &parsed, const char *what);
-  void rejectPart(const std::string &reason) const;
 
   bool _sendsFrames = false;
   Given _given;

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -10,7 +11,9 @@
 #include "cli/FileSource.h"
 #include "cli/HeldSlots.h"
 #include "cli/Output.h"
+#include "cli/TextLine.h"
 #include "cli/options/ChannelFormOption.h"
+#include "cli/options/PartOption.h"
 #include "cli/options/Subcommand.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/capture/CaptureTimes.h"
@@ -25,6 +28,7 @@ struct Options {
   std::string capture;
   std::string output;  // a recording
   line::Overrules overrules;
+  PartOption part;
   std::string invert;
   bool csv = false;
   bool json = false;
@@ -102,6 +106,9 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
                       : options.csv ? Form::Csv
                                     : Form::Table,
                       options.characters, options.capture, form);
+  std::optional<int64_t> firstUs;  // of all characters
+  int64_t lastUs = 0;
+  bool any = false;  // in the part
   Frames frames(output, !record || options.csv || options.json, record);
   line::WireDecoder wire(
       options.overrules,
@@ -113,6 +120,12 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
         frames.begin(options.capture, wire.wire());
       },
       [&](const line::WireCharacter &character) {
+        lastUs = (character.startNs + output.characterNs()) / 1000;
+        firstUs = firstUs.value_or(lastUs);
+        if (!options.part.has(lastUs)) {
+          return;
+        }
+        any = true;
         output.character(character);
         frames.put(character);
       });
@@ -120,6 +133,9 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   if (!wire.found()) {
     throw std::runtime_error(capture.error.empty() ? options.capture + ": " + wire.failure(capture.periodNs)
                                                    : capture.error);
+  }
+  if (firstUs && !any) {
+    throw std::runtime_error(options.capture + emptyPart(*firstUs, lastUs));
   }
   const line::Observer &observer = frames.finish(wire.endNs());
   output.end(options.capture, capture, observer);
@@ -171,6 +187,7 @@ void addDecode(CLI::App &app) {
   line::Overrules &overrules = options->overrules;
   subcommand.option("--signal", overrules.signal, "decode only this signal (the one with the most frames)")
       .type("NAME");
+  options->part.addTo(subcommand);
   subcommand.option("--baud", overrules.baud, "the wire's baud rate, within 3 % (100000 or 200000)")
       .between(50000, 400000)
       .type("N");
@@ -200,7 +217,7 @@ void addDecode(CLI::App &app) {
     options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;
-    run(*options, form->form());
+    run(*options, form->form(options->json));
   });
 }
 

@@ -270,7 +270,7 @@ void addHex(CLI::App &app) {
       "each with a wrong parity or stop bit; frame, frame24 (24 channels), extra (header 2F) or - for no frame; and "
       "the end byte or the reason.");
   const auto form = std::make_shared<ChannelFormOption>(subcommand);
-  subcommand.run([source, options, form] { run(*source, *options, form->form()); });
+  subcommand.run([source, options, form] { run(*source, *options, form->form(options->json)); });
 }
 
 }  // namespace tool
