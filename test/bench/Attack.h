@@ -28,9 +28,8 @@ struct Attack {
   }
 };
 
-// Convert an attack to a text and back: a call a line, "+US HEX HEX ...", the time since the call before, or begin().
+// Returns an attack as a text: a call a line, "+US HEX HEX ...", the time since the call before, or begin().
 std::string textOf(const Attack &attack);
-Attack attackOf(const char *text);
 
 // Three times this frame, every 9 ms: the receiver is in sync.
 inline Attack inSync(const Frame &frame) {

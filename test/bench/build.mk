@@ -1,6 +1,6 @@
 # Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints for sed
 # how many bytes of flash each @NAME, a way of unpacking, takes. The start-up code is that of ../boards/cortex-m0.
-#   TRIES    how long the longest call is searched for: tries from each start, of which there are five
+#   TRIES    how long the longest call is searched for: tries from each start, one of each line variant
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 ROOT := $(HERE)/../..

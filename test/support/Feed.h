@@ -109,16 +109,6 @@ struct FeederOf {
 
 using Feeder = FeederOf<sbus::Frame16>;
 
-// Returns the frames in `bytes`, without a gap, polled whenever `burst` of them have come; with `byEvents`, only then.
-// A header follows, for a frame that waits for it.
-inline Frames feedNew(const Bytes &bytes, size_t burst = 1, bool byEvents = false) {
-  Feeder feeder;
-  if (!byEvents) {
-    feeder.wait(0);
-  }
-  return feeder.feed(bytes + Bytes{0x0F}, burst);
-}
-
 // Characters and gaps, read through the board's driver by a loop() of some period.
 class TimedLine {
  public:

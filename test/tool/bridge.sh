@@ -1,12 +1,7 @@
 #!/bin/sh
 # Tests what `sbus bridge` sends, as JSON lines and on pseudo-terminals, and says "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/bridge
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # rows: the frames among JSON lines: CH1 to CH18, lost frame, failsafe; with an argument also their times

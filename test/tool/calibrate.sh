@@ -1,12 +1,7 @@
 #!/bin/sh
 # Tests what `sbus calibrate` prints and writes, and what `sbus joystick` reads of that; says "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/calibrate
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # ---- The simulated transmitter: CH2 is reversed, the sticks rest at 1000, 985 and 992, CH5 and CH6 are switches

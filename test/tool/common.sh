@@ -1,4 +1,9 @@
-# Functions for the scripts of this folder: each says "ok sbus: ..." or "FAILED sbus: ...". To be sourced in test.
+# For the scripts of this folder, to be sourced in test. SBUS: the program; WORK: an absolute folder, in which each script has
+# one for what it writes, `work`, empty at first.
+
+work=$WORK/$(basename "$0" .sh)
+rm -rf "$work"
+mkdir -p "$work"
 
 verdict() {  # STATUS WHAT
   if [ "$1" -eq 0 ]; then echo "ok sbus: $2"; else echo "FAILED sbus: $2"; fi
@@ -9,17 +14,16 @@ bytes() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr -d '!' | tr ' ' '
 
 # player SUBCOMMAND ARGUMENTS...: starts sbus on a pseudo-terminal; sets `player` to its process, `terminal` to the name.
 # Without a reader it would wait for ever.
-# SBUS: the program; WORK: a folder.
 player() {
-  rm -f "$WORK/terminal"
-  timeout --foreground 300 "$SBUS" "$@" >"$WORK/terminal" 2>"$WORK/player.err" &
+  rm -f "$work/terminal"
+  timeout --foreground 300 "$SBUS" "$@" >"$work/terminal" 2>"$work/player.err" &
   player=$!
-  tries=0
-  until { read -r terminal <"$WORK/terminal"; } 2>/dev/null || [ $tries -ge 600 ]; do  # a whole line
-    sleep 0.1
-    tries=$((tries + 1))
-  done
+  until_true has_terminal
 }
+has_terminal() { read -r terminal <"$work/terminal"; } 2>/dev/null  # a whole line
+
+# has_lines COUNT FILE: it has as many, or more
+has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
 
 # until_true COMMAND...: waits until it succeeds, a minute at most
 until_true() {

@@ -1,12 +1,7 @@
 #!/bin/sh
 # Tests what `sbus compare` says about two lines with known differences, and says "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/compare
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # line NAME SECONDS VALUES WHERE: frame i of a flight in $work/NAME, at 9 ms * i + SECONDS; VALUES changes `raw`, the value of CH1,

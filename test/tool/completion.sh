@@ -2,7 +2,7 @@
 # Completes command lines, and says "ok ..." or "FAILED ..." of:
 #   every subcommand and option that --help-all lists
 #   tool/COMPLETIONS, by bash, zsh and fish
-# SBUS: the program; WORK: an absolute folder with `words`, a subcommand and an option a line.
+# WORDS: a file, a subcommand and an option a line.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 export PATH="${SBUS%/*}:$PATH"
@@ -17,7 +17,7 @@ complete_bash() {
 }
 complete_zsh() {
   zsh -f -c 'fpath=("$0"); autoload -Uz _sbus; compadd() { print -r -- "${@[2,-1]}" }; _files() { print -rl -- * }
-    words=("$@"); CURRENT=$#; _sbus' "$WORK/zsh" "$@"
+    words=("$@"); CURRENT=$#; _sbus' "$work/zsh" "$@"
 }
 complete_fish() {
   fish --no-config -c 'source $argv[1]/completion.fish; complete -C (string join " " -- $argv[2..-1])' "$completions" "$@"
@@ -27,14 +27,14 @@ failed=0
 while read -r subcommand option; do
   complete_bash sbus $subcommand ${option:+"$option"} | grep -qxFe "${option:-$subcommand}" ||
     { echo "$subcommand $option is not completed"; failed=1; }
-done <"$WORK/words"
+done <"$WORDS"
 verdict $failed "every subcommand and option is completed"
 
-mkdir -p "$WORK/zsh" "$WORK/here"
-cp "$completions/completion.zsh" "$WORK/zsh/_sbus"
-touch "$WORK/here/flight 1.txt" "$WORK/here/receiver.vcd"
-"$SBUS" ports 2>/dev/null | sed -n 's,^\(/dev/[^ ]*\).*,\1,p' >"$WORK/ports"
-grep -v '^#' tool/COMPLETIONS >"$WORK/completions"
+mkdir -p "$work/zsh" "$work/here"
+cp "$completions/completion.zsh" "$work/zsh/_sbus"
+touch "$work/here/flight 1.txt" "$work/here/receiver.vcd"
+"$SBUS" ports 2>/dev/null | sed -n 's,^\(/dev/[^ ]*\).*,\1,p' >"$work/ports"
+grep -v '^#' tool/COMPLETIONS >"$work/completions"
 for shell in bash zsh fish; do
   command -v $shell >/dev/null || { echo "skipped sbus: completion by $shell, which is not here"; continue; }
   while IFS= read -r line; do
@@ -43,13 +43,13 @@ for shell in bash zsh fish; do
     [[ $begun =~ (^|\ )$ ]] && words+=("")
     for each in ${line##* =}; do
       case $each in
-        '<ports>') cat "$WORK/ports" ;;
-        '<files>') ls "$WORK/here" ;;
+        '<ports>') cat "$work/ports" ;;
+        '<files>') ls "$work/here" ;;
         *) echo "$each" ;;
       esac
-    done | sort >"$WORK/wanted"
-    (cd "$WORK/here" && complete_$shell "${words[@]}") 2>&1 | sed 's/\t.*//; /^$/d' | sort >"$WORK/got"
-    diff "$WORK/wanted" "$WORK/got"
+    done | sort >"$work/wanted"
+    (cd "$work/here" && complete_$shell "${words[@]}") 2>&1 | sed 's/\t.*//; /^$/d' | sort >"$work/got"
+    diff "$work/wanted" "$work/got"
     verdict $? "$shell completes: sbus $begun"
-  done <"$WORK/completions"
+  done <"$work/completions"
 done

@@ -1,12 +1,8 @@
 #!/bin/sh
 # hex, telemetry, summary and doctor count the same on the same recordings, and say that times are not known where they are
-# not. SBUS: the program; WORK: an absolute folder for what is written.
+# not.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/counts
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # Lines of each variant, clean and with noise: S.BUS2, end byte 08 with five more bytes, 24 and 32 channels.

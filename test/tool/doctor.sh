@@ -1,6 +1,5 @@
 #!/bin/sh
 # Runs `sbus doctor` on each line of verdicts/LINES, and on ports, and says "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
@@ -18,15 +17,15 @@ agree() {
 heard() {
   wanted=$1 finding=$2 figures=$3
   shift 3
-  timeout 60 "$SBUS" doctor "$@" >"$WORK/doctor.out" 2>"$WORK/doctor.err" </dev/null
-  [ $? -eq "$wanted" ] && [ ! -s "$WORK/doctor.err" ] && grep -A 1 "^$finding" "$WORK/doctor.out" | sed -n '2s/./&/p' | grep -q . &&
-    if [ "$figures" = - ]; then ! grep -q 'frames a second' "$WORK/doctor.out"; else grep -q "^$figures" "$WORK/doctor.out"; fi && agree "$WORK/doctor.out"
+  timeout 60 "$SBUS" doctor "$@" >"$work/doctor.out" 2>"$work/doctor.err" </dev/null
+  [ $? -eq "$wanted" ] && [ ! -s "$work/doctor.err" ] && grep -A 1 "^$finding" "$work/doctor.out" | sed -n '2s/./&/p' | grep -q . &&
+    if [ "$figures" = - ]; then ! grep -q 'frames a second' "$work/doctor.out"; else grep -q "^$figures" "$work/doctor.out"; fi && agree "$work/doctor.out"
 }
 
 asked() {
   heard "$@"
   status=$?
-  [ $status -eq 0 ] || cat "$WORK/doctor.out" "$WORK/doctor.err"
+  [ $status -eq 0 ] || cat "$work/doctor.out" "$work/doctor.err"
   shift 3
   verdict $status "doctor $* finds: $finding"
 }
@@ -38,15 +37,15 @@ asked_live() {
   verdict 0 "doctor $* finds: $finding"
 }
 
-verdicts/lines.sh "$WORK"
-grep -v '^#' verdicts/LINES >"$WORK/lines"
+verdicts/lines.sh "$work"
+grep -v '^#' verdicts/LINES >"$work/lines"
 while IFS='|' read -r finding well figures by arguments; do
   case $by in *s*) ;; *) continue ;; esac
   case $arguments in sim*) arguments="$arguments --simulated-time" ;; esac
   [ "$well" = yes ] && status=0 || status=1
   # shellcheck disable=SC2086,SC2046  # the arguments are words
-  asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$WORK,")
-done <"$WORK/lines"
+  asked $status "$finding" "$figures" $(echo "$arguments" | sed "s,WORK,$work,")
+done <"$work/lines"
 
 player send sim
 asked_live 0 'All well.' 'S.BUS: 1[01][0-9] frames a second' "$terminal"
@@ -63,20 +62,19 @@ kill $player
 sources="tool/Adapter.cpp impairment/ImpairedLine.cpp impairment/Payload.cpp ../extras/line/LineSettings.cpp"
 # shellcheck disable=SC2086  # they are several
 g++ -std=c++17 -O1 -I. -Iimpairment -I../src -I../extras -I../extras/host $sources ../extras/line/system/PseudoTerminal.cpp \
-  ../src/sbus/Frame.cpp -o "$WORK/Adapter"
+  ../src/sbus/Frame.cpp -o "$work/Adapter"
 verdict $? "tool/Adapter builds"
 adapter() {  # LINE PERIOD_MS LATENCY_MS FRAMES
-  rm -f "$WORK/terminal"
-  "$WORK/Adapter" "$@" >"$WORK/terminal" &
+  rm -f "$work/terminal"
+  "$work/Adapter" "$@" >"$work/terminal" &
   player=$!
-  until [ -s "$WORK/terminal" ] || ! kill -0 $player; do sleep 0.1; done
-  terminal=$(cat "$WORK/terminal")
+  until_true has_terminal
 }
 note='This port does not tell how long it holds bytes back: gaps shorter than 19 ms are not seen.'
 while read -r line period latency status finding; do
   adapter "$line" "$period" "$latency" 1000
   asked_live "$status" "$finding" '.* frames a second and 0 damaged' "$terminal"
-  grep -qxF "$note" "$WORK/doctor.out"
+  grep -qxF "$note" "$work/doctor.out"
   verdict $? "doctor says which gaps are not seen: $line, $latency ms"
   kill $player
 done <<END
@@ -85,9 +83,9 @@ done <<END
 sbus2 15 16 0 All well.
 END
 adapter 16 9 16 200
-"$SBUS" record "$terminal" "$WORK/adapter.txt" 2>"$WORK/err"
-grep -q '^[0-9]*~[0-9]* ' "$WORK/adapter.txt" && "$SBUS" hex "$WORK/adapter.txt" >"$WORK/adapter.hex" &&
-  [ "$(grep -c ' frame ' "$WORK/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$WORK/adapter.txt" | grep -qx 'All well.'
+"$SBUS" record "$terminal" "$work/adapter.txt" 2>"$work/err"
+grep -q '^[0-9]*~[0-9]* ' "$work/adapter.txt" && "$SBUS" hex "$work/adapter.txt" >"$work/adapter.hex" &&
+  [ "$(grep -c ' frame ' "$work/adapter.hex")" -ge 188 ] && "$SBUS" doctor "$work/adapter.txt" | grep -qx 'All well.'
 verdict $? "a recording from an adapter at 16 ms keeps its reads, so its frames are found again"
 kill $player
 
@@ -99,23 +97,23 @@ as_user() {
   if [ "$(id -u)" -eq 0 ]; then setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; else "$@"; fi
 }
 player send sim
-"$SBUS" hex "$terminal" >"$WORK/reader" 2>&1 &
+"$SBUS" hex "$terminal" >"$work/reader" 2>&1 &
 reader=$!
-until [ -s "$WORK/reader" ] || ! kill -0 $reader; do sleep 0.1; done
+until_true has_lines 1 "$work/reader"
 "$SBUS" doctor "$terminal" 2>&1 | grep -qx "sbus doctor: $terminal: in use; close the other program that has it open"
 verdict $? "doctor says that a pseudo-terminal is in use if another sbus reads it"
 kill $reader
 wait $reader
 chmod 000 "$terminal"
-as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
-[ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$WORK/err"
+as_user "$folder/sbus" doctor "$terminal" 2>"$work/err"
+[ $? -eq 1 ] && grep -q "^sbus doctor: $terminal: no permission; \(join the group\|a udev rule\)" "$work/err"
 verdict $? "doctor says how to get permission for a port"
 chmod 666 "$terminal"
-perl -e 'open(P, "+<", $ARGV[0]) && ioctl(P, 0x540C, 0) && print("mine\n") && close(STDOUT) && sleep(60)' "$terminal" >"$WORK/mine" &
+perl -e 'open(P, "+<", $ARGV[0]) && ioctl(P, 0x540C, 0) && print("mine\n") && close(STDOUT) && sleep(60)' "$terminal" >"$work/mine" &
 owner=$!
-until [ -s "$WORK/mine" ] || ! kill -0 $owner 2>/dev/null; do sleep 0.1; done
-as_user "$folder/sbus" doctor "$terminal" 2>"$WORK/err"
-[ $? -eq 1 ] && grep -qx "sbus doctor: $terminal: in use; close the other program that has it open" "$WORK/err"
+until_true has_lines 1 "$work/mine"
+as_user "$folder/sbus" doctor "$terminal" 2>"$work/err"
+[ $? -eq 1 ] && grep -qx "sbus doctor: $terminal: in use; close the other program that has it open" "$work/err"
 verdict $? "doctor says that a port is in use if another program has it exclusively"
 kill $owner $player
 rm -r "$folder"

@@ -2,7 +2,6 @@
 # Runs `sbus explain` on frames that this script packs, and says "ok ..." or "FAILED ..." of:
 #   each channel's raw value, its microseconds, its bits, and what each byte says that it holds
 #   tool/EXPLAINED   what it says about bytes that are not a frame, and how far it explains them
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
@@ -46,23 +45,23 @@ explained() {
     }
     END {
       if (wrong != "" || channels != bytes || held != wanted || count < 16) { print "values:" wrong; print channels; print bytes; print held; exit 1 }
-    }' "$WORK/explain.txt"
+    }' "$work/explain.txt"
 }
 
 # frame TITLE HEADER FIRST STEP CHANNELS FLAGS END NAME: all of it is right; NAME is the first channel's number
 frame() {
   title=$1 name=$8
   shift
-  packed "$1" "$2" "$3" "$4" "$5" "$6" >"$WORK/frame.hex"
+  packed "$1" "$2" "$3" "$4" "$5" "$6" >"$work/frame.hex"
   # shellcheck disable=SC2046  # the bytes are words
-  "$SBUS" explain $(cat "$WORK/frame.hex") >"$WORK/explain.txt" && explained "$name" "$2" "$3" &&
-    "$SBUS" explain "$(tr -d ' ' <"$WORK/frame.hex")" | cmp - "$WORK/explain.txt" &&
-    "$SBUS" explain <"$WORK/frame.hex" | cmp - "$WORK/explain.txt" &&
-    sed 's/^/{0x/; s/ /, 0x/g' "$WORK/frame.hex" | "$SBUS" explain - | cmp - "$WORK/explain.txt"
+  "$SBUS" explain $(cat "$work/frame.hex") >"$work/explain.txt" && explained "$name" "$2" "$3" &&
+    "$SBUS" explain "$(tr -d ' ' <"$work/frame.hex")" | cmp - "$work/explain.txt" &&
+    "$SBUS" explain <"$work/frame.hex" | cmp - "$work/explain.txt" &&
+    sed 's/^/{0x/; s/ /, 0x/g' "$work/frame.hex" | "$SBUS" explain - | cmp - "$work/explain.txt"
   verdict $? "explain is right about $title"
 }
 says() {
-  grep -qx " *$1 .*  $2" "$WORK/explain.txt"
+  grep -qx " *$1 .*  $2" "$work/explain.txt"
   verdict $? "explain says: $2"
 }
 frame "16 channels" 0F 0 136 16 0B 14 1
@@ -77,11 +76,11 @@ frame "24 channels" 0F 172 70 24 08 00 1
 says 34 "flags: frame not lost, failsafe"
 
 # The rows of both tables, the exit status, and a message a line on standard error.
-grep -v '^#' tool/EXPLAINED >"$WORK/explained"
+grep -v '^#' tool/EXPLAINED >"$work/explained"
 while IFS='|' read -r bytes rows channels messages; do
-  "$SBUS" explain "$bytes" >"$WORK/explain.txt" 2>"$WORK/err"
+  "$SBUS" explain "$bytes" >"$work/explain.txt" 2>"$work/err"
   [ $? -eq "$([ -z "$messages" ] && echo 0 || echo 1)" ] &&
-    [ "$(grep -cE '^ *[0-9]+  ' "$WORK/explain.txt") $(grep -c '^CH' "$WORK/explain.txt")" = "$rows $channels" ] &&
-    [ "$(sed 's/^sbus explain: //' "$WORK/err" | paste -sd ';')" = "$messages" ]
+    [ "$(grep -cE '^ *[0-9]+  ' "$work/explain.txt") $(grep -c '^CH' "$work/explain.txt")" = "$rows $channels" ] &&
+    [ "$(sed 's/^sbus explain: //' "$work/err" | paste -sd ';')" = "$messages" ]
   verdict $? "explain $bytes has the rows and messages of tool/EXPLAINED"
-done <"$WORK/explained"
+done <"$work/explained"

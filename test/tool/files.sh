@@ -1,55 +1,22 @@
 #!/bin/sh
 # Runs `sbus` on files that are not recordings: captures of the wire, and bytes without times. Says "ok ..." or "FAILED ...".
-# The captures are made here from the recordings, bit by bit; decoded, they must hold what the recordings hold.
-# SBUS: the program; WORK: an absolute folder for what is written.
+# The captures are made by `sbus wave`, which wire.sh tests; decoded, they must hold what the recordings hold.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/files
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
-
-# capture FORM IDLE BIT_US <RECORDING: its wire as VCD or as Logic 2's CSV, idle at 0 or 1
-capture() {
-  awk -v form="$1" -v idle="$2" -v bit="$3" '
-    function level(us, high) {
-      if (high == now) return
-      now = high
-      if (form == "vcd") printf "#%d\n%d!\n", us, high; else printf "%.6f,%d\n", us / 1e6, high
-    }
-    function send(us, value,   i, ones) {
-      level(us, 1 - idle)
-      for (i = 0; i < 8; i++) {
-        one = int(value / 2 ^ i) % 2
-        ones += one
-        level(us + (i + 1) * bit, one ? idle : 1 - idle)
-      }
-      level(us + 9 * bit, ones % 2 ? idle : 1 - idle)
-      level(us + 10 * bit, idle)
-      end = us + 12 * bit
-    }
-    BEGIN {
-      for (i = 0; i < 256; i++) byte[sprintf("%02X", i)] = i
-      now = idle
-      if (form == "vcd") printf "$timescale 1us $end\n$var wire 1 ! RX $end\n$enddefinitions $end\n#0\n%d!\n", idle
-      else printf "Time [s],Channel 0\n0.000000,%d\n", idle
-    }
-    { sub(/\r/, "") }
-    !/^#/ && NF > 1 { for (i = 2; i <= NF; i++) send($1 + (i - 3) * 12 * bit, byte[$i]) }
-    END { us = end + 20000; if (form == "vcd") printf "#%d\n", us; else printf "%.6f,%d\n", us / 1e6, 1 - idle }'
-}
 
 # ---- Captures
 
-for form in vcd csv; do
+for recording in paper sbus2 frsky-neutral; do
   for idle in 0 1; do
-    for recording in paper sbus2 frsky-neutral; do
-      file=$work/$recording-$idle.$form
-      capture $form $idle 10 <recordings/$recording.txt >"$file"
+    file=$work/$recording-$idle
+    "$SBUS" wave "recordings/$recording.txt$([ $idle = 0 ] || echo :uninverted)" >"$file.vcd"
+    awk 'BEGIN { print "Time [s],Channel 0" } /^#/ { us = substr($0, 2) } /^[01]!/ { printf "%.6f,%s\n", us / 1e6, level = substr($0, 1, 1) }
+      END { printf "%.6f,%d\n", us / 1e6, 1 - level }' "$file.vcd" >"$file.csv"
+    for form in vcd csv; do
       for subcommand in 'hex' 'csv --every-frame --columns time,ch1-ch18,failsafe'; do
         # shellcheck disable=SC2086  # the arguments are words
-        "$SBUS" $subcommand recordings/$recording.txt >"$work/wanted" && "$SBUS" $subcommand "$file" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
+        "$SBUS" $subcommand recordings/$recording.txt >"$work/wanted" && "$SBUS" $subcommand "$file.$form" | cmp - "$work/wanted" && [ -s "$work/wanted" ]
         verdict $? "$subcommand of $recording as $form, idle $idle, prints the same as for the recording"
       done
     done
@@ -65,14 +32,12 @@ verdict $? "monitor shows a capture like its recording"
 "$SBUS" record "$work/sbus2-0.vcd" "$work/recorded.txt" 2>"$work/err" && bytes recordings/sbus2.txt >"$work/wanted" &&
   bytes "$work/recorded.txt" | cmp - "$work/wanted"
 verdict $? "record of a capture has the recording's bytes"
-"$SBUS" send "$work/sbus2-1.csv" >"$work/terminal" 2>"$work/err" &
-player=$!
-until [ -s "$work/terminal" ] || ! kill -0 $player; do sleep 0.1; done
-"$SBUS" record "$(cat "$work/terminal")" "$work/replayed.txt" 2>"$work/err" && bytes "$work/replayed.txt" | cmp - "$work/wanted"
+player send "$work/sbus2-1.csv"
+"$SBUS" record "$terminal" "$work/replayed.txt" 2>"$work/err" && bytes "$work/replayed.txt" | cmp - "$work/wanted"
 verdict $? "send of a capture sends the recording's bytes"
 wait $player
 
-capture vcd 0 5 <recordings/slow/"$(ls recordings/slow | head -n 1)" >"$work/fast.vcd"
+"$SBUS" wave recordings/slow/"$(ls recordings/slow | head -n 1)" --baud 200000 >"$work/fast.vcd"
 [ "$("$SBUS" hex "$work/fast.vcd" | grep -c ' frame end ')" -gt 3 ] && "$SBUS" doctor "$work/fast.vcd" | grep -q '^200000 baud, 8E2, inverted: '
 verdict $? "a capture of Fast S.Bus needs no option"
 ! "$SBUS" csv "$work/fast.vcd" --baud 100000 >"$work/out" 2>"$work/err"

@@ -1,12 +1,8 @@
 #!/bin/sh
 # Tests the values and times that `sbus hex` prints, and its lines when they are fitted to a width; says "ok ..." or
-# "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
+# "FAILED ...".
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/hex
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 for channels in 16 24 32; do

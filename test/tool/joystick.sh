@@ -1,13 +1,8 @@
 #!/bin/sh
 # Tests the events that a program reads from the game controller of `sbus joystick`; says "ok ..." or "FAILED ...".
 # The controller is at a stand-in for /dev/uinput, Uinput.cpp, which logs them; where a real one can be opened, also there.
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/joystick
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # shellcheck disable=SC2046  # flags

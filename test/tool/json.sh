@@ -1,13 +1,8 @@
 #!/bin/sh
 # Compares every JSON line that `sbus` prints with the manual's section JSON LINES, and says "ok ..." or "FAILED ...": each
 # field is there with the type of its name, and each field of the manual occurs.
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/json
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 run() { timeout 60 "$SBUS" "$@" --json >>"$work/all" 2>"$work/err" </dev/null; }

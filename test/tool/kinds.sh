@@ -1,13 +1,8 @@
 #!/bin/sh
 # Every subcommand reads every kind of file: by its name, on standard input from the file, and through a pipe. What it
 # prints is the same as for the plain file. Prints a table of the kinds, and "ok ..." or "FAILED ..." for each subcommand and kind.
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/kinds
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # What other programs write: text/NAME and its packed forms. The session is sigrok's: libsigrok, src/output/srzip.c.

@@ -1,16 +1,14 @@
 #!/bin/sh
 # Runs the programs in other languages of extras/cli/README.md on a recording and on a live port, and says "ok ..." or
-# "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
+# "FAILED ...".
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/languages
-rm -rf "$work"
-mkdir -p "$work/bin"
+. tool/common.sh
+
+mkdir "$work/bin"
 ln -s "$SBUS" "$work/bin/sbus"
 recordings=$PWD/recordings
 PATH=$work/bin:$PATH
-
-. tool/common.sh
 
 fence() { awk -v fence="\`\`\`$1" '$0 == "```" { inside = 0 } inside; $0 == fence { inside = 1 }' ../extras/cli/README.md; }
 fence python >"$work/sticks.py"

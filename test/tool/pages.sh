@@ -2,7 +2,7 @@
 # Runs `sbus monitor` in terminals of tmux, and says "ok ..." or "FAILED ..." of:
 #   tool/pages/NAME.txt   what is on the page, for each call of `page` below
 #   keys, another size, a line that falls silent, and the terminal afterwards
-# "pages.sh update" writes tool/pages instead. SBUS: the program; WORK: an absolute folder for what is written.
+# "pages.sh update" writes tool/pages instead.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 update="${1:-}"
@@ -11,7 +11,7 @@ server=0
 . tool/common.sh
 
 # Each terminal has its own server, since a server that is ending accepts no more terminals.
-tmux() { command tmux -S "$WORK/tmux-$server" -f /dev/null "$@"; }
+tmux() { command tmux -S "$work/tmux-$server" -f /dev/null "$@"; }
 
 # open SIZE COMMAND: a terminal of that size, and a shell command in it
 open() {
@@ -23,27 +23,19 @@ close() { tmux kill-server 2>/dev/null; }
 
 # shows TEXT: the page has it within a minute
 shows() {
-  tries=0
-  until tmux capture-pane -p >"$WORK/page.txt" 2>&1 && grep -qF -e "$1" "$WORK/page.txt"; do
-    tries=$((tries + 1))
-    [ $tries -lt 600 ] || { echo "not on the page: $1"; cat "$WORK/page.txt"; return 1; }
-    sleep 0.1
-  done
+  until_true has "$1" || { echo "not on the page: $1"; cat "$work/page.txt"; return 1; }
 }
+has() { tmux capture-pane -p >"$work/page.txt" 2>&1 && grep -qF -e "$1" "$work/page.txt"; }
 
 # same NAME: the page becomes tool/pages/NAME.txt within a minute
 same() {
   if [ "$update" = update ]; then
-    shows ENDED && cp "$WORK/page.txt" "tool/pages/$1.txt"
+    shows ENDED && cp "$work/page.txt" "tool/pages/$1.txt"
     return
   fi
-  tries=0
-  until tmux capture-pane -p >"$WORK/page.txt" && cmp -s "$WORK/page.txt" "tool/pages/$1.txt"; do
-    tries=$((tries + 1))
-    [ $tries -lt 600 ] || { diff "$WORK/page.txt" "tool/pages/$1.txt"; return 1; }
-    sleep 0.1
-  done
+  until_true is "$1" || { diff "$work/page.txt" "tool/pages/$1.txt"; return 1; }
 }
+is() { tmux capture-pane -p >"$work/page.txt" && cmp -s "$work/page.txt" "tool/pages/$1.txt"; }
 
 # page NAME SIZE ENVIRONMENT ARGUMENTS...: checks the page at the end of a line
 page() {
@@ -77,8 +69,8 @@ for file in tool/pages/*.txt; do
   grep -q "^page $(basename "$file" .txt) " tool/pages.sh || verdict 1 "a call of page has $file"
 done
 # The sketch AllChannels also printed its last row 3.2 s after the beginning.
-awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$WORK/raw.txt"
-[ "$(cat "$WORK/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
+awk '$1 ~ /^[0-9]+$/ && NF > 6 { printf "%s%s", comma, $2; comma = "," }' tool/pages/flight.txt >"$work/raw.txt"
+[ "$(cat "$work/raw.txt")" = "$(tail -n 1 golden/AllChannels.csv | tr -d '\r' | cut -d, -f1-16)" ]
 verdict $? "the raw values of tool/pages/flight.txt are those of golden/AllChannels.csv"
 
 # colours WANTED ENVIRONMENT: checks whether the page has colours
@@ -112,29 +104,27 @@ verdict $? "t shows the sensors where the page has no room for them, and hides t
 close
 
 open 80x24 "env $utf8 '$SBUS' monitor sim" && shows ' ok' && tmux send-keys Space && shows PAUSED &&
-  cp "$WORK/page.txt" "$WORK/paused.txt" && sleep 0.3 && shows PAUSED && cmp "$WORK/page.txt" "$WORK/paused.txt" &&
+  cp "$work/page.txt" "$work/paused.txt" && sleep 0.3 && shows PAUSED && cmp "$work/page.txt" "$work/paused.txt" &&
   tmux send-keys Space && shows 'q quit ' && shows '111 frames/s'
 verdict $? "space pauses"
 close
 
 # The recording grows while the page is shown, and is complete after q.
-rm -f "$WORK/seen.txt"
-open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$WORK/seen.txt\"; echo back; sleep 1000'" && shows ' ok'
-tries=0
-until { [ -f "$WORK/seen.txt" ] && [ "$(wc -l <"$WORK/seen.txt")" -gt 100 ]; } || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
-tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$WORK/seen.txt")" ] &&
-  frames=$("$SBUS" hex "$WORK/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 with errors), $frames frames" "$WORK/page.txt"
+open 160x24 "sh -c 'env $utf8 \"$SBUS\" monitor sim --record \"$work/seen.txt\"; echo back; sleep 1000'" && shows ' ok'
+until_true has_lines 101 "$work/seen.txt"
+tmux send-keys q && shows back && shows "seen.txt: " && shows ' frames' && [ -z "$(tail -c 1 "$work/seen.txt")" ] &&
+  frames=$("$SBUS" hex "$work/seen.txt" | grep -c '  frame end 00') && [ "$frames" -gt 90 ] && grep -q "(0 with errors), $frames frames" "$work/page.txt"
 verdict $? "monitor --record works while the page is shown"
 close
 
 # ---- The terminal afterwards
 
 for end in q INT TERM; do
-  rm -f "$WORK/before" "$WORK/after"
-  open 80x24 "sh -c 'echo here it was; stty -g >\"$WORK/before\"; \"$SBUS\" monitor sim; echo \$? >\"$WORK/status\"; stty -g >\"$WORK/after\"; echo; echo back; sleep 1000'"
+  rm -f "$work/before" "$work/after"
+  open 80x24 "sh -c 'echo here it was; stty -g >\"$work/before\"; \"$SBUS\" monitor sim; echo \$? >\"$work/status\"; stty -g >\"$work/after\"; echo; echo back; sleep 1000'"
   shows ' ok'
   if [ $end = q ]; then tmux send-keys q; else kill -$end "$(tmux display -p '#{pane_pid}' | xargs pgrep -P | head -n 1)"; fi
-  shows back && shows 'here it was' && cmp "$WORK/before" "$WORK/after" && [ "$(cat "$WORK/status")" = 0 ] &&
+  shows back && shows 'here it was' && cmp "$work/before" "$work/after" && [ "$(cat "$work/status")" = 0 ] &&
     [ "$(tmux display -p '#{alternate_on}#{cursor_flag}')" = 01 ]
   verdict $? "the terminal is restored after $end"
   close
@@ -146,18 +136,16 @@ for source in sim "'$PWD/recordings/paper.txt'"; do
   close
 done
 open 80x24 "'$SBUS' hex sim --simulated-time --seconds 0.02; sleep 1000" && shows '0F E0 53 2B 2B 98 C9 0A 56 80 0F 7C E0  frame end 00' &&
-  grep -qx ' *03 1F F8 C0 07 3E F0 81 0F 7C 00 00 *' "$WORK/page.txt"
+  grep -qx ' *03 1F F8 C0 07 3E F0 81 0F 7C 00 00 *' "$work/page.txt"
 verdict $? "hex fits its lines to the terminal's width"
 close
 
 # ---- A real line
 
-rm -f "$WORK/terminal"
-"$SBUS" send sim >"$WORK/terminal" 2>"$WORK/player.err" &
+"$SBUS" send sim >"$work/terminal" 2>"$work/player.err" &
 player=$!
-tries=0
-until [ -s "$WORK/terminal" ] || [ $tries -ge 600 ]; do sleep 0.1; tries=$((tries + 1)); done
-open 80x24 "env $utf8 '$SBUS' monitor '$(cat "$WORK/terminal")'" && shows ' ok' && kill -STOP $player &&
+until_true has_terminal
+open 80x24 "env $utf8 '$SBUS' monitor '$terminal'" && shows ' ok' && kill -STOP $player &&
   shows 'Stale: no frame for' && shows ' 992 1500' && kill -CONT $player && shows ' ok'
 verdict $? "a silent line is stale, with its last values, until frames come again"
 kill $player && shows 'the program at the other end is gone' && shows ' 992 1500'

@@ -5,40 +5,19 @@
 #   tool/REJECTIONS            what it says when it cannot do something
 #   recordings/bad/MESSAGES    what it says about each bad recording
 #   recorders and players      on pseudo-terminals: stopped, killed, unplugged, on a full disk
-#   captures of the wire       tool/wire.sh; tool/files.sh: by any subcommand, and bytes without times
-#   tool/kinds.sh              every kind of file, packed or not, read by each subcommand; --signal
-#   tool/counts.sh             subcommands agree on counts, names and times; bytes without times
-#   tool/pages.sh, doctor.sh   the pages of `sbus monitor`, in tmux; what `sbus doctor` finds
-#   tool/hex.sh                the values, times and widths of `sbus hex`
-#   tool/send.sh               what `sbus send` sends
-#   tool/bridge.sh             what `sbus bridge` sends
-#   tool/watch.sh              what `sbus watch` records of events
-#   tool/compare.sh            what `sbus compare` says about two lines
-#   tool/summary.sh            `sbus summary`; a part of a file
-#   tool/stream.sh             what one subcommand prints and another reads, also live
-#   tool/telemetry.sh          `sbus telemetry`
-#   tool/languages.sh          README's programs for Python and Node
-#   tool/calibrate.sh          `sbus calibrate`
-#   tool/joystick.sh           the game controller of `sbus joystick`, at a stand-in for /dev/uinput
-#   tool/systems.sh            what `sbus` does on any system: the workflow runs it on Windows and macOS
-#   tool/json.sh               JSON lines, compared with the manual
-#   tool/explain.sh            the tables of `sbus explain`
+#   the other scripts here     the first lines of each say what
 #   tool/STATUS                the exit status
-#   tool/completion.sh         what bash, zsh and fish complete
 #   the manual
 # "run.sh update" writes tool/golden and tool/pages instead. BUILD: an absolute folder for what is built.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 out="${BUILD:-$PWD/../build/test}/tool"
 sbus=$out/sbus
-work=$out/work
-SBUS=$sbus WORK=$work  # as the other scripts have them
+export SBUS="$sbus" WORK="$out/work"  # as the other scripts have them
 flags="-O0 -g -fsanitize=address"  # CLI11 compiles twice as long with more
 update="${1:-}"
 
 . tool/common.sh
-
-has_lines() { [ -f "$2" ] && [ "$(wc -l <"$2")" -ge "$1" ]; }
 
 # Prints the bytes of a recording with the marks of errors, one a line: times differ from run to run.
 marked() { grep -v '^#' "$1" | tr -d '\r' | cut -d' ' -f2- | tr ' ' '\n'; }
@@ -50,8 +29,6 @@ is_whole() {
 
 printf '\nsbus\n'
 mkdir -p "$out"
-rm -rf "$work"
-mkdir -p "$work"
 echo leak:libncursesw >"$work/leaks"  # what a page has taken, ncurses 6.6 keeps
 export LSAN_OPTIONS="suppressions=$work/leaks:print_suppressions=0"
 if ! "${MAKE:-make}" --no-print-directory -C ../extras/cli BUILD="$out" CXX=g++ CXXFLAGS="$flags"; then
@@ -95,7 +72,7 @@ while read -r name arguments; do
     verdict $? "$arguments prints the same as tool/golden"
   fi
 done <"$work/lines"
-[ "$update" = update ] && SBUS=$sbus WORK=$work exec tool/pages.sh update
+[ "$update" = update ] && exec tool/pages.sh update
 for file in tool/golden/*.txt; do
   [ -f "$work/${file##*/}" ] || verdict 1 "a line of tool/LINES has $file"
 done
@@ -292,26 +269,10 @@ verdict $? "monitor of a silent port wakes up 20 times a second: $((after - befo
 kill -INT $monitor "$player"
 wait $monitor "$player"
 
-SBUS=$sbus BUILD=$work tool/wire.sh
-SBUS=$sbus WORK=$work tool/hex.sh
-SBUS=$sbus WORK=$work tool/files.sh
-SBUS=$sbus WORK=$work tool/kinds.sh
-SBUS=$sbus WORK=$work tool/counts.sh
-SBUS=$sbus WORK=$work tool/send.sh
-SBUS=$sbus WORK=$work tool/bridge.sh
-SBUS=$sbus WORK=$work tool/watch.sh
-SBUS=$sbus WORK=$work tool/compare.sh
-SBUS=$sbus WORK=$work tool/json.sh
-SBUS=$sbus WORK=$work tool/summary.sh
-SBUS=$sbus WORK=$work tool/stream.sh
-SBUS=$sbus WORK=$work tool/systems.sh
-SBUS=$sbus WORK=$work tool/telemetry.sh
-SBUS=$sbus WORK=$work tool/languages.sh
-SBUS=$sbus WORK=$work tool/calibrate.sh
-SBUS=$sbus WORK=$work tool/joystick.sh
-SBUS=$sbus WORK=$work tool/pages.sh
-SBUS=$sbus WORK=$work tool/doctor.sh
-SBUS=$sbus WORK=$work tool/explain.sh
+for part in wire hex files kinds counts send bridge watch compare json summary stream systems telemetry languages calibrate \
+  joystick pages doctor explain; do
+  tool/$part.sh
+done
 
 # ---- Help and the manual
 
@@ -338,4 +299,4 @@ for section in 'EXIT STATUS' ENVIRONMENT FILES EXAMPLES 'SEE ALSO'; do
 done
 grep -qE '^\.TH SBUS 1 "20[0-9]{2}-[0-9]{2}-[0-9]{2}" ' ../extras/cli/sbus.1
 verdict $? "sbus.1 has a date"
-SBUS=$sbus WORK=$work tool/completion.sh
+WORDS=$work/words tool/completion.sh

@@ -1,12 +1,7 @@
 #!/bin/sh
 # Tests what `sbus send` sends on pseudo-terminals, and says "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/send
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # sent ARGUMENTS...: what a port gets from `send`, as rows of all channels and flags in $work/rows. STOP=bytes: interrupts
@@ -51,10 +46,8 @@ constant 125 992,993,172,992,$rest,0,0,0,0 ch2=993 --period 4 --baud 200000
 STOP=1000 sent ch1=1000 && [ "$(sort -u "$work/rows")" = "1000,992,172,992,$rest,0,0,0,0" ] && [ "$(wc -l <"$work/rows")" -ge 40 ]
 verdict $? "send ends with Ctrl-C"
 
-"$SBUS" send ch1=1000 --seconds 0.5 >"$work/terminal" 2>"$work/err" &
-player=$!
-until [ -s "$work/terminal" ] || ! kill -0 $player 2>/dev/null; do sleep 0.1; done
-"$SBUS" record "$(cat "$work/terminal")" "$work/terminal.txt" 2>"$work/note" && wait $player &&
+player send ch1=1000 --seconds 0.5
+"$SBUS" record "$terminal" "$work/terminal.txt" 2>"$work/note" && wait $player &&
   grep -v '^#' "$work/terminal.txt" | tr ' ' '\n' | grep -vc '~\|...' | grep -qx 1400
 verdict $? "send without a port creates a pseudo-terminal"
 

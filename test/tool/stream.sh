@@ -1,13 +1,8 @@
 #!/bin/sh
 # What one subcommand prints, another reads: JSON lines, rows of CSV, recordings; also while they are being written. Says
 # "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/stream
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # ---- A line comes back from JSON lines: its frames, telemetry, discarded bytes and times, to the tenth of a microsecond

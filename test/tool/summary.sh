@@ -1,12 +1,8 @@
 #!/bin/sh
 # Runs `sbus summary` on a flight with known losses, and subcommands with --from and --to on files. Says "ok ..." or
-# "FAILED ...". SBUS: the program; WORK: an absolute folder for what is written.
+# "FAILED ...".
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/summary
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # Frame i ends at 1 s + 9 ms * i. Frames 10 to 12, 50 and 88 are lost, 60 to 79 have both flags, 89 only failsafe; frame 90

@@ -1,12 +1,7 @@
 #!/bin/sh
-# Runs `sbus telemetry` on lines of S.BUS2. Says "ok ..." or "FAILED ...". SBUS: the program; WORK: an absolute folder for what
-# is written.
+# Runs `sbus telemetry` on lines of S.BUS2. Says "ok ..." or "FAILED ...".
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/telemetry
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # Frames of 15 ms; after each that ends in 04 the receiver's voltage, an SBS-01V in slots 1 and 2, and in the third round 4

@@ -1,12 +1,7 @@
 #!/bin/sh
 # Tests the recordings that `sbus watch` makes of events, and says "ok ..." or "FAILED ...".
-# SBUS: the program; WORK: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$WORK/watch
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 watch() { timeout 60 "$SBUS" watch "$@" 2>"$work/err"; }

@@ -1,13 +1,8 @@
 #!/bin/sh
 # Runs `sbus decode` and `sbus wave`, and says "ok ..." or "FAILED ...". An independent decoder, sigrok's uart, also reads
 # each recording's VCD, and must find the same bytes.
-# SBUS: the program. BUILD: an absolute folder for what is written.
 set -u
 cd "$(dirname "$0")/.." || exit 1
-work=$BUILD/wire
-rm -rf "$work"
-mkdir -p "$work"
-
 . tool/common.sh
 
 # Prints what sigrok's uart decodes from a VCD, one byte a line.
@@ -150,12 +145,7 @@ for capture in live.vcd live.csv; do
   decoder=$!
   exec 7>"$work/fifo"
   cat "$work/$capture" >&7
-  tries=0
-  until [ "$(wc -l <"$work/live.out")" -gt 10 ] || [ $tries -ge 600 ]; do
-    tries=$((tries + 1))
-    sleep 0.1
-  done
-  [ "$(wc -l <"$work/live.out")" -gt 10 ] && kill -0 $decoder
+  until_true has_lines 11 "$work/live.out" && kill -0 $decoder
   early=$?
   exec 7>&-
   wait $decoder && [ $early -eq 0 ] && "$SBUS" decode "$work/$capture" --csv | cmp - "$work/live.out"

@@ -156,6 +156,15 @@ TEST_CASE("a channel is held after 64 frames within 32 counts; two wrong frames 
   }
 }
 
+TEST_CASE("a channel that creeps by a count a frame is held all the while, however far from its first value it gets") {
+  Radio radio({172, 1811}, {992, 992});
+  radio.calibrator.high();
+  for (int value = 1700; value < 1800; value++) {
+    radio.stay(value, 1);
+  }
+  CHECK(radio.error() == CalibrationError::None);
+}
+
 TEST_CASE("finish() names the first bad required channel, or stores all good channels and leaves the others empty") {
   const struct {
     unsigned good, required;

@@ -33,27 +33,6 @@ struct Board24 : FakeBoardOf<DecodeSBus24, sbus::Frame24> {
 
 }  // namespace
 
-TEST_CASE("every frame of 36 bytes is found, at any loop period, without a resync") {
-  for (const bool neutral : {false, true}) {
-    for (const uint64_t gapUs : {700u, 2700u, 4700u, 9700u}) {
-      TimedLine line;
-      LongFrames sent;
-      for (unsigned number = 0; number < 30; number++) {
-        sent.push_back(withByte(longFrame(number, neutral), 34, number % 10 < 5 ? 0x00 : 0x0F));
-        line.send(sent.back()).gap(gapUs);
-      }
-      for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u}) {
-        INFO("neutral ", neutral, ", gapUs ", gapUs, ", loopUs ", loopUs);
-        sbus::Counters counters;
-        CHECK(line.frames<sbus::Frame24>(loopUs, &counters) == sent);
-        CHECK(counters.discardedBytes == 0);
-        CHECK(counters.resyncs == 0);
-        CHECK(counters.otherSizeFrames == 0);
-      }
-    }
-  }
-}
-
 TEST_CASE("36 bytes are rejected for a wrong header, flags or end byte, each by its own counter, and for a gap inside") {
   const struct {
     doctest::String what;
@@ -106,33 +85,6 @@ TEST_CASE("a line with frames of the other size brings no frame, and all of its 
         CHECK(counters.otherSizeFrames == 0);
       }
     }
-  }
-}
-
-TEST_CASE(
-    "after frames of the other size, the first right-sized frame between two gaps comes once the second gap is seen") {
-  for (const unsigned others : {1u, 2u, 20u}) {
-    CAPTURE(others);
-    Feeder line;
-    Feeder24 line24;
-    line.settle();
-    line24.settle();
-    for (unsigned number = 0; number < others; number++) {
-      CHECK(line.feed(bytesOf(longFrame(number))).empty());
-      CHECK(line24.feed(bytesOf(plainFrame(number))).empty());
-      line.wait(Feeder::GapUs);
-      line24.wait(Feeder::GapUs);
-    }
-    for (unsigned number = 1; number <= 5; number++) {
-      CHECK(line.feed(bytesOf(plainFrame(number))).size() == (number > 1));
-      CHECK(line24.feed(bytesOf(longFrame(number))).size() == (number > 1));
-      line.wait(Feeder::GapUs);
-      line24.wait(Feeder::GapUs);
-      CHECK(line.counted().frames == number);
-      CHECK(line24.counted().frames == number);
-    }
-    CHECK(line.counted().otherSizeFrames == others);
-    CHECK(line24.counted().otherSizeFrames == others);
   }
 }
 

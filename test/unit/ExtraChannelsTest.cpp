@@ -251,17 +251,3 @@ TEST_CASE("decodeExtraChannels writes the newest 2F frame until the timeout, and
     }
   }
 }
-
-TEST_CASE("a 2F frame after an impaired frame is not lost with it") {
-  for (size_t missing = 1; missing < 25; missing++) {
-    for (const bool neutral : {false, true}) {
-      INFO("missing ", missing, ", neutral ", neutral);
-      Feeder line;
-      line.lock().feed(without(neutral ? neutralFrame(1) : plainFrame(1), missing));
-      line.wait(Feeder::GapUs).feed(bytesOf(extraFrame(7)));
-      line.wait(Feeder::GapUs);
-      CHECK(line.feed(bytesOf(plainFrame(8))) == Frames{plainFrame(8)});
-      CHECK(line.counted().extraFrames == 1);
-    }
-  }
-}

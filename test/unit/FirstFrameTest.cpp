@@ -105,21 +105,6 @@ TEST_CASE("a failsafe frame that is not aligned comes once the line is silent be
   }
 }
 
-TEST_CASE("no frame of 36 bytes, FrSky's 24 channels, is accepted, whatever CH17 and CH18 are") {
-  for (const unsigned flagsPlace : {0x00u, 0x03u, 0x08u, 0x0Fu, 0xE0u}) {
-    for (const unsigned endPlace : {0x00u, 0x04u, 0x08u, 0x14u, 0x34u}) {
-      for (const uint32_t loopUs : {50u, 1000u, 2000u, 5000u}) {
-        INFO("flagsPlace ", flagsPlace, ", endPlace ", endPlace, ", loopUs ", loopUs);
-        TimedLine line;
-        for (unsigned number = 0; number < 40; number++) {
-          line.send(frame36(number, flagsPlace, endPlace)).gap(9000 - 36 * 120);
-        }
-        CHECK(line.frames(loopUs).empty());
-      }
-    }
-  }
-}
-
 TEST_CASE("still frames of 36 bytes that look like 25 of S.BUS2 with a slot's ID behind are never accepted") {
   for (const unsigned end : {0x04u, 0x14u, 0x24u, 0x34u}) {
     for (uint8_t slot = 0; slot < sbus::SlotCount; slot++) {

@@ -195,6 +195,8 @@ TEST_CASE(
       {"byte by byte, then a burst", 120, 1, 16, 2761, Silence::Gap},
       {"byte by byte, then more than a burst: loop() was blocked", 120, 1, 18, 0, Silence::Gap},
       {"3 ms loop, then a frame", 3000, 25, 25, 5643, Silence::Gap},
+      {"... then what a burst and a loop bring", 3000, 25, 41, 5643, Silence::Gap},
+      {"... and one more: loop() was blocked", 3000, 25, 42, 0, Silence::Gap},
       {"5 ms loop, then a frame", 5000, 42, 25, 7645, Silence::Gap},
       {"9 ms loop, then a frame: 4 ms are assumed", 9000, 25, 25, 9000, Silence::Likely},
   };

@@ -1,5 +1,5 @@
-// Properties of all input: RapidCheck's random values, compared with the plain implementations of test/support. The
-// properties of a calibration's steps are in fuzz/CalibrationFuzz.cpp.
+// Properties of all input: RapidCheck's random values, compared with the plain implementations of test/support. Those
+// of any bytes are in fuzz/FrameFinderFuzz.cpp, those of a calibration's steps in fuzz/CalibrationFuzz.cpp.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -25,12 +25,6 @@ Frame anyFrame() {
   return frame;
 }
 
-// Bytes of a bad line: more than half of them mean something to a receiver.
-Bytes anyBytes() {
-  return *rc::gen::container<Bytes>(
-      rc::gen::oneOf(rc::gen::element<uint8_t>(0x0F, 0x00, 0x04, 0x08, 0x7C), rc::gen::arbitrary<uint8_t>()));
-}
-
 CalibratedChannel anyPossible() {
   const auto centre = *rc::gen::inRange<int>(1, 2047);
   auto low = *rc::gen::inRange<int>(0, centre);
@@ -44,20 +38,6 @@ CalibratedChannel anyPossible() {
 }
 
 }  // namespace
-
-TEST_CASE("whatever bytes come, only frames among them are delivered, in order and without overlap") {
-  CHECK(rc::check("delivered frames stand in the stream", [] {
-    const Bytes bytes = anyBytes() + bytesOf(PaperLow.bytes) + anyBytes() + bytesOf(PaperHigh.bytes) + anyBytes();
-    const auto burst = *rc::gen::inRange<size_t>(1, 70);
-    auto from = bytes.begin();
-    for (const Frame &frame : feedNew(bytes, burst, *rc::gen::arbitrary<bool>())) {
-      RC_ASSERT(sbus::isFrame(frame.data()));
-      const auto found = std::search(from, bytes.end(), frame.begin(), frame.end());
-      RC_ASSERT(found != bytes.end());
-      from = found + 25;
-    }
-  }));
-}
 
 TEST_CASE("all frames of a receiver are delivered, each by the poll that finds its last byte") {
   CHECK(rc::check("clean stream in == frames out", [] {

@@ -116,16 +116,6 @@ TEST_CASE("with a slower loop() slots are skipped and counted; no answer is more
   }
 }
 
-TEST_CASE("with a loop() that is blocked now and then, only the slots that it missed are skipped") {
-  Sketch sketch;
-  CHECK(sketch.sensor.writeSensor(1, Voltage));
-  sketch.run(100 * Second, [](uint64_t number) { return number % 997 == 0 ? 3000u : 40u; });
-  MESSAGE(sketch.bus.judge().text(), "; skipped ", sketch.sensor.skippedSlots());
-  CHECK(sketch.counts().wrong() == 0);
-  CHECK(sketch.counts().right >= Rounds);
-  CHECK(sketch.sensor.skippedSlots() > 0);
-}
-
 TEST_CASE("writeSensor() returns false for 200 A, which it answers, and where no sensor can stand, which it does not") {
   Sketch sketch;
   CHECK(!sketch.sensor.writeSensor(24, sbus::CurrentF1678{20000, 1234, 1500}));
