@@ -57,7 +57,7 @@ bool exists(const std::string &name) {
 // Takes the words after the colon. Returns the first wrong one, or nothing.
 std::string takeSourceWords(const std::string &words, Source &source) {
   std::string wrong;
-  forEachAtCommas(words, [&](std::string_view each) {
+  forEachBetweenCommas(words, [&](std::string_view each) {
     const std::string word = lower(withoutBlanks(each));
     if (!takeSourceWord(word, source) && wrong.empty()) {
       wrong = quoted(word);

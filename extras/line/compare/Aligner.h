@@ -59,7 +59,7 @@ class Aligner {
   bool findDelay(bool isEnd);
   void findPeriod();
   void match(const Frame &frame);
-  void leave(int64_t beforeUs);
+  void giveUpSecond(int64_t beforeUs);
   void pairUnmatched(int64_t beforeUs);
   void add(const Frame &a, const Frame &b, bool isSameContent);
   void addOnly(size_t side, int64_t us, const Frame &frame);
