@@ -18,7 +18,7 @@ namespace tool {
 
 namespace {
 
-bool hasNameOfBytes(const std::string &name) {
+bool hasBytesExtension(const std::string &name) {
   const std::string end = line::lower(name.size() < 4 ? "" : std::string_view(name).substr(name.size() - 4));
   return end == ".bin" || end == ".raw";
 }
@@ -117,7 +117,7 @@ FileSource readBytes(line::PackedFile &file, const std::string &name, bool isTex
   if (source.recording.characters.empty()) {
     throw std::runtime_error(name + ": is empty: bytes of a line are expected");
   }
-  std::fprintf(stderr, "%s: bytes without times: frames are assumed to be back to back\n",
+  std::fprintf(stderr, "%s: bytes without times: times are not known, frames are assumed to be back to back\n",
                name.c_str());
   return source;
 }
@@ -149,7 +149,7 @@ FileSource headOf(FileKind kind, const std::string &head, unsigned long baud) {
 
 class RecordingLines : public LineReader {
  public:
-  RecordingLines(uint32_t characterUs, bool areRows) : _reader(characterUs, areRows) {}
+  RecordingLines(uint32_t characterUs, bool isCsv) : _reader(characterUs, isCsv) {}
 
   std::string line(std::string_view text, std::deque<line::Character> &characters) override {
     _reader.line(text);
@@ -164,10 +164,10 @@ class RecordingLines : public LineReader {
   line::RecordingReader _reader;
 };
 
-FileSource readCapture(const FileName &name, const line::Overrules &overrules) {
-  line::RecordedCapture capture(overrules);
+FileSource readCapture(const FileName &name, const line::Overrides &overrides) {
+  line::RecordedCapture capture(overrides);
   const std::string failure =
-      capture.failure(name.shown, line::readCapture(name.path, name.shown, overrules, capture.wire()));
+      capture.failure(name.shown, line::readCapture(name.path, name.shown, overrides, capture.wire()));
   if (!failure.empty()) {
     throw std::runtime_error(failure);
   }
@@ -227,10 +227,10 @@ FileKind kindOfText(const std::string &head, const std::string &name) {
   return rows ? FileKind::Rows : isHexText(head) ? FileKind::Bytes : FileKind::Recording;
 }
 
-FileSource readFile(const FileName &name, const line::Overrules &overrules) {
+FileSource readFile(const FileName &name, const line::Overrides &overrides) {
   line::PackedFile probe(name.path, name.shown);
   if (probe.isSession()) {
-    return readCapture(name, overrules);
+    return readCapture(name, overrides);
   }
   probe.findOnly();
   const std::string unpacked = probe.unpackedName();
@@ -239,22 +239,22 @@ FileSource readFile(const FileName &name, const line::Overrules &overrules) {
     probe.requireEnd();
   }
   const bool isBinary = name.path != name.shown ? std::any_of(head.begin(), head.end(), isControl)
-                                                : hasNameOfBytes(unpacked) && head.rfind("<SALEAE>", 0) != 0;
+                                                : hasBytesExtension(unpacked) && head.rfind("<SALEAE>", 0) != 0;
   const FileKind kind = isBinary && !head.empty() ? FileKind::Bytes : kindOfText(head, name.shown);
-  if (kind != FileKind::Capture && !overrules.signal.empty()) {
+  if (kind != FileKind::Capture && !overrides.signal.empty()) {
     throw std::runtime_error("--signal: is for a capture of several signals; leave it out for " + name.shown);
   }
   if (kind == FileKind::Capture) {
-    return readCapture(name, overrules);
+    return readCapture(name, overrides);
   }
   if (kind != FileKind::Bytes) {
-    FileSource source = headOf(kind, head, overrules.baud);
+    FileSource source = headOf(kind, head, overrides.baud);
     source.path = name.path;
     return source;
   }
   line::PackedFile file(name.path, name.shown);
   file.findOnly();
-  return readBytes(file, name.shown, !isBinary, overrules.baud);
+  return readBytes(file, name.shown, !isBinary, overrides.baud);
 }
 
 FileSource headOfPipe(FileKind kind, const std::string &head, unsigned long baud) {

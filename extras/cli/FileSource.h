@@ -10,7 +10,7 @@
 
 #include "cli/TextLine.h"
 #include "line/LineSettings.h"
-#include "line/capture/Overrules.h"
+#include "line/capture/Overrides.h"
 #include "line/capture/WireDecoder.h"
 #include "line/recording/Recording.h"
 
@@ -48,10 +48,10 @@ struct FileSource {
   bool isWhole() const { return kind == FileKind::Capture || kind == FileKind::Bytes; }
 };
 
-// Reads a capture or bytes, or the head of another file, packed or not: see line::PackedFile. `overrules`: what the
+// Reads a capture or bytes, or the head of another file, packed or not: see line::PackedFile. `overrides`: what the
 // user knows better than the file. Throws std::runtime_error with the place if the file cannot be read or is wrong.
 // Prints to standard error if the times are unknown, and which signal of a capture was chosen if several carry S.Bus.
-FileSource readFile(const FileName &name, const line::Overrules &overrules = {});
+FileSource readFile(const FileName &name, const line::Overrides &overrides = {});
 
 // Does the same for a text of this kind from a pipe, given its beginning.
 FileSource headOfPipe(FileKind kind, const std::string &head, unsigned long baud);

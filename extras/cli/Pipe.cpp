@@ -43,7 +43,7 @@ Look lookOf(const std::string &begin, bool ended) {
   if (line::isPacked(begin)) {
     return Look::Packed;
   }
-  if (line::maybePacked(begin) && !ended) {
+  if (line::mayBePacked(begin) && !ended) {
     return Look::Unknown;
   }
   const std::string_view mark = std::string_view(begin).substr(0, Little.size());

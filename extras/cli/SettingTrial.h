@@ -10,7 +10,7 @@
 #include "line/Examination.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
-#include "line/report/VariantOfLine.h"
+#include "line/report/DetectedVariant.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -67,7 +67,7 @@ class SettingTrial {
   const line::LineSettings _settings;
   line::Observer _observer;
   line::Examination _examination;
-  line::VariantOfLine _variant;
+  line::DetectedVariant _variant;
   line::Readings _readings;
   std::vector<uint64_t> _ends;      // of the frames, in us
   std::vector<uint64_t> _silences;  // their beginnings, in us

@@ -45,7 +45,7 @@ void Places::found(Stretch::Kind variant, int size, uint8_t flags) {
   }
 }
 
-sbus::Counters Places::without(sbus::Counters counters) const {
+sbus::Counters Places::withoutErrors(sbus::Counters counters) const {
   counters.frames -= _bad.frames;
   counters.lostFrames -= _bad.lostFrames;
   counters.failsafeFrames -= _bad.failsafeFrames;
@@ -80,7 +80,7 @@ bool Decoders::has24() const {
 }
 
 sbus::Counters Decoders::counters16() const {
-  sbus::Counters counters = _finder16.events().without(_finder16.counters());
+  sbus::Counters counters = _finder16.events().withoutErrors(_finder16.counters());
   counters.otherSizeFrames = std::max(counters.otherSizeFrames, has24() ? _finder24.counters().frames : 0);
   return counters;
 }

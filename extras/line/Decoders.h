@@ -27,7 +27,7 @@ class Places {
   bool seesEachGap() const { return !isBursty; }
 
   // Returns the counters without the frames that had a character error, which the decoder does not see.
-  sbus::Counters without(sbus::Counters counters) const;
+  sbus::Counters withoutErrors(sbus::Counters counters) const;
 
   bool isBursty = true;              // a port delivers bytes in bursts, which hide gaps
   uint32_t votes = 0;                // frames that speak for this decoder
@@ -64,7 +64,9 @@ class Decoders {
   const std::vector<Piece> &put(uint8_t byte, uint64_t at, uint64_t nowUs, bool isBursty);
 
   bool has24() const;
-  sbus::Counters counters() const { return places().without(has24() ? _finder24.counters() : _finder16.counters()); }
+  sbus::Counters counters() const {
+    return places().withoutErrors(has24() ? _finder24.counters() : _finder16.counters());
+  }
   // Returns the counters of the decoder for 16 channels. If gaps do not show the size of frames, otherSizeFrames is the
   // other decoder's number of frames.
   sbus::Counters counters16() const;

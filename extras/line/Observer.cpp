@@ -6,8 +6,9 @@ namespace line {
 
 namespace {
 
-constexpr uint64_t earlier(uint64_t us, uint64_t thanUs) {
-  return thanUs - std::min(thanUs, us);
+// Returns us - lessUs, or 0 if that is negative.
+constexpr uint64_t difference(uint64_t us, uint64_t lessUs) {
+  return us - std::min(us, lessUs);
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ unsigned Observer::linkQuality(uint64_t nowUs) {
 }
 
 void Observer::put(const Character &character) {
-  idleUntil(earlier(_characterUs + character.lateUs, character.endUs));
+  idleUntil(difference(character.endUs, _characterUs + character.lateUs));
   _lineUs += _silenceUs + _characterUs;
   _silenceUs = 0;
   _last = character;
@@ -67,7 +68,7 @@ void Observer::put(const Character &character) {
 }
 
 void Observer::idleUntil(uint64_t nowUs) {
-  const uint64_t silenceUs = earlier(_last.endUs, nowUs);
+  const uint64_t silenceUs = difference(nowUs, _last.endUs);
   handOver();
   _silenceUs = std::max(_silenceUs, silenceUs);
   _segments.cut(_decoders.idle(_lineUs + _silenceUs));

@@ -25,6 +25,7 @@ struct TimedSlot : sbus::Slot {
   uint64_t endUs;
 };
 
+// A piece of the line. Together the stretches hold each character once, in order.
 struct Stretch {
   enum class Kind { Frame, Frame24, Extra, NoFrame };  // Extra: a frame with header 2F
 

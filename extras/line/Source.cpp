@@ -74,7 +74,7 @@ bool exclude(const std::string &one, const std::string &other) {
 std::string takeSourceWords(const std::string &words, const char *known, Source &source) {
   std::string wrong;
   std::vector<std::string> taken;
-  forEachAtCommas(words, [&](std::string_view each) {
+  forEachBetweenCommas(words, [&](std::string_view each) {
     const std::string word = lower(withoutBlanks(each));
     if (!wrong.empty()) {
       return;

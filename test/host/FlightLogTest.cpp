@@ -68,13 +68,13 @@ TEST_CASE("a flight's worst seconds, its strip and its verdict are by what was l
   flight.finish();
   CHECK(flight.framesPerSecond() == doctest::Approx(111.1).epsilon(0.02));
   CHECK(flight.missing() == 37);
-  const std::vector<line::Badness> worst = line::worstSeconds(flight, 3);
+  const std::vector<line::FlightRating> worst = line::worstSeconds(flight, 3);
   REQUIRE(worst.size() == 3);
   CHECK(worst[0].fromUs == 8000000);
   CHECK(worst[0].failsafe);
   CHECK(worst[2].fromUs == 3000000);
   CHECK(worst[2].lost == doctest::Approx(0.5).epsilon(0.03));
-  const std::vector<line::Badness> strip = line::stripOf(flight, 480);
+  const std::vector<line::FlightRating> strip = line::stripOf(flight, 480);
   REQUIRE(strip.size() == 10);
   CHECK(strip[1].lost == 0);
   CHECK(strip[6].lost == doctest::Approx(0.33).epsilon(0.05));

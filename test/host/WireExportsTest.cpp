@@ -144,7 +144,7 @@ TEST_CASE(
     INFO(row.text.substr(row.text.size() - 30));
     CHECK(Decoded(row.text).error == row.error);
   }
-  line::Overrules told;
+  line::Overrides told;
   told.periodNs = 1000;
   CHECK(Decoded(logic2, told).error == "has times of its own: leave out --rate");
   told.periodNs = 0;
@@ -173,7 +173,7 @@ TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal di
   }
   const std::string bits = sigrokOf(wireOf(), false, 64);
   const std::string noRate = replaced(bits, " at 1 MHz", "");
-  line::Overrules told;
+  line::Overrides told;
   told.periodNs = 1000;
   CHECK(Decoded(noRate, told).bytes() == All);
   CHECK(Decoded(replaced(bits, "1 MHz", "3 MHz"), told).bytes() == All);

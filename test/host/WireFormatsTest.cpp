@@ -135,11 +135,11 @@ TEST_CASE("heads of oscilloscopes that name no columns, and voltages in a VCD, g
     CHECK(decoded.bytes() == All);
     CHECK(decoded.signal == row.signal);
   }
-  line::Overrules overrules;
-  overrules.threshold = 2;
-  CHECK(Decoded(dump, overrules).bytes() == All);
-  overrules.threshold = 5;
-  CHECK(Decoded(dump, overrules).bytes().empty());
+  line::Overrides overrides;
+  overrides.threshold = 2;
+  CHECK(Decoded(dump, overrides).bytes() == All);
+  overrides.threshold = 5;
+  CHECK(Decoded(dump, overrides).bytes().empty());
 }
 
 TEST_CASE("the threshold is found again where the wire goes much further than before") {

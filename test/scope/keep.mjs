@@ -106,7 +106,7 @@ export default async function () {
     const withoutTimes = (lines) => lines.map((line) => line.replace(/^# \d{4}-.*|^\d+(~\d+)?/, ''));
     assert.deepEqual(withoutTimes(text.trim().split('\n')), withoutTimes(kept));
     const rowsOfCsv = path.join(build, 'rows.csv');
-    writeFileSync(rowsOfCsv, `# sbus record /dev/ttyACM0: rows of CSV as the sketch printed them, no S.Bus\n${rows.join('\r\n')}\r\n`);
+    writeFileSync(rowsOfCsv, `# sbus record /dev/ttyACM0: rows of CSV as the sketch printed them, not S.Bus\n${rows.join('\r\n')}\r\n`);
     for (const file of [recording, path.join(root, 'test/recordings/board/rows.txt'), rowsOfCsv]) {
       await play(page, file);
       await toEnd(page);

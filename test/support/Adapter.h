@@ -1,5 +1,5 @@
-// A USB adapter with an FTDI chip under Linux: it hands its bytes over when 62 have come, or when its latency timer
-// runs out, which starts again with every packet.
+// A USB adapter with an FTDI chip under Linux: it delivers its bytes when it has 62, or when its latency timer expires,
+// which restarts with every packet.
 //
 // Linux 6.12, drivers/usb/serial/ftdi_sio.c: ftdi_port_probe() sets 16 ms, write_latency_timer() 1 ms for a port with
 // ASYNC_LOW_LATENCY; ftdi_process_read_urb() takes packets of 64 bytes, two of them status.
@@ -13,7 +13,7 @@
 #include "line/Line.h"
 #include "line/simulation/Random.h"
 
-// What a read() brings: one packet, or several if the program comes late.
+// The result of a read(): one packet, or several if the program is late.
 struct Read {
   uint64_t us;
   std::vector<line::Character> characters;
@@ -26,7 +26,7 @@ class Adapter {
   Adapter(uint32_t latencyUs, line::Random &random)
       : _latencyUs(latencyUs), _random(random), _timerUs(random.below(latencyUs)) {}
 
-  // Takes the next character of the line. Calls `hand` with each packet that is handed over before it is complete.
+  // Takes the next character of the line. Calls `hand` with each packet delivered before it is complete.
   template <typename Hand>
   void put(const line::Character &character, Hand hand) {
     runTo(character.endUs, hand);
@@ -36,7 +36,7 @@ class Adapter {
     }
   }
 
-  // Takes the time up to which nothing more comes.
+  // Takes the time up to which there are no further characters.
   template <typename Hand>
   void runTo(uint64_t us, Hand hand) {
     while (_timerUs <= us) {

@@ -23,7 +23,7 @@ class Program {
     _adapter.put(character, [this](const Read &read) { arrived(read); });
   }
 
-  // Takes the time up to which nothing comes.
+  // Takes the time up to which there are no further characters.
   void idleUntil(uint64_t us) {
     _adapter.runTo(us, [this](const Read &read) { arrived(read); });
     catchUp(us);
@@ -45,7 +45,7 @@ class Program {
     _busyUntilUs = _stallUs != 0 && _random.below(20) == 0 ? brought.us + _random.below(_stallUs) : 0;
   }
 
-  // Reads what came while the program was busy.
+  // Reads the bytes received while the program was busy.
   void catchUp(uint64_t us) {
     if (!_waiting.empty() && _busyUntilUs <= us) {
       read(_busyUntilUs, _waiting);

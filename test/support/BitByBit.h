@@ -1,5 +1,5 @@
 // A second implementation of the S.Bus frame, as slow and plain as its definition: bit k of channel c (from 0) is bit
-// (11c + k) mod 8 of byte 1 + (11c + k) / 8. The tests compare the library with it; it includes nothing of the library.
+// (11c + k) mod 8 of byte 1 + (11c + k) / 8. The tests compare the library with it; it includes nothing from it.
 #pragma once
 
 #include <array>

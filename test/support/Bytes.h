@@ -30,7 +30,7 @@ std::vector<T> operator+(std::vector<T> left, const std::vector<T> &right) {
   return left;
 }
 
-// Returns what an R7003SB, end byte 08, sends straight after each frame; nothing for other end bytes.
+// Returns the bytes that an R7003SB (end byte 08) sends straight after each frame; none for other end bytes.
 inline Bytes tailOf(uint8_t end) {
   return end == 0x08 ? Bytes{0x00, 0x03, 0xC0, 0x33, 0x00} : Bytes{};
 }

@@ -1,4 +1,4 @@
-// A second implementation of the rules of the stored calibration, each by itself: the tests compare the library with it.
+// A second implementation of the rules of the stored calibration, one by one: the tests compare the library with it.
 #pragma once
 
 #include <algorithm>

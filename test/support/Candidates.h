@@ -1,4 +1,4 @@
-// Characters for the rules of FrameRules.h, and the verdict about them as a text.
+// Characters for the rules of FrameRules.h, and the rules' verdict as a text.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ struct Case {
 inline const Bytes Plain = bytesOf(plainFrame(1));
 inline const Bytes Failsafe = bytesOf(FailsafeFrame);  // allows a false sync at 23
 
-// Returns a line of which nothing has been seen.
+// Returns a line of which nothing has been seen yet.
 inline sbus::Acquisition<sbus::Frame16> noneSeen() {
   sbus::Acquisition<sbus::Frame16> acquisition;
   acquisition.reset();
@@ -43,7 +43,7 @@ inline sbus::Acquisition<sbus::Frame16> twoGaps(unsigned run) {
   return acquisition;
 }
 
-// Returns "accept", "aligned", "wait", or why it is rejected and how many characters further on the search goes on.
+// Returns "accept", "aligned", "wait", or why it is rejected and after how many characters the search continues.
 inline std::string judged(const Case &c, sbus::Acquisition<sbus::Frame16> acquisition = noneSeen()) {
   static const char *const names[] = {"no end", "flags", "gap inside", "goes on", "not at gap", "false sync"};
   const sbus::Verdict verdict = sbus::rules::judge(c.candidate(), acquisition);

@@ -1,4 +1,4 @@
-// What is decoded from a capture of the wire, and the captures that its tests begin with.
+// Decodes captures of the wire, and makes the captures for the tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@
 
 using line::WireCharacter;
 
-// What is decoded from a text, which is handed over in blocks of whole lines, as a file is.
+// The result of decoding a text, which is passed in blocks of whole lines, like a file.
 struct Decoded {
   std::vector<WireCharacter> characters;
   std::string error;  // the place and what is wrong
@@ -26,11 +26,11 @@ struct Decoded {
 
   explicit Decoded(const std::string &text, const std::string &only = "") : Decoded(text, signalOf(only)) {}
 
-  Decoded(const std::string &text, const line::Overrules &overrules) {
+  Decoded(const std::string &text, const line::Overrides &overrides) {
     constexpr size_t blockMax = 5000;
     line::WireDecoder decoder(
-        overrules, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
-    line::OpenedCapture opened = line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder, overrules);
+        overrides, [] {}, [this](const WireCharacter &character) { characters.push_back(character); });
+    line::OpenedCapture opened = line::openCapture(std::string_view(text).substr(0, line::CaptureHeadMax), decoder, overrides);
     error = opened.error;
     if (!opened.reader) {
       return;
@@ -66,10 +66,10 @@ struct Decoded {
     signal = decoder.found() ? decoder.signal() : "";
   }
 
-  static line::Overrules signalOf(const std::string &name) {
-    line::Overrules overrules;
-    overrules.signal = name;
-    return overrules;
+  static line::Overrides signalOf(const std::string &name) {
+    line::Overrides overrides;
+    overrides.signal = name;
+    return overrides;
   }
 
   Bytes bytes() const {

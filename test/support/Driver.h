@@ -16,10 +16,9 @@ struct Driver {
 };
 
 // GrumpyOldPizza/ArduinoCore-stm32l0 b1cf1cd, system/STM32L0xx/Source/stm32l0_uart.c: a DMA ring of 32 (variants/*/
-// variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, wherever a frame stands (53, 280), when
-// the line is idle for a character (653), and before a character with an error, which is dropped (529). What finds no
-// place is dropped, so the newest (125). begin() empties the ring and starts it again (379). All that is
-// host::BoardUart's.
+// variant.cpp: stm32l0_usart1_rx_fifo) is handed over at its half and its end, regardless of frames (53, 280), when the
+// line is idle for a character (653), and before a character with an error, which is dropped (529). Without room, the
+// newest are dropped (125). begin() empties the ring and restarts it (379). host::BoardUart does all this.
 constexpr Driver Board = {"board", 16, 1};
 
 // arduino/ArduinoCore-avr 11b9130, cores/arduino/HardwareSerial_private.h:101: an interrupt a character. Only a parity
@@ -40,7 +39,7 @@ constexpr Driver Three = {"FIFO 3", 1, 0, 3};
 // empties the FIFO. A character with an error stays in it (nothing calls uart_ll_discard_error_data()): that is a line
 // with flipped bits.
 constexpr Driver Esp32 = {"ESP32", 120, 2};       // as the sketch opens it
-constexpr Driver Esp32Told = {"ESP32, 8", 8, 2};  // as DecodeSBus::begin() does
+constexpr Driver Esp32Told = {"ESP32, 8", 8, 2};  // as DecodeSBus::begin() sets it
 
 // The most that a receiver has to tolerate; no current core holds back as much. Before 1.13.1 (53043830) arduino-pico
 // held back 4 characters, or fewer for 32 bits.

@@ -70,7 +70,7 @@ struct FakeBoardOf {
     frame(next);
   }
 
-  // Receives a frame, and the shortest silence behind it that proves the first one.
+  // Receives a frame, and the shortest silence after it that proves the first one.
   static constexpr uint64_t SilenceUs = Format::LongestSpread * 120 + 1;
   void firstFrame(const Frame &first) {
     frame(first);

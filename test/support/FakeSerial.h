@@ -27,7 +27,7 @@ class FakeSerial : public HardwareSerial {
   unsigned closings = 0;
   unsigned singleReads = 0;
   unsigned asked = 0;      // available()
-  unsigned overasked = 0;  // read() of more than was there
+  unsigned overasked = 0;  // read() of more than was available
 
   std::function<void()> beforeRead = [] {};  // what comes in while a sketch reads
   bool readFails = false;                    // -1, as no core should answer

@@ -30,7 +30,7 @@ struct FeederOf {
 
   explicit FeederOf(uint32_t startUs = 0) : now(startUs) { finder.reset(now, CharacterUs); }
 
-  // Polls now, and finds `bytes`. Returns the frames that this brings.
+  // Polls now, and finds `bytes`. Returns the resulting frames.
   Frames poll(const Bytes &bytes) {
     Frames frames;
     if (bytes.empty()) {

@@ -1,4 +1,4 @@
-// Frames whose channels are known from other sources than this repository, each with its source.
+// Frames with channels known from sources outside this repository, each with its source.
 #pragma once
 
 #include "BitByBit.h"

@@ -1,4 +1,4 @@
-// A Calibrator, and a radio whose moving sticks are fed to it as by a sketch.
+// A Calibrator, and a radio with moving sticks, which are fed to it as a sketch would.
 #pragma once
 
 #include <array>
@@ -77,7 +77,7 @@ struct Radio {
   }
 };
 
-// What finish() returns, and how it leaves a calibration that was all A5.
+// The result of finish(), and the calibration afterwards; it was all A5 before.
 struct Finished {
   sbus::Calibration calibration;
   uint8_t channel = Radio::NoChannel;

@@ -51,7 +51,7 @@ struct Bus {
   }
 };
 
-// A sensor that the user has defined.
+// A user-defined sensor.
 template <uint8_t Count>
 struct Raw {
   static constexpr uint8_t Slots = Count;

@@ -30,7 +30,7 @@ class UartPort : public HardwareSerial {
     _uart.open(fakeMicros, _buffer.data(), _buffer.size(), _characterUs);
   }
 
-  // Takes the next character that has come.
+  // Takes the next character of the line.
   void receive(const line::Character &character) {
     if (_baud != _lineBaud || character.endUs < _openedUs + _characterUs) {
       return;  // a character that began before the port was opened is not received
@@ -66,7 +66,7 @@ class UartPort : public HardwareSerial {
     _interrupts = false;
     _lostBehindKept = 0;
   }
-  // Hands over what the UART has kept. Returns how many good characters it has lost behind it.
+  // Hands over what the UART has kept. Returns how many good characters it lost after that.
   uint64_t interruptsOn() {
     _interrupts = true;
     for (const line::Character &character : _kept) {

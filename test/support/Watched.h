@@ -1,4 +1,4 @@
-// A line, and what its observer has reported.
+// A line, and its observer's reports.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 struct TestWire {
   double bitNs = 10000;
   bool inverted = true;
-  double ns = 2000000;        // up to here it is written
+  double ns = 2000000;        // its end
   std::vector<double> edges;  // the first one leaves idle, the next one goes back, and so on
 
   // Adds 12 bits: a start bit, then `bits`, least significant first. Active is false.
@@ -47,7 +47,7 @@ struct TestWire {
   void gap(double gapNs) { ns += gapNs; }
 };
 
-// PicoScope: the wire goes further up and down than it can measure. Owon: its program, with times that go back.
+// PicoScope: the wire exceeds its range. Owon: its program, with times that go back.
 // OwonHandheld: an HDS200. DsView...: DreamSourceLab/DSView, libsigrok4DSL/output/csv.c:158 to 209, 276 to 313 (a row
 // for each change) and 365 to 391 (each sample); DsViewOld is from before DSView 1.2. PulseView...: libsigrok,
 // src/output/csv.c. Keysight: two rows of names, channels are numbers.

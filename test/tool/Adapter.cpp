@@ -1,6 +1,6 @@
-// A receiver at a USB adapter, in true time: a pseudo-terminal that brings bytes as support/Adapter.h does.
+// A receiver at a USB adapter, in real time: a pseudo-terminal that delivers bytes like support/Adapter.h.
 //
-//   Adapter LINE PERIOD_MS LATENCY_MS FRAMES      LINE: 16, 24, sbus2 (two telemetry slots behind each frame), 2F
+//   Adapter LINE PERIOD_MS LATENCY_MS FRAMES      LINE: 16, 24, sbus2 (two telemetry slots after each frame), 2F
 //
 // It prints the terminal's name, and sends the frames when a program has opened it.
 #include <chrono>
@@ -44,7 +44,7 @@ int main(int count, char **arguments) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   std::this_thread::sleep_for(
-      std::chrono::milliseconds(200));  // the program drops what comes before it has set the port
+      std::chrono::milliseconds(200));  // the program drops bytes that arrive before it has set up the port
   const auto start = Clock::now();
   Random random(20181);
   ImpairedLine line(transmission(arguments[1], arguments[2], arguments[4]), 5000, random);

@@ -1,10 +1,10 @@
-// A stand-in for /dev/uinput, for a machine that has none: LD_PRELOAD it. It accepts, rejects and drops what Linux 6.1
-// does; the comments name the lines of drivers/input/misc/uinput.c, and of drivers/input/input.c as "input.c".
+// A stand-in for /dev/uinput, for a machine without one: LD_PRELOAD it. It accepts, rejects and drops the same as Linux
+// 6.1; the comments name the lines of drivers/input/misc/uinput.c, and of drivers/input/input.c as "input.c".
 //
 //   UINPUT_LOG     what a program that reads the event device would see, a report a line: "ABS_X=12 BTN_EAST=1"; the
-//                  device with its axes when it comes and when it goes; what the kernel ignores without an error, as
-//                  "dropped"; and "unread" if the device goes before a game that reads 30 times a second had the newest
-//                  report
+//                  device with its axes when it is created and when it is destroyed; events that the kernel ignores
+//                  without an error, as "dropped"; and "unread" if the device is destroyed before a game that reads 30
+//                  times a second got the newest report
 //   UINPUT_ERRNO   open() fails with this number
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -118,7 +118,7 @@ int create() {  // 326
 
 void destroy() {  // 296
   if (device.setup == Setup::Created) {
-    // drivers/input/evdev.c, evdev_read(): nothing can be read from a device that has gone, not even what waits;
+    // drivers/input/evdev.c, evdev_read(): nothing can be read from a device that is gone, not even waiting events;
     // joydev.c, joydev_read(), is the same.
     if (std::chrono::steady_clock::now() - device.reportTime < ReadEvery) {
       log("unread: the newest report");
@@ -128,7 +128,7 @@ void destroy() {  // 296
   device = {};
 }
 
-void flush() {  // input.c 372: SYN_REPORT alone is no report
+void flush() {  // input.c 372: SYN_REPORT alone is not a report
   std::string line;
   for (const std::string &event : device.report) {
     line += (line.empty() ? "" : " ") + event;

@@ -65,7 +65,7 @@ verdict $? "an error in a capture is reported with its place"
 
 frame='0F E5 03 1F F8 C0 07 3E F0 81 0F 7C E0 03 06 F8 80 91 3D F0 81 0F 7C 00 00'
 octal='\017\345\003\037\370\300\007\076\360\201\017\174\340\003\006\370\200\221\075\360\201\017\174\000\000'
-note='bytes without times: frames are assumed to be back to back'
+note='bytes without times: times are not known, frames are assumed to be back to back'
 # written NAME: standard input is a file whose bytes are two frames
 written() {
   cat >"$work/$1"

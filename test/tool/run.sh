@@ -206,7 +206,7 @@ verdict $? "bytes sent through a pseudo-terminal are recorded exactly"
 
 player send golden/AllChannels.csv --csv --speed 20
 "$sbus" record "$terminal" "$work/rows.csv" 2>"$work/err"
-[ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, no S.Bus" ] &&
+[ "$(head -n 1 "$work/rows.csv")" = "# sbus record $terminal: rows of CSV as the sketch printed them, not S.Bus" ] &&
   sed 1d "$work/rows.csv" | cmp - golden/AllChannels.csv
 verdict $? "a sketch's rows are recorded unchanged"
 wait "$player"

@@ -20,7 +20,7 @@ void FailsafeOption::read(const sbus::Range &range) {
   if (!_option.given() || _text == "off" || _text == "hold") {
     return;
   }
-  line::forEachAtCommas(_text, [&](std::string_view each) {
+  line::forEachBetweenCommas(_text, [&](std::string_view each) {
     const std::string word(each);
     const unsigned channel = channelOf(line::lower(word.substr(0, word.find('='))));
     if (channel == 0 || channel > sbus::ProportionalCount) {

@@ -7,7 +7,7 @@
 #include "line/LineSettings.h"
 #include "line/Observer.h"
 #include "line/recording/CsvRows.h"
-#include "line/report/VariantOfLine.h"
+#include "line/report/DetectedVariant.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {
@@ -57,7 +57,7 @@ class MonitoredLine {
   const sbus::Range _pulses;
 
   line::Observer _observer;
-  line::VariantOfLine _variant;
+  line::DetectedVariant _variant;
   line::Readings _readings;
   sbus::Counters _before{};  // at the last reset
   unsigned long _errorsBefore = 0;

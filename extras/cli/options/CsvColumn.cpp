@@ -61,7 +61,7 @@ unsigned valueOf(const line::Values &values, unsigned channel) {
 
 std::vector<CsvColumn> parseColumns(const std::string &text) {
   std::vector<CsvColumn> columns;
-  line::forEachAtCommas(text, [&columns](std::string_view each) {
+  line::forEachBetweenCommas(text, [&columns](std::string_view each) {
     const std::string word = line::lower(line::trimmed(each));
     if (!append(word, columns)) {
       rejectCommandLine(

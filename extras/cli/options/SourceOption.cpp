@@ -52,8 +52,8 @@ bool isValue(const std::string &word) {
 
 }  // namespace
 
-SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words words, const char *name) {
-  _given.recordings = recordings;
+SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Words words, const char *name) {
+  _given.playback = playback;
   constexpr const char *What = "a serial port, a file, - for standard input, sim, or values such as ch3=172,ch5=on";
   (words == Words::One ? subcommand.option(name, _word, What).notEmpty() : subcommand.option(name, _words, What))
       .required()
@@ -65,11 +65,11 @@ SourceOption::SourceOption(Subcommand &subcommand, Recordings recordings, Words 
   _given.csv = subcommand.flag("--csv", "the port carries a sketch's rows, at 115200 baud");
   subcommand.option("--seconds", _given.seconds, "end after this many seconds").seconds().type("S");
   _given.signal =
-      subcommand.option("--signal", _given.overrules.signal, "the signal of a capture (the one with the most frames)")
+      subcommand.option("--signal", _given.overrides.signal, "the signal of a capture (the one with the most frames)")
           .notEmpty()
           .type("NAME");
   _given.part.addTo(subcommand);
-  if (recordings == Recordings::InRealTime) {
+  if (playback == Playback::RealTime) {
     _given.loop = subcommand.flag("--loop", "repeat a file until Ctrl-C");
   }
   _given.simulatedTime =
@@ -120,7 +120,7 @@ SourceOption::Parsed SourceOption::parseValues() const {
   for (const std::string &word : _words.empty() ? std::vector<std::string>{_word} : _words) {
     parsed.name += (parsed.name.empty() ? "" : ",") + word;
   }
-  line::forEachAtCommas(parsed.name, [&](std::string_view each) {
+  line::forEachBetweenCommas(parsed.name, [&](std::string_view each) {
     const std::string value(each);
     const std::string name = line::lower(value.substr(0, value.find('=')));
     if (!names.insert(name).second) {
@@ -140,7 +140,7 @@ void SourceOption::openPipe(Parsed &parsed) const {
   _startUs = wallUs();
   _pipe = std::make_shared<Pipe>(parsed.name);
   const Pipe::Content content = _given.csv.given() ? Pipe::Content::Line : _pipe->content(_given.seconds);
-  _isLiveText = content == Pipe::Content::Text && _given.recordings != Recordings::Again;
+  _isLiveText = content == Pipe::Content::Text && _given.playback != Playback::Repeatable;
   parsed.kind = content == Pipe::Content::Line ? Kind::Stream : Kind::File;
   _waitedS = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -161,7 +161,7 @@ void SourceOption::rejectOptions(const Parsed &parsed) const {
       rejectCommandLine("--signal: is for a capture of several signals; leave it out for " + parsed.name);
     }
     _given.part.reject("is for a file; leave it out for " + parsed.name);
-    if (_given.recordings == Recordings::InRealTime && _given.loop.given()) {
+    if (_given.playback == Playback::RealTime && _given.loop.given()) {
       rejectCommandLine("--loop: is for a file; leave it out for " + parsed.name);
     }
   }
@@ -236,10 +236,10 @@ const FileSource &SourceOption::file() const {
   if (_file) {
     return *_file;
   }
-  line::Overrules overrules = _given.overrules;
-  overrules.baud = _given.baud;
+  line::Overrides overrides = _given.overrides;
+  overrides.baud = _given.baud;
   FileSource read = _isLiveText ? headOfPipe(_pipe->textKind(), _pipe->begin(), _given.baud)
-                                : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrules);
+                                : readFile(_pipe ? _pipe->wholeFile() : FileName(name()), overrides);
   if (!read.hasTimes || !read.hasRowTimes) {
     _given.part.reject("is for a file with times; leave it out for " + name());
   } else if (read.isWhole() && (_given.part.fromUs() > 0 || _given.part.toUs() > 0)) {
@@ -254,11 +254,9 @@ const FileSource &SourceOption::file() const {
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
   const Kind kind = parsed().kind;
-  const bool atOnce =
-      _given.simulatedTime.given() || (kind == Kind::File && _given.recordings != Recordings::InRealTime);
-  auto input =
-      std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
-                              leftSeconds());
+  const bool atOnce = _given.simulatedTime.given() || (kind == Kind::File && _given.playback != Playback::RealTime);
+  auto input = std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
+                                       leftSeconds());
   input->setStart(_given.part.fromUs());
   return input;
 }
@@ -271,7 +269,7 @@ double SourceOption::leftSeconds() const {
 }
 
 std::unique_ptr<line::Line> SourceOption::openLine(const line::LineSettings &port) const {
-  if (_given.recordings == Recordings::InRealTime && _given.loop.given()) {
+  if (_given.playback == Playback::RealTime && _given.loop.given()) {
     if (_isLiveText) {
       rejectCommandLine("--loop: is for a file; leave it out for " + name());
     }
@@ -317,7 +315,7 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
   } else {
     input = std::make_unique<FileText>(file().path, name());
   }
-  const bool isLive = _isLiveText && _given.recordings == Recordings::InRealTime && !_given.simulatedTime.given();
+  const bool isLive = _isLiveText && _given.playback == Playback::RealTime && !_given.simulatedTime.given();
   return std::make_unique<TextLine>(name(), std::move(input), makeReader(file()),
                                     isLive ? TextLine::Clock::Live : TextLine::Clock::OfText, _given.part.fromUs(),
                                     _given.part.toUs());

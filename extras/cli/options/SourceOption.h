@@ -18,7 +18,7 @@
 namespace tool {
 
 // How a file is read: in real time; as fast as possible; or as fast as possible, and several times.
-enum class Recordings { InRealTime, AtOnce, Again };
+enum class Playback { RealTime, AtOnce, Repeatable };
 
 // How many words a source may have. Several is for a subcommand that sends values such as ch3=172 ch5=on; it also takes
 // values from rows of CSV.
@@ -27,7 +27,7 @@ enum class Words { One, Several };
 class SourceOption {
  public:
   // Adds SOURCE, or an argument with another `name`, and its options to a subcommand.
-  SourceOption(Subcommand &subcommand, Recordings recordings, Words words = Words::One, const char *name = "SOURCE");
+  SourceOption(Subcommand &subcommand, Playback playback, Words words = Words::One, const char *name = "SOURCE");
   // A second source, named by another option or argument, with the options of `first`. Create it after the command line
   // has been read.
   SourceOption(const SourceOption &first, const std::string &word);
@@ -75,7 +75,7 @@ class SourceOption {
 
   // The command line's options, which two sources share.
   struct Given {
-    Recordings recordings = Recordings::InRealTime;
+    Playback playback = Playback::RealTime;
     unsigned long baud = 0;  // 0: not given
     double seconds = 0;
     Option csv;
@@ -83,7 +83,7 @@ class SourceOption {
     Option loop;
     Option simulatedTime;
     Option signal;
-    line::Overrules overrules;
+    line::Overrides overrides;
     uint64_t periodUs = 9000;
     sbus::Range range = sbus::FrSky;
   };

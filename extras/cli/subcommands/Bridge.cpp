@@ -26,7 +26,7 @@ using Kind = line::Stretch::Kind;
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Recordings::InRealTime),
+      : source(subcommand, Playback::RealTime),
         rules(subcommand),
         failsafe(subcommand),
         trainer(subcommand),

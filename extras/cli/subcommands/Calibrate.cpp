@@ -83,7 +83,7 @@ void run(const SourceOption &source, const std::string &name) {
 
 void addCalibrate(CLI::App &app) {
   Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InRealTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime);
   const auto name = std::make_shared<std::string>();
   subcommand.option("FILE", *name, "the file to write; an existing file is not overwritten; - is standard output")
       .required()

@@ -16,7 +16,7 @@ namespace tool {
 namespace {
 
 struct Options {
-  explicit Options(Subcommand &subcommand) : a(subcommand, Recordings::AtOnce, Words::One, "A") {}
+  explicit Options(Subcommand &subcommand) : a(subcommand, Playback::AtOnce, Words::One, "A") {}
 
   SourceOption a;
   std::string b;

@@ -114,7 +114,7 @@ void run(const SourceOption &source, const CsvOptions &options) {
 
 void addCsv(CLI::App &app) {
   Subcommand subcommand(app, "csv", "prints what the sketch prints, for a serial plotter or a spreadsheet");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto options = std::make_shared<CsvOptions>();
   subcommand
       .option("--columns", options->columns,

@@ -27,7 +27,7 @@ namespace {
 struct Options {
   std::string capture;
   std::string output;  // a recording
-  line::Overrules overrules;
+  line::Overrides overrides;
   PartOption part;
   std::string invert;
   bool csv = false;
@@ -111,7 +111,7 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
   bool any = false;  // in the part
   Frames frames(output, !record || options.csv || options.json, record);
   line::WireDecoder wire(
-      options.overrules,
+      options.overrides,
       [&] {
         output.begin(wire);
         if (options.csv || options.json) {  // the table has it in its first line
@@ -129,7 +129,7 @@ void decode(const Options &options, const ChannelForm &form, const Put &record) 
         output.character(character);
         frames.put(character);
       });
-  const line::CaptureEnd capture = readCapture(options.capture, options.capture, options.overrules, wire);
+  const line::CaptureEnd capture = readCapture(options.capture, options.capture, options.overrides, wire);
   if (!wire.found()) {
     throw std::runtime_error(capture.error.empty() ? options.capture + ": " + wire.failure(capture.periodNs)
                                                    : capture.error);
@@ -184,11 +184,11 @@ void addDecode(CLI::App &app) {
               "write a recording instead of the table; an existing file is not overwritten")
       .notStandardOutput()
       .type("FILE.txt");
-  line::Overrules &overrules = options->overrules;
-  subcommand.option("--signal", overrules.signal, "decode only this signal (the one with the most frames)")
+  line::Overrides &overrides = options->overrides;
+  subcommand.option("--signal", overrides.signal, "decode only this signal (the one with the most frames)")
       .type("NAME");
   options->part.addTo(subcommand);
-  subcommand.option("--baud", overrules.baud, "the wire's baud rate, within 3 % (100000 or 200000)")
+  subcommand.option("--baud", overrides.baud, "the wire's baud rate, within 3 % (100000 or 200000)")
       .between(50000, 400000)
       .type("N");
   subcommand.option("--invert", options->invert, "yes: the wire idles low, like S.Bus (detected)")
@@ -196,13 +196,13 @@ void addDecode(CLI::App &app) {
       .type("yes|no");
   subcommand
       .option(
-          "--rate", [&overrules](double hertz) { overrules.periodNs = 1e9 / hertz; },
+          "--rate", [&overrides](double hertz) { overrides.periodNs = 1e9 / hertz; },
           "samples a second; each row or bit is one sample (as the capture says)")
       .between(1, 1e10)
       .type("HZ");
   subcommand
       .option(
-          "--threshold", [&overrules](double volts) { overrules.threshold = volts; },
+          "--threshold", [&overrides](double volts) { overrides.threshold = volts; },
           "the voltage above which the wire is high, in the capture's unit (detected)")
       .type("V");
   const Option csv = subcommand.flag("--csv", options->csv, "print rows for a spreadsheet");
@@ -214,7 +214,7 @@ void addDecode(CLI::App &app) {
       "character. It exits with 1 if there is no frame.");
   const auto form = std::make_shared<ChannelFormOption>(subcommand);
   subcommand.run([options, form] {
-    options->overrules.polarity = options->invert.empty()    ? line::Polarity::Either
+    options->overrides.polarity = options->invert.empty()    ? line::Polarity::Either
                                   : options->invert == "yes" ? line::Polarity::Inverted
                                                              : line::Polarity::Uninverted;
     run(*options, form->form(options->json));

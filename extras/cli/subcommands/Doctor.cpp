@@ -12,7 +12,7 @@
 #include "cli/options/SourceOption.h"
 #include "cli/subcommands/Subcommands.h"
 #include "line/Examination.h"
-#include "line/report/VariantOfLine.h"
+#include "line/report/DetectedVariant.h"
 
 namespace tool {
 
@@ -176,7 +176,7 @@ bool examine(const SourceOption &source, bool asJson) {
 
 void addDoctor(CLI::App &app) {
   Subcommand subcommand(app, "doctor", "finds what is wrong with a line, and the remedy, in two seconds");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::Again);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::Repeatable);
   subcommand.footer(
       "It tries both baud rates; for sim and a recording also both polarities. Exit status: 0 if all is well, 1 if "
       "not.");

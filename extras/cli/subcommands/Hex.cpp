@@ -250,7 +250,7 @@ void run(const SourceOption &source, const HexOptions &options, const ChannelFor
 
 void addHex(CLI::App &app) {
   Subcommand subcommand(app, "hex", "prints the bytes, 25 a line, and what was rejected and why");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto options = std::make_shared<HexOptions>();
   const Option values =
       subcommand.flag("--values", options->values, "print the channels' raw values beside each frame");

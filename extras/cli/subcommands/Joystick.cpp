@@ -189,7 +189,7 @@ void run(const SourceOption &source, const Options &options) {
 
 void addJoystick(CLI::App &app) {
   Subcommand subcommand(app, "joystick", "creates a game controller that moves like the transmitter's sticks");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InRealTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime);
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand

@@ -193,7 +193,7 @@ void run(const SourceOption &source, const MonitorOptions &options) {
 
 void addMonitor(CLI::App &app) {
   Subcommand subcommand(app, "monitor", "shows channels, flags, times and losses on a page");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::InRealTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime);
   const auto options = std::make_shared<MonitorOptions>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand.option("--record", options->record, "also record the line; an existing file is not overwritten")

@@ -43,7 +43,7 @@ void run(const SourceOption &source, const std::string &name) {
 
 void addRecord(CLI::App &app) {
   Subcommand subcommand(app, "record", "records a line in a text file, or a sketch's rows as CSV");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto name = std::make_shared<std::string>();
   subcommand.option("FILE", *name, "the recording; an existing file is not overwritten; - is standard output")
       .required()

@@ -170,7 +170,7 @@ void run(const SourceOption &source, const Options &options) {
 
 void addSummary(CLI::App &app) {
   Subcommand subcommand(app, "summary", "summarises a flight: failsafe and loss periods, intervals between frames");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto options = std::make_shared<Options>();
   const Option json = subcommand.flag("--json", options->json, "JSON lines");
   options->html =

@@ -108,7 +108,7 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool as
 
 void addTelemetry(CLI::App &app) {
   Subcommand subcommand(app, "telemetry", "prints the sensors of an S.BUS2 line as CSV");
-  const auto source = std::make_shared<SourceOption>(subcommand, Recordings::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
   const auto sensors = std::make_shared<SensorOption>(subcommand);
   const auto json = std::make_shared<bool>(false);
   subcommand.flag("--json", *json, "JSON lines, one per slot");

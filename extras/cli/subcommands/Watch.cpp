@@ -22,7 +22,7 @@ namespace tool {
 namespace {
 
 struct Options {
-  explicit Options(Subcommand &subcommand) : source(subcommand, Recordings::AtOnce), range(subcommand) {}
+  explicit Options(Subcommand &subcommand) : source(subcommand, Playback::AtOnce), range(subcommand) {}
 
   SourceOption source;
   RangeOption range;

@@ -36,7 +36,7 @@ void PulsePins::plan() {
 void PulsePins::advance(uint64_t nowUs) {
   while (_nextUs <= nowUs) {
     const uint32_t pin = _edge / 2;
-    const bool isHigh = _edge % 2 == 0 && line::Flight.radio(0, flightMs()) == line::Radio::Heard;
+    const bool isHigh = _edge % 2 == 0 && line::Flight.radio(0, flightMs()) == line::Radio::Received;
     const bool asked = _edges[pin] == Change || _edges[pin] == (isHigh ? Rising : Falling);
     _waits[pin] = _waits[pin] || (isHigh != _isHigh[pin] && asked);
     _isHigh[pin] = isHigh;

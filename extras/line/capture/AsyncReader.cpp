@@ -86,7 +86,7 @@ AsyncReader::AsyncReader(std::string_view head, LevelSink &sink, unsigned long b
   _zeroNs = INT64_MIN;  // read() set it for the head
   _bitNs = baud > 0 ? 1e9 / static_cast<double>(baud) : static_cast<double>(settings.bitNs());
   _wires.resize(_analysers.size());
-  _sink.ofCharacters();
+  _sink.fromCharacters();
   _sink.signals(_analysers);
 }
 

@@ -57,36 +57,36 @@ std::string whyUnknown(std::string_view head) {
 
 }  // namespace
 
-OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules) {
+OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrides &overrides) {
   OpenedCapture opened;
   bool analogue = false;
   const bool isVcd = trimmed(head).substr(0, 1) == "$";
   const bool isAsync = AsyncReader::isHead(head);
-  if ((isVcd || isAsync) && overrules.periodNs > 0) {
+  if ((isVcd || isAsync) && overrides.periodNs > 0) {
     opened.error = "has times of its own: leave out --rate";
-  } else if (isAsync && overrules.polarity != Polarity::Either) {
+  } else if (isAsync && overrides.polarity != Polarity::Either) {
     opened.error = "has characters that are decoded already: leave out --invert";
   } else if (isAsync) {
-    opened.reader = std::make_unique<AsyncReader>(head, sink, overrules.baud);
+    opened.reader = std::make_unique<AsyncReader>(head, sink, overrides.baud);
   } else if (isVcd) {
     analogue = head.find("$var real") != std::string_view::npos;
-    opened.reader = std::make_unique<VcdReader>(sink, overrules.threshold);
+    opened.reader = std::make_unique<VcdReader>(sink, overrides.threshold);
   } else if (SigrokTextReader::isHead(head)) {
-    opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrules.periodNs);
+    opened.reader = std::make_unique<SigrokTextReader>(head, sink, overrides.periodNs);
   } else if (isBits(head)) {
-    opened.reader = std::make_unique<BitsReader>(sink, overrules.periodNs);
+    opened.reader = std::make_unique<BitsReader>(sink, overrides.periodNs);
   } else {
     CsvLayout layout;
     opened.error = whyUnknown(head);
-    opened.error = opened.error.empty() ? findLayout(head, layout, overrules.periodNs) : opened.error;
+    opened.error = opened.error.empty() ? findLayout(head, layout, overrides.periodNs) : opened.error;
     analogue = layout.analogue;
     if (opened.error.empty() && analogue) {
-      opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrules.threshold);
+      opened.reader = std::make_unique<AnalogueReader>(layout, sink, overrides.threshold);
     } else if (opened.error.empty()) {
       opened.reader = std::make_unique<DigitalReader>(layout, sink);
     }
   }
-  if (opened.reader && overrules.threshold && !analogue) {
+  if (opened.reader && overrides.threshold && !analogue) {
     return {nullptr, "has no voltages: leave out --threshold"};
   }
   return opened;
@@ -96,7 +96,7 @@ std::string captureFormat(std::string_view head) {
   if (isBits(head)) {
     return {};
   }
-  struct Deaf : LevelSink {
+  struct NullSink : LevelSink {
     void signals(const std::vector<std::string> &) override {}
     void level(size_t, int64_t, bool) override {}
   } sink;

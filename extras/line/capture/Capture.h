@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "line/capture/Overrules.h"
+#include "line/capture/Overrides.h"
 
 namespace line {
 
@@ -24,7 +24,7 @@ class LevelSink {
 
   // Called before signals() if the levels are made from characters decoded by an analyser: they do not show the wire's
   // speed and polarity.
-  virtual void ofCharacters() {}
+  virtual void fromCharacters() {}
 
   // Takes the names of the signals. Called once, before the first level.
   virtual void signals(const std::vector<std::string> &names) = 0;
@@ -74,7 +74,7 @@ struct OpenedCapture {
 };
 // Recognises the format of a capture. `head` is its first CaptureHeadMax characters, or all of it; the reader must get
 // them afterwards.
-OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrules &overrules = {});
+OpenedCapture openCapture(std::string_view head, LevelSink &sink, const Overrides &overrides = {});
 
 constexpr const char *OscilloscopeFormat = "oscilloscope's CSV";
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t MetadataMax = size_t{1} << 20;
 
-CaptureEnd readSession(const std::string &name, const Overrules &overrules, PackedFile &file, WireDecoder &decoder) {
+CaptureEnd readSession(const std::string &name, const Overrides &overrides, PackedFile &file, WireDecoder &decoder) {
   const auto reject = [&](const std::string &why) {
     throw std::runtime_error(name + ": " + (file.failure().empty() ? why : file.failure()));
   };
@@ -21,9 +21,9 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
   for (std::string_view bytes = file.read(); !bytes.empty() && metadata.size() < MetadataMax; bytes = file.read()) {
     metadata += bytes;
   }
-  SessionReader reader(decoder, overrules.periodNs);
+  SessionReader reader(decoder, overrides.periodNs);
   std::string error = reader.metadata(metadata);
-  if (!error.empty() || overrules.threshold) {
+  if (!error.empty() || overrides.threshold) {
     reject(error.empty() ? "has no voltages: leave out --threshold" : error);
   }
   // The samples are in one entry, or in several numbered ones.
@@ -47,14 +47,14 @@ CaptureEnd readSession(const std::string &name, const Overrules &overrules, Pack
 
 }  // namespace
 
-CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrules &overrules,
+CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrides &overrides,
                        WireDecoder &decoder) {
   PackedFile file(path, name);
   if (file.isSession()) {
-    return readSession(name, overrules, file, decoder);
+    return readSession(name, overrides, file, decoder);
   }
   file.findOnly();
-  CaptureText text(name, overrules, decoder);
+  CaptureText text(name, overrides, decoder);
   TextFile plain(file);
   for (std::string_view read = plain.read(); !read.empty() && text.put(read); read = plain.read()) {
   }

@@ -9,7 +9,7 @@ namespace line {
 
 // Reads a capture to its end, or up to an error. `path` is a file, or "-" for standard input; messages call it `name`.
 // Throws std::runtime_error if it cannot be opened or is not a capture.
-CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrules &overrules,
+CaptureEnd readCapture(const std::string &path, const std::string &name, const Overrides &overrides,
                        WireDecoder &decoder);
 
 }  // namespace line

@@ -19,8 +19,8 @@ bool isHead(std::string_view text) {
 
 }  // namespace
 
-CaptureText::CaptureText(std::string name, const Overrules &overrules, WireDecoder &decoder)
-    : _name(std::move(name)), _overrules(overrules), _decoder(decoder), _block(BlockSize) {
+CaptureText::CaptureText(std::string name, const Overrides &overrides, WireDecoder &decoder)
+    : _name(std::move(name)), _overrides(overrides), _decoder(decoder), _block(BlockSize) {
 }
 
 bool CaptureText::put(std::string_view bytes) {
@@ -40,7 +40,7 @@ bool CaptureText::put(std::string_view bytes) {
 void CaptureText::take(bool more) {
   std::string_view text(_block.data(), _filled);
   if (!_reader) {
-    OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), _decoder, _overrules);
+    OpenedCapture opened = openCapture(text.substr(0, CaptureHeadMax), _decoder, _overrides);
     _reader = std::move(opened.reader);
     _rejection = opened.error;
     if (!_reader) {

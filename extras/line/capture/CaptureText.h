@@ -20,7 +20,7 @@ struct CaptureEnd {
 class CaptureText {
  public:
   // `name` is the file's name in messages.
-  CaptureText(std::string name, const Overrules &overrules, WireDecoder &decoder);
+  CaptureText(std::string name, const Overrides &overrides, WireDecoder &decoder);
 
   // Takes the next bytes. Returns false after an error, and ignores all further bytes.
   bool put(std::string_view bytes);
@@ -32,7 +32,7 @@ class CaptureText {
   void take(bool more);
 
   const std::string _name;
-  const Overrules _overrules;
+  const Overrides _overrides;
   WireDecoder &_decoder;
   std::unique_ptr<CaptureReader> _reader;
   std::vector<char> _block;

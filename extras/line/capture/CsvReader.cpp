@@ -9,7 +9,7 @@ namespace line {
 
 namespace {
 
-bool isPassedOver(std::string_view row) {
+bool isSkipped(std::string_view row) {
   return row.empty() || row.front() == ';' || row.front() == '#';
 }
 
@@ -62,7 +62,7 @@ std::string DigitalReader::rows(std::string_view text) {
   while (!text.empty()) {
     const std::string_view row = takeLine(text);
     _lines++;
-    if (isPassedOver(row)) {
+    if (isSkipped(row)) {
       continue;
     }
     const bool same = timed ? row.size() > _values.size() && row.substr(row.size() - _values.size()) == _values &&
@@ -129,7 +129,7 @@ std::string AnalogueReader::rows(std::string_view text) {
   while (!text.empty() && error.empty()) {
     const std::string_view row = takeLine(text);
     _lines++;
-    error = isPassedOver(row) ? "" : takeVolts(row);
+    error = isSkipped(row) ? "" : takeVolts(row);
   }
   for (Signal &signal : _signals) {
     if (!_isGiven) {

@@ -78,7 +78,7 @@ bool isPacked(std::string_view begin) {
   return isGzip || begins(begin, Xz) || begins(begin, Zip) || begins(begin, EmptyZip);
 }
 
-bool maybePacked(std::string_view begin) {
+bool mayBePacked(std::string_view begin) {
   return isPacked(begin) || begins(Gzip, begin) || begins(Xz, begin) || begins(Zip, begin) || begins(EmptyZip, begin);
 }
 

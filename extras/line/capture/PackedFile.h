@@ -15,7 +15,7 @@ namespace line {
 bool isPacked(std::string_view begin);
 
 // Returns true if a file that begins with `begin` may be packed; `begin` may be too short to tell.
-bool maybePacked(std::string_view begin);
+bool mayBePacked(std::string_view begin);
 
 // Copies `begin` and then the rest of `file`, for a pipe until `isOver` returns true, to a file without a name, which
 // vanishes when it is closed. Returns that file, rewound. Throws std::runtime_error if the disk is full.

@@ -2,9 +2,9 @@
 
 namespace line {
 
-RecordedCapture::RecordedCapture(const Overrules &overrules)
+RecordedCapture::RecordedCapture(const Overrides &overrides)
     : _wire(
-          overrules, [this] { _times.begin(_wire.wire()); },
+          overrides, [this] { _times.begin(_wire.wire()); },
           [this](const WireCharacter &character) { recording.characters.push_back(_times.of(character)); },
           [this](int64_t ns, bool high) { _edges.put(ns, high); }) {
 }

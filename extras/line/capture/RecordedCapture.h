@@ -12,7 +12,7 @@ namespace line {
 
 class RecordedCapture {
  public:
-  explicit RecordedCapture(const Overrules &overrules = {});
+  explicit RecordedCapture(const Overrides &overrides = {});
   RecordedCapture(const RecordedCapture &) = delete;
   RecordedCapture &operator=(const RecordedCapture &) = delete;
 

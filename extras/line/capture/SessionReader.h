@@ -8,7 +8,7 @@ namespace line {
 
 class SessionReader : public CaptureReader {
  public:
-  // `periodNs` is the time between two samples, which overrules the metadata's; 0: the metadata's.
+  // `periodNs` is the time between two samples, which overrides the metadata's; 0: the metadata's.
   SessionReader(LevelSink &sink, double periodNs) : CaptureReader(sink) { _periodNs = periodNs; }
 
   static constexpr const char *NoMetadata =

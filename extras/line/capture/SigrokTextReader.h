@@ -11,7 +11,7 @@ class SigrokTextReader : public CaptureReader {
   // Returns true if a text begins like these.
   static bool isHead(std::string_view head);
 
-  // `head` is the beginning of the text, `periodNs` the time between two samples, which overrules the text's; 0: the
+  // `head` is the beginning of the text, `periodNs` the time between two samples, which overrides the text's; 0: the
   // text's.
   SigrokTextReader(std::string_view head, LevelSink &sink, double periodNs);
 

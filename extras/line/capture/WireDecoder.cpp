@@ -35,7 +35,7 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
   if (sample.size() < SampleMax) {
     return;
   }
-  if (findWire(sample, _overrules).frames > 0) {
+  if (findWire(sample, _overrides).frames > 0) {
     choose();
   } else {
     sample.erase(sample.begin(), sample.begin() + SampleMax / 2);
@@ -44,7 +44,7 @@ void WireDecoder::collect(size_t signal, int64_t ns, bool high) {
 
 void WireDecoder::choose() {
   for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i], _overrules);
+    const FoundWire wire = findWire(_samples[i], _overrides);
     if (wire.frames == 0) {
       continue;
     }
@@ -64,12 +64,12 @@ void WireDecoder::choose() {
 
 // Decodes the only signal even without a frame: bits copied from an oscilloscope's picture may be less than one.
 void WireDecoder::chooseOnly() {
-  if (_overrules.signal.empty() && _samples.size() != 1) {
+  if (_overrides.signal.empty() && _samples.size() != 1) {
     return;
   }
   for (size_t i = 0; i < _samples.size(); i++) {
-    const FoundWire wire = findWire(_samples[i], _overrules);
-    if (isWanted(i) && wire.hasCharacters() && (_overrules.baud != 0 || hasBits(_samples[i]))) {
+    const FoundWire wire = findWire(_samples[i], _overrides);
+    if (isWanted(i) && wire.hasCharacters() && (_overrides.baud != 0 || hasBits(_samples[i]))) {
       _wire = wire;
       _chosen = i;
       begin();
@@ -105,7 +105,7 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
 }
 
 std::string WireDecoder::failure(double periodNs) const {
-  const std::string &wanted = _overrules.signal;
+  const std::string &wanted = _overrides.signal;
   if (!wanted.empty() && std::find(_names.begin(), _names.end(), wanted) == _names.end()) {
     return "there is no signal " + wanted + ": one of " + someNames() + " is expected";
   }
@@ -115,7 +115,7 @@ std::string WireDecoder::failure(double periodNs) const {
   for (size_t i = 0; i < _names.size() && told < Shown; i++) {
     const std::vector<Level> &sample = _samples[i];
     if (isWanted(i) && (hasPulses(sample) || _names.size() == 1 || !wanted.empty())) {
-      const FoundWire wire = findWire(sample, _overrules);
+      const FoundWire wire = findWire(sample, _overrides);
       reasons += (told > 0 ? "; signal " : "signal ") + _names[i] + " " +
                  (_isMeasured ? whyNotFound(sample, wire, periodNs) : whyNoCharacters(wire));
       told++;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "line/capture/Capture.h"
-#include "line/capture/Overrules.h"
+#include "line/capture/Overrides.h"
 #include "line/capture/WireFinder.h"
 #include "line/uart/Levels.h"
 
@@ -18,14 +18,14 @@ namespace line {
 class WireDecoder : public LevelSink {
  public:
   // `found` is called once, before the first character; `level` for each level of the chosen signal.
-  WireDecoder(Overrules overrules, std::function<void()> found, std::function<void(const WireCharacter &)> character,
+  WireDecoder(Overrides overrides, std::function<void()> found, std::function<void(const WireCharacter &)> character,
               std::function<void(int64_t ns, bool high)> level = nullptr)
-      : _overrules(std::move(overrules)),
+      : _overrides(std::move(overrides)),
         _onFound(std::move(found)),
         _onCharacter(std::move(character)),
         _onLevel(std::move(level)) {}
 
-  void ofCharacters() override { _isMeasured = false; }
+  void fromCharacters() override { _isMeasured = false; }
   void signals(const std::vector<std::string> &names) override;
   void level(size_t signal, int64_t ns, bool high) override {
     _lastNs = ns;
@@ -61,7 +61,7 @@ class WireDecoder : public LevelSink {
   static constexpr size_t SampleMax = 2048;  // edges: thirteen frames
 
   void collect(size_t signal, int64_t ns, bool high);
-  bool isWanted(size_t signal) const { return _overrules.signal.empty() || _names[signal] == _overrules.signal; }
+  bool isWanted(size_t signal) const { return _overrides.signal.empty() || _names[signal] == _overrides.signal; }
   void choose();
   void chooseOnly();
   void begin();
@@ -75,7 +75,7 @@ class WireDecoder : public LevelSink {
     }
   }
 
-  const Overrules _overrules;
+  const Overrides _overrides;
   const std::function<void()> _onFound;
   const std::function<void(const WireCharacter &)> _onCharacter;
   const std::function<void(int64_t, bool)> _onLevel;

@@ -119,7 +119,7 @@ double shortest(const std::vector<int64_t> &lengths) {
   return lengths.empty() ? 0 : static_cast<double>(lengths[lengths.size() / 20]);
 }
 
-bool lastsABit(double ns) {
+bool isOneBitLong(double ns) {
   constexpr double SampleNs = 1100;  // at 1 MHz, with a margin
   return std::abs(ns - ShortestBitNs) < SampleNs || std::abs(ns - 2 * ShortestBitNs) < SampleNs;
 }
@@ -140,10 +140,10 @@ std::string tooSlow(double sampledNs, double bitNs) {
          ": at least 4 samples a bit are expected, better 10; record it at 1 MHz or more";
 }
 
-FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules) {
+FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides) {
   FoundWire best;
-  const bool told = overrules.baud != 0;
-  for (const unsigned long baud : told ? std::vector{overrules.baud} : std::vector{sbus::Baud, 2 * sbus::Baud}) {
+  const bool told = overrides.baud != 0;
+  for (const unsigned long baud : told ? std::vector{overrides.baud} : std::vector{sbus::Baud, 2 * sbus::Baud}) {
     LineSettings settings;
     settings.baud = baud;
     const double nominalNs = settings.bitNs();
@@ -155,7 +155,7 @@ FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules)
       bitNs = nominalNs;
     }
     for (const Polarity polarity : {Polarity::Inverted, Polarity::Uninverted}) {
-      if (overrules.polarity != Polarity::Either && overrules.polarity != polarity) {
+      if (overrides.polarity != Polarity::Either && overrides.polarity != polarity) {
         continue;
       }
       settings.polarity = polarity;
@@ -171,7 +171,7 @@ bool hasPulses(const std::vector<Level> &levels) {
 }
 
 bool hasBits(const std::vector<Level> &levels) {
-  return lastsABit(shortest(pulses(levels)));
+  return isOneBitLong(shortest(pulses(levels)));
 }
 
 std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best, double periodNs) {
@@ -187,7 +187,7 @@ std::string whyNotFound(const std::vector<Level> &levels, const FoundWire &best,
     return slow;
   }
   const std::string seen = "is not S.Bus: its shortest pulses last " + microseconds(pulseNs);
-  if (best.good + best.bad == 0 || !lastsABit(pulseNs)) {
+  if (best.good + best.bad == 0 || !isOneBitLong(pulseNs)) {
     const double baud = 1e9 / std::max(pulseNs, 1.0);
     return seen + ", as bits of " + std::to_string(static_cast<unsigned long>(baud)) +
            " baud do: 10 us or 5 us are expected, within 3 %";

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "line/LineSettings.h"
-#include "line/capture/Overrules.h"
+#include "line/capture/Overrides.h"
 
 namespace line {
 
@@ -43,8 +43,8 @@ struct FoundWire {
 };
 
 // Returns the best fit, which may have neither frames nor characters. Each of the `levels` differs from the previous
-// one; the first is where the sample begins. It tries only the baud rates and polarities that `overrules` allow.
-FoundWire findWire(const std::vector<Level> &levels, const Overrules &overrules = {});
+// one; the first is where the sample begins. It tries only the baud rates and polarities that `overrides` allow.
+FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides = {});
 
 bool hasPulses(const std::vector<Level> &levels);
 

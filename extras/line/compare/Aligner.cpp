@@ -90,7 +90,7 @@ void Aligner::knownUntil(size_t side, int64_t us) {
 
 void Aligner::finish() {
   work(true);
-  leave(INT64_MAX);
+  giveUpSecond(INT64_MAX);
   pairUnmatched(INT64_MAX);
   emitBefore(INT64_MAX);
 }
@@ -110,14 +110,14 @@ void Aligner::work(bool isEnd) {
     const Frame frame = frames.front();
     frames.pop_front();
     match(frame);
-    leave(expectedUs - WindowUs);
+    giveUpSecond(expectedUs - WindowUs);
     pairUnmatched(frame.us - 2 * WindowUs);
     emitBefore(frame.us - 3 * WindowUs);
   }
   // Without frames from the first source, those of the second remain unmatched once their time has passed.
   if (!isEnd && frames.empty()) {
     const int64_t us = std::min<int64_t>(_sides[0].knownUs, _sides[1].knownUs - std::llround(_delayUs));
-    leave(us + std::llround(_delayUs) - 2 * WindowUs);
+    giveUpSecond(us + std::llround(_delayUs) - 2 * WindowUs);
     pairUnmatched(us - 3 * WindowUs);
     emitBefore(us - 4 * WindowUs);
   }
@@ -227,7 +227,7 @@ void Aligner::match(const Frame &frame) {
 }
 
 // Gives up the second side's frames before this time, in its own clock.
-void Aligner::leave(int64_t beforeUs) {
+void Aligner::giveUpSecond(int64_t beforeUs) {
   std::deque<Frame> &others = _sides[1].frames;
   while (!others.empty() && others.front().us < beforeUs) {
     _sides[1].unmatched.push_back(others.front());

@@ -78,7 +78,7 @@ class Aligner {
   bool findDelay(bool isEnd);
   void findPeriod();
   void match(const Frame &frame);
-  void leave(int64_t beforeUs);
+  void giveUpSecond(int64_t beforeUs);
   void pairUnmatched(int64_t beforeUs);
   bool isLate(int64_t us) const;
   void add(const Frame &a, const Frame &b, bool isSameContent);

@@ -50,7 +50,7 @@ inline std::string_view takeLine(std::string_view &text) {
 
 // Calls `take` with each text between commas, unchanged; once, with an empty text, if `text` is empty.
 template <typename Take>
-void forEachAtCommas(std::string_view text, const Take &take) {
+void forEachBetweenCommas(std::string_view text, const Take &take) {
   for (size_t begin = 0; begin != std::string_view::npos;) {
     const size_t comma = text.find(',', begin);
     take(text.substr(begin, comma - begin));

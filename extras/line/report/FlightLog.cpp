@@ -30,8 +30,8 @@ class Judge {
         _second(flight.seconds().begin()) {}
 
   // Rates the seconds from `first` up to, but without, `end`.
-  Badness of(uint64_t first, uint64_t end) {
-    Badness part = {std::max(first * SecondUs, _flight.firstUs()),
+  FlightRating of(uint64_t first, uint64_t end) {
+    FlightRating part = {std::max(first * SecondUs, _flight.firstUs()),
                     std::min(end * SecondUs, _flight.lastUs()),
                     0,
                     false,
@@ -59,7 +59,7 @@ class Judge {
 
  private:
   // Returns how much of the part is covered by the spans; `at` is the first one that may reach into it.
-  static uint64_t common(const std::vector<FlagSpan> &spans, size_t &at, const Badness &part) {
+  static uint64_t common(const std::vector<FlagSpan> &spans, size_t &at, const FlightRating &part) {
     uint64_t us = 0;
     while (at < spans.size() && spans[at].toUs <= part.fromUs) {
       at++;
@@ -150,28 +150,28 @@ unsigned long FlightLog::missing() const {
   return missing;
 }
 
-std::vector<Badness> stripOf(const FlightLog &flight, size_t count) {
+std::vector<FlightRating> stripOf(const FlightLog &flight, size_t count) {
   const uint64_t first = flight.firstUs() / SecondUs;
   const uint64_t end = flight.lastUs() / SecondUs + 1;
   const uint64_t parts = std::min<uint64_t>(count, end - first);
   Judge judge(flight);
-  std::vector<Badness> strip;
+  std::vector<FlightRating> strip;
   for (uint64_t i = 0; i < parts; i++) {
     strip.push_back(judge.of(first + (end - first) * i / parts, first + (end - first) * (i + 1) / parts));
   }
   return strip;
 }
 
-std::vector<Badness> worstSeconds(const FlightLog &flight, size_t count) {
-  std::vector<Badness> worst;
+std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count) {
+  std::vector<FlightRating> worst;
   Judge judge(flight);
   for (uint64_t second = flight.firstUs() / SecondUs; second <= flight.lastUs() / SecondUs; second++) {
-    const Badness part = judge.of(second, second + 1);
+    const FlightRating part = judge.of(second, second + 1);
     if (part.lost > 0 || part.failsafe) {
       worst.push_back(part);
     }
     if (worst.size() == 2 * count || second == flight.lastUs() / SecondUs) {
-      std::stable_sort(worst.begin(), worst.end(), [](const Badness &a, const Badness &b) {
+      std::stable_sort(worst.begin(), worst.end(), [](const FlightRating &a, const FlightRating &b) {
         return a.failsafe != b.failsafe ? a.failsafe : a.lost > b.lost;
       });
       worst.resize(std::min(worst.size(), count));

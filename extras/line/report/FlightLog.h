@@ -9,8 +9,8 @@
 
 #include "line/Observer.h"
 #include "line/report/Curves.h"
+#include "line/report/DetectedVariant.h"
 #include "line/report/FlagSpans.h"
-#include "line/report/VariantOfLine.h"
 
 namespace line {
 
@@ -58,7 +58,7 @@ class FlightLog {
   void take(const Stretch &stretch);
 
   Observer _observer;
-  VariantOfLine _variant;
+  DetectedVariant _variant;
   FlagSpans _flags;
   std::map<uint64_t, unsigned long> _intervals;
   std::map<uint64_t, FlightSecond> _seconds;
@@ -66,7 +66,7 @@ class FlightLog {
 };
 
 // The rating of a part of a flight.
-struct Badness {
+struct FlightRating {
   uint64_t fromUs;
   uint64_t toUs;
   double lost;  // the share of lost, damaged or missing frames, 0 to 1
@@ -84,10 +84,10 @@ struct Badness {
 };
 
 // Returns the flight in `count` parts of equal length, at most one per second.
-std::vector<Badness> stripOf(const FlightLog &flight, size_t count);
+std::vector<FlightRating> stripOf(const FlightLog &flight, size_t count);
 
 // Returns the worst seconds, worst first, only those with losses.
-std::vector<Badness> worstSeconds(const FlightLog &flight, size_t count);
+std::vector<FlightRating> worstSeconds(const FlightLog &flight, size_t count);
 
 // Rates the flight in one sentence.
 struct FlightVerdict {

@@ -41,7 +41,7 @@ struct Listed {
   FlagSpan::Kind kind;
   const char *name;
   const char *colour;
-  const char *cause;  // of a bad second; the others only lost frames
+  const char *cause;  // shown for a bad second; empty: only lost frames
 };
 constexpr Listed AllListed[] = {{FlagSpan::Kind::Failsafe, "Failsafe", "failsafe", "failsafe"},
                                 {FlagSpan::Kind::NoFrames, "No frames", "silent", "no frames"},
@@ -67,14 +67,14 @@ std::string cell(const std::string &text) {
 // Draws each part as a column with the square root of its losses as its height: it shows both 0.3 % and 40 %.
 std::string strip(const FlightLog &flight) {
   constexpr double Height = 48, Width = 2;
-  const std::vector<Badness> parts = stripOf(flight, StripColumns);
+  const std::vector<FlightRating> parts = stripOf(flight, StripColumns);
   std::string text = format(
       "<svg class=\"strip\" role=\"img\" aria-label=\"losses over the flight\" viewBox=\"0 0 %.0f %.0f\" "
       "preserveAspectRatio=\"none\" style=\"height:64px\">\n<rect class=\"base\" y=\"%.0f\" width=\"%.0f\" "
       "height=\"1\"/>\n",
       static_cast<double>(parts.size()) * Width, Height, Height - 1, static_cast<double>(parts.size()) * Width);
   for (size_t i = 0; i < parts.size(); i++) {
-    const Badness &part = parts[i];
+    const FlightRating &part = parts[i];
     const double share = part.failsafe || part.silent ? std::max(part.lost, 0.3) : part.late ? 0.1 : part.lost;
     const double height = std::round(std::sqrt(share) * (Height - 1) * 10) / 10;
     if (height > 0) {
@@ -125,7 +125,7 @@ std::string curves(const FlightLog &flight, const ReportFacts &facts) {
 
 std::string worst(const FlightLog &flight) {
   std::string rows;
-  for (const Badness &part : worstSeconds(flight, WorstMost)) {
+  for (const FlightRating &part : worstSeconds(flight, WorstMost)) {
     rows += "<tr>" + cell(timeText(part.fromUs)) + cell(format("%.1f %%", 100 * part.lost)) + "<td>" +
             listed(part.kind()).cause + "</td></tr>\n";
   }

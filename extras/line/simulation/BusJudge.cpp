@@ -5,7 +5,7 @@
 namespace line {
 
 void BusJudge::frame(uint64_t endUs, uint8_t end) {
-  restedUntil(endUs);
+  idleUntil(endUs);
   _frameEndUs = endUs;
   _end = end;
   _hasFrame = true;
@@ -13,7 +13,7 @@ void BusJudge::frame(uint64_t endUs, uint8_t end) {
 
 void BusJudge::heard(const Character &character, uint32_t characterUs, bool isCollided, uint64_t frameUs) {
   const uint64_t startUs = character.endUs - characterUs;
-  restedUntil(startUs);
+  idleUntil(startUs);
   if (_characters == 0) {
     _startUs = startUs;
     _id = character.value;
@@ -26,7 +26,7 @@ void BusJudge::heard(const Character &character, uint32_t characterUs, bool isCo
   _frameUs = std::min(_frameUs, frameUs);
 }
 
-void BusJudge::restedUntil(uint64_t nowUs) {
+void BusJudge::idleUntil(uint64_t nowUs) {
   if (_characters > 0 && nowUs > _lastUs + GapUs) {
     close();
   }

@@ -44,7 +44,7 @@ class BusJudge {
   void heard(const Character &character, uint32_t characterUs, bool isCollided, uint64_t frameUs = NoFrame);
 
   // Takes the time up to which the wire was idle.
-  void restedUntil(uint64_t nowUs);
+  void idleUntil(uint64_t nowUs);
 
   // Notes that the board's TX holds the wire.
   void held() { _counts.held++; }

@@ -22,7 +22,7 @@ void sweepAll(uint32_t, uint32_t ms, uint16_t *channels) {
   channels[5] = threePositions(ms, 1100);
 }
 
-void putSwitchesBack(uint16_t *channels) {
+void resetSwitches(uint16_t *channels) {
   channels[4] = Low;
   channels[5] = Centre;
 }
@@ -33,13 +33,13 @@ void rest(uint32_t frameNumber, uint32_t, uint16_t *channels) {
   for (uint32_t i = 0; i < SticksCount; i++) {
     channels[i] = static_cast<uint16_t>(Trims[i] + (Trims[i] == Low ? 0 : Jitter[(frameNumber + 3 * i) % 8]));
   }
-  putSwitchesBack(channels);
+  resetSwitches(channels);
 }
 
 void holdUpRight(uint32_t, uint32_t, uint16_t *channels) {
   std::fill_n(channels, SticksCount, High);
   channels[1] = Low;
-  putSwitchesBack(channels);
+  resetSwitches(channels);
 }
 
 void flyGently(uint32_t, uint32_t ms, uint16_t *channels) {
@@ -47,7 +47,7 @@ void flyGently(uint32_t, uint32_t ms, uint16_t *channels) {
   channels[1] = stick(ms + 700, 4300, 250, Trims[1]);
   channels[2] = stick(ms + 1300, 6000, 200);
   channels[3] = stick(ms + 1900, 5200, 200, Trims[3]);
-  putSwitchesBack(channels);
+  resetSwitches(channels);
 }
 
 // The hands glide from one section to the next.
@@ -92,7 +92,7 @@ void move(uint32_t frameNumber, uint32_t ms, uint16_t *channels) {
 }
 
 Radio radio(uint32_t frameNumber, uint32_t) {
-  return isLostInFlight(frameNumber) ? Radio::Lost : Radio::Heard;
+  return isLostInFlight(frameNumber) ? Radio::Lost : Radio::Received;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace line {
 
 enum class Sticks { Flight, Calibration };
 
-enum class Radio { Heard, Lost, GivenUp };
+enum class Radio { Received, Lost, Failsafe };
 
 // Repeats every `periodMs`. `ms` is a frame's time within the period, `frameNumber` counts from the first frame.
 struct Choreography {

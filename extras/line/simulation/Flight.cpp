@@ -14,9 +14,9 @@ constexpr uint32_t RadioOnMs = 12500;
 Radio radio(uint32_t frameNumber, uint32_t ms) {
   const bool off = ms >= RadioOffMs && ms < RadioOnMs;
   if (off && ms >= FailsafeMs) {
-    return Radio::GivenUp;
+    return Radio::Failsafe;
   }
-  return off || isLostInFlight(frameNumber) ? Radio::Lost : Radio::Heard;
+  return off || isLostInFlight(frameNumber) ? Radio::Lost : Radio::Received;
 }
 
 void fly(uint32_t, uint32_t ms, uint16_t *channels) {

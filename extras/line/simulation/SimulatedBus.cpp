@@ -41,7 +41,7 @@ bool SimulatedBus::next(uint64_t nowUs, Character &character) {
   if (sent.isFramesEnd) {
     _judge.frame(sent.endUs, sent.value);
   }
-  _judge.restedUntil(sent.endUs);
+  _judge.idleUntil(sent.endUs);
   character = sent;
   character.bad = character.bad || _isHeld;
   character.parityWrong = character.bad;

@@ -65,15 +65,15 @@ void SimulatedReceiver::move(uint32_t ms) {
 void SimulatedReceiver::makeFrame() {
   const uint32_t ms = static_cast<uint32_t>(uint64_t{_frameNumber} * _periodUs / 1000 % _choreography.periodMs);
   const Radio radio = _choreography.radio(_frameNumber, ms);
-  if (radio == Radio::GivenUp) {
+  if (radio == Radio::Failsafe) {
     std::fill_n(_channels, MostChannels, Centre);
     _channels[Throttle] = Low;
     std::fill_n(_switches, std::size(_switches), uint16_t{0});
-  } else if (radio == Radio::Heard) {
+  } else if (radio == Radio::Received) {
     move(ms);
   }
-  const bool failsafe = radio == Radio::GivenUp;
-  const bool lostFrame = radio != Radio::Heard;
+  const bool failsafe = radio == Radio::Failsafe;
+  const bool lostFrame = radio != Radio::Received;
   if (_kind == Channels::TwentyFour) {
     sbus::pack24(_frames, _channels, failsafe, lostFrame);
     _size = sbus::FrameSize24;

@@ -26,9 +26,9 @@ unsigned long long number(uint64_t us) {
   return us;
 }
 
-std::string json(const std::vector<line::Badness> &parts) {
+std::string json(const std::vector<line::FlightRating> &parts) {
   std::string text;
-  for (const line::Badness &part : parts) {
+  for (const line::FlightRating &part : parts) {
     text += line::format("%s[%llu,%llu,%.5f,%d]", text.empty() ? "" : ",", number(part.fromUs), number(part.toUs),
                          part.lost, static_cast<int>(part.kind()));
   }

@@ -90,7 +90,7 @@ EXPORT(openFile)(unsigned count)->void {
   const bool csv = line::isCsvText(beginning);
   if (isCapture(head, csv)) {
     capture = std::make_unique<line::RecordedCapture>();
-    captureText = std::make_unique<line::CaptureText>(name, line::Overrules{}, capture->wire());
+    captureText = std::make_unique<line::CaptureText>(name, line::Overrides{}, capture->wire());
     return;
   }
   settings = csv ? line::csvSettings() : line::settingsIn(beginning);

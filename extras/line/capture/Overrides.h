@@ -8,7 +8,7 @@
 
 namespace line {
 
-struct Overrules {
+struct Overrides {
   std::string signal;                    // the only signal to decode; empty: all
   unsigned long baud = 0;                // 0: 100000 or 200000, whichever fits
   Polarity polarity = Polarity::Either;  // Either: whichever fits

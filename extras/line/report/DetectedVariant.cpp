@@ -1,10 +1,10 @@
-#include "line/report/VariantOfLine.h"
+#include "line/report/DetectedVariant.h"
 
 #include <algorithm>
 
 namespace line {
 
-void VariantOfLine::take(const Stretch &stretch) {
+void DetectedVariant::take(const Stretch &stretch) {
   const uint8_t variant = sbus::variantOfEnd(stretch.characters.back().value);
   _of24 += stretch.kind == Stretch::Kind::Frame24;
   _extra += stretch.kind == Stretch::Kind::Extra;
@@ -13,7 +13,7 @@ void VariantOfLine::take(const Stretch &stretch) {
   }
 }
 
-std::string VariantOfLine::text() const {
+std::string DetectedVariant::text() const {
   constexpr const char *Texts[] = {"S.BUS", "S.BUS2", "S.BUS of an R7003SB (end byte 08)"};
   static_assert(std::size(Texts) == sbus::UnknownVariant, "a text for each row of LineVariants");
   const auto most = std::max_element(_of16.begin(), _of16.end());

@@ -8,7 +8,7 @@
 
 namespace line {
 
-class VariantOfLine {
+class DetectedVariant {
  public:
   void take(const Stretch &stretch);
 
