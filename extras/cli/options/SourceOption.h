@@ -56,6 +56,9 @@ class SourceOption {
   // Throws std::runtime_error if it is a pipe that has ended without a byte.
   void rejectEmpty() const;
 
+  // Throws std::runtime_error if it is rows of CSV that are no frames: for a subcommand that needs frames.
+  void rejectRows() const;
+
   // Returns true if its levels are known, so that a port of either polarity can hear it: sim, recordings, captures.
   bool isWire() const;
   // Returns true if its times are those of the line; false for a file of bytes, and for what a pipe brings.

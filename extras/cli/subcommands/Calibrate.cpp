@@ -61,6 +61,7 @@ void run(const SourceOption &source, const std::string &name) {
   if (source.name() == "-") {
     rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
   }
+  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   // The file is opened first, so that a file that cannot be written is an error before any stick has been moved.
   bool isOpen = false;
