@@ -96,6 +96,13 @@ std::string TableRows::takeNames(const std::vector<std::string> &names) {
       return line::quoted(each) +
              " is not a column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
     }
+    const bool isAgain = column.kind != Kind::Ignored &&
+                         std::any_of(_columns.begin(), _columns.end(), [&column](const Column &other) {
+                           return other.kind == column.kind && other.index == column.index;
+                         });
+    if (isAgain) {
+      return line::quoted(each) + " is the name of two columns; leave one of them out";
+    }
     _channels = column.kind == Kind::Channel ? std::max(_channels, column.index + 1) : _channels;
     _columns.push_back(column);
   }

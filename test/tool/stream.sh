@@ -91,24 +91,35 @@ master, slave = pty.openpty()
 tty.setraw(slave)
 name = os.ttyname(slave)
 line = subprocess.Popen(["sh", "-c", stages.replace("PORT", name)], stdout=subprocess.PIPE, env=dict(os.environ, SBUS=sbus))
-time.sleep(0.7)
 def frame(raw):
     bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
     return bytes([15]) + bits.to_bytes(22, "little") + bytes(2)
-passed, late = 0, []
-for i in range(100):
-    begin = time.monotonic()
-    os.write(master, frame(1000 + i))
-    text = b""
-    while not text.endswith(b"\n") and select.select([line.stdout], [], [], 0.5 if i > 4 else 0.02)[0]:
+# Sends a frame. Returns true once it has passed, and false if it has not done so in time.
+def passes(raw, seconds):
+    global text
+    end = time.monotonic() + seconds
+    os.write(master, frame(raw))
+    while b"\n%d\n" % raw not in text:
+        if not select.select([line.stdout], [], [], max(0, end - time.monotonic()))[0]:
+            return False
         part = os.read(line.stdout.fileno(), 4096)
         if not part:
             sys.exit("the stages have ended")
         text += part
-    if text.split(b"\n")[-2:-1] == [b"%d" % (1000 + i)]:
+    return True
+text = b"\n"
+tries = 0
+while not passes(999, 0.02):  # until all stages have begun, and are in sync
+    tries += 1
+    if tries > 3000:
+        sys.exit("no frame passes")
+passed, late = 0, []
+for i in range(100):
+    time.sleep(0.012)
+    begin = time.monotonic()
+    if passes(1000 + i, 3):
         passed += 1
         late.append(time.monotonic() - begin)
-    time.sleep(0.012)
 line.terminate()
 late.sort()
 print("%d of 100 frames before the next one; median %.2f ms" % (passed, 1000 * late[len(late) // 2] if late else -1))

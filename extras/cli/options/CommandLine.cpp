@@ -155,7 +155,8 @@ std::string misplacedWord(const CLI::App &app) {
   if (left.empty()) {
     return {};
   }
-  const auto option = std::find_if(left.begin(), left.end(), [](const std::string &word) { return word[0] == '-'; });
+  const auto option =
+      std::find_if(left.begin(), left.end(), [](const std::string &word) { return word[0] == '-' && word != "-"; });
   const std::string help = name == "sbus" ? "sbus --help" : "sbus help " + name.substr(5);
   if (option == left.end()) {
     return name + ": " + left.front() + " is one argument too many; " + help + " lists what it takes";

@@ -205,6 +205,15 @@ void SourceOption::rejectEmpty() const {
   }
 }
 
+void SourceOption::rejectRows() const {
+  if (isFile() ? file().kind == FileKind::Rows : isStream() && _pipe->hasRows()) {
+    throw std::runtime_error(name() +
+                             ": these are rows of CSV, but no frames: a time, all of CH1 to CH16, CH24 or CH32 as raw "
+                             "values from 0 to 2047, and rows at most 50 ms apart are expected; sbus monitor shows "
+                             "other rows");
+  }
+}
+
 bool SourceOption::isWire() const {
   const Kind kind = parsed().kind;
   return kind == Kind::File ? file().kind != FileKind::Rows && file().kind != FileKind::Bytes

@@ -56,6 +56,9 @@ class SourceOption {
   // Throws std::runtime_error if it is a pipe that has ended without a byte.
   void rejectEmpty() const;
 
+  // Throws std::runtime_error if it is rows of CSV that are not frames: for a subcommand that needs frames.
+  void rejectRows() const;
+
   // Returns true if the levels are known, so a port of either polarity can receive them: sim, recordings, captures.
   bool isWire() const;
   // Returns true if its times are the line's; false for a file of bytes and for a pipe's bytes.

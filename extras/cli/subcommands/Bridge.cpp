@@ -186,9 +186,11 @@ void run(Options &options) {
   if (!options.second.empty()) {
     second.emplace(options.source, options.second);
   }
+  options.source.rejectRows();
   Receiver first(options.source);
   std::optional<Receiver> other;
   if (second) {
+    second->rejectRows();
     other.emplace(*second);
   }
   if (options.to == "-") {

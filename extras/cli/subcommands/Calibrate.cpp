@@ -61,6 +61,7 @@ void run(const SourceOption &source, const std::string &name) {
   if (source.name() == "-") {
     rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
   }
+  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   // The file is opened first: if it cannot be written, the user learns it before moving the sticks.
   bool isOpen = false;

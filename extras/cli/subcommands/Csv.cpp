@@ -65,6 +65,9 @@ class CsvView {
     if (_firstUs == 0 && hasFrames()) {
       print(_observer.newest().endUs);
     }
+    if (!_anyRow && hasFrames()) {
+      haveAllArrived(_columns, _observer.newest(), UINT64_MAX);  // throws: a channel is missing
+    }
     flush();
     _silence.end(hasFrames());
   }
@@ -87,6 +90,7 @@ class CsvView {
     _firstUs = _firstUs == 0 ? nowUs : _firstUs;
     if (haveAllArrived(_columns, _observer.newest(), nowUs - _firstUs)) {
       write(row(_columns, _observer, nowUs, _hasTimes));
+      _anyRow = true;
     }
   }
 
@@ -97,6 +101,7 @@ class CsvView {
   const uint64_t _periodUs;
   uint64_t _nextUs;
   uint64_t _firstUs = 0;  // the first row's time
+  bool _anyRow = false;
   line::Observer _observer;
   line::CsvRows _rows;
   SilenceNote _silence;

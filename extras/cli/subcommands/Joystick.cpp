@@ -143,6 +143,7 @@ State stateOf(const line::Values &values, const Map &map, const ChannelRanges &r
 }
 
 void run(const SourceOption &source, const Options &options) {
+  source.rejectRows();
   const ChannelRanges ranges = rangesOf(options);
   const Map map = mapOf(options.map);
   const State rest = stateOf(valuesAtRest(options, map, ranges), map, ranges);

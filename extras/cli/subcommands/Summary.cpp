@@ -131,6 +131,7 @@ std::string html(const line::FlightLog &flight, const SourceOption &source) {
 }
 
 void run(const SourceOption &source, const Options &options) {
+  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   line::FlightLog flight(input->settings().characterUs());
   SilenceNote silence(source.name(), "frames", source.isFile());

@@ -90,6 +90,7 @@ class TelemetryView {
 };
 
 void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool asJson) {
+  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   if (asJson) {
     write(source.json().line());

@@ -78,6 +78,7 @@ line::Condition conditionOf(const Options &options) {
 void run(const Options &options) {
   const SourceOption &source = options.source;
   const line::Condition condition = conditionOf(options);
+  source.rejectRows();
   const EventFiles files(options.folder, options.keep, static_cast<uint64_t>(options.mostMb * 1e6));
   const std::unique_ptr<Input> input = source.open();
   if (options.json) {

@@ -19,7 +19,7 @@ constexpr int64_t VoteWidthUs = 20000;
 }  // namespace
 
 bool Aligner::isSame(const Values &a, const Values &b) const {
-  const unsigned channels = std::min(_channels, commonChannels(a, b));
+  const std::ptrdiff_t channels = std::min(_channels, commonChannels(a, b));
   return std::equal(a.raw.begin(), a.raw.begin() + channels, b.raw.begin()) &&
          (!_hasSwitches || a.switches == b.switches);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -28,8 +29,8 @@ struct Alignment {
 };
 
 // Returns how many channels both have.
-inline unsigned commonChannels(const Values &a, const Values &b) {
-  return std::min(a.count, b.count);
+inline std::ptrdiff_t commonChannels(const Values &a, const Values &b) {
+  return static_cast<std::ptrdiff_t>(std::min(a.count, b.count));
 }
 
 // Returns true if both have the switches CH17 and CH18.
@@ -89,8 +90,8 @@ class Aligner {
   const std::function<void(int64_t us, const Alignment &)> _onFinding;
   std::array<Side, 2> _sides;
   std::array<std::optional<Values>, 2> _newest;
-  unsigned _channels = 0;     // that both sides have; before both have a frame, those of one
-  bool _hasSwitches = false;  // both sides have
+  std::ptrdiff_t _channels = 0;  // that both sides have; before both have a frame, those of one
+  bool _hasSwitches = false;     // both sides have
   std::multimap<int64_t, Alignment> _found;
   bool _hasDelay = false;
   bool _isByContents = false;

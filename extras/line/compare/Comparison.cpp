@@ -59,8 +59,9 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
   _counts.first = Difference{us, "lost frame", 0, {a.lostFrame, b.lostFrame}};
   const auto end = a.raw.begin() + commonChannels(a, b);
-  const size_t raw = static_cast<size_t>(std::mismatch(a.raw.begin(), end, b.raw.begin()).first - a.raw.begin());
-  if (raw < commonChannels(a, b)) {
+  const auto at = std::mismatch(a.raw.begin(), end, b.raw.begin()).first;
+  if (at != end) {
+    const auto raw = static_cast<size_t>(at - a.raw.begin());
     _counts.first = Difference{us, "CH" + std::to_string(raw + 1), 0, {a.raw[raw], b.raw[raw]}};
   } else if (haveSwitches(a, b) && a.switches != b.switches) {
     const size_t i = a.switches[0] != b.switches[0] ? 0 : 1;
