@@ -8,7 +8,6 @@
 #include <cstring>
 #include <utility>
 
-#include "line/simulation/Random.h"
 #include "support/CalibrationRules.h"
 #include "support/ShowArrays.h"
 
@@ -89,21 +88,6 @@ TEST_CASE("the 132 bytes are the version, 16 times low, centre, high, dead zone,
   CHECK(bytesOf(calibration) == expected);
   CHECK(stateOf(expected) == StoredState::Good);
   CHECK(crcOf(expected.data(), 130) == 0x9CDA);  // the test's own implementation
-}
-
-TEST_CASE("one or two wrong bits anywhere in the 1056 are noticed") {
-  const Stored good = bytesOf(known());
-  for (unsigned bit = 0; bit < 8 * Size; bit++) {
-    CAPTURE(bit);
-    Stored bytes = good;
-    bytes[bit / 8] ^= static_cast<uint8_t>(1u << bit % 8);
-    REQUIRE(stateOf(bytes) == (bit < 16 ? StoredState::OtherVersion : StoredState::Damaged));
-    for (unsigned other = bit + 1; other < 8 * Size; other += 97) {
-      Stored twice = bytes;
-      twice[other / 8] ^= static_cast<uint8_t>(1u << other % 8);
-      REQUIRE(stateOf(twice) != StoredState::Good);
-    }
-  }
 }
 
 TEST_CASE("one of 65536 versions is accepted, even if the check value is right; erased storage holds none") {

@@ -9,8 +9,6 @@
 #include "support/KnownFrames.h"
 #include "support/ShowArrays.h"
 
-#include <EncodeSBus.h>
-
 using sbus::LinkState;
 
 namespace {
@@ -119,40 +117,4 @@ TEST_CASE("DecodeSBus24 decodes 24 channels, and the flags of byte 34; the flags
     CHECK(board.sbus.linkState() == LinkState::NeverSeen);
     CHECK(board.sbus.frameAge() == ULONG_MAX);
   }
-}
-
-TEST_CASE("DecodeSBus24 reads what EncodeSBus24 sends, and DecodeSBus counts it as frames of the other size; and vice versa") {
-  Board24 board24;
-  OpenBoard board;
-  FakeSerial port24, port;
-  EncodeSBus24 encoder24(port24);
-  EncodeSBus encoder(port);
-  encoder24.begin();
-  encoder.begin();
-  for (unsigned number = 0; number < 10; number++) {
-    CHECK(encoder24.write(readBitByBit(longFrame(number)).data(), false, false));
-    CHECK(encoder.write(readBitByBit(plainFrame(number)).data(), false, false));
-    fakeMicros += 9 * Ms;
-  }
-  const auto send = [](const Bytes &bytes, size_t size, auto &to) {
-    for (size_t at = 0; at < bytes.size(); at += size) {
-      to.wait(4 * Ms);
-      for (size_t i = at; i < at + size; i++) {
-        to.wait(120);
-        to.poll({bytes[i]});
-      }
-    }
-  };
-  Board24 wrong24;
-  OpenBoard wrong;
-  send(port24.written, 36, board24);
-  send(port24.written, 36, wrong);
-  send(port.written, 25, board);
-  send(port.written, 25, wrong24);
-  CHECK(board24.sbus.counters().frames == 10);
-  CHECK(board.sbus.counters().frames == 10);
-  CHECK(wrong24.sbus.counters().frames == 0);
-  CHECK(wrong.sbus.counters().frames == 0);
-  CHECK(wrong24.sbus.counters().otherSizeFrames == 9);  // all that a visible gap follows
-  CHECK(wrong.sbus.counters().otherSizeFrames == 9);
 }

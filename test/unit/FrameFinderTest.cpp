@@ -2,9 +2,10 @@
 // and what receivers of all makes send.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <type_traits>
 
-#include "sbus/FrameFinder.h"
+#include "sbus/FrameFinder.tpp"
 #include "sbus/Slots.h"
 #include "support/Feed.h"
 #include "support/ShowArrays.h"
@@ -22,6 +23,13 @@ Frame frameOf(bool neutral, unsigned number, uint8_t end = 0x00) {
 }
 
 }  // namespace
+
+struct Discarded : sbus::NoEvents {
+  int bytes = 0;
+  void discarded(const uint8_t *, int count) { bytes += count; }
+};
+
+SBUS_COMPILE_FINDER(sbus::Frame16, Discarded)
 
 TEST_CASE("frame() is null before the first frame; reset forgets frames, incomplete frames and counters") {
   Feeder line;
@@ -141,6 +149,17 @@ TEST_CASE("no byte from before a break completes a frame after it; the complete 
       CHECK(line.feed(join(next)) == next);
     }
   }
+}
+
+TEST_CASE("the bytes that a break discards are reported as all others: the places of later frames count on it") {
+  sbus::FrameFinderOf<sbus::Frame16, Discarded> finder;
+  const Frame frame = plainFrame(1);
+  finder.poll(12, 20000);
+  std::copy_n(frame.begin(), 12, finder.space());
+  finder.received(12, 0);
+  CHECK(finder.events().bytes == 0);
+  finder.broken();
+  CHECK(finder.events().bytes == 12);
 }
 
 TEST_CASE(

@@ -118,17 +118,3 @@ TEST_CASE("a GPS position with 60 minutes or more, or beyond the poles or the da
   CHECK(!hasFix(54000001, 108000000));
   CHECK(!hasFix(54000000, 108000001));
 }
-
-TEST_CASE("an SBS-01G above 3276.7 m: its altitude comes through up to 5733.5 m") {
-  for (const int32_t decimetres : {-8200, -1, 32767, 32768, 57335}) {
-    sbus::GpsSbs01G gps = {};
-    gps.decimetres = decimetres;
-    sbus::SlotData slots[8];
-    CHECK(gps.encode(slots));
-    const unsigned sent = static_cast<unsigned>(slots[6].data0 >> 3 | slots[6].data1 << 5 | (slots[7].data0 & 7) << 13);
-    CHECK(sent == static_cast<unsigned>(decimetres + 8200));
-    gps = {};
-    gps.decode(slots);
-    CHECK(gps.decimetres == decimetres);
-  }
-}
