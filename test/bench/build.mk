@@ -1,5 +1,5 @@
 # Builds the bench for the Cortex-M0, with CROSS, into the folder OUT (absolute): OUT/Bench. `make sizes` prints for sed
-# how many bytes of flash each @NAME, a way of unpacking, takes. The start-up code is that of ../boards/cortex-m0.
+# how many bytes of flash each @NAME, a function of Frame.cpp, takes. The start-up code is that of ../boards/cortex-m0.
 #   TRIES    how long the longest call is searched for: tries from each start, one of each line variant
 
 HERE := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
@@ -19,7 +19,7 @@ PLAIN := -std=gnu++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wno-psa
 INCLUDES := -I$(TEST) -I$(M0) -I$(SRC) -I$(HOST) -I$(ROOT)/extras -I$(HOST)/arduino
 
 LIBRARY := $(patsubst $(SRC)/%.cpp,%,$(wildcard $(SRC)/*.cpp $(SRC)/*/*.cpp))
-MEASURED := BenchReceivers UnpackWays
+MEASURED := BenchReceivers
 PARTS := Attack BadLines Bench Cost FrameCosts LongestCall Values
 
 bench: $(OUT)/Bench
@@ -54,7 +54,7 @@ $(OUT)/tries-$(TRIES):
 	@touch $@
 
 # unpack() calls unpackGroup(), or has it in line.
-sizes: $(OUT)/src/sbus/Frame.o $(OUT)/UnpackWays.o
+sizes: $(OUT)/src/sbus/Frame.o
 	@arm-none-eabi-nm --radix=d -S -C $^ | awk 'sub(/\(unsigned.*/, "") { name = $$NF; sub(/.*:/, "", name); \
 	  size[name == "unpackGroup" ? "unpack" : name] += $$2 } END { for (name in size) print "s/@" name " /" size[name] " /" }'
 

@@ -14,12 +14,9 @@
 #include "line/Source.h"
 #include "sbus/Scaling.h"
 
-namespace {
+using namespace avr;
 
-using avr::AvrBoard;
-using avr::Expected;
-using avr::Numbers;
-using avr::Pulse;
+namespace {
 
 constexpr size_t PpmPin = AvrBoard::OC1A;
 constexpr double LeastSync = 4500;  // us

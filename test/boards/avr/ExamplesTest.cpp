@@ -13,17 +13,9 @@
 #include "Expected.h"
 #include "Lines.h"
 
-namespace {
+using namespace avr;
 
-using avr::AvrBoard;
-using avr::Expected;
-using avr::Leonardo;
-using avr::lineOf;
-using avr::Mega;
-using avr::Model;
-using avr::Printed;
-using avr::Rule;
-using avr::Uno;
+namespace {
 
 constexpr double RowTolerance = 0.0006;  // three decimals are printed
 constexpr double PulseTolerance = 1;     // us: half of one is the stand-in's, the rest its interrupt's

@@ -9,18 +9,7 @@
 #include "Lines.h"
 #include "sbus/Scaling.h"
 
-namespace {
-
-using avr::AvrBoard;
-using avr::Expected;
-using avr::Leonardo;
-using avr::lineOf;
-using avr::Mega;
-using avr::Model;
-using avr::Rule;
-using avr::Uno;
-
-}  // namespace
+using namespace avr;
 
 TEST_CASE("Led blinks slowly before the first frame, follows CH5 in flight, and blinks fast when the link is lost") {
   struct Blink {
