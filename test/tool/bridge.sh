@@ -159,7 +159,7 @@ tty.setraw(slave)
 out, far = pty.openpty()
 tty.setraw(far)
 bridge = subprocess.Popen([sys.argv[1], "bridge", os.ttyname(slave), os.ttyname(far), "--latency"], stderr=subprocess.PIPE, text=True)
-while "sending its frames on" not in bridge.stderr.readline():
+while "forwarding its frames" not in bridge.stderr.readline():
     pass
 def frame(raw):
     bits = sum((raw if i == 0 else 992) << 11 * i for i in range(16))
@@ -210,7 +210,7 @@ tty.setraw(slave)
 out, far = pty.openpty()
 tty.setraw(far)
 bridge = subprocess.Popen([sys.argv[1], "bridge", os.ttyname(slave), os.ttyname(far)], stderr=subprocess.PIPE, text=True)
-while "sending its frames on" not in bridge.stderr.readline():
+while "forwarding its frames" not in bridge.stderr.readline():
     pass
 # Reads until twenty frames of failsafe have come.
 def frames():
