@@ -5,7 +5,7 @@
 
 #include "cli/HexText.h"
 #include "line/FrameBytes.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 #include "line/recording/Recording.h"
 #include "line/recording/Words.h"
 
@@ -96,10 +96,10 @@ std::string TableRows::takeNames(const std::vector<std::string> &names) {
       return line::quoted(each) +
              " is not a column of sbus csv; there are CH1 to CH32, failsafe, lostframe, time, state, age and quality";
     }
-    const bool isAgain = column.kind != Kind::Ignored &&
-                         std::any_of(_columns.begin(), _columns.end(), [&column](const Column &other) {
-                           return other.kind == column.kind && other.index == column.index;
-                         });
+    const bool isAgain =
+        column.kind != Kind::Ignored && std::any_of(_columns.begin(), _columns.end(), [&column](const Column &other) {
+          return other.kind == column.kind && other.index == column.index;
+        });
     if (isAgain) {
       return line::quoted(each) + " is the name of two columns; leave one of them out";
     }

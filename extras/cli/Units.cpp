@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "line/Format.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 #include "sbus/Frame.h"
 
 namespace tool {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace line {
 

@@ -8,7 +8,7 @@
 
 #include "line/Observer.h"
 #include "line/simulation/SimulatedBus.h"
-#include "line/telemetry/Sensors.h"
+#include "line/telemetry/FutabaSensors.h"
 
 namespace {
 

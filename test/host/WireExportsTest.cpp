@@ -1,6 +1,6 @@
 // Captures that a program has processed: Saleae's table of characters, sigrok-cli's rows, sessions of sigrok.
+#include "line/capture/Parsing.h"
 #include "support/Decoded.h"
-#include "line/capture/Text.h"
 
 using line::lower;
 
@@ -40,13 +40,17 @@ std::string sigrokOf(const TestWire &wire, bool hex, size_t width, bool triggere
 // saleae/serial- analyzer, src/SerialAnalyzerResults.cpp:103 to 128, with hexadecimal values. Logic 2: a row for each
 // FrameV2, src/SerialAnalyzer.cpp:240 to 256; the columns of data are in quotation marks, in any order; an empty last
 // field is kept.
-std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong = SIZE_MAX, size_t framingWrong = SIZE_MAX) {
-  std::string text = logic2 ? "name,type,start_time,duration,\"data\",\"error\"\n" : "Time [s],Value,Parity Error,Framing Error\n";
+std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong = SIZE_MAX,
+                    size_t framingWrong = SIZE_MAX) {
+  std::string text =
+      logic2 ? "name,type,start_time,duration,\"data\",\"error\"\n" : "Time [s],Value,Parity Error,Framing Error\n";
   for (size_t i = 0; i < All.size(); i++) {
     const double seconds = (2e6 + static_cast<double>(i) * characterNs + static_cast<double>(i / 25) * 4e6) / 1e9;
     const bool parity = i == parityWrong, framing = i == framingWrong;
     text += logic2 ? printed("\"Async Serial\",\"data\",%.9g,%.9g,0x%02X,%s\n", seconds, characterNs / 1.05e9, All[i],
-                             parity ? "\"parity\"" : framing ? "\"framing\"" : "")
+                             parity    ? "\"parity\""
+                             : framing ? "\"framing\""
+                                       : "")
                    : printed("%.15f,0x%02X,%s,%s\n", seconds, All[i], parity ? "Error" : "", framing ? "Error" : "");
   }
   return text;
@@ -54,9 +58,9 @@ std::string asyncOf(bool logic2, double characterNs = 120000, size_t parityWrong
 
 // Writes a session as libsigrok does, src/output/srzip.c:103 to 156 and 278; RX is this bit of a sample.
 std::string metadataOf(size_t sampleSize, size_t bit) {
-  return "[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=" + std::to_string(8 * sampleSize) +
-         "\nsamplerate=1 MHz\ntotal analog=0\nprobe2=CLK\nprobe" + std::to_string(bit + 1) +
-         "=RX\nunitsize=" + std::to_string(sampleSize) + "\n";
+  return "[global]\nsigrok version=0.5.2\n\n[device 1]\ncapturefile=logic-1\ntotal probes=" +
+         std::to_string(8 * sampleSize) + "\nsamplerate=1 MHz\ntotal analog=0\nprobe2=CLK\nprobe" +
+         std::to_string(bit + 1) + "=RX\nunitsize=" + std::to_string(sampleSize) + "\n";
 }
 
 }  // namespace
@@ -86,13 +90,15 @@ TEST_CASE("characters that Saleae's analyser has decoded give the same bytes at 
       {"Logic 1, decimal", decimal, "Async Serial"},
       {"Logic 2", logic2, "Async Serial"},
       {"Logic 2, no error, so no column", replaced(replaced(logic2, ",\"error\"", ""), ",\n", "\n"), "Async Serial"},
-      {"Logic 2, error before data", replaced(replaced(logic2, "\"data\",\"error\"", "\"error\",\"data\""), ",0x", ",,0x"), "Async Serial"},
+      {"Logic 2, error before data",
+       replaced(replaced(logic2, "\"data\",\"error\"", "\"error\",\"data\""), ",0x", ",,0x"), "Async Serial"},
       {"Logic 2, binary", binary, "Async Serial"},
       {"Logic 2, small letters", lower(logic2).replace(0, title.size(), title), "async serial"},
       {"Logic 2, dates", replaced(logic2, "\"data\",0.", "\"data\",2021-12-31T23:59:59."), "Async Serial"},
       {"Logic 2, a name of its own", replaced(logic2, "Async Serial", "RX"), "RX"},
       {"Logic 2, another analyser", replaced(logic2, title, title + i2c), "Async Serial"},
-      {"Logic 2, two that take turns", replaced(logic2, "0x0F,", "0x0F,\n\"B\",\"data\",0.0021,1e-4,0x55,"), "Async Serial"},
+      {"Logic 2, two that take turns", replaced(logic2, "0x0F,", "0x0F,\n\"B\",\"data\",0.0021,1e-4,0x55,"),
+       "Async Serial"},
   };
   for (const auto &row : rows) {
     INFO(row.what);
@@ -138,7 +144,8 @@ TEST_CASE(
       {title1 + "soon,0x0F,,\n", "2: \"soon\" is not a time: a number is expected in column 1"},
       {title1 + "1e9,0x0F,,\n", "2: a time is beyond a year: is its unit right?"},
       {logic1 + "0.1,0x0F,,\n0.09,0x0F,,\n", "103: a time is before that of a row above: times in order are expected"},
-      {logic2 + "\"B\",\"data\",9,1e-4,0x0F,\n", "102: \"B\" has no row among the first ones: a table of one analyser is expected"},
+      {logic2 + "\"B\",\"data\",9,1e-4,0x0F,\n",
+       "102: \"B\" has no row among the first ones: a table of one analyser is expected"},
   };
   for (const auto &row : rows) {
     INFO(row.text.substr(row.text.size() - 30));
@@ -150,7 +157,8 @@ TEST_CASE(
   told.periodNs = 0;
   told.polarity = line::Polarity::Inverted;
   CHECK(Decoded(logic2, told).error == "has characters that are decoded already: leave out --invert");
-  const std::string two = replaced(replaced(logic2, "0x0F", "0x0E"), title2, title2 + "\"B\",\"data\",0.001,1e-4,0x55,\n");
+  const std::string two =
+      replaced(replaced(logic2, "0x0F", "0x0E"), title2, title2 + "\"B\",\"data\",0.001,1e-4,0x55,\n");
   CHECK(holds(Decoded(two).failure,
               "signal Async Serial has 100 good characters and 0 with errors: is the analyser set to the baud rate, 8 "
               "bits, even parity, 2 stop bits and inverted? No signal"));
@@ -200,9 +208,7 @@ TEST_CASE("samples as sigrok prints them are read, as bits and as hexadecimal di
 
 TEST_CASE("a session of sigrok is read: its metadata, and samples in pieces of any size") {
   const std::string text = sampled(wireOf(), 1000);
-  const struct {
-    size_t sampleSize, bit;
-  } rows[] = {{1, 0}, {1, 7}, {2, 9}, {4, 31}};
+  const struct { size_t sampleSize, bit; } rows[] = {{1, 0}, {1, 7}, {2, 9}, {4, 31}};
   for (const auto &row : rows) {
     std::string samples;
     for (size_t at = text.find("logic\n") + 6, i = 0; at < text.size(); at += 2, i++) {
@@ -232,7 +238,7 @@ TEST_CASE("a session of sigrok that cannot be decoded: the message has what is w
       {"", none},
       {replaced(metadata, "[device 1]", "[device 2]"), none},
       {replaced(metadata, "capturefile=logic-1\n", ""), none},  // analogue signals only
-      {replaced(metadata, "unitsize=1\n", ""), none},          // no samples
+      {replaced(metadata, "unitsize=1\n", ""), none},           // no samples
       {replaced(replaced(metadata, "probe1", "analog1"), "probe2", "analog2"), none},
       {replaced(metadata, "probe1=", "probe9="), "has more probes than fit into its unitsize of 1"},
       {replaced(metadata, "1 MHz", "0 Hz"), "does not say when its samples were taken: --rate is expected"},

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "cli/options/Subcommand.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace tool {
 
@@ -81,8 +81,8 @@ bool haveAllArrived(const std::vector<CsvColumn> &columns, const line::Values &v
       continue;
     }
     if (sinceFirstUs >= SettledUs) {
-      throw std::runtime_error("--columns: ch" + std::to_string(column.channel) +
-                               " is missing: this line ends at ch" + std::to_string(most) + "; leave it out");
+      throw std::runtime_error("--columns: ch" + std::to_string(column.channel) + " is missing: this line ends at ch" +
+                               std::to_string(most) + "; leave it out");
     }
     return false;
   }

@@ -7,7 +7,7 @@
 #include "cli/Units.h"
 #include "cli/options/CsvColumn.h"
 #include "cli/options/Subcommand.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace tool {
 

@@ -14,7 +14,7 @@
 #include "cli/subcommands/Subcommands.h"
 #include "line/Format.h"
 #include "line/Observer.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 #include "line/telemetry/Readings.h"
 
 namespace tool {

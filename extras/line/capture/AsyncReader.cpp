@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "line/uart/Levels.h"
 #include "line/capture/CsvLayout.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
+#include "line/uart/Levels.h"
 
 namespace line {
 
@@ -34,11 +34,9 @@ AsyncReader::Columns AsyncReader::columnsOf(std::string_view title) {
   const struct {
     std::string_view name;
     size_t &column;
-  } rows[] = {{"name", columns.name},   {"type", columns.type},
-              {"start_time", columns.time}, {"time [s]", columns.time},
-              {"data", columns.value},  {"value", columns.value},
-              {"error", columns.error}, {"parity error", columns.parity},
-              {"framing error", columns.framing}};
+  } rows[] = {{"name", columns.name},     {"type", columns.type},           {"start_time", columns.time},
+              {"time [s]", columns.time}, {"data", columns.value},          {"value", columns.value},
+              {"error", columns.error},   {"parity error", columns.parity}, {"framing error", columns.framing}};
   for (size_t i = 0; i < fields.size(); i++) {
     for (const auto &row : rows) {
       if (lower(fields[i]) == row.name) {

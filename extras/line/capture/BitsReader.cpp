@@ -2,11 +2,12 @@
 
 #include <cmath>
 
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace line {
 
-BitsReader::BitsReader(LevelSink &sink, double periodNs) : CaptureReader(sink), _bitNs(periodNs > 0 ? periodNs : 10000) {
+BitsReader::BitsReader(LevelSink &sink, double periodNs)
+    : CaptureReader(sink), _bitNs(periodNs > 0 ? periodNs : 10000) {
   _periodNs = periodNs;
 }
 

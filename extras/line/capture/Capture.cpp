@@ -3,8 +3,8 @@
 #include "line/capture/AsyncReader.h"
 #include "line/capture/BitsReader.h"
 #include "line/capture/CsvReader.h"
+#include "line/capture/Parsing.h"
 #include "line/capture/SigrokTextReader.h"
-#include "line/capture/Text.h"
 #include "line/capture/VcdReader.h"
 
 namespace line {

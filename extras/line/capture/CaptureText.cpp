@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace line {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "line/capture/Capture.h"
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace line {
 

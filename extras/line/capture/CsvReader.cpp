@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace line {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 namespace line {
 

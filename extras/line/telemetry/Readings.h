@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "line/telemetry/Sensors.h"
+#include "line/telemetry/FutabaSensors.h"
 #include "line/telemetry/TelemetrySlots.h"
 
 namespace line {

@@ -1,4 +1,4 @@
-#include "line/telemetry/Sensors.h"
+#include "line/telemetry/FutabaSensors.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "line/capture/Text.h"
+#include "line/capture/Parsing.h"
 
 #include <cmath>
 
