@@ -96,7 +96,8 @@ class TableReader : public LineReader {
   bool _any = false;
 };
 
-// Whether a text is a whole table with a row per frame: rows at most 50 ms apart. Maybe: it has fewer than two rows yet.
+// Whether a text is a whole table with a row per frame: rows at most 50 ms apart. Maybe: it has fewer than two rows
+// yet.
 enum class FrameTable { No, Maybe, Yes };
 
 // Finds that out by the whole lines at the text's beginning.

@@ -80,9 +80,9 @@ class Observer : public Statistics {
   bool _waits;          // _last has not been passed to the decoders
   unsigned long _characterErrors;
   sbus::LinkQuality _quality;
-  uint8_t _percent;  // the link quality when the newest frame was complete
-  uint64_t _emittedUs;  // the end of the last stretch
-  Stretch _first;    // may be the frame with header 2F before the first frame; no characters: there is none
+  uint8_t _percent;        // the link quality when the newest frame was complete
+  uint64_t _emittedUs;     // the end of the last stretch
+  Stretch _first;          // may be the frame with header 2F before the first frame; no characters: there is none
   uint32_t _joinsAtExtra;  // how many times _first was such a frame
 };
 

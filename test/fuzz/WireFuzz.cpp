@@ -78,8 +78,8 @@ Result decode(const std::string &text, bool byLines) {
 
 }  // namespace
 
-// Writes captures of some characters to the folder SEEDS, one in each format and with one or two signals. libFuzzer calls
-// this before it reads its corpus.
+// Writes captures of some characters to the folder SEEDS, one in each format and with one or two signals. libFuzzer
+// calls this before it reads its corpus.
 extern "C" int LLVMFuzzerInitialize(int *argc, char ***argv);
 extern "C" int LLVMFuzzerInitialize(int *, char ***) {
   const char *const folder = std::getenv("SEEDS");

@@ -2,11 +2,10 @@
 #include "support/TelemetrySketch.h"
 
 TEST_CASE(
-    "in loops of 50 us to 4.9 ms, on every driver, all sensors are read, no group is rejected, no frame missed; also with "
+    "in loops of 50 us to 4.9 ms, on every driver, all sensors are read, no group is rejected, no frame missed; also "
+    "with "
     "a 00 after each transmission, as a Futaba R7008SB sends it, and with all slots in use") {
-  const struct {
-    bool hasBreaks, areAll;
-  } lines[] = {{false, false}, {true, false}, {true, true}};
+  const struct { bool hasBreaks, areAll; } lines[] = {{false, false}, {true, false}, {true, true}};
   for (const auto &line : lines) {
     for (const Driver &driver : {Board, ByteByByte, Esp32Told, Esp32}) {
       for (const uint32_t loopUs : {50u, 500u, 1000u, 3000u, 4000u, 4900u}) {

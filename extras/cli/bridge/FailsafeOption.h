@@ -23,8 +23,8 @@ class FailsafeOption {
   // Reads the option. Rejects the command line if it is wrong.
   void read(const sbus::Range &range);
 
-  // Changes a frame that is sent in this state of the link; `isExtra`: one with header 2F. Returns false if nothing is to
-  // be sent.
+  // Changes a frame that is sent in this state of the link; `isExtra`: one with header 2F. Returns false if nothing is
+  // to be sent.
   bool apply(sbus::LinkState state, bool isExtra, line::Values &values);
 
  private:

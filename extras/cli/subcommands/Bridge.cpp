@@ -218,8 +218,7 @@ void addBridge(CLI::App &app) {
   Subcommand subcommand(app, "bridge", "changes each frame and forwards it: trainer, two receivers, tests in the loop");
   const auto options = std::make_shared<Options>(subcommand);
   subcommand
-      .option("DEVICE", options->to,
-              "a serial port; - for JSON lines; without it, a pseudo-terminal (prints its name)")
+      .option("DEVICE", options->to, "a serial port; - for JSON lines; without it, a pseudo-terminal (prints its name)")
       .notEmpty()
       .type("");
   subcommand.option("--second", options->second, "a second receiver, used while the first has no link")

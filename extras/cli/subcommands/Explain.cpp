@@ -110,7 +110,7 @@ class Frame {
       return "header of an extra frame: CH17 to CH32 of Futaba FASSTest 26";
     }
     addProblem(0, line::format("%02X is not a header; 0F%s is expected", static_cast<unsigned>(_bytes[0]),
-                          _size == sbus::FrameSize ? ", or 2F of an extra frame," : ""));
+                               _size == sbus::FrameSize ? ", or 2F of an extra frame," : ""));
     return "not a header";
   }
 
@@ -153,7 +153,7 @@ class Frame {
     const uint8_t variant = sbus::variantOfEnd(_bytes[at]);
     if (variant == sbus::UnknownVariant || (_size == sbus::FrameSize24 && variant >= sbus::Frame24::Variants)) {
       addProblem(at, line::format("%02X is not an end byte; 00%s is expected", static_cast<unsigned>(_bytes[at]),
-                             _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
+                                  _size == sbus::FrameSize ? ", 04, 14, 24, 34 or 08" : ""));
       return "not an end byte";
     }
     const unsigned slot = sbus::firstSlotOf(_bytes[at]);

@@ -175,8 +175,7 @@ void addSummary(CLI::App &app) {
   const auto options = std::make_shared<Options>();
   const Option json = subcommand.flag("--json", options->json, "JSON lines");
   options->html =
-      subcommand
-          .option("--html", options->output, "write a one-page report to view or print; - is standard output")
+      subcommand.option("--html", options->output, "write a one-page report to view or print; - is standard output")
           .excludes(json)
           .notEmpty()
           .type("FILE.html");

@@ -32,11 +32,11 @@ class Judge {
   // Rates the seconds from `first` up to, but without, `end`.
   FlightRating of(uint64_t first, uint64_t end) {
     FlightRating part = {std::max(first * SecondUs, _flight.firstUs()),
-                    std::min(end * SecondUs, _flight.lastUs()),
-                    0,
-                    false,
-                    false,
-                    false};
+                         std::min(end * SecondUs, _flight.lastUs()),
+                         0,
+                         false,
+                         false,
+                         false};
     FlightSecond sum;
     for (; _second != _flight.seconds().end() && _second->first < end; ++_second) {
       sum.frames += _second->second.frames;
