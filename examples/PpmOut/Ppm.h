@@ -61,7 +61,7 @@ class Ppm {
   }
 
  private:
-  static constexpr uint8_t Last = 2 * Channels + 2;  // part of a frame: behind the last pulse there are two
+  static constexpr uint8_t Last = 2 * Channels + 2;  // part of a frame: two follow the last pulse
 
   int16_t _set[2][Channels];
   int16_t _sent[Channels];

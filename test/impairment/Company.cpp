@@ -27,12 +27,12 @@ const std::vector<Setup> &quick() {
 }
 
 Run late(int32_t us) {
-  Run run = slotsBehindEach(2);
+  Run run = slotsAfterEach(2);
   run.line.company.lateUs = us;
   return run;
 }
 Run ofOtherGroup() {
-  Run run = slotsBehindEach(2);
+  Run run = slotsAfterEach(2);
   run.line.company.group = 1;
   return run;
 }
@@ -41,16 +41,16 @@ Run before(int stray) {
   run.line.company.strayBefore = stray;
   return run;
 }
-Run behind(int stray, Kind kind = Kind::Plain) {
+Run after(int stray, Kind kind = Kind::Plain) {
   Run run = of(kind);
-  run.line.company.strayBehind = stray;
+  run.line.company.strayAfter = stray;
   return run;
 }
 
 // A 00 after each transmission, as a Futaba R7008SB has it: after each frame, and after each slot or after none.
 Run withBreaks(unsigned count, bool afterEach, bool afterSlots, double cutSlots = 0, double drop = 0) {
-  Run run = afterEach ? slotsBehindEach(count) : slots(count);
-  run.line.company.strayBehind = 0;
+  Run run = afterEach ? slotsAfterEach(count) : slots(count);
+  run.line.company.strayAfter = 0;
   run.line.company.breakAfterSlots = afterSlots;
   run.line.company.cutSlots = cutSlots;
   run.line.impairments.dropped = drop;
@@ -61,29 +61,29 @@ Run withBreaks(unsigned count, bool afterEach, bool afterSlots, double cutSlots 
 
 const std::vector<Condition> &companyLines() {
   static const std::vector<Condition> list = {
-      {"S.BUS2, 1 slot behind 04", slots(1), sbus2()},
-      {"S.BUS2, 2 slots behind 04", slots(2), sbus2()},
-      {"S.BUS2, 8 slots behind 04", slots(8), sbus2()},
-      {"S.BUS2, 1 slot behind each frame", slotsBehindEach(1), sbus2()},
-      {"S.BUS2, 2 slots behind each frame", slotsBehindEach(2), sbus2()},
-      {"S.BUS2, 8 slots behind each frame", slotsBehindEach(8), sbus2()},
-      {"S.BUS2, 2 slots behind each frame, 0.5 ms late", late(500), sbus2()},
-      {"S.BUS2, 2 slots behind each frame, 1 ms early", late(-1000), sbus2()},
-      {"S.BUS2, 2 slots of another group behind each frame", ofOtherGroup(), sbus2()},
+      {"S.BUS2, 1 slot after 04", slots(1), sbus2()},
+      {"S.BUS2, 2 slots after 04", slots(2), sbus2()},
+      {"S.BUS2, 8 slots after 04", slots(8), sbus2()},
+      {"S.BUS2, 1 slot after each frame", slotsAfterEach(1), sbus2()},
+      {"S.BUS2, 2 slots after each frame", slotsAfterEach(2), sbus2()},
+      {"S.BUS2, 8 slots after each frame", slotsAfterEach(8), sbus2()},
+      {"S.BUS2, 2 slots after each frame, 0.5 ms late", late(500), sbus2()},
+      {"S.BUS2, 2 slots after each frame, 1 ms early", late(-1000), sbus2()},
+      {"S.BUS2, 2 slots of another group after each frame", ofOtherGroup(), sbus2()},
       {"S.BUS2, breaks, no slots", withBreaks(0, false, true), sbus2()},
       {"S.BUS2, breaks, no slots, dropped 1/300", withBreaks(0, false, true, 0, 1 / 300.), sbus2()},
-      {"S.BUS2, breaks, 1 slot behind 04", withBreaks(1, false, true), sbus2()},
-      {"S.BUS2, breaks, 1 slot behind 04, dropped 1/300", withBreaks(1, false, true, 0, 1 / 300.), sbus2()},
-      {"S.BUS2, breaks, 2 slots behind each frame", withBreaks(2, true, true), sbus2()},
-      {"S.BUS2, breaks, 8 slots behind each frame", withBreaks(8, true, true), sbus2()},
-      {"S.BUS2, breaks, 8 slots behind each frame, 1/10 of them cut", withBreaks(8, true, true, 1 / 10.), sbus2()},
-      {"S.BUS2, breaks, 8 slots behind each frame, dropped 1/300", withBreaks(8, true, true, 0, 1 / 300.), sbus2()},
-      {"S.BUS2, a break behind each frame, 1 slot behind 04", withBreaks(1, false, false), sbus2()},
-      {"S.BUS2, a break behind each frame, 2 slots behind each frame", withBreaks(2, true, false), sbus2()},
+      {"S.BUS2, breaks, 1 slot after 04", withBreaks(1, false, true), sbus2()},
+      {"S.BUS2, breaks, 1 slot after 04, dropped 1/300", withBreaks(1, false, true, 0, 1 / 300.), sbus2()},
+      {"S.BUS2, breaks, 2 slots after each frame", withBreaks(2, true, true), sbus2()},
+      {"S.BUS2, breaks, 8 slots after each frame", withBreaks(8, true, true), sbus2()},
+      {"S.BUS2, breaks, 8 slots after each frame, 1/10 of them cut", withBreaks(8, true, true, 1 / 10.), sbus2()},
+      {"S.BUS2, breaks, 8 slots after each frame, dropped 1/300", withBreaks(8, true, true, 0, 1 / 300.), sbus2()},
+      {"S.BUS2, a break after each frame, 1 slot after 04", withBreaks(1, false, false), sbus2()},
+      {"S.BUS2, a break after each frame, 2 slots after each frame", withBreaks(2, true, false), sbus2()},
       {"FASSTest 12CH, slot 0 as it is timed", of(Kind::Fasst12), everyDriver({6300}, {50, 1000, 2000, 3000})},
-      {"a character 00 straight behind each frame", behind(0), gaps(), NeverWrong},
-      {"S.BUS2, a character 00 straight behind each frame", behind(0, Kind::Sbus2), gaps(), NeverWrong},
-      {"any character straight behind each frame", behind(Company::AnyStray), gaps(), NeverWrong},
+      {"a character 00 straight after each frame", after(0), gaps(), NeverWrong},
+      {"S.BUS2, a character 00 straight after each frame", after(0, Kind::Sbus2), gaps(), NeverWrong},
+      {"any character straight after each frame", after(Company::AnyStray), gaps(), NeverWrong},
       {"a character 00 straight before each frame", before(0), gaps(), NeverWrong},
       {"any character straight before each frame", before(Company::AnyStray), gaps(), NeverWrong},
       {"delay of 1 to 5 ms every 31 ms", blocked(1, 5, 31), quick(), Faultless},

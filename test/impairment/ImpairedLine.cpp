@@ -195,8 +195,8 @@ void ImpairedLine::sendBetween(uint8_t end) {
     std::for_each(tail.begin() + 1, tail.end(), [this](uint8_t value) { send(value); });
   }
   const Company &company = _transmission.company;
-  if (company.strayBehind != Company::NoStray) {
-    sendStray(company.strayBehind);
+  if (company.strayAfter != Company::NoStray) {
+    sendStray(company.strayAfter);
   }
   if (company.slots != 0 && (company.afterEach || end == Sbus2End)) {
     sendSlots(_number % Groups);

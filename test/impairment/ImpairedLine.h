@@ -35,9 +35,9 @@ struct Company {
   int32_t lateUs = 0;      // sensors answer this much too late; below 0: too early
   uint8_t group = 0;       // added to the group of which their slots should be
   int strayBefore = NoStray;  // a character straight before each frame; AnyStray: anything but a header
-  int strayBehind = NoStray;  // a character straight after each frame
+  int strayAfter = NoStray;  // a character straight after each frame
   bool breakAfterSlots = false;  // a 00 straight after each slot
-  double cutSlots = 0;           // of a slot: one or two of its characters are lost, or all with the 00 behind them
+  double cutSlots = 0;           // of a slot: one or two of its characters are lost, or all with the 00 after them
 
   static constexpr int NoStray = -1, AnyStray = 256;
 };

@@ -24,7 +24,7 @@ enum class Payload {
   Shifted,       // allows a false sync: looks like a frame from another place on; moving
   ShiftedStill,  // likewise, standing still
   OtherEnd,      // likewise, and the false sync has the end byte of another line variant
-  SlotInside,    // any values, standing still; those of 24 channels look like 16 of S.BUS2, with a slot's ID behind
+  SlotInside,    // any values, standing still; those of 24 channels look like 16 of S.BUS2, followed by a slot's ID
 };
 
 const char *name(Payload sticks);

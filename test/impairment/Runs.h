@@ -24,13 +24,13 @@ inline Run with(double Impairments::*impairment, double probability, Kind kind =
 inline Run dropped(double probability, Kind kind = Kind::Plain) {
   return with(&Impairments::dropped, probability, kind);
 }
-// S.BUS2: this number of slots behind 04, or behind each frame.
+// S.BUS2: this number of slots after 04, or after each frame.
 inline Run slots(unsigned count, Run run = plain()) {
   run.line.kind = Kind::Sbus2;
   run.line.company.slots = count;
   return run;
 }
-inline Run slotsBehindEach(unsigned count) {
+inline Run slotsAfterEach(unsigned count) {
   Run run = slots(count);
   run.line.company.afterEach = true;
   return run;

@@ -175,13 +175,13 @@ class Simulation {
       _judge.broken();
     }
     // Bytes that found the buffer full came after those in it, which have been read now.
-    loseBehindKept(true);
+    loseAfterKept(true);
     lose(_port.droppedFull() - _droppedFull);
     _droppedFull = _port.droppedFull();
   }
 
   void takeFrame() {
-    loseBehindKept(false);
+    loseAfterKept(false);
     LongFrame frame;
     if (_receiver.newExtra(frame)) {
       _extraJudge.given(frame.data(), position());
@@ -200,7 +200,7 @@ class Simulation {
   }
 
   // What the UART lost while interrupts were off came before the bytes that have been read after it, if any have.
-  void loseBehindKept(bool isAllRead) {
+  void loseAfterKept(bool isAllRead) {
     const uint64_t readAfter = _port.bytesRead() - _lostAfterRead;
     if (_lostLater == 0 || _port.bytesRead() < _lostAfterRead || (readAfter == 0 && !isAllRead)) {
       return;
@@ -235,7 +235,7 @@ class Simulation {
   uint64_t _lastEndUs = 0;
   uint64_t _emptyLoops = 0;  // since the last one that found bytes
   uint64_t _lost = 0;
-  uint64_t _lostLater = 0;      // behind
+  uint64_t _lostLater = 0;      // after
   uint64_t _lostAfterRead = 0;  // so many bytes read
   uint64_t _droppedFull = 0;
 };

@@ -378,7 +378,7 @@ export default async function () {
     await reads(page, '#verdict-text', /^Text comes, but no rows/);
   });
 
-  await check('S.BUS2 with two sensors behind each frame brings every frame after the first dozen', async (page) => {
+  await check('S.BUS2 with two sensors after each frame brings every frame after the first dozen', async (page) => {
     const ids = [[0x03, 0x83], [0x13, 0x93], [0x0b, 0x8b], [0x1b, 0x9b]];
     const group = ids.flatMap(([first, second], i) => [
       ...frame([1100 + i], { end: 0x04 + 0x10 * i }), first, 0xc0, 0x2e, second, 0x12, 0x34]);
