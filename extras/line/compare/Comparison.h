@@ -45,6 +45,7 @@ class Comparison {
     unsigned long different = 0;
     std::optional<Difference> first;
     Delays delays;
+    bool areDelaysLate = true;  // all of them are of frames that came while the PC was late
   };
 
   // Calls `tell` with each span at its end.
@@ -68,6 +69,7 @@ class Comparison {
   };
 
   void putPair(int64_t us, const Alignment &found);
+  void putDelay(int64_t us, const Alignment &found);
   void lose(size_t side, int64_t us, bool isMissing);
   void end(size_t side);
   static void count(Counts &counts, const LostSpan &span);

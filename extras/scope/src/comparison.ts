@@ -19,6 +19,7 @@ export interface Comparison {
   atZeroUs: number; // the delay at A's time 0
   laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
   isByContents: boolean;
+  areDelaysLate: boolean; // all of them are of frames that came while the PC was late
 }
 
 // Returns B's time at a time of A, in us.
