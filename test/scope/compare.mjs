@@ -182,6 +182,34 @@ export default async function () {
     });
   }
 
+  await check('frames that come while the page tries baud rates at the second adapter are not lost by it', async (page) => {
+    await page.evaluate(receivers, [[], []]);
+    await page.evaluate((frames) => {
+      const { second } = fake;
+      const feed = () => {
+        const startMs = performance.now() + 1150; // the page waits for frames for 1 s, then tries each rate for 0.5 s
+        let sent = 0;
+        setInterval(() => {
+          for (const end = Math.min(Math.floor((performance.now() - startMs) / 9), frames.length); sent < end; sent++) {
+            fake.port.feed(frames[sent]);
+            if (second.opened.at(-1).baudRate === 100000) second.feed(frames[sent]);
+          }
+        }, 4);
+      };
+      second.onOpen = () => {
+        second.onOpen = () => undefined;
+        feed();
+      };
+    }, many);
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+    await page.click('#compare');
+    const alike = async () => Number(/(\d+) frames alike/.exec(await page.textContent('#second-text'))?.[1] ?? 0);
+    await until(alike, async () => (await alike()) > 200);
+    assert.match(await page.textContent('#second-lists'), /Lost by A: 0 frames in 0 spans.*Lost by B: 0 frames in 0 spans/);
+    assert.ok(await page.evaluate(() => fake.second.opened.some(({ baudRate }) => baudRate === 200000)));
+  });
+
   await check('a second adapter that is unplugged is said, its losses grow, and it goes on once it is plugged in; the first port cannot be the second', async (page) => {
     await page.evaluate(receivers, [Array.from({ length: 4000 }, (_, i) => frame([400 + (i % 1200), 992, 300 + (i % 700)])), []]);
     await page.click('#source-adapter');
