@@ -74,7 +74,8 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
           '\n' + lostText(counts, 0) + lostText(counts, 1);
   if (counts.late[0] + counts.late[1] > 0) {
-    text += line::format("not compared %lu of A, %lu of B: the PC was late\n", counts.late[0], counts.late[1]);
+    text += line::format("not compared %lu of A, %lu of B: the PC was late, or the delay not known yet\n",
+                         counts.late[0], counts.late[1]);
   }
   text += "first        " + differenceText(counts.first) + '\n';
   return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s%s\n",

@@ -13,6 +13,7 @@ namespace {
 constexpr int64_t WindowUs = 50000;  // how far the delay may jump: a period of the slowest receiver, a late port
 constexpr int64_t TryEachUs = 2000000;
 constexpr int64_t TryMostUs = 60000000;
+constexpr int64_t AgainUs = 4000000;  // the changes that are searched for the delay again
 constexpr size_t VotesLeast = 8;
 constexpr int64_t VoteWidthUs = 20000;
 
@@ -79,6 +80,15 @@ void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs)
     late.pop_front();
   }
   _sides[side].frames.push_back({us, isChange(side, values), values});
+  auto &changes = _sides[side].changes;
+  if (_isByContents) {
+    changes.clear();
+  } else if (_sides[side].frames.back().isChange) {
+    changes.push_back(_sides[side].frames.back());
+  }
+  while (!changes.empty() && changes.front().us < us - AgainUs) {
+    changes.pop_front();
+  }
   setCommon();
   knownUntil(side, us);
 }
@@ -100,6 +110,9 @@ void Aligner::work(bool isEnd) {
   giveUpOld(1);
   if (!_hasDelay && !findDelay(isEnd)) {
     return;
+  }
+  if (!_isByContents) {
+    findDelayAgain(isEnd);
   }
   std::deque<Frame> &frames = _sides[0].frames;
   while (!frames.empty()) {
@@ -123,7 +136,7 @@ void Aligner::work(bool isEnd) {
   }
 }
 
-// Each change that occurs exactly once on both sides votes for a delay. Returns true once it is found or given up.
+// Returns true once the delay is found or given up.
 bool Aligner::findDelay(bool isEnd) {
   const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
   if (knownUs == NeverUs && !isEnd) {
@@ -135,10 +148,23 @@ bool Aligner::findDelay(bool isEnd) {
   if (!isEnd && knownUs < _tryUs) {
     return false;
   }
-  _tryUs += TryEachUs;
+  _tryUs = knownUs + TryEachUs;
+  _isByContents = vote(&Side::frames);
+  const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
+    return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
+  });
+  _hasDelay = _isByContents || isEnd || isLate;
+  if (_hasDelay) {
+    findPeriod();
+  }
+  return _hasDelay;
+}
+
+// Each change that occurs exactly once on both sides votes for a delay. Returns true if they find it.
+bool Aligner::vote(std::deque<Frame> Side::*frames) {
   std::unordered_map<uint64_t, std::array<std::pair<unsigned, int64_t>, 2>> places;
   for (const size_t side : {size_t{0}, size_t{1}}) {
-    for (const Frame &frame : _sides[side].frames) {
+    for (const Frame &frame : _sides[side].*frames) {
       if (frame.isChange) {
         auto &[count, us] = places[hashOf(frame.values)][side];
         count++;
@@ -163,18 +189,32 @@ bool Aligner::findDelay(bool isEnd) {
       first = begin;
     }
   }
-  _isByContents = most >= VotesLeast && 2 * most > votes.size();
-  if (_isByContents) {
-    _delayUs = static_cast<double>(votes[first + most / 2]);
+  if (most < VotesLeast || 2 * most <= votes.size()) {
+    return false;
   }
-  const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
-    return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
-  });
-  _hasDelay = _isByContents || isEnd || isLate;
-  if (_hasDelay) {
-    findPeriod();
+  _delayUs = static_cast<double>(votes[first + most / 2]);
+  return true;
+}
+
+// Frames that were all alike have told nothing of the delay, and the clocks were assumed to agree. Once a change tells
+// it, what was matched wrongly since that change is not compared.
+void Aligner::findDelayAgain(bool isEnd) {
+  const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
+  if (!isEnd && knownUs < _tryUs) {
+    return;
   }
-  return _hasDelay;
+  _tryUs = knownUs + TryEachUs;
+  const double wrongUs = _delayUs;
+  _isByContents = vote(&Side::changes);
+  if (!_isByContents) {
+    return;
+  }
+  const int64_t awayUs = std::llround(std::abs(_delayUs - wrongUs));
+  const int64_t fromUs = _sides[0].changes.front().us - awayUs - WindowUs;
+  _sides[0].late.emplace_back(fromUs, std::max(_sides[0].knownUs, fromUs) + awayUs + WindowUs);
+  for (auto found = _found.lower_bound(fromUs - WindowUs); found != _found.end(); ++found) {
+    found->second.isLate = true;
+  }
 }
 
 // Sets the period to the shorter frame period of the two.
@@ -258,12 +298,14 @@ void Aligner::pairUnmatched(int64_t beforeUs) {
 }
 
 void Aligner::add(const Frame &a, const Frame &b, bool isSameContent) {
-  _found.emplace(a.us,
-                 Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate(a.us)});
+  _found.emplace(
+      a.us,
+      Alignment{
+          Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate(a.us), _isByContents});
 }
 
 void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
-  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us)};
+  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us), _isByContents};
   finding.values[side] = frame.values;
   _found.emplace(us, finding);
 }
@@ -293,7 +335,9 @@ void Aligner::giveUpOld(size_t side) {
   }
 }
 
+// As long as the times alone tell the delay, findings wait for findDelayAgain().
 void Aligner::emitBefore(int64_t us) {
+  us -= _hasDelay && !_isByContents && us < INT64_MAX ? AgainUs : 0;
   while (!_found.empty() && _found.begin()->first < us) {
     _onFinding(_found.begin()->first, _found.begin()->second);
     _found.erase(_found.begin());

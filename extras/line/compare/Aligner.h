@@ -25,7 +25,8 @@ struct Alignment {
   std::array<std::optional<Values>, 2> values;
   int64_t delayUs;     // of Pair: the second one's delay
   bool isSameContent;  // of Pair: all channels that both have
-  bool isLate;         // the PC was late: what it read then came some time before
+  bool isLate;         // the PC was late: what it read then came some time before; or the delay was not known yet
+  bool isByContents;   // these told the delay
 };
 
 // Returns how many channels both have.
@@ -66,6 +67,7 @@ class Aligner {
   struct Side {
     std::deque<Frame> frames;  // still to be matched
     std::deque<Frame> unmatched;
+    std::deque<Frame> changes;  // of the last seconds, until contents tell the delay
     std::deque<std::pair<int64_t, int64_t>> late;  // when the PC was late, in the side's times
     int64_t knownUs = NeverUs;
   };
@@ -77,6 +79,8 @@ class Aligner {
   size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const;
   void work(bool isEnd);
   bool findDelay(bool isEnd);
+  bool vote(std::deque<Frame> Side::*frames);
+  void findDelayAgain(bool isEnd);
   void findPeriod();
   void match(const Frame &frame);
   void giveUpSecond(int64_t beforeUs);

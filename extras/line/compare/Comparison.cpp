@@ -71,8 +71,13 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
 }
 
-// Delays while the PC was late count only until there are others.
+// Delays by the times alone, or while the PC was late, count only until there are others.
 void Comparison::putDelay(int64_t us, const Alignment &found) {
+  if (found.isByContents && !_isByContents) {
+    _isByContents = true;
+    _counts.areDelaysLate = true;
+    _counts.delays = Delays();
+  }
   if (_counts.areDelaysLate && !found.isLate) {
     _counts.areDelaysLate = false;
     _counts.delays = Delays();

@@ -39,7 +39,7 @@ class Comparison {
     std::array<unsigned long, 2> lost{};
     std::array<unsigned long, 2> spans{};
     std::array<std::vector<LostSpan>, 2> longest;  // by frames, LongestMost at most
-    std::array<unsigned long, 2> late{};           // not compared: the PC was late
+    std::array<unsigned long, 2> late{};           // not compared: see Alignment
     std::array<unsigned, 2> channels{};            // of the newest pair
     unsigned long same = 0;
     unsigned long different = 0;
@@ -78,6 +78,7 @@ class Comparison {
   Counts _counts;
   std::array<std::optional<Span>, 2> _open;
   bool _anyPair = false;
+  bool _isByContents = false;  // the delays
 };
 
 }  // namespace line
