@@ -124,6 +124,10 @@ export default async function () {
     await page.waitForSelector('#second', { state: 'hidden' });
     await page.setInputFiles('#second-file', b);
     await reads(page, '#second-text', /^B is /);
+    await page.workers().at(-1).evaluate(() => void setTimeout(() => {
+      throw new Error('out of memory');
+    }));
+    await reads(page, '#second-link', /^The decoder has failed\. /);
     await page.click('#source-simulated');
     await page.waitForSelector('#second', { state: 'hidden' });
   });
