@@ -214,6 +214,32 @@ export default async function () {
     assert.ok(await page.evaluate(() => fake.second.opened.some(({ baudRate }) => baudRate === 200000)));
   });
 
+  await check('a second adapter that takes long to open is closed again if its line is closed, or another source is chosen, meanwhile', async (page) => {
+    await page.evaluate(receivers, [many, []]);
+    await page.evaluate(() => (fake.second.openMs = 1300));
+    const closed = async (port) => {
+      await page.waitForSelector('#second', { state: 'hidden' });
+      await page.waitForTimeout(1500);
+      await until('it is closed', () => page.evaluate((name) => !fake[name].isOpen && !fake[name].isLocked, port));
+    };
+    await page.click('#source-adapter');
+    await reads(page, '#title', /^S\.Bus on a serial adapter, 8E2, FTDI/);
+    await page.click('#compare');
+    await reads(page, '#second-title', /^B, /);
+    await page.click('#second-close');
+    await closed('second');
+    await page.click('#compare');
+    await page.evaluate(() => Object.assign(fake, { choose: () => fake.second }));
+    await page.click('#compare'); // twice in a row
+    await reads(page, '#second-text', /^B is .* frames alike/);
+    await page.click('#second-close');
+    await closed('second');
+    await page.click('#compare');
+    await page.click('#source-simulated');
+    await closed('second');
+    await closed('port');
+  });
+
   await check('a second adapter that is unplugged is said, its losses grow, and it goes on once it is plugged in; the first port cannot be the second', async (page) => {
     await page.evaluate(receivers, [Array.from({ length: 4000 }, (_, i) => frame([400 + (i % 1200), 992, 300 + (i % 700)])), []]);
     await page.click('#source-adapter');
