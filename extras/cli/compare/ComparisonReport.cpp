@@ -74,14 +74,16 @@ std::string text(const line::Comparison &comparison, const std::array<std::strin
   text += "same         " + counted(counts.same, "frame") + "\ndifferent    " + counted(counts.different, "frame") +
           '\n' + lostText(counts, 0) + lostText(counts, 1);
   if (counts.late[0] + counts.late[1] > 0) {
-    text += line::format("not compared %lu of A, %lu of B: the PC was late\n", counts.late[0], counts.late[1]);
+    text += line::format("not compared %lu of A, %lu of B: the PC was late, or the delay not known yet\n",
+                         counts.late[0], counts.late[1]);
   }
   text += "first        " + differenceText(counts.first) + '\n';
-  return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s\n",
+  return text + line::format("delay        of B: median %lld us, %lld to %lld us, drift %.1f us/s, found by %s%s\n",
                              static_cast<long long>(counts.delays.medianUs()),
                              static_cast<long long>(counts.delays.leastUs()),
                              static_cast<long long>(counts.delays.mostUs()), counts.delays.driftPpm(),
-                             isByContents ? "the contents" : "the times alone");
+                             isByContents ? "the contents" : "the times alone",
+                             counts.areDelaysLate ? "; inaccurate, since the PC was late" : "");
 }
 
 std::string json(const line::Comparison &comparison, bool isByContents) {
@@ -96,7 +98,8 @@ std::string json(const line::Comparison &comparison, bool isByContents) {
       .decimal("least_delay_us", static_cast<double>(counts.delays.leastUs()))
       .decimal("most_delay_us", static_cast<double>(counts.delays.mostUs()))
       .decimal("drift_ppm", counts.delays.driftPpm())
-      .flag("by_contents", isByContents);
+      .flag("by_contents", isByContents)
+      .flag("late_delay", counts.areDelaysLate);
   if (!counts.first) {
     return json.line();
   }

@@ -113,8 +113,7 @@ void addCompare(CLI::App &app) {
   subcommand.footer(
       "It prints when both have ended, after --seconds, or after Ctrl-C. Times are those of A. A source has lost a "
       "frame if only the other one has it, or if only this one has the lost-frame or failsafe flag. Frames that came "
-      "while the PC "
-      "was late are not compared.");
+      "while the PC was late, or before the delay was known, are not compared.");
   subcommand.run([options] { run(*options); });
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr int64_t WindowUs = 50000;  // how far the delay may jump: a period of the slowest receiver, a late port
 constexpr int64_t TryEachUs = 2000000;
 constexpr int64_t TryMostUs = 60000000;
+constexpr int64_t AgainUs = 4000000;  // the changes that are searched for the delay again
+constexpr int64_t MovedUs = 1000000;  // by which a port may be late without saying so
 constexpr size_t VotesLeast = 8;
 constexpr int64_t VoteWidthUs = 20000;
 
@@ -78,7 +80,14 @@ void Aligner::put(size_t side, int64_t us, const Values &values, int64_t lateUs)
   while (!late.empty() && late.front().second < us - 2 * TryMostUs) {
     late.pop_front();
   }
-  _sides[side].frames.push_back({us, isChange(side, values), values});
+  _sides[side].frames.push_back({us, isChange(side, values), values, lateUs});
+  auto &changes = _sides[side].changes;
+  if (_sides[side].frames.back().isChange) {
+    changes.push_back(_sides[side].frames.back());
+  }
+  while (!changes.empty() && changes.front().us < us - AgainUs) {
+    changes.pop_front();
+  }
   setCommon();
   knownUntil(side, us);
 }
@@ -101,6 +110,9 @@ void Aligner::work(bool isEnd) {
   if (!_hasDelay && !findDelay(isEnd)) {
     return;
   }
+  if (!_isByContents) {
+    findDelayAgain(isEnd);
+  }
   std::deque<Frame> &frames = _sides[0].frames;
   while (!frames.empty()) {
     const int64_t expectedUs = frames.front().us + std::llround(_delayUs);
@@ -111,19 +123,19 @@ void Aligner::work(bool isEnd) {
     frames.pop_front();
     match(frame);
     giveUpSecond(expectedUs - WindowUs);
-    pairUnmatched(frame.us - 2 * WindowUs);
-    emitBefore(frame.us - 3 * WindowUs);
+    pairUnmatched(frame.us - MovedUs - 2 * WindowUs);
+    emitBefore(frame.us - MovedUs - 3 * WindowUs);
   }
   // Without frames from the first source, those of the second remain unmatched once their time has passed.
   if (!isEnd && frames.empty()) {
     const int64_t us = std::min<int64_t>(_sides[0].knownUs, _sides[1].knownUs - std::llround(_delayUs));
     giveUpSecond(us + std::llround(_delayUs) - 2 * WindowUs);
-    pairUnmatched(us - 3 * WindowUs);
-    emitBefore(us - 4 * WindowUs);
+    pairUnmatched(us - MovedUs - 3 * WindowUs);
+    emitBefore(us - MovedUs - 4 * WindowUs);
   }
 }
 
-// Each change that occurs exactly once on both sides votes for a delay. Returns true once it is found or given up.
+// Returns true once the delay is found or given up.
 bool Aligner::findDelay(bool isEnd) {
   const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
   if (knownUs == NeverUs && !isEnd) {
@@ -135,10 +147,23 @@ bool Aligner::findDelay(bool isEnd) {
   if (!isEnd && knownUs < _tryUs) {
     return false;
   }
-  _tryUs += TryEachUs;
+  _tryUs = knownUs + TryEachUs;
+  _isByContents = vote(&Side::frames);
+  const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
+    return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
+  });
+  _hasDelay = _isByContents || isEnd || isLate;
+  if (_hasDelay) {
+    findPeriod();
+  }
+  return _hasDelay;
+}
+
+// Each change that occurs exactly once on both sides votes for a delay. Returns true if they find it.
+bool Aligner::vote(std::deque<Frame> Side::*frames) {
   std::unordered_map<uint64_t, std::array<std::pair<unsigned, int64_t>, 2>> places;
   for (const size_t side : {size_t{0}, size_t{1}}) {
-    for (const Frame &frame : _sides[side].frames) {
+    for (const Frame &frame : _sides[side].*frames) {
       if (frame.isChange) {
         auto &[count, us] = places[hashOf(frame.values)][side];
         count++;
@@ -163,18 +188,32 @@ bool Aligner::findDelay(bool isEnd) {
       first = begin;
     }
   }
-  _isByContents = most >= VotesLeast && 2 * most > votes.size();
-  if (_isByContents) {
-    _delayUs = static_cast<double>(votes[first + most / 2]);
+  if (most < VotesLeast || 2 * most <= votes.size()) {
+    return false;
   }
-  const bool isLate = std::all_of(_sides.begin(), _sides.end(), [knownUs](const Side &side) {
-    return !side.frames.empty() && side.frames.front().us < knownUs - TryMostUs;
-  });
-  _hasDelay = _isByContents || isEnd || isLate;
-  if (_hasDelay) {
-    findPeriod();
+  _delayUs = static_cast<double>(votes[first + most / 2]);
+  return true;
+}
+
+// Frames that were all alike have told nothing of the delay, and the clocks were assumed to agree. Once a change tells
+// it, what was matched wrongly since that change is not compared.
+void Aligner::findDelayAgain(bool isEnd) {
+  const int64_t knownUs = std::min(_sides[0].knownUs, _sides[1].knownUs);
+  if (!isEnd && knownUs < _tryUs) {
+    return;
   }
-  return _hasDelay;
+  _tryUs = knownUs + TryEachUs;
+  const double wrongUs = _delayUs;
+  _isByContents = vote(&Side::changes);
+  if (!_isByContents) {
+    return;
+  }
+  const int64_t awayUs = std::llround(std::abs(_delayUs - wrongUs));
+  const int64_t fromUs = _sides[0].changes.front().us - awayUs - WindowUs;
+  _sides[0].late.emplace_back(fromUs, std::max(_sides[0].knownUs, fromUs) + awayUs + WindowUs);
+  for (auto found = _found.lower_bound(fromUs - WindowUs); found != _found.end(); ++found) {
+    found->second.isLate = true;
+  }
 }
 
 // Sets the period to the shorter frame period of the two.
@@ -194,6 +233,15 @@ void Aligner::findPeriod() {
   _periodUs = leastUs < INT64_MAX ? std::min<int64_t>(std::max<int64_t>(leastUs, 4000), 30000) : _periodUs;
 }
 
+// Returns true if both sides have had these channels only once within the last seconds: a resting stick may alternate
+// between two values, and frames with these values are at many places.
+bool Aligner::isOnly(const Frame &frame) const {
+  return std::all_of(_sides.begin(), _sides.end(), [this, &frame](const Side &side) {
+    return std::count_if(side.changes.begin(), side.changes.end(),
+                         [this, &frame](const Frame &each) { return isSame(each.values, frame.values); }) == 1;
+  });
+}
+
 // If a run begins here, takes the second side's frame that begins a run of the same length: receivers with different
 // clocks repeat a frame at different times. Otherwise takes the nearest one with these channels within half a period.
 void Aligner::match(const Frame &frame) {
@@ -205,7 +253,9 @@ void Aligner::match(const Frame &frame) {
   bool isRun = false;
   for (size_t i = 0; i < others.size() && others[i].us <= expectedUs + WindowUs; i++) {
     const int64_t awayUs = std::abs(others[i].us - expectedUs);
-    const bool isBegin = run > 0 && others[i].isChange && awayUs <= WindowUs && runOf(others[i], others, i + 1) == run;
+    const bool isBegin = run > 0 && others[i].isChange && awayUs <= WindowUs &&
+                         runOf(others[i], others, i + 1) == run &&
+                         (awayUs <= _periodUs / 2 || (isSame(others[i].values, frame.values) && isOnly(frame)));
     const bool isBetter = isBegin == isRun ? awayUs < leastUs : isBegin;
     if ((isBegin || awayUs <= _periodUs / 2) && isBetter && isSame(others[i].values, frame.values)) {
       best = i;
@@ -219,7 +269,7 @@ void Aligner::match(const Frame &frame) {
   }
   const auto end = others.begin() + static_cast<std::ptrdiff_t>(best);
   _sides[1].unmatched.insert(_sides[1].unmatched.end(), others.begin(), end);
-  add(frame, *end, true);
+  add(frame, *end, true, isLate(frame.us));
   if (!isLate(frame.us)) {
     _delayUs += (static_cast<double>(end->us - frame.us) - _delayUs) / (leastUs > _periodUs / 2 ? 1 : 16);
   }
@@ -235,6 +285,29 @@ void Aligner::giveUpSecond(int64_t beforeUs) {
   }
 }
 
+// Pairs the oldest unmatched frame of a side with one of the other side that has these channels and came at another
+// time: a port that hands bytes over late moves frames that are alike. A port may be later than it says: then only a
+// frame is paired that is the only one with these channels.
+bool Aligner::pairMoved(size_t side) {
+  std::deque<Frame> &frames = _sides[side].unmatched, &others = _sides[1 - side].unmatched;
+  const Frame frame = frames.front();
+  const int64_t expectedUs = frame.us + (side == 0 ? 1 : -1) * std::llround(_delayUs);
+  const auto other = std::find_if(others.begin(), others.end(), [&](const Frame &each) {
+    const int64_t awayUs = std::abs(each.us - expectedUs);
+    const bool isLatePort = std::max(frame.lateUs, each.lateUs) > _periodUs / 2;
+    return isSame(each.values, frame.values) &&
+           ((isLatePort && awayUs <= 2 * WindowUs) ||
+            (awayUs <= MovedUs && frame.isChange && each.isChange && isOnly(frame)));
+  });
+  if (other == others.end()) {
+    return false;
+  }
+  add(side == 0 ? frame : *other, side == 0 ? *other : frame, true, true);
+  others.erase(other);
+  frames.pop_front();
+  return true;
+}
+
 // Unmatched frames at the same time are a pair with different contents.
 void Aligner::pairUnmatched(int64_t beforeUs) {
   const int64_t delayUs = std::llround(_delayUs);
@@ -246,8 +319,11 @@ void Aligner::pairUnmatched(int64_t beforeUs) {
       return;
     }
     const size_t side = oneUs <= otherUs ? 0 : 1;
+    if (pairMoved(side)) {
+      continue;
+    }
     if (!ones.empty() && !others.empty() && std::abs(oneUs - otherUs) <= _periodUs / 2) {
-      add(ones.front(), others.front(), false);
+      add(ones.front(), others.front(), false, isLate(ones.front().us));
       ones.pop_front();
       others.pop_front();
       continue;
@@ -257,13 +333,14 @@ void Aligner::pairUnmatched(int64_t beforeUs) {
   }
 }
 
-void Aligner::add(const Frame &a, const Frame &b, bool isSameContent) {
-  _found.emplace(a.us,
-                 Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate(a.us)});
+void Aligner::add(const Frame &a, const Frame &b, bool isSameContent, bool isLate) {
+  _found.emplace(
+      a.us,
+      Alignment{Alignment::Kind::Pair, 0, {a.values, b.values}, b.us - a.us, isSameContent, isLate, _isByContents});
 }
 
 void Aligner::addOnly(size_t side, int64_t us, const Frame &frame) {
-  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us)};
+  Alignment finding{Alignment::Kind::Only, side, {}, 0, false, isLate(us), _isByContents};
   finding.values[side] = frame.values;
   _found.emplace(us, finding);
 }
@@ -293,7 +370,9 @@ void Aligner::giveUpOld(size_t side) {
   }
 }
 
+// As long as the times alone tell the delay, findings wait for findDelayAgain().
 void Aligner::emitBefore(int64_t us) {
+  us -= _hasDelay && !_isByContents && us < INT64_MAX ? AgainUs : 0;
   while (!_found.empty() && _found.begin()->first < us) {
     _onFinding(_found.begin()->first, _found.begin()->second);
     _found.erase(_found.begin());

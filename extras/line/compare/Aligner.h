@@ -25,7 +25,8 @@ struct Alignment {
   std::array<std::optional<Values>, 2> values;
   int64_t delayUs;     // of Pair: the second one's delay
   bool isSameContent;  // of Pair: all channels that both have
-  bool isLate;         // the PC was late: what it read then came some time before
+  bool isLate;         // the PC was late: what it read then came some time before; or the delay was not known yet
+  bool isByContents;   // these told the delay
 };
 
 // Returns how many channels both have.
@@ -62,10 +63,12 @@ class Aligner {
     int64_t us;
     bool isChange;  // its channels differ from the previous frame's
     Values values;
+    int64_t lateUs;  // it came at most this much earlier
   };
   struct Side {
     std::deque<Frame> frames;  // still to be matched
     std::deque<Frame> unmatched;
+    std::deque<Frame> changes;                     // of the last seconds
     std::deque<std::pair<int64_t, int64_t>> late;  // when the PC was late, in the side's times
     int64_t knownUs = NeverUs;
   };
@@ -74,15 +77,19 @@ class Aligner {
   uint64_t hashOf(const Values &values) const;
   bool isChange(size_t side, const Values &values);
   void setCommon();
+  bool isOnly(const Frame &frame) const;
   size_t runOf(const Frame &first, const std::deque<Frame> &frames, size_t next) const;
   void work(bool isEnd);
   bool findDelay(bool isEnd);
+  bool vote(std::deque<Frame> Side::*frames);
+  void findDelayAgain(bool isEnd);
   void findPeriod();
   void match(const Frame &frame);
+  bool pairMoved(size_t side);
   void giveUpSecond(int64_t beforeUs);
   void pairUnmatched(int64_t beforeUs);
   bool isLate(int64_t us) const;
-  void add(const Frame &a, const Frame &b, bool isSameContent);
+  void add(const Frame &a, const Frame &b, bool isSameContent, bool isLate);
   void addOnly(size_t side, int64_t us, const Frame &frame);
   void giveUpOld(size_t side);
   void emitBefore(int64_t us);

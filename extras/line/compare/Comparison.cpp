@@ -40,8 +40,8 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
   _anyPair = true;
   _counts.channels = {a.count, b.count};
-  if (found.isSameContent && !found.isLate) {
-    _counts.delays.put(us, found.delayUs);
+  if (found.isSameContent) {
+    putDelay(us, found);
   }
   if (isFlagged(a) != isFlagged(b)) {
     lose(isFlagged(a) ? 0 : 1, us, false);
@@ -68,6 +68,22 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
     _counts.first = Difference{us, "CH" + std::to_string(17 + i), 0, {a.switches[i], b.switches[i]}};
   } else if (a.failsafe != b.failsafe) {
     _counts.first = Difference{us, "failsafe", 0, {a.failsafe, b.failsafe}};
+  }
+}
+
+// Delays by the times alone, or while the PC was late, count only until there are others.
+void Comparison::putDelay(int64_t us, const Alignment &found) {
+  if (found.isByContents && !_isByContents) {
+    _isByContents = true;
+    _counts.areDelaysLate = true;
+    _counts.delays = Delays();
+  }
+  if (_counts.areDelaysLate && !found.isLate) {
+    _counts.areDelaysLate = false;
+    _counts.delays = Delays();
+  }
+  if (_counts.areDelaysLate || !found.isLate) {
+    _counts.delays.put(us, found.delayUs);
   }
 }
 

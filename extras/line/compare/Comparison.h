@@ -39,12 +39,13 @@ class Comparison {
     std::array<unsigned long, 2> lost{};
     std::array<unsigned long, 2> spans{};
     std::array<std::vector<LostSpan>, 2> longest;  // by frames, LongestMost at most
-    std::array<unsigned long, 2> late{};           // not compared: the PC was late
+    std::array<unsigned long, 2> late{};           // not compared: see Alignment
     std::array<unsigned, 2> channels{};            // of the newest pair
     unsigned long same = 0;
     unsigned long different = 0;
     std::optional<Difference> first;
     Delays delays;
+    bool areDelaysLate = true;  // all of them are of frames that came while the PC was late
   };
 
   // Calls `tell` with each span at its end.
@@ -68,6 +69,7 @@ class Comparison {
   };
 
   void putPair(int64_t us, const Alignment &found);
+  void putDelay(int64_t us, const Alignment &found);
   void lose(size_t side, int64_t us, bool isMissing);
   void end(size_t side);
   static void count(Counts &counts, const LostSpan &span);
@@ -76,6 +78,7 @@ class Comparison {
   Counts _counts;
   std::array<std::optional<Span>, 2> _open;
   bool _anyPair = false;
+  bool _isByContents = false;  // the delays
 };
 
 }  // namespace line

@@ -7,7 +7,7 @@ export interface Comparison {
   alone: Pair; // before the other's first frame, or after its last
   lost: Pair; // by it: only the other has them, or only it has the flag
   spans: Pair; // in which these are
-  late: Pair; // not compared: the PC was late
+  late: Pair; // not compared: the PC was late, or the delay not known yet
   longest: [fromUs: number, toUs: number, frames: number][][]; // of them, by who lost them
   same: number; // frames
   different: number;
@@ -19,6 +19,7 @@ export interface Comparison {
   atZeroUs: number; // the delay at A's time 0
   laterUs: number; // how much later B's time 0 is, as far as that is known; it is a part of the delay
   isByContents: boolean;
+  areDelaysLate: boolean; // all of them are of frames that came while the PC was late
 }
 
 // Returns B's time at a time of A, in us.

@@ -26,9 +26,9 @@ export abstract class Second implements Sink {
   // What to know while there is none.
   abstract readonly waiting: string;
 
-  // What is wrong with its port, or ''.
+  // What is wrong with its port or its decoder, or ''.
   get problem(): string {
-    const { problem } = this.line.live ?? {};
+    const problem = this.line.failure ?? this.line.live?.problem;
     return problem ? `${problem.text} ${problem.remedy}` : '';
   }
 

@@ -137,7 +137,9 @@ class LiveLine {
     const { native } = this;
     const nowUs = (this.us = this.feed.nowUs(us));
     native.records(nowUs, (records) => {
-      this.comparing?.take(this.side, records);
+      if (!this.trials.isTrying) {
+        this.comparing?.take(this.side, records); // a trial breaks off what comes: that is no loss
+      }
       this.records.push(records);
       this.count += records.length / RecordReader.size;
     });

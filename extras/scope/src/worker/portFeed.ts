@@ -27,10 +27,13 @@ export const findPort: FindPort = async ({ index, count, ids }) => {
   return port && ports.length === count && idsOf(port.getInfo()) === ids ? port : undefined;
 };
 
+const feeds = new Set<PortFeed>(); // that have a port
+
 export class PortFeed {
   readonly settings: readonly Setting[];
   readonly events = new Map<string, number>();
   private setting: Setting;
+  private waits = false; // for the device, which was unplugged
   private readonly connection: Connection;
   private readonly info: ReturnType<SerialPort['getInfo']>;
   readonly zeroMs = performance.now();
@@ -53,8 +56,12 @@ export class PortFeed {
       opened: () => this.events.has('unplugged') && this.count('reopened'),
       bytes: (bytes) => this.core.received(bytes, this.nowUs()),
       disturbed: (error) => this.disturbed(error),
-      unplugged: () => this.count('unplugged'),
+      unplugged: () => {
+        this.waits = true;
+        this.count('unplugged');
+      },
     });
+    feeds.add(this);
   }
 
   get title(): string {
@@ -92,8 +99,12 @@ export class PortFeed {
     return port === this.port;
   }
 
-  // The device is there again, as `port`.
+  // The device is there again, as `port`; unless another line has that one, of two like devices.
   replugged(port: SerialPort): void {
+    if ([...feeds].some((feed) => feed !== this && feed.holds(port))) {
+      return;
+    }
+    this.waits = false;
     this.port = port;
     this.connection.replugged(port);
   }
@@ -102,6 +113,7 @@ export class PortFeed {
     navigator.serial?.removeEventListener('connect', this.connected);
     navigator.serial?.removeEventListener('disconnect', this.disconnected);
     this.connection.close();
+    feeds.delete(this);
   }
 
   private begin(): void {
@@ -121,13 +133,14 @@ export class PortFeed {
   // A device that is plugged in again is another SerialPort.
   private readonly connected = (event: Event): void => {
     const port = event.target as SerialPort;
-    if (this.connection.isUnplugged && idsOf(port.getInfo()) === idsOf(this.info)) {
+    if (this.waits && idsOf(port.getInfo()) === idsOf(this.info)) {
       this.replugged(port);
     }
   };
 
   private readonly disconnected = (event: Event): void => {
     if (event.target === this.port) {
+      this.waits = true; // also if it has not been opened again
       this.connection.unplugged();
     }
   };
