@@ -95,14 +95,14 @@ rm "$work/adapter"  # a library has no links, not even in build/
 
 # ---- An error leaves no file behind, and no existing file is lost
 
-while IFS='|' read -r keys words options message; do
+while IFS='|' read -r keys source options message; do
   rm -f "$work/file"
   # shellcheck disable=SC2086  # they are words
-  ! "$SBUS" calibrate sim:calibration${words:+,$words} --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
+  ! "$SBUS" calibrate "$source" --simulated-time $options "$work/file" <"$work/$keys" 2>"$work/err" &&
     [ "$(tail -n 1 "$work/err")" = "sbus calibrate: $message" ] && [ ! -e "$work/file" ]
-  verdict $? "calibrate sim:$words $options says: $message"
+  verdict $? "calibrate $source $options says: $message"
 done <<'END'
-enter||--seconds 20|nothing was written, because the third step was not completed: CH1 is where it rested: push it up or right
-enter|silent|--seconds 14|nothing was written, because the third step was not completed: CH1 was not seen: switch the radio on
-none||--seconds 20|standard input has ended, so Enter cannot be pressed; run it in a terminal
+enter|sim:calibration|--seconds 20|nothing was written, because the third step was not completed: CH1 is where it rested: push it up or right
+enter|sim:silent|--seconds 14|nothing was written, because the third step was not completed: CH1 was not seen: switch the radio on
+none|sim:calibration|--seconds 20|standard input has ended, so Enter cannot be pressed; run it in a terminal
 END
