@@ -30,7 +30,7 @@ class Line {
   // Tells the line that the sketch opened the port for the first time, at `nowUs`.
   virtual void opened(uint64_t /*nowUs*/) {}
 
-  // Takes the oldest character that was complete by `nowUs`. Returns false if there is none.
+  // Takes the oldest character that was complete by `nowUs`. Returns false without one.
   virtual bool next(uint64_t nowUs, Character &character) = 0;
 
   // Returns the time up to which next() has returned all complete characters.

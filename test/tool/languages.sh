@@ -6,7 +6,8 @@ cd "$(dirname "$0")/.." || exit 1
 . tool/common.sh
 
 mkdir "$work/bin"
-ln -s "$SBUS" "$work/bin/sbus"
+printf '#!/bin/sh\nexec "%s" "$@"\n' "$SBUS" >"$work/bin/sbus"  # a library has no links, not even in build/
+chmod +x "$work/bin/sbus"
 recordings=$PWD/recordings
 PATH=$work/bin:$PATH
 

@@ -24,7 +24,7 @@ class Screen {
 
   void draw(const std::vector<PageRow> &page);
 
-  // Returns the next pressed key, or 0 at once if there is none.
+  // Returns the next pressed key, or 0 at once if no key was pressed.
   int key();
 
  private:

@@ -26,7 +26,7 @@ struct Sensor {
 // Returns all known sensors.
 const std::vector<Sensor> &sensors();
 
-// Returns the sensor with this name, in upper or lower case; nullptr if there is none.
+// Returns the sensor with this name, in upper or lower case; nullptr for an unknown name.
 const Sensor *sensorOf(std::string_view name);
 
 }  // namespace line

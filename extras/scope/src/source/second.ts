@@ -23,7 +23,7 @@ export abstract class Second implements Sink {
   // Returns undefined before it is made, null if both have no frame in common.
   abstract get comparison(): Comparison | null | undefined;
 
-  // What to know while there is none.
+  // The text to show until then.
   abstract readonly waiting: string;
 
   // What is wrong with its port or its decoder, or ''.

@@ -96,7 +96,7 @@ export class SecondView {
     );
     const lists = JSON.stringify([lost, longest]);
     if (lists === this.told) {
-      return; // a list that is made anew loses the focus
+      return; // rebuilding a list loses the focus
     }
     this.told = lists;
     this.lists.replaceChildren(
