@@ -71,18 +71,15 @@ void Comparison::putPair(int64_t us, const Alignment &found) {
   }
 }
 
-// Delays by the times alone, or while the PC was late, count only until there are others.
+// Only the best delays count: those by contents before those by the times alone, and then those that were read on time.
 void Comparison::putDelay(int64_t us, const Alignment &found) {
-  if (found.isByContents && !_isByContents) {
-    _isByContents = true;
-    _counts.areDelaysLate = true;
+  const int rank = (found.isByContents ? 2 : 0) + (found.isLate ? 0 : 1);
+  if (rank > _delayRank) {
+    _delayRank = rank;
+    _counts.areDelaysLate = found.isLate;
     _counts.delays = Delays();
   }
-  if (_counts.areDelaysLate && !found.isLate) {
-    _counts.areDelaysLate = false;
-    _counts.delays = Delays();
-  }
-  if (_counts.areDelaysLate || !found.isLate) {
+  if (rank == _delayRank) {
     _counts.delays.put(us, found.delayUs);
   }
 }

@@ -78,7 +78,7 @@ class Comparison {
   Counts _counts;
   std::array<std::optional<Span>, 2> _open;
   bool _anyPair = false;
-  bool _isByContents = false;  // the delays
+  int _delayRank = -1;  // of the delays that count: see putDelay()
 };
 
 }  // namespace line

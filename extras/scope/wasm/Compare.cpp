@@ -20,6 +20,9 @@ constexpr int64_t LiveHeldUs = 250000;  // a frame may wait for what follows it,
 struct Comparing {
   explicit Comparing(int64_t later) : laterUs(later) {}
 
+  // Returns A's time of a line's time. `side`: 0 or 1.
+  int64_t timeOf(unsigned side, double us) const { return static_cast<int64_t>(us) + (side == 1 ? laterUs : 0); }
+
   line::Comparison comparison{[](const line::LostSpan &) {}};
   line::Aligner aligner{[this](int64_t us, const line::Alignment &found) { comparison.put(us, found); }};
   const int64_t laterUs;
@@ -148,8 +151,8 @@ EXPORT(comparison)()->const char * {
 // Begins a comparison of live lines. B's time 0 is `laterUs` after A's.
 EXPORT(compareLive)(double laterUs)->void {
   live = std::make_unique<Comparing>(static_cast<int64_t>(laterUs));
-  live->aligner.knownUntil(0, 0);
-  live->aligner.knownUntil(1, live->laterUs);
+  live->aligner.knownUntil(0, live->timeOf(0, 0));
+  live->aligner.knownUntil(1, live->timeOf(1, 0));
 }
 
 // The next records of a line, 0 or 1, are in the buffer, `size` bytes of them.
@@ -157,15 +160,15 @@ EXPORT(compareRecords)(unsigned side, unsigned size)->void {
   const auto *const records = reinterpret_cast<const Record *>(transfer);
   for (const Record *record = records; record != records + size / sizeof *record; record++) {
     if (record->kind <= static_cast<uint8_t>(Kind::Frame24)) {
-      const int64_t us = static_cast<int64_t>(record->endUs) + (side == 1 ? live->laterUs : 0);
-      live->aligner.put(side, us, valuesOf(*record), static_cast<int64_t>(record->lateUs));
+      live->aligner.put(side, live->timeOf(side, record->endUs), valuesOf(*record),
+                        static_cast<int64_t>(record->lateUs));
     }
   }
 }
 
 // No other record of that line comes up to this time of it.
 EXPORT(comparedUntil)(unsigned side, double us)->void {
-  live->aligner.knownUntil(side, static_cast<int64_t>(us) + (side == 1 ? live->laterUs : 0) - LiveHeldUs);
+  live->aligner.knownUntil(side, live->timeOf(side, us) - LiveHeldUs);
 }
 
 // Returns what was found so far.
