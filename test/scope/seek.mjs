@@ -126,14 +126,27 @@ export default async function () {
     assert.equal(page.workers().length, 2);
   });
 
-  await check('seeking to a place that is not decoded yet shows the progress', async (page) => {
+  await check('a place that is not decoded yet is shown before it is, with the progress and without what counts from the beginning', async (page) => {
     await drop(page, 'long.txt', 700000);
     await reads(page, '#title', /^Recording long\.txt/);
+    await page.evaluate(() => {
+      const read = (selector) => document.querySelector(selector)?.textContent;
+      fake.early = [];
+      new MutationObserver(() => {
+        const title = read('#title');
+        if (title.includes('decoding') && read('#lines .time') === '6300.003') {
+          const gap = read('#gap') + read('#gap-ends');
+          const { hidden } = document.querySelector('#bars .mark');
+          fake.early.push([title, read('#bars .raw'), read('#state'), read('[data-counter="frames"]'), gap, hidden].join(', '));
+        }
+      }).observe(document.body, { subtree: true, childList: true, characterData: true });
+    });
     await toEnd(page);
     await counts(page, 'frames', '700\u202f000');
-    const said = await titles(page);
-    assert.ok(said.some((title) => /^Recording long\.txt \(decoding up to this position: \d+ %\)$/.test(title)), said.join('\n'));
+    const early = await page.evaluate(() => fake.early);
+    assert.match(early.at(-1) ?? 'nothing', /^Recording long\.txt \(decoding up to this position: \d+ %\), 1000, Fine, …, …, true$/);
     await reads(page, '#title', 'Recording long.txt');
+    await reads(page, '#gap', '9.0 ms');
   });
 
   await check('a browser that starts no worker: a notice says so', async (page) => {

@@ -241,11 +241,11 @@ export class Scope implements Sink {
     const views: Record<string, () => void> = {
       'The choice of views': () => this.room.draw(source, status, newest),
       'The view of the verdict': () => this.verdict.draw(doctor.verdict(status, newest), live?.note ?? ''),
-      'The view of the link': () => this.link.draw(status, newest),
+      'The view of the link': () => this.link.draw(status, newest, source.line.isPreview),
       'The view of the channels': () => this.bars.draw(newest, unit, trusted),
       'The view of the sticks': () => this.sticks.draw(newest, unit, trusted),
       'The view of the names': () => this.names.draw(newest?.channels.length || 16),
-      'The view of the counters': () => this.counters.draw(status, live?.events),
+      'The view of the counters': () => this.counters.draw(status, live?.events, source.line.isPreview),
       'The view of the telemetry': () => this.telemetry.draw(source.line.telemetry()),
       'The view of the bookmarks': () => this.bookmarksView.draw(),
       'The view of the curves': () => this.curves.draw(nowUs, newest, unit, status.gapMeanUs),

@@ -220,6 +220,10 @@ export class Remote implements Line {
     return this.picture.status;
   }
 
+  get isPreview(): boolean {
+    return this.picture.isPreview === true;
+  }
+
   telemetry(): readonly string[] {
     return this.picture.telemetry;
   }
@@ -308,8 +312,10 @@ export class Remote implements Line {
       sink.precede(answer.samples);
     } else if (answer.kind === 'picture' && answer.id >= this.sought) {
       this.picture = answer;
-      this.answered = answer.id;
-      this.progress = undefined;
+      if (!answer.isPreview) {
+        this.answered = answer.id;
+        this.progress = undefined;
+      }
       const pieces = answer.records.map((records) => this.core.stretchesIn(records));
       if (answer.jumped) {
         sink.jump(pieces.shift() ?? []);

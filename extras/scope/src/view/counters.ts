@@ -30,14 +30,15 @@ export class CountersView {
     rows.forEach(([key, name, title]) => this.add(key, name, title));
   }
 
-  draw(status: Status, events: ReadonlyMap<string, number> | undefined): void {
+  // `isPreview`: see Line.
+  draw(status: Status, events: ReadonlyMap<string, number> | undefined, isPreview: boolean): void {
     if (!this.text.due) {
       return;
     }
     this.list.classList.toggle('board', status.rows > 0 && status.frames === 0);
     const ofPort = [...this.values.keys()].filter((key) => key.startsWith('port ') && !events?.has(key.slice(5)));
     ofPort.forEach((key) => this.set(key, 0));
-    rows.forEach(([key]) => this.set(key, status[key]));
+    rows.forEach(([key]) => this.set(key, status[key], isPreview ? '…' : undefined));
     events?.forEach((count, what) => {
       const key = `port ${what}`;
       if (!this.values.has(key)) {
@@ -53,9 +54,9 @@ export class CountersView {
     this.values.set(key, value);
   }
 
-  private set(key: string, count: number): void {
+  private set(key: string, count: number, text = count.toLocaleString('en').replaceAll(',', '\u202f')): void {
     const value = this.values.get(key) as HTMLElement;
-    setText(value, count.toLocaleString('en').replaceAll(',', '\u202f'));
+    setText(value, text);
     const row = value.parentElement as HTMLElement;
     row.classList.toggle('zero', count === 0);
     row.hidden = count === 0 && (rare.includes(key) || key.startsWith('port '));

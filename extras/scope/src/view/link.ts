@@ -84,7 +84,8 @@ export class LinkView {
     }
   }
 
-  draw(status: Status, newest: Stretch | undefined): void {
+  // `isPreview`: see Line.
+  draw(status: Status, newest: Stretch | undefined, isPreview: boolean): void {
     const state = status.state as LinkState;
     setText(this.state, stateNames[state]);
     setAttribute(this.stateTile, 'data-severity', severities[state]);
@@ -103,7 +104,8 @@ export class LinkView {
     setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
     setText(this.rate, String(status.framesPerSecond));
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
-    setText(this.gap, status.gapMeanUs > 0 ? `${ms(status.gapMeanUs)} ms` : '–');
-    setText(this.gapEnds, status.gapMeanUs > 0 ? `${ms(status.gapMinUs)} to ${ms(status.gapMaxUs)}` : '');
+    const hasGaps = status.gapMeanUs > 0 && !isPreview;
+    setText(this.gap, hasGaps ? `${ms(status.gapMeanUs)} ms` : isPreview ? '…' : '–');
+    setText(this.gapEnds, hasGaps ? `${ms(status.gapMinUs)} to ${ms(status.gapMaxUs)}` : '');
   }
 }

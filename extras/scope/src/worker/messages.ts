@@ -80,6 +80,7 @@ export interface Picture {
   kind: 'picture';
   id: number; // of the request
   jumped: boolean; // what came before is in it, or follows as the past
+  isPreview?: boolean; // of a place that is not decoded yet: the line before it is not known, and the picture follows
   us: number;
   status: Status;
   travel: Travel[]; // by channel

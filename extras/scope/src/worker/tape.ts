@@ -121,6 +121,16 @@ export class Tape {
     return character < this.size ? this.native.calls.recordingUs(character) : 0;
   }
 
+  // Returns the first character that is not complete before then.
+  find(us: number): number {
+    let [low, high] = [0, this.size];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      [low, high] = this.timeOf(middle) < us ? [middle + 1, high] : [low, middle];
+    }
+    return low;
+  }
+
   // Takes the next part of the flight. Returns true once that was the last one.
   flightPart(): boolean {
     return this.native.calls.flightPart() !== 0;

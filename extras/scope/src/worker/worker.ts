@@ -102,6 +102,7 @@ class Playing {
   private knowsFlight = false;
   private search?: Search;
   private comparing?: { id: number; other: Tape; next: number };
+  private previewed = 0; // the newest seek whose place was shown before it was decoded
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
   private waking = (): void => undefined;
 
@@ -155,6 +156,8 @@ class Playing {
       const { wanted } = this;
       if (wanted?.kind === 'seek' && (this.index.isComplete || this.index.us >= wanted.us)) {
         this.seek(wanted.id, wanted.us);
+      } else if (wanted?.kind === 'seek' && this.previewed !== wanted.id) {
+        this.preview(wanted.id, wanted.us);
       } else if (wanted?.kind === 'seek') {
         progress(this.index.us / wanted.us);
         this.index.work();
@@ -236,6 +239,20 @@ class Playing {
     this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
   }
 
+  // Shows a place that is not decoded yet, by a decoder that begins a little before it. Without a frame since, it would say that
+  // there never was one.
+  private preview(id: number, us: number): void {
+    const { module, tape } = this;
+    this.previewed = id;
+    const decoder = new Decoder(module, tape, tape.find(us - shownUs));
+    const records: Uint8Array[] = [new Uint8Array()];
+    decoder.advance(us, (part) => records.push(part));
+    const picture = pictureOf(decoder, id, true, records);
+    if (picture.status.frames + picture.status.rows > 0) {
+      answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
+    }
+  }
+
   private toFault({ id, us, at, only, back }: Extract<Request, { kind: 'fault' }>): void {
     const { index } = this;
     const { faults, isComplete, endUs } = index;
@@ -298,13 +315,16 @@ class Playing {
   }
 
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
-    const { us, calls, reader } = this.player;
-    const status = reader.status(us);
-    const travel = Array.from({ length: channels }, (_, i) => reader.travel(i));
-    const recorded = reader.words(calls.takeRecorded());
-    const telemetry = reader.telemetry(us);
-    return { kind: 'picture', id, jumped, us, status, travel, telemetry, records, recorded, faults: this.index.faults.at(us) };
+    return { ...pictureOf(this.player, id, jumped, records), faults: this.index.faults.at(this.player.us) };
   }
+}
+
+function pictureOf({ us, calls, reader }: Decoder, id: number, jumped: boolean, records: Uint8Array[]): Picture {
+  const status = reader.status(us);
+  const travel = Array.from({ length: channels }, (_, i) => reader.travel(i));
+  const recorded = reader.words(calls.takeRecorded());
+  const telemetry = reader.telemetry(us);
+  return { kind: 'picture', id, jumped, us, status, travel, telemetry, records, recorded, faults: 0 };
 }
 
 const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
