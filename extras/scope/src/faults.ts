@@ -45,7 +45,7 @@ export interface FaultMap {
 // A part of a recording: from and to, in us; the share of its frames that was lost, 0..1; and what there was, a FlightKind.
 export type FlightPart = [number, number, number, number];
 
-// A whole recording, as sbus summary has it: wasm/Report.cpp.
+// A whole recording, as sbus summary has it: wasm/Flight.cpp.
 export interface Flight {
   severity: number; // line::FlightVerdict::Severity
   text: string;
