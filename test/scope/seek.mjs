@@ -80,16 +80,15 @@ export default async function () {
     }
   }, { patience: 200000 });
 
-  // Drops a file onto the page: this many frames, then `end`.
+  // Drops a file onto the page.
+  const dropLines = (page, name, lines) => page.evaluate(([called, parts]) => {
+    dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File(parts, called)] } }));
+  }, [name, lines]);
+  // This many frames, then `end`.
   const drop = (page, name, count, end = '') => page.evaluate(([called, frames, line, last]) => {
     const parts = Array.from({ length: frames }, (_, i) => `${9000 * (i + 1)} ${line}`);
-    fake.titles = [];
-    fake.watching?.disconnect();
-    fake.watching = new MutationObserver(() => fake.titles.push(document.querySelector('#title').textContent));
-    fake.watching.observe(document.querySelector('#title'), { childList: true });
     dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File([...parts, last], called)] } }));
   }, [name, count, recorded(9000, frame([1000])).slice(5), end]);
-  const titles = (page) => page.evaluate(() => fake.titles);
 
   await check('the running source continues while a file is read, and choosing another source ends the reading', async (page) => {
     await page.evaluate(() => { // the simulation is chosen as soon as the page says that it reads
@@ -147,6 +146,20 @@ export default async function () {
     assert.match(early.at(-1) ?? 'nothing', /^Recording long\.txt \(decoding up to this position: \d+ %\), 1000, Fine, …, …, true$/);
     await reads(page, '#title', 'Recording long.txt');
     await reads(page, '#gap', '9.0 ms');
+  });
+
+  await check('rows of CSV that are not decoded yet are not shown: the names before the first row tell what they are', async (page) => {
+    await dropLines(page, 'rows.csv', ['CH1,CH2,CH3,CH4,CH5,CH6\n', ...Array(300001).fill('1000,992,172,992,1,1\n')]);
+    await reads(page, '#title', /^Recording rows\.csv/);
+    await page.evaluate(() => {
+      fake.states = [];
+      new MutationObserver(() => fake.states.push(document.querySelector('#state').textContent)).observe(document.body, { subtree: true, childList: true, characterData: true });
+    });
+    await toEnd(page);
+    await counts(page, 'rows', '300\u202f000');
+    const states = new Set(await page.evaluate(() => fake.states));
+    states.delete('Never seen'); // before the first row
+    assert.deepEqual([...states], ['Fine']);
   });
 
   await check('a browser that starts no worker: a notice says so', async (page) => {

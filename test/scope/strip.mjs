@@ -199,7 +199,7 @@ export default async function () {
   ]) {
     await check(`a recording that ends with ${what}: ${expectedText}`, async (page) => {
       const ends = path.join(build, 'ends.txt');
-      writeFileSync(ends, Array.from({ length: 20 }, (_, i) => recorded(10000 * (i + 1), frame([1000]))).join('') + `210000 ${last}\n`);
+      writeFileSync(ends, `${Array.from({ length: 20 }, (_, i) => recorded(10000 * (i + 1), frame([1000]))).join('')}210000 ${last}\n`);
       await play(page, ends);
       await decoded(page);
       assert.deepEqual(await page.$$eval('#fault-counts li', (items) => items.filter(({ hidden }) => !hidden).map(({ textContent }) => textContent)),

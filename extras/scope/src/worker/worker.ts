@@ -239,8 +239,8 @@ class Playing {
     this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
   }
 
-  // Shows a place that is not decoded yet, by a decoder that begins a little before it. Without a frame since, it would say that
-  // there never was one.
+  // Shows a place that is not decoded yet, by a decoder that begins a little before it. Only with a frame: else it would say that
+  // there never was one, or misread the columns of rows: their names come first.
   private preview(id: number, us: number): void {
     const { module, tape } = this;
     this.previewed = id;
@@ -248,7 +248,7 @@ class Playing {
     const records: Uint8Array[] = [new Uint8Array()];
     decoder.advance(us, (part) => records.push(part));
     const picture = pictureOf(decoder, id, true, records);
-    if (picture.status.frames + picture.status.rows > 0) {
+    if (picture.status.frames > 0) {
       answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
     }
   }
