@@ -276,7 +276,7 @@ export class Curves {
         width: Math.max(this.root.clientWidth, 200),
         height: this.root.clientHeight,
         legend: { show: false },
-        padding: [8, 4, 0, 0],
+        padding: [8, 24, 0, 0],
         scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] },
           ...Object.fromEntries(others.map((each) => [scaleOf(each), { auto: false, range: (): [number, number] => [each.low, each.high] }])) },
         axes: [

@@ -142,7 +142,7 @@ export class SecondView {
         width: Math.max(this.root.clientWidth, 200),
         height: this.root.clientHeight,
         legend: { show: false },
-        padding: [8, 4, 0, 0],
+        padding: [8, 24, 0, 0],
         scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] } },
         axes: [
           { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+tick.toFixed(2)} s`)) },

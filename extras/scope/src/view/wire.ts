@@ -162,7 +162,7 @@ export class WireView {
         width: Math.max(this.root.clientWidth, 200),
         height: this.root.clientHeight,
         legend: { show: false },
-        padding: [8, 4, 0, 4],
+        padding: [8, 36, 0, 36],
         scales: { x: { time: false, auto: false }, y: { auto: false, range: [-0.9, 1.15] } },
         axes: [
           {
