@@ -26,7 +26,7 @@ using Kind = line::Stretch::Kind;
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Playback::RealTime),
+      : source(subcommand, Playback::RealTime, Rows::Rejected),
         rules(subcommand),
         failsafe(subcommand),
         trainer(subcommand),
@@ -186,11 +186,9 @@ void run(Options &options) {
   if (!options.second.empty()) {
     second.emplace(options.source, options.second);
   }
-  options.source.rejectRows();
   Receiver first(options.source);
   std::optional<Receiver> other;
   if (second) {
-    second->rejectRows();
     other.emplace(*second);
   }
   if (options.to == "-") {
