@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options/Subcommand.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -15,7 +16,11 @@ class PartOption {
   void addTo(Subcommand &subcommand) {
     constexpr double YearS = 366.0 * 24 * 60 * 60;
     _options = {subcommand.option("--from", _from, "begin at this time in a file").between(0, YearS).type("S"),
-                subcommand.option("--to", _to, "end at this time in a file").seconds().type("S")};
+                subcommand
+                    .option(
+                        "--to", [this](double to) { setTo(to); }, "end at this time in a file")
+                    .seconds()
+                    .type("S")};
   }
 
   uint64_t fromUs() const { return static_cast<uint64_t>(_from * 1e6); }
@@ -37,6 +42,14 @@ class PartOption {
   }
 
  private:
+  // Comes after --from, whatever their order on the command line.
+  void setTo(double to) {
+    _to = to;
+    if (_to <= _from) {
+      rejectCommandLine(line::format("--to: a time after --from, %.10g, is expected, not %.10g", _from, _to));
+    }
+  }
+
   double _from = 0;
   double _to = 0;
   std::vector<Option> _options;
