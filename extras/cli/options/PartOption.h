@@ -1,6 +1,7 @@
 // --from and --to on the command line: a part of a file.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,9 +24,9 @@ class PartOption {
                     .type("S")};
   }
 
-  uint64_t fromUs() const { return static_cast<uint64_t>(_from * 1e6); }
+  uint64_t fromUs() const { return static_cast<uint64_t>(std::llround(_from * 1e6)); }
   // Returns 0 without an end.
-  uint64_t toUs() const { return static_cast<uint64_t>(_to * 1e6); }
+  uint64_t toUs() const { return static_cast<uint64_t>(std::llround(_to * 1e6)); }
 
   // Returns true if a character that ends then is in the part.
   bool has(int64_t endUs) const {
