@@ -33,6 +33,11 @@ std::string nameOf(line::CsvKind kind, size_t column) {
   return "CH" + std::to_string(column + 1);
 }
 
+// Returns true for an empty line or a comment.
+bool isNothing(std::string_view text) {
+  return line::withoutBlanks(text).empty() || text.front() == '#';
+}
+
 bool isFlag(double value) {
   return value == 0 || value == 1;
 }
@@ -70,7 +75,7 @@ std::vector<std::string> TableRows::defaultNames() const {
 
 std::string TableRows::line(std::string_view text) {
   _isRow = false;
-  if (line::withoutBlanks(text).empty() || text.front() == '#') {
+  if (isNothing(text)) {
     return {};
   }
   for (const char letter : text) {
@@ -87,6 +92,11 @@ std::string TableRows::line(std::string_view text) {
   }
   const std::string wrong = takeNames(isHeader ? names : defaultNames());
   return wrong.empty() && !isHeader ? takeRow(_parser.row()) : wrong;
+}
+
+std::string TableRows::cutLine(std::string_view text) {
+  _isRow = false;
+  return isNothing(text) ? "" : "the file may be cut within this row: a line end is expected after it";
 }
 
 std::string TableRows::takeNames(const std::vector<std::string> &names) {

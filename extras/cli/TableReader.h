@@ -45,6 +45,10 @@ class TableRows {
   // Takes the next line. Returns what is wrong with it, or nothing. Afterwards isRow() tells whether it was a row.
   std::string line(std::string_view text);
 
+  // Takes the last line, if it has no LF. A row is wrong, since the text may be cut within it: 99 of 992 is a value
+  // too.
+  std::string cutLine(std::string_view text);
+
   bool isRow() const { return _isRow; }
   const TableRow &row() const { return _row; }
 
@@ -87,6 +91,9 @@ class TableReader : public LineReader {
   explicit TableReader(const line::LineSettings &settings) : _characterUs(settings.characterUs()) {}
 
   std::string line(std::string_view text, std::deque<line::Character> &characters) override;
+  std::string cutLine(std::string_view text, std::deque<line::Character> & /*characters*/) override {
+    return _rows.cutLine(text);
+  }
   std::string finish() override { return _any ? "" : "has no rows; rows as sbus csv prints them are expected"; }
 
  private:

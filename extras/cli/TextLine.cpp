@@ -73,6 +73,7 @@ bool TextLines::take(std::string &line) {
   line = _text.substr(_at, end == std::string::npos ? end : end - _at);
   _at = end == std::string::npos ? _text.size() : end + 1;
   _number++;
+  _isCut = end == std::string::npos;
   return true;
 }
 
@@ -184,7 +185,7 @@ void TextLine::read() {
 
 void TextLine::take(const std::string &line) {
   const size_t from = _waiting.size();
-  const std::string wrong = _reader->line(line, _waiting);
+  const std::string wrong = _lines.isCut() ? _reader->cutLine(line, _waiting) : _reader->line(line, _waiting);
   keepPart(from);
   if (!wrong.empty()) {
     _failure = _name + ":" + std::to_string(_lines.number()) + ": " + wrong;

@@ -22,6 +22,11 @@ class LineReader {
   // Takes the next line, without its LF, and appends its characters. Returns what is wrong with it, or nothing.
   virtual std::string line(std::string_view text, std::deque<line::Character> &characters) = 0;
 
+  // Takes the last line, if it has no LF: the text may be cut within it. Returns the same.
+  virtual std::string cutLine(std::string_view text, std::deque<line::Character> &characters) {
+    return line(text, characters);
+  }
+
   // Takes the end of the text. Returns what is missing, or nothing.
   virtual std::string finish() = 0;
 };
@@ -87,6 +92,9 @@ class TextLines {
   // Takes the next whole line, without its LF; the last line may lack one. Returns false if there is no line yet.
   bool take(std::string &line);
 
+  // Returns true if the last line taken had no LF.
+  bool isCut() const { return _isCut; }
+
   // Returns the number of the last line taken, counted from 1.
   unsigned long number() const { return _number; }
 
@@ -98,6 +106,7 @@ class TextLines {
   std::string _text;
   size_t _at = 0;  // the first character not yet taken
   unsigned long _number = 0;
+  bool _isCut = false;
   bool _atEnd = false;
 };
 

@@ -87,6 +87,8 @@ CH1,CH33\n1,2\n|:1: "CH33" is not a column of sbus csv; there are CH1 to CH32, f
 CH1,CH19\n1,2\n|:1: CH19: a line ends at CH18, CH24 or CH32
 CH1,CH2,ch1\n1,2,3\n|:1: "ch1" is the name of two columns; leave one of them out
 seconds,time,CH1\n1,2,3\n|:1: "time" is the name of two columns; leave one of them out
+CH1,CH2\n1,2\n3,4|:3: the file may be cut within this row: a line end is expected after it
+time,CH1\n1,2\n1.1,99|:3: the file may be cut within this row: a line end is expected after it
 CH1,CH2\n1,2\n3\n|:3: has 1 fields; 2 are expected
 CH1\n2048\n|:2: "2048" is not a value for column 1; 0 to 2047 is expected
 CH1\n1.5\n|:2: "1.5" is not a value for column 1; 0 to 2047 is expected

@@ -81,6 +81,29 @@ done
 [ $? -eq 1 ] && [ ! -s "$work/out" ]
 verdict $? "rows of frames that end in the first one are an error: $(cat "$work/err")"
 
+# ---- The end of a table: 99 may be a part of 992
+
+"$SBUS" csv "$work/16.txt" --every-frame --header --columns time,ch1-ch16 --to 1 >"$work/whole.csv"
+awk -F, 'NR > 1 { print $1 }' "$work/whole.csv" | sed '$d' >"$work/wanted"
+head -c -2 "$work/whole.csv" >"$work/cut.csv"
+head -c -1 "$work/whole.csv" >"$work/no-end.csv"
+(cat "$work/whole.csv"; printf '#') >"$work/comment.csv"
+for file in cut no-end; do
+  for source in "$work/$file.csv" -; do
+    "$SBUS" csv "$source" --every-frame --columns time <"$work/$file.csv" 2>"$work/err" | cmp - "$work/wanted" &&
+      grep -qxF "sbus csv: $source:$(wc -l <"$work/whole.csv"): the file may be cut within this row: a line end is expected after it" "$work/err" || { cat "$work/err"; false; }
+    verdict $? "a last row without a line end is no frame, but an error: $file.csv as ${source##*/}"
+    cat "$work/$file.csv" | "$SBUS" csv - --every-frame --columns time 2>"$work/err" | cmp - "$work/wanted"
+    verdict $? "a last row without a line end is no frame: $file.csv through a pipe"
+  done
+done
+[ "$("$SBUS" csv "$work/comment.csv" --every-frame --columns time 2>"$work/err" | wc -l)" -eq $(($(wc -l <"$work/wanted") + 1)) ] && [ ! -s "$work/err" ]
+verdict $? "a comment needs no line end"
+printf 'CH1,CH2\n1,992\n2,992\n3,99' >"$work/sketch.csv"
+"$SBUS" monitor "$work/sketch.csv" --simulated-time >"$work/out" && grep -q ' ok  2 992 ' "$work/out" && ! grep -q ' 3 99 ' "$work/out" &&
+  "$SBUS" record "$work/sketch.csv" - 2>"$work/err" | grep -c ,99 | grep -qx 2
+verdict $? "a sketch's last row without a line end is not shown, and not recorded"
+
 # ---- While it is being written: each frame has passed all stages before the next one is sent
 
 live() {  # WHAT STAGES: from a pseudo-terminal, through STAGES, to csv

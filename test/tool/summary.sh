@@ -136,6 +136,11 @@ for file in sim.txt sim.vcd; do
     "$SBUS" csv "$work/$file" --columns time,ch1-ch18,failsafe --from 9.3 --to 10.7 | awk -F, '$1 > 9.5 && $1 <= 10.7' | cmp - "$work/wanted"
   verdict $? "csv --from --to of $file has the frames of that time"
 done
+# 1.001 times 1e6 is less than 1001000 in floating point.
+awk 'BEGIN { for (us = 1001000; us < 1100000; us += 9000) printf "{\"type\":\"frame\",\"time_us\":%d,\"channels\":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]}\n", us }' >"$work/even.json"
+"$SBUS" hex "$work/even.json" | awk '{ print $1 }' >"$work/wanted"
+while read -r time; do "$SBUS" hex "$work/even.json" --to "$time" | awk 'END { print $1 }'; done <"$work/wanted" | cmp - "$work/wanted" && has_lines 11 "$work/wanted"
+verdict $? "--to with a time that hex prints includes the frame of that time"
 "$SBUS" summary "$work/sim.txt" --from 5 --seconds 1 | grep -qE '^frames +5\.0[0-9]* s to 5\.99[0-9] s$' &&
   "$SBUS" summary "$work/sim.txt" --to 1 | grep -qE '^frames +0\.0[0-9]* s to 0\.99[0-9] s$'
 verdict $? "--from with --seconds, and --to alone, take a part of a file"

@@ -1,11 +1,13 @@
 // --from and --to on the command line: a part of a file.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "cli/options/Subcommand.h"
+#include "line/Format.h"
 
 namespace tool {
 
@@ -15,12 +17,16 @@ class PartOption {
   void addTo(Subcommand &subcommand) {
     constexpr double YearS = 366.0 * 24 * 60 * 60;
     _options = {subcommand.option("--from", _from, "begin at this time in a file").between(0, YearS).type("S"),
-                subcommand.option("--to", _to, "end at this time in a file").seconds().type("S")};
+                subcommand
+                    .option(
+                        "--to", [this](double to) { setTo(to); }, "end at this time in a file")
+                    .seconds()
+                    .type("S")};
   }
 
-  uint64_t fromUs() const { return static_cast<uint64_t>(_from * 1e6); }
+  uint64_t fromUs() const { return static_cast<uint64_t>(std::llround(_from * 1e6)); }
   // Returns 0 without an end.
-  uint64_t toUs() const { return static_cast<uint64_t>(_to * 1e6); }
+  uint64_t toUs() const { return static_cast<uint64_t>(std::llround(_to * 1e6)); }
 
   // Returns true if a character that ends then is in the part.
   bool has(int64_t endUs) const {
@@ -37,6 +43,14 @@ class PartOption {
   }
 
  private:
+  // Comes after --from, whatever their order on the command line.
+  void setTo(double to) {
+    _to = to;
+    if (_to <= _from) {
+      rejectCommandLine(line::format("--to: a time after --from, %.10g, is expected, not %.10g", _from, _to));
+    }
+  }
+
   double _from = 0;
   double _to = 0;
   std::vector<Option> _options;

@@ -52,13 +52,13 @@ bool isValue(const std::string &word) {
 
 }  // namespace
 
-SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Words words, const char *name) {
+SourceOption::SourceOption(Subcommand &subcommand, Playback playback, Rows rows, const char *name) {
   _given.playback = playback;
+  _given.rows = rows;
   constexpr const char *What = "a serial port, a file, - for standard input, sim, or values such as ch3=172,ch5=on";
-  (words == Words::One ? subcommand.option(name, _word, What).notEmpty() : subcommand.option(name, _words, What))
+  (rows == Rows::Sent ? subcommand.option(name, _words, What) : subcommand.option(name, _word, What).notEmpty())
       .required()
       .type("");
-  _sendsFrames = words == Words::Several;
   subcommand.option("--baud", _given.baud, "the line's baud rate: 200000 for Fast S.Bus (a recording's own, or 100000)")
       .oneOf({100000, 200000})
       .type("100000|200000");
@@ -177,7 +177,7 @@ line::LineSettings SourceOption::settings() const {
   if (_given.csv.given()) {
     return line::csvSettings();
   }
-  if (isFile() && !(_sendsFrames && file().kind == FileKind::Rows)) {
+  if (isFile() && !(_given.rows == Rows::Sent && file().kind == FileKind::Rows)) {
     return file().settings;
   }
   line::LineSettings settings;
@@ -206,7 +206,7 @@ void SourceOption::rejectEmpty() const {
 }
 
 void SourceOption::rejectRows() const {
-  if (isFile() ? file().kind == FileKind::Rows : isStream() && _pipe->hasRows()) {
+  if (_given.rows == Rows::Rejected && (isFile() ? file().kind == FileKind::Rows : isStream() && _pipe->hasRows())) {
     throw std::runtime_error(name() +
                              ": these are rows of CSV, but no frames: a time, all of CH1 to CH16, CH24 or CH32 as raw "
                              "values from 0 to 2047, and rows at most 50 ms apart are expected; sbus monitor shows "
@@ -262,6 +262,7 @@ const FileSource &SourceOption::file() const {
 }
 
 std::unique_ptr<Input> SourceOption::open(const line::LineSettings &port) const {
+  rejectRows();
   const Kind kind = parsed().kind;
   const bool atOnce = _given.simulatedTime.given() || (kind == Kind::File && _given.playback != Playback::RealTime);
   auto input = std::make_unique<Input>(openLine(port), port, atOnce ? Input::Pace::AtOnce : Input::Pace::RealTime,
@@ -333,7 +334,7 @@ std::unique_ptr<line::Line> SourceOption::openText() const {
 std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &port) const {
   const FileSource &read = file();
   std::unique_ptr<line::Line> line;
-  if (read.kind == FileKind::Rows && _sendsFrames && !_given.csv.given()) {
+  if (read.kind == FileKind::Rows && _given.rows == Rows::Sent && !_given.csv.given()) {
     return std::make_unique<RepeatedFrames>(name(), std::make_unique<FileText>(read.path, name()), _given.periodUs,
                                             settings().characterUs(), _given.part.fromUs(), _given.part.toUs());
   }
@@ -342,7 +343,7 @@ std::unique_ptr<line::Line> SourceOption::openFile(const line::LineSettings &por
   } else {
     line = openText();
   }
-  if (read.isLate && _sendsFrames) {
+  if (read.isLate && _given.rows == Rows::Sent) {
     return std::make_unique<line::RestoredLine>(std::move(line), read.settings.characterUs());
   }
   if (!isWire()) {

@@ -20,14 +20,14 @@ namespace tool {
 // How a file is read: in real time; as fast as possible; or as fast as possible, and several times.
 enum class Playback { RealTime, AtOnce, Repeatable };
 
-// How many words a source may have. Several is for a subcommand that sends values such as ch3=172 ch5=on; it also takes
-// values from rows of CSV.
-enum class Words { One, Several };
+// What a subcommand does with rows of CSV that are no frames. Sent: as values, which may also be several words such as
+// ch3=172 ch5=on.
+enum class Rows { Shown, Sent, Rejected };
 
 class SourceOption {
  public:
   // Adds SOURCE, or an argument with another `name`, and its options to a subcommand.
-  SourceOption(Subcommand &subcommand, Playback playback, Words words = Words::One, const char *name = "SOURCE");
+  SourceOption(Subcommand &subcommand, Playback playback, Rows rows = Rows::Shown, const char *name = "SOURCE");
   // A second source, named by another option or argument, with the options of `first`. Create it after the command line
   // has been read.
   SourceOption(const SourceOption &first, const std::string &word);
@@ -56,9 +56,6 @@ class SourceOption {
   // Throws std::runtime_error if it is a pipe that has ended without a byte.
   void rejectEmpty() const;
 
-  // Throws std::runtime_error if it is rows of CSV that are not frames: for a subcommand that needs frames.
-  void rejectRows() const;
-
   // Returns true if the levels are known, so a port of either polarity can receive them: sim, recordings, captures.
   bool isWire() const;
   // Returns true if its times are the line's; false for a file of bytes and for a pipe's bytes.
@@ -79,6 +76,7 @@ class SourceOption {
   // The command line's options, which two sources share.
   struct Given {
     Playback playback = Playback::RealTime;
+    Rows rows = Rows::Shown;
     unsigned long baud = 0;  // 0: not given
     double seconds = 0;
     Option csv;
@@ -108,9 +106,9 @@ class SourceOption {
   std::unique_ptr<line::Line> openText() const;
   std::unique_ptr<line::Line> openOnce(const line::LineSettings &port) const;
   void rejectOptions(const Parsed &parsed) const;
+  void rejectRows() const;
   static void rejectDisturbing(const Parsed &parsed, const char *what);
 
-  bool _sendsFrames = false;
   Given _given;
   std::vector<std::string> _words;
   std::string _word;

@@ -1,6 +1,8 @@
 // sbus bridge: changes each accepted frame and forwards it: trainer, two receivers, hardware-in-the-loop tests.
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -26,7 +28,7 @@ using Kind = line::Stretch::Kind;
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Playback::RealTime),
+      : source(subcommand, Playback::RealTime, Rows::Rejected),
         rules(subcommand),
         failsafe(subcommand),
         trainer(subcommand),
@@ -131,11 +133,17 @@ class Bridge {
     return chosen;
   }
 
+  // The end of a file or a pipe is no silence of the line.
+  bool haveEnded() const {
+    return std::all_of(std::begin(_receivers), std::end(_receivers),
+                       [](const Receiver *receiver) { return receiver == nullptr || receiver->input->hasEnded(); });
+  }
+
   // While no frames arrive, sends the newest values with both flags, like a receiver without a link. Returns true if
   // it has to.
   bool fill(uint64_t nowUs) {
     line::Observer &observer = _receivers[chosen(nowUs)]->observer;
-    if (observer.newest().count == 0 || observer.state(nowUs) != sbus::LinkState::Stale) {
+    if (observer.newest().count == 0 || observer.state(nowUs) != sbus::LinkState::Stale || haveEnded()) {
       return false;
     }
     if (nowUs >= _sentUs + FillUs) {
@@ -186,11 +194,9 @@ void run(Options &options) {
   if (!options.second.empty()) {
     second.emplace(options.source, options.second);
   }
-  options.source.rejectRows();
   Receiver first(options.source);
   std::optional<Receiver> other;
   if (second) {
-    second->rejectRows();
     other.emplace(*second);
   }
   if (options.to == "-") {

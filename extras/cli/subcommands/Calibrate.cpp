@@ -61,7 +61,6 @@ void run(const SourceOption &source, const std::string &name) {
   if (source.name() == "-") {
     rejectCommandLine("-: standard input is where Enter is pressed; name a port or a file");
   }
-  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   // The file is opened first: if it cannot be written, the user learns it before moving the sticks.
   bool isOpen = false;
@@ -84,7 +83,7 @@ void run(const SourceOption &source, const std::string &name) {
 
 void addCalibrate(CLI::App &app) {
   Subcommand subcommand(app, "calibrate", "measures the ends and the centre of each channel, for joystick");
-  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime, Rows::Rejected);
   const auto name = std::make_shared<std::string>();
   subcommand.option("FILE", *name, "the file to write; an existing file is not overwritten; - is standard output")
       .required()

@@ -16,7 +16,7 @@ namespace tool {
 namespace {
 
 struct Options {
-  explicit Options(Subcommand &subcommand) : a(subcommand, Playback::AtOnce, Words::One, "A") {}
+  explicit Options(Subcommand &subcommand) : a(subcommand, Playback::AtOnce, Rows::Rejected, "A") {}
 
   SourceOption a;
   std::string b;
@@ -26,7 +26,7 @@ struct Options {
 class Compared {
  public:
   Compared(const SourceOption &source, size_t side, line::Aligner &aligner)
-      : _input(open(source)),
+      : _input(source.open()),
         _silence(source.name(), "frames", source.isFile()),
         _line(side, _input->settings().characterUs(), aligner) {
     if (!source.hasTimes()) {
@@ -55,11 +55,6 @@ class Compared {
 
  private:
   static constexpr uint64_t LateMostUs = 1000000;
-
-  static std::unique_ptr<Input> open(const SourceOption &source) {
-    source.rejectRows();
-    return source.open();
-  }
 
   const std::unique_ptr<Input> _input;
   SilenceNote _silence;

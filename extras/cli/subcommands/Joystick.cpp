@@ -143,7 +143,6 @@ State stateOf(const line::Values &values, const Map &map, const ChannelRanges &r
 }
 
 void run(const SourceOption &source, const Options &options) {
-  source.rejectRows();
   const ChannelRanges ranges = rangesOf(options);
   const Map map = mapOf(options.map);
   const State rest = stateOf(valuesAtRest(options, map, ranges), map, ranges);
@@ -190,7 +189,7 @@ void run(const SourceOption &source, const Options &options) {
 
 void addJoystick(CLI::App &app) {
   Subcommand subcommand(app, "joystick", "creates a game controller that moves like the transmitter's sticks");
-  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::RealTime, Rows::Rejected);
   const auto options = std::make_shared<Options>();
   options->range = std::make_unique<RangeOption>(subcommand);
   subcommand

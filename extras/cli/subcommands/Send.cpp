@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   explicit Options(Subcommand &subcommand)
-      : source(subcommand, Playback::RealTime, Words::Several), sending(subcommand), range(subcommand) {}
+      : source(subcommand, Playback::RealTime, Rows::Sent), sending(subcommand), range(subcommand) {}
 
   SourceOption source;
   Sending sending;

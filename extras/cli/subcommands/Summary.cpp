@@ -131,7 +131,6 @@ std::string html(const line::FlightLog &flight, const SourceOption &source) {
 }
 
 void run(const SourceOption &source, const Options &options) {
-  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   line::FlightLog flight(input->settings().characterUs());
   SilenceNote silence(source.name(), "frames", source.isFile());
@@ -171,7 +170,7 @@ void run(const SourceOption &source, const Options &options) {
 
 void addSummary(CLI::App &app) {
   Subcommand subcommand(app, "summary", "summarises a flight: failsafe and loss periods, intervals between frames");
-  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce, Rows::Rejected);
   const auto options = std::make_shared<Options>();
   const Option json = subcommand.flag("--json", options->json, "JSON lines");
   options->html =

@@ -90,7 +90,6 @@ class TelemetryView {
 };
 
 void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool asJson) {
-  source.rejectRows();
   const std::unique_ptr<Input> input = source.open();
   if (asJson) {
     write(source.json().line());
@@ -109,7 +108,7 @@ void run(const SourceOption &source, const line::SensorsBySlot &sensors, bool as
 
 void addTelemetry(CLI::App &app) {
   Subcommand subcommand(app, "telemetry", "prints the sensors of an S.BUS2 line as CSV");
-  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce);
+  const auto source = std::make_shared<SourceOption>(subcommand, Playback::AtOnce, Rows::Rejected);
   const auto sensors = std::make_shared<SensorOption>(subcommand);
   const auto json = std::make_shared<bool>(false);
   subcommand.flag("--json", *json, "JSON lines, one per slot");

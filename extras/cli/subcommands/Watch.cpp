@@ -22,7 +22,7 @@ namespace tool {
 namespace {
 
 struct Options {
-  explicit Options(Subcommand &subcommand) : source(subcommand, Playback::AtOnce), range(subcommand) {}
+  explicit Options(Subcommand &subcommand) : source(subcommand, Playback::AtOnce, Rows::Rejected), range(subcommand) {}
 
   SourceOption source;
   RangeOption range;
@@ -78,9 +78,8 @@ line::Condition conditionOf(const Options &options) {
 void run(const Options &options) {
   const SourceOption &source = options.source;
   const line::Condition condition = conditionOf(options);
-  source.rejectRows();
-  const EventFiles files(options.folder, options.keep, static_cast<uint64_t>(options.mostMb * 1e6));
   const std::unique_ptr<Input> input = source.open();
+  const EventFiles files(options.folder, options.keep, static_cast<uint64_t>(options.mostMb * 1e6));
   if (options.json) {
     write(source.json().line());
     flush();
