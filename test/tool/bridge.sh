@@ -248,13 +248,13 @@ for raw in range(200):
 # shellcheck disable=SC2002  # a pipe
 [ "$(cat "$work/bytes.bin" | timeout 60 "$SBUS" bridge - - 2>"$work/err" | rows | grep -c ' 0 0$')" -eq 200 ]
 verdict $? "all frames in bytes that a pipe delivers at once are sent"
-# ended SECONDS ARGUMENTS...: counts the frames without and with failsafe of $work/bytes.bin or $work/frames.json, through a
-# pipe that stays open for so long
+# ended SECONDS FILE ARGUMENTS...: counts the frames without and with failsafe of $work/bytes.bin or $work/frames.json, through
+# a pipe that stays open for so long; with 0, it has ended before it is read, also on a busy PC
 ended() {
   seconds=$1
   file=$2
   shift 2
-  (cat "$work/$file"; sleep "$seconds") | timeout 60 "$SBUS" bridge - - "$@" 2>"$work/err" | rows | cut -d' ' -f20 | sort | uniq -c |
+  (cat "$work/$file"; sleep "$seconds") | { [ "$seconds" -gt 0 ] || sleep 1; timeout 60 "$SBUS" bridge - - "$@" 2>"$work/err"; } | rows | cut -d' ' -f20 | sort | uniq -c |
     awk '{ n[$2] = $1 } END { print n[0] + 0, n[1] + 0 }'
 }
 head -n 50 "$work/gap.json" >"$work/frames.json"
