@@ -145,8 +145,10 @@ class Playing {
   // Decodes with other sensors. A seek follows.
   private sense(sensors: Uint8Array): void {
     const { module, tape, endUs } = this;
+    const { steps } = this.player;
     tape.sensors = sensors;
     this.player = new Decoder(module, tape);
+    this.player.watchFor(steps);
     this.index = new Index(new Decoder(module, tape), tape.size, endUs);
     this.past = this.search = undefined;
   }
