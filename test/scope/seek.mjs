@@ -148,6 +148,23 @@ export default async function () {
     await reads(page, '#gap', '9.0 ms');
   });
 
+  await check('the bits that have the focus are those of the place that is shown, and so is the value', async (page) => {
+    await play(page, file);
+    await page.click('#play');
+    await seek(page, 100000);
+    await reads(page, '#position-text', /^1:40\.0 /);
+    await until('no bits', async () => (await page.locator('#bits i').count()) === 200);
+    await page.focus('#bits');
+    await page.keyboard.press('ArrowRight');
+    for (const ms of [300000, 200000]) {
+      await seek(page, ms);
+      await until('they are those of another place', async () => {
+        const [time, value, said] = await Promise.all(['#lines .time', '#bars .raw', '#bit-text'].map((where) => page.textContent(where)));
+        return Math.abs(time - ms / 1000) < 25 && said.startsWith('CH1, bit 1 ') && said.includes(` CH1 = ${value} `);
+      });
+    }
+  });
+
   await check('rows of CSV that are not decoded yet are not shown: the names before the first row tell what they are', async (page) => {
     await dropLines(page, 'rows.csv', ['CH1,CH2,CH3,CH4,CH5,CH6\n', ...Array(300001).fill('1000,992,172,992,1,1\n')]);
     await reads(page, '#title', /^Recording rows\.csv/);
