@@ -10,6 +10,8 @@ const places = 25;
 const lengthMs = 400000; // longer than the history
 const counters = ['frames', 'lostFrames', 'failsafeFrames', 'rejectedByEnd', 'rejectedByFlags', 'rejectedByLength', 'discardedBytes',
   'resyncs', 'characterErrors'];
+// What does not count from the beginning.
+const ofNow = ['state', 'showsLostFrame', 'showsFailsafe', 'ageUs', 'framesPerSecond', 'lateUs', 'quietUs', 'finding'];
 
 function random(seed) {
   let state = seed;
@@ -80,6 +82,40 @@ export default async function () {
     }
   }, { patience: 200000 });
 
+  await check(`at ${places} places that are not decoded yet, seed ${seed}, the first picture has the frames and the state of the one that follows it`, async (page) => {
+    await page.evaluate(() => {
+      fake.jumps = [];
+      globalThis.Worker = class extends Worker {
+        constructor(...of) {
+          super(...of);
+          fake.worker = this;
+          this.addEventListener('message', ({ data }) => data.jumped && fake.jumps.push(data));
+        }
+      };
+    });
+    const few = path.join(build, 'few.txt');
+    writeFileSync(few, text.replaceAll(' 2f ', ' 2e ')); // a header 2F makes 32 channels of 16, from there on
+    await play(page, few);
+    await page.click('#play');
+    let some = 0;
+    for (let i = 0; i < places; i++) {
+      const ms = 60000 + Math.floor(next() * (lengthMs - 60000));
+      await page.evaluate(() => {
+        fake.jumps = [];
+        fake.worker.postMessage({ kind: 'sensors', sensors: new Uint8Array(2) }); // decodes from the beginning once more
+      });
+      await seek(page, ms);
+      await until('it is not decoded', () => page.evaluate(() => fake.jumps.some(({ isPreview }) => !isPreview)));
+      const [first, whole] = await page.evaluate((names) => [true, false].map((isFirst) => {
+        const { us, status, telemetry, records: [, ...since] } = fake.jumps.find(({ isPreview }) => Boolean(isPreview) === isFirst) ?? { records: [] };
+        return status && { us, telemetry, ...Object.fromEntries(names.map((name) => [name, status[name]])), bytes: since.map(String).join() };
+      }), ofNow);
+      assert.deepEqual(first ?? whole, whole, `at ${ms} ms`);
+      some += Number(first !== undefined); // without a frame within twenty seconds there is none
+    }
+    assert.ok(some > places / 2, `${some} of ${places}`);
+  }, { patience: 200000 });
+
   // Drops a file onto the page.
   const dropLines = (page, name, lines) => page.evaluate(([called, parts]) => {
     dispatchEvent(Object.assign(new Event('drop', { cancelable: true }), { dataTransfer: { files: [new File(parts, called)] } }));
@@ -136,16 +172,69 @@ export default async function () {
         if (title.includes('decoding') && read('#lines .time') === '6300.003') {
           const gap = read('#gap') + read('#gap-ends');
           const { hidden } = document.querySelector('#bars .mark');
-          fake.early.push([title, read('#bars .raw'), read('#state'), read('[data-counter="frames"]'), gap, hidden].join(', '));
+          fake.early.push([title, read('#bars .raw'), read('#state'), read('[data-counter="frames"]'), gap, hidden, read('#quality')].join(', '));
         }
       }).observe(document.body, { subtree: true, childList: true, characterData: true });
     });
     await toEnd(page);
     await counts(page, 'frames', '700\u202f000');
     const early = await page.evaluate(() => fake.early);
-    assert.match(early.at(-1) ?? 'nothing', /^Recording long\.txt \(decoding up to this position: \d+ %\), 1000, Fine, …, …, true$/);
+    assert.match(early.at(-1) ?? 'nothing', /^Recording long\.txt \(decoding up to this position: \d+ %\), 1000, Fine, …, …, true, quality\u00a0…$/);
     await reads(page, '#title', 'Recording long.txt');
     await reads(page, '#gap', '9.0 ms');
+  });
+
+  const long = async (page) => {
+    await drop(page, 'long.txt', 700000);
+    await reads(page, '#title', /^Recording long\.txt/);
+    await page.click('#play');
+  };
+
+  for (const [what, look, said] of [
+    ['fault', '#fault-next', ['#fault-text', 'There is no other fault in this direction.']],
+    ['event', '#trigger-next', ['#trigger-text', 'No event after 6000.000 s.']],
+  ]) {
+    await check(`a place that is not decoded yet, from which no ${what} follows, is the one that is shown then`, async (page) => {
+      await long(page);
+      await page.click('#trigger-open');
+      await page.fill('#trigger-condition', 'ch1 > 1500');
+      await seek(page, 6e6);
+      await page.click(look);
+      await reads(page, ...said);
+      await page.waitForTimeout(200);
+      assert.equal(await page.textContent('#lines .time'), '5999.997');
+      assert.match(await page.textContent('#position-text'), /^100:00\.0 /);
+      await counts(page, 'frames', '666\u202f666');
+    });
+  }
+
+  await check('a recording that begins while its place is decoded has all that follows', async (page) => {
+    await long(page);
+    await seek(page, 6e6);
+    await page.click('#record');
+    await counts(page, 'frames', '666\u202f666');
+    await page.click('#play');
+    await reads(page, '#position-text', /^100:02/);
+    const { text } = await downloaded(page, '#record');
+    const rows = text.split('\n').filter((row) => /^\d/.test(row));
+    assert.ok(rows.length > 150 && parseInt(rows[0], 10) < 20000, `${rows.length} rows: ${rows[0]}`);
+  });
+
+  await check('the bits that have the focus are those of the place that is shown, and so is the value', async (page) => {
+    await play(page, file);
+    await page.click('#play');
+    await seek(page, 100000);
+    await reads(page, '#position-text', /^1:40\.0 /);
+    await until('no bits', async () => (await page.locator('#bits i').count()) === 200);
+    await page.focus('#bits');
+    await page.keyboard.press('ArrowRight');
+    for (const ms of [300000, 200000]) {
+      await seek(page, ms);
+      await until('they are those of another place', async () => {
+        const [time, value, said] = await Promise.all(['#lines .time', '#bars .raw', '#bit-text'].map((where) => page.textContent(where)));
+        return Math.abs(time - ms / 1000) < 25 && said.startsWith('CH1, bit 1 ') && said.includes(` CH1 = ${value} `);
+      });
+    }
   });
 
   await check('rows of CSV that are not decoded yet are not shown: the names before the first row tell what they are', async (page) => {

@@ -1,5 +1,6 @@
 // Telemetry of S.BUS2 on the page: its card, and slots that are neither a fault nor discarded.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { clean, fits } from './looks.mjs';
 import { check, connect, counts, downloaded, drawn, frame, reads, recorded, seek, until } from './support.mjs';
 
@@ -116,6 +117,21 @@ export default async function () {
     await fits(page);
     await clean(page);
   }, { size: { width: 360, height: 740 }, colorScheme: 'dark' });
+
+  await check('a sensor that is chosen for a recording leaves the trigger armed, and what was recorded so far is saved', async (page) => {
+    await page.setInputFiles('#file', { name: 'telemetry.txt', mimeType: 'text/plain', buffer: Buffer.from(line()) });
+    await reads(page, '#title', 'Recording telemetry.txt');
+    await page.click('#record');
+    await page.waitForSelector('#telemetry', { state: 'visible' });
+    await page.click('#trigger-open');
+    await page.fill('#trigger-condition', 'ch1 > 1400');
+    await page.click('#trigger-arm');
+    const saved = page.waitForEvent('download');
+    await page.selectOption('[data-slot="1"]', 'SBS-01V');
+    assert.ok(readFileSync(await (await saved).path(), 'utf8').split('\n').length > 10);
+    await reads(page, '#record-text', 'Record');
+    await reads(page, '#trigger-text', /^Event at 6\.018 s\.$/);
+  });
 
   await check('the readings of a port are curves', async (page) => {
     await connect(page);

@@ -31,7 +31,8 @@ export interface Line {
   // Hands over all that has come by `nowUs`.
   advance(nowUs: number, sink: Sink): void;
   status(): Status;
-  // True until the line before the place that it has jumped to is decoded: what the status counts is not known.
+  // True until the line before the place that it has jumped to is decoded: what the status counts, and the link
+  // quality, is not known.
   readonly isPreview: boolean;
   // Returns the slots that came within the last second ("slots 0, 1"), then what sensors measured in it: its place among a
   // stretch's readings, name, value and unit, with tabs between. Empty without telemetry.

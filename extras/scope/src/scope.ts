@@ -148,6 +148,9 @@ export class Scope implements Sink {
   // Reads the line's telemetry by the sensors that are chosen; a recording from its beginning on.
   private sense(): void {
     const source = this.choice.current;
+    if (source instanceof RecordingSource) {
+      this.endRecording();
+    }
     source?.line.ask({ kind: 'sensors', sensors: this.sensors.bytes });
     if (source instanceof RecordingSource) {
       source.seek(source.positionUs);

@@ -50,6 +50,7 @@ export class FramesView {
     this.shown = this.stopped = undefined;
     this.bits.replaceChildren();
     this.cells = this.bitCells = [];
+    this.hold(false);
     this.drawing.reset();
   }
 
@@ -78,6 +79,9 @@ export class FramesView {
     this.rows.forEach((row, i) => this.drawRow(row, newest[i]));
     this.show(newest.find((stretch) => stretch.kind !== Kind.NoFrame));
     setText(this.hint, newest.length === 0 ? 'No S.Bus bytes: none have come, or the source is a board that prints numbers.' : '');
+    if (document.activeElement === this.bits) {
+      this.hold(true); // those of another place
+    }
   }
 
   private drawRow(row: HTMLElement, stretch: Stretch | undefined): void {
@@ -146,7 +150,7 @@ export class FramesView {
     const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: 8, ArrowUp: -8 }[event.key];
     if (step !== undefined && this.shown) {
       event.preventDefault();
-      this.explain(Math.min(Math.max(this.at + step, 0), this.bitCells.length - 1));
+      this.explain(this.at + step);
     }
   }
 
@@ -161,12 +165,12 @@ export class FramesView {
     }
   }
 
-  private explain(at: number): void {
+  private explain(bit: number): void {
     const frame = this.shown;
     if (!frame) {
       return;
     }
-    this.at = at;
+    const at = (this.at = Math.min(Math.max(bit, 0), this.bitCells.length - 1));
     const owner = this.owners[at];
     this.bitCells.forEach((cell, i) => {
       cell.classList.toggle('at', i === at);

@@ -101,7 +101,7 @@ export class LinkView {
     }
     this.tiles.forEach((label, i) => setText(label, labels[Number(status.rows > 0)][i]));
     setText(this.age, status.state === LinkState.NeverSeen ? '–' : ageText(status.ageUs));
-    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${status.linkQuality}\u00a0%`);
+    setText(this.quality, status.rows > 0 || status.state === LinkState.NeverSeen ? '' : `quality\u00a0${isPreview ? '…' : `${status.linkQuality}\u00a0%`}`);
     setText(this.rate, String(status.framesPerSecond));
     setText(this.rateUnit, status.rows > 0 ? 'rows/s' : 'frames/s');
     const hasGaps = status.gapMeanUs > 0 && !isPreview;

@@ -80,7 +80,7 @@ export class SecondView {
 
   private tell({ comparison, waiting, problem, line }: Second): void {
     const { state, linkQuality } = line.status();
-    const quality = state === LinkState.NeverSeen ? '' : `, quality ${linkQuality} %`;
+    const quality = state === LinkState.NeverSeen || line.isPreview ? '' : `, quality ${linkQuality} %`;
     setText(byId('second-link'), problem || `Link: ${stateNames[state as LinkState]}${quality}. ${line.live?.note ?? ''}`.trim());
     if (!comparison) {
       setText(byId('second-text'), comparison === null ? 'The recordings have no frame in common.' : waiting);

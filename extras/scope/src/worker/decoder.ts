@@ -21,7 +21,7 @@ export class Decoder {
   next: number; // the first character that it has not decoded
   private native: Native;
   private readonly first: Uint32Array;
-  private steps?: Uint8Array;
+  steps?: Uint8Array; // of the condition that it watches for
 
   // `from`: the first character of the tape that it decodes.
   constructor(

@@ -17,6 +17,7 @@ const pictureMs = 30; // at most, for a picture
 const progressMs = 100;
 const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
+const settledUs = 10000000; // before that, until a decoder that begins anywhere shows what one that began at 0 does
 const spacing = 25000; // characters from one image to the next: ten seconds of S.Bus, which are decoded in 6 ms
 const mostImages = 1024; // of 80 kB each
 const channels = 32;
@@ -103,6 +104,8 @@ class Playing {
   private search?: Search;
   private comparing?: { id: number; other: Tape; next: number };
   private previewed = 0; // the newest seek whose place was shown before it was decoded
+  private soughtUs?: number; // the place of a seek that is not done yet
+  private readonly waiting: Request[] = []; // until the place that is looked for is reached
   private wanted?: Extract<Request, { kind: 'advance' | 'seek' | 'fault' | 'event' }>;
   private waking = (): void => undefined;
 
@@ -127,6 +130,8 @@ class Playing {
       answer(this.tape.wire(request.fromUs, request.toUs, request.columns));
     } else if (request.kind === 'watch') {
       this.player.watchFor(request.steps);
+    } else if (request.kind === 'record' && this.isLeaving) {
+      this.waiting.push(request); // a jump would end it
     } else if (request.kind === 'record') {
       const us = calls.record(Number(request.on));
       if (request.on) {
@@ -138,15 +143,23 @@ class Playing {
       answer({ kind: 'report', html: this.tape.report() });
     } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault' || request.kind === 'event') {
       this.wanted = request;
+      this.soughtUs = request.kind === 'seek' ? request.us : this.soughtUs;
       this.waking();
     }
+  }
+
+  // Another place is looked for.
+  private get isLeaving(): boolean {
+    return this.wanted !== undefined && this.wanted.kind !== 'advance';
   }
 
   // Decodes with other sensors. A seek follows.
   private sense(sensors: Uint8Array): void {
     const { module, tape, endUs } = this;
+    const { steps } = this.player;
     tape.sensors = sensors;
     this.player = new Decoder(module, tape);
+    this.player.watchFor(steps);
     this.index = new Index(new Decoder(module, tape), tape.size, endUs);
     this.past = this.search = undefined;
   }
@@ -154,6 +167,9 @@ class Playing {
   async run(): Promise<never> {
     for (;;) {
       const { wanted } = this;
+      if (!this.isLeaving) {
+        this.waiting.splice(0).forEach((request) => this.hear(request));
+      }
       if (wanted?.kind === 'seek' && (this.index.isComplete || this.index.us >= wanted.us)) {
         this.seek(wanted.id, wanted.us);
       } else if (wanted?.kind === 'seek' && this.previewed !== wanted.id) {
@@ -224,14 +240,12 @@ class Playing {
     this.show(id, false, records);
   }
 
-  private seek(id: number, us: number, found?: Found, event?: number): void {
-    this.wanted = undefined;
+  private seek(id: number, us: number, found?: Found | null, event?: number | null): void {
+    this.wanted = this.soughtUs = undefined;
     const { player, index } = this;
     const fromUs = Math.max(us - shownUs, 0);
     player.restore(index.before(fromUs));
-    player.advance(fromUs);
-    const records = [player.reader.recalled()];
-    player.advance(us, (part) => records.push(part));
+    const records = recordsAt(player, us);
     if (found) {
       this.advanceTo(found, records);
     }
@@ -239,14 +253,22 @@ class Playing {
     this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
   }
 
+  // Nothing was found: stays where it was looked from, even if a seek to there is not done yet.
+  private stay(id: number, found?: null, event?: null): void {
+    if (this.soughtUs !== undefined) {
+      this.seek(id, this.soughtUs, found, event);
+    } else {
+      this.show(id, false, [], found, event);
+    }
+  }
+
   // Shows a place that is not decoded yet, by a decoder that begins a little before it. Only with a frame: else it would say that
   // there never was one, or misread the columns of rows: their names come first.
   private preview(id: number, us: number): void {
     const { module, tape } = this;
     this.previewed = id;
-    const decoder = new Decoder(module, tape, tape.find(us - shownUs));
-    const records: Uint8Array[] = [new Uint8Array()];
-    decoder.advance(us, (part) => records.push(part));
+    const decoder = new Decoder(module, tape, tape.find(us - shownUs - settledUs));
+    const records = recordsAt(decoder, us);
     const picture = pictureOf(decoder, id, true, records);
     if (picture.status.frames > 0) {
       answer({ ...picture, travel: [], isPreview: true }, records.map(({ buffer }) => buffer));
@@ -263,7 +285,7 @@ class Playing {
       if (found) {
         this.seek(id, found.fromUs, found);
       } else {
-        this.show(id, false, [], null);
+        this.stay(id, null);
       }
     } else {
       progress(index.us / endUs);
@@ -285,7 +307,7 @@ class Playing {
     }
     this.wanted = this.search = undefined;
     if (search.found === undefined) {
-      this.show(id, false, [], undefined, null);
+      this.stay(id, undefined, null);
     } else {
       this.seek(id, Math.min(search.found + afterUs, index.endUs), undefined, search.found);
     }
@@ -317,6 +339,14 @@ class Playing {
   picture(id: number, jumped: boolean, records: Uint8Array[]): Picture {
     return { ...pictureOf(this.player, id, jumped, records), faults: this.index.faults.at(this.player.us) };
   }
+}
+
+// Decodes up to a place. Returns the records that a jump to there takes.
+function recordsAt(decoder: Decoder, us: number): Uint8Array[] {
+  decoder.advance(Math.max(us - shownUs, 0));
+  const records = [decoder.reader.recalled()];
+  decoder.advance(us, (part) => records.push(part));
+  return records;
 }
 
 function pictureOf({ us, calls, reader }: Decoder, id: number, jumped: boolean, records: Uint8Array[]): Picture {
