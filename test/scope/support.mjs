@@ -173,7 +173,9 @@ export async function connect(page, kind = 'adapter') {
 }
 
 export async function play(page, file) {
+  const running = (await page.textContent('#title')).startsWith('Recording') ? page.workers().at(-1) : undefined;
   await page.setInputFiles('#file', file);
+  await until('the recording before it goes on', () => !running || !page.workers().includes(running));
   await reads(page, '#title', `Recording ${path.basename(file)}`);
 }
 
