@@ -11,17 +11,18 @@ const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 const stamp = (): string => new Date().toISOString().slice(0, 19).replace(/[-:]/g, '').replace('T', '-');
 
 export class Recorder {
-  on = false;
   bytes = 0;
   private text = '';
   private parts: Blob[] = [];
   private readonly awake = new Awake();
+  private line?: Line; // that is recorded
 
-  private line?: Line;
+  get on(): boolean {
+    return this.line !== undefined;
+  }
 
   // `title`: what is recorded, for the first line.
   begin(line: Line, title: string): void {
-    this.on = true;
     this.line = line;
     this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
     this.parts = [];
@@ -43,7 +44,6 @@ export class Recorder {
     if (!line) {
       return;
     }
-    this.on = false;
     this.line = undefined;
     this.awake.want(false);
     const parts = [...this.parts, this.text];

@@ -106,12 +106,16 @@ export class Scope implements Sink {
 
   // The time that is shown, in us: a recording's position, or the curves' right edge.
   private get shownUs(): number {
+    return this.recording?.positionUs ?? this.curves.shownUs[1];
+  }
+
+  private get recording(): RecordingSource | undefined {
     const { current } = this.choice;
-    return current instanceof RecordingSource ? current.positionUs : this.curves.shownUs[1];
+    return current instanceof RecordingSource ? current : undefined;
   }
 
   private visit(us: number): void {
-    if (this.choice.current instanceof RecordingSource) {
+    if (this.recording) {
       this.timeline.visit(us);
     } else {
       this.curves.show(us);
@@ -141,20 +145,18 @@ export class Scope implements Sink {
     if (this.sensors.any) {
       this.sense();
     }
-    this.wire.show(source instanceof RecordingSource ? source : undefined);
-    this.timeline.show(source instanceof RecordingSource ? source : undefined);
+    this.wire.show(this.recording);
+    this.timeline.show(this.recording);
   }
 
   // Reads the line's telemetry by the sensors that are chosen; a recording from its beginning on.
   private sense(): void {
-    const source = this.choice.current;
-    if (source instanceof RecordingSource) {
+    const { recording } = this;
+    if (recording) {
       this.endRecording();
     }
-    source?.line.ask({ kind: 'sensors', sensors: this.sensors.bytes });
-    if (source instanceof RecordingSource) {
-      source.seek(source.positionUs);
-    }
+    this.choice.current?.line.ask({ kind: 'sensors', sensors: this.sensors.bytes });
+    recording?.seek(recording.positionUs);
   }
 
   // Compares the line that is shown with a second one. Throws what `read` throws, unless another source was chosen.

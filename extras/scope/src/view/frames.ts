@@ -10,6 +10,8 @@ const drawMs = 100;
 
 const hex = (byte: number): string => byte.toString(16).toUpperCase().padStart(2, '0');
 
+const howTo = 'Point at a bit. Bits are shown least significant first, as on the wire.';
+
 const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'the lost-frame flag', 3: 'the failsafe flag' };
 
 export class FramesView {
@@ -42,7 +44,7 @@ export class FramesView {
     bits.addEventListener('focus', () => this.hold(true));
     bits.addEventListener('blur', () => this.hold(false));
     bits.addEventListener('keydown', (event) => this.key(event));
-    setText(this.text, 'Point at a bit. Bits are shown least significant first, as on the wire.');
+    setText(this.text, howTo);
   }
 
   clear(): void {
@@ -159,7 +161,7 @@ export class FramesView {
     this.bits.classList.toggle('held', this.held);
     if (!this.held) {
       this.bitCells.forEach((cell) => cell.classList.remove('same', 'at'));
-      setText(this.text, 'Point at a bit. Bits are shown least significant first, as on the wire.');
+      setText(this.text, howTo);
     } else if (document.activeElement === this.bits) {
       this.explain(this.at);
     }
