@@ -33,8 +33,12 @@ export class Recorder {
 
   // Takes what was recorded. Call it for each picture, and also while none is drawn.
   poll(): void {
-    if (this.line) {
-      this.append(this.line.takeRecorded());
+    const text = this.line?.takeRecorded() ?? '';
+    this.text += text;
+    this.bytes += text.length;
+    if (this.text.length > blobSize) {
+      this.parts.push(new Blob([this.text]));
+      this.text = '';
     }
   }
 
@@ -54,15 +58,6 @@ export class Recorder {
       const within = set.map(({ us, name }) => ({ us: us - line.recordingUs, name })).filter(({ us }) => us >= 0);
       download(`sbus-${stamp()}.txt`, [...parts, rest, commentsOf(within)], 'text/plain');
     });
-  }
-
-  private append(text: string): void {
-    this.text += text;
-    this.bytes += text.length;
-    if (this.text.length > blobSize) {
-      this.parts.push(new Blob([this.text]));
-      this.text = '';
-    }
   }
 }
 

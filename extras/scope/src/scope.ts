@@ -6,7 +6,7 @@ import type { Core } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History, isSample, type Samples } from './history';
-import { Kind, LinkState, type Sink, type Status, type Stretch } from './line';
+import { Kind, LinkState, type Sink, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
@@ -228,16 +228,12 @@ export class Scope implements Sink {
     source.line.advance(nowUs, this);
     this.recorder.poll();
     const status = source.line.status();
-    this.picture(source, status, nowUs);
-  }
-
-  private picture(source: Source, status: Status, nowUs: number): void {
-    const unit = this.units.of(this.newest);
-    byId('rows').hidden = this.newest?.kind !== Kind.Row;
+    const { newest } = this;
+    const unit = this.units.of(newest);
+    byId('rows').hidden = newest?.kind !== Kind.Row;
     const aside = this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state];
     setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
-    const { newest } = this;
     byId('scaling').hidden = !unit.raw;
     this.second?.follow();
     const { live } = source.line;

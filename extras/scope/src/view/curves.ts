@@ -156,7 +156,9 @@ export class Curves {
       this.make(this.curves);
     }
     if (this.hasMoved()) {
-      this.redraw();
+      const { edge, seconds, begin, end } = this.drawn;
+      fit(this.history, this.curves, begin, end);
+      showTime(this.plot as uPlot, edge, seconds);
     }
     this.read();
     this.cursors.draw();
@@ -188,12 +190,6 @@ export class Curves {
     }
     this.drawn = { edge, seconds, begin, end, atMs: nowMs };
     return true;
-  }
-
-  private redraw(): void {
-    const { edge, seconds, begin, end } = this.drawn;
-    fit(this.history, this.curves, begin, end);
-    showTime(this.plot as uPlot, edge, seconds);
   }
 
   private area(plot: uPlot): Area {

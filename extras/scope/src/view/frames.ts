@@ -12,7 +12,7 @@ const hex = (byte: number): string => byte.toString(16).toUpperCase().padStart(2
 
 const howTo = 'Point at a bit. Bits are shown least significant first, as on the wire.';
 
-const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'the lost-frame flag', 3: 'the failsafe flag' };
+const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'The lost-frame flag', 3: 'The failsafe flag' };
 
 export class FramesView {
   private stretches: Stretch[] = []; // the newest last
@@ -183,7 +183,7 @@ export class FramesView {
     const found = this.core.ownerOfBit(frame.bytes.length, byte, at & 7);
     const isFlags = byte === frame.bytes.length - 2;
     if (isFlags) {
-      setText(this.text, `${capital(flagNames[at & 7] ?? 'not used')}: ${place}, of the flags.`);
+      setText(this.text, `${flagNames[at & 7] ?? 'Not used'}: ${place}, of the flags.`);
     } else if (found && owner) {
       const value = frame.channels[Number(owner.slice(2)) - 1];
       const binary = value.toString(2).padStart(11, '0');
@@ -192,8 +192,4 @@ export class FramesView {
       setText(this.text, `${byte === 0 ? 'The header' : 'The end byte'}: ${place}.`);
     }
   }
-}
-
-function capital(text: string): string {
-  return text[0].toUpperCase() + text.slice(1);
 }
