@@ -132,6 +132,27 @@ export default async function () {
     await page.waitForSelector('#second', { state: 'hidden' });
   });
 
+  await check("a channel that only A has is no number in B's values", async (page) => {
+    const line = (i, header) => recorded(14000 * i + (header === 0x0f ? 7000 : 14000), frame(values(i), { header }));
+    const [all, few] = [[0x0f, 0x2f], [0x0f]].map((headers, side) => {
+      const file = path.join(build, `channels${side}.txt`);
+      writeFileSync(file, Array.from({ length: 1000 }, (_, i) => headers.map((header) => line(i, header)).join('')).join(''));
+      return file;
+    });
+    await play(page, all);
+    await page.click('#play');
+    await page.setInputFiles('#second-file', few);
+    await reads(page, '#second-text', /^B is /);
+    await seek(page, 10000);
+    await page.click('#bars li:nth-child(20) .chip');
+    await reads(page, '#bars li:nth-child(20) .raw', '992');
+    await page.locator('#plot').scrollIntoViewIfNeeded();
+    await drawn(page);
+    const over = await page.locator('#plot .u-over').boundingBox();
+    await page.mouse.move(over.x + over.width / 2, over.y + 30);
+    await reads(page, '#second-readout', /^B [\d.]+ s .* CH20 –$/);
+  });
+
   await check('a second file that cannot be read, or has no frame in common, is said, and the first goes on', async (page) => {
     await play(page, a);
     await page.setInputFiles('#second-file', { name: 'bad.txt', mimeType: 'text/plain', buffer: Buffer.from('hello\n') });

@@ -52,13 +52,6 @@ export default async function () {
     await raw(page, 3, '172');
   });
 
-  await check('too many lost frames in a row are also failsafe: the verdict is No radio', async (page) => {
-    await brings(page, frame([992], { flags: 0x04 }));
-    await connect(page);
-    await reads(page, '#state', 'Failsafe');
-    await reads(page, '#verdict-text', /^No radio/);
-  });
-
   await check('parity, framing, overrun and system errors and breaks are counted by cause, and frames continue', async (page) => {
     await brings(page, frame([1200]));
     await connect(page);

@@ -27,7 +27,7 @@ export interface Range {
 }
 
 // A condition at which the picture stops; or what is wrong with its text, and where.
-export interface Condition {
+interface Condition {
   steps: Uint8Array;
   error: string;
   from: number;

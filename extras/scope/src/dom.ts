@@ -25,6 +25,13 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+export function svg(tag: string, attributes: Attributes = {}, ...children: Element[]): SVGElement {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, String(value)));
+  element.append(...children);
+  return element;
+}
+
 // Changes the page only if the text differs.
 export function setText(element: HTMLElement, text: string): void {
   if (element.textContent !== text) {

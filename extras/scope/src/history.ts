@@ -90,6 +90,11 @@ export class History implements Samples {
     return low;
   }
 
+  // Returns the samples of a time, with the one before and the one after it: from `begin` to before `end`.
+  around(from: number, to: number): { begin: number; end: number } {
+    return { begin: Math.max(this.find(from) - 1, this.begin), end: Math.min(this.find(to) + 1, this.end) };
+  }
+
   // Returns the sample nearest to that time; begin if there are no samples.
   nearest(seconds: number): number {
     const after = Math.min(this.find(seconds), Math.max(this.end - 1, this.begin));

@@ -3,6 +3,9 @@
 import { Enough, type Exports, type Finding, Kind, RecordReader, type Status, StatusReader, type Text, TransferSize } from './border';
 import type { Sample } from './faults';
 import type { Stretch } from './line';
+import type { Picture } from './worker/messages';
+
+const channels = 32;
 
 // Debian 13's C++ library writes to standard error before it aborts. The page has none: WASI's error ENOSYS is 52.
 const noSystem = new Proxy({}, { get: () => () => 52 });
@@ -84,13 +87,24 @@ export class Native {
     return this.words(this.calls.findingRemedy(finding));
   }
 
-  travel(channel: number): [number, number] | undefined {
+  // Returns what was recorded since the last call.
+  recorded(): string {
+    return this.words(this.calls.takeRecorded());
+  }
+
+  // Returns what a picture says of the line at `us`.
+  picture(us: number): Pick<Picture, 'us' | 'status' | 'travel' | 'telemetry' | 'recorded'> {
+    const travel = Array.from({ length: channels }, (_, i) => this.travel(i));
+    return { us, status: this.status(us), travel, telemetry: this.telemetry(us), recorded: this.recorded() };
+  }
+
+  private travel(channel: number): [number, number] | undefined {
     const at = this.calls.travel(channel);
     return at === 0 ? undefined : (Array.from(this.doubles(at, 2)) as [number, number]);
   }
 
   // See Line.telemetry().
-  telemetry(nowUs: number): string[] {
+  private telemetry(nowUs: number): string[] {
     return this.words(this.calls.telemetry(nowUs)).split('\n').filter(Boolean);
   }
 

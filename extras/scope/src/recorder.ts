@@ -11,17 +11,18 @@ const blobSize = 1 << 20; // characters; a browser may put a Blob on the disk
 const stamp = (): string => new Date().toISOString().slice(0, 19).replace(/[-:]/g, '').replace('T', '-');
 
 export class Recorder {
-  on = false;
   bytes = 0;
   private text = '';
   private parts: Blob[] = [];
   private readonly awake = new Awake();
+  private line?: Line; // that is recorded
 
-  private line?: Line;
+  get on(): boolean {
+    return this.line !== undefined;
+  }
 
   // `title`: what is recorded, for the first line.
   begin(line: Line, title: string): void {
-    this.on = true;
     this.line = line;
     this.text = `# ${title}\n# ${new Date().toISOString()}\n`;
     this.parts = [];
@@ -32,8 +33,12 @@ export class Recorder {
 
   // Takes what was recorded. Call it for each picture, and also while none is drawn.
   poll(): void {
-    if (this.line) {
-      this.append(this.line.takeRecorded());
+    const text = this.line?.takeRecorded() ?? '';
+    this.text += text;
+    this.bytes += text.length;
+    if (this.text.length > blobSize) {
+      this.parts.push(new Blob([this.text]));
+      this.text = '';
     }
   }
 
@@ -43,7 +48,6 @@ export class Recorder {
     if (!line) {
       return;
     }
-    this.on = false;
     this.line = undefined;
     this.awake.want(false);
     const parts = [...this.parts, this.text];
@@ -54,15 +58,6 @@ export class Recorder {
       const within = set.map(({ us, name }) => ({ us: us - line.recordingUs, name })).filter(({ us }) => us >= 0);
       download(`sbus-${stamp()}.txt`, [...parts, rest, commentsOf(within)], 'text/plain');
     });
-  }
-
-  private append(text: string): void {
-    this.text += text;
-    this.bytes += text.length;
-    if (this.text.length > blobSize) {
-      this.parts.push(new Blob([this.text]));
-      this.text = '';
-    }
   }
 }
 

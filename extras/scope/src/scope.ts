@@ -6,7 +6,7 @@ import type { Core } from './core';
 import { Doctor } from './doctor';
 import { byId, setText } from './dom';
 import { History, isSample, type Samples } from './history';
-import { Kind, LinkState, type Sink, type Status, type Stretch } from './line';
+import { Kind, LinkState, type Sink, type Stretch } from './line';
 import { Recorder } from './recorder';
 import { Choice } from './source/choice';
 import { RecordingSource } from './source/recording';
@@ -106,12 +106,16 @@ export class Scope implements Sink {
 
   // The time that is shown, in us: a recording's position, or the curves' right edge.
   private get shownUs(): number {
+    return this.recording?.positionUs ?? this.curves.shownUs[1];
+  }
+
+  private get recording(): RecordingSource | undefined {
     const { current } = this.choice;
-    return current instanceof RecordingSource ? current.positionUs : this.curves.shownUs[1];
+    return current instanceof RecordingSource ? current : undefined;
   }
 
   private visit(us: number): void {
-    if (this.choice.current instanceof RecordingSource) {
+    if (this.recording) {
       this.timeline.visit(us);
     } else {
       this.curves.show(us);
@@ -141,20 +145,18 @@ export class Scope implements Sink {
     if (this.sensors.any) {
       this.sense();
     }
-    this.wire.show(source instanceof RecordingSource ? source : undefined);
-    this.timeline.show(source instanceof RecordingSource ? source : undefined);
+    this.wire.show(this.recording);
+    this.timeline.show(this.recording);
   }
 
   // Reads the line's telemetry by the sensors that are chosen; a recording from its beginning on.
   private sense(): void {
-    const source = this.choice.current;
-    if (source instanceof RecordingSource) {
+    const { recording } = this;
+    if (recording) {
       this.endRecording();
     }
-    source?.line.ask({ kind: 'sensors', sensors: this.sensors.bytes });
-    if (source instanceof RecordingSource) {
-      source.seek(source.positionUs);
-    }
+    this.choice.current?.line.ask({ kind: 'sensors', sensors: this.sensors.bytes });
+    recording?.seek(recording.positionUs);
   }
 
   // Compares the line that is shown with a second one. Throws what `read` throws, unless another source was chosen.
@@ -226,16 +228,12 @@ export class Scope implements Sink {
     source.line.advance(nowUs, this);
     this.recorder.poll();
     const status = source.line.status();
-    this.picture(source, status, nowUs);
-  }
-
-  private picture(source: Source, status: Status, nowUs: number): void {
-    const unit = this.units.of(this.newest);
-    byId('rows').hidden = this.newest?.kind !== Kind.Row;
+    const { newest } = this;
+    const unit = this.units.of(newest);
+    byId('rows').hidden = newest?.kind !== Kind.Row;
     const aside = this.reading || source.progress ? ` (${this.reading || source.progress})` : asides[this.choice.state];
     setText(byId('title'), source.title + (source.device ? `, ${source.device}` : '') + aside);
     const trusted = status.state === LinkState.Ok || status.state === LinkState.Lossy;
-    const { newest } = this;
     byId('scaling').hidden = !unit.raw;
     this.second?.follow();
     const { live } = source.line;

@@ -63,7 +63,7 @@ function round(us: number): number {
 }
 
 // What came within one bar of the chart.
-export interface Part {
+interface Part {
   frames: number;
   lost: number; // with one of the flags
   failsafe: number;

@@ -48,7 +48,6 @@ EXPORT(status)(double now)->const Status * {
   answer.rejectedByLength = d(counters.rejectedByLength);
   answer.discardedBytes = d(observer.discardedBytes());
   answer.resyncs = d(counters.resyncs);
-  answer.overflows = d(counters.overflows);
   answer.extraFrames = d(counters.extraFrames);
   answer.rows = d(rows.count());
   answer.otherLines = d(rows.otherLines());

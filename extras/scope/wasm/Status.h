@@ -24,7 +24,6 @@ struct Status {
   double rejectedByLength;
   double discardedBytes;
   double resyncs;
-  double overflows;
   double extraFrames;
   double rows;
   double otherLines;

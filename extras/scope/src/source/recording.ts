@@ -1,7 +1,7 @@
 // A recording, rows of CSV or a capture of the wire, with a time line.
 
 import type { Core } from '../core';
-import type { Fault, FaultMap, Flight, Found } from '../faults';
+import type { Fault, Found } from '../faults';
 import { Remote } from './remote';
 import type { Source } from './Source';
 
@@ -16,32 +16,24 @@ export class RecordingSource implements Source {
   private lastMs = performance.now();
 
   private constructor(
-    private readonly player: Remote,
+    readonly line: Remote,
     readonly title: string,
     readonly file: File,
   ) {}
 
   // Reads the file. Returns a function that plays it. Throws an Error that says what is wrong with the recording, or a Problem.
   static async read(core: Core, file: File, signal: AbortSignal, progress: (part: number) => void): Promise<() => RecordingSource> {
-    const player = await Remote.read(core, file, signal, progress);
-    if (signal.aborted) {
-      player.close();
-      signal.throwIfAborted();
-    }
-    return () => new RecordingSource(player, player.carrier ? `Capture ${file.name}, ${player.carrier}` : `Recording ${file.name}`, file);
-  }
-
-  get line(): Remote {
-    return this.player;
+    const line = await Remote.read(core, file, signal, progress);
+    return () => new RecordingSource(line, line.carrier ? `Capture ${file.name}, ${line.carrier}` : `Recording ${file.name}`, file);
   }
 
   get lengthUs(): number {
-    return this.player.lengthUs;
+    return this.line.lengthUs;
   }
 
   get progress(): string {
-    const { progress } = this.player;
-    const what = this.player.isLooking ? 'looking' : 'decoding up to this position';
+    const { progress } = this.line;
+    const what = this.line.isLooking ? 'looking' : 'decoding up to this position';
     return progress === undefined ? '' : `${what}: ${Math.floor(100 * progress)} %`;
   }
 
@@ -50,7 +42,7 @@ export class RecordingSource implements Source {
   }
 
   get atEnd(): boolean {
-    return this.us >= this.endUs && this.player.us >= this.endUs;
+    return this.us >= this.endUs && this.line.us >= this.endUs;
   }
 
   get stands(): boolean {
@@ -59,25 +51,25 @@ export class RecordingSource implements Source {
 
   nowUs(): number {
     const ms = performance.now();
-    if (this.playing && !this.player.isLooking) {
+    if (this.playing && !this.line.isLooking) {
       this.leave();
       this.us = Math.min(this.us + (ms - this.lastMs) * 1000 * this.speed, this.endUs);
     }
     this.lastMs = ms;
-    this.player.wantedUs = this.us;
-    return this.player.us;
+    this.line.wantedUs = this.us;
+    return this.line.us;
   }
 
   // Goes to a position: all is as if the recording had been played up to there.
   seek(us: number): void {
     this.leave();
     this.us = Math.min(us, this.endUs);
-    this.player.seek(this.us);
+    this.line.seek(this.us);
   }
 
   // Goes to the next fault, or the one before, and stops there. `only`: of that kind.
   seekFault(back: boolean, only?: Fault): void {
-    this.player.seekFault(this.us, this.found, back, only, (us, found) => {
+    this.line.seekFault(this.us, this.found, back, only, (us, found) => {
       this.us = us;
       this.playing = false;
       this.found = found ?? this.found;
@@ -88,7 +80,7 @@ export class RecordingSource implements Source {
   // Goes to `afterUs` after the next moment after `us` at which the condition becomes true, and stops there. `tell`: see
   // Remote.seekEvent().
   seekEvent(us: number, steps: Uint8Array, afterUs: number, tell: (us: number, event: number | null) => void): void {
-    this.player.seekEvent(us, steps, afterUs, (to, event) => {
+    this.line.seekEvent(us, steps, afterUs, (to, event) => {
       this.leave();
       this.us = event === null ? this.us : to;
       this.playing = false;
@@ -96,26 +88,8 @@ export class RecordingSource implements Source {
     });
   }
 
-  get faults(): FaultMap | undefined {
-    return this.player.faults;
-  }
-
-  get flight(): Flight | undefined {
-    return this.player.flight;
-  }
-
-  // Returns the flight's report as a page of its own.
-  report(): Promise<string> {
-    return this.player.report();
-  }
-
-  // The faults at the position: bits 1 << Fault.
-  get faultsHere(): number {
-    return this.player.faultsHere;
-  }
-
   close(): void {
-    this.player.close();
+    this.line.close();
   }
 
   private leave(): void {

@@ -1,6 +1,6 @@
 // A button that shows or hides a curve, with a piece of the curve.
 
-import { make } from '../dom';
+import { make, svg } from '../dom';
 import { colorOf, dashOf } from './dash';
 
 export function chipOf(curves: Set<number>, column: number, name: HTMLElement): HTMLButtonElement {
@@ -14,14 +14,7 @@ export function chipOf(curves: Set<number>, column: number, name: HTMLElement): 
   return chip;
 }
 
-function swatch(channel: number): SVGSVGElement {
-  const namespace = 'http://www.w3.org/2000/svg';
-  const svg = document.createElementNS(namespace, 'svg');
-  const line = svg.appendChild(document.createElementNS(namespace, 'path'));
-  svg.setAttribute('class', 'swatch');
-  svg.setAttribute('viewBox', '0 0 26 8');
-  svg.setAttribute('aria-hidden', 'true');
-  line.setAttribute('d', 'M0 4h26');
-  line.setAttribute('stroke-dasharray', dashOf(channel).join(' '));
-  return svg;
+function swatch(column: number): SVGElement {
+  const line = svg('path', { d: 'M0 4h26', 'stroke-dasharray': dashOf(column).join(' ') });
+  return svg('svg', { class: 'swatch', viewBox: '0 0 26 8', 'aria-hidden': true }, line);
 }

@@ -1,7 +1,6 @@
 // Curves of the chosen channels, on a scale that stays, and of sensors, on scales that fit: the newest values are at the right edge, or the curves are paused.
 
-import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
+import type uPlot from 'uplot';
 import type { Bookmark } from '../bookmarks';
 import type { Channels } from '../channels';
 import { setText } from '../dom';
@@ -9,14 +8,14 @@ import { silenceUs } from '../faults';
 import type { History } from '../history';
 import type { Stretch } from '../line';
 import { fit, type Sensors } from '../sensors';
-import { ticksOf, type Unit } from '../unit';
+import type { Unit } from '../unit';
 import { CursorTable } from './cursorTable';
 import { Cursors } from './cursors';
-import { colorOf, dashOf } from './dash';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
 import { picture } from './picture';
-import { bands, trace, type Area, type Curve } from './strokes';
+import { axesOf, axisOf, drawBands, keepSize, plotIn, pointedAt, scaleOf, scalesOf, seriesOf, showTime, valuesAt, within } from './plot';
+import { type Area, type Curve, trace } from './strokes';
 import { Viewport } from './viewport';
 
 const many = 8; // curves: more of them are thinner, and drawn in a quarter of the time where there is no GPU
@@ -37,8 +36,6 @@ export const together: uPlot.Cursor.Sync = { key: 'lines', filters: { pub: (type
 
 // Returns the width of an axis with these texts, in pixels.
 const widthOf = (_: uPlot, texts: string[] | null): number => 14 + 7 * Math.max(...(texts ?? ['']).map(({ length }) => length));
-
-const scaleOf = ({ axis }: Unit): string => (axis === undefined ? 'y' : `sensors ${axis}`);
 
 export class Curves {
   private plot?: uPlot;
@@ -64,7 +61,7 @@ export class Curves {
   ) {
     this.table = new CursorTable(ui.table, history);
     this.cursors = new Cursors(history, this.view, ui.cursors, (on) => this.pause(on || this.paused), () => this.told());
-    new ResizeObserver(() => this.plot?.setSize({ width: root.clientWidth, height: root.clientHeight })).observe(root);
+    keepSize(root, () => this.plot);
     root.addEventListener('keydown', (event) => this.key(event));
     new Gestures(root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
@@ -159,7 +156,9 @@ export class Curves {
       this.make(this.curves);
     }
     if (this.hasMoved()) {
-      this.redraw();
+      const { edge, seconds, begin, end } = this.drawn;
+      fit(this.history, this.curves, begin, end);
+      showTime(this.plot as uPlot, edge, seconds);
     }
     this.read();
     this.cursors.draw();
@@ -181,8 +180,7 @@ export class Curves {
   private hasMoved(): boolean {
     const { history, drawn } = this;
     const { edge, seconds } = this.view;
-    const begin = Math.max(history.find(edge - seconds) - 1, history.begin);
-    const end = Math.min(history.find(edge) + 1, history.end);
+    const { begin, end } = history.around(edge - seconds, edge);
     const nowMs = performance.now();
     const pixels = (Math.abs(edge - drawn.edge) / seconds) * (this.plot as uPlot).bbox.width;
     const alike = seconds === drawn.seconds && pixels < 1;
@@ -192,15 +190,6 @@ export class Curves {
     }
     this.drawn = { edge, seconds, begin, end, atMs: nowMs };
     return true;
-  }
-
-  private redraw(): void {
-    const { edge, seconds } = this.drawn;
-    const plot = this.plot as uPlot;
-    fit(this.history, this.curves, this.drawn.begin, this.drawn.end);
-    const ends = [edge - seconds, edge]; // each curve reads the history itself
-    plot.setData([ends, ...plot.series.slice(1).map(() => ends)] as uPlot.AlignedData, false);
-    plot.setScale('x', { min: edge - seconds, max: edge });
   }
 
   private area(plot: uPlot): Area {
@@ -216,26 +205,11 @@ export class Curves {
     return this.curves.length > many ? 1 : 2;
   }
 
-  private path(plot: uPlot, curve: Curve): uPlot.Series.Paths {
-    const stroke = new Path2D();
-    trace(this.history, curve, this.area(plot), this.longest, stroke);
-    return { stroke };
-  }
-
   // Shows the values at the pointer.
   private read(): void {
-    const plot = this.plot;
-    const left = plot?.cursor.left ?? -1;
-    if (!plot || left < 0 || this.history.end === 0) {
-      setText(this.ui.readout, this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '');
-      return;
-    }
-    const sample = this.history.nearest(plot.posToVal(left, 'x'));
-    const values = this.curves.map(({ column, name, unit }) => {
-      const value = this.history.value(sample, column);
-      return `${name} ${Number.isNaN(value) ? '–' : unit.text(value)}`;
-    });
-    setText(this.ui.readout, [`${this.history.time(sample).toFixed(3)} s`, ...values].join('   '));
+    const seconds = pointedAt(this.plot);
+    const hint = this.paused ? 'Paused. Drag to scroll, use the wheel to zoom, double-click to return to the newest data.' : '';
+    setText(this.ui.readout, seconds === undefined || this.history.end === 0 ? hint : valuesAt(this.history, this.curves, seconds));
   }
 
   private key(event: KeyboardEvent): void {
@@ -266,104 +240,73 @@ export class Curves {
     this.plot?.destroy();
     const palette = (this.palette = paletteOf(this.root));
     const unit = this.unit as Unit;
-    const grid = { stroke: palette.grid, width: 1 };
-    const axis = { stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
     const others = [...new Set(curves.map((curve) => curve.unit))].filter(({ axis }) => axis !== undefined);
     this.root.replaceChildren();
     this.drawn.edge = NaN;
-    this.plot = new uPlot(
-      {
-        width: Math.max(this.root.clientWidth, 200),
-        height: this.root.clientHeight,
-        legend: { show: false },
-        padding: [8, 24, 0, 0],
-        scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] },
-          ...Object.fromEntries(others.map((each) => [scaleOf(each), { auto: false, range: (): [number, number] => [each.low, each.high] }])) },
-        axes: [
-          { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+tick.toFixed(2)} s`)) }, // a line begins at 0
-          { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
-          ...others.map((each) => ({
-            ...axis, grid: { show: false }, scale: scaleOf(each), side: 1 as const, size: widthOf, values: (_: uPlot, ticks: number[]): string[] => ticks.map(each.text),
-          })),
-        ],
-        series: [
-          {},
-          ...curves.map((curve) => ({
-            scale: scaleOf(curve.unit),
-            stroke: palette.curves[colorOf(curve.column)],
-            width: this.thickness,
-            dash: dashOf(curve.column),
-            points: { show: false },
-            paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, curve),
-          })),
-        ],
-        cursor: {
-          y: false,
-          drag: { x: true, y: false, setScale: false },
-          points: { show: false },
-          sync: together,
-          bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
-        },
-        hooks: {
-          drawClear: [(plot): void => this.bands(plot, palette)],
-          draw: [(plot): void => this.flags(plot, palette)],
-          setSelect: [
-            (plot): void => {
-              const { left, width } = plot.select;
-              if (width > 4) {
-                this.look((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
-                plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
-              }
-            },
-          ],
-        },
+    this.plot = plotIn(this.root, {
+      scales: {
+        ...scalesOf(unit.low, unit.high),
+        ...Object.fromEntries(others.map((each) => [scaleOf(each), { auto: false, range: (): [number, number] => [each.low, each.high] }])),
       },
-      [[], ...curves.map(() => [])],
-      this.root,
-    );
+      axes: [
+        ...axesOf(unit, palette),
+        ...others.map((each) => ({
+          ...axisOf(palette), grid: { show: false }, scale: scaleOf(each), side: 1 as const, size: widthOf, values: (_: uPlot, ticks: number[]): string[] => ticks.map(each.text),
+        })),
+      ],
+      series: seriesOf(curves, palette, this.thickness, (plot, curve, pen) => trace(this.history, curve, this.area(plot), this.longest, pen)),
+      cursor: {
+        drag: { x: true, y: false, setScale: false },
+        sync: together,
+        bind: { mousedown: (_, __, select) => (event): null => (event.shiftKey ? select(event) : null), dblclick: () => null },
+      },
+      hooks: {
+        drawClear: [(plot): void => this.bands(plot, palette)],
+        draw: [(plot): void => this.flags(plot, palette)],
+        setSelect: [
+          (plot): void => {
+            const { left, width } = plot.select;
+            if (width > 4) {
+              this.look((view) => view.show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')));
+              plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+            }
+          },
+        ],
+      },
+    });
     this.cursors.enter(this.plot.over);
   }
 
   // Draws the bookmarks, each with its name.
   private flags(plot: uPlot, palette: Palette): void {
-    const { ctx, bbox } = plot;
     const pixel = devicePixelRatio;
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
-    ctx.font = `${12 * pixel}px system-ui, sans-serif`;
-    ctx.textBaseline = 'top';
-    ctx.strokeStyle = ctx.fillStyle = palette.ink;
-    ctx.setLineDash([2 * pixel, 2 * pixel]);
-    for (const { us, name } of this.bookmarks) {
-      const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
-      const isNear = x + ctx.measureText(name).width > bbox.left + bbox.width; // the right edge
-      ctx.textAlign = isNear ? 'right' : 'left';
-      ctx.beginPath();
-      ctx.moveTo(x, bbox.top);
-      ctx.lineTo(x, bbox.top + bbox.height);
-      ctx.stroke();
-      ctx.fillText(name, x + (isNear ? -4 : 4) * pixel, bbox.top + 2 * pixel);
-    }
-    ctx.restore();
+    within(plot, (ctx, bbox) => {
+      ctx.font = `${12 * pixel}px system-ui, sans-serif`;
+      ctx.textBaseline = 'top';
+      ctx.strokeStyle = ctx.fillStyle = palette.ink;
+      ctx.setLineDash([2 * pixel, 2 * pixel]);
+      for (const { us, name } of this.bookmarks) {
+        const x = Math.round(plot.valToPos(us / 1e6, 'x', true));
+        const isNear = x + ctx.measureText(name).width > bbox.left + bbox.width; // the right edge
+        ctx.textAlign = isNear ? 'right' : 'left';
+        ctx.beginPath();
+        ctx.moveTo(x, bbox.top);
+        ctx.lineTo(x, bbox.top + bbox.height);
+        ctx.stroke();
+        ctx.fillText(name, x + (isNear ? -4 : 4) * pixel, bbox.top + 2 * pixel);
+      }
+    });
   }
 
-  // Marks where the receiver was in failsafe, and where radio frames were lost.
+  // Below the curves: losses, and the moment that is marked.
   private bands(plot: uPlot, palette: Palette): void {
-    const { ctx, bbox } = plot;
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
-    bands(this.history, this.area(plot), (x, width, failsafe) => {
-      ctx.fillStyle = palette[failsafe ? 'alarm-band' : 'warning-band'];
-      ctx.fillRect(x, bbox.top, width, bbox.height);
-    });
-    if (this.event !== undefined) {
-      ctx.fillStyle = palette.ink;
-      ctx.fillRect(Math.round(plot.valToPos(this.event, 'x', true)) - 1, bbox.top, 2, bbox.height);
+    drawBands(plot, this.history, this.area(plot), palette);
+    const { event } = this;
+    if (event !== undefined) {
+      within(plot, (ctx, bbox) => {
+        ctx.fillStyle = palette.ink;
+        ctx.fillRect(Math.round(plot.valToPos(event, 'x', true)) - 1, bbox.top, 2, bbox.height);
+      });
     }
-    ctx.restore();
   }
 }

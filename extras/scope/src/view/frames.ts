@@ -10,7 +10,9 @@ const drawMs = 100;
 
 const hex = (byte: number): string => byte.toString(16).toUpperCase().padStart(2, '0');
 
-const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'the lost-frame flag', 3: 'the failsafe flag' };
+const howTo = 'Point at a bit. Bits are shown least significant first, as on the wire.';
+
+const flagNames: Record<number, string> = { 0: 'CH17', 1: 'CH18', 2: 'The lost-frame flag', 3: 'The failsafe flag' };
 
 export class FramesView {
   private stretches: Stretch[] = []; // the newest last
@@ -42,7 +44,7 @@ export class FramesView {
     bits.addEventListener('focus', () => this.hold(true));
     bits.addEventListener('blur', () => this.hold(false));
     bits.addEventListener('keydown', (event) => this.key(event));
-    setText(this.text, 'Point at a bit. Bits are shown least significant first, as on the wire.');
+    setText(this.text, howTo);
   }
 
   clear(): void {
@@ -159,7 +161,7 @@ export class FramesView {
     this.bits.classList.toggle('held', this.held);
     if (!this.held) {
       this.bitCells.forEach((cell) => cell.classList.remove('same', 'at'));
-      setText(this.text, 'Point at a bit. Bits are shown least significant first, as on the wire.');
+      setText(this.text, howTo);
     } else if (document.activeElement === this.bits) {
       this.explain(this.at);
     }
@@ -181,7 +183,7 @@ export class FramesView {
     const found = this.core.ownerOfBit(frame.bytes.length, byte, at & 7);
     const isFlags = byte === frame.bytes.length - 2;
     if (isFlags) {
-      setText(this.text, `${capital(flagNames[at & 7] ?? 'not used')}: ${place}, of the flags.`);
+      setText(this.text, `${flagNames[at & 7] ?? 'Not used'}: ${place}, of the flags.`);
     } else if (found && owner) {
       const value = frame.channels[Number(owner.slice(2)) - 1];
       const binary = value.toString(2).padStart(11, '0');
@@ -190,8 +192,4 @@ export class FramesView {
       setText(this.text, `${byte === 0 ? 'The header' : 'The end byte'}: ${place}.`);
     }
   }
-}
-
-function capital(text: string): string {
-  return text[0].toUpperCase() + text.slice(1);
 }

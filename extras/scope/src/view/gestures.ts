@@ -6,7 +6,7 @@ const leastSpreadPx = 20;
 const doublePx = 250; // of the wheel, to show twice as much time
 const pinchPx = 50; // of two fingers on a touchpad, to show twice as much time
 
-export interface Gestured {
+interface Gestured {
   // Returns the curves' place on the screen, without their axes.
   place(): DOMRect;
   // Scrolls by this part of the width.

@@ -15,7 +15,7 @@ const legendHeight = 24;
 const legendWidth = 150; // of a name
 const sensorWidth = 380; // of a name with a scale
 
-export interface Shown {
+interface Shown {
   title: string;
   curves: Curve[];
   unit: Unit; // of the channels

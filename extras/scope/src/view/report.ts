@@ -30,7 +30,7 @@ export class ReportView {
 
   draw(source: RecordingSource | undefined): void {
     this.source = source;
-    const flight = source?.flight;
+    const flight = source?.line.flight;
     if (flight !== this.shown) {
       this.shown = flight;
       this.card.hidden = !flight;
@@ -66,7 +66,7 @@ export class ReportView {
 
   // Opens the report in a tab of its own, to look at, to print or to save.
   private async open(): Promise<void> {
-    const html = await this.source?.report();
+    const html = await this.source?.line.report();
     if (html) {
       const url = URL.createObjectURL(new Blob([html], { type: 'text/html' }));
       window.open(url, '_blank');

@@ -1,15 +1,15 @@
 // The comparison with a second line: who lost what, the delay, and B's curves under those of A, at the same moments.
 
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import { byId, setAttribute, setText } from '../dom';
+import type { History } from '../history';
 import { LinkState } from '../line';
 import type { Second } from '../source/second';
-import { ticksOf } from '../unit';
 import { type Lane, together } from './curves';
 import { stateNames } from './link';
-import { colorOf, dashOf } from './dash';
+import { axesOf, drawBands, keepSize, plotIn, pointedAt, scalesOf, seriesOf, showTime, valuesAt } from './plot';
 import { listOf } from './report';
-import { type Area, bands, type Curve, trace } from './strokes';
+import { type Area, trace } from './strokes';
 
 const names = ['A', 'B'];
 const ms = (us: number): string => `${(us / 1000).toFixed(2)} ms`;
@@ -32,7 +32,7 @@ export class SecondView {
     close: () => void,
   ) {
     byId('second-close').addEventListener('click', close);
-    new ResizeObserver(() => this.plot?.setSize({ width: this.root.clientWidth, height: this.root.clientHeight })).observe(this.root);
+    keepSize(this.root, () => this.plot);
   }
 
   // Shows a second line, or none.
@@ -70,10 +70,7 @@ export class SecondView {
     const drawn = `${shown} ${edge} ${seconds} ${history.begin} ${history.end}`;
     if (drawn !== this.drawn) {
       this.drawn = drawn;
-      const plot = this.plot as uPlot;
-      const ends = [edge - seconds, edge]; // each curve reads the history itself
-      plot.setData(plot.series.map(() => ends) as uPlot.AlignedData, false);
-      plot.setScale('x', { min: edge - seconds, max: edge });
+      showTime(this.plot as uPlot, edge, seconds);
     }
     setText(byId('second-readout'), this.read(lane));
   }
@@ -107,6 +104,10 @@ export class SecondView {
     );
   }
 
+  private get history(): History {
+    return (this.second as Second).history;
+  }
+
   // Returns B's time at a time of A, in s.
   private other(seconds: number): number {
     return (this.second as Second).at(1e6 * seconds) / 1e6;
@@ -114,75 +115,27 @@ export class SecondView {
 
   private area(plot: uPlot): Area {
     const { edge, seconds } = this.lane as Lane;
-    const { history } = this.second as Second;
+    const { history } = this;
     const right = this.other(edge);
-    const begin = Math.max(history.find(right - seconds) - 1, history.begin);
-    return { ...plot.bbox, edge: right, seconds, begin, end: Math.min(history.find(right) + 1, history.end) };
+    return { ...plot.bbox, edge: right, seconds, ...history.around(right - seconds, right) };
   }
 
   // Returns B's values at the pointer.
   private read({ curves }: Lane): string {
-    const { history } = this.second as Second;
-    const left = this.plot?.cursor.left ?? -1;
-    if (!this.plot || left < 0 || history.end === history.begin) {
-      return '';
-    }
-    const sample = history.nearest(this.other(this.plot.posToVal(left, 'x')));
-    const values = curves.map(({ column, name, unit }) => `${name} ${unit.text(history.value(sample, column))}`);
-    return [`B ${history.time(sample).toFixed(3)} s`, ...values].join('   ');
+    const { history } = this;
+    const seconds = pointedAt(this.plot);
+    return seconds === undefined || history.end === history.begin ? '' : `B ${valuesAt(history, curves, this.other(seconds))}`;
   }
 
   private make({ curves, unit, palette, thickness }: Lane): void {
     this.plot?.destroy();
-    const grid = { stroke: palette.grid, width: 1 };
-    const axis = { stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 } };
     this.drawn = '';
-    this.plot = new uPlot(
-      {
-        width: Math.max(this.root.clientWidth, 200),
-        height: this.root.clientHeight,
-        legend: { show: false },
-        padding: [8, 24, 0, 0],
-        scales: { x: { time: false, auto: false }, y: { auto: false, range: [unit.low, unit.high] } },
-        axes: [
-          { ...axis, size: 28, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? '' : `${+tick.toFixed(2)} s`)) },
-          { ...axis, size: 46, splits: () => ticksOf(unit), values: (_, ticks) => ticks.map((tick) => unit.text(tick)) },
-        ],
-        series: [
-          {},
-          ...curves.map((curve) => ({
-            stroke: palette.curves[colorOf(curve.column)],
-            width: thickness,
-            dash: dashOf(curve.column),
-            points: { show: false },
-            paths: (plot: uPlot): uPlot.Series.Paths => this.path(plot, curve),
-          })),
-        ],
-        cursor: { y: false, drag: { x: false, y: false }, points: { show: false }, sync: together, bind: { dblclick: () => null } },
-        hooks: { drawClear: [(plot): void => this.bands(plot)] },
-      },
-      [[], ...curves.map(() => [])],
-      this.root,
-    );
-  }
-
-  private path(plot: uPlot, curve: Curve): uPlot.Series.Paths {
-    const stroke = new Path2D();
-    trace((this.second as Second).history, curve, this.area(plot), (this.lane as Lane).longest, stroke);
-    return { stroke };
-  }
-
-  private bands(plot: uPlot): void {
-    const { ctx, bbox } = plot;
-    const { palette } = this.lane as Lane;
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
-    bands((this.second as Second).history, this.area(plot), (x, width, failsafe) => {
-      ctx.fillStyle = palette[failsafe ? 'alarm-band' : 'warning-band'];
-      ctx.fillRect(x, bbox.top, width, bbox.height);
+    this.plot = plotIn(this.root, {
+      scales: scalesOf(unit.low, unit.high),
+      axes: axesOf(unit, palette),
+      series: seriesOf(curves, palette, thickness, (plot, curve, pen) => trace(this.history, curve, this.area(plot), (this.lane as Lane).longest, pen)),
+      cursor: { sync: together },
+      hooks: { drawClear: [(plot): void => drawBands(plot, this.history, this.area(plot), (this.lane as Lane).palette)] },
     });
-    ctx.restore();
   }
 }

@@ -1,6 +1,6 @@
 // Frame intervals as a histogram, and lost frames over time; with the numbers beside them.
 
-import { byId, make, setAttribute, setText } from '../dom';
+import { byId, make, setAttribute, setText, svg } from '../dom';
 import type { History } from '../history';
 import { intervals, losses, type Intervals, type Losses } from '../statistics';
 import { Throttle } from '../throttle';
@@ -82,19 +82,16 @@ function axis(id: string, labels: string[]): void {
 }
 
 // Draws bars side by side, over the whole width.
-function chart(svg: HTMLElement, bars: Bar[]): void {
-  const element = (name: string): SVGElement => document.createElementNS('http://www.w3.org/2000/svg', name);
-  setAttribute(svg, 'viewBox', `0 0 ${Math.max(bars.length, 1)} 1`);
-  while (svg.children.length < bars.length) {
-    const group = element('g');
-    group.append(element('title'), element('rect'), element('rect'));
-    svg.append(group);
+function chart(root: HTMLElement, bars: Bar[]): void {
+  setAttribute(root, 'viewBox', `0 0 ${Math.max(bars.length, 1)} 1`);
+  while (root.children.length < bars.length) {
+    root.append(svg('g', {}, svg('title'), svg('rect'), svg('rect')));
   }
-  while (svg.children.length > bars.length) {
-    svg.lastElementChild?.remove();
+  while (root.children.length > bars.length) {
+    root.lastElementChild?.remove();
   }
   bars.forEach(({ title, pieces }, x) => {
-    const [text, ...rects] = Array.from(svg.children[x].children);
+    const [text, ...rects] = Array.from(root.children[x].children);
     setText(text as HTMLElement, title);
     let y = 1;
     rects.forEach((rect, i) => {

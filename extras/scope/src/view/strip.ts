@@ -3,7 +3,7 @@
 
 import type { Bookmark } from '../bookmarks';
 import { binCount, Fault, faultNames, faults, type FaultMap, type Flight, type Span } from '../faults';
-import { byId, make, setAttribute, setText } from '../dom';
+import { byId, make, setAttribute, setText, svg } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Announcer } from './announcer';
 
@@ -26,13 +26,6 @@ export function clock(us: number, digits = 3): string {
 const textOf = ({ fault, fromUs, toUs }: Span): string => `${faultNames[fault]}, ${clock(fromUs)}${toUs > fromUs ? ` to ${clock(toUs)}` : ''}`;
 
 export const namesOf = (mask: number): string => faults.filter((fault) => mask & (1 << fault)).map((fault) => faultNames[fault]).join(', ');
-
-function svg(name: string, attributes: Record<string, string | number>, ...children: Element[]): SVGElement {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-  Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, String(value)));
-  element.append(...children);
-  return element;
-}
 
 const boxOf = (fault: Fault, from: number, to: number): string => {
   const [top, height] = bands[fault];
@@ -87,7 +80,7 @@ export class Strip {
   }
 
   // `from`, `to`: what the curves show, in us. Call it for each picture.
-  draw({ faults: map, flight, found, isLast, lengthUs }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
+  draw({ line: { faults: map, flight, lengthUs }, found, isLast }: RecordingSource, from: number, to: number, bookmarks: readonly Bookmark[]): void {
     if (map !== this.shown || flight !== this.shownFlight) {
       this.shown = map;
       this.shownFlight = flight;

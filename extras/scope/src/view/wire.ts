@@ -1,12 +1,13 @@
 // The wire of a capture: its edges, from the whole capture down to a bit, and the names of the bits below them.
 
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import { byId, setText } from '../dom';
 import type { RecordingSource } from '../source/recording';
 import { Throttle } from '../throttle';
 import type { Wire } from '../worker/messages';
 import { Gestures } from './gestures';
 import { paletteOf, type Palette } from './palette';
+import { axisOf, keepSize, plotIn, pointedAt, scalesOf } from './plot';
 
 const usualUs = 4000; // a frame of 3 ms
 const leastUs = 20; // two bits of 100000 baud
@@ -36,7 +37,7 @@ export class WireView {
     byId('wire-in').addEventListener('click', () => this.zoom(1 / step, 0.5));
     byId('wire-out').addEventListener('click', () => this.zoom(step, 0.5));
     this.root.addEventListener('keydown', (event) => this.key(event));
-    new ResizeObserver(() => this.plot?.setSize({ width: this.root.clientWidth, height: this.root.clientHeight })).observe(this.root);
+    keepSize(this.root, () => this.plot);
     new Gestures(this.root, {
       place: () => (this.plot as uPlot).over.getBoundingClientRect(),
       scroll: (part) => this.scroll(part),
@@ -141,8 +142,7 @@ export class WireView {
     if (shown.keptUs > 0 && shown.toUs > shown.keptUs) {
       return `Edges are kept up to ${(shown.keptUs / 1e6).toFixed(3)} s: there was no room for more.`;
     }
-    const left = plot.cursor.left ?? -1;
-    const us = left < 0 ? (shown.fromUs + shown.toUs) / 2 : 1e6 * plot.posToVal(left, 'x');
+    const us = 1e6 * (pointedAt(plot) ?? (shown.fromUs + shown.toUs) / 2e6);
     const at = shown.characters.filter((character) => character.us <= us).at(-1);
     if (!at || us > at.us + names.length * shown.bitUs) {
       return shown.characters.length > 0 ? `${(us / 1e6).toFixed(6)} s: the line is idle.` : `${(us / 1e6).toFixed(6)} s`;
@@ -156,28 +156,19 @@ export class WireView {
   private make(): uPlot {
     const palette = (this.palette = paletteOf(this.root));
     this.shown = undefined;
-    const grid = { stroke: palette.grid, width: 1 };
-    return new uPlot(
-      {
-        width: Math.max(this.root.clientWidth, 200),
-        height: this.root.clientHeight,
-        legend: { show: false },
-        padding: [8, 36, 0, 36],
-        scales: { x: { time: false, auto: false }, y: { auto: false, range: [-0.9, 1.15] } },
-        axes: [
-          {
-            stroke: palette.muted, font: '12px system-ui, sans-serif', grid, ticks: { ...grid, size: 4 }, size: 28, space: 110,
-            values: (_, ticks, __, ___, apart) => ticks.map((tick) => `${tick.toFixed(Math.max(0, -Math.floor(Math.log10(apart) + 1e-9)))} s`),
-          },
-          { show: false },
-        ],
-        series: [{}, { stroke: palette.curves[0], width: 1.5, points: { show: false } }],
-        cursor: { y: false, drag: { x: false, y: false }, points: { show: false }, bind: { dblclick: () => null } },
-        hooks: { draw: [(plot): void => this.names(plot)] },
-      },
-      [[], []],
-      this.root,
-    );
+    return plotIn(this.root, {
+      padding: [8, 36, 0, 36],
+      scales: scalesOf(-0.9, 1.15),
+      axes: [
+        {
+          ...axisOf(palette), size: 28, space: 110,
+          values: (_, ticks, __, ___, apart) => ticks.map((tick) => `${tick.toFixed(Math.max(0, -Math.floor(Math.log10(apart) + 1e-9)))} s`),
+        },
+        { show: false },
+      ],
+      series: [{}, { stroke: palette.curves[0], width: 1.5, points: { show: false } }],
+      hooks: { draw: [(plot): void => this.names(plot)] },
+    });
   }
 
   // Writes the characters and the names of their bits below the edges, as far as there is room.

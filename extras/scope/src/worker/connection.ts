@@ -10,7 +10,7 @@
 
 export type State = 'closed' | 'choosing' | 'opening' | 'open' | 'reopening' | 'failed';
 
-export interface Listener {
+interface Listener {
   opened(): void;
   bytes(bytes: Uint8Array): void;
   // Bytes were lost; `error` is its name. The port stays open.
@@ -18,7 +18,7 @@ export interface Listener {
   unplugged(): void;
 }
 
-export type Port = Pick<SerialPort, 'open' | 'close' | 'readable'>;
+type Port = Pick<SerialPort, 'open' | 'close' | 'readable'>;
 
 const retryMs = 1000;
 

@@ -3,7 +3,6 @@
 
 import { RecordReader } from '../border';
 import type { Setting } from '../core';
-import type { Status } from '../line';
 import { imports, Native } from '../native';
 import { Comparing } from './comparing';
 import type { Answer, Live, LiveState, Opening, Picture, Request } from './messages';
@@ -12,7 +11,6 @@ import { Trials, type Tried } from './trials';
 
 const turnMs = 10; // from one look at a port to the next
 const mostRecords = 1 << 15; // that wait for the page: it asks for none while it is in the background
-const channels = 32;
 
 // Where a live line hears requests and answers them: a MessagePort, or what does its work in the page.
 export interface Out {
@@ -85,7 +83,7 @@ class LiveLine {
     if (feed instanceof PortFeed) {
       this.timer = setInterval(() => this.turn(0), turnMs);
     }
-    this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0, this.status(0)) });
+    this.answer({ kind: 'opened', lengthUs: 0, carrier: '', picture: this.picture(0, 0) });
   }
 
   private join(comparing: Comparing | undefined, side: number): void {
@@ -100,7 +98,7 @@ class LiveLine {
         if (!this.timer) {
           this.turn(request.us);
         }
-        const picture = this.picture(request.id, this.us, this.status(this.us));
+        const picture = this.picture(request.id, this.us);
         this.answer(picture, picture.records.map(({ buffer }) => buffer));
         break;
       }
@@ -112,11 +110,7 @@ class LiveLine {
       case 'sensors': native.transfer(request.sensors, (count) => native.calls.setSensors(count)); break;
       case 'record': {
         const us = native.calls.record(Number(request.on));
-        if (request.on) {
-          this.answer({ kind: 'recording', us });
-        } else {
-          this.answer({ kind: 'recorded', text: native.words(native.calls.takeRecorded()) });
-        }
+        this.answer(request.on ? { kind: 'recording', us } : { kind: 'recorded', text: native.recorded() });
         break;
       }
       case 'close':
@@ -146,27 +140,20 @@ class LiveLine {
     while (this.count > mostRecords) {
       this.count -= (this.records.shift() as Uint8Array).length / RecordReader.size;
     }
-    const status = this.status(nowUs);
+    const status = native.status(nowUs);
     this.comparing?.knownUntil(this.side, nowUs - status.lateUs);
     void this.trials.tick(status);
   }
 
-  private status(us: number): Status {
-    return this.native.status(us);
-  }
-
-  private picture(id: number, us: number, status: Status): Picture {
-    const { native } = this;
+  private picture(id: number, us: number): Picture {
     const { title, state, problem, isUnplugged, events } = this.feed;
     const { note, round } = this.trials;
     const records = this.records;
     this.records = [];
     this.count = 0;
     const live: LiveState = { title, state, problem, isUnplugged, events: events && new Map(events), note, round };
-    const recorded = native.words(native.calls.takeRecorded());
-    const travel = Array.from({ length: channels }, (_, i) => native.travel(i));
     const compared = this.first && this.comparing?.news();
-    return { kind: 'picture', id, jumped: false, us, status, travel, telemetry: native.telemetry(us), records, recorded, faults: 0, live, compared };
+    return { kind: 'picture', id, jumped: false, ...this.native.picture(us), records, faults: 0, live, compared };
   }
 
   private answer(message: Answer, transfer: Transferable[] = []): void {

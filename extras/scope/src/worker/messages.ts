@@ -10,7 +10,7 @@ import type { Status } from '../line';
 import type { Problem } from '../source/Source';
 import type { State } from './connection';
 
-export type Travel = [number, number] | undefined;
+type Travel = [number, number] | undefined;
 
 // Among the ports that this page may use, in the browser's order; a SerialPort cannot be sent to a worker.
 export interface PortPlace {

@@ -20,7 +20,6 @@ const shownUs = 10000000; // before a place that was sought: what the curves sho
 const settledUs = 10000000; // before that, until a decoder that begins anywhere shows what one that began at 0 does
 const spacing = 25000; // characters from one image to the next: ten seconds of S.Bus, which are decoded in 6 ms
 const mostImages = 1024; // of 80 kB each
-const channels = 32;
 
 const answer = (message: Answer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
@@ -96,13 +95,20 @@ class Index {
   }
 }
 
+// A comparison with another recording.
+interface Comparing {
+  id: number;
+  other: Tape;
+  next: number; // its next character
+}
+
 class Playing {
   private player: Decoder;
   private index: Index;
   private past?: Past;
   private knowsFlight = false;
   private search?: Search;
-  private comparing?: { id: number; other: Tape; next: number };
+  private comparing?: Comparing;
   private previewed = 0; // the newest seek whose place was shown before it was decoded
   private soughtUs?: number; // the place of a seek that is not done yet
   private readonly waiting: Request[] = []; // until the place that is looked for is reached
@@ -134,11 +140,7 @@ class Playing {
       this.waiting.push(request); // a jump would end it
     } else if (request.kind === 'record') {
       const us = calls.record(Number(request.on));
-      if (request.on) {
-        answer({ kind: 'recording', us });
-      } else {
-        answer({ kind: 'recorded', text: reader.words(calls.takeRecorded()) });
-      }
+      answer(request.on ? { kind: 'recording', us } : { kind: 'recorded', text: reader.recorded() });
     } else if (request.kind === 'report') {
       answer({ kind: 'report', html: this.tape.report() });
     } else if (request.kind === 'advance' || request.kind === 'seek' || request.kind === 'fault' || request.kind === 'event') {
@@ -220,7 +222,7 @@ class Playing {
     }
   }
 
-  private workAtComparison(comparing: { id: number; other: Tape; next: number }): void {
+  private workAtComparison(comparing: Comparing): void {
     const { id, other } = comparing;
     for (const endMs = performance.now() + sliceMs; comparing.next < other.size && performance.now() < endMs; ) {
       const { bytes, count } = other.part(comparing.next);
@@ -349,12 +351,8 @@ function recordsAt(decoder: Decoder, us: number): Uint8Array[] {
   return records;
 }
 
-function pictureOf({ us, calls, reader }: Decoder, id: number, jumped: boolean, records: Uint8Array[]): Picture {
-  const status = reader.status(us);
-  const travel = Array.from({ length: channels }, (_, i) => reader.travel(i));
-  const recorded = reader.words(calls.takeRecorded());
-  const telemetry = reader.telemetry(us);
-  return { kind: 'picture', id, jumped, us, status, travel, telemetry, records, recorded, faults: 0 };
+function pictureOf({ us, reader }: Decoder, id: number, jumped: boolean, records: Uint8Array[]): Picture {
+  return { kind: 'picture', id, jumped, ...reader.picture(us), records, faults: 0 };
 }
 
 const isSilent = (status: Status, fault: Fault): boolean => (fault === Fault.Late ? status.lateUs > 0 : status.state === LinkState.Stale);
