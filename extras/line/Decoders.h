@@ -10,8 +10,8 @@
 
 namespace line {
 
-// Takes a decoder's events (sbus::NoEvents), and maps them to places on the line.
-class Places {
+// Takes a decoder's events, and maps them to places on the line.
+class Places : public sbus::NoEvents {
  public:
   // Takes the place of the decoder's next byte.
   void put(uint64_t at) { _open.push_back(at); }
@@ -21,8 +21,6 @@ class Places {
 
   void extra() { found(Stretch::Kind::Extra, sbus::FrameSize, 0); }
   void discarded(const uint8_t *, int count) { _open.erase(_open.begin(), _open.begin() + count); }
-  void begin() {}
-  void lost() {}
   void rejected(int at, sbus::Rejection why);
   bool seesEachGap() const { return !isBursty; }
 
@@ -47,7 +45,6 @@ class Places {
 
 template <typename Format>
 struct PlacesOf : Places {
-  void interval(uint32_t) {}
   void taken(const uint8_t *frame) {
     found(Format::HasExtra ? Stretch::Kind::Frame : Stretch::Kind::Frame24, Format::Size, Format::flags(frame));
   }

@@ -24,13 +24,6 @@ std::vector<uint8_t> frameBytes(Stretch::Kind kind, const Values &values, uint8_
   return frame;
 }
 
-Values withFlags(Values values, uint8_t flagsByte) {
-  values.switches = {(flagsByte & sbus::FlagChannel17) != 0, (flagsByte & sbus::FlagChannel18) != 0};
-  values.lostFrame = (flagsByte & sbus::FlagLostFrame) != 0;
-  values.failsafe = (flagsByte & sbus::FlagFailsafe) != 0;
-  return values;
-}
-
 uint64_t appendBackToBack(const std::vector<Character> &came, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,
                           std::deque<Character> &characters) {
   uint64_t us = std::max(lastUs, endUs - std::min(endUs, uint64_t{came.size()} * characterUs));

@@ -14,10 +14,6 @@ namespace line {
 // `values`.
 std::vector<uint8_t> frameBytes(Stretch::Kind kind, const Values &values, uint8_t end = 0);
 
-// Returns the values with the switches and flags of another flags byte: that of a frame with header 2F, for which an
-// Observer reports only the channels.
-Values withFlags(Values values, uint8_t flagsByte);
-
 // Appends characters without times, back to back, so that the last one ends at `endUs`, or later if the line is busy
 // until `lastUs`. Returns its end.
 uint64_t appendBackToBack(const std::vector<Character> &came, uint64_t endUs, uint64_t lastUs, uint32_t characterUs,

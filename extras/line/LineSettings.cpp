@@ -17,10 +17,6 @@ uint32_t LineSettings::bitNs() const {
   return static_cast<uint32_t>(SecondNs / std::clamp(baud, 1ul, SecondNs));
 }
 
-bool samePolarity(const LineSettings &port, const LineSettings &line) {
-  return line.polarity == Polarity::Either || port.polarity == line.polarity;
-}
-
 std::string mismatch(const LineSettings &port, const LineSettings &line) {
   std::string names;
   const auto compare = [&names](bool same, const char *name) {
@@ -28,7 +24,7 @@ std::string mismatch(const LineSettings &port, const LineSettings &line) {
   };
   compare(port.baud == line.baud, "baud rate");
   compare(port.format == line.format, "format");
-  compare(samePolarity(port, line), "polarity");
+  compare(line.polarity == Polarity::Either || port.polarity == line.polarity, "polarity");
   return names;
 }
 

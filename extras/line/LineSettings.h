@@ -47,9 +47,6 @@ struct LineSettings {
   }
 };
 
-// Returns true if `line` and `port` have the same idle level.
-bool samePolarity(const LineSettings &port, const LineSettings &line);
-
 // Returns the differences, "baud rate, format, polarity"; empty if the port's settings are right for the line.
 std::string mismatch(const LineSettings &port, const LineSettings &line);
 

@@ -24,6 +24,13 @@ sbus::LinkState Arrivals::state(uint64_t nowUs) {
   return _link.state(static_cast<uint32_t>(_newestUs), static_cast<uint32_t>(_askedUs));
 }
 
+Values withFlags(Values values, uint8_t flagsByte) {
+  values.switches = {(flagsByte & sbus::FlagChannel17) != 0, (flagsByte & sbus::FlagChannel18) != 0};
+  values.lostFrame = (flagsByte & sbus::FlagLostFrame) != 0;
+  values.failsafe = (flagsByte & sbus::FlagFailsafe) != 0;
+  return values;
+}
+
 void Statistics::add(const Stretch &frame) {
   std::array<uint8_t, sbus::FrameSize24> bytes{};
   std::transform(frame.characters.begin(), frame.characters.end(), bytes.begin(),
@@ -40,9 +47,8 @@ void Statistics::add(const Stretch &frame) {
   is24 ? sbus::unpack24(bytes.data(), channels.data()) : sbus::unpack(bytes.data(), channels.data());
   std::copy_n(channels.begin(), count, _newest.raw.begin());
   _newest.count = std::max(static_cast<unsigned>(count), is24 ? 0 : _newest.count);
-  _newest.switches = {!is24 && (flags & sbus::FlagChannel17) != 0, !is24 && (flags & sbus::FlagChannel18) != 0};
-  _newest.lostFrame = (flags & sbus::FlagLostFrame) != 0;
-  _newest.failsafe = (flags & sbus::FlagFailsafe) != 0;
+  _newest = withFlags(_newest, flags);
+  _newest.switches = is24 ? std::array<bool, 2>{} : _newest.switches;
   _newest.endUs = frame.endUs();
   mark(0, count);
   Arrivals::add(frame.endUs(), flags);

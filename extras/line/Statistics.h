@@ -71,6 +71,10 @@ struct Values {
   bool failsafe = false;           // the frame's flag
 };
 
+// Returns the values with the switches and flags of another flags byte, as of a frame with header 2F: of that an
+// Observer reports only the channels.
+Values withFlags(Values values, uint8_t flagsByte);
+
 class Statistics : public Arrivals {
  public:
   const Values &newest() const { return _newest; }

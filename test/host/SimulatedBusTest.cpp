@@ -94,7 +94,7 @@ TEST_CASE(
       ends += std::to_string(stretch.characters.back().value >> 4);
       CHECK((stretch.characters.back().value & 0x0F) == 4);
     }
-    for (const line::TelemetrySlots::Slot &slot : observer.telemetry().proved()) {
+    for (const line::TimedSlot &slot : observer.telemetry().proved()) {
       const line::Quantity quantity = line::sensorOf("receiver")->quantities(&slot.data)[0];
       voltages += std::string(quantity.name) + " " + quantity.value + " at " + std::to_string(slot.endUs) + "; ";
     }

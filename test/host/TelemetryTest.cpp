@@ -45,7 +45,7 @@ std::string feed(const std::vector<Burst> &line, Listen listen) {
 std::string read(const std::vector<Burst> &line) {
   std::string text;
   const std::string rejected = feed(line, [&text](const line::Observer &observer, const line::Stretch &) {
-    for (const line::TelemetrySlots::Slot &slot : observer.telemetry().proved()) {
+    for (const line::TimedSlot &slot : observer.telemetry().proved()) {
       text += std::to_string(slot.endUs) + " " + std::to_string(slot.number) + ":" + std::to_string(slot.data.data0) +
               "," + std::to_string(slot.data.data1) + " ";
     }
@@ -188,7 +188,7 @@ TEST_CASE("a stretch is named slots while only slots have come since the frame; 
 }
 
 TEST_CASE("readings have the newest of each quantity, both of the receiver's, and none of a sensor that lacks a slot") {
-  using Slots = std::vector<line::TelemetrySlots::Slot>;
+  using Slots = std::vector<line::TimedSlot>;
   line::Readings readings({{uint8_t{0}, line::sensorOf("receiver")}, {uint8_t{1}, line::sensorOf("SBS-01V")}});
   const auto texts = [&readings](uint64_t sinceUs) {
     std::string all;

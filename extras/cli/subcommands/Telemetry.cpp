@@ -51,12 +51,12 @@ class TelemetryView {
   }
 
  private:
-  void print(const std::vector<line::TelemetrySlots::Slot> &slots) {
+  void print(const std::vector<line::TimedSlot> &slots) {
     std::map<unsigned, line::Quantity> shown;  // by slot
     for (const line::Quantity &quantity : line::quantitiesIn(slots, _sensors)) {
       shown.emplace(quantity.slot, quantity);
     }
-    for (const line::TelemetrySlots::Slot &slot : slots) {
+    for (const line::TimedSlot &slot : slots) {
       const auto quantity = shown.find(slot.number);
       if (_asJson) {
         writeJson(slot, quantity == shown.end() ? nullptr : &quantity->second);

@@ -2,58 +2,38 @@
 
 #include "stm32l0_uart.h"
 
-#include <algorithm>
-
 #include "board/Board.h"
-#include "SerialConfig.h"
-#include "Uart.h"
-#include "UsbSerial.h"
+
+// Last: its macros break the C++ library.
+#include "Arduino.h"
 
 using host::Board;
 
-// Declared here, since the macros of Arduino.h break the C++ library.
-uint32_t millis();
-uint32_t micros();
-void delay(unsigned long ms);
-void delayMicroseconds(unsigned int us);
-void yield();
-void noInterrupts();
-void interrupts();
-void pinMode(uint32_t pin, uint32_t mode);
-void digitalWrite(uint32_t pin, uint32_t value);
-int digitalRead(uint32_t pin);
-int analogRead(uint32_t pin);
-void analogReadResolution(int bits);
-void analogWrite(uint32_t pin, uint32_t value);
-void tone(uint32_t pin, uint32_t frequency, uint32_t duration);
-void noTone(uint32_t pin);
-uint32_t pulseIn(uint32_t pin, uint32_t state, uint32_t timeout);
-void attachInterrupt(uint32_t pin, void (*callback)(), uint32_t mode);
-void detachInterrupt(uint32_t pin);
-
 namespace {
 
-// The time to read the clock or poll a port. It must not be 0: otherwise a sketch that waits in a loop would never
-// return.
-constexpr uint64_t PollUs = 1;
+// Returns the board, after the time to read the clock or poll a port. It must not be 0: otherwise a sketch that waits in
+// a loop would never return.
+Board &polled() {
+  constexpr uint64_t PollUs = 1;
+  Board::instance().spend(PollUs);
+  return Board::instance();
+}
 
 // Waits until the current packet is sent.
 void waitForPacket(const host::BoardTransmitter &transmitter) {
   Board &board = Board::instance();
   const uint64_t nowUs = board.clock().nowUs();
-  board.spend(std::max(transmitter.packetEndUs(), nowUs + 1) - nowUs);
+  board.spend(max(transmitter.packetEndUs(), nowUs + 1) - nowUs);
 }
 
 }  // namespace
 
 uint32_t millis() {
-  Board::instance().spend(PollUs);
-  return Board::instance().clock().millis();
+  return polled().clock().millis();
 }
 
 uint32_t micros() {
-  Board::instance().spend(PollUs);
-  return Board::instance().clock().micros();
+  return polled().clock().micros();
 }
 
 void delay(unsigned long ms) {
@@ -65,7 +45,7 @@ void delayMicroseconds(unsigned int us) {
 }
 
 void yield() {
-  Board::instance().spend(PollUs);
+  polled();
 }
 
 void noInterrupts() {
@@ -175,40 +155,34 @@ void Uart::end() {
 }
 
 int Uart::available() {
-  Board::instance().spend(PollUs);
-  return port().uart().available();
+  return polled().port(_number).uart().available();
 }
 
 int Uart::peek() {
-  Board::instance().spend(PollUs);
-  return port().uart().peek();
+  return polled().port(_number).uart().peek();
 }
 
 int Uart::read() {
-  Board::instance().spend(PollUs);
-  return port().uart().read();
+  return polled().port(_number).uart().read();
 }
 
 #if !defined(HOST_PLAIN_CORE)
 int Uart::read(uint8_t *buffer, size_t size) {
-  Board::instance().spend(PollUs);
-  return port().uart().read(buffer, size);
+  return polled().port(_number).uart().read(buffer, size);
 }
 #endif
 
 int Uart::availableForWrite() {
-  Board::instance().spend(PollUs);
-  return port().transmitter().availableForWrite();
+  return polled().port(_number).transmitter().availableForWrite();
 }
 
-size_t Uart::write(uint8_t byte) {
-  return write(&byte, 1);
+size_t Uart::write(uint8_t value) {
+  return write(&value, 1);
 }
 
 size_t Uart::write(const uint8_t *buffer, size_t size) {
-  Board &board = Board::instance();
+  Board &board = polled();
   host::BoardTransmitter &transmitter = port().transmitter();
-  board.spend(PollUs);
   size_t done = transmitter.write(board.clock().nowUs(), buffer, size);
   while (done < size && transmitter.isOpen() && !board.inCallback()) {
     waitForPacket(transmitter);
@@ -246,29 +220,29 @@ void UsbSerial::begin(unsigned long baud, uint32_t) {
 }
 
 int UsbSerial::available() {
-  Board::instance().spend(PollUs);
-  return Board::instance().input().available(Board::instance().clock().nowUs());
+  Board &board = polled();
+  return board.input().available(board.clock().nowUs());
 }
 
 int UsbSerial::peek() {
-  Board::instance().spend(PollUs);
-  return Board::instance().input().peek(Board::instance().clock().nowUs());
+  Board &board = polled();
+  return board.input().peek(board.clock().nowUs());
 }
 
 int UsbSerial::read() {
-  Board::instance().spend(PollUs);
-  return Board::instance().input().read(Board::instance().clock().nowUs());
+  Board &board = polled();
+  return board.input().read(board.clock().nowUs());
 }
 
 #if !defined(HOST_PLAIN_CORE)
 int UsbSerial::read(uint8_t *buffer, size_t size) {
-  Board::instance().spend(PollUs);
-  return Board::instance().input().read(Board::instance().clock().nowUs(), buffer, size);
+  Board &board = polled();
+  return board.input().read(board.clock().nowUs(), buffer, size);
 }
 #endif
 
-size_t UsbSerial::write(uint8_t byte) {
-  return write(&byte, 1);
+size_t UsbSerial::write(uint8_t value) {
+  return write(&value, 1);
 }
 
 size_t UsbSerial::write(const uint8_t *buffer, size_t size) {

@@ -2,51 +2,27 @@
 
 uint32_t millis();
 
-int Stream::timedRead() {
+// Calls read() or peek() until it returns a byte; a negative number: not within the timeout.
+int Stream::timed(int (Stream::*next)()) {
   const uint32_t startMs = millis();
-  int next = read();
-  while (next < 0 && millis() - startMs < _timeout) {
-    next = read();
+  int byte = (this->*next)();
+  while (byte < 0 && millis() - startMs < _timeout) {
+    byte = (this->*next)();
   }
-  return next;
+  return byte;
 }
 
-int Stream::timedPeek() {
-  const uint32_t startMs = millis();
-  int next = peek();
-  while (next < 0 && millis() - startMs < _timeout) {
-    next = peek();
-  }
-  return next;
-}
-
-size_t Stream::readBytes(uint8_t *buffer, size_t size) {
+size_t Stream::readUpTo(int end, uint8_t *buffer, size_t size) {
   size_t count = 0;
-  for (int next = 0; count < size && (next = timedRead()) >= 0; count++) {
+  for (int next = 0; count < size && (next = timedRead()) >= 0 && next != end; count++) {
     buffer[count] = static_cast<uint8_t>(next);
   }
   return count;
 }
 
-size_t Stream::readBytesUntil(char terminator, uint8_t *buffer, size_t size) {
-  size_t count = 0;
-  for (int next = 0; count < size && (next = timedRead()) >= 0 && next != static_cast<uint8_t>(terminator); count++) {
-    buffer[count] = static_cast<uint8_t>(next);
-  }
-  return count;
-}
-
-String Stream::readString() {
+String Stream::readUpTo(int end) {
   String text;
-  for (int next = timedRead(); next >= 0; next = timedRead()) {
-    text += static_cast<char>(next);
-  }
-  return text;
-}
-
-String Stream::readStringUntil(char terminator) {
-  String text;
-  for (int next = timedRead(); next >= 0 && next != static_cast<uint8_t>(terminator); next = timedRead()) {
+  for (int next = timedRead(); next >= 0 && next != end; next = timedRead()) {
     text += static_cast<char>(next);
   }
   return text;

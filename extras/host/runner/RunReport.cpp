@@ -112,28 +112,16 @@ void reportSenders(Board &board, const Options &options) {
 }
 
 void reportPins(const Pins &pins) {
-  const auto report = [](const char *way, uint32_t pin, const Pins::Use &use, const char *unit) {
-    if (use.times == 0) {
-      std::fprintf(stderr, "%s at pin %u: never set\n", way, pin);
-    } else {
-      std::fprintf(stderr, "%s at pin %u: %d..%d%s, %lu times set\n", way, pin, use.low, use.high, unit, use.times);
-    }
-  };
+  // Indexed by Pins::Way, with the unit of a value.
+  constexpr const char *Names[][2] = {
+      {"digitalWrite()", ""}, {"analogWrite()", ""}, {"tone()", " Hz"}, {"servo", " us"}};
   for (const auto &[key, use] : pins.uses()) {
     const auto &[way, pin] = key;
-    switch (way) {
-      case Pins::Digital:
-        report("digitalWrite()", pin, use, "");
-        break;
-      case Pins::Analog:
-        report("analogWrite()", pin, use, "");
-        break;
-      case Pins::Tone:
-        report("tone()", pin, use, " Hz");
-        break;
-      case Pins::Servo:
-        report("servo", pin, use, " us");
-        break;
+    const auto &[name, unit] = Names[way];
+    if (use.times == 0) {
+      std::fprintf(stderr, "%s at pin %u: never set\n", name, pin);
+    } else {
+      std::fprintf(stderr, "%s at pin %u: %d..%d%s, %lu times set\n", name, pin, use.low, use.high, unit, use.times);
     }
   }
 }

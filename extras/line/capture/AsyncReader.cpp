@@ -1,7 +1,6 @@
 #include "line/capture/AsyncReader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "line/capture/CsvLayout.h"
@@ -19,9 +18,7 @@ constexpr const char *OneAnalyser = "Async Serial";  // Logic 1 gives no name
 bool parseByte(std::string_view word, unsigned &value) {
   const int base = word.substr(0, 2) == "0x" ? 16 : word.substr(0, 2) == "0b" ? 2 : 10;
   word.remove_prefix(base == 10 ? 0 : 2);
-  const char *const end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, value, base);
-  return read.ec == std::errc() && read.ptr == end && value <= UINT8_MAX;
+  return parseWhole(word, value, base) && value <= UINT8_MAX;
 }
 
 }  // namespace

@@ -13,9 +13,8 @@
 namespace line {
 
 constexpr int64_t CaptureTimeMaxNs = int64_t{366} * 24 * 3600 * 1000000000;  // a year: later times are a mistake
-constexpr size_t CaptureLineMax = size_t{1} << 16;                           // characters of text
 constexpr size_t SignalsMax = 4096;                                          // in a capture
-constexpr size_t CaptureHeadMax = 65536;  // characters; they must show the format
+constexpr size_t CaptureHeadMax = 65536;                                     // characters; they must show the format
 
 // Receives levels from a reader.
 class LevelSink {

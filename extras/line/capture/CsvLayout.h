@@ -33,6 +33,6 @@ struct CsvLayout {
 
 // Finds the layout. Returns what is wrong and what is expected, or nothing. `head`: the file's first lines. `periodNs`:
 // the time between two rows, which overrides the file's; 0: the file's.
-std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs = 0);
+std::string findLayout(std::string_view head, CsvLayout &layout, double periodNs);
 
 }  // namespace line

@@ -111,12 +111,9 @@ std::string DigitalReader::changed(std::string_view row) {
 }
 
 AnalogueReader::AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold)
-    : CsvReader(std::move(layout), sink), _isGiven(threshold.has_value()) {
-  _signals.resize(_layout.columns.size());
-  for (Signal &signal : _signals) {
-    signal.threshold = Threshold(threshold.value_or(0), 0);
-    signal.found = _isGiven;
-  }
+    : CsvReader(std::move(layout), sink),
+      _isGiven(threshold.has_value()),
+      _signals(_layout.columns.size(), Signal{AnalogueLevel(threshold), {}}) {
 }
 
 // First reads all voltages of these rows, then looks for edges; it reads a time only at an edge.
@@ -132,15 +129,12 @@ std::string AnalogueReader::rows(std::string_view text) {
     error = isSkipped(row) ? "" : takeVolts(row);
   }
   for (Signal &signal : _signals) {
-    if (!_isGiven) {
-      signal.learn();
-    }
+    signal.level.learn(signal.volts);
   }
   for (size_t i = 0; i < _rows.size(); i++, _row++) {
     for (size_t s = 0; s < _signals.size(); s++) {
       Signal &signal = _signals[s];
-      const bool high = signal.threshold.isHigh(signal.volts[i], signal.high);
-      if (!signal.found || (high == signal.high && signal.begun)) {
+      if (!signal.level.changes(signal.volts[i])) {
         continue;
       }
       int64_t ns;
@@ -149,22 +143,13 @@ std::string AnalogueReader::rows(std::string_view text) {
         _lines -= _rows.size() - 1 - i;
         return wrong;
       }
-      signal.begun = true;
-      signal.high = high;
-      _sink.level(s, ns, high);
+      _sink.level(s, ns, signal.level.isHigh());
     }
   }
   if (!_rows.empty()) {
     _last = _rows.back();
   }
   return error;
-}
-
-// Starts over if the swing is now much larger than before: then everything before was noise.
-void AnalogueReader::Signal::learn() {
-  if (!found || Threshold::rangeOf(volts).span > 2.5 * threshold.swing()) {
-    found = threshold.find(volts) || found;
-  }
 }
 
 std::string AnalogueReader::takeVolts(std::string_view row) {

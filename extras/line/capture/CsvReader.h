@@ -44,19 +44,14 @@ class DigitalReader : public CsvReader {
 class AnalogueReader : public CsvReader {
  public:
   // `threshold`: for all signals; without it, one is found for each signal.
-  AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold = {});
+  AnalogueReader(CsvLayout layout, LevelSink &sink, std::optional<double> threshold);
 
   bool needsFullBlocks() const override { return !_isGiven; }
 
  private:
   struct Signal {
-    Threshold threshold;
+    AnalogueLevel level;
     std::vector<double> volts;  // of the current rows
-    bool found = false;         // there are two levels
-    bool begun = false;         // the first level has been emitted
-    bool high = false;
-
-    void learn();
   };
 
   std::string rows(std::string_view text) override;

@@ -48,7 +48,7 @@ size_t EdgeStore::approximateCount(int64_t fromNs, int64_t toNs) const {
     if (block.firstNs >= fromNs && block.lastNs < toNs) {
       count += block.count;
     } else {
-      block.each([&](int64_t ns, int64_t nextNs, bool) { count += nextNs > fromNs && ns < toNs; }, INT64_MAX);
+      block.each(fromNs, toNs, INT64_MAX, [&count](int64_t, int64_t, bool) { count++; });
     }
   }
   return count;
@@ -73,21 +73,15 @@ void EdgeStore::levels(int64_t fromNs, int64_t toNs, uint8_t *columns, size_t co
   const bool isExact = blockBefore(toNs) - first <= ExactBlocks;
   for (size_t i = first; i < _blocks.size() && _blocks[i]->firstNs < toNs; i++) {
     const Block &block = *_blocks[i];
-    const int64_t afterNs = i + 1 < _blocks.size() ? _blocks[i + 1]->firstNs : toNs;
     if (isExact) {
-      block.each(
-          [&](int64_t ns, int64_t nextNs, bool high) {
-            if (nextNs > fromNs && ns < toNs) {
-              mark(ns, nextNs, high ? 2 : 1);
-            }
-          },
-          afterNs);
+      block.each(fromNs, toNs, afterNs(i),
+                 [&mark](int64_t ns, int64_t nextNs, bool high) { mark(ns, nextNs, high ? 2 : 1); });
     } else {
       const int64_t quietToNs = block.quietFromNs + block.quietNs;
       mark(block.firstNs, block.quietFromNs, 3);
       mark(block.quietFromNs, quietToNs, block.isQuietHigh ? 2 : 1);
       mark(quietToNs, block.lastNs, 3);
-      mark(block.lastNs, afterNs, block.lastHigh ? 2 : 1);
+      mark(block.lastNs, afterNs(i), block.lastHigh ? 2 : 1);
     }
   }
 }

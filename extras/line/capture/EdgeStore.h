@@ -26,13 +26,7 @@ class EdgeStore {
   template <typename Edge>
   void each(int64_t fromNs, int64_t toNs, Edge edge) const {
     for (size_t i = blockBefore(fromNs); i < _blocks.size() && _blocks[i]->firstNs < toNs; i++) {
-      _blocks[i]->each(
-          [&](int64_t ns, int64_t nextNs, bool high) {
-            if (nextNs > fromNs && ns < toNs) {
-              edge(ns, high);
-            }
-          },
-          i + 1 < _blocks.size() ? _blocks[i + 1]->firstNs : INT64_MAX);
+      _blocks[i]->each(fromNs, toNs, afterNs(i), [&](int64_t ns, int64_t, bool high) { edge(ns, high); });
     }
   }
 
@@ -61,9 +55,14 @@ class EdgeStore {
     uint32_t used = 0;
     uint8_t bytes[BlockSize - 48];  // times between edges, seven bits per byte; the highest bit: more bytes follow
 
-    // `afterNs`: the first edge of the next block.
+    // Calls edge(ns, nextNs, high) for each edge of that time, and for the one before it. `afterNs` ends the last one.
     template <typename Edge>
-    void each(Edge edge, int64_t afterNs) const {
+    void each(int64_t fromNs, int64_t toNs, int64_t afterNs, Edge edge) const {
+      const auto take = [&](int64_t ns, int64_t nextNs, bool high) {
+        if (nextNs > fromNs && ns < toNs) {
+          edge(ns, nextNs, high);
+        }
+      };
       int64_t ns = firstNs;
       bool high = firstHigh;
       for (uint32_t at = 0; at < used;) {
@@ -74,13 +73,16 @@ class EdgeStore {
           shift += 7;
         } while ((bytes[at++] & 0x80) != 0);
         const int64_t nextNs = ns + static_cast<int64_t>(delta);
-        edge(ns, nextNs, high);
+        take(ns, nextNs, high);
         ns = nextNs;
         high = !high;
       }
-      edge(ns, afterNs, high);
+      take(ns, afterNs, high);
     }
   };
+
+  // Returns the first edge of the next block.
+  int64_t afterNs(size_t block) const { return block + 1 < _blocks.size() ? _blocks[block + 1]->firstNs : INT64_MAX; }
 
   // Returns the index of the last block that begins by then; 0 without one.
   size_t blockBefore(int64_t ns) const;

@@ -9,10 +9,6 @@
 
 namespace line {
 
-constexpr bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 constexpr bool isAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
 }

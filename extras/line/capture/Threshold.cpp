@@ -94,4 +94,21 @@ bool Threshold::lasts(const std::vector<double> &volts) const {
   return changes > 0 && std::min(high, volts.size() - high) >= SamplesMin * pulses;
 }
 
+// Starts over if the swing is now much larger than before: then everything before was noise.
+void AnalogueLevel::learn(const std::vector<double> &volts) {
+  if (!_isGiven && (!_found || Threshold::rangeOf(volts).span > 2.5 * _threshold.swing())) {
+    _found = _threshold.find(volts) || _found;
+  }
+}
+
+bool AnalogueLevel::changes(double volts) {
+  const bool high = _threshold.isHigh(volts, _isHigh);
+  if (!_found || (_begun && high == _isHigh)) {
+    return false;
+  }
+  _begun = true;
+  _isHigh = high;
+  return true;
+}
+
 }  // namespace line

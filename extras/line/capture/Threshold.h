@@ -1,6 +1,7 @@
 // Turns a wire's voltages into levels.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace line {
@@ -37,6 +38,29 @@ class Threshold {
 
   double _low = 0;   // low up to here
   double _high = 0;  // high from here on
+};
+
+// The level of a wire, from its voltages.
+class AnalogueLevel {
+ public:
+  // `threshold`: given by the user; otherwise learn() finds it.
+  explicit AnalogueLevel(std::optional<double> threshold = {})
+      : _threshold(threshold.value_or(0), 0), _found(threshold.has_value()), _isGiven(_found) {}
+
+  // Searches the voltages that follow for the threshold, if none was given.
+  void learn(const std::vector<double> &volts);
+
+  // Takes the next voltage. Returns true if it is the first level or changes it; false while there is no threshold.
+  bool changes(double volts);
+
+  bool isHigh() const { return _isHigh; }
+
+ private:
+  Threshold _threshold;
+  bool _found;  // there are two levels
+  bool _isGiven;
+  bool _begun = false;  // there is a first level
+  bool _isHigh = false;
 };
 
 }  // namespace line

@@ -26,21 +26,6 @@ void takeRange(std::string_view range, double &highest, double &lowest) {
   }
 }
 
-// Takes the next word off `text`. Returns "" at the end.
-std::string_view takeWord(std::string_view &text) {
-  size_t from = 0;
-  while (from < text.size() && isBlank(text[from])) {
-    from++;
-  }
-  size_t to = from;
-  while (to < text.size() && !isBlank(text[to])) {
-    to++;
-  }
-  const std::string_view word = text.substr(from, to - from);
-  text.remove_prefix(to);
-  return word;
-}
-
 }  // namespace
 
 VcdReader::VcdReader(LevelSink &sink, std::optional<double> threshold) : CaptureReader(sink), _threshold(threshold) {
@@ -51,11 +36,7 @@ std::string VcdReader::put(std::string_view lines) {
   while (!lines.empty()) {
     std::string_view line = takeLine(lines);
     _lines++;
-    while (true) {
-      const std::string_view word = takeWord(line);
-      if (word.empty()) {
-        break;
-      }
+    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
       std::string error = _inBody ? bodyWord(word) : headerWord(word);
       if (!error.empty()) {
         endBlock();
@@ -159,9 +140,7 @@ std::string VcdReader::defineVariable() {
     _byCode[code] = _names.size();
   }
   if (isReal) {
-    Real &real = _reals[_names.size()];
-    real.threshold = Threshold(_threshold.value_or(0), 0);
-    real.found = _threshold.has_value();
+    _reals.emplace(_names.size(), AnalogueLevel(_threshold));
   }
   // "bus[7:0]" or "bus [7:0]"
   const size_t bracket = std::min(_words[3].find('[', 1), _words[3].size());
@@ -263,29 +242,21 @@ void VcdReader::setReal(size_t signal) {
 // Emits the levels of the current lines. Only now is a real's threshold known.
 void VcdReader::endBlock() {
   for (auto &[signal, real] : _reals) {
-    if (!_threshold) {
-      learn(signal, real);
-    }
+    learn(signal, real);
   }
   for (const Change &change : _changes) {
     const auto entry = _reals.find(change.signal);
     if (entry == _reals.end()) {
       _sink.level(change.signal, change.ns, change.value != 0);
-      continue;
-    }
-    Real &real = entry->second;
-    const bool high = real.threshold.isHigh(change.value, real.high);
-    if (real.found && (high != real.high || !real.begun)) {
-      real.begun = true;
-      real.high = high;
-      _sink.level(change.signal, change.ns, high);
+    } else if (entry->second.changes(change.value)) {
+      _sink.level(change.signal, change.ns, entry->second.isHigh());
     }
   }
   _changes.clear();
 }
 
 // A dump has changes, not samples: each voltage is weighted with its duration.
-void VcdReader::learn(size_t signal, Real &real) {
+void VcdReader::learn(size_t signal, AnalogueLevel &real) {
   constexpr int64_t SampleNs = 1000;
   constexpr int64_t SamplesMax = 100;  // per voltage
   std::vector<double> volts;
@@ -300,20 +271,13 @@ void VcdReader::learn(size_t signal, Real &real) {
     }
     before = &change;
   }
-  if (!volts.empty() && (!real.found || Threshold::rangeOf(volts).span > 2.5 * real.threshold.swing())) {
-    real.found = real.threshold.find(volts) || real.found;
-  }
+  real.learn(volts);
 }
 
 std::string VcdReader::setTime(std::string_view digits) {
   constexpr size_t DigitsMax = 18;
   uint64_t time = 0;
-  bool isTime = !digits.empty() && digits.size() <= DigitsMax;
-  for (const char c : digits) {
-    isTime = isTime && isDigit(c);
-    time = time * 10 + static_cast<uint64_t>(c - '0');
-  }
-  if (!isTime) {
+  if (digits.size() > DigitsMax || !parseWhole(digits, time)) {
     return quoted(digits) + " is not a time: a whole number is expected after #";
   }
   if (time / _unitDenominator > static_cast<uint64_t>(CaptureTimeMaxNs) / _unitNumerator) {

@@ -14,7 +14,7 @@ namespace line {
 class VcdReader : public CaptureReader {
  public:
   // `threshold`: for all reals; without it, one is found for each.
-  explicit VcdReader(LevelSink &sink, std::optional<double> threshold = {});
+  explicit VcdReader(LevelSink &sink, std::optional<double> threshold);
 
   std::string put(std::string_view lines) override;
   std::string finish() override;
@@ -36,23 +36,17 @@ class VcdReader : public CaptureReader {
   // Returns the signal of a code; for a vector, its lowest bit's, which the higher bits' follow.
   size_t signalOf(std::string_view code) const;
 
-  struct Real {
-    Threshold threshold;
-    bool found = false;  // there are two levels
-    bool begun = false;  // the first level has been emitted
-    bool high = false;
-  };
   struct Change {
     size_t signal;
     int64_t ns;
     double value;  // a voltage; 0 or 1 for other signals
   };
 
-  void learn(size_t signal, Real &real);
+  void learn(size_t signal, AnalogueLevel &real);
 
   const std::optional<double> _threshold;
-  std::unordered_map<size_t, Real> _reals;  // by signal
-  std::vector<Change> _changes;             // in the current lines, in order, if there are reals
+  std::unordered_map<size_t, AnalogueLevel> _reals;  // by signal
+  std::vector<Change> _changes;                      // in the current lines, in order, if there are reals
 
   bool _inBody = false;
   bool _passing = false;      // ignores words up to $end; in the body, a comment's

@@ -98,7 +98,7 @@ void WireDecoder::finish(int64_t endNs, bool cutOff) {
     return;
   }
   const bool goesOn = _lastNs >= endNs && !cutOff;
-  _endNs = endNs + (goesOn ? static_cast<int64_t>(SilenceUs) * 1000 : 0);
+  _endNs = endNs + (goesOn ? static_cast<int64_t>(EndSilenceUs) * 1000 : 0);
   if (_decoder->until(goesOn ? Never : endNs, _character) && !(goesOn && _character.bad())) {
     _onCharacter(_character);
   }

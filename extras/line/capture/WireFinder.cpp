@@ -11,6 +11,7 @@ namespace line {
 namespace {
 
 constexpr double ShortestBitNs = 5000;
+constexpr double BaudTolerance = 0.03;  // of the receiver's and the analyser's clocks together
 constexpr int LongestPulse = 10;  // bits between two edges of a character: start bit, 00 and parity bit
 
 // Returns the number of bits in a pulse; 0 if it is not a whole number.
@@ -77,7 +78,7 @@ FoundWire judge(const std::vector<Level> &levels, const LineSettings &settings, 
   if (decoder.until(INT64_MAX / 2, character)) {
     take();
   }
-  observer.idleUntil(static_cast<uint64_t>((levels.back().ns - levels.front().ns) / 1000) + SilenceUs);
+  observer.idleUntil(static_cast<uint64_t>((levels.back().ns - levels.front().ns) / 1000) + EndSilenceUs);
   observer.finish();
   wire.frames = observer.counters().frames;
   wire.channels = observer.has24() ? 24 : extra ? 32 : 16;

@@ -16,10 +16,7 @@ struct Level {
   bool high;
 };
 
-// The largest difference of the receiver's and analyser's clocks, as a part of 100000 or 200000 baud.
-constexpr double BaudTolerance = 0.03;
-
-constexpr uint64_t SilenceUs = 10000;  // assumed after a capture that ends with an edge; a frame needs 3 ms
+constexpr uint64_t EndSilenceUs = 10000;  // assumed after a capture that ends with an edge; a frame needs 3 ms
 
 struct FoundWire {
   LineSettings settings;  // Inverted or Uninverted
@@ -44,7 +41,7 @@ struct FoundWire {
 
 // Returns the best fit, which may have neither frames nor characters. Each of the `levels` differs from the previous
 // one; the first is where the sample begins. It tries only the baud rates and polarities that `overrides` allow.
-FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides = {});
+FoundWire findWire(const std::vector<Level> &levels, const Overrides &overrides);
 
 bool hasPulses(const std::vector<Level> &levels);
 

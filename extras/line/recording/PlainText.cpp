@@ -25,33 +25,24 @@ void appendUtf8(std::string &text, uint32_t c) {
 }  // namespace
 
 std::string_view PlainText::put(std::string_view bytes) {
+  if (_encoding == Encoding::Bytes && _lineEnd == LineEnd::Lf) {
+    return bytes;
+  }
   _text.clear();
-  if (_encoding == Encoding::Bytes) {
-    return ended(bytes);
-  }
   _bytes += bytes;
-  if (_encoding == Encoding::Unknown && !findEncoding()) {
-    return {};
+  if (_encoding != Encoding::Unknown || findEncoding()) {
+    _encoding == Encoding::Bytes ? _text.swap(_bytes) : takeUtf16();
+    endLines();
   }
-  if (_encoding == Encoding::Bytes) {
-    _text = std::exchange(_bytes, "");
-  } else {
-    takeUtf16();
-  }
-  const std::string text = std::exchange(_text, "");
-  const std::string_view plain = ended(text);
-  if (plain.data() == text.data()) {
-    _text = text;
-    return _text;
-  }
-  return plain;
+  return _text;
 }
 
 std::string_view PlainText::finish() {
   _text.clear();
-  const std::string bytes = std::exchange(_bytes, "");
-  const bool isText = std::exchange(_encoding, Encoding::Bytes) <= Encoding::Bytes;  // half a UTF-16 unit is not text
-  _text = std::string(isText ? ended(bytes) : std::string_view());
+  if (_encoding <= Encoding::Bytes) {  // half a UTF-16 unit is not text
+    _text.swap(_bytes);
+    endLines();
+  }
   _text += std::exchange(_heldCr, false) ? "\n" : "";
   return _text;
 }
@@ -98,32 +89,21 @@ void PlainText::takeUnit(uint32_t unit) {
   }
 }
 
-// Returns the text with LF line ends: `text` itself, or _text.
-std::string_view PlainText::ended(std::string_view text) {
+// Ends the lines of _text with LF.
+void PlainText::endLines() {
   if (_lineEnd == LineEnd::Unknown) {
-    if (std::exchange(_heldCr, false)) {
-      _text = '\r';
-    }
-    _text += text;
+    _text.insert(0, std::exchange(_heldCr, false) ? "\r" : "");
     const size_t first = _text.find_first_of("\r\n");
     if (first != std::string::npos && first + 1 == _text.size() && _text[first] == '\r') {
       _text.pop_back();
       _heldCr = true;
-      return _text;
-    }
-    if (first != std::string::npos) {
+    } else if (first != std::string::npos) {
       _lineEnd = _text[first] == '\r' && _text[first + 1] != '\n' ? LineEnd::Cr : LineEnd::Lf;
     }
-    text = _text;
   }
-  if (_lineEnd != LineEnd::Cr) {
-    return text;
+  if (_lineEnd == LineEnd::Cr) {
+    std::replace(_text.begin(), _text.end(), '\r', '\n');
   }
-  if (text.data() != _text.data()) {
-    _text = text;
-  }
-  std::replace(_text.begin(), _text.end(), '\r', '\n');
-  return _text;
 }
 
 }  // namespace line

@@ -24,13 +24,13 @@ class PlainText {
   bool findEncoding();
   void takeUtf16();
   void takeUnit(uint32_t unit);
-  std::string_view ended(std::string_view text);
+  void endLines();
 
   Encoding _encoding = Encoding::Unknown;
   LineEnd _lineEnd = LineEnd::Unknown;
-  std::string _bytes;  // incomplete: more are needed
-  uint32_t _high = 0;  // the first half of a UTF-16 character
-  std::string _text;
+  std::string _bytes;    // incomplete: more are needed
+  uint32_t _high = 0;    // the first half of a UTF-16 character
+  std::string _text;     // the newest call's
   bool _heldCr = false;  // a CR, which LF may follow
 };
 

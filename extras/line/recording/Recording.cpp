@@ -13,42 +13,8 @@ namespace {
 
 constexpr uint64_t LateMaxUs = UINT32_MAX;
 
-// Removes the next word from `text` and returns it; "" at the end.
-std::string_view takeWord(std::string_view &text) {
-  while (!text.empty() && isBlank(text.front())) {
-    text.remove_prefix(1);
-  }
-  size_t size = 0;
-  while (size < text.size() && !isBlank(text[size])) {
-    size++;
-  }
-  const std::string_view word = text.substr(0, size);
-  text.remove_prefix(size);
-  return word;
-}
-
 bool parseTime(std::string_view word, uint64_t &us) {
-  us = 0;
-  for (const char c : word) {
-    if (c < '0' || c > '9') {
-      return false;
-    }
-    us = us * 10 + static_cast<uint64_t>(c - '0');
-    if (us > RecordingTimeMaxUs) {
-      return false;
-    }
-  }
-  return !word.empty();
-}
-
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') {
-    return c - '0';
-  }
-  if (c >= 'A' && c <= 'F') {
-    return c - 'A' + 10;
-  }
-  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+  return parseWhole(word, us) && us <= RecordingTimeMaxUs;
 }
 
 // Takes "0F", or "0F!" for a character with an error.
@@ -57,22 +23,13 @@ bool parseCharacter(std::string_view word, Character &character) {
   if (character.bad) {
     word.remove_suffix(1);
   }
-  unsigned value = 0;
-  for (const char c : word) {
-    const int digit = hexDigit(c);
-    if (digit < 0) {
-      return false;
-    }
-    value = value << 4 | static_cast<unsigned>(digit);
-  }
-  character.value = static_cast<uint8_t>(value);
-  return word.size() == 1 || word.size() == 2;
+  return word.size() <= 2 && parseWhole(word, character.value, 16);
 }
 
 // Returns true for a line of column names that begins with a channel: "CH1,CH2".
 bool beginsWithChannel(std::string_view text) {
   size_t digits = 2;
-  while (digits < text.size() && text[digits] >= '0' && text[digits] <= '9') {
+  while (digits < text.size() && isDigit(text[digits])) {
     digits++;
   }
   return lower(text.substr(0, 2)) == "ch" && digits > 2 && digits < text.size() &&

@@ -34,16 +34,10 @@ Recording readRecording(const std::string &name, uint32_t characterUs) {
   return recording;
 }
 
-void requireNew(const std::string &name) {
-  struct stat status;
-  if (stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
-    throw std::runtime_error(name + ": already exists; name another file, or remove it");
-  }
-}
-
 LineFile::LineFile(const std::string &name, bool isNew) : _name(name) {
-  if (isNew) {
-    requireNew(name);
+  struct stat status;
+  if (isNew && stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+    throw std::runtime_error(name + ": already exists; name another file, or remove it");
   }
   _file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | CloseOnExec, 0666);
   if (_file < 0) {

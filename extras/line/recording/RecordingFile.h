@@ -11,9 +11,6 @@ namespace line {
 // Reads a recording. If it is wrong or cannot be read, throws std::runtime_error with file and line.
 Recording readRecording(const std::string &name, uint32_t characterUs = CharacterUs);
 
-// Throws std::runtime_error if a file with this name exists and is not empty.
-void requireNew(const std::string &name);
-
 // A text file that grows line by line. It has only whole lines, even if the program is killed or the disk is full.
 class LineFile {
  public:

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <ctime>
 
+#include "line/recording/Words.h"
+
 namespace line {
 
 namespace {
@@ -22,11 +24,10 @@ const char *takeDate(const char *text, int64_t &seconds) {
   int fields[6] = {};
   int *field = fields;
   for (const char form : Form) {
-    const bool isDigit = *text >= '0' && *text <= '9';
-    if (form == '0' ? !isDigit : *text != form) {
+    if (form == '0' ? !isDigit(*text) : *text != form) {
       return nullptr;
     }
-    isDigit ? *field = *field * 10 + (*text - '0') : *++field;
+    form == '0' ? *field = *field * 10 + (*text - '0') : *++field;
     text++;
   }
   const auto [year, month, day, hour, minute, second] = fields;

@@ -1,6 +1,8 @@
 // Lines and words of a text.
 #pragma once
 
+#include <algorithm>
+#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -9,6 +11,10 @@ namespace line {
 // Returns true for a blank; CR counts as one, so that CRLF files are read.
 constexpr bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+constexpr bool isDigit(char c) {
+  return c >= '0' && c <= '9';
 }
 
 // Returns the text without leading and trailing blanks and `mark`s.
@@ -46,6 +52,24 @@ inline std::string_view takeLine(std::string_view &text) {
     line.remove_suffix(1);
   }
   return line;
+}
+
+// Removes the next word from `text` and returns it; "" at the end.
+inline std::string_view takeWord(std::string_view &text) {
+  const auto begin = std::find_if_not(text.begin(), text.end(), isBlank);
+  const auto end = std::find_if(begin, text.end(), isBlank);
+  const std::string_view word =
+      text.substr(static_cast<size_t>(begin - text.begin()), static_cast<size_t>(end - begin));
+  text.remove_prefix(static_cast<size_t>(end - text.begin()));
+  return word;
+}
+
+// Reads digits in this base, without a sign. Returns false for any other word, and for a number beyond Number's range.
+template <typename Number>
+bool parseWhole(std::string_view word, Number &value, int base = 10) {
+  const char *const end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, value, base);
+  return read.ec == std::errc() && read.ptr == end;
 }
 
 // Calls `take` with each text between commas, unchanged; once, with an empty text, if `text` is empty.

@@ -13,13 +13,6 @@ namespace {
 constexpr uint64_t SecondUs = 1000000;
 constexpr double WarningAt = 0.02;  // share of lost frames
 
-// Returns the microseconds of `span` between the two times.
-uint64_t commonUs(const FlagSpan &span, uint64_t fromUs, uint64_t toUs) {
-  const uint64_t begin = std::max(span.fromUs, fromUs);
-  const uint64_t end = std::min(span.toUs, toUs);
-  return end > begin ? end - begin : 0;
-}
-
 // Rates parts of the flight, which must be asked for in order.
 class Judge {
  public:
@@ -31,12 +24,9 @@ class Judge {
 
   // Rates the seconds from `first` up to, but without, `end`.
   FlightRating of(uint64_t first, uint64_t end) {
-    FlightRating part = {std::max(first * SecondUs, _flight.firstUs()),
-                         std::min(end * SecondUs, _flight.lastUs()),
-                         0,
-                         false,
-                         false,
-                         false};
+    FlightRating part;
+    part.fromUs = std::max(first * SecondUs, _flight.firstUs());
+    part.toUs = std::min(end * SecondUs, _flight.lastUs());
     FlightSecond sum;
     for (; _second != _flight.seconds().end() && _second->first < end; ++_second) {
       sum.frames += _second->second.frames;
@@ -48,7 +38,7 @@ class Judge {
     part.failsafe = sum.failsafe > 0;
     part.silent = silentUs > 0;
     part.late = lateUs > 0;
-    const uint64_t lengthUs = part.toUs > part.fromUs ? part.toUs - part.fromUs : 0;
+    const uint64_t lengthUs = part.toUs - part.fromUs;
     const double expected =
         static_cast<double>(lengthUs - std::min(lengthUs, lateUs)) / 1e6 * _flight.framesPerSecond();
     const double missing = std::max(0.0, std::floor(expected) - sum.frames);  // one may be on the border
@@ -65,7 +55,7 @@ class Judge {
       at++;
     }
     for (size_t i = at; i < spans.size() && spans[i].fromUs < part.toUs; i++) {
-      us += commonUs(spans[i], part.fromUs, part.toUs);
+      us += std::min(spans[i].toUs, part.toUs) - std::max(spans[i].fromUs, part.fromUs);
     }
     return us;
   }

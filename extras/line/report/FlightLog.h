@@ -67,12 +67,12 @@ class FlightLog {
 
 // The rating of a part of a flight.
 struct FlightRating {
-  uint64_t fromUs;
-  uint64_t toUs;
-  double lost;  // the share of lost, damaged or missing frames, 0 to 1
-  bool failsafe;
-  bool silent;
-  bool late;  // the PC was late
+  uint64_t fromUs = 0;
+  uint64_t toUs = 0;
+  double lost = 0;  // the share of lost, damaged or missing frames, 0 to 1
+  bool failsafe = false;
+  bool silent = false;
+  bool late = false;  // the PC was late
 
   // Returns the worst of these; LostFrame if none is set.
   FlagSpan::Kind kind() const {

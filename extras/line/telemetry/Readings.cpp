@@ -4,7 +4,7 @@
 
 namespace line {
 
-std::vector<Quantity> quantitiesIn(const std::vector<TelemetrySlots::Slot> &slots, const SensorsBySlot &sensors) {
+std::vector<Quantity> quantitiesIn(const std::vector<TimedSlot> &slots, const SensorsBySlot &sensors) {
   std::vector<Quantity> found;
   for (size_t first = 0; first < slots.size(); first++) {
     const uint8_t number = slots[first].number;
@@ -25,8 +25,8 @@ std::vector<Quantity> quantitiesIn(const std::vector<TelemetrySlots::Slot> &slot
   return found;
 }
 
-void Readings::put(const std::vector<TelemetrySlots::Slot> &slots) {
-  for (const TelemetrySlots::Slot &slot : slots) {
+void Readings::put(const std::vector<TimedSlot> &slots) {
+  for (const TimedSlot &slot : slots) {
     _slots[slot.number] = slot.endUs;
   }
   for (const Quantity &quantity : quantitiesIn(slots, _sensors)) {

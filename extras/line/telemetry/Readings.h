@@ -17,7 +17,7 @@ using SensorsBySlot = std::map<uint8_t, const Sensor *>;
 
 // Returns the sensors' quantities in slots of one moment, in rising order of Quantity::slot, which counts from the
 // line's slot 0. A sensor with a missing slot has no values.
-std::vector<Quantity> quantitiesIn(const std::vector<TelemetrySlots::Slot> &slots, const SensorsBySlot &sensors);
+std::vector<Quantity> quantitiesIn(const std::vector<TimedSlot> &slots, const SensorsBySlot &sensors);
 
 class Readings {
  public:
@@ -26,7 +26,7 @@ class Readings {
   explicit Readings(SensorsBySlot sensors = {{uint8_t{0}, sensorOf("receiver")}}) : _sensors(std::move(sensors)) {}
 
   // Takes slots of one moment.
-  void put(const std::vector<TelemetrySlots::Slot> &slots);
+  void put(const std::vector<TimedSlot> &slots);
 
   // Return those received at `sinceUs` or later, in rising order of slots: "receiver voltage 4.6 V"; "slots 0, 1, 24".
   std::vector<std::string> quantities(uint64_t sinceUs) const;

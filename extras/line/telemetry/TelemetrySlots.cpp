@@ -24,6 +24,16 @@ std::vector<size_t> endsOf(const std::vector<Character> &characters) {
   return ends;
 }
 
+// Returns the slots `from` to `to` of these characters, with their times.
+std::vector<TimedSlot> timed(const sbus::Slot *slots, int from, int to, const std::vector<Character> &characters) {
+  const std::vector<size_t> ends = endsOf(characters);
+  std::vector<TimedSlot> found;
+  for (int i = from; i < to; i++) {
+    found.push_back({slots[i], characters[ends[static_cast<size_t>(i)]].endUs});
+  }
+  return found;
+}
+
 }  // namespace
 
 void TelemetrySlots::put(const Stretch &stretch) {
@@ -60,7 +70,7 @@ void TelemetrySlots::finish() {
   _between.clear();
 }
 
-std::vector<TelemetrySlots::Slot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
+std::vector<TimedSlot> TelemetrySlots::slotsIn(const Stretch &stretch) const {
   std::vector<Character> all = _between;
   all.insert(all.end(), stretch.characters.begin(), stretch.characters.end());
   if (!_isWhole || all.size() > sbus::GroupSizeMax || !isGood(stretch.characters)) {
@@ -86,18 +96,7 @@ int TelemetrySlots::read(const std::vector<Character> &characters, sbus::Slot *s
   return sbus::readSlots(_end, bytes, static_cast<uint8_t>(characters.size()), slots, breaks);
 }
 
-// Returns the slots `from` to `to` of these characters, with their times.
-std::vector<TelemetrySlots::Slot> TelemetrySlots::timed(const sbus::Slot *slots, int from, int to,
-                                                        const std::vector<Character> &characters) {
-  const std::vector<size_t> ends = endsOf(characters);
-  std::vector<Slot> found;
-  for (int i = from; i < to; i++) {
-    found.push_back({slots[i], characters[ends[static_cast<size_t>(i)]].endUs});
-  }
-  return found;
-}
-
-std::vector<TelemetrySlots::Slot> TelemetrySlots::prove() {
+std::vector<TimedSlot> TelemetrySlots::prove() {
   if (!sbus::announcesSlots(_end)) {
     return {};
   }

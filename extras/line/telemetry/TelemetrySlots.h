@@ -11,8 +11,6 @@ namespace line {
 
 class TelemetrySlots {
  public:
-  using Slot = TimedSlot;
-
   // Takes the next stretch.
   void put(const Stretch &stretch);
 
@@ -21,11 +19,11 @@ class TelemetrySlots {
 
   // Returns the slots proved by this stretch: those before a frame, once that frame is there. They belong to one
   // moment, in rising order; usually there are none.
-  const std::vector<Slot> &proved() const { return _proved; }
+  const std::vector<TimedSlot> &proved() const { return _proved; }
 
   // Returns the slots in the next stretch, if there were only slots since the last frame; otherwise none. They are
   // proved once a frame follows.
-  std::vector<Slot> slotsIn(const Stretch &stretch) const;
+  std::vector<TimedSlot> slotsIn(const Stretch &stretch) const;
 
   // Returns true if a frame has announced a group.
   bool announced() const { return _announced; }
@@ -47,11 +45,10 @@ class TelemetrySlots {
 
   int read(const std::vector<Character> &characters, sbus::Slot *slots, uint32_t &breaks) const;
 
-  static std::vector<Slot> timed(const sbus::Slot *slots, int from, int to, const std::vector<Character> &characters);
-  std::vector<Slot> prove();
+  std::vector<TimedSlot> prove();
   void takeProved();
 
-  std::vector<Slot> _proved;
+  std::vector<TimedSlot> _proved;
   std::vector<Character> _between;  // since the last frame
   uint8_t _end = 0;                 // its end byte
   bool _isWhole = false;            // only characters without errors since then
