@@ -1,16 +1,17 @@
 // Decodes in a thread of its own: plays one recording, of which it reads the file and goes to any place; or reads live lines.
 
 import { Fault, type Found, type Sample } from '../faults';
-import { History, isSample, samplesOf } from '../history';
-import { Flag, Kind, LinkState, type Status, type Stretch } from '../line';
+import { History } from '../history';
+import { Flag, Kind, LinkState, type Status } from '../line';
 import { Throttle } from '../throttle';
-import { Decoder, type Image } from './decoder';
-import { FaultIndex } from './faultIndex';
+import { Decoder } from './decoder';
 import { serve } from './live';
 import type { Answer, Live, Picture, Request } from './messages';
+import { Past } from './past';
 import { findPort } from './portFeed';
 import { Search } from './search';
 import { Tape } from './tape';
+import { TapeIndex } from './tapeIndex';
 
 const sliceMs = 15; // of work, until messages are read
 const pictureMs = 30; // at most, for a picture
@@ -18,9 +19,8 @@ const progressMs = 100;
 const longestLookUs = 3000000; // from where a fault begins to where the page shows it
 const shownUs = 10000000; // before a place that was sought: what the curves show at first
 const settledUs = 10000000; // before that, until a decoder that begins anywhere shows what one that began at 0 does
-const spacing = 25000; // characters from one image to the next: ten seconds of S.Bus, which are decoded in 6 ms
-const mostImages = 1024; // of 80 kB each
 
+const sliceEnd = (): number => performance.now() + sliceMs;
 const answer = (message: Answer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
 // Lets waiting messages in.
@@ -38,63 +38,6 @@ function progress(part: number): void {
   }
 }
 
-// The decoder's states, some seconds apart, and the line's faults: it is decoded once, whenever there is time for it.
-class Index {
-  readonly images: Image[];
-  readonly faults: FaultIndex;
-  private readonly apart: number;
-  private readonly telling = new Throttle(progressMs);
-
-  constructor(
-    private readonly decoder: Decoder,
-    size: number,
-    readonly endUs: number,
-  ) {
-    this.images = [decoder.image()];
-    this.apart = Math.max(spacing, size / mostImages);
-    this.faults = new FaultIndex(endUs);
-  }
-
-  get us(): number {
-    return this.decoder.us;
-  }
-
-  get isComplete(): boolean {
-    return this.us >= this.endUs;
-  }
-
-  work(): void {
-    const { decoder, faults } = this;
-    const take = (records: Uint8Array): void => decoder.reader.eachSample(records, (sample) => faults.take(sample));
-    for (const endMs = performance.now() + sliceMs; !this.isComplete && performance.now() < endMs; ) {
-      decoder.advance(Math.min(decoder.us + 1000000, this.endUs), take);
-      if (decoder.next - (this.images.at(-1) as Image).next >= this.apart) {
-        this.images.push(decoder.image());
-      }
-    }
-    if (this.isComplete) {
-      faults.finish(this.endUs);
-    }
-    this.tell();
-  }
-
-  private tell(): void {
-    const { us, isComplete, faults } = this;
-    if (isComplete || this.telling.due) {
-      answer({ kind: 'faults', map: { us, isComplete, bins: faults.bins, counts: faults.counts() } });
-    }
-  }
-
-  // Returns the newest image that is not later.
-  before(us: number): Image {
-    let newest = 0;
-    for (let i = 0; i < this.images.length && this.images[i].us <= us; i++) {
-      newest = i;
-    }
-    return this.images[newest];
-  }
-}
-
 // A comparison with another recording.
 interface Comparing {
   id: number;
@@ -104,7 +47,7 @@ interface Comparing {
 
 class Playing {
   private player: Decoder;
-  private index: Index;
+  private index: TapeIndex;
   private past?: Past;
   private knowsFlight = false;
   private search?: Search;
@@ -121,7 +64,7 @@ class Playing {
     private readonly endUs: number,
   ) {
     this.player = new Decoder(module, tape);
-    this.index = new Index(new Decoder(module, tape), tape.size, endUs);
+    this.index = this.newIndex();
   }
 
   hear(request: Request): void {
@@ -157,12 +100,12 @@ class Playing {
 
   // Decodes with other sensors. A seek follows.
   private sense(sensors: Uint8Array): void {
-    const { module, tape, endUs } = this;
+    const { module, tape } = this;
     const { steps } = this.player;
     tape.sensors = sensors;
     this.player = new Decoder(module, tape);
     this.player.watchFor(steps);
-    this.index = new Index(new Decoder(module, tape), tape.size, endUs);
+    this.index = this.newIndex();
     this.past = this.search = undefined;
   }
 
@@ -178,7 +121,7 @@ class Playing {
         this.preview(wanted.id, wanted.us);
       } else if (wanted?.kind === 'seek') {
         progress(this.index.us / wanted.us);
-        this.index.work();
+        this.index.work(sliceEnd());
       } else if (wanted?.kind === 'fault') {
         this.toFault(wanted);
       } else if (wanted?.kind === 'event') {
@@ -186,9 +129,9 @@ class Playing {
       } else if (wanted) {
         this.advance(wanted.id, wanted.us);
       } else if (this.past) {
-        this.past = this.past.work() ? undefined : this.past;
+        this.workAtPast(this.past);
       } else if (!this.index.isComplete) {
-        this.index.work();
+        this.index.work(sliceEnd());
       } else if (!this.knowsFlight) {
         this.workAtFlight();
       } else if (this.comparing) {
@@ -197,6 +140,26 @@ class Playing {
         await new Promise<void>((resolve) => (this.waking = resolve));
       }
       await turn();
+    }
+  }
+
+  private newIndex(): TapeIndex {
+    const { module, tape, endUs } = this;
+    return new TapeIndex(new Decoder(module, tape), tape.size, endUs, (map) => answer({ kind: 'faults', map }));
+  }
+
+  // Returns a decoder that is at that time, or a little before it.
+  private decoderBefore(us: number): Decoder {
+    const decoder = new Decoder(this.module, this.tape);
+    decoder.restore(this.index.before(Math.max(us, 0)));
+    return decoder;
+  }
+
+  private workAtPast(past: Past): void {
+    const samples = past.work(sliceEnd());
+    if (samples) {
+      this.past = undefined;
+      answer({ kind: 'past', id: past.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
     }
   }
 
@@ -224,7 +187,7 @@ class Playing {
 
   private workAtComparison(comparing: Comparing): void {
     const { id, other } = comparing;
-    for (const endMs = performance.now() + sliceMs; comparing.next < other.size && performance.now() < endMs; ) {
+    for (const endMs = sliceEnd(); comparing.next < other.size && performance.now() < endMs; ) {
       const { bytes, count } = other.part(comparing.next);
       this.tape.comparePart(bytes);
       comparing.next += count;
@@ -252,7 +215,7 @@ class Playing {
       this.advanceTo(found, records);
     }
     this.show(id, true, records, found, event);
-    this.past = fromUs > 0 ? new Past(id, this.module, this.tape, index, fromUs) : undefined;
+    this.past = fromUs > 0 ? new Past(id, this.decoderBefore(fromUs - 1e6 * History.seconds), fromUs) : undefined;
   }
 
   // Nothing was found: stays where it was looked from, even if a seek to there is not done yet.
@@ -291,19 +254,17 @@ class Playing {
       }
     } else {
       progress(index.us / endUs);
-      index.work();
+      index.work(sliceEnd());
     }
   }
 
   private toEvent({ id, us, steps, afterUs }: Extract<Request, { kind: 'event' }>): void {
     const { index } = this;
     if (this.search?.id !== id) {
-      const decoder = new Decoder(this.module, this.tape);
-      decoder.restore(index.before(Math.max(us - shownUs, 0)));
-      this.search = new Search(id, steps, decoder, us, index.endUs);
+      this.search = new Search(id, steps, this.decoderBefore(us - shownUs), us, index.endUs);
     }
     const { search } = this;
-    if (!search.work(performance.now() + sliceMs)) {
+    if (!search.work(sliceEnd())) {
       progress(search.us / index.endUs);
       return;
     }
@@ -364,38 +325,6 @@ function hasFault({ kind, flags }: Sample, fault: Fault): boolean {
     case Fault.LostFrame: return isFrame && (flags & Flag.LostFrame) !== 0;
     case Fault.Damage: return !isFrame;
     default: return false; // time passes until it is seen
-  }
-}
-
-// Decodes the history before a place.
-class Past {
-  private readonly decoder: Decoder;
-  private readonly stretches: Stretch[] = [];
-
-  constructor(
-    private readonly id: number,
-    module: WebAssembly.Module,
-    tape: Tape,
-    index: Index,
-    private readonly endUs: number,
-  ) {
-    this.decoder = new Decoder(module, tape);
-    this.decoder.restore(index.before(Math.max(endUs - 1e6 * History.seconds, 0)));
-  }
-
-  // Returns true once it is all there, and handed over.
-  work(): boolean {
-    const { decoder } = this;
-    const isThere = decoder.advance(
-      this.endUs,
-      (records) => decoder.reader.stretchesIn(records).forEach((stretch) => isSample(stretch) && this.stretches.push(stretch)),
-      performance.now() + sliceMs,
-    );
-    if (isThere) {
-      const samples = samplesOf(this.stretches.slice(-History.capacity));
-      answer({ kind: 'past', id: this.id, samples }, [samples.times.buffer, samples.values.buffer, samples.flags.buffer]);
-    }
-    return isThere;
   }
 }
 
