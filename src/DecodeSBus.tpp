@@ -65,7 +65,23 @@ void DecodeSBusOf<Format, Events>::parseSBusFrame() {
 
 template <typename Format, typename Events>
 void DecodeSBusOf<Format, Events>::arrived() {
+  if (!Events::wantsTimes() && leavesUnread()) {
+    return;
+  }
   take(true);
+}
+
+// Reads nothing, and returns true, while the first half of a frame waits: one read costs less than two.
+template <typename Format, typename Events>
+inline bool DecodeSBusOf<Format, Events>::leavesUnread() {
+  if (!_port.tellsIdle() || _port.wasIdle() || !_port.enter()) {
+    return false;
+  }
+  const bool isIncomplete = _finder.isIncomplete(_port.waiting(), micros());
+  if (isIncomplete) {
+    _port.read(_finder.space(), 0);  // the port calls again
+  }
+  return !_port.leave() && isIncomplete;
 }
 
 // Polls, and once more if the port has called back meanwhile.
@@ -115,7 +131,8 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
   if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
     _finder.broken();  // the bytes that wait stand after the loss
   }
-  _finder.poll(static_cast<unsigned>(found), now, isPrompt);
+  _port.tellsIdle() ? _finder.pollIdling(static_cast<unsigned>(found), now, isPrompt)
+                    : _finder.poll(static_cast<unsigned>(found), now);
   for (int waiting = found; waiting > 0;) {
     const int count = read(waiting);
     if (count <= 0) {
@@ -125,6 +142,12 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
     if (const uint8_t *const frame = _finder.received(count, waiting)) {
       judge(frame);
     }
+  }
+  if (_port.isIdle()) {
+    if (const uint8_t *const frame = _finder.ended()) {
+      judge(frame);
+    }
+    return;
   }
   // With the bytes that have come since, the port's buffer may have been full before it was read. Then bytes were lost,
   // and those that have come may stand before the loss or after it.

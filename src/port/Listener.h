@@ -17,6 +17,20 @@ namespace sbus {
 
 #if defined(SERIAL_SBUS)  // STM32L0
 
+#if !defined(STM32L0_UART_EVENT_RECEIVE)
+struct stm32l0_uart_t {
+  uint16_t rx_index;
+  uint32_t rx_count;
+};
+#else
+// Returns the core's state of a port, which its class keeps to itself.
+stm32l0_uart_t *uartOf(Uart &port);
+#endif
+// Returns null: another Stream does not tell when its line was idle.
+inline stm32l0_uart_t *uartOf(Stream &) {
+  return nullptr;
+}
+
 // The STM32L0's port calls back at PendSV level, above loop(): at once, and then not until bytes have been read
 // (Uart.cpp: 385, stm32l0_uart.c:99, 1171). An event that finds no callback, or no place in PendSV's queue, loses all
 // later ones until bytes are read: any method that finds the newest frame old reads them.
@@ -28,12 +42,31 @@ class Listener {
   template <typename Port>
   explicit Listener(Port &port) : _set(setterOf(&port, Choice<1>())) {}
 
+  // Returns true if isIdle() can be true.
+  bool tellsIdle() const { return _uart != nullptr; }
+  // Returns how many bytes wait.
+  unsigned waiting() const { return static_cast<unsigned>(_uart->rx_count); }
+  // Returns true if the line was idle after the newest byte that waits or was read: the port hands over halves of its ring,
+  // and less only if the line was idle for a character (stm32l0_uart.c:653), or the next character was wrong (:529).
+  bool wasIdle() const { return _uart->rx_index % 16 != 0; }
+  // Returns true if it was idle after the newest byte that was read.
+  bool isIdle() const {
+    if (!tellsIdle() || !wasIdle()) {
+      return false;
+    }
+    barrier();  // an interrupt may hand over more: it changes rx_index first
+    return waiting() == 0;
+  }
+
   // Returns true if start() makes the port call.
   bool callsBack() const { return _set != nullptr; }
   // From now on `port` calls this method. Returns false if it cannot call back.
   template <typename Object>
-  bool start(Stream &port, void (Object::*method)(), Object *object) const {
-    return _set != nullptr && _set(port, Callback(method, object));
+  bool start(Stream &port, void (Object::*method)(), Object *object) {
+    if (_set != nullptr) {
+      _uart = _set(port, Callback(method, object));
+    }
+    return callsBack();
   }
   // Stops these calls.
   void stop(Stream &port) const {
@@ -67,7 +100,9 @@ class Listener {
   }
 
  private:
-  using Set = bool(Stream &port, const Callback &callback);
+  using State = const volatile stm32l0_uart_t;
+  // Returns the core's state of the port. (A constructor may run before the port's.)
+  using Set = State *(Stream &port, const Callback &callback);
 
   // A port that calls back, and has a buffer of its own. (USB calls back, too, but its bytes come in packets, late.)
   template <typename Port>
@@ -83,15 +118,16 @@ class Listener {
 
   // A callback is two words: an interrupt between the two would call the new function with the old object.
   template <typename Port>
-  static bool set(Stream &port, const Callback &callback) {
+  static State *set(Stream &port, const Callback &callback) {
     const uint32_t masked = __get_PRIMASK();
     __disable_irq();
     static_cast<Port &>(port).onReceive(callback);
     __set_PRIMASK(masked);
-    return true;
+    return uartOf(static_cast<Port &>(port));
   }
 
   Set *const _set;  // null: the port cannot call back
+  State *_uart = nullptr;  // null: the port does not tell when its line was idle
   volatile bool _isBusy = false;
   volatile bool _wasCalled = false;
   volatile uint8_t _polls = 0;
@@ -104,6 +140,10 @@ class Listener {
  public:
   static constexpr bool Calls = false;
   static constexpr bool callsBack() { return false; }
+  static constexpr bool tellsIdle() { return false; }
+  static constexpr bool isIdle() { return false; }
+  static constexpr bool wasIdle() { return false; }
+  static constexpr unsigned waiting() { return 0; }
   template <typename Port>
   explicit Listener(Port &) {}
   template <typename Object>

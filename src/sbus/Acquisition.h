@@ -17,6 +17,7 @@ class Acquisition {
   void reset() {
     _doubts = 0;
     _group = 0;
+    _stretched = 0;
     forget();
   }
 
@@ -41,6 +42,7 @@ class Acquisition {
       _doubts = isVariantOpen ? Memory : _doubts;
     } else if (_run == Format::Size) {
       _doubts = 0;
+      _stretched = static_cast<uint8_t>(_stretched - (_stretched != 0));
     } else if (waiting >= Format::Size && _run > waiting + 1 && _run <= Format::OtherSize) {
       // These may be the end of a frame of the other size that lost characters, after a stray character.
       _doubts = _doubts == 0 ? 1 : _doubts;
@@ -52,9 +54,13 @@ class Acquisition {
     return isOther;
   }
 
-  /// Returns true if a frame's number of characters has come since the last gap: if another gap follows, the two prove
-  /// each other, even if the port called late.
-  bool isFrame() const { return _run == Format::Size || (_run > Format::Size && _run == _lastRun); }
+  /// Takes a frame that has gaps inside. Returns true if the sender is known to stretch frames: one such frame has come
+  /// already, and no more than a hundred without gaps inside since then.
+  bool isStretched() {
+    const bool isKnown = _stretched != 0;
+    _stretched = 100;
+    return isKnown;
+  }
 
   /// Returns how many characters came between the two newest gaps; 255 if unknown.
   int lastRun() const { return _lastRun; }
@@ -89,6 +95,7 @@ class Acquisition {
   uint8_t _run;      // characters since a gap
   uint8_t _lastRun;  // characters between the two gaps before
   uint8_t _group;    // end byte of the group that is next in turn
+  uint8_t _stretched;  // frames without gaps inside until the sender counts as one that stretches none
 };
 
 }  // namespace sbus

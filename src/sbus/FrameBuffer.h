@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "Frame.h"
+#include "LineTiming.h"
 
 namespace sbus {
 
@@ -18,7 +19,7 @@ class FrameBuffer {
  public:
   static constexpr uint8_t Nowhere = 0xFF;  ///< gapAt() without a gap
 
-  FrameBuffer() {}
+  FrameBuffer() { clear(); }
   FrameBuffer(const FrameBuffer &) = delete;             ///< it has pointers into itself
   FrameBuffer &operator=(const FrameBuffer &) = delete;  ///< not copied
 
@@ -36,17 +37,32 @@ class FrameBuffer {
 
   /// Returns the index of the first byte after the newest gap, 0..filled(), or Nowhere.
   int gapAt() const { return _gapAt; }
-  bool isGapCertain() const { return _gapCertain; }  ///< false: loop() may have been blocked
+  Silence gap() const { return static_cast<Silence>(_gap); }  ///< how certain that gap is: Likely, Gap or Wide
+  /// Returns true if the incoming frame begins after a wide gap.
+  bool beginsWide() const { return _gapAt == 0 ? gap() == Silence::Wide : _beginsWide; }
+  /// Returns the longest gap between the first Size bytes: Unknown if there is none. One that is not certain may be of any
+  /// length.
+  Silence inside() const {
+    const Silence newest = !isInside() ? Silence::Unknown : gap() == Silence::Likely ? Silence::Wide : gap();
+    return newest > static_cast<Silence>(_inside) ? newest : static_cast<Silence>(_inside);
+  }
   /// Marks a gap before the next byte.
-  void markGap(bool isCertain) {
-    _gapAt = _filled;
-    _gapCertain = isCertain;
+  void markGap(Silence silence) {
+    if (_gapAt != _filled) {
+      _beginsWide = beginsWide();
+      _inside = static_cast<uint8_t>(inside()) & 3;
+      _gapAt = _filled;
+    } else if (silence < gap()) {
+      return;
+    }
+    _gap = static_cast<uint8_t>(silence) & 3;
   }
 
   /// Forgets the incoming frame.
   void clear() {
     _filled = 0;
     _gapAt = Nowhere;
+    forgetGaps();
   }
 
   /// Removes the first `count` bytes. The others stay where they are until moveTo().
@@ -94,12 +110,21 @@ class FrameBuffer {
     _filled = static_cast<uint8_t>(_filled - count);
     const uint8_t gapAt = static_cast<uint8_t>(_gapAt - count);
     _gapAt = gapAt > Capacity ? Nowhere : gapAt;  // below 0, or Nowhere less `count`: as bytes both are far above
+    forgetGaps();
   }
+  // Only the newest gap is remembered, and what those before it say about a frame that begins with the first byte.
+  void forgetGaps() {
+    _beginsWide = false;
+    _inside = 0;
+  }
+  bool isInside() const { return _gapAt > 0 && _gapAt < Format::Size; }
 
   // These three bytes are the first place's pad: 4 bytes of RAM less.
-  alignas(uint32_t) uint8_t _filled = 0;
-  uint8_t _gapAt = Nowhere;
-  bool _gapCertain = false;
+  alignas(uint32_t) uint8_t _filled;
+  uint8_t _gapAt;
+  uint8_t _gap : 2;  // a Silence up to Wide, as is _inside
+  uint8_t _inside : 2;
+  bool _beginsWide : 1;
   uint8_t _places[Capacity + Pad + Capacity];
   uint8_t *_incoming = _places + Capacity + Pad;
   uint8_t *_newest = _places;

@@ -76,14 +76,29 @@ class FrameFinderOf : private Events {
   /// Returns how many bytes fit there, 1 or more.
   int room() const { return _buffer.room(); }
 
-  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next. `isPrompt`: the
-  /// port has just handed them over and called back.
-  void poll(unsigned found, uint32_t now, bool isPrompt = false);
+  /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next.
+  void poll(unsigned found, uint32_t now);
+
+  /// Likewise, for a port that tells when the line was idle: call ended() then. `isPrompt`: the port has just handed the
+  /// bytes over and called back.
+  void pollIdling(unsigned found, uint32_t now, bool isPrompt);
 
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
   const uint8_t *idle(uint32_t now) {
     _timing.empty(now);
-    return _buffer.filled() < Format::Size ? nullptr : settle();
+    return _buffer.filled() < Format::Size ? nullptr : settle(_timing.template silenceAfter<Format>());
+  }
+
+  /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
+  const uint8_t *ended() { return settle(Silence::Gap); }
+
+  /// Returns true if `waiting` more bytes complete no frame. Then they need not be read: `now` is their poll.
+  bool isIncomplete(unsigned waiting, uint32_t now) {
+    const bool isIncomplete = static_cast<unsigned>(_buffer.filled()) + waiting < Format::Size;
+    if (isIncomplete) {
+      _timing.incomplete(now);
+    }
+    return isIncomplete;
   }
 
   /// Takes `count` bytes, 1..room(), that were written to space(); `waiting` more bytes of this poll are not read yet.
@@ -132,10 +147,11 @@ class FrameFinderOf : private Events {
   static constexpr int Size = Format::Size, FlagsAt = Size - 2, EndAt = Size - 1;
 
   void startOver(int offBy);
-  void gapBefore(bool isCertain);
+  void startPoll(unsigned found);
+  void gapBefore(Silence gap);
   void checkFound();
   void lost(uint32_t &counter);
-  const uint8_t *settle();
+  const uint8_t *settle(Silence gap);
   const uint8_t *search(int waiting);
   bool scan(int waiting);
   bool find();
@@ -170,24 +186,41 @@ class FrameFinderOf : private Events {
   uint8_t _extra[Format::HasExtra ? FrameSize : 1];
 };
 
-// Inlined like received(): most polls then cost some 100 cycles a frame less.
 template <typename Format, typename Events>
-SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now, bool isPrompt) {
+SBUS_IN_LINE void FrameFinderOf<Format, Events>::startPoll(unsigned found) {
   _rejected = 0;
   _found = static_cast<uint16_t>(found);
+}
+
+// Inlined like received(): most polls then cost some 100 cycles a frame less.
+template <typename Format, typename Events>
+SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t now) {
+  startPoll(found);
   if (LineTiming::ClockRuns && _owed) {
     lost(_counters.shortfalls);
   }
-  const Silence silence = _timing.silenceBefore<Format>(found, now, isPrompt);
+  const Silence silence = _timing.silenceBefore<Format>(found, now);
   if (silence == Silence::Long) {
     startOver(rules::FirstOffBy);
-  } else if (silence == Silence::Gap) {
-    gapBefore(!isPrompt || _acquisition.isFrame());
-  } else if (silence != Silence::Unknown) {
-    _buffer.markGap(false);
+  } else if (silence >= Silence::Gap) {
+    gapBefore(silence);
+  } else if (silence == Silence::Likely) {
+    _buffer.markGap(silence);
   }
-  if (!isPrompt && _timing.mayFallShort()) {
+  if (_timing.mayFallShort()) {
     checkFound();
+  }
+  _acquisition.characters(found);
+}
+
+template <typename Format, typename Events>
+SBUS_IN_LINE void FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt) {
+  startPoll(found);
+  const Silence silence = _timing.idleBefore(found, now, isPrompt);
+  if (silence == Silence::Long) {
+    startOver(rules::FirstOffBy);
+  } else if (silence == Silence::Wide && _buffer.gapAt() == _buffer.filled()) {
+    _buffer.markGap(silence);
   }
   _acquisition.characters(found);
 }

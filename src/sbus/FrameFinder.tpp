@@ -70,7 +70,7 @@ void FrameFinderOf<Format, Events>::checkFound() {
   const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
   if (_timing.template fallsShort<Format>(_found, missing, _counters.period)) {
     if (!LineTiming::ClockRuns || static_cast<int>(_found) < missing) {
-      _buffer.markGap(false);
+      _buffer.markGap(Silence::Likely);
     } else {
       _owed = static_cast<int32_t>(_counters.period) >= ShortestPeriod;
     }
@@ -80,8 +80,8 @@ void FrameFinderOf<Format, Events>::checkFound() {
 // Takes a certain gap before the next character. A run of the other size forgets the variant: on a line of that size
 // two impaired frames may look like one of this size again and again.
 template <typename Format, typename Events>
-void FrameFinderOf<Format, Events>::gapBefore(bool isCertain) {
-  _buffer.markGap(isCertain);
+void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
+  _buffer.markGap(gap);
   if (!Events::seesEachGap()) {
     _acquisition.forget();
   }
@@ -92,16 +92,15 @@ void FrameFinderOf<Format, Events>::gapBefore(bool isCertain) {
   }
 }
 
-// Returns the frame that waited for silence to follow, or nullptr.
+// Takes a silence after the last byte. Returns the frame that waited for it, or nullptr.
 template <typename Format, typename Events>
-const uint8_t *FrameFinderOf<Format, Events>::settle() {
-  if (!_timing.template isSilent<Format>() || _buffer.gapAt() == _buffer.filled()) {
+const uint8_t *FrameFinderOf<Format, Events>::settle(Silence gap) {
+  if (gap == Silence::Unknown || (_buffer.gapAt() == _buffer.filled() && _buffer.gap() >= gap)) {
     return nullptr;
   }
-  gapBefore(true);
-  _rejected = 0;
-  _found = 0;
-  return search(0);
+  gapBefore(gap);
+  startPoll(0);
+  return _buffer.filled() < Size ? nullptr : search(0);
 }
 
 template <typename Format, typename Events>
@@ -141,7 +140,7 @@ inline bool FrameFinderOf<Format, Events>::find() {
   while (rules::hasSlots<Format>(_variant) && _expectedAt == 0) {
     // A sensor's answer: the next frame is expected after it, and after a gap where the answer lacks a character. So
     // it is after a break, if an answer or a gap follows.
-    const int untilGap = _buffer.isGapCertain() ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
+    const int untilGap = _buffer.gap() >= Silence::Gap ? _buffer.gapAt() : FrameBuffer<Format>::Nowhere;
     int size = SlotSize;
     if (rules::isBreak(_buffer[0])) {
       if (_buffer.filled() < 2) {
@@ -237,9 +236,12 @@ inline uint8_t FrameFinderOf<Format, Events>::variantAt(int start) {
 template <typename Format, typename Events>
 SBUS_IN_LINE Verdict FrameFinderOf<Format, Events>::judge(int start, uint8_t variant) {
   const int offBy = start - _expectedAt;
-  return rules::judge(Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, _buffer.gapAt() - start,
-                                        _buffer.isGapCertain(), variant, _variant, offBy, offBy == 0 && _aligned},
-                      _acquisition);
+  const int gapAt = _buffer.gapAt() - start;
+  const Silence inside = start == 0 ? _buffer.inside() : gapAt > 0 && gapAt < Size ? _buffer.gap() : Silence::Unknown;
+  return rules::judge(
+      Candidate<Format>{_buffer.bytes() + start, _buffer.filled() - start, gapAt, _buffer.gap(), inside,
+                        start == 0 && _buffer.beginsWide(), variant, _variant, offBy, offBy == 0 && _aligned},
+      _acquisition);
 }
 
 // Inlined: 13 cycles a frame less.
@@ -284,6 +286,6 @@ void FrameFinderOf<Format, Events>::discard(int count) {
   template void sbus::FrameFinderOf<__VA_ARGS__>::broken();                          \
   template void sbus::FrameFinderOf<__VA_ARGS__>::lost(uint32_t &);                  \
   template void sbus::FrameFinderOf<__VA_ARGS__>::checkFound();                      \
-  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(bool);                   \
-  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle();                \
+  template void sbus::FrameFinderOf<__VA_ARGS__>::gapBefore(sbus::Silence);                \
+  template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::settle(sbus::Silence);         \
   template const uint8_t *sbus::FrameFinderOf<__VA_ARGS__>::search(int);

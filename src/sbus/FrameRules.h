@@ -9,6 +9,7 @@
 
 #include "Acquisition.h"
 #include "Frame.h"
+#include "LineTiming.h"
 #include "Slots.h"
 
 /// For functions that cost more to call than to inline.
@@ -56,7 +57,9 @@ struct Candidate {
   const uint8_t *bytes;  ///< from the header on
   int count;             ///< 25 or more
   int gapAt;             ///< index of the first character after the newest gap; may lie outside
-  bool isGapCertain;     ///< false: loop() may have been blocked
+  Silence gap;           ///< how certain that gap is: Likely, Gap or Wide
+  Silence inside;        ///< the longest gap inside; Unknown: none
+  bool beginsWide;       ///< a wide gap comes before it
   uint8_t variant;       ///< of its end byte, a row of LineVariants
   uint8_t lineVariant;   ///< of the line, or UnknownVariant
   int offBy;             ///< characters between the previous frame and this one; below 0: that frame's tail lacks some
@@ -68,8 +71,11 @@ struct Candidate {
   /// Returns the size with the tail.
   SBUS_IN_LINE int size() const { return Format::Size + line().tailSize; }
   /// Returns true if a gap follows it, or cuts its tail short.
-  SBUS_IN_LINE bool isGapAfter() const { return isGapCertain && gapAt >= Format::Size && gapAt <= size(); }
-  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain && gapAt == 0; }  ///< a gap comes before it
+  SBUS_IN_LINE bool isGapAfter() const { return isGapCertain() && gapAt >= Format::Size && gapAt <= size(); }
+  SBUS_IN_LINE bool isGapBefore() const { return isGapCertain() && gapAt == 0; }  ///< a gap comes before it
+  SBUS_IN_LINE bool isGapCertain() const { return gap >= Silence::Gap; }  ///< otherwise loop() may have been blocked
+  /// Returns from where on a frame may begin that does not have the gap inside.
+  SBUS_IN_LINE int afterGap() const { return gapAt > 0 && gapAt < Format::Size ? gapAt : int{Format::Size}; }
 };
 
 /// The rules, a function each: without a rule its function always returns what test/impairment/RULES says. All but
@@ -85,10 +91,17 @@ SBUS_IN_LINE bool areFlags(uint8_t byte) {
   return isFlagsByte(byte);
 }
 
-/// Returns true if a gap lies inside: the end of one frame and the start of the next.
+/// Returns true if a gap lies inside: the end of one frame and the start of the next, or a stretched frame.
 template <typename Format>
 SBUS_IN_LINE bool hasGapInside(const Candidate<Format> &c) {
-  return c.gapAt > 0 && c.gapAt < Format::Size;
+  return c.inside != Silence::Unknown;
+}
+
+/// Returns true if its sender may have stretched it: it begins where a frame is due, or after a wide gap, and no gap
+/// inside is wide. Parts of two frames that fit together are a frame period apart.
+template <typename Format>
+SBUS_IN_LINE bool mayBeStretched(const Candidate<Format> &c) {
+  return c.inside < Silence::Wide && (c.isInSync || c.beginsWide);
 }
 
 /// Returns true if a header follows it; 2F counts on lines with such frames (needed where the gap before is not
@@ -211,11 +224,25 @@ SBUS_IN_LINE bool isUsual(const uint8_t *bytes, int filled, int gapAt, uint8_t v
          areFlags(bytes[Format::Size - 2]) && endsVariant(bytes[Format::Size - 1], variant);
 }
 
+/// Judges a frame with a gap inside. A gap must follow it directly: a wide one, until the line's variant is known.
+template <typename Format>
+SBUS_IN_LINE Verdict judgeStretched(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
+  if (mayBeStretched(c)) {
+    if (c.isGapAfter() && (c.hasLineVariant() || c.gap == Silence::Wide)) {
+      return acquisition.isStretched() ? Verdict::accept(true) : Verdict::reject(Rejection::GapInside, Format::Size);
+    }
+    if (c.count <= c.size()) {
+      return Verdict::wait();
+    }
+  }
+  return Verdict::reject(Rejection::GapInside, c.afterGap());
+}
+
 /// Judges by all rules, the cheapest first.
 template <typename Format>
 SBUS_IN_LINE Verdict judge(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   if (hasGapInside(c)) {
-    return Verdict::reject(Rejection::GapInside, c.gapAt);
+    return judgeStretched(c, acquisition);
   }
   if (Format::HasExtra && c.bytes[0] == ExtraHeader) {
     return judgeExtra(c, acquisition);

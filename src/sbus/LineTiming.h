@@ -19,7 +19,8 @@ constexpr uint8_t MostIdleCharacters = 4;
 enum class Silence : uint8_t {
   Unknown,  ///< perhaps a gap
   Likely,   ///< a gap, unless loop() was blocked
-  Gap,      ///< certainly a gap: longer than two characters
+  Gap,      ///< certainly silence: between two frames, or within one that its sender stretches
+  Wide,     ///< certainly longer than a sender is silent within a frame: between two frames
   Long,     ///< longer than any frame period: the next character may be anywhere in a frame
 };
 
@@ -29,7 +30,7 @@ enum class Silence : uint8_t {
 ///
 ///     silence  >=  last empty poll - last poll that found bytes - one burst
 ///
-/// A port that calls back when it hands bytes over needs no empty polls: the time of the call replaces them.
+/// A port that tells itself when the line was idle (the Grasshopper's) needs that only for long silences.
 ///
 /// A sketch that polls only when bytes wait (serialEvent1(), an interrupt) has neither. It is assumed to poll late by
 /// at most the shortest time between two polls; if it is later, LineTiming reports a gap that does not exist.
@@ -64,23 +65,34 @@ class LineTiming {
     }
   }
 
-  /// Takes the time of a poll that found `found` bytes, 1 or more. `isPrompt`: the port has just called back, so it
-  /// handed them over no earlier. (Inlined: 57 cycles a frame less.)
+  /// Takes the time of a poll that found `found` bytes, 1 or more. (Inlined: 57 cycles a frame less.)
   template <typename Format>
-  __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t now, bool isPrompt = false) {
-    const bool isKnown = isPrompt || _shortest == HasEmptyPolls;
-    const unsigned silence = capped((isKnown && !isPrompt ? _lastPoll : now) - _lastBytes);
-    _pollBefore = _lastPoll;
-    _lastPoll = now;
-    _lastBytes = now;
+  __attribute__((always_inline)) Silence silenceBefore(unsigned found, uint32_t now) {
+    const bool isKnown = _shortest == HasEmptyPolls;
+    const unsigned silence = capped((isKnown ? _lastPoll : now) - _lastBytes);
+    take(now);
     if (!isKnown) {
       return assumedBefore(found, silence);
     }
     if (silence <= burstTime<Format>(found)) {
       return Silence::Unknown;
     }
-    return isLong(silence) ? Silence::Long : Silence::Gap;
+    return isLong(silence) ? Silence::Long : isWide(silence, found) ? Silence::Wide : Silence::Gap;
   }
+
+  /// Likewise, for a port that tells itself when the line was idle: returns Long, Wide if the line was idle before these
+  /// bytes, or Unknown. `isPrompt`: the port has just called back, so it handed them over no earlier.
+  Silence idleBefore(unsigned found, uint32_t now, bool isPrompt) {
+    const uint32_t silence = (isPrompt ? now : _lastPoll) - _lastBytes;
+    take(now);
+    if (silence >= LongSilence) {
+      return Silence::Long;
+    }
+    return silence > found * MostStretched * _characterTime + LongestStop ? Silence::Wide : Silence::Unknown;
+  }
+
+  /// Takes a time at which the bytes that wait do not yet complete a frame.
+  void incomplete(uint32_t now) { _lastPoll = now; }
 
   /// Returns true if fallsShort() may be true: some polls have found nothing, so that the time of the previous poll is
   /// known, and the newest poll came later than one character and a gap can explain. (Asked first: an AVR's sensor
@@ -97,26 +109,32 @@ class LineTiming {
   /// complete at most one `period`, us, after the previous frame. Call it only if mayFallShort().
   template <typename Format>
   bool fallsShort(int found, int missing, uint32_t period) const {
-    const int handedOver = _idleCharacters != 0 ? found + static_cast<int>(LongestBurst) : found;
-    const unsigned enough = inTime<Format>(static_cast<unsigned>(handedOver)) * _characterTime;
-    int late = static_cast<int>(_lastPoll - _pollBefore - enough);
-    if (ClockRuns) {
-      for (int whole = missing; whole <= found; whole += Format::Size) {
-        late -= static_cast<int>(period);
-      }
-    } else if (found >= missing) {
+    const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? LongestBurst : 0);
+    const uint32_t enough = uint32_t{inTime<Format>(handedOver)} * _characterTime;
+    uint32_t late = _lastPoll - _pollBefore;
+    if (late <= enough || (!ClockRuns && found >= missing)) {
       return false;
     }
-    return late > 0;
+    late -= enough;
+    for (int whole = missing; ClockRuns && whole <= found; whole += Format::Size) {
+      if (late <= period) {
+        return false;
+      }
+      late -= period;
+    }
+    return true;
   }
 
   /// Returns the time of the poll before the newest one that found bytes.
   uint32_t pollBefore() const { return _pollBefore; }
 
-  /// Returns true if the empty poll just taken proves a gap after the last byte.
+  /// Returns what the empty poll just taken proves about the line after the last byte: Unknown, Gap or Wide.
   template <typename Format>
-  bool isSilent() const {
-    return capped(_lastPoll - _lastBytes) > burstTime<Format>(LongestBurst);
+  Silence silenceAfter() const {
+    const unsigned silence = capped(_lastPoll - _lastBytes);
+    return silence <= burstTime<Format>(LongestBurst) ? Silence::Unknown
+           : isWide(silence, LongestBurst)            ? Silence::Wide
+                                                      : Silence::Gap;
   }
 
  private:
@@ -128,12 +146,33 @@ class LineTiming {
   static constexpr unsigned LongestBurst = 16;       // characters: the most that a port hands over at once
   static constexpr unsigned Gap = 2;                 // characters
 
+  // Some senders stretch a frame: 240 us from one character to the next, or silences of half a millisecond
+  // (extras/docs/receiver.md).
+  static constexpr unsigned MostStretched = 2;    // characters' time for each
+  static constexpr unsigned LongestStop = 1500;  // us: no sender is silent for longer within a frame
+
   // 16 bits on an AVR: a longer time counts as 65 ms, which saves 42 bytes of flash.
   static unsigned capped(uint32_t us) { return us < UINT_MAX ? static_cast<unsigned>(us) : UINT_MAX; }
 
   // Returns true if the line may have been open: once closed, it may be anywhere in a frame. (Two frame periods instead
   // of 50 ms: a tenth fewer wrong frames where gaps are not seen, for 32 bytes on a Cortex-M0+ and 106 on an AVR.)
   static bool isLong(unsigned silence) { return silence >= LongSilence; }
+
+  void take(uint32_t now) {
+    _pollBefore = _lastPoll;
+    _lastPoll = now;
+    _lastBytes = now;
+  }
+
+  // Returns how many of `found` characters the port may have held back before it handed them over.
+  unsigned burst(unsigned found) const {
+    return _idleCharacters == 0 ? 1 : found < LongestBurst ? found : LongestBurst;
+  }
+
+  // Returns true if no sender is silent for so long within a frame.
+  bool isWide(unsigned silence, unsigned found) const {
+    return silence > (burst(found) * MostStretched + _idleCharacters) * _characterTime + LongestStop;
+  }
 
   // Returns within how many characters' time these follow each other and are handed over, plus a gap.
   template <typename Format>
@@ -144,7 +183,7 @@ class LineTiming {
   // Returns the longest time from the start of the first of these bytes until it is handed over, plus a gap.
   template <typename Format>
   unsigned burstTime(unsigned found) const {
-    const unsigned characters = inTime<Format>(found);
+    const unsigned characters = _idleCharacters == 0 ? 1 + Gap : inTime<Format>(found);
     return (characters < Format::LongestSpread ? characters : Format::LongestSpread) * _characterTime;
   }
 

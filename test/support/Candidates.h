@@ -19,7 +19,10 @@ struct Case {
   bool isGapCertain = true;
 
   sbus::Candidate<sbus::Frame16> candidate() const {
-    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, isGapCertain, sbus::variantOfEnd(bytes[24]),
+    const sbus::Silence gap = isGapCertain ? sbus::Silence::Gap : sbus::Silence::Likely;
+    const bool isInside = gapAt > 0 && gapAt < sbus::FrameSize;
+    return {bytes.data(), static_cast<int>(bytes.size()), gapAt, gap, isInside ? gap : sbus::Silence::Unknown, false,
+            sbus::variantOfEnd(bytes[24]),
             hasLineVariant ? sbus::variantOfEnd(bytes[24]) : sbus::UnknownVariant, offBy, isInSync && offBy == 0};
   }
 };

@@ -189,9 +189,15 @@ class CallingPort : public BoardsPort {
     }
   }
 
+  stm32l0_uart_t &state() { return uart().state(); }
+
  private:
   Callback _callback;
   bool _event = false;
   bool _isCalling = false;
 };
+// By this the library knows the core's state of the port.
+inline stm32l0_uart_t *uartOf(CallingPort &port) {
+  return &port.state();
+}
 #endif

@@ -128,6 +128,9 @@ Uart Serial1(1);
 Uart Serial2(2);
 Uart Serial3(3);
 
+Uart::Uart(int number) : _number(number), _uart(&Board::instance().port(number).uart().state()) {
+}
+
 host::BoardPort &Uart::port() const {
   return Board::instance().port(_number);
 }

@@ -17,10 +17,11 @@
 namespace host {
 class BoardPort;
 }
+struct _stm32l0_uart_t;
 
 class Uart : public HardwareSerial {
  public:
-  explicit Uart(int number) : _number(number) {}
+  explicit Uart(int number);
 
   // Like flush(), begin() and end() wait until all written bytes have been sent.
   void begin(unsigned long baud) override;
@@ -58,6 +59,7 @@ class Uart : public HardwareSerial {
   host::BoardPort &port() const;
 
   const int _number;
+  struct _stm32l0_uart_t *_uart;  // the core's state of the port, as on the board
 };
 
 extern Uart Serial1;

@@ -8,11 +8,10 @@ void BoardUart::open(uint64_t nowUs, uint8_t *buffer, size_t size, uint32_t char
   _lastEndUs = nowUs;
   _characterUs = characterUs;
   _ringWrite = 0;
-  _ringRead = 0;
   _buffer = buffer;
   _size = size;
   _first = 0;
-  _count = 0;
+  _state = {};
   _eventArmed = true;
   _event = false;
 }
@@ -43,15 +42,15 @@ void BoardUart::advance(uint64_t nowUs) {
 }
 
 void BoardUart::handOver() {
-  while (_ringRead != _ringWrite) {
-    const uint8_t byte = _ring[_ringRead];
-    _ringRead = (_ringRead + 1) % RingSize;
-    if (_count == _size) {
+  while (_state.rx_index != _ringWrite) {
+    const uint8_t byte = _ring[_state.rx_index];
+    _state.rx_index = (_state.rx_index + 1) % RingSize;
+    if (_state.rx_count == _size) {
       _droppedFull++;
       continue;
     }
-    _buffer[(_first + _count) % _size] = byte;
-    _count++;
+    _buffer[(_first + _state.rx_count) % _size] = byte;
+    _state.rx_count = _state.rx_count + 1;
     if (_eventArmed) {
       _eventArmed = false;
       _event = true;
@@ -75,7 +74,7 @@ int BoardUart::read(uint8_t *buffer, size_t size) {
   while (done < size && available() > 0) {
     buffer[done++] = _buffer[_first];
     _first = (_first + 1) % _size;
-    _count--;
+    _state.rx_count = _state.rx_count - 1;
   }
   return static_cast<int>(done);
 }

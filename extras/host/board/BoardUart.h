@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <stm32l0_uart.h>
+
 #include "line/Line.h"
 
 namespace host {
@@ -43,13 +45,18 @@ class BoardUart {
   uint64_t idleFromUs() const { return _lastEndUs + _characterUs; }
 
   // These are the sketch's calls. A closed port has nothing to read: then read() and peek() return -1.
-  int available() const { return _open ? static_cast<int>(_count) : 0; }
+  int available() const { return _open ? static_cast<int>(_state.rx_count) : 0; }
   int peek();
   int read();
   int read(uint8_t *buffer, size_t size);  // returns the number of bytes read, up to `size`
 
   // Returns true, once, if bytes have been handed over: the first ones after open() and after each poll of the buffer.
   bool takeReceiveEvent();
+
+  // Returns the core's state of the port. rx_index goes on with each byte handed over, and a silence does not change it
+  // (stm32l0_uart.c:99): so it lies between two halves of the ring only if the line was idle after the newest byte, or the
+  // next character had an error.
+  stm32l0_uart_t &state() { return _state; }
 
   // Return the number of bytes dropped since the program's start.
   unsigned long droppedBad() const { return _droppedBad; }
@@ -65,13 +72,12 @@ class BoardUart {
 
   uint8_t _ring[RingSize] = {};
   size_t _ringWrite = 0;
-  size_t _ringRead = 0;
 
   uint8_t _ownBuffer[BufferSize] = {};
   uint8_t *_buffer = _ownBuffer;
   size_t _size = BufferSize;
   size_t _first = 0;
-  size_t _count = 0;
+  stm32l0_uart_t _state{};
 
   bool _eventArmed = false;
   bool _event = false;
