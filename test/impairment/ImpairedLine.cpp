@@ -222,6 +222,10 @@ void ImpairedLine::sendBetween(uint8_t end) {
     sendSlots(_number % Groups);
   }
   uint64_t nextFrameUs = _frameUs + _transmission.periodUs;
+  if (const uint32_t unsteadyUs = _transmission.unsteadyUs) {
+    nextFrameUs += _random.below(2 * unsteadyUs + 1);
+    nextFrameUs -= unsteadyUs;
+  }
   if (nextFrameUs > _timeUs + 4 * _characterUs && _random.chance(_transmission.impairments.noise)) {
     _timeUs += _random.below(static_cast<uint32_t>(nextFrameUs - _timeUs - 2 * _characterUs));
     send(_random.byte());

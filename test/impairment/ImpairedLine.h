@@ -81,6 +81,7 @@ struct Transmission {
   Payload sticks = Payload::Neutral;
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
+  uint32_t unsteadyUs = 0;  // a period is up to this much shorter or longer
   uint32_t spreadUs = 0;  // between the characters of a frame
   uint32_t jitterUs = 0;  // up to this much more, drawn for each character
   Silences silences{};

@@ -91,6 +91,12 @@ void inexactAndUnplugged(Run &run, Random &random) {
   unplugged(run, random);
 }
 
+// ArduPilot's own sender at 200 Hz (ArduPilot/ardupilot, pull request 6794: "jitter to +/-750usec").
+Run unsteady(Run run = plain()) {
+  run.line.unsteadyUs = 750;
+  return run;
+}
+
 Run noiseBefore(uint32_t fromUs, uint32_t toUs) {
   Run run;
   run.line.noiseBefore = {1 / 3., fromUs, toUs};
@@ -149,6 +155,11 @@ const std::vector<Condition> &senderLines() {
       {"called back: clean, 3 silences in each frame", interrupted(3), called(), NeverWrong},
       {"called back: clean, silences elsewhere in each frame", plain(), called(), NeverWrong, {}, interruptedElsewhere},
       {"called back: clean, 700 us after 12 characters", interruptedAfter(12, 700), called(), NeverWrong},
+      {"clean, periods 750 us shorter or longer", unsteady(), polled(), NeverWrong},
+      {"periods 750 us shorter or longer, dropped 1/300", unsteady(dropped(1 / 300.)), seen(), NeverWrong},
+      {"called back: clean, periods 750 us shorter or longer", unsteady(), called(), NeverWrong},
+      {"called back: periods 750 us shorter or longer, dropped 1/300", unsteady(dropped(1 / 300.)), called(),
+       NeverWrong},
       {"inexact frames, dropped 1/300", dropped(1 / 300.), seen(), NeverWrong, {}, inexact},
       {"inexact frames, dropped 1/300, gaps not seen", dropped(1 / 300.), hidden(), None, {}, inexact},
       {"called back: inexact frames, dropped 1/300", dropped(1 / 300.), called(), NeverWrong, {}, inexact},
