@@ -6,7 +6,9 @@
 
 #include "Company.h"
 #include "Joins.h"
+#include "LateCalls.h"
 #include "Runs.h"
+#include "Senders.h"
 
 namespace {
 
@@ -221,7 +223,7 @@ const std::vector<Condition> &impairedLines() {
 const std::vector<Condition> &conditions() {
   static const std::vector<Condition> list = [] {
     std::vector<Condition> all = impairedLines();
-    for (const std::vector<Condition> &more : {companyLines(), joinLines()}) {
+    for (const std::vector<Condition> &more : {companyLines(), joinLines(), senderLines(), lateCallLines()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;

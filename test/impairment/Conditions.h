@@ -28,7 +28,7 @@ struct Condition {
   std::vector<Payload> deceptiveSticks() const;
 };
 
-// Returns them all, of this file, Company.h and Joins.h.
+// Returns them all, of this file, Company.h, Joins.h, Senders.h and LateCalls.h.
 const std::vector<Condition> &conditions();
 
 // Sums up lines with `frames` frames, or a few more, for each of these sticks. A line's setup is one of these, drawn

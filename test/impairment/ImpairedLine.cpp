@@ -35,13 +35,19 @@ bool isFrame(const SentFrame &sent) {
          (sent.size == sbus::FrameSize24 ? end == 0 : sbus::isEndByte(end));
 }
 
+uint64_t joinedAfterUs(const Transmission &transmission) {
+  const Cut &cut = transmission.cut;
+  const uint64_t characterUs = transmission.characterUs() + transmission.spreadUs;
+  return cut.swaps ? cut.fromFrame * transmission.periodUs + cut.fromCharacter * characterUs + cut.silenceUs
+                   : cut.toFrame * transmission.periodUs + cut.toCharacter * characterUs;
+}
+
 }  // namespace
 
 ImpairedLine::ImpairedLine(const Transmission &transmission, uint64_t startUs, Random &random)
     : _transmission(transmission),
       _characterUs(transmission.characterUs()),
-      _joinedUs(startUs + transmission.cut.toFrame * transmission.periodUs +
-                transmission.cut.toCharacter * transmission.characterUs()),
+      _joinedUs(startUs + joinedAfterUs(transmission)),
       _random(random),
       _sticks(transmission.sticks, random),
       _moreSticks(transmission.sticks, random),
@@ -86,7 +92,7 @@ void ImpairedLine::sendFrame() {
     _timeUs += 600 + _random.below(5400);
   }
 
-  const Frame frame = _sticks.next();
+  const Frame frame = (_otherSticks ? *_otherSticks : _sticks).next();
   uint8_t bytes[sbus::FrameSize24] = {};
   unsigned size = sbus::FrameSize;
   SentFrame sent;
@@ -119,9 +125,16 @@ void ImpairedLine::sendFrame() {
     _timeUs -= _characterUs;
     sendStray(_transmission.company.strayBefore);
   }
+  if (_random.chance(_transmission.noiseBefore.probability)) {
+    sendNoiseBefore();
+  }
+  drawSilences(sent.size);
   sendImpaired(bytes, size, sent);
   _sent.push_back(sent);
   sendBetween(bytes[sbus::EndIndex]);
+  if (_transmission.cut.swaps && _number == _transmission.cut.fromFrame) {
+    swap();
+  }
   _number++;
 }
 
@@ -130,7 +143,11 @@ void ImpairedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &
   bool whole = true;
   for (unsigned i = 0; i < size; i++) {
     uint8_t value = bytes[i];
-    _timeUs += i != 0 ? _transmission.spreadUs : 0;
+    if (i != 0) {
+      const uint32_t jitterUs = _transmission.jitterUs;
+      _timeUs += _transmission.spreadUs + (jitterUs != 0 ? _random.below(jitterUs + 1) : 0);
+      _timeUs += i < sent.size ? _silentUs[i] : 0;
+    }
     if (_random.chance(impairments.flipped)) {
       const uint32_t one = _random.below(8);
       const uint32_t other = (one + 1 + _random.below(7)) % 8;
@@ -154,6 +171,9 @@ void ImpairedLine::sendImpaired(const uint8_t *bytes, unsigned size, SentFrame &
       sent.straight = _straight;
     }
     if (isCut(i)) {
+      if (_number == _transmission.cut.fromFrame && i == _transmission.cut.fromCharacter) {
+        _cutUs = _timeUs;
+      }
       _timeUs += _characterUs;
       whole = false;
     } else {
@@ -202,6 +222,10 @@ void ImpairedLine::sendBetween(uint8_t end) {
     sendSlots(_number % Groups);
   }
   uint64_t nextFrameUs = _frameUs + _transmission.periodUs;
+  if (const uint32_t unsteadyUs = _transmission.unsteadyUs) {
+    nextFrameUs += _random.below(2 * unsteadyUs + 1);
+    nextFrameUs -= unsteadyUs;
+  }
   if (nextFrameUs > _timeUs + 4 * _characterUs && _random.chance(_transmission.impairments.noise)) {
     _timeUs += _random.below(static_cast<uint32_t>(nextFrameUs - _timeUs - 2 * _characterUs));
     send(_random.byte());
@@ -248,6 +272,58 @@ void ImpairedLine::sendStray(int stray) {
   }
   send(value);
   _straight = false;
+}
+
+void ImpairedLine::sendNoiseBefore() {
+  const NoiseBefore &noise = _transmission.noiseBefore;
+  const uint32_t silentUs = noise.leastUs + _random.below(noise.mostUs - noise.leastUs + 1);
+  const unsigned count = 1 + _random.below(4);
+  const unsigned header = _random.below(2 * count);
+  const uint64_t frameUs = _timeUs;
+  _timeUs -= silentUs + uint64_t{count} * _characterUs;
+  for (unsigned i = 0; i < count; i++) {
+    send(i == header ? sbus::HeaderByte : _random.byte());
+  }
+  _timeUs = frameUs;
+  _noiseCharacters += count;
+  _straight = false;
+}
+
+// Sends a part of a character: never a header or an end byte, with which it would belong to the frame that it touches.
+void ImpairedLine::sendFragment() {
+  uint8_t value = _random.byte();
+  while (value == sbus::HeaderByte || value == sbus::ExtraHeader || sbus::isEndByte(value)) {
+    value = _random.byte();
+  }
+  send(value, _random.chance(0.5));
+}
+
+void ImpairedLine::drawSilences(unsigned size) {
+  const Silences &silences = _transmission.silences;
+  if (silences.count == 0 || (!silences.eachFrame && _number != 0)) {
+    return;
+  }
+  _silentUs.fill(0);
+  for (unsigned i = 0; i < silences.count; i++) {
+    const unsigned after = silences.after != 0 ? silences.after : 1 + _random.below(size - 1);
+    _silentUs[after] = silences.leastUs + _random.below(silences.mostUs - silences.leastUs + 1);
+  }
+}
+
+// Begins the frames of the other receiver: up to the end of the cut, which may be earlier than now, they are not sent.
+void ImpairedLine::swap() {
+  const Cut &cut = _transmission.cut;
+  _otherSticks.emplace(_transmission.sticks, _random);
+  _timeUs = _cutUs;
+  if (_random.chance(0.5)) {
+    sendFragment();
+  }
+  const uint64_t joinUs = _timeUs + cut.silenceUs;
+  if (cut.silenceUs >= 2 * _characterUs && _random.chance(0.5)) {
+    _timeUs = joinUs - _characterUs;
+    sendFragment();
+  }
+  _frameUs = joinUs - uint64_t{cut.toCharacter} * (_characterUs + _transmission.spreadUs);
 }
 
 // Returns true if this character of the present frame is cut off.

@@ -1,8 +1,10 @@
 // A receiver on an impaired line: its frames, and what happens to them on the way.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "Payload.h"
 #include "line/Line.h"
@@ -42,6 +44,22 @@ struct Company {
   static constexpr int NoStray = -1, AnyStray = 256;
 };
 
+// Silences within frames, as senders have them that write each character when they find the time.
+struct Silences {
+  unsigned count = 0;      // in a frame, some of which may coincide
+  uint32_t leastUs = 60;   // from the end of a character to the next one
+  uint32_t mostUs = 480;
+  unsigned after = 0;      // this many characters of the frame; 0: places are drawn
+  bool eachFrame = false;  // draws for each frame, not once for the line
+};
+
+// Noise just before a frame.
+struct NoiseBefore {
+  double probability = 0;  // of a frame: 1 to 4 characters come before it; in every other case one of them is a header
+  uint32_t leastUs = 0;    // from their end to the frame
+  uint32_t mostUs = 0;
+};
+
 // The wire is open from one character of a frame on, up to but without another. Frames count from 0.
 struct Cut {
   uint64_t fromFrame = 0;
@@ -49,6 +67,11 @@ struct Cut {
   uint64_t toFrame = 0;
   unsigned toCharacter = 0;
   uint64_t every = 0;  // again after this many frames, each time a character later
+
+  // After the cut another receiver sends, with other sticks, and this long after the last character of the first. Each
+  // end of the cut may leave a part of a character, which the UART takes for any character, or drops.
+  bool swaps = false;
+  uint32_t silenceUs = 0;
 };
 
 // What goes over the line, and how fast.
@@ -58,13 +81,19 @@ struct Transmission {
   Payload sticks = Payload::Neutral;
   unsigned long baud = sbus::Baud;
   uint32_t periodUs = 9000;
+  uint32_t unsteadyUs = 0;  // a period is up to this much shorter or longer
   uint32_t spreadUs = 0;  // between the characters of a frame
+  uint32_t jitterUs = 0;  // up to this much more, drawn for each character
+  Silences silences{};
   uint64_t frames = 100;
   uint64_t stopEvery = 0;  // after this many frames the line is silent for 100 ms
   Company company{};
+  NoiseBefore noiseBefore{};
   Cut cut{};
 
   uint32_t characterUs() const { return line::LineSettings{baud}.characterUs(); }
+  // Returns the longest time from the end of a character of a frame to the next one.
+  uint32_t longestSilenceUs() const { return spreadUs + jitterUs + (silences.count != 0 ? silences.mostUs : 0); }
 };
 
 // A frame as it was on the line. Good characters are numbered as they come, from 0; the UART drops the others unseen.
@@ -95,7 +124,8 @@ class ImpairedLine : public line::Line {
   // Takes the oldest frame that was sent; returns false without one. No character of a frame comes before it.
   bool nextSent(SentFrame &frame);
 
-  // Returns when the first character after the cut begins, if only frames are sent; without a cut, the first of all.
+  // Returns when the first character after the cut begins, if only frames are sent, and spread evenly; without a cut,
+  // the first of all.
   uint64_t joinedUs() const { return _joinedUs; }
 
   uint64_t noiseCharacters() const { return _noiseCharacters; }
@@ -108,6 +138,10 @@ class ImpairedLine : public line::Line {
   void sendBetween(uint8_t end);
   void sendSlots(unsigned group);
   void sendStray(int stray);
+  void sendNoiseBefore();
+  void sendFragment();
+  void drawSilences(unsigned size);
+  void swap();
   void send(uint8_t value, bool bad = false);
   bool isCut(unsigned character) const;
 
@@ -117,6 +151,7 @@ class ImpairedLine : public line::Line {
   Random &_random;
   PayloadFrames _sticks;
   PayloadFrames _moreSticks;  // CH17 to CH24, or CH32
+  std::optional<PayloadFrames> _otherSticks;  // of the receiver after a swap
 
   uint64_t _framesLeft;
   uint64_t _number = 0;  // of the next frame
@@ -125,7 +160,9 @@ class ImpairedLine : public line::Line {
   uint64_t _good = 0;    // good characters sent so far
   uint64_t _noiseCharacters = 0;
   uint64_t _burstEndUs = 0;
+  uint64_t _cutUs = 0;     // when the first character that was cut off would have begun
   bool _straight = false;  // of the next frame
+  std::array<uint32_t, sbus::FrameSize24> _silentUs{};  // before each character of a frame
   std::deque<line::Character> _characters;
   std::deque<SentFrame> _sent;
 };

@@ -5,11 +5,9 @@
 
 #include <sbus/Frame.h>
 
-namespace {
+#include "Runs.h"
 
-constexpr uint64_t FramesInSync = 20;
-constexpr uint64_t FramesAfter = 30;
-constexpr uint32_t LongestCut = 9;  // periods
+namespace {
 
 // (A port that hands over 8 bytes at once hides so much of a gap of 3.3 ms that a loop of 1 ms misses it now and then:
 // one join of about 2000 delivers a frame that was never sent.)
@@ -51,14 +49,6 @@ void pluggedIn(Run &run, Random &random) {
   run.silenceUs = random.chance(0.5) ? 5000 : 300000;
   run.line.cut.toCharacter = random.below(sbus::FrameSize);
   run.line.frames = FramesAfter + 1;
-}
-void unplugged(Run &run, Random &random) {
-  Cut &cut = run.line.cut;
-  cut.fromFrame = FramesInSync;
-  cut.fromCharacter = random.below(sbus::FrameSize);
-  cut.toFrame = FramesInSync + 1 + random.below(LongestCut);
-  cut.toCharacter = random.below(sbus::FrameSize);
-  run.line.frames = cut.toFrame + 1 + FramesAfter;
 }
 void unpluggedAtSameCharacter(Run &run, Random &random) {
   unplugged(run, random);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <sbus/Frame.h>
+
 #include "Simulation.h"
 
 constexpr unsigned long FastBaud = 200000;
@@ -79,6 +81,18 @@ inline Run cut(unsigned periods) {
   run.line.cut = {12, 1, 12 + uint64_t{periods}, 1, 13 + uint64_t{periods}};
   run.line.frames = 24 * run.line.cut.every;  // at each character
   return run;
+}
+// Unplugged within a frame, and plugged in again within another.
+constexpr uint64_t FramesInSync = 20;
+constexpr uint64_t FramesAfter = 30;
+constexpr uint32_t LongestCut = 9;  // periods
+inline void unplugged(Run &run, Random &random) {
+  Cut &cut = run.line.cut;
+  cut.fromFrame = FramesInSync;
+  cut.fromCharacter = random.below(sbus::FrameSize);
+  cut.toFrame = FramesInSync + 1 + random.below(LongestCut);
+  cut.toCharacter = random.below(sbus::FrameSize);
+  run.line.frames = cut.toFrame + 1 + FramesAfter;
 }
 inline Run by24(Run run) {
   run.reads24 = true;

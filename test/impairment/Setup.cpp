@@ -20,11 +20,11 @@ std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::i
   return setups;
 }
 
-std::vector<Setup> calledBack(std::initializer_list<uint32_t> periodsUs) {
+std::vector<Setup> calledBack(std::initializer_list<uint32_t> periodsUs, uint32_t lateUs) {
   constexpr uint32_t LoopUs = 20000;
   std::vector<Setup> setups;
   for (const uint32_t periodUs : periodsUs) {
-    setups.push_back({periodUs, LoopUs, Board, 64, Polling::Never});
+    setups.push_back({periodUs, LoopUs, Board, 64, Polling::Never, lateUs});
   }
   return setups;
 }

@@ -23,12 +23,13 @@ struct Setup {
   Driver driver = Board;
   size_t buffer = 64;
   Polling polling = Polling::InLoop;
+  uint32_t callLateUs = 0;  // a port that calls back does so up to this much later than bytes were handed over
 
   bool callsBack() const { return polling == Polling::Never; }
 };
 
 // A port that calls back, whatever loop() does.
-std::vector<Setup> calledBack(std::initializer_list<uint32_t> periodsUs);
+std::vector<Setup> calledBack(std::initializer_list<uint32_t> periodsUs, uint32_t lateUs = 0);
 
 // Returns every driver with each of these periods and loops, and buffers of 256.
 std::vector<Setup> everyDriver(std::initializer_list<uint32_t> periodsUs, std::initializer_list<uint32_t> loopsUs);

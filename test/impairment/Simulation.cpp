@@ -80,7 +80,9 @@ class Simulation {
   }
 
   // Returns true if every driver has handed over what came, and a call has found nothing.
-  bool isSilent() const { return _emptyLoops > 0 && fakeMicros >= _lastEndUs + LongestIdle * _characterUs; }
+  bool isSilent() const {
+    return _emptyLoops > 0 && _callUs == UINT64_MAX && fakeMicros >= _lastEndUs + LongestIdle * _characterUs;
+  }
 
   // Runs all loops up to the last one before the next character, or a block. Each takes exactly the loop period.
   void passSilence() {
@@ -100,6 +102,7 @@ class Simulation {
       line::Character character;
       _line.next(fakeMicros, character);
       handOver(character.endUs - _characterUs);
+      callBack(character.endUs - 1);
       for (SentFrame frame; _line.nextSent(frame);) {
         (frame.extra ? _extraJudge : _judge).sent(frame);
       }
@@ -110,37 +113,63 @@ class Simulation {
       _beforeJoin += character.endUs < _joinedUs + _characterUs && !character.bad;
       _port.receive(character);
       _lastEndUs = character.endUs;
+      noteEvent(character.endUs);
       callBack(character.endUs);
     }
     handOver(std::min(fakeMicros, _nextUs - _characterUs));  // then it is no longer idle
+    callBack(fakeMicros);
   }
 
+  // Passes the time up to `us`, before the next character begins.
   void handOver(uint64_t us) {
-    const uint64_t idleUs = _port.idleFromUs();
-    _port.advance(us);
-    callBack(std::min(us, idleUs));
+    do {
+      const uint64_t untilUs = std::min(us, _callUs);
+      const uint64_t idleUs = _port.idleFromUs();
+      _port.advance(untilUs);
+      noteEvent(std::min(untilUs, idleUs));
+    } while (callBack(us));
   }
 
-  // The port has handed bytes over at `us`.
-  void callBack(uint64_t us) {
-    if (!_run.setup.callsBack() || !_port.takeEvent()) {
-      return;
+  // The port may have handed bytes over at `us`.
+  void noteEvent(uint64_t us) {
+    if (_run.setup.callsBack() && _port.takeEvent()) {
+      _eventUs = us;
+      _callUs = callFor(us);
+    }
+  }
+
+  // Makes the call that waits, if it comes by the time `us`, and returns true. By then other bytes may have followed
+  // those of the event; they bring no event of their own.
+  bool callBack(uint64_t us) {
+    if (_callUs > us) {
+      return false;
     }
     const uint64_t nowUs = fakeMicros;
-    fakeMicros = us;
-    _lastEmptyUs = us;
-    call();
+    fakeMicros = _callUs;
+    _callUs = UINT64_MAX;
+    _lastEmptyUs = _eventUs;
+    pollFound();
     fakeMicros = nowUs;
+    return true;
+  }
+
+  // Returns when the call for an event at `us` comes: once no other work has the level of the port's calls.
+  uint64_t callFor(uint64_t us) {
+    const uint32_t lateUs = _run.setup.callLateUs;
+    us += lateUs != 0 ? randomUs(lateUs + 1) : 0;
+    if (_run.workUs == 0) {
+      return us;
+    }
+    while (_workEndUs <= us) {
+      _workUs = _workEndUs + randomUs(_run.workEveryUs);
+      _workEndUs = _workUs + _run.workUs;
+    }
+    return us < _workUs ? us : _workEndUs;
   }
 
   void call() {
-    if (_port.available() > 0) {
-      _emptyLoops = 0;
-      const bool gap = isGap();
-      poll();
-      if (gap) {
-        _judge.gap();  // a frame that ended there has been given by now
-      }
+    if (!_run.setup.callsBack() && _port.available() > 0) {
+      pollFound();
       return;
     }
     _emptyLoops++;
@@ -151,9 +180,18 @@ class Simulation {
     }
   }
 
+  void pollFound() {
+    _emptyLoops = 0;
+    const bool gap = isGap();
+    poll();
+    if (gap) {
+      _judge.gap();  // a frame that ended there has been given by now
+    }
+  }
+
   // Returns true if a certain gap stands before the bytes that wait: the silence from the last call that found bytes to
-  // the last empty call, less what a driver may hold back, is longer than two characters, and no longer than any frame
-  // period. It lies between characters if some were found since the line was joined.
+  // the last empty call, less what a driver may hold back, is longer than two characters and what the sender has within
+  // frames, but no longer than any frame period. It lies between characters if some were found since the line was joined.
   bool isGap() {
     const uint64_t idle = _run.setup.driver.isBoards() ? 1 : sbus::MostIdleCharacters;  // as far as the library knows
     const auto found = static_cast<uint64_t>(_port.available());
@@ -161,7 +199,8 @@ class Simulation {
                                               sbus::Frame16::LongestSpread);
     const uint64_t silentUs = _lastEmptyUs > _lastFoundUs ? _lastEmptyUs - _lastFoundUs : 0;
     _lastFoundUs = fakeMicros;
-    return position() > _beforeJoin && silentUs > burst * _characterUs && silentUs < LongestPeriodUs;
+    return position() > _beforeJoin && silentUs > burst * _characterUs + _run.line.longestSilenceUs() &&
+           silentUs < LongestPeriodUs;
   }
 
   void poll() {
@@ -230,6 +269,10 @@ class Simulation {
   uint64_t _beforeJoin = 0;  // characters
   uint64_t _lastEmptyUs = 0;
   uint64_t _lastFoundUs = 0;
+  uint64_t _eventUs = 0;          // of the newest event
+  uint64_t _callUs = UINT64_MAX;  // when its call comes
+  uint64_t _workUs = 0;           // when the newest other work begins, and ends
+  uint64_t _workEndUs = _beginUs;
   uint64_t _nextBlockUs = 0;
   uint64_t _blocks = 0;
   uint64_t _lastEndUs = 0;

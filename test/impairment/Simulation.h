@@ -16,6 +16,8 @@ struct Run {
   uint32_t blockToUs = 0;    // to this time
   uint32_t blockEveryUs = 0;
   bool blocksInterrupts = false;  // they are off while the loop is blocked
+  uint32_t workUs = 0;       // other work at the level of the port's calls, which wait for its end, takes this long
+  uint32_t workEveryUs = 0;  // and begins again up to this long after its end
   bool joining = false;        // the port is opened
   uint32_t joinUs = 0;         // this long after the line's first frame has begun
   uint32_t silenceUs = 20000;  // without `joining` this long before, and up to 9 ms longer
