@@ -77,11 +77,11 @@ inline bool DecodeSBusOf<Format, Events>::leavesUnread() {
   if (!_port.tellsIdle() || _port.wasIdle() || !_port.enter()) {
     return false;
   }
-  const bool isIncomplete = _finder.isIncomplete(_port.waiting(), micros());
-  if (isIncomplete) {
+  const bool mayWait = _finder.mayWait(_port.waiting(), micros());
+  if (mayWait) {
     _port.read(_finder.space(), 0);  // the port calls again
   }
-  return !_port.leave() && isIncomplete;
+  return !_port.leave() && mayWait;
 }
 
 // Polls, and once more if the port has called back meanwhile.
@@ -131,16 +131,24 @@ void DecodeSBusOf<Format, Events>::poll(bool isPrompt) {
   if (_port.mayHaveLostOldest(static_cast<unsigned>(found))) {
     _finder.broken();  // the bytes that wait stand after the loss
   }
-  _port.tellsIdle() ? _finder.pollIdling(static_cast<unsigned>(found), now, isPrompt)
-                    : _finder.poll(static_cast<unsigned>(found), now);
+  int split = 0;
+  if (_port.tellsIdle()) {
+    split = _finder.pollIdling(static_cast<unsigned>(found), now, isPrompt, _port.wasIdle());
+  } else {
+    _finder.poll(static_cast<unsigned>(found), now);
+  }
   for (int waiting = found; waiting > 0;) {
-    const int count = read(waiting);
+    const int count = read(split != 0 ? split : waiting);
     if (count <= 0) {
       return;  // the port fails
     }
     waiting -= count;
     if (const uint8_t *const frame = _finder.received(count, waiting)) {
       judge(frame);
+    }
+    if (split != 0) {
+      _finder.likelyGap();
+      split = 0;
     }
   }
   if (_port.isIdle()) {

@@ -62,6 +62,10 @@ class Acquisition {
     return isKnown;
   }
 
+  /// Returns true if a frame's number of characters has come since the last gap: if another gap follows, the two prove
+  /// each other, even if the port called late.
+  bool isFrame() const { return _run == Format::Size || (_run > Format::Size && _run == _lastRun); }
+
   /// Returns how many characters came between the two newest gaps; 255 if unknown.
   int lastRun() const { return _lastRun; }
 

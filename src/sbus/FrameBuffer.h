@@ -110,7 +110,9 @@ class FrameBuffer {
     _filled = static_cast<uint8_t>(_filled - count);
     const uint8_t gapAt = static_cast<uint8_t>(_gapAt - count);
     _gapAt = gapAt > Capacity ? Nowhere : gapAt;  // below 0, or Nowhere less `count`: as bytes both are far above
-    forgetGaps();
+    if (count != 0) {
+      forgetGaps();
+    }
   }
   // Only the newest gap is remembered, and what those before it say about a frame that begins with the first byte.
   void forgetGaps() {

@@ -79,9 +79,13 @@ class FrameFinderOf : private Events {
   /// Takes a poll of the port at `now` (us, wraps) that found `found` bytes, 1 or more. Read them next.
   void poll(unsigned found, uint32_t now);
 
-  /// Likewise, for a port that tells when the line was idle: call ended() then. `isPrompt`: the port has just handed the
-  /// bytes over and called back.
-  void pollIdling(unsigned found, uint32_t now, bool isPrompt);
+  /// Likewise, for a port that tells when the line was idle. `isPrompt`: the port has just handed the bytes over and
+  /// called back. `isIdle`: the line was idle after them; call ended() once they are read. Returns how many bytes to read
+  /// before likelyGap(), or 0.
+  int pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle);
+
+  /// The line may have been silent after the last byte.
+  void likelyGap() { _buffer.markGap(Silence::Likely); }
 
   /// Takes a poll at `now` that found nothing. Returns the frame that waited for a silence to prove it, or nullptr.
   const uint8_t *idle(uint32_t now) {
@@ -92,13 +96,15 @@ class FrameFinderOf : private Events {
   /// The line was idle for a character or more after the last byte. Returns the frame that this proves, or nullptr.
   const uint8_t *ended() { return settle(Silence::Gap); }
 
-  /// Returns true if `waiting` more bytes complete no frame. Then they need not be read: `now` is their poll.
-  bool isIncomplete(unsigned waiting, uint32_t now) {
-    const bool isIncomplete = static_cast<unsigned>(_buffer.filled()) + waiting < Format::Size;
-    if (isIncomplete) {
-      _timing.incomplete(now);
+  /// Returns true if the `waiting` bytes that the port has just handed over need not be read yet: they complete no frame,
+  /// and it has handed over all of them at once.
+  bool mayWait(unsigned waiting, uint32_t now) {
+    if (_unread != 0 || static_cast<unsigned>(_buffer.filled()) + waiting >= Format::Size) {
+      return false;
     }
-    return isIncomplete;
+    _unread = static_cast<uint8_t>(waiting);
+    _timing.incomplete(now);
+    return true;
   }
 
   /// Takes `count` bytes, 1..room(), that were written to space(); `waiting` more bytes of this poll are not read yet.
@@ -172,6 +178,7 @@ class FrameFinderOf : private Events {
   bool _aligned;       // the last frame was aligned
   int8_t _expectedAt;  // index where the next frame is expected; below 0: that many characters ago
   uint8_t _rejected;   // headers rejected in this poll
+  uint8_t _unread;     // bytes that the port has handed over, and that mayWait()
   uint16_t _found;     // bytes that this poll has found
   bool _owed;          // the port has lost bytes after those of this poll
   bool _hasBreaks;     // a break has come on this line, and no frame of another variant since
@@ -213,16 +220,36 @@ SBUS_IN_LINE void FrameFinderOf<Format, Events>::poll(unsigned found, uint32_t n
   _acquisition.characters(found);
 }
 
+// The port tells when the line was idle, but not where half of its ring ends. There only the time can show a gap, and
+// other work may have delayed the call. So such a gap is certain only after a frame's number of characters, and there is
+// none within 25 characters between two idle times, unless it is as long as between two parts of two frames.
 template <typename Format, typename Events>
-SBUS_IN_LINE void FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt) {
+SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint32_t now, bool isPrompt, bool isIdle) {
   startPoll(found);
-  const Silence silence = _timing.idleBefore(found, now, isPrompt);
+  const unsigned unread = _unread;
+  const uint32_t lastPoll = _timing.lastPoll();
+  const uint32_t handedOver = isPrompt ? now : lastPoll;
+  const uint32_t before = unread != 0 ? _timing.silence(unread, lastPoll, _timing.lastBytes())
+                                      : _timing.silence(found, handedOver, _timing.lastBytes());
+  const uint32_t within = unread != 0 ? _timing.silence(found - unread, handedOver, lastPoll) : 0;
+  _unread = 0;
+  _timing.taken(now);
+  const int filled = _buffer.filled();
+  const bool isDue = _aligned && _expectedAt == 0;
+  const bool isWhole = isIdle && static_cast<unsigned>(filled) + found == Format::Size && (_buffer.gapAt() == 0 || isDue);
+  const uint32_t bearable = isWhole ? _timing.bearable(isDue ? _counters.period : 0) : 0;
+  const Silence silence = _timing.lasting(before);
   if (silence == Silence::Long) {
     startOver(rules::FirstOffBy);
-  } else if (silence == Silence::Wide && _buffer.gapAt() == _buffer.filled()) {
-    _buffer.markGap(silence);
+  } else if (silence != Silence::Unknown) {
+    if (_buffer.gapAt() == filled || _acquisition.isFrame() || (filled == Format::Size && (isDue || _buffer.beginsWide()))) {
+      gapBefore(silence);
+    } else if (before > bearable) {
+      likelyGap();
+    }
   }
   _acquisition.characters(found);
+  return _timing.lasting(within) != Silence::Unknown && within > bearable ? static_cast<int>(unread) : 0;
 }
 
 /// Finds frames of 16 channels, which nearly all receivers send.

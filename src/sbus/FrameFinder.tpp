@@ -28,6 +28,7 @@ void FrameFinderOf<Format, Events>::reset(uint32_t now, uint8_t characterTime, u
   _variant = UnknownVariant;
   _aligned = false;
   _hasBreaks = false;
+  _unread = 0;
   _buffer.clear();
   startOver(rules::FirstOffBy);
   _counters = Counters();
@@ -81,11 +82,17 @@ void FrameFinderOf<Format, Events>::checkFound() {
 // two impaired frames may look like one of this size again and again.
 template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::gapBefore(Silence gap) {
+  const int filled = _buffer.filled();
+  if (gap == Silence::Wide && filled < Size && _buffer.isHeader(0)) {
+    uint8_t *const beginning = _buffer.bytes();
+    discard(filled);  // no frame has such a gap inside
+    _buffer.moveTo(beginning);
+  }
   _buffer.markGap(gap);
   if (!Events::seesEachGap()) {
     _acquisition.forget();
   }
-  if (_acquisition.gap(_buffer.filled(), _variant == UnknownVariant)) {
+  if (_acquisition.gap(filled, _variant == UnknownVariant)) {
     countUp(_counters.otherSizeFrames);
     _variant = UnknownVariant;
     _aligned = false;  // out of sync: isUsual() needs a variant

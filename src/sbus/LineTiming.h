@@ -80,19 +80,37 @@ class LineTiming {
     return isLong(silence) ? Silence::Long : isWide(silence, found) ? Silence::Wide : Silence::Gap;
   }
 
-  /// Likewise, for a port that tells itself when the line was idle: returns Long, Wide if the line was idle before these
-  /// bytes, or Unknown. `isPrompt`: the port has just called back, so it handed them over no earlier.
-  Silence idleBefore(unsigned found, uint32_t now, bool isPrompt) {
-    const uint32_t silence = (isPrompt ? now : _lastPoll) - _lastBytes;
-    take(now);
-    if (silence >= LongSilence) {
-      return Silence::Long;
-    }
-    return silence > found * MostStretched * _characterTime + LongestStop ? Silence::Wide : Silence::Unknown;
+  /// Takes the time of a poll of a port that tells itself when the line was idle.
+  void taken(uint32_t now) { take(now); }
+
+  /// Returns for how long, in us, the line was silent at least before `found` bytes that were handed over at `handedOver`,
+  /// if those before them were at `before`. Other work may delay a port's call unnoticed: then it is shorter.
+  uint32_t silence(unsigned found, uint32_t handedOver, uint32_t before) const {
+    const uint32_t us = handedOver - before;
+    const uint32_t most = found * MostStretched * _characterTime;
+    return us > most ? us - most : 0;
+  }
+
+  /// Returns what a silence of `us` is.
+  Silence lasting(uint32_t us) const {
+    return us >= LongSilence                       ? Silence::Long
+           : us > LongestStop                      ? Silence::Wide
+           : us > unsigned{Gap} * _characterTime ? Silence::Gap
+                                                   : Silence::Unknown;
+  }
+
+  /// Returns for how long a frame may seem to be interrupted, in us, where parts of two frames are `period` apart; 0: it is
+  /// not known.
+  static uint32_t bearable(uint32_t period) {
+    constexpr uint32_t Together = 2500;  // us: of 16 characters, silence() takes this much too much
+    return static_cast<int32_t>(period) > static_cast<int32_t>(LongestStop + Together) ? period - Together : LongestStop;
   }
 
   /// Takes a time at which the bytes that wait do not yet complete a frame.
   void incomplete(uint32_t now) { _lastPoll = now; }
+
+  uint32_t lastPoll() const { return _lastPoll; }    ///< the time of the newest poll, or of incomplete()
+  uint32_t lastBytes() const { return _lastBytes; }  ///< the time of the newest poll that found bytes
 
   /// Returns true if fallsShort() may be true: some polls have found nothing, so that the time of the previous poll is
   /// known, and the newest poll came later than one character and a gap can explain. (Asked first: an AVR's sensor
