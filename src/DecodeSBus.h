@@ -20,8 +20,9 @@ class Ticker;
 
 }  // namespace sbus
 
-/// Decodes one receiver on one serial port. Several objects can work on different ports; name none of them `sbus`,
-/// which is a namespace. A sketch needs two calls:
+/// Decodes one receiver on one serial port. Several objects can work on different ports, but only one on each port: two
+/// would take bytes from each other, and on a Grasshopper only the last that called begin() receives. Name none of them
+/// `sbus`, which is a namespace. A sketch needs two calls:
 ///
 ///     DecodeSBus dSBus(Serial1);
 ///     SBusFrame frame;
@@ -63,6 +64,8 @@ class DecodeSBusOf {
   /// `config` is SERIAL_8E2 for an uninverted line, or another format of the core. If the port does not support a
   /// setting, begin() does not report it, and no frames come: the example Diagnose finds the cause. Below 47060 baud
   /// begin() opens nothing. It does not open a Stream other than a hardware serial port: use listen().
+  ///
+  /// On a Grasshopper begin() and listen() replace the sketch's own `Serial1.onReceive()`, and end() removes it.
   ///
   /// Without pins in the constructor an ESP32 or ESP8266 uses the core's pins. With core 1 or 2, Serial1's pins on a
   /// classic ESP32 belong to its flash (extras/docs/boards.md).

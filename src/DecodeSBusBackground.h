@@ -36,6 +36,9 @@ using DecodeSBusBackgroundOf = Decoder;
 /// Call all methods from setup() and loop(), at any moment. Several objects can work on different ports, and each must
 /// live until end(). extras/docs/interrupts.md lists the boards; on others this header does not compile.
 ///
+/// A function that takes a DecodeSBus does not take it, because that function would open the port without the timer.
+/// Make such a function a template: `template <typename Decoder> void open(Decoder &dSBus) { dSBus.begin(); }`.
+///
 /// `Decoder` is DecodeSBus, DecodeSBus24, DecodeSBusNoPulses or DecodeSBusTelemetry.
 template <typename Decoder>
 class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
@@ -74,6 +77,12 @@ class DecodeSBusBackgroundOf : public sbus::HeldOf<Decoder, sbus::Ticked> {
   void end() {
     this->stopTicks();
     Decoder::end();
+  }
+
+  /// See DecodeSBusOf.
+  bool read(typename Decoder::Frame &frame) {
+    const sbus::Ticked::Hold hold(*this);
+    return Decoder::read(frame);
   }
 
   /// Reads the waiting bytes, like DecodeSBusOf::parseSBusFrame(). Call it at any rate, or never.

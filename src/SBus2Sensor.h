@@ -53,7 +53,8 @@ struct SlotHolder {
 /// other than a hardware serial port, and the ports of some cores (extras/docs/telemetry.md).
 ///
 /// Where an interrupt or a task reads the port, the methods of DecodeSBusTelemetry hold it off while they run. On an
-/// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt.
+/// ESP32 they wait for that task, for up to 1.5 ms. Do not call them from an interrupt. A function that takes a
+/// DecodeSBusTelemetry does not take an SBus2Sensor: make it a template (see DecodeSBusBackgroundOf).
 class SBus2Sensor : public sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder> {
   using Decoder = sbus::HeldOf<DecodeSBusTelemetryOf<sbus::Answers>, sbus::SlotHolder>;
 

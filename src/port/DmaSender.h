@@ -35,8 +35,9 @@ class DmaSender {
   static bool isFresh(const HardwareSerial *port);
   // Returns true while a character comes in.
   static bool hears(const HardwareSerial *port);
-  // Waits until the last character has gone out.
-  static void flush(const HardwareSerial *port);
+  // Waits until the last character has gone out. Null if the sketch does not send: the linker takes this class from the
+  // library's archive (`dot_a_linkage`) only for another method.
+  __attribute__((weak)) static void flush(const HardwareSerial *port);
 };
 
 /// @endcond

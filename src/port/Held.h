@@ -11,35 +11,39 @@
 
 namespace sbus {
 
+class LinkQuality;
 struct Trust;
 
 /// The methods of `Decoder` for a sketch in which an interrupt or a task polls the port: it waits while one of them
 /// runs. Call them only from setup() and loop(). `Holder::Hold` makes it wait.
+///
+/// A function that takes a `Decoder &` would call methods that do not lock, and a begin() that starts no timer: with a
+/// protected base such a call does not compile. The derived class adds the methods that open, close and read the port.
 template <typename Decoder, typename Holder>
-class HeldOf : public Decoder, protected Holder {
+class HeldOf : protected Decoder, protected Holder {
   using Hold = typename Holder::Hold;
 
  public:
+  using ChannelArray = typename Decoder::ChannelArray;  ///< see DecodeSBusOf
+  using Frame = typename Decoder::Frame;                ///< see DecodeSBusOf
+
   /// Constructs a `Decoder`.
   using Decoder::Decoder;
 
-  /// See DecodeSBusOf.
-  bool read(typename Decoder::Frame &frame) {
-    const Hold hold(*this);
-    return Decoder::read(frame);
-  }
+  using Decoder::setTimeout;  ///< see DecodeSBusOf
+
   /// See DecodeSBusOf.
   bool SBusFrameOk() {
     const Hold hold(*this);
     return Decoder::SBusFrameOk();
   }
   /// See DecodeSBusOf.
-  void decodeSBusFrame(typename Decoder::ChannelArray channels, bool &failsafe, bool &lostFrame) {
+  void decodeSBusFrame(ChannelArray channels, bool &failsafe, bool &lostFrame) {
     const Hold hold(*this);
     Decoder::decodeSBusFrame(channels, failsafe, lostFrame);
   }
   /// See DecodeSBus.
-  bool decodeExtraChannels(ChannelArray<uint16_t, ProportionalCount> channels) {
+  bool decodeExtraChannels(sbus::ChannelArray<uint16_t, ProportionalCount> channels) {
     const Hold hold(*this);
     return Decoder::decodeExtraChannels(channels);
   }
@@ -85,6 +89,9 @@ class HeldOf : public Decoder, protected Holder {
     const Hold hold(*this);
     return Decoder::rejectedGroups();
   }
+
+ private:
+  friend class LinkQuality;  // for the clock
 };
 
 }  // namespace sbus

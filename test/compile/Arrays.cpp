@@ -1,4 +1,4 @@
-// A sketch's arrays. Case 0 compiles; the others must not. Each line has the number of a case, and what the compiler says.
+// What a sketch passes to a function: arrays, frames and decoders. Case 0 compiles; the others must not. Each line has the number of a case, and what the compiler says.
 // 1 The array is too small: CH1..CH16, CH17 and CH18 are uint16_t channels.18.
 // 2 The array is too small: CH1..CH24 are uint16_t channels.24.
 // 3 The array is too small: CH1..CH16 are uint16_t channels.16.
@@ -9,13 +9,18 @@
 // 8 nullptr_t
 // 9 const uint16_t
 // 10 SBusFrame24
-#include <DecodeSBusTelemetry.h>
+// 11 DecodeSBusTelemetryOf<.* is an inaccessible base of .*SBus2Sensor
+// 12 DecodeSBusOf<.* is an inaccessible base of .*SBus2Sensor
 #include <EncodeSBus.h>
+#include <SBus2Sensor.h>
 #include <sbus/Calibrator.h>
+#include <sbus/LinkQuality.h>
 
 DecodeSBus dSBus(Serial1);
 DecodeSBus24 dSBus24(Serial1);
 DecodeSBusTelemetry telemetry(Serial1);
+SBus2Sensor sensor(Serial1);
+sbus::LinkQuality quality;
 EncodeSBus eSBus(Serial1);
 EncodeSBus24 eSBus24(Serial1);
 sbus::Calibrator calibrator;
@@ -32,7 +37,17 @@ void function(uint16_t channels[]) {
   dSBus.decodeSBusFrame(channels, failsafe, lostFrame);
 }
 
-void arrays() {
+template <typename Events>
+void openTelemetry(DecodeSBusTelemetryOf<Events> &decoder) {
+  decoder.begin();
+}
+
+template <typename Format, typename Events>
+void open(DecodeSBusOf<Format, Events> &decoder) {
+  decoder.begin();
+}
+
+void arguments() {
 #if CASE == 0
   dSBus.decodeSBusFrame(eighteen, failsafe, lostFrame);
   dSBus.decodeSBusFrame(&twentyFour[0], failsafe, lostFrame);
@@ -47,6 +62,12 @@ void arrays() {
   eSBus24.write(constant, failsafe, lostFrame);
   calibrator.feed(frame.channels, failsafe, lostFrame);
   sbus::unpack(bytes, eighteen);
+  openTelemetry(telemetry);
+  open(dSBus);
+  open(telemetry);
+  quality.update(sensor);
+  sensor.read(frame);
+  sensor.setTimeout(50);
 #elif CASE == 1
   dSBus.decodeSBusFrame(sixteen, failsafe, lostFrame);
 #elif CASE == 2
@@ -67,5 +88,9 @@ void arrays() {
   dSBus.decodeSBusFrame(constant, failsafe, lostFrame);
 #elif CASE == 10
   dSBus.read(frame24);
+#elif CASE == 11
+  openTelemetry(sensor);
+#elif CASE == 12
+  open(sensor);
 #endif
 }

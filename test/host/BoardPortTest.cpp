@@ -57,3 +57,15 @@ TEST_CASE(
     CHECK(port.uart().available() == 20);
   }
 }
+
+TEST_CASE("the port knows that onReceive() has replaced another listener, not if one came again or had gone before") {
+  const int first = 0, second = 0;
+  host::BoardPort port;
+  port.onReceive([] {}, &first);
+  port.onReceive([] {}, &first);
+  port.onReceive({}, nullptr);
+  port.onReceive([] {}, &second);
+  CHECK_FALSE(port.changedListener());
+  port.onReceive([] {}, &first);
+  CHECK(port.changedListener());
+}

@@ -12,6 +12,11 @@ class Callback {
   Callback(void (T::*method)(), T *object)
       : _method(reinterpret_cast<Method>(method)), _object(object), _call(callMethod<T>) {}
 
+  // For the report: the object or the function that is called; null if there is none.
+  const void *listener() const {
+    return _object != nullptr ? _object : reinterpret_cast<const void *>(_function);
+  }
+
   void call() const {
     if (_function != nullptr) {
       _function();

@@ -207,7 +207,7 @@ void Uart::onReceive(void (*callback)()) {
 }
 
 void Uart::onReceive(Callback callback) {
-  port().onReceive([callback] { callback.call(); });
+  port().onReceive([callback] { callback.call(); }, callback.listener());
 }
 #endif
 

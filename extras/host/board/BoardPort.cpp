@@ -1,6 +1,7 @@
 #include "BoardPort.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace host {
 
@@ -47,6 +48,12 @@ void BoardPort::open(uint64_t nowUs, const PortSettings &settings, uint8_t *buff
 void BoardPort::close() {
   _uart.close();
   _sender.close();
+}
+
+void BoardPort::onReceive(std::function<void()> callback, const void *listener) {
+  _changedListener |= _listener != nullptr && listener != nullptr && _listener != listener;
+  _listener = listener;
+  _callback = std::move(callback);
 }
 
 // Starts over with the current settings of port and wire.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "BoardUart.h"
@@ -35,7 +34,8 @@ class BoardPort {
   // `buffer` the port has the board's 64 bytes.
   void open(uint64_t nowUs, const PortSettings &settings, uint8_t *buffer = nullptr, size_t size = 0);
   void close();
-  void onReceive(std::function<void()> callback) { _callback = std::move(callback); }
+  // `listener` tells whose callback it is; null if nothing is to be called.
+  void onReceive(std::function<void()> callback, const void *listener);
 
   // Returns false until a line is attached or the sketch opens the port: until then nothing can happen.
   bool isUsed() const { return _line != nullptr || _everOpened; }
@@ -64,6 +64,7 @@ class BoardPort {
   const std::vector<Reception> &receptions() const { return _receptions; }  // one for each combination of settings
   bool everOpened() const { return _everOpened; }
   unsigned long missedClosed() const { return _missedClosed; }  // characters while the port was closed
+  bool changedListener() const { return _changedListener; }     // onReceive() replaced a callback of another listener
 
  private:
   void listen(uint64_t nowUs);
@@ -84,6 +85,8 @@ class BoardPort {
   std::vector<Reception> _receptions;
   size_t _reception = 0;  // the one with the current settings
   std::function<void()> _callback;
+  const void *_listener = nullptr;  // whose it is
+  bool _changedListener = false;
   unsigned long _missedClosed = 0;
 };
 

@@ -47,6 +47,18 @@ void reportLosses(const BoardPort &port, int number) {
   }
 }
 
+// Prints that onReceive() has replaced somebody's callback: two decoders on one port, most often.
+void reportListeners(Board &board) {
+  for (int number = 1; number <= Board::PortCount; number++) {
+    if (board.port(number).changedListener()) {
+      std::fprintf(stderr,
+                   "Serial%d calls only its last listener: a second decoder, or an onReceive() of the sketch, has "
+                   "replaced the first\n",
+                   number);
+    }
+  }
+}
+
 // Reports the port with the line.
 void reportLine(Board &board, int on) {
   BoardPort &port = board.port(on);
@@ -171,6 +183,7 @@ void printReport(Board &board, const Options &options) {
   if (options.on != 0) {
     reportLine(board, options.on);
   }
+  reportListeners(board);
   for (const WireOption &wire : options.wires) {
     reportWire(board, wire);
   }

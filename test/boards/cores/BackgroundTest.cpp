@@ -1,6 +1,7 @@
 // DecodeSBusBackground on the ports of one core, CORE: whatever loop() does, and whatever holds up the interrupt or the
 // task that polls, no frame is wrong, and frames are lost only where the port itself loses bytes.
 #include <DecodeSBusTelemetry.h>
+#include <sbus/LinkQuality.h>
 
 #include "BackgroundSketch.h"
 
@@ -132,6 +133,26 @@ TEST_CASE("after end() nothing is read; after begin(), once or twice, and listen
   delay(100);
   CHECK(sketch.sbus.counters().frames >= 10);
   CHECK(sketch.sbus.counters().frames <= 12);
+}
+
+template <typename Decoder>
+void openAnything(Decoder &decoder) {
+  decoder.begin();
+}
+
+TEST_CASE("a template opens it as it opens a DecodeSBus: frames come, and LinkQuality knows how many") {
+  Sketch sketch;
+  sketch.sbus.end();
+  openAnything(sketch.sbus);
+  sketch.line(100, 9000);
+  sbus::LinkQuality quality;
+  uint8_t percent = 0;
+  for (int i = 0; i < 5; i++) {
+    delay(100);
+    sketch.call([&] { percent = quality.update(sketch.sbus); });
+  }
+  CHECK(sketch.sbus.counters().frames >= 50);
+  CHECK(percent == 100);
 }
 
 TEST_CASE("telemetry comes in the background, with its age, and nothing reads the port meanwhile") {

@@ -3,10 +3,29 @@
 // 0 knows no timer of this core.*extras/docs/interrupts.md
 // 1 An interrupt cannot read this port.*extras/docs/interrupts.md
 // 2 would delay the answers of an SBus2Sensor.*extras/docs/interrupts.md
+// 3 DecodeSBus[^O]* is an inaccessible base of .*DecodeSBusBackground
+// 4 DecodeSBusOf<.* is an inaccessible base of .*DecodeSBusBackground
 #include <DecodeSBusBackground.h>
 
 #if CASE == 1
 DecodeSBusBackground dSBus(static_cast<Stream &>(Serial1));
 #elif CASE == 2
 #include <SBus2Sensor.h>
+#elif CASE == 3
+DecodeSBusBackground dSBus(Serial1);
+void open(DecodeSBus &decoder) {
+  decoder.begin();
+}
+void setup() {
+  open(dSBus);
+}
+#elif CASE == 4
+DecodeSBusBackground dSBus(Serial1);
+template <typename Format, typename Events>
+void open(DecodeSBusOf<Format, Events> &decoder) {
+  decoder.begin();
+}
+void setup() {
+  open(dSBus);
+}
 #endif

@@ -5,6 +5,8 @@
 #   OUT/CORE/PolledSensorTest  the same, where loop() times it, and on a single wire
 #   OUT/CORE/BackgroundTest  DecodeSBusBackground on them, where the core can poll
 #   OUT/CORE/PreemptBackgroundTest  the same, interrupted after each instruction
+#   OUT/CORE/DmaSenderTest  what an STM32L0 sends by DMA
+#   OUT/CORE/ReceiveOnlyTest  a sketch without that
 #   OUT/CORE/TasksTest     the example Tasks on FreeRTOS, where the core has it
 #   OUT/CORE/PpmOutTest    the example PpmOut, on a Pico's alarm and polled
 #   OUT/CORE/JoystickTest  the example Joystick, where the core makes a USB joystick
@@ -104,7 +106,7 @@ EXAMPLES := $(notdir $(wildcard $(ROOT)/examples/*))
 compiled = $(if $(filter samd51 stm32f4,$1),,$(foreach name,$(EXAMPLES),$(name).$(if $(call reason,$1,$(name)),rejected,ok)))
 ALL := $(foreach core,$(CORES),$(OUT)/$(core)/CoresTest $(if $(filter pico $(TASKS),$(core)),$(OUT)/$(core)/SensorTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PolledSensorTest) \
-  $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest) \
+  $(if $(filter stm32l0,$(core)),$(OUT)/$(core)/DmaSenderTest $(OUT)/$(core)/ReceiveOnlyTest) \
   $(if $(filter $(TICKERS),$(core)),$(OUT)/$(core)/BackgroundTest) \
   $(if $(filter teensy4,$(core)),$(OUT)/$(core)/PreemptBackgroundTest) \
   $(if $(filter esp32-%,$(core)),$(OUT)/$(core)/TasksTest) $(if $(filter pico samd,$(core)),$(OUT)/$(core)/PpmOutTest) \
@@ -144,6 +146,8 @@ $(OUT)/$1/SensorTest: $(OUT)/$1/SensorTest.o $(OUT)/$1/$(if $(filter pico,$1),Pi
   $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/$1/port/SlotTimer$(if $(filter pico,$1),Rp2040,Esp32).o $(OUT)/Uart.o $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/DmaSenderTest: $(OUT)/$1/DmaSenderTest.o $(OUT)/Uart.o $(OUT)/Main.o
+	$(CXX) $$^ -o $$@
+$(OUT)/$1/ReceiveOnlyTest: $(OUT)/$1/ReceiveOnlyTest.o $(OUT)/Uart.o $(OUT)/Main.o $(SBUS)
 	$(CXX) $$^ -o $$@
 $(OUT)/$1/PolledSensorTest: $(OUT)/$1/PolledSensorTest.o $(OUT)/$1/SBus2Sensor.o $(OUT)/$1/DecodeSBus.o $(OUT)/Uart.o \
   $(OUT)/Main.o $(SIMULATION:%=$(OUT)/%.o) $(SBUS)

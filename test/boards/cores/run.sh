@@ -2,9 +2,9 @@
 # Compiles the library and the examples, as they stand, against stand-ins of the cores that people own, and says "ok cores:
 # ..." or "FAILED cores: ..." of each; then runs frames through each core's ports, CoresTest.cpp, an S.BUS2 sensor on those
 # that time it, SensorTest.cpp, and on a Teensy 4, where loop() does, PolledSensorTest.cpp; DecodeSBusBackground on those that
-# poll each millisecond, BackgroundTest.cpp; what an STM32L0 sends by DMA, DmaSenderTest.cpp; and the examples that live on a
-# core's timers, tasks or USB: PpmOutTest.cpp, TasksTest.cpp, JoystickTest.cpp. BUILD is the folder for what is built,
-# absolute; CXX a compiler for this PC.
+# poll each millisecond, BackgroundTest.cpp; what an STM32L0 sends by DMA, DmaSenderTest.cpp, and a sketch without that,
+# ReceiveOnlyTest.cpp; and the examples that live on a core's timers, tasks or USB: PpmOutTest.cpp, TasksTest.cpp,
+# JoystickTest.cpp. BUILD is the folder for what is built, absolute; CXX a compiler for this PC.
 set -u
 cd "$(dirname "$0")" || exit 1
 out="${BUILD:-$(cd ../../.. && pwd)/build/test}/cores"
