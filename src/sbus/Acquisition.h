@@ -54,13 +54,12 @@ class Acquisition {
     return isOther;
   }
 
-  /// Takes a frame that has gaps inside. Returns true if the sender is known to stretch frames: one such frame has come
-  /// already, and no more than a hundred without gaps inside since then.
-  bool isStretched() {
-    const bool isKnown = _stretched != 0;
-    _stretched = 100;
-    return isKnown;
-  }
+  /// Takes a frame with a gap inside: two of them, with at most two others in between, show that the sender stretches
+  /// frames, until a hundred have come that have none.
+  void stretchedFrame() { _stretched = _stretched == 0 ? NotYet : 100; }
+
+  /// Returns true if the sender stretches frames.
+  bool isStretched() const { return _stretched > NotYet; }
 
   /// Returns true if a frame's number of characters has come since the last gap: if another gap follows, the two prove
   /// each other, even if the port called late.
@@ -87,6 +86,7 @@ class Acquisition {
 
  private:
   static constexpr uint8_t Memory = 8;      // gaps
+  static constexpr uint8_t NotYet = 3;      // frames
   static constexpr int Unseen = UINT8_MAX;  // characters; a line without a gap in them shows no gaps
 
   // Returns true if the line may be one of the other frame size.

@@ -40,12 +40,8 @@ class FrameBuffer {
   Silence gap() const { return static_cast<Silence>(_gap); }  ///< how certain that gap is: Likely, Gap or Wide
   /// Returns true if the incoming frame begins after a wide gap.
   bool beginsWide() const { return _gapAt == 0 ? gap() == Silence::Wide : _beginsWide; }
-  /// Returns the longest gap between the first Size bytes: Unknown if there is none. One that is not certain may be of any
-  /// length.
-  Silence inside() const {
-    const Silence newest = !isInside() ? Silence::Unknown : gap() == Silence::Likely ? Silence::Wide : gap();
-    return newest > static_cast<Silence>(_inside) ? newest : static_cast<Silence>(_inside);
-  }
+  /// Returns the longest gap between the first Size bytes: Unknown if there is none.
+  Silence inside() const { return static_cast<Silence>(isInside() && _gap > _inside ? _gap : _inside); }
   /// Marks a gap before the next byte.
   void markGap(Silence silence) {
     if (_gapAt != _filled) {
@@ -62,6 +58,7 @@ class FrameBuffer {
   void clear() {
     _filled = 0;
     _gapAt = Nowhere;
+    _gap = 0;
     forgetGaps();
   }
 

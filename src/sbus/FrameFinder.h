@@ -229,15 +229,16 @@ SBUS_IN_LINE int FrameFinderOf<Format, Events>::pollIdling(unsigned found, uint3
   const unsigned unread = _unread;
   const uint32_t lastPoll = _timing.lastPoll();
   const uint32_t handedOver = isPrompt ? now : lastPoll;
-  const uint32_t before = unread != 0 ? _timing.silence(unread, lastPoll, _timing.lastBytes())
-                                      : _timing.silence(found, handedOver, _timing.lastBytes());
+  const unsigned first = unread != 0 ? unread : found;
+  const uint32_t before = _timing.silence(first, unread != 0 ? lastPoll : handedOver, _timing.lastBytes());
   const uint32_t within = unread != 0 ? _timing.silence(found - unread, handedOver, lastPoll) : 0;
   _unread = 0;
   _timing.taken(now);
   const int filled = _buffer.filled();
+  const unsigned all = static_cast<unsigned>(filled) + found;
   const bool isDue = _aligned && _expectedAt == 0;
-  const bool isWhole = isIdle && static_cast<unsigned>(filled) + found == Format::Size && (_buffer.gapAt() == 0 || isDue);
-  const uint32_t bearable = isWhole ? _timing.bearable(isDue ? _counters.period : 0) : 0;
+  const bool isWhole = isIdle && all % Format::Size == 0 && (_buffer.gapAt() == 0 || isDue);
+  const uint32_t bearable = isWhole ? _timing.bearable(all / Format::Size, isDue ? _counters.period : 0) : 0;
   const Silence silence = _timing.lasting(before);
   if (silence == Silence::Long) {
     startOver(rules::FirstOffBy);

@@ -69,7 +69,7 @@ template <typename Format, typename Events>
 void FrameFinderOf<Format, Events>::checkFound() {
   const int filled = _buffer.filled();
   const int missing = filled == 0 || _buffer.gapAt() == filled ? 0 : Size - filled;
-  if (_timing.template fallsShort<Format>(_found, missing, _counters.period)) {
+  if (_timing.template fallsShort<Format>(_found, missing, _counters.period, _acquisition.isStretched())) {
     if (!LineTiming::ClockRuns || static_cast<int>(_found) < missing) {
       _buffer.markGap(Silence::Likely);
     } else {

@@ -229,7 +229,10 @@ template <typename Format>
 SBUS_IN_LINE Verdict judgeStretched(const Candidate<Format> &c, Acquisition<Format> &acquisition) {
   if (mayBeStretched(c)) {
     if (c.isGapAfter() && (c.hasLineVariant() || c.gap == Silence::Wide)) {
-      return acquisition.isStretched() ? Verdict::accept(true) : Verdict::reject(Rejection::GapInside, Format::Size);
+      acquisition.stretchedFrame();
+      return acquisition.isStretched() && c.inside == Silence::Gap
+                 ? Verdict::accept(true)
+                 : Verdict::reject(Rejection::GapInside, Format::Size);
     }
     if (c.count <= c.size()) {
       return Verdict::wait();

@@ -83,15 +83,16 @@ class LineTiming {
   /// Takes the time of a poll of a port that tells itself when the line was idle.
   void taken(uint32_t now) { take(now); }
 
-  /// Returns for how long, in us, the line was silent at least before `found` bytes that were handed over at `handedOver`,
-  /// if those before them were at `before`. Other work may delay a port's call unnoticed: then it is shorter.
+  /// Returns for how long, in us, the line seems to have been silent before `found` bytes that were handed over at
+  /// `handedOver`, if those before them were at `before`. Other work may delay a port's call unnoticed: then it was
+  /// shorter.
   uint32_t silence(unsigned found, uint32_t handedOver, uint32_t before) const {
     const uint32_t us = handedOver - before;
     const uint32_t most = found * MostStretched * _characterTime;
     return us > most ? us - most : 0;
   }
 
-  /// Returns what a silence of `us` is.
+  /// Returns what a silence() of `us` is.
   Silence lasting(uint32_t us) const {
     return us >= LongSilence                       ? Silence::Long
            : us > LongestStop                      ? Silence::Wide
@@ -99,11 +100,12 @@ class LineTiming {
                                                    : Silence::Unknown;
   }
 
-  /// Returns for how long a frame may seem to be interrupted, in us, where parts of two frames are `period` apart; 0: it is
-  /// not known.
-  static uint32_t bearable(uint32_t period) {
+  /// Returns for how long `frames` whole frames may seem to be interrupted, in us, where parts of two frames are `period`
+  /// apart; 0: it is not known.
+  static uint32_t bearable(unsigned frames, uint32_t period) {
     constexpr uint32_t Together = 2500;  // us: of 16 characters, silence() takes this much too much
-    return static_cast<int32_t>(period) > static_cast<int32_t>(LongestStop + Together) ? period - Together : LongestStop;
+    const uint32_t us = frames * period;
+    return us > LongestStop + Together ? us - Together : LongestStop;
   }
 
   /// Takes a time at which the bytes that wait do not yet complete a frame.
@@ -126,9 +128,10 @@ class LineTiming {
   /// that lacked `missing` bytes, 0 if none was incomplete. In a frame the characters follow each other, and a frame is
   /// complete at most one `period`, us, after the previous frame. Call it only if mayFallShort().
   template <typename Format>
-  bool fallsShort(int found, int missing, uint32_t period) const {
+  bool fallsShort(int found, int missing, uint32_t period, bool isStretched) const {
     const unsigned handedOver = static_cast<unsigned>(found) + (_idleCharacters != 0 ? LongestBurst : 0);
-    const uint32_t enough = uint32_t{inTime<Format>(handedOver)} * _characterTime;
+    const unsigned most = isStretched ? handedOver * MostStretched + _idleCharacters + Gap : inTime<Format>(handedOver);
+    const uint32_t enough = uint32_t{most} * _characterTime;
     uint32_t late = _lastPoll - _pollBefore;
     if (late <= enough || (!ClockRuns && found >= missing)) {
       return false;
@@ -201,7 +204,7 @@ class LineTiming {
   // Returns the longest time from the start of the first of these bytes until it is handed over, plus a gap.
   template <typename Format>
   unsigned burstTime(unsigned found) const {
-    const unsigned characters = _idleCharacters == 0 ? 1 + Gap : inTime<Format>(found);
+    const unsigned characters = _idleCharacters == 0 ? 2 : inTime<Format>(found);
     return (characters < Format::LongestSpread ? characters : Format::LongestSpread) * _characterTime;
   }
 
